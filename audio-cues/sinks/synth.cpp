@@ -27,7 +27,7 @@ constexpr std::array<std::array<double, 6>, 3> kModeRatios{{
 }};
 
 // The sound of a material. Chosen by ear with the literature as a guide, then spread so that every two differ in
-// brightness or ring by a third or more (test: every_two_materials_differ_when_struck). People have yet to judge them.
+// brightness or ring by a third or more (test: any_two_materials_differ_when_struck). People have yet to judge them.
 struct Timbre {
     Body body;
     double lowest_hz;     // lowest mode of the struck object

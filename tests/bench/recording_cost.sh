@@ -41,5 +41,5 @@ count() {
     valgrind --tool=callgrind --callgrind-out-file="$work/out" --toggle-collect='*ServoLoop::step_as*' "$build/bin/unit_record" --gtest_filter="RecordedServo.$2" >"$work/said" 2>&1 || { cat "$work/said"; exit 1; }
     echo "$(($(awk '/^summary:/ {print $2}' "$work/out") / ticks)) instructions a tick, $1"
 }
-count unrecorded 'that_nobody_records_*'
-count recorded 'hands_over_each_tick_*'
+count unrecorded 'without_a_recording_*'
+count recorded 'stores_each_tick_*'

@@ -70,7 +70,7 @@ double push_east(const CrateWorld& world, Dynamics& engine) {
     return felt_n;
 }
 
-TEST(Example, a_crate_in_code_is_pushed_by_a_simulated_hand) {
+TEST(Example, a_crate_made_in_code_is_pushed_by_a_simulated_hand) {
     const CrateWorld world = crate_world();
     ASSERT_TRUE(world.moves);
     Dynamics engine(world.moves);

@@ -25,7 +25,7 @@ std::shared_ptr<const HapticScene> breezy_corner() {
     return builder.build();
 }
 
-TEST(Example, a_force_of_ones_own_is_computed_on_each_tick_where_it_is_and_nowhere_else) {
+TEST(Example, a_custom_force_acts_on_each_tick_inside_its_region_and_nowhere_else) {
     const auto scene = breezy_corner();
     TouchState inside, outside;
     double strongest_n = 0.0;

@@ -38,7 +38,7 @@ private:
     Vec3 was_m_{0.0};
 };
 
-TEST(NewFeature, counts_steps_without_a_session) {
+TEST(NewFeature, counts_steps_without_a_full_session) {
     test::SceneBuilder builder;
     builder.box({-10.0, -10.0, -0.5}, {10.0, 10.0, 0.0}, "floor");
     test::PlainSession plain(builder.share());

@@ -70,7 +70,7 @@ Vec3 nearest_by_search(const Vec3& at) {
     return best;
 }
 
-TEST(Example, a_solid_of_ones_own_is_felt_where_it_is_by_search) {
+TEST(Example, a_custom_solid_is_located_by_search_and_felt_there) {
     const auto scene = handrail_with_knob();
     std::mt19937 random(20261121);
     std::uniform_real_distribution<double> within(-0.15, 0.15);
@@ -95,7 +95,7 @@ TEST(Example, a_solid_of_ones_own_is_felt_where_it_is_by_search) {
     }
 }
 
-TEST(Example, a_ball_goes_round_a_solid_of_ones_own_without_entering_it) {
+TEST(Example, a_ball_goes_round_a_custom_solid_without_entering_it) {
     const auto scene = handrail_with_knob();
     TouchState state;
     TouchTuning tuning;
@@ -114,7 +114,7 @@ TEST(Example, a_ball_goes_round_a_solid_of_ones_own_without_entering_it) {
     EXPECT_GT(touched, 1500);
 }
 
-TEST(Example, a_solid_that_breaks_its_promise_is_refused) {
+TEST(Example, a_solid_that_breaks_its_contract_is_refused) {
     HapticSceneBuilder builder;
     CustomObstacle knob;
     knob.bounds_m = {Vec3(-0.05), Vec3(0.05)};

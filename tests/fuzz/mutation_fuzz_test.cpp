@@ -79,14 +79,14 @@ std::string mutated(const std::string& seed_text, const std::vector<std::string>
 
 class Parser : public testing::TestWithParam<Harness> {};
 
-TEST_P(Parser, takes_its_seeds_and_what_once_failed) {
+TEST_P(Parser, accepts_its_seed_inputs_and_earlier_failures) {
     const std::vector<Input> seeds = inputs_in(folder_of(GetParam()) / "seeds");
     EXPECT_FALSE(seeds.empty());
     for (const auto& inputs : {seeds, inputs_in(folder_of(GetParam()) / "regressions")})
         for (const Input& input : inputs) EXPECT_EQ(GetParam().fault(input.bytes), "") << input.file.string();
 }
 
-TEST_P(Parser, takes_its_seeds_mutated_or_says_what_is_wrong) {
+TEST_P(Parser, accepts_mutated_seed_inputs_or_reports_an_error) {
     const std::vector<Input> seeds = inputs_in(folder_of(GetParam()) / "seeds");
     const std::vector<std::string> words = words_of(folder_of(GetParam()) / "words.dict");
     ASSERT_FALSE(seeds.empty() || words.empty());
@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(Every, Parser, testing::ValuesIn(harnesses().begin(), h
                          [](const testing::TestParamInfo<Harness>& row) { return std::string(row.param.name); });
 
 // Without this check, nothing would test a folder of inputs that has no row.
-TEST(Harnesses, own_every_folder_of_inputs) {
+TEST(Harnesses, cover_every_folder_of_fuzz_inputs) {
     for (const auto& entry : fs::directory_iterator(test::project_root() / "tests/fuzz/inputs")) {
         const std::string name = entry.path().filename().string();
         EXPECT_TRUE(std::any_of(harnesses().begin(), harnesses().end(), [&](const Harness& harness) {

@@ -27,13 +27,13 @@ std::uint64_t sum_of(const std::string& text) {
 
 // Every compiler, optimiser and sanitizer must give these numbers. After an intended change of the renderer's numbers,
 // enter the new sums here. Run `touch_replay >FILE` before and after the change to see which numbers differ.
-TEST(TouchRenderer, gives_the_same_numbers_in_every_preset) {
+TEST(TouchRenderer, gives_identical_numbers_in_every_build_preset) {
     const std::string numbers = output_of(test::built_program("touch_replay"));
     EXPECT_GT(numbers.size(), 10000U);
     EXPECT_EQ(sum_of(numbers), 0xcbcd30554d294c93U) << fmt::format("{:#x}", sum_of(numbers));
 }
 
-TEST(ThingsThatMove, go_the_same_ways_in_every_preset) {
+TEST(ThingsThatMove, follow_identical_paths_in_every_build_preset) {
     const std::string numbers = output_of(test::built_program("bodies_replay"));
     EXPECT_GT(numbers.size(), 10000U);
     EXPECT_EQ(sum_of(numbers), 0xff0c41a8ee7d3036U) << fmt::format("{:#x}", sum_of(numbers));

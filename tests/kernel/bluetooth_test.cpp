@@ -90,7 +90,7 @@ private:
     std::thread thread_;
 };
 
-TEST(KernelBluetooth, dual_sense_exchanges_a_thousand_reports_with_checksums_and_loses_none) {
+TEST(KernelBluetooth, loses_none_of_a_thousand_dual_sense_reports_with_checksums) {
     test::PadEmulator pad(true, true);
     UserHid radio(pad, 0x0ce6, "Wireless Controller");
     test::exchange_a_thousand_reports(test::open_hid(0x054c), PadBus::Bluetooth, pad, radio.lock,

@@ -111,7 +111,7 @@ std::unique_ptr<FfLink> open_named(const std::string& name) {
     return link;
 }
 
-TEST(KernelForceFeedback, pad_takes_a_thousand_rumbles_in_place_and_is_still_when_let_go) {
+TEST(KernelForceFeedback, pad_takes_a_thousand_rumble_updates_in_place_and_is_still_after_closing) {
     UserStick pad("Test Pad", {FF_RUMBLE, FF_GAIN});
     {
         const auto link = open_named("Test Pad");
@@ -135,7 +135,7 @@ TEST(KernelForceFeedback, pad_takes_a_thousand_rumbles_in_place_and_is_still_whe
 }
 
 // A hand pushes the stick to the right with 2 N against a wall of 150 N/m at the stick's centre.
-TEST(KernelForceFeedback, stick_rests_against_a_wall_within_a_step_of_its_axis_of_the_static_answer) {
+TEST(KernelForceFeedback, stick_rests_against_a_wall_within_one_axis_step_of_the_static_answer) {
     UserStick stick("Test Stick", {FF_CONSTANT, FF_GAIN});
     {
         auto link = open_named("Test Stick");

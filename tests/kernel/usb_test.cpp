@@ -24,14 +24,14 @@ std::unique_ptr<ByteLink> open_falcon_link() {
     return link;
 }
 
-TEST(KernelUsb, falcon_wakes_homes_and_rests_against_a_wall_at_the_exact_static_answer) {
+TEST(KernelUsb, falcon_starts_up_homes_and_rests_against_a_wall_at_the_exact_static_answer) {
     test::FalconAndItsChip falcon;
     test::UsbIpPlug plug(falcon.chip, 0, test::UsbIpPlug::Speed::Full);
     test::wake_home_and_rest_against_a_wall(open_falcon_link(), falcon.falcon, plug.lock);
     std::printf("%llu transfers\n", static_cast<unsigned long long>(plug.transfers));
 }
 
-TEST(KernelUsb, falcon_that_is_pulled_out_is_unplugged_and_plugged_in_again_is_found) {
+TEST(KernelUsb, detects_unplugging_and_replugging_of_a_falcon) {
     test::FalconAndItsChip falcon;
     falcon.falcon.stage = test::FalconEmulator::Stage::Running;
     SteadyClock clock;
@@ -49,14 +49,14 @@ TEST(KernelUsb, falcon_that_is_pulled_out_is_unplugged_and_plugged_in_again_is_f
     }
 }
 
-TEST(KernelUsb, dual_sense_exchanges_a_thousand_reports_over_hidraw_and_loses_none) {
+TEST(KernelUsb, loses_none_of_a_thousand_dual_sense_reports_over_hidraw) {
     test::PadEmulator pad(true, false);
     test::HidOnUsb function(pad, 0x054c, 0x0ce6, "DualSense Wireless Controller");
     test::UsbIpPlug plug(function, 2, test::UsbIpPlug::Speed::Full);
     test::exchange_a_thousand_reports(test::open_hid(0x054c), PadBus::Usb, pad, plug.lock, [] {});
 }
 
-TEST(KernelUsb, space_mouse_steers) {
+TEST(KernelUsb, space_mouse_steers_the_walker) {
     test::PuckEmulator puck;
     // A SpaceMouse of 3Dconnexion, because the kernel has its own driver for Logitech's.
     test::HidOnUsb function(puck, 0x256f, 0xc635, "SpaceMouse Compact");

@@ -54,7 +54,7 @@ std::vector<std::shared_ptr<const Scene>> worlds_of(int part) {
 
 class MonkeySession : public testing::TestWithParam<int> {};
 
-TEST_P(MonkeySession, never_pushes_beyond_the_ceiling_never_comes_into_a_wall_and_always_gets_an_answer) {
+TEST_P(MonkeySession, never_exceeds_the_force_ceiling_never_enters_a_wall_and_always_gets_an_answer) {
     const std::uint32_t seed = seed_of_run() + static_cast<std::uint32_t>(GetParam());
     RecordProperty("seed", std::to_string(seed));
     std::cout << "HANDRAIL_SEED=" << seed_of_run() << "\n";

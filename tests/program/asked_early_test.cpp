@@ -22,7 +22,7 @@ std::string said_of(const std::string& lines, const std::vector<std::string>& mo
     return run.out;
 }
 
-TEST(AskedEarly, routes_wait_for_the_rooms_and_then_take_their_choice) {
+TEST(AskedEarly, route_commands_wait_for_the_rooms_and_then_use_the_typed_choice) {
     const std::string said = said_of("routes\nlibrary\nquit\n");
     EXPECT_THAT(said, HasSubstr("Route to which room. "));
     EXPECT_THAT(said, HasSubstr("To Library."));
@@ -30,7 +30,7 @@ TEST(AskedEarly, routes_wait_for_the_rooms_and_then_take_their_choice) {
     EXPECT_THAT(said, Not(HasSubstr("Ask again")));
 }
 
-TEST(AskedEarly, a_choice_is_typed_with_the_command_in_either_language) {
+TEST(AskedEarly, a_command_and_its_choice_can_be_typed_on_one_line_in_either_language) {
     const std::string said = said_of("describe library\nquit\n");
     EXPECT_THAT(said, HasSubstr("Library: "));
     EXPECT_THAT(said, HasSubstr("exit"));

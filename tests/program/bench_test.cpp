@@ -22,7 +22,7 @@ ProgramRun bench(std::vector<std::string> words) {
     return run_program(call);
 }
 
-TEST(Bench, tells_how_the_servo_runs_in_words_and_in_json) {
+TEST(Bench, reports_servo_timing_in_words_and_as_json) {
     const ProgramRun told = bench({"--seconds", "0.5"});
     EXPECT_EQ(told.exit_status, 0) << told.err;
     EXPECT_THAT(told.out, HasSubstr("The servo in "));
@@ -36,12 +36,12 @@ TEST(Bench, tells_how_the_servo_runs_in_words_and_in_json) {
     EXPECT_GT(found.at("touching").get<double>(), 0.0) << "the hand met nothing, so the times say little";
 }
 
-TEST(Bench, refuses_a_world_that_is_not_there) {
+TEST(Bench, refuses_a_missing_world) {
     EXPECT_EQ(bench({"no such world"}).exit_status, 1);
     EXPECT_EQ(bench({"--seconds", "-1"}).exit_status, 2);
 }
 
-TEST(CompareRenderers, writes_tables_and_plots_and_names_what_is_missing) {
+TEST(CompareRenderers, writes_tables_and_plots_and_refuses_unknown_scenes_maps_and_renderers) {
     const TemporaryFolder folder;
     const auto run = [&](std::vector<std::string> words) {
         ProgramCall call;

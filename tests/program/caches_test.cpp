@@ -66,7 +66,7 @@ protected:
     const fs::path cache_ = home_.path() / ".cache" / "handrail";
 };
 
-TEST_F(Caches, are_in_the_persons_folder_and_nothing_is_left_next_to_the_file) {
+TEST_F(Caches, are_in_the_persons_folder_and_never_next_to_the_file) {
     const fs::path file = office("office.ifc"), map = folder_.path() / "house.map";
     fs::copy_file(bundled_world("house.map"), map);
     const std::string first = info(file).out, again = info(file).out;
@@ -92,7 +92,7 @@ TEST_F(Caches, are_in_the_persons_folder_and_nothing_is_left_next_to_the_file) {
 }
 
 // Until November 2026 the program wrote through each of these links.
-TEST_F(Caches, write_through_no_link_that_is_in_the_folder_of_a_world) {
+TEST_F(Caches, never_write_through_a_symbolic_link_in_the_folder_of_a_world) {
     const fs::path map = folder_.path() / "house.map", file = office("office.ifc");
     fs::copy_file(bundled_world("house.map"), map);
     const fs::path diary = home_.write("diary", "my diary");
@@ -112,7 +112,7 @@ TEST_F(Caches, write_through_no_link_that_is_in_the_folder_of_a_world) {
     EXPECT_EQ(names_in(folder_.path()).size(), 7U) << "nothing was put aside";
 }
 
-TEST_F(Caches, that_were_kept_of_another_file_are_not_believed) {
+TEST_F(Caches, stored_for_another_file_are_rejected) {
     const fs::path file = office("office.ifc");
     const auto scenes = [&] {
         std::vector<fs::path> found;
@@ -137,7 +137,7 @@ TEST_F(Caches, that_were_kept_of_another_file_are_not_believed) {
     EXPECT_THAT(info(file).out, HasSubstr(kTaken));
 }
 
-TEST_F(Caches, that_cannot_be_kept_fail_nowhere) {
+TEST_F(Caches, that_cannot_be_stored_cause_no_failure) {
     const fs::path file = office("office.ifc");
     const std::string without = info(file, {{"HOME", ""}, {"XDG_CACHE_HOME", ""}}).out;
     EXPECT_THAT(without, Not(HasSubstr(kTaken)));
@@ -147,7 +147,7 @@ TEST_F(Caches, that_cannot_be_kept_fail_nowhere) {
     EXPECT_FALSE(fs::exists(cache_));
 }
 
-TEST_F(Caches, serve_several_programs_at_once_while_somebody_deletes_them) {
+TEST_F(Caches, serve_several_programs_at_once_while_another_process_deletes_them) {
     const fs::path file = office("office.ifc");
     const std::string alone = info(file).out;
     const std::string begin = alone.substr(0, 150);

@@ -56,7 +56,7 @@ TEST_F(CalibrateProgram, runs_from_start_to_end_with_a_simulated_touch) {
     EXPECT_THAT(stored, HasSubstr("walk.step_length_m = 0.65"));
 }
 
-TEST_F(CalibrateProgram, without_a_device_says_so_and_does_the_rest) {
+TEST_F(CalibrateProgram, without_a_device_says_so_and_does_the_remaining_parts) {
     const ProgramRun done = run({"calibrate", "--no-window"}, "right\nleft\n\nrepeat\n0.8\n");
     EXPECT_EQ(done.exit_status, 0) << done.err;
     expect_in_order(done.out, {"bell on your left", "swapped", "on your right now?",
@@ -67,7 +67,7 @@ TEST_F(CalibrateProgram, without_a_device_says_so_and_does_the_rest) {
     EXPECT_THAT(settings(), HasSubstr("walk.step_length_m = 0.8"));
 }
 
-TEST_F(CalibrateProgram, does_parts_alone_keeps_what_was_set_before_and_saves_what_an_early_end_leaves) {
+TEST_F(CalibrateProgram, runs_single_parts_keeps_earlier_values_and_saves_what_was_done_before_an_early_end) {
     ASSERT_EQ(run({"calibrate", "--no-window", "--only", "step"}, "55\n").exit_status, 0);
     const ProgramRun parts =
         run({"calibrate", "--no-window", "--device", "sim-t", "--only", "hand,strongest"}, "left\n");
@@ -82,7 +82,7 @@ TEST_F(CalibrateProgram, does_parts_alone_keeps_what_was_set_before_and_saves_wh
     EXPECT_THAT(wrong.err, HasSubstr("the nearest name is headphones"));
 }
 
-TEST_F(CalibrateProgram, the_same_wizard_runs_inside_the_program_and_gives_the_world_back) {
+TEST_F(CalibrateProgram, the_same_wizard_runs_in_a_session_and_returns_to_the_world) {
     const ProgramRun done =
         run({"--no-window", "--device", "sim-t"}, "calibrate\n" + std::string(kSimulatedHand) + "where\nquit\n");
     EXPECT_EQ(done.exit_status, 0) << done.err;
@@ -91,7 +91,7 @@ TEST_F(CalibrateProgram, the_same_wizard_runs_inside_the_program_and_gives_the_w
     EXPECT_THAT(settings(), HasSubstr("profile.sim-t.ceiling_n = 2.5"));
 }
 
-TEST_F(CalibrateProgram, a_damaged_profile_is_told_at_the_start_and_kept_in_the_file) {
+TEST_F(CalibrateProgram, a_damaged_profile_is_reported_at_the_start_and_stays_in_the_file) {
     std::filesystem::create_directories(home_.path() / "handrail");
     const auto file = home_.write("handrail/settings.toml", "[profile.sim-t]\nceiling_n = 900.0\nhand = \"left\"\n");
     const ProgramRun told = run({"--no-window", "--device", "sim-t"}, "quit\n");

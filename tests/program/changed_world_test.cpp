@@ -20,7 +20,7 @@ void write_house(const std::filesystem::path& file, const std::string& name) {
     std::ofstream(file) << "Building: " << name << ".\nHall, 6 by 5 metres. Door outside in the south wall.\n";
 }
 
-TEST(ChangedWorld, is_told_once_and_read_again_from_the_menu) {
+TEST(ChangedWorld, is_announced_once_and_can_be_reloaded_from_the_menu) {
     const TemporaryFolder home;
     const std::filesystem::path world = home.path() / "barn.rooms", told = home.path() / "told";
     write_house(world, "Old barn");
@@ -49,7 +49,7 @@ TEST(ChangedWorld, is_told_once_and_read_again_from_the_menu) {
 
 // Earlier, a key that cannot be pressed was accepted silently, and its command was unreachable. Announcing all faults
 // of a file in one sentence took a minute and a half.
-TEST(FaultySettings, are_told_by_the_first_with_a_count_and_the_rest_by_the_menu) {
+TEST(FaultySettings, report_the_first_with_a_count_and_leave_the_rest_to_the_menu) {
     const TemporaryFolder home;
     std::filesystem::create_directories(home.path() / "handrail");
     std::ofstream(home.path() / "handrail" / "settings.toml")

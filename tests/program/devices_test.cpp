@@ -22,7 +22,7 @@ ProgramRun run(std::vector<std::string> arguments, const std::filesystem::path& 
     return run_program(call);
 }
 
-TEST(Devices, without_any_says_so_in_words_and_as_data) {
+TEST(Devices, command_reports_their_absence_in_words_and_as_data) {
     const ProgramRun words = run({"devices"});
     EXPECT_EQ(words.exit_status, 0) << words.err;
     EXPECT_THAT(words.out, HasSubstr("sim-t"));
@@ -34,7 +34,7 @@ TEST(Devices, without_any_says_so_in_words_and_as_data) {
 }
 
 // The kernel decides what can confine a process. If it offers nothing, the program says so and continues.
-TEST(Devices, command_tells_what_confines_the_processes_that_handle_files_and_devices) {
+TEST(Devices, command_describes_the_confinement_of_processes_that_handle_files_and_devices) {
     const auto on_old_kernel = [](std::vector<std::string> arguments) {
         ProgramCall call;
         call.program = test::built_program("standin_old_kernel");
@@ -60,7 +60,7 @@ TEST(Devices, command_tells_what_confines_the_processes_that_handle_files_and_de
     }
 }
 
-TEST(Devices, rule_that_lets_people_open_them_is_placed_by_installing) {
+TEST(Devices, udev_rule_for_access_is_installed) {
     const TemporaryFolder prefix;
     ProgramCall call;
     call.program = CMAKE_PROGRAM;
@@ -75,7 +75,7 @@ TEST(Devices, rule_that_lets_people_open_them_is_placed_by_installing) {
     EXPECT_TRUE(std::filesystem::exists(prefix.path() / "libexec/handrail/handrail-reader"));
 }
 
-TEST(Devices, a_pad_that_is_not_plugged_in_costs_a_sentence) {
+TEST(Devices, an_unplugged_pad_costs_one_sentence) {
     for (const char* name : {"dualsense", "SpaceMouse"}) {
         const ProgramRun said = run({"--no-window", "--device", name});
         EXPECT_EQ(said.exit_status, 0) << said.err;
@@ -84,7 +84,7 @@ TEST(Devices, a_pad_that_is_not_plugged_in_costs_a_sentence) {
     }
 }
 
-TEST(Devices, one_that_is_not_plugged_in_is_said_to_be_so) {
+TEST(Devices, an_unplugged_one_is_reported_as_such) {
     for (const char* name : {"falcon", "Omega", "inverse3", "force-stick"}) {
         const ProgramRun said = run({"--no-window", "--device", name});
         EXPECT_EQ(said.exit_status, 1);
@@ -94,7 +94,7 @@ TEST(Devices, one_that_is_not_plugged_in_is_said_to_be_so) {
     EXPECT_THAT(run({"--no-window", "--device", "falcoln"}).err, HasSubstr("Did you mean \"falcon\"?"));
 }
 
-TEST(Devices, a_makers_library_that_is_missing_or_lacking_costs_its_force_and_one_sentence) {
+TEST(Devices, without_a_working_vendor_library_lose_its_force_and_report_one_sentence) {
     const ProgramRun missing = run({"--no-window", "--device", "touch"});
     EXPECT_EQ(missing.exit_status, 0) << missing.err;
     EXPECT_THAT(missing.out, HasSubstr("libHD.so by 3D Systems is not installed"));
@@ -107,7 +107,7 @@ TEST(Devices, a_makers_library_that_is_missing_or_lacking_costs_its_force_and_on
     EXPECT_THAT(lacking.out, HasSubstr("First room, 6 by 4 metres."));
 }
 
-TEST(Devices, a_makers_library_that_plays_along_is_a_hand) {
+TEST(Devices, with_a_working_vendor_library_provide_a_hand) {
     const TemporaryFolder folder;
     std::filesystem::create_symlink(test::built_standin("standin_hd"), folder.path() / "libHD.so");
     const ProgramRun played = run({"--no-window", "--device", "omni"}, folder.path());

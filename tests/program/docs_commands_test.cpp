@@ -293,7 +293,7 @@ std::string fault_of(const Reader& reader, Words words) {
     return "it is not known how to try this";
 }
 
-TEST(DocumentedCommands, can_be_run_as_they_stand_or_say_what_they_need) {
+TEST(DocumentedCommands, run_as_written_or_state_what_they_need) {
     if (kSanitizerScale < 1.0) GTEST_SKIP() << "the documents are the same under a sanitizer";
     const Reader reader;
     std::map<std::string, std::string> tried;  // maps each command to its fault
@@ -313,7 +313,7 @@ TEST(DocumentedCommands, can_be_run_as_they_stand_or_say_what_they_need) {
     std::cout << tried.size() << " different commands tried, " << marked << " marked\n";
 }
 
-TEST(DocumentedCommands, that_are_wrong_are_found) {
+TEST(DocumentedCommands, that_are_wrong_are_detected) {
     if (kSanitizerScale < 1.0) GTEST_SKIP() << "the documents are the same under a sanitizer";
     const Reader reader;
     for (const char* wrong :
@@ -324,7 +324,7 @@ TEST(DocumentedCommands, that_are_wrong_are_found) {
         EXPECT_NE(fault_of(reader, words_of(wrong)), "") << wrong;
 }
 
-TEST(DocumentedPictures, of_the_house_are_as_the_command_makes_them) {
+TEST(DocumentedPictures, of_the_house_match_the_output_of_the_command) {
     if (test::kThreadSanitizer) GTEST_SKIP() << "NamedWorlds.* runs the same threads";
     const TemporaryFolder folder;
     ProgramCall call;

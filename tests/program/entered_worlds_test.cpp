@@ -33,7 +33,7 @@ std::vector<std::string> bars_of(const std::string& out) {
 
 std::string to_world(const std::string& name) { return "menu\nWorlds\n" + name + "\nscale-bar\n"; }
 
-TEST(EnteredWorlds, bring_their_own_settings_whichever_way_they_are_entered_and_take_them_away) {
+TEST(EnteredWorlds, apply_their_own_settings_on_every_way_in_and_remove_them_on_leaving) {
     const ProgramRun named = run_with({"labyrinth1", "--no-window"},
                                       "scale-bar\n" + to_world("house") + to_world("labyrinth1") + "quit\n"),
                      chosen = run_with({"house", "--no-window"},
@@ -42,7 +42,7 @@ TEST(EnteredWorlds, bring_their_own_settings_whichever_way_they_are_entered_and_
     EXPECT_THAT(bars_of(chosen.out), testing::ElementsAre("5.8", "43.8", "5.8")) << chosen.out;
 }
 
-TEST(EnteredWorlds, tell_what_is_wrong_with_their_settings_when_they_are_entered_and_the_menu_lists_it) {
+TEST(EnteredWorlds, report_errors_in_their_settings_on_entering_and_list_them_in_the_menu) {
     const TemporaryFolder folder;
     const fs::path world = folder.path() / "room.map";
     fs::copy_file(test::bundled_world("first_room.map"), world);
@@ -54,7 +54,7 @@ TEST(EnteredWorlds, tell_what_is_wrong_with_their_settings_when_they_are_entered
 }
 
 // Chooses a named scale, and then types another into the list of settings.
-TEST(EnteredWorlds, are_felt_at_the_scale_that_was_chosen_last) {
+TEST(EnteredWorlds, open_at_the_scale_that_was_chosen_last) {
     const ProgramRun run = run_with({"house", "--no-window"},
                                     "detail\nscale-bar\nmenu\nsettings\nworkspace\nscale\n8\nescape\nescape\nescape\n"
                                     "scale-bar\nquit\n");
@@ -74,7 +74,7 @@ protected:
         folder_.write("house.osm", content_of(test::project_root() / "tests/unit/osm/worlds/test_house.osm"));
 };
 
-TEST_F(BuildingOfSeveral, is_the_one_that_a_recording_is_computed_again_in_and_reported_of) {
+TEST_F(BuildingOfSeveral, is_used_again_when_its_recording_is_replayed_or_reported_on) {
     const fs::path recordings = folder_.path() / "recordings";
     const ProgramRun run = explore({"--building", "Annex", "--record-in", recordings.string()},
                                    "forward 2\nheading\nexits\nescape\nwhere\n");
@@ -92,7 +92,7 @@ TEST_F(BuildingOfSeveral, is_the_one_that_a_recording_is_computed_again_in_and_r
     EXPECT_EQ(run_with({"scenario", (folder_.path() / "made.toml").string()}).exit_status, 0);
 }
 
-TEST_F(BuildingOfSeveral, is_the_one_that_is_gone_on_in_after_a_crash) {
+TEST_F(BuildingOfSeveral, is_reopened_after_a_crash) {
     ProgramCall killed;
     killed.close_input = false;
     killed.signal_when_said = SIGKILL;

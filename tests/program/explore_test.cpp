@@ -22,7 +22,7 @@ ProgramRun explore(std::vector<std::string> arguments, const std::string& input,
     return run_program(call);
 }
 
-TEST(Explore, without_anything_says_nothing_of_what_is_missing_but_where_one_is_and_ends_well) {
+TEST(Explore, without_any_device_gives_the_position_mentions_no_missing_hardware_and_exits_cleanly) {
     ProgramCall call;
     call.voice = true;  // no settings, as for any new user
     const ProgramRun run = explore({}, "", call);
@@ -35,7 +35,7 @@ TEST(Explore, without_anything_says_nothing_of_what_is_missing_but_where_one_is_
 }
 
 // Until 2026-11-28 PipeWire printed its own line on the terminal in both cases if OpenAL uses it (Debian 13).
-TEST(Explore, libraries_of_sound_that_find_nothing_complain_to_nobody) {
+TEST(Explore, sound_libraries_print_no_complaints_if_they_find_no_device) {
     for (const char* missing : {"PIPEWIRE_CONFIG_DIR", "SPA_PLUGIN_DIR"}) {
         ProgramCall call;
         call.environment["ALSOFT_DRIVERS"] = "";  // the default drivers of OpenAL
@@ -47,7 +47,7 @@ TEST(Explore, libraries_of_sound_that_find_nothing_complain_to_nobody) {
     }
 }
 
-TEST(Explore, a_whole_map_is_entered_too) {
+TEST(Explore, also_enters_a_complete_map) {
     for (const auto& world : with_real_worlds({project_root() / "worlds/maps/house.map"}, {"quake-e1m1.map"})) {
         const ProgramRun run = explore({world.string()}, "");
         EXPECT_EQ(run.exit_status, 0) << run.err;
@@ -82,7 +82,7 @@ TEST(Explore, all_its_threads_have_names) {
         << " without a name; " << testing::PrintToString(names);
 }
 
-TEST(Explore, commands_from_standard_input_are_carried_out_in_order) {
+TEST(Explore, commands_from_standard_input_run_in_order) {
     const ProgramRun run =
         explore({"--no-window", "--device", "none"}, "forward 5\nwhere\nright 2\nheading\nwheer\nquit\nforward\n");
     EXPECT_EQ(run.exit_status, 0) << run.err;
@@ -97,13 +97,13 @@ TEST(Explore, commands_from_standard_input_are_carried_out_in_order) {
     EXPECT_THAT(run.out, HasSubstr("Did you mean \"where\"?"));
 }
 
-TEST(Explore, a_simulated_hand_moved_by_words_touches_the_wall) {
+TEST(Explore, a_simulated_hand_moved_by_typed_commands_touches_the_wall) {
     const ProgramRun run = explore({"--no-window"}, "hand-forward 13\nwhat\nquit\n");
     EXPECT_EQ(run.exit_status, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("North wall, plaster"));
 }
 
-TEST(Explore, signals_end_it_as_well_as_a_person_does) {
+TEST(Explore, signals_end_the_program_as_cleanly_as_the_quit_command) {
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
         ProgramCall call;
         call.close_input = false;
@@ -115,20 +115,20 @@ TEST(Explore, signals_end_it_as_well_as_a_person_does) {
     }
 }
 
-TEST(Explore, a_world_that_cannot_be_read_is_one_sentence_and_status_1) {
+TEST(Explore, an_unreadable_world_gives_one_sentence_and_exit_status_1) {
     const ProgramRun gone = explore({"--no-window", "/nowhere/gone.map"}, "");
     EXPECT_EQ(gone.exit_status, 1);
     EXPECT_THAT(gone.err, HasSubstr("gone.map"));
     EXPECT_EQ(std::count(gone.err.begin(), gone.err.end(), '\n'), 1) << gone.err;
 }
 
-TEST(Explore, an_unknown_device_names_the_nearest) {
+TEST(Explore, an_unknown_device_name_gets_the_nearest_suggestion) {
     const ProgramRun run = explore({"--no-window", "--device", "sim-x"}, "");
     EXPECT_NE(run.exit_status, 0);
     EXPECT_THAT(run.err, HasSubstr("sim-"));
 }
 
-TEST(Explore, after_a_crash_the_next_start_says_where_a_report_lies_that_names_nobody_and_reads_it_out) {
+TEST(Explore, after_a_crash_the_next_start_gives_the_path_of_an_anonymous_report_and_reads_it_out) {
     const TemporaryFolder folder;
     ProgramCall call;
     call.environment["XDG_CONFIG_HOME"] = call.environment["XDG_STATE_HOME"] = folder.path();
@@ -161,7 +161,7 @@ TEST(Explore, after_a_crash_the_next_start_says_where_a_report_lies_that_names_n
     EXPECT_THAT(explore({"--no-window"}, "quit\n", call).out, testing::Not(HasSubstr("ended unexpectedly")));
 }
 
-TEST(Explore, after_a_kill_the_next_start_says_so_goes_on_at_the_last_place_and_has_the_settings) {
+TEST(Explore, after_a_kill_the_next_start_says_so_and_restores_place_and_settings) {
     char folder[] = "/tmp/handrail-test-killed-XXXXXX";
     ASSERT_TRUE(::mkdtemp(folder));
     ProgramCall call;

@@ -42,7 +42,7 @@ protected:
     const TemporaryFolder home_;
 };
 
-TEST_F(FirstMinutes, run_from_welcome_to_choice_with_the_keyboard_alone_and_are_not_begun_again) {
+TEST_F(FirstMinutes, run_from_welcome_to_choice_with_the_keyboard_alone_and_never_start_again) {
     const ProgramRun first = run(
         {"--device", "none"},
         "space\n\nleft\n\nforward 6\nleft 4\nforward 3\nright 8\nforward 7\nhome\nlist\nexplore freely\nwhere\nquit\n");
@@ -134,7 +134,7 @@ private:
 
 // The device's set-up in the first minutes is that of the wizard: pull, push, move to the left hand's side, feel, a
 // wall.
-TEST_F(FirstMinutesWithTouch, run_through_the_set_up_to_the_first_wall_and_the_choice) {
+TEST_F(FirstMinutesWithTouch, run_through_the_setup_to_the_first_wall_and_the_choice) {
     const std::string to_wall = "hand-forward 30\nhand-forward 30\n";
     const std::string to_radiator = "hand-left 20\nhand-down 10\nhand-left 10\nhand-up 10\n";
     // The hand goes back, so that it is not at a wall of the room when that begins, and does not name the wall before
@@ -203,7 +203,7 @@ TEST_F(FirstMinutesWithTouch, run_through_the_set_up_to_the_first_wall_and_the_c
 }
 
 // The choice leads to a real activity: a hunt here, and the same in the house, which is read first.
-TEST_F(FirstMinutes, end_in_a_hunt_where_it_is_chosen) {
+TEST_F(FirstMinutes, end_in_a_hunt_if_the_person_chooses_it) {
     const char* const kToChoice = "\nleft\n\nforward 6\nleft 4\nforward 3\nright 8\nforward 7\nhome\n";
     const ProgramRun here = run({"--device", "none"}, std::string(kToChoice) + "find\nwhere\nquit\n");
     expect_in_order(here.out,
@@ -221,7 +221,7 @@ TEST_F(FirstMinutes, end_in_a_hunt_where_it_is_chosen) {
                                 "A clock is hidden here. It ticks fast and calls like a cuckoo."});
 }
 
-TEST_F(FirstMinutes, go_on_at_the_next_start_where_they_were_left) {
+TEST_F(FirstMinutes, resume_at_the_next_start) {
     const ProgramRun first = run({"--device", "none"}, "\nleft\n\nforward 6\nquit\n");
     EXPECT_THAT(first.out, HasSubstr("That is your first wall."));
     const ProgramRun second = run({"--device", "none"}, "quit\n");
@@ -229,7 +229,7 @@ TEST_F(FirstMinutes, go_on_at_the_next_start_where_they_were_left) {
     EXPECT_THAT(second.out, Not(HasSubstr("bell on your left")));
 }
 
-TEST_F(FirstMinutes, give_way_to_a_script_that_knows_nothing_of_them_and_to_the_end_of_input) {
+TEST_F(FirstMinutes, yield_to_a_script_without_knowledge_of_them_and_to_the_end_of_input) {
     const ProgramRun script = run({"--device", "none"}, "forward 5\nwhere\nquit\n");
     expect_in_order(script.out, {"Welcome.", "First room,", "then north wall, plaster", "close by"});
     const TemporaryFolder other;
@@ -244,7 +244,7 @@ TEST_F(FirstMinutes, give_way_to_a_script_that_knows_nothing_of_them_and_to_the_
 
 // Every command of the table, given by its word, has an effect or an answer, and none is unknown. This is a deliverable
 // of the terminal.
-TEST(Terminal, every_command_of_the_table_works_by_its_word) {
+TEST(Terminal, every_command_of_the_table_works_when_its_word_is_typed) {
     std::string lines;
     for (const CommandInfo& row : command_table())
         if (row.command != Command::Leave && row.command != Command::Calibrate &&
@@ -267,7 +267,7 @@ TEST(Terminal, every_command_of_the_table_works_by_its_word) {
         EXPECT_THAT(run.out, HasSubstr(words));
 }
 
-TEST(Terminal, worlds_are_chosen_by_lists_and_a_damaged_one_leaves_everything_as_it_is) {
+TEST(Terminal, worlds_are_chosen_from_lists_and_a_damaged_one_changes_nothing) {
     const TemporaryFolder folder;
     folder.write("broken.map", "{ \"classname\" \"worldspawn\" ");
     ProgramCall call;
@@ -287,7 +287,7 @@ TEST(Terminal, worlds_are_chosen_by_lists_and_a_damaged_one_leaves_everything_as
     }
 }
 
-TEST(Terminal, a_damaged_list_of_last_worlds_is_kept_aside_and_said) {
+TEST(Terminal, a_damaged_list_of_recent_worlds_is_set_aside_and_reported) {
     const TemporaryFolder folder;
     std::filesystem::create_directories(folder.path() / "handrail");
     folder.write("handrail/recent-worlds.txt", "\xff\xff");

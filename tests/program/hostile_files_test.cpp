@@ -37,7 +37,7 @@ ProgramRun run(std::vector<std::string> arguments, ProgramCall call = {}) {
     return run_program(call);
 }
 
-TEST(HostileFiles, pipes_that_nobody_writes_and_endless_devices_are_one_sentence_each) {
+TEST(HostileFiles, pipes_without_a_writer_and_endless_devices_give_one_sentence_each) {
     const TemporaryFolder folder;
     const auto fifo = [&](const std::string& name) {
         const fs::path path = folder.path() / name;
@@ -70,7 +70,7 @@ TEST(HostileFiles, pipes_that_nobody_writes_and_endless_devices_are_one_sentence
 }
 
 // If a descriptor is closed, the first opened file would get its number, and printed output would be written into it.
-TEST(HostileFiles, closed_descriptors_are_open_before_anything_else) {
+TEST(HostileFiles, closed_descriptors_are_reopened_before_anything_else) {
     const TemporaryFolder home;
     std::array<int, 2> input{-1, -1};
     ASSERT_EQ(::pipe2(input.data(), O_CLOEXEC), 0);
@@ -106,7 +106,7 @@ TEST(HostileFiles, closed_descriptors_are_open_before_anything_else) {
 }
 
 // Whoever prepared the folder of a world may have put these files there. Each of them kills its parser.
-TEST(HostileFiles, toml_beside_a_world_ends_its_reader_and_not_the_program) {
+TEST(HostileFiles, hostile_toml_next_to_a_world_ends_only_its_reader_process) {
     const TemporaryFolder folder;
     const fs::path world = folder.path() / "room.map";
     fs::copy_file(test::bundled_world("first_room.map"), world);
@@ -125,7 +125,7 @@ TEST(HostileFiles, toml_beside_a_world_ends_its_reader_and_not_the_program) {
 }
 
 // With a reader that reads nothing, a world could be played only if it were read without the reader.
-TEST(HostileFiles, worlds_of_scenarios_are_read_in_the_process_for_reading) {
+TEST(HostileFiles, worlds_of_scenarios_are_read_in_the_reader_process) {
     const TemporaryFolder folder;
     fs::create_directories(folder.path() / "bin");
     fs::copy_file(test::built_program("handrail"), folder.path() / "bin" / "handrail");
@@ -139,7 +139,7 @@ TEST(HostileFiles, worlds_of_scenarios_are_read_in_the_process_for_reading) {
     EXPECT_THAT(played.out + played.err, HasSubstr("Reading this file failed"));
 }
 
-TEST(HostileFiles, loading_is_left_as_soon_as_a_signal_asks_for_it) {
+TEST(HostileFiles, loading_stops_as_soon_as_a_signal_requests_it) {
     const TemporaryFolder folder;
     const fs::path world = folder.write("endless.obj", endless_obj());
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {

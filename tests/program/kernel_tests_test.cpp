@@ -26,7 +26,7 @@ ProgramRun run_with(const TemporaryFolder& folder, std::initializer_list<const c
     return run_program(call);
 }
 
-TEST(KernelTests, are_skipped_in_words_where_the_machine_lacks_qemu) {
+TEST(KernelTests, are_skipped_with_a_message_if_qemu_is_missing) {
     const TemporaryFolder folder;
     const ProgramRun run = run_with(folder, {"bash", "dirname", "mkdir", "uname"});
     EXPECT_EQ(run.exit_status, 77);
@@ -34,7 +34,7 @@ TEST(KernelTests, are_skipped_in_words_where_the_machine_lacks_qemu) {
     EXPECT_THAT(run.err, testing::HasSubstr("apt-get install qemu-system-x86"));
 }
 
-TEST(KernelTests, are_skipped_in_words_where_no_kernel_can_be_fetched) {
+TEST(KernelTests, are_skipped_with_a_message_if_no_kernel_can_be_downloaded) {
     const TemporaryFolder folder;
     fs::create_directories(folder.path() / "bin");
     // Stand-ins that only need to exist. A shell script is not a dynamic program, like a static busybox.

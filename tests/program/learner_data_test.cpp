@@ -147,7 +147,7 @@ protected:
     fs::path recording_, own_;
 };
 
-TEST_F(LearnerData, leaves_by_no_command_without_consent_is_noted_with_it_and_is_gone_once_deleted) {
+TEST_F(LearnerData, is_exported_only_with_consent_which_is_noted_and_is_gone_after_deletion) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "starts the program a hundred times";
     const std::vector<CommandWithFiles> all = commands();
     std::set<std::string> tried;
@@ -197,7 +197,7 @@ TEST_F(LearnerData, leaves_by_no_command_without_consent_is_noted_with_it_and_is
         EXPECT_THAT(files_with(words), testing::IsEmpty()) << words;
 }
 
-TEST_F(LearnerData, that_somebody_changed_after_it_was_written_elsewhere_stays_and_is_called_left) {
+TEST_F(LearnerData, exported_and_then_edited_stays_after_deletion_and_is_reported_as_a_trace) {
     EXPECT_EQ(run({"learner", "consent", kAlias, "--give", "share"}).exit_status, 0);
     const std::string scenario = (out_ / "session.toml").string();
     EXPECT_EQ(run({"replay", recording_.string(), "--scenario", scenario}).exit_status, 0);

@@ -46,7 +46,7 @@ protected:
     TemporaryFolder home_;
 };
 
-TEST_F(LearnerProgram, keeps_marks_and_settings_of_each_apart_records_who_agreed_and_leaves_nothing_of_who_is_deleted) {
+TEST_F(LearnerProgram, separates_marks_and_settings_records_only_with_consent_and_deletes_everything_of_a_learner) {
     for (const char* name : {"Oak Owl", "Fig Finch"}) EXPECT_EQ(run({"learner", "new", name}).exit_status, 0);
     EXPECT_EQ(run({"learner", "consent", "Oak Owl", "--give", "record"}).exit_status, 0);
     const ProgramRun first = explore("Oak Owl", "verbosity\nmark\n");
@@ -72,7 +72,7 @@ TEST_F(LearnerProgram, keeps_marks_and_settings_of_each_apart_records_who_agreed
     EXPECT_EQ(recordings(), 0U);
 }
 
-TEST_F(LearnerProgram, is_chosen_in_the_program_and_named_in_nobody_elses_recording) {
+TEST_F(LearnerProgram, has_a_learner_chosen_in_the_session_and_named_in_no_other_recording) {
     for (const char* name : {"Fig Finch", "Oak Owl"})
         EXPECT_EQ(run({"learner", "new", name, "--give", "remember,record"}).exit_status, 0);
     EXPECT_EQ(run({"learner", "consent", "Fig Finch", "--withdraw", "record"}).exit_status, 0);
@@ -111,7 +111,7 @@ TEST_F(LearnerProgram, is_chosen_in_the_program_and_named_in_nobody_elses_record
     EXPECT_THAT(run({"learner", "delete", "Fig Finch", "--yes"}).out, HasSubstr("no traces found"));
 }
 
-TEST_F(LearnerProgram, is_recorded_in_no_folder_but_the_learners_own) {
+TEST_F(LearnerProgram, is_recorded_only_in_the_learners_own_folder) {
     EXPECT_EQ(run({"learner", "new", "Oak Owl", "--give", "record"}).exit_status, 0);
     const std::string elsewhere = (home_.path() / "elsewhere").string();
     for (const std::vector<std::string>& words : {std::vector<std::string>{test::bundled_world("house.map")},
@@ -126,7 +126,7 @@ TEST_F(LearnerProgram, is_recorded_in_no_folder_but_the_learners_own) {
     EXPECT_EQ(recordings(), 0U);
 }
 
-TEST_F(LearnerProgram, leaves_no_world_where_the_last_ones_of_all_are_kept) {
+TEST_F(LearnerProgram, does_not_list_a_learners_world_among_everyones_recent_worlds) {
     EXPECT_EQ(run({"learner", "new", "Oak Owl", "--give", "remember"}).exit_status, 0);
     const fs::path own = home_.path() / "worlds/owls_very_own.map";
     fs::create_directories(own.parent_path());
@@ -155,7 +155,7 @@ TEST_F(LearnerProgram, leaves_no_world_where_the_last_ones_of_all_are_kept) {
     EXPECT_THAT(files_that_say("owls_very_own"), testing::IsEmpty());
 }
 
-TEST_F(LearnerProgram, goes_on_learning_where_it_ended_as_long_as_that_is_agreed) {
+TEST_F(LearnerProgram, resumes_the_learning_progress_only_with_consent) {
     EXPECT_EQ(run({"learner", "new", "Oak Owl"}).exit_status, 0);
     const auto rooms_learnt = [this] {  // the beginning of the list of rooms; on a busy machine more is said after it
         const std::string out = explore("Oak Owl", "learnt\n").out;
@@ -176,8 +176,8 @@ TEST_F(LearnerProgram, goes_on_learning_where_it_ended_as_long_as_that_is_agreed
     EXPECT_EQ(rooms_learnt(), fresh) << "and what was is forgotten";
 }
 
-TEST_F(LearnerProgram, is_reported_on_over_all_sessions_and_shared_only_where_that_is_agreed) {
-    if (test::kThreadSanitizer) GTEST_SKIP() << "LearnerProgram.goes_on_learning_* runs the same threads";
+TEST_F(LearnerProgram, is_reported_on_over_all_sessions_and_shared_only_with_consent) {
+    if (test::kThreadSanitizer) GTEST_SKIP() << "LearnerProgram.resumes_the_learning_* runs the same threads";
     EXPECT_EQ(run({"learner", "new", "Oak Owl"}).exit_status, 0);
     EXPECT_EQ(run({"learner", "consent", "Oak Owl", "--give", "record"}).exit_status, 0);
     const std::string page = (home_.path() / "page.html").string(), table = (home_.path() / "table.csv").string();

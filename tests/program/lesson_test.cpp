@@ -81,7 +81,7 @@ protected:
     TemporaryFolder home_;
 };
 
-TEST_F(TaughtByTheProgram, keeps_marks_and_recordings_of_its_learner_is_watched_computed_again_and_reported_on) {
+TEST_F(TaughtByTheProgram, keeps_marks_and_recordings_of_its_learner_and_can_be_watched_replayed_and_reported_on) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "takes minutes under a sanitizer, where one lesson is enough";
     EXPECT_EQ(run({"learner", "new", "Oak Owl", "--give", "record,share"}).exit_status, 0);
     Pupil first(*this, "first", taught("1"));
@@ -153,7 +153,7 @@ TEST_F(TaughtByTheProgram, keeps_marks_and_recordings_of_its_learner_is_watched_
     EXPECT_FALSE(fs::exists(page) || fs::exists(table) || fs::exists(json));
 }
 
-TEST_F(TaughtByTheProgram, goes_on_with_the_next_session_and_keeps_results_of_who_is_remembered_alone) {
+TEST_F(TaughtByTheProgram, resumes_with_the_next_session_and_stores_results_only_with_consent) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "takes minutes under a sanitizer, where one lesson is enough";
     EXPECT_EQ(run({"learner", "new", "Oak Owl", "--give", "remember,share"}).exit_status, 0);
     const std::vector<std::string> words = {
@@ -206,7 +206,7 @@ TEST_F(TaughtByTheProgram, goes_on_with_the_next_session_and_keeps_results_of_wh
         for (const char* gone : {"lessons.toml", "results.jsonl"}) EXPECT_NE(entry.path().filename(), gone);
 }
 
-TEST_F(TaughtByTheProgram, draws_the_order_of_a_lesson_from_the_learner_whether_it_is_named_or_chosen) {
+TEST_F(TaughtByTheProgram, has_a_step_order_that_depends_on_the_learner_whether_the_lesson_is_named_or_chosen) {
     EXPECT_EQ(run({"learner", "new", "Oak Owl"}).exit_status, 0);
     fs::create_directories(home_.path() / "data/handrail/lessons");
     std::string text =
@@ -240,7 +240,7 @@ TEST_F(TaughtByTheProgram, draws_the_order_of_a_lesson_from_the_learner_whether_
 }
 
 // Its scale is felt from its beginning to its end, whether started by the command or from the list.
-TEST_F(TaughtByTheProgram, sets_its_own_settings_until_it_ends_whether_it_is_named_or_chosen) {
+TEST_F(TaughtByTheProgram, applies_the_lesson_settings_until_it_ends_whether_it_is_named_or_chosen) {
     fs::create_directories(home_.path() / "data/handrail/lessons");
     const std::string file = (home_.path() / "data/handrail/lessons/scale.lesson.toml").string();
     fs::copy_file(home_.write("scale.lesson.toml",
@@ -274,7 +274,7 @@ TEST_F(TaughtByTheProgram, sets_its_own_settings_until_it_ends_whether_it_is_nam
     }
 }
 
-TEST_F(TaughtByTheProgram, is_neither_recorded_without_consent_nor_taught_to_who_is_not_there) {
+TEST_F(TaughtByTheProgram, is_not_recorded_without_consent_and_not_taught_to_an_unknown_learner) {
     EXPECT_EQ(run({"learner", "new", "Oak Owl"}).exit_status, 0);
     std::vector<std::string> words = taught("2");
     words.push_back("--record");
@@ -304,7 +304,7 @@ TEST_F(TaughtByTheProgram, is_neither_recorded_without_consent_nor_taught_to_who
               "school.\n");
 }
 
-TEST_F(TaughtByTheProgram, is_checked_and_written_down_alike_where_its_world_lacks_what_it_names) {
+TEST_F(TaughtByTheProgram, gives_the_same_errors_in_the_check_and_in_the_lesson_if_the_world_lacks_named_things) {
     const std::string good = content_of(test::bundled_world("school.lesson.toml"));
     const std::vector<std::pair<std::string, std::string>> faults = {
         {"thing = \"Trophy case\"", "thing = \"Trophy caze\""},

@@ -100,19 +100,19 @@ bool close_window() {
     return found;
 }
 
-TEST_F(LoadingWindow, escape_ends_the_program_while_its_first_world_is_read) {
+TEST_F(LoadingWindow, escape_ends_the_program_during_the_loading_of_its_first_world) {
     start(endless_);
     press("Escape");
     expect_it_ends();
 }
 
-TEST_F(LoadingWindow, closing_it_ends_the_program_while_its_first_world_is_read) {
+TEST_F(LoadingWindow, closing_it_ends_the_program_during_the_loading_of_its_first_world) {
     start(endless_);
     ASSERT_TRUE(close_window());
     expect_it_ends();
 }
 
-TEST_F(LoadingWindow, escape_gives_up_a_second_world_and_the_first_goes_on) {
+TEST_F(LoadingWindow, escape_cancels_the_loading_of_a_second_world_and_the_first_continues) {
     start(folder_.path() / "first_room.map");
     ASSERT_TRUE(says("facing north")) << said();
     press("Tab");

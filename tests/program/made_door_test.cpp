@@ -45,7 +45,7 @@ protected:
     const std::filesystem::path world_ = folder_.write("two.rooms", kText);
 };
 
-TEST_F(MadeDoor, is_there_at_once_and_in_the_next_session_until_it_is_taken_away) {
+TEST_F(MadeDoor, exists_at_once_and_in_the_next_session_until_it_is_removed) {
     if (test::kThreadSanitizer) GTEST_SKIP() << "AskedEarly.* runs the same threads";
     EXPECT_EQ(check(), 1) << "the kitchen cannot be reached";
     EXPECT_THAT(said_of("describe kitchen\n"), HasSubstr("No exits."));
@@ -82,7 +82,7 @@ std::string terrace_in_millimetres() {
     return text + "endsolid terrace\n";
 }
 
-TEST(MendedUnit, is_kept_beside_the_world_and_holds_at_once_and_in_the_next_session) {
+TEST(MendedUnit, is_saved_next_to_the_world_and_applies_at_once_and_in_the_next_session) {
     const TemporaryFolder folder;
     const std::filesystem::path world = folder.write("terrace.stl", terrace_in_millimetres());
     const std::string mended = said_in(world, "faults\nno unit\none unit is a millimetre\nforward 1\n");

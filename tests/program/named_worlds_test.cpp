@@ -26,7 +26,7 @@ ProgramRun run_with(std::vector<std::string> arguments) {
     return run_program(call);
 }
 
-TEST(NamedWorlds, are_known_to_info_and_check_by_name_as_to_exploring) {
+TEST(NamedWorlds, are_accepted_by_info_and_check_just_as_for_exploring) {
     const ProgramRun by_name = run_with({"info", "house", "--json"}),
                      by_path = run_with({"info", test::bundled_world("house.map"), "--json"});
     ASSERT_EQ(by_name.exit_status, 0) << by_name.err;
@@ -39,7 +39,7 @@ TEST(NamedWorlds, are_known_to_info_and_check_by_name_as_to_exploring) {
     EXPECT_THAT(checked.out, HasSubstr("school.map"));
 }
 
-TEST(NamedWorlds, that_are_none_are_told_as_files_that_are_missing) {
+TEST(NamedWorlds, that_do_not_exist_are_reported_as_missing_files) {
     for (const char* command : {"info", "check"}) {
         const ProgramRun run = run_with({command, "hous"});
         EXPECT_EQ(run.exit_status, 1) << command;
@@ -47,7 +47,7 @@ TEST(NamedWorlds, that_are_none_are_told_as_files_that_are_missing) {
     }
 }
 
-TEST(BundledWorlds, have_no_fault_that_would_stop_or_mislead_anybody) {
+TEST(BundledWorlds, have_no_fault_that_would_stop_or_mislead_anyone) {
     if (test::kThreadSanitizer) GTEST_SKIP() << "NamedWorlds.* runs the same threads";
     std::size_t worlds = 0;
     for (const fs::directory_entry& file : fs::directory_iterator(test::project_root() / "worlds/maps")) {
@@ -89,7 +89,7 @@ std::map<std::string, std::multiset<std::string>> rooms_in(const std::string& te
     return rooms;
 }
 
-TEST(AsWords, the_house_written_to_a_file_is_read_again_with_the_same_rooms_and_doors) {
+TEST(AsWords, written_to_a_file_the_house_is_read_back_with_the_same_rooms_and_doors) {
     if (test::kThreadSanitizer) GTEST_SKIP() << "NamedWorlds.* runs the same threads";
     const ProgramRun written = run_with({"info", "house", "--as-words"});
     ASSERT_EQ(written.exit_status, 0) << written.err;

@@ -32,7 +32,7 @@ ProgramCall recorded_in(const std::filesystem::path& folder) {
     return call;
 }
 
-TEST(RecordedSession, holds_every_line_that_was_said_in_order) {
+TEST(RecordedSession, contains_every_spoken_line_in_order) {
     const TemporaryFolder folder;
     ProgramCall call = recorded_in(folder.path());
     call.input = "forward 3\nwhere\nexits\nescape\nverbosity\n";
@@ -88,7 +88,7 @@ std::string hall_of_things() {
 
 class RecordedUnderLoad : public testing::TestWithParam<int> {};
 
-TEST_P(RecordedUnderLoad, is_computed_again_to_the_same_lines_in_the_same_order) {
+TEST_P(RecordedUnderLoad, replays_to_the_same_lines_in_the_same_order) {
     const TemporaryFolder folder;
     ProgramCall call = recorded_in(folder.path());
     if (GetParam() == 1) call.arguments[0] = test::bundled_world("school.map");
@@ -128,7 +128,7 @@ TEST_P(RecordedUnderLoad, is_computed_again_to_the_same_lines_in_the_same_order)
 
 INSTANTIATE_TEST_SUITE_P(Sessions, RecordedUnderLoad, testing::Range(0, 6));
 
-TEST(RecordedSession, becomes_a_scenario_that_holds) {
+TEST(RecordedSession, becomes_a_scenario_that_passes) {
     const TemporaryFolder folder;
     ProgramCall call = recorded_in(folder.path());
     call.input = "where\nforward 2\nright\nheading\nexits\nescape\n";
@@ -165,7 +165,7 @@ std::string typed_by_chance(std::uint32_t seed) {
 
 class RecordedByChance : public testing::TestWithParam<std::uint32_t> {};
 
-TEST_P(RecordedByChance, becomes_a_scenario_that_holds_as_it_stands) {
+TEST_P(RecordedByChance, becomes_a_scenario_that_passes_unchanged) {
     const TemporaryFolder folder;
     ProgramCall call;
     call.program = test::built_program("handrail");
@@ -193,7 +193,7 @@ TEST_P(RecordedByChance, becomes_a_scenario_that_holds_as_it_stands) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RecordedByChance, testing::Range(1U, 7U));
 
-TEST(ReplayCommand, checks_hears_and_tells_what_differs) {
+TEST(ReplayCommand, checks_a_recording_plays_it_and_reports_differences) {
     const TemporaryFolder folder;
     ProgramCall call = recorded_in(folder.path());
     call.input = "where\nforward 2\n";
@@ -238,7 +238,7 @@ TEST(ReplayCommand, checks_hears_and_tells_what_differs) {
     EXPECT_EQ(run_program(call).exit_status, 2);
 }
 
-TEST(ReportCommand, makes_a_page_and_tables_of_a_recording_and_replaces_nothing_unasked) {
+TEST(ReportCommand, makes_a_page_and_tables_of_a_recording_and_replaces_nothing_without_a_request) {
     if (test::kThreadSanitizer) GTEST_SKIP() << "RecordedUnderLoad.* runs the same threads";
     const TemporaryFolder folder;
     ProgramCall call = recorded_in(folder.path());
@@ -273,7 +273,7 @@ TEST(ReportCommand, makes_a_page_and_tables_of_a_recording_and_replaces_nothing_
     EXPECT_EQ(content_of(page), html) << "a report that fails touches nothing";
 }
 
-TEST(RecordedSession, is_none_unless_it_is_asked_for) {
+TEST(RecordedSession, exists_only_on_request) {
     const TemporaryFolder home;
     ProgramCall call;
     call.program = test::built_program("handrail");
@@ -284,7 +284,7 @@ TEST(RecordedSession, is_none_unless_it_is_asked_for) {
     EXPECT_THAT(run.out, testing::Not(HasSubstr("recorded")));
 }
 
-TEST(RecordedSession, that_cannot_be_recorded_says_so_and_goes_on) {
+TEST(RecordedSession, that_fails_to_record_is_reported_and_continues) {
     const TemporaryFolder folder;
     ProgramCall call;
     call.program = test::built_program("handrail");

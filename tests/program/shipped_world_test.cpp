@@ -47,7 +47,7 @@ protected:
     const fs::path ours_ = test::bundled_world("house.map");
 };
 
-TEST_F(ShippedWorld, keeps_marks_in_the_persons_folder_by_path_by_name_and_by_a_link) {
+TEST_F(ShippedWorld, stores_marks_in_the_persons_folder_whether_opened_by_path_name_or_link) {
     if (test::kThreadSanitizer) GTEST_SKIP() << "NamedWorlds.* runs the same threads";
     const std::vector<std::string> by_path = kept_after_mark_in(ours_.string());
     ASSERT_EQ(by_path.size(), 1U);
@@ -60,7 +60,7 @@ TEST_F(ShippedWorld, keeps_marks_in_the_persons_folder_by_path_by_name_and_by_a_
     EXPECT_EQ(kept_after_mark_in((links.path() / "worlds" / "house.map").string()), by_path);
 }
 
-TEST_F(ShippedWorld, keeps_them_there_also_where_other_worlds_are_named_to_be_the_programs) {
+TEST_F(ShippedWorld, stores_them_there_even_if_another_folder_is_set_as_that_of_the_shipped_worlds) {
     const TemporaryFolder others;
     fs::copy_file(ours_, others.path() / "house.map");
     const std::map<std::string, std::string> named{{"HANDRAIL_WORLDS", others.path().string()}};
@@ -69,7 +69,7 @@ TEST_F(ShippedWorld, keeps_them_there_also_where_other_worlds_are_named_to_be_th
     EXPECT_FALSE(fs::exists(beside(others.path() / "house.map")));
 }
 
-TEST_F(ShippedWorld, keeps_those_of_a_persons_own_world_beside_it) {
+TEST_F(ShippedWorld, stores_marks_of_a_persons_own_world_next_to_it) {
     const TemporaryFolder own;
     fs::copy_file(ours_, own.path() / "house.map");
     EXPECT_TRUE(kept_after_mark_in((own.path() / "house.map").string()).empty());

@@ -44,7 +44,7 @@ protected:
     fs::path world_;
 };
 
-TEST_F(SlowReader, is_told_of_on_standard_error_by_commands_but_not_beside_json) {
+TEST_F(SlowReader, is_reported_on_standard_error_by_commands_but_not_with_json) {
     auto info = begin({"info", world_.string()}), check = begin({"check", world_.string()}),
          json = begin({"info", "--json", world_.string()});
     EXPECT_THAT(info.get().err, StartsWith(std::string(kLine) + "\n"));
@@ -58,7 +58,7 @@ TEST_F(SlowReader, is_told_of_on_standard_error_by_commands_but_not_beside_json)
     EXPECT_EQ(run_program(quick).err, "") << "what is quick";
 }
 
-TEST_F(SlowReader, is_told_of_in_a_session_aloud_and_in_text) {
+TEST_F(SlowReader, is_reported_in_a_session_by_speech_and_in_text) {
     const ProgramRun run = begin({world_.string(), "--no-window", "--device", "none"}, "where\nquit\n").get();
     EXPECT_EQ(run.exit_status, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr(std::string("say: ") + kLine));

@@ -47,7 +47,7 @@ struct AtTerminal {
     bool in_first_room() const { return job && job->says("facing north"); }
 };
 
-TEST(Terminal, says_first_how_to_act_there_and_names_keys_that_exist) {
+TEST(Terminal, session_first_explains_how_to_act_and_names_keys_that_exist) {
     const AtTerminal at;
     ASSERT_TRUE(at.in_first_room()) << at.job->said();
     EXPECT_TRUE(at.job->gives_keys());
@@ -61,7 +61,7 @@ TEST(Terminal, says_first_how_to_act_there_and_names_keys_that_exist) {
     EXPECT_EQ(said.find("Type forward"), std::string::npos);
 }
 
-TEST(Terminal, keys_act_at_once_and_words_behind_a_colon) {
+TEST(Terminal, keys_act_at_once_and_commands_are_typed_after_a_colon) {
     const AtTerminal at;
     ASSERT_TRUE(at.in_first_room()) << at.job->said();
     EXPECT_TRUE(at.after("\x1b[C", "North-north-east")) << "an arrow";
@@ -93,7 +93,7 @@ TEST(Terminal, digits_function_keys_space_and_escape_act_as_in_the_window) {
     EXPECT_TRUE(at.job->as_before());
 }
 
-TEST(Terminal, by_lines_where_it_knows_no_keys) {
+TEST(Terminal, of_an_unknown_type_works_with_typed_lines) {
     const AtTerminal at({}, {{"TERM", "dumb"}});
     ASSERT_TRUE(at.in_first_room()) << at.job->said();
     EXPECT_TRUE(at.job->as_before()) << "untouched";
@@ -104,7 +104,7 @@ TEST(Terminal, by_lines_where_it_knows_no_keys) {
     EXPECT_TRUE(at.job->as_before());
 }
 
-TEST(Terminal, takes_words_while_the_first_world_is_read) {
+TEST(Terminal, accepts_commands_while_the_first_world_is_read) {
     const TemporaryFolder folder;
     const std::string world = folder.write("endless.obj", endless_obj()).string();
     for (const auto& [terminal, word] : {std::pair("dumb", "quit\n"), std::pair("xterm-256color", ":quit\r")}) {
@@ -116,7 +116,7 @@ TEST(Terminal, takes_words_while_the_first_world_is_read) {
     }
 }
 
-TEST(Terminal, is_as_it_was_however_the_program_ends) {
+TEST(Terminal, is_restored_after_any_end_of_the_program) {
     struct Way {
         std::string name;
         std::string typed;
@@ -138,7 +138,7 @@ TEST(Terminal, is_as_it_was_however_the_program_ends) {
     }
 }
 
-TEST(Terminal, is_as_it_was_while_stopped_and_gives_keys_again_when_it_goes_on) {
+TEST(Terminal, is_restored_while_stopped_and_delivers_keys_again_after_resuming) {
     const AtTerminal at;
     ASSERT_TRUE(at.in_first_room()) << at.job->said();
     at.job->type("\x1a");
@@ -152,7 +152,7 @@ TEST(Terminal, is_as_it_was_while_stopped_and_gives_keys_again_when_it_goes_on) 
     EXPECT_TRUE(at.job->as_before());
 }
 
-TEST(Terminal, survives_a_person_who_presses_everything) {
+TEST(Terminal, survives_a_person_who_presses_every_key) {
     const AtTerminal at;
     ASSERT_TRUE(at.in_first_room()) << at.job->said();
     unsigned state = 12345;

@@ -71,7 +71,7 @@ std::vector<std::string> said_in_virtual_time() {
     return from_greeting(std::move(said));
 }
 
-TEST(TypedCommands, are_answered_alike_in_real_and_in_virtual_time) {
+TEST(TypedCommands, get_the_same_answers_in_real_and_in_virtual_time) {
     const std::vector<std::string> virtual_time = said_in_virtual_time();
     EXPECT_GT(virtual_time.size(), kThirty.size());
     EXPECT_EQ(joined(said_by_program()), joined(virtual_time));

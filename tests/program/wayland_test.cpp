@@ -15,7 +15,7 @@ namespace wayland_test {
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(WithoutWayland, the_program_says_what_is_missing_and_goes_on_in_the_terminal) {
+TEST(WithoutWayland, the_program_reports_what_is_missing_and_continues_in_the_terminal) {
     const TemporaryFolder nobody_listens_here;
     ProgramCall call;
     call.program = test::built_program("handrail");
@@ -63,7 +63,7 @@ protected:
     std::unique_ptr<ChildProcess> program_;
 };
 
-TEST_F(ProgramOnWayland, speaks_walks_stops_the_force_and_leaves_by_keys) {
+TEST_F(ProgramOnWayland, speaks_walks_stops_the_force_and_quits_by_keys) {
     ASSERT_TRUE(answers("F2", "First room")) << said();
     ASSERT_TRUE(session_->xdotool("keydown Up"));
     EXPECT_TRUE(says("North wall, plaster")) << said();
@@ -84,7 +84,7 @@ TEST_F(ProgramOnWayland, speaks_walks_stops_the_force_and_leaves_by_keys) {
         EXPECT_THAT(said(), Not(HasSubstr(complaint)));
 }
 
-TEST_F(ProgramOnWayland, ends_well_when_its_compositor_does) {
+TEST_F(ProgramOnWayland, exits_cleanly_when_its_compositor_ends) {
     ASSERT_TRUE(answers("F2", "First room")) << said();
     session_->kill();
     EXPECT_EQ(program_->exit_status(), 0) << said();

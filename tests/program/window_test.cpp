@@ -54,7 +54,7 @@ double difference(const fs::path& a, const fs::path& b) {
     return pixels / (1024.0 * 768.0);
 }
 
-TEST(WindowOfTheProgram, takes_keys_speaks_and_shows_first_person_wall_and_plan) {
+TEST(WindowOfTheProgram, accepts_keys_speaks_and_shows_the_first_person_wall_and_plan_views) {
     for (const char* needed : {"xvfb-run", "xdotool", "import", "compare"})
         if (!has_program(needed)) GTEST_SKIP() << needed << " is not installed";
     const TemporaryFolder folder;

@@ -54,7 +54,7 @@ Rotation random_rotation(std::mt19937& random) {
 // Case T18: a box comes to a still hand with each of its six faces, as a box and as a mesh, in any orientation and at
 // several speeds. Nothing gets inside the proxy's surface. Contact begins on the tick at which the box arrives, the
 // proxy then moves exactly with the face, and the force is perpendicular to the face.
-TEST(Bodies, a_box_that_comes_to_a_still_hand_is_felt_on_every_face) {
+TEST(Bodies, a_box_that_moves_against_a_still_hand_is_felt_on_every_face) {
     const auto seed = seed_of_run();
     std::mt19937 random(seed);
     for (const bool mesh : {false, true})
@@ -103,7 +103,7 @@ TEST(Bodies, a_box_that_comes_to_a_still_hand_is_felt_on_every_face) {
 }
 
 // Case T18: a plate that turns about its middle once a second sweeps a held proxy along and never passes it.
-TEST(Bodies, a_turning_plate_never_passes_the_ball) {
+TEST(Bodies, a_turning_plate_never_passes_through_the_ball) {
     for (const double half_thickness : {0.01, 1e-4, 0.0}) {
         TouchWorld world;
         if (half_thickness > 0.0) world.box({-0.3, -half_thickness, -0.3}, {0.3, half_thickness, 0.3});
@@ -129,7 +129,7 @@ TEST(Bodies, a_turning_plate_never_passes_the_ball) {
 
 // Case T19: two walls close on the proxy to a fifth of a millimetre and open again. The proxy shrinks to half the gap,
 // stays exactly in the middle, and never moves faster than the walls.
-TEST(Bodies, two_walls_that_close_leave_the_ball_in_the_middle) {
+TEST(Bodies, two_closing_walls_leave_the_ball_in_the_middle) {
     for (const bool one_still : {false, true}) {
         HapticSceneBuilder builder;
         const auto slab = box_shape({0.05, 0.2, 0.2});
@@ -164,7 +164,7 @@ TEST(Bodies, two_walls_that_close_leave_the_ball_in_the_middle) {
 
 // Case T20: a floor that appears 3 mm above the proxy's underside pushes it up gently. A body that appears around the
 // hand is not felt until the hand has left it.
-TEST(Bodies, a_thing_that_appears_over_the_hand_comes_gently) {
+TEST(Bodies, a_thing_that_appears_over_the_hand_pushes_gently) {
     HapticSceneBuilder builder;
     builder.add_body(FeatureId{1}, box_shape({1, 1, 1}), {Vec3(0, 0, -0.998), {}, 1.0}, false);
     Rig rig(builder.build());
@@ -184,7 +184,7 @@ TEST(Bodies, a_thing_that_appears_over_the_hand_comes_gently) {
     EXPECT_EQ(rig.last.force_n, Vec3(0.0));
 }
 
-TEST(Bodies, whoever_starts_inside_feels_nothing_until_out) {
+TEST(Bodies, a_hand_that_starts_inside_feels_nothing_until_it_is_out) {
     HapticSceneBuilder builder;
     builder.add_body(FeatureId{1}, box_shape({0.1, 0.1, 0.1}), {});
     builder.add_box({{0.05, -0.1, -0.1}, {0.3, 0.1, 0.1}}, SurfaceLabel{FeatureId{2}, 0, false});
@@ -204,7 +204,7 @@ TEST(Bodies, whoever_starts_inside_feels_nothing_until_out) {
 
 // A body appears or vanishes under the hand at random, a thousand times. The force never changes by more than 0.02 N in
 // a tick when the body appears, and is zero 10 ms after it vanishes.
-TEST(Bodies, a_thousand_things_that_come_and_go_never_knock) {
+TEST(Bodies, a_thousand_appearing_and_vanishing_things_never_knock) {
     const auto seed = seed_of_run();
     std::mt19937 random(seed);
     const auto uniform = [&](double low, double high) {
@@ -244,7 +244,7 @@ TEST(Bodies, a_thousand_things_that_come_and_go_never_knock) {
 }
 
 // The same with new scenes that have or lack the object, as when an object is added to a world or removed.
-TEST(Bodies, adding_and_removing_still_things_while_they_are_touched_is_as_gentle) {
+TEST(Bodies, adding_and_removing_static_things_under_the_hand_is_gentle) {
     HapticSceneBuilder with;
     with.add_box({{-1, -1, -1}, {1, 1, 0.002}}, SurfaceLabel{FeatureId{5}, 0, false});
     HapticSceneBuilder without;
@@ -291,7 +291,7 @@ TEST(Bodies, friction_carries_the_ball_on_a_moving_floor) {
 
 // Random shapes, placements, motions and hands: the proxy never gets inside, and the result does not depend on where
 // the world is placed.
-TEST(Bodies, random_heaps_in_motion_let_nothing_in) {
+TEST(Bodies, moving_random_heaps_let_nothing_in) {
     const auto seed0 = seed_of_run();
     int touched = 0;
     const int rounds = std::max(6, static_cast<int>(scaled(12)));
@@ -354,7 +354,7 @@ TEST(Bodies, random_heaps_in_motion_let_nothing_in) {
 
 // Still bodies give the same result as the same shapes in a still scene under a placement: the force turns with the
 // placement.
-TEST(Bodies, a_placed_body_feels_as_its_shape_turned) {
+TEST(Bodies, a_placed_body_feels_like_its_rotated_shape) {
     const TouchCase c = hard_cases()[3];
     std::mt19937 random(77);
     HapticSceneBuilder builder;

@@ -74,7 +74,7 @@ TEST(ClosedMeshes, are_never_entered_by_a_hand_that_presses_on_them) {
     }
 }
 
-TEST(ClosedMeshes, let_a_hand_out_that_began_inside_and_not_back_in) {
+TEST(ClosedMeshes, release_a_hand_that_started_inside_and_do_not_let_it_back_in) {
     for (const Mesh& world : meshes()) {
         // Starts in the middle of the first block and leaves through the nearest side, far away.
         const test::BlockMesh& mesh = world.mesh;

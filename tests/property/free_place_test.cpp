@@ -45,7 +45,7 @@ TEST(FreePlace, a_thousand_random_starts_end_outside_every_solid) {
     EXPECT_GT(inside, scaled(10) * 20) << "most starts should have been inside something";
 }
 
-TEST(FreePlace, out_of_a_single_box_is_the_nearest_face) {
+TEST(FreePlace, in_a_single_box_is_at_the_nearest_face) {
     HapticSceneBuilder builder;
     builder.add_box({Vec3(-1, -1, -1), Vec3(1, 1, 1)}, SurfaceLabel{FeatureId{6}, 0, false});
     const auto scene = builder.build();
@@ -60,7 +60,7 @@ TEST(FreePlace, out_of_a_single_box_is_the_nearest_face) {
     EXPECT_FALSE(nearest_free_place(*scene, {}, {0.0, 0.0, 0.0}, 0.01, 0.5)) << "too far";
 }
 
-TEST(FreePlace, a_moved_body_counts_where_it_is) {
+TEST(FreePlace, considers_a_moved_body_at_its_current_place) {
     HapticSceneBuilder crate;
     crate.add_box({Vec3(-0.1), Vec3(0.1)}, SurfaceLabel{FeatureId{2}, 0, false});
     HapticSceneBuilder builder;
@@ -95,7 +95,7 @@ TEST(FreePlace, leads_out_of_the_walls_of_our_school) {
     leads_out_of_the_walls_of(project_root() / "worlds/maps/school.map");
 }
 
-TEST(FreePlace, leads_out_of_the_walls_of_a_real_level) {
+TEST(FreePlace, leads_out_of_the_walls_of_a_real_game_level) {
     const auto path = real_world("quake-e1m1.map");
     if (!path) GTEST_SKIP() << needs_real_world("quake-e1m1.map");
     leads_out_of_the_walls_of(*path);

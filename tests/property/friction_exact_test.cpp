@@ -81,13 +81,13 @@ double straight_press_n(double mu, double speed) {
     return force_n;
 }
 
-TEST(FrictionExact, a_straight_press_of_twelve_newtons_is_twelve_newtons_at_any_speed) {
+TEST(FrictionExact, a_straight_press_of_twelve_newtons_is_felt_as_twelve_newtons_at_any_speed) {
     for (const double mu : coefficients())
         for (const double speed : {0.05, 0.3, 1.0, 5.0})
             EXPECT_NEAR(straight_press_n(mu, speed), 12.0, 1e-9) << mu << ", " << speed << " m/s";
 }
 
-TEST(FrictionExact, a_straight_press_is_felt_as_without_friction_on_every_tick) {
+TEST(FrictionExact, a_straight_press_feels_frictionless_on_every_tick) {
     on_slabs(false, [](const HapticScene& scene, const Motion& motion, const TouchTuning& tuning, double, double speed,
                        double exact_m) {
         TouchState state;
@@ -102,7 +102,7 @@ TEST(FrictionExact, a_straight_press_is_felt_as_without_friction_on_every_tick) 
     });
 }
 
-TEST(FrictionExact, a_slanted_press_lags_by_the_way_along_the_surface_or_by_the_cone) {
+TEST(FrictionExact, a_slanted_press_lags_by_its_movement_along_the_surface_or_by_the_friction_cone) {
     on_slabs(false, [](const HapticScene& scene, const Motion& motion, const TouchTuning& tuning, double mu,
                        double speed, double exact_m) {
         for (const double slant : {0.1, 0.6, 1.5}) {
@@ -120,7 +120,7 @@ TEST(FrictionExact, a_slanted_press_lags_by_the_way_along_the_surface_or_by_the_
     });
 }
 
-TEST(FrictionExact, a_slide_drags_by_the_share_of_the_press_and_a_turn_back_sticks_first) {
+TEST(FrictionExact, a_slide_drags_in_proportion_to_the_press_and_sticks_first_after_a_reversal) {
     on_slabs(false, [](const HapticScene& scene, const Motion& motion, const TouchTuning& tuning, double mu,
                        double speed, double exact_m) {
         TouchState state;
@@ -140,7 +140,7 @@ TEST(FrictionExact, a_slide_drags_by_the_share_of_the_press_and_a_turn_back_stic
 
 // Until the hand reaches the wall, the floor's friction depends only on the press on the floor. At the wall, the proxy
 // is in the corner however hard the hand presses.
-TEST(FrictionExact, a_slide_into_a_wall_is_held_by_the_floor_alone_until_it_is_there) {
+TEST(FrictionExact, a_slide_into_a_wall_is_held_only_by_the_floor_until_it_arrives) {
     on_slabs(true, [](const HapticScene& scene, const Motion& motion, const TouchTuning& tuning, double mu,
                       double speed, double exact_m) {
         TouchState state;
@@ -155,7 +155,7 @@ TEST(FrictionExact, a_slide_into_a_wall_is_held_by_the_floor_alone_until_it_is_t
     });
 }
 
-TEST(FrictionExact, a_press_into_an_edge_between_floor_and_wall_lags_along_the_edge_only) {
+TEST(FrictionExact, a_press_into_an_edge_between_floor_and_wall_lags_only_along_the_edge) {
     on_slabs(true, [](const HapticScene& scene, const Motion& motion, const TouchTuning& tuning, double, double speed,
                       double exact_m) {
         TouchState state;
@@ -172,7 +172,7 @@ TEST(FrictionExact, a_press_into_an_edge_between_floor_and_wall_lags_along_the_e
 }
 
 // Presses from any side straight at the centre of a ball: a solid one, or a facet of a tessellated one.
-TEST(FrictionExact, a_press_straight_at_the_middle_of_a_round_thing_is_felt_as_without_friction) {
+TEST(FrictionExact, a_straight_press_on_the_middle_of_a_round_thing_feels_frictionless) {
     const double round_m = 0.05;
     TouchWorld solid;
     solid.sphere(Vec3(0.0), round_m);
@@ -194,7 +194,7 @@ TEST(FrictionExact, a_press_straight_at_the_middle_of_a_round_thing_is_felt_as_w
 
 // A hand moves past a round object. The proxy touches it whenever the hand is inside, and the force stays in the
 // friction cone of the surface at the proxy.
-TEST(FrictionExact, a_slide_over_round_things_touches_them_and_stays_in_the_cone) {
+TEST(FrictionExact, a_slide_over_round_things_touches_them_and_stays_in_the_friction_cone) {
     const double round_m = 0.05;
     TouchWorld solid, hollow;
     solid.sphere(Vec3(0.0), round_m);
@@ -222,7 +222,7 @@ TEST(FrictionExact, a_slide_over_round_things_touches_them_and_stays_in_the_cone
 }
 
 // A proxy that sticks does not creep, on round or flat surfaces, however long the hand holds it.
-TEST(FrictionExact, a_ball_that_sticks_does_not_creep) {
+TEST(FrictionExact, a_sticking_ball_does_not_creep) {
     TouchWorld round, flat = slab(2, true);
     round.sphere(Vec3(0.0), 0.05);
     for (const double mu : {0.15, 0.4, 0.9}) {

@@ -38,7 +38,7 @@ std::vector<Vec3> balls_at(const TouchCase& c, const TouchTuning& tuning, const 
     return found;
 }
 
-TEST(HardCase, T1_T8_T10_planes_however_cut_doubled_or_littered_are_one_plane) {
+TEST(HardCase, T1_T8_T10_planes_that_are_cut_doubled_or_littered_feel_like_one_plane) {
     for (const char* name : {"T1", "T8", "T10"}) {
         const TouchCase c = case_named(name);
         everywhere(c, plain_tuning(c.radius_m),
@@ -62,7 +62,7 @@ TEST(HardCase, T1_T8_T10_planes_however_cut_doubled_or_littered_are_one_plane) {
     }
 }
 
-TEST(HardCase, T2_a_ball_sinks_into_a_crack_by_its_sagitta_and_no_more) {
+TEST(HardCase, T2_a_ball_sinks_into_a_crack_by_its_sagitta_and_no_deeper) {
     for (const double radius : {0.005, 0.003}) {
         for (const auto& [name, w] : {std::pair{"T2a", 1e-5}, {"T2b", 1e-4}, {"T2c", 5e-4}, {"T2d", 1e-3}}) {
             const TouchCase c = case_named(name, radius);
@@ -100,7 +100,7 @@ TEST(HardCase, T3_T4_corners_of_overlapping_boxes_are_sharp_in_every_representat
     EXPECT_LE(largest_difference(expected, trace(brushes.world, boxes.goals_m, {}, plain_tuning(0.005))), 1e-9);
 }
 
-TEST(HardCase, T5_a_ball_rests_in_a_crevice_where_both_sides_hold_it) {
+TEST(HardCase, T5_a_ball_rests_in_a_crevice_where_both_sides_support_it) {
     for (const auto& [name, degrees] : {std::pair{"T5a", 10.0}, {"T5b", 2.0}, {"T5c", 0.5}}) {
         const TouchCase c = case_named(name);
         const double half = radians_from_degrees(degrees) / 2, rest = c.radius_m / std::sin(half);
@@ -140,7 +140,7 @@ TEST(HardCase, T6_T7_slipping_off_an_edge_or_spike_never_jumps_more_than_the_cap
     }
 }
 
-TEST(HardCase, T9_raw_slivers_lag_by_a_third_of_a_millimetre_at_most) {
+TEST(HardCase, T9_raw_sliver_triangles_lag_by_a_third_of_a_millimetre_at_most) {
     for (const char* name : {"T9a", "T9b", "T9c"}) {
         const TouchCase c = case_named(name);
         everywhere(c, plain_tuning(c.radius_m), [&](std::size_t, const Vec3& g, const Vec3& ball, const TouchResult&) {
@@ -152,7 +152,7 @@ TEST(HardCase, T9_raw_slivers_lag_by_a_third_of_a_millimetre_at_most) {
     }
 }
 
-TEST(HardCase, T11_T12_a_thin_wall_and_a_sheet_hold_at_5_metres_per_second_from_either_side) {
+TEST(HardCase, T11_T12_a_thin_wall_and_a_sheet_stop_the_ball_at_5_metres_per_second_from_either_side) {
     for (const char* name : {"T11a", "T11b", "T12"}) {
         TouchCase c = case_named(name);
         const double rest = std::string(name) == "T12" ? 0.005 : 0.00505;
@@ -218,14 +218,14 @@ TEST(HardCase, every_tidy_case_follows_a_continuous_path_to_a_hundredth_of_a_mic
     }
 }
 
-TEST(HardCase, T6_an_edge_is_felt_to_a_hundredth_of_a_millimetre_when_64_rounds_are_allowed) {
+TEST(HardCase, T6_an_edge_is_felt_to_a_hundredth_of_a_millimetre_with_64_solver_rounds) {
     for (const TouchCase& c : hard_cases()) {
         if (!c.name.starts_with("T6")) continue;
         EXPECT_LE(error_against_reference(c, {}, uncapped_tuning(c.radius_m)), 1e-5) << c.name;
     }
 }
 
-TEST(HardCase, T7_a_spike_is_felt_to_a_hundredth_of_a_millimetre_on_999_ticks_of_1000) {
+TEST(HardCase, T7_a_spike_is_felt_to_a_hundredth_of_a_millimetre_on_999_of_1000_ticks) {
     for (const double degrees : {30.0, 15.0, 50.0}) {
         TouchCase c = case_named("T7");
         if (degrees != 30.0) {  // the groove of T7 with sharper and blunter angles
@@ -248,7 +248,7 @@ TEST(HardCase, T7_a_spike_is_felt_to_a_hundredth_of_a_millimetre_on_999_ticks_of
 
 // Invariant I9 at a convex edge. With the goal at depth d below the rounded surface, a step of the goal moves the proxy
 // by r / (r - d) times that step, and no more.
-TEST(HardCase, I9_at_an_edge_the_gain_is_that_of_a_rolling_ball) {
+TEST(HardCase, I9_at_an_edge_the_energy_gain_is_that_of_a_rolling_ball) {
     std::mt19937 random(9);
     for (const bool solid : {true, false}) {
         TouchWorld world;
@@ -282,7 +282,7 @@ TEST(HardCase, I9_at_an_edge_the_gain_is_that_of_a_rolling_ball) {
 }
 
 // Second half of invariant I6, on triangle soups of many sizes.
-TEST(HardCase, T16_I6_in_soups_the_ball_is_where_it_belongs_on_999_ticks_of_1000) {
+TEST(HardCase, T16_I6_in_triangle_soups_the_ball_is_where_it_should_be_on_999_of_1000_ticks) {
     const std::uint32_t seed0 = seed_of_run();
     std::size_t ticks = 0, unsettled = 0, off = 0;
     double worst_settled = 0.0;
@@ -320,7 +320,7 @@ TEST(HardCase, T16_I6_in_soups_the_ball_is_where_it_belongs_on_999_ticks_of_1000
     EXPECT_LE(unsettled * 1000, 3 * ticks + 1000 * pockets) << "seed " << seed0;
 }
 
-TEST(HardCase, T16_random_soups_and_heaps_let_nothing_in_whatever_the_seed) {
+TEST(HardCase, T16_random_triangle_soups_and_heaps_let_nothing_in_for_any_seed) {
     const std::uint32_t seed0 = seed_of_run();
     for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(scaled(8)); ++k) {
         const std::uint32_t seed = seed0 + k;

@@ -42,7 +42,7 @@ double outside_m(const Vec3& p, double half) { return std::max({std::abs(p.x), s
 
 constexpr double kHalf = 0.04, kRadius = 0.005;
 
-TEST(OneSidedSheets, a_skin_that_looks_outwards_holds_from_outside_at_its_faces_edges_and_corners_at_every_speed) {
+TEST(OneSidedSheets, facing_outwards_stop_the_hand_at_faces_edges_and_corners_at_every_speed) {
     const auto seed0 = seed_of_run();
     for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(scaled(24)); ++k) {
         std::mt19937 random(seed0 + k);
@@ -75,7 +75,7 @@ TEST(OneSidedSheets, a_skin_that_looks_outwards_holds_from_outside_at_its_faces_
     }
 }
 
-TEST(OneSidedSheets, the_same_skin_is_not_felt_from_inside_and_is_solid_again_once_one_is_out) {
+TEST(OneSidedSheets, of_a_closed_skin_let_the_hand_leave_and_are_solid_again_from_outside) {
     for (const TouchSide side : {TouchSide::Front, TouchSide::Back}) {
         for (const double speed : {0.05, 0.5, 5.0, 20.0}) {
             std::mt19937 random(5);
@@ -101,7 +101,7 @@ TEST(OneSidedSheets, the_same_skin_is_not_felt_from_inside_and_is_solid_again_on
     }
 }
 
-TEST(OneSidedSheets, a_skin_that_looks_inwards_keeps_the_hand_inside) {
+TEST(OneSidedSheets, facing_inwards_keep_the_hand_inside_a_closed_skin) {
     const auto seed0 = seed_of_run();
     for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(scaled(12)); ++k) {
         std::mt19937 random(seed0 + k);
@@ -117,7 +117,7 @@ TEST(OneSidedSheets, a_skin_that_looks_inwards_keeps_the_hand_inside) {
     }
 }
 
-TEST(OneSidedSheets, feel_from_their_side_as_sheets_of_both_sides_do) {
+TEST(OneSidedSheets, feel_like_two_sided_sheets_on_their_front) {
     std::mt19937 random(6);
     const TouchWorld sided = cube(kHalf, TouchSide::Both, false, random);
     TouchWorld front = cube(kHalf, TouchSide::Front, false, random);
@@ -160,7 +160,7 @@ TEST(OneSidedSheets, of_a_moving_body_push_from_the_front_and_pass_from_behind) 
     }
 }
 
-TEST(OneSidedSheets, a_hand_half_way_through_from_behind_may_turn_back) {
+TEST(OneSidedSheets, let_a_hand_that_is_half_through_from_behind_turn_back) {
     TouchWorld world;
     world.polygon({{-.1, -.1, 0}, {.1, -.1, 0}, {.1, .1, 0}, {-.1, .1, 0}}, TouchSide::Front);
     const auto scene = world.scene();

@@ -135,7 +135,7 @@ private:
 
 const char* const kDevices[] = {"sim-t", "sim-f"};
 
-TEST(PersonalSpace, a_thousand_crossings_drive_no_hand_knock_nowhere_and_lead_back_to_the_place) {
+TEST(PersonalSpace, a_thousand_crossings_give_no_energy_never_knock_and_lead_back_to_the_same_place) {
     const std::uint32_t seed = seed_of_run();
     for (const char* device : kDevices) {
         SCOPED_TRACE(fmt::format("seed {}, {}", seed, device));
@@ -189,7 +189,7 @@ TEST(PersonalSpace, a_thousand_crossings_drive_no_hand_knock_nowhere_and_lead_ba
     }
 }
 
-TEST(PersonalSpace, breaks_at_the_least_of_1_5_newtons_and_60_percent_of_the_ceiling) {
+TEST(PersonalSpace, gives_way_at_the_smaller_of_1_5_newtons_and_60_percent_of_the_ceiling) {
     for (const char* device : kDevices) {
         for (const double ceiling_n : {1.2, 2.5, 8.0}) {
             SCOPED_TRACE(fmt::format("{}, {} N", device, ceiling_n));
@@ -209,7 +209,7 @@ TEST(PersonalSpace, breaks_at_the_least_of_1_5_newtons_and_60_percent_of_the_cei
     }
 }
 
-TEST(PersonalSpace, lets_nobody_through_who_wobbles_at_it_and_gives_them_nothing) {
+TEST(PersonalSpace, lets_no_wobbling_hand_through_and_gives_it_no_energy) {
     const std::uint32_t seed = seed_of_run();
     RandomPlaces random(seed);
     for (const char* device : kDevices) {
@@ -239,7 +239,7 @@ TEST(PersonalSpace, lets_nobody_through_who_wobbles_at_it_and_gives_them_nothing
     }
 }
 
-TEST(PersonalSpace, a_free_hand_that_pulls_comes_through_and_gets_nothing_either) {
+TEST(PersonalSpace, a_free_hand_that_pulls_passes_through_without_gaining_energy) {
     for (const char* device : kDevices) {
         SCOPED_TRACE(device);
         DeskRig rig(device);
@@ -275,7 +275,7 @@ public:
     }
 };
 
-TEST(PersonalSpace, a_wall_behind_the_person_lets_a_held_pull_through_to_the_desk_and_back_to_the_place) {
+TEST(PersonalSpace, a_wall_behind_the_person_lets_a_sustained_pull_through_to_the_desk_and_back) {
     for (const char* device : kDevices)
         for (const double ceiling_n : {1.2, 2.5}) {
             SCOPED_TRACE(fmt::format("{}, {} N", device, ceiling_n));
@@ -308,7 +308,7 @@ TEST(PersonalSpace, a_wall_behind_the_person_lets_a_held_pull_through_to_the_des
         }
 }
 
-TEST(PersonalSpace, a_wall_behind_the_person_is_explored_as_any_other) {
+TEST(PersonalSpace, a_wall_behind_the_person_is_explored_like_any_other) {
     for (const char* device : kDevices) {
         SCOPED_TRACE(device);
         SmallRoom rig(device);
@@ -336,7 +336,7 @@ TEST(PersonalSpace, a_wall_behind_the_person_is_explored_as_any_other) {
 
 // The hand presses against something in the world when it is pulled through the wall, or against the desk when it comes
 // back.
-TEST(PersonalSpace, what_was_pressed_on_one_side_is_left_behind_without_a_knock) {
+TEST(PersonalSpace, a_contact_on_one_side_is_left_behind_without_a_knock) {
     for (const char* device : kDevices) {
         SCOPED_TRACE(device);
         DeskRig rig(device);
@@ -366,7 +366,7 @@ TEST(PersonalSpace, what_was_pressed_on_one_side_is_left_behind_without_a_knock)
     }
 }
 
-TEST(PersonalSpace, a_fault_at_the_desk_takes_the_force_away_as_everywhere) {
+TEST(PersonalSpace, a_fault_at_the_desk_removes_the_force_as_everywhere) {
     for (const char* kind : {"unplug", "stop", "nan", "hot", "error"}) {
         SCOPED_TRACE(kind);
         DeskRig rig("sim-t");
@@ -401,7 +401,7 @@ TEST(PersonalSpace, a_fault_at_the_desk_takes_the_force_away_as_everywhere) {
     }
 }
 
-TEST(PersonalSpace, a_teleport_takes_the_hand_back_to_the_world_and_without_a_desk_there_is_no_wall) {
+TEST(PersonalSpace, a_teleport_returns_the_hand_to_the_world_and_without_a_desk_there_is_no_wall) {
     DeskRig rig("sim-t");
     const double at = rig.wall().at_m, depth = rig.wall().depth_m;
     rig.go(Vec3(0.0, -at - depth - 0.001, 0.0), 0.05);
@@ -434,7 +434,7 @@ TEST(PersonalSpace, a_teleport_takes_the_hand_back_to_the_world_and_without_a_de
     EXPECT_FALSE(rig.tool().desk.open);
 }
 
-TEST(PersonalSpace, a_push_presses_once_and_lets_go_at_half_its_force) {
+TEST(PersonalSpace, a_push_resists_and_gives_way_at_half_its_force) {
     DeskPress press;
     const FeatureId button{3}, other{4};
     press.tick(button, 1.0, false, 1.2);

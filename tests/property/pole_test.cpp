@@ -51,7 +51,7 @@ OverPole slide_over_pole(int sectors, int ticks) {
 // Measured: 0.61 degrees for 500 triangles and 0.68 for 1,000. Without a bound on the work of a tick the limit was half
 // a degree, and 0.44 and 0.22 were measured. Examining all of a thousand triangles takes most of the work that a tick
 // may do. Rounds for which there is no time run on the next ticks.
-TEST(Pole, of_as_many_triangles_as_there_are_candidates_is_felt_within_seven_tenths_of_a_degree) {
+TEST(Pole, with_as_many_triangles_as_candidates_is_felt_within_seven_tenths_of_a_degree) {
     for (const int sectors : {500, 1000}) {
         const OverPole over = slide_over_pole(sectors, 8000);
         std::cout << fmt::format("{} triangles: {:.3f} degrees, {:.4f} N a tick rms\n", sectors,
@@ -63,7 +63,7 @@ TEST(Pole, of_as_many_triangles_as_there_are_candidates_is_felt_within_seven_ten
 }
 
 // With more triangles the proxy waits where it knows all of them: late, but never inside, and it reports this.
-TEST(Pole, of_more_triangles_than_candidates_holds_the_ball_back_and_says_so) {
+TEST(Pole, with_more_triangles_than_candidates_holds_the_ball_back_and_reports_it) {
     const OverPole over = slide_over_pole(2 * ProxySolver::kMaxCandidates, 2000);
     EXPECT_GT(over.truncated_share, 0.1);
     EXPECT_GE(over.nearest_m, 0.005 - 1e-5);

@@ -79,7 +79,7 @@ void read_buildings(std::vector<Building>& buildings) {
 }
 
 // A hand at 1 m/s starts in one room after the other and mostly presses on whatever it has met.
-TEST(RealBuildings, a_hand_never_enters_a_solid) {
+TEST(RealBuildings, never_let_a_hand_into_a_solid) {
     if (test::kThreadSanitizer) GTEST_SKIP() << "unit_osm starts the threads that read OpenStreetMap";
     const int ticks = std::getenv("HANDRAIL_LONG_WALKS") ? 200'000 : 20'000;
     std::vector<Building> buildings;
@@ -153,7 +153,7 @@ bool body_passes(const Solids& solids, const Vec3& middle_m, const Vec3& way) {
     return true;
 }
 
-TEST(RealBuildings, body_and_ball_pass_every_open_door_of_the_file) {
+TEST(RealBuildings, let_body_and_hand_through_every_open_door_of_the_file) {
     if (test::kThreadSanitizer) GTEST_SKIP() << "unit_osm starts the threads that read OpenStreetMap";
     std::vector<Building> buildings;
     ASSERT_NO_FATAL_FAILURE(read_buildings(buildings));

@@ -206,7 +206,7 @@ void expect_flush_and_within(const Building& building, std::uint32_t seed, std::
     }
 }
 
-TEST(Rounding, of_blocks_cut_into_pieces_opens_no_groove_and_adds_nothing) {
+TEST(Rounding, of_blocks_cut_into_pieces_opens_no_groove_and_adds_no_material) {
     std::size_t rounded = 0, sharp = 0;
     for (int i = 0; i < scaled(150); ++i) {
         const std::uint32_t seed = seed_of_run() + static_cast<std::uint32_t>(i);
@@ -218,7 +218,7 @@ TEST(Rounding, of_blocks_cut_into_pieces_opens_no_groove_and_adds_nothing) {
     std::cout << "    " << rounded << " pieces rounded, " << sharp << " sharp\n";
 }
 
-TEST(Rounding, of_boxes_joined_in_every_way_opens_no_groove_and_adds_nothing) {
+TEST(Rounding, of_boxes_joined_in_every_way_opens_no_groove_and_adds_no_material) {
     std::size_t rounded = 0, sharp = 0;
     for (int i = 0; i < scaled(300); ++i) {
         const std::uint32_t seed = seed_of_run() + static_cast<std::uint32_t>(i);
@@ -230,7 +230,7 @@ TEST(Rounding, of_boxes_joined_in_every_way_opens_no_groove_and_adds_nothing) {
     std::cout << "    " << rounded << " boxes rounded, " << sharp << " sharp\n";
 }
 
-TEST(Rounding, is_not_felt_where_a_pressed_ball_slides_over_flush_seams) {
+TEST(Rounding, is_not_felt_if_a_pressed_ball_slides_over_flush_seams) {
     constexpr double kBall_m = kRounding_m;
     int slides = 0;
     double worst_n = 0.0;
@@ -381,7 +381,7 @@ TEST(Rounding, gives_no_energy_over_random_closed_loops) {  // I11
     std::cout << "    worst loop gives " << 1e6 * worst_j << " uJ\n";
 }
 
-TEST(Rounding, of_a_thing_that_moves_is_as_large_to_the_hand_whatever_its_scale) {
+TEST(Rounding, of_a_moving_thing_has_the_same_size_for_the_hand_at_every_scale) {
     Building model;
     model.add(box_planes(Vec3(-0.05), Vec3(0.05)));
     model.finish();

@@ -81,7 +81,7 @@ TEST_P(TexturedSurface, gives_no_energy_over_random_closed_loops) {  // I11
     std::cout << "    worst loop gives " << 1e6 * worst_j << " uJ; largest change in a tick " << worst_jump_n << " N\n";
 }
 
-TEST_P(TexturedSurface, takes_energy_wherever_there_is_friction) {
+TEST_P(TexturedSurface, dissipates_energy_wherever_there_is_friction) {
     const int loops = scaled(20);
     for (int seed = 1; seed <= loops; ++seed) {
         std::mt19937 random(static_cast<unsigned>(100 + seed));
@@ -120,7 +120,7 @@ double direction_error_deg(const HapticScene& scene, double radius_m) {
     return std::sqrt(sum / count) * 180.0 / kPi;
 }
 
-TEST(ShadedMesh, points_the_force_along_the_sphere_it_stands_for) {
+TEST(ShadedMesh, points_the_force_along_the_sphere_that_it_approximates) {
     const TriangleMesh mesh = sphere_mesh(22, 0.5);  // 9680 triangles
     const double facets = direction_error_deg(*mesh_scene(mesh, false), 0.5),
                  shaded = direction_error_deg(*mesh_scene(mesh, true), 0.5);
@@ -216,7 +216,7 @@ TEST(ShadedMesh, keeps_corners_sharp_and_flat_faces_flat) {
         << "with no crease angle at all nothing is smooth";
 }
 
-TEST(ShadedMesh, survives_needles_duplicates_and_edges_of_three) {
+TEST(ShadedMesh, survives_needles_duplicates_and_edges_of_three_triangles) {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> unit(-0.05, 0.05);
     for (int seed = 0; seed < 20; ++seed) {

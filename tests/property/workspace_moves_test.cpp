@@ -67,7 +67,7 @@ private:
     double speed_ = 0.05;
 };
 
-TEST(WorkspaceMoves, neither_knock_nor_push_nor_feed_a_random_hand) {
+TEST(WorkspaceMoves, neither_knock_nor_push_nor_feed_energy_to_a_random_hand) {
     const std::uint32_t seed = seed_of_run();
     std::mt19937 random(seed);
     int moved_ticks = 0, touched_while_moving = 0;

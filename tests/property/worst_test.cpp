@@ -26,7 +26,7 @@ double sheet_distance(const HapticScene& scene, const Vec3& at_m, double far_m) 
 
 class WorstTicks : public testing::TestWithParam<int> {};
 
-TEST_P(WorstTicks, stay_within_their_budget_and_cross_nothing) {
+TEST_P(WorstTicks, stay_within_their_work_budget_and_never_pass_through_a_surface) {
     const WorstCase worst = worst_case(GetParam(), scaled(700));
     SCOPED_TRACE(worst.name);
     const HapticScene& scene = *worst.scene;
@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, WorstTicks, testing::Range(0, kWorstCases));
 // ---- bodies that are far away ----
 
 // Bodies all over a hall, some of which wander, jump, appear and vanish, and a hand that hurries among them.
-TEST(TrackedBodies, give_the_same_bits_as_following_all_of_them) {
+TEST(TrackedBodies, give_bit_identical_results_to_tracking_all_bodies) {
     const auto seed = seed_of_run();
     std::mt19937 random(seed);
     const auto uniform = [&](double low, double high) {
@@ -184,7 +184,7 @@ TEST(TrackedBodies, give_the_same_bits_as_following_all_of_them) {
 }
 
 // A street of 2,000 doors. The hand leans on each closed door, the door opens, and the hand goes through.
-TEST(TrackedBodies, an_office_opens_each_of_two_thousand_doors_to_the_hand) {
+TEST(TrackedBodies, let_an_office_open_each_of_two_thousand_doors_to_the_hand) {
     constexpr std::size_t kDoors = 2000, kRow = 50;
     const std::size_t visited_every = static_cast<std::size_t>(1.0 / kSanitizerScale);
     HapticSceneBuilder leaf, builder;
@@ -245,7 +245,7 @@ TEST(TrackedBodies, an_office_opens_each_of_two_thousand_doors_to_the_hand) {
     EXPECT_LE(most_work, ProxySolver::kMostWork);
 }
 
-TEST(TrackedBodies, cost_nothing_while_they_are_far) {
+TEST(TrackedBodies, cost_nothing_while_they_are_far_away) {
     HapticSceneBuilder crate, builder;
     crate.add_box({Vec3(-0.1), Vec3(0.1)});
     const auto shape = crate.build();

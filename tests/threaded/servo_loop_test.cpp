@@ -127,7 +127,7 @@ private:
 
 constexpr int kTicks = 4000;
 
-TEST(ServoLoop, one_thread_and_two_give_the_same_tool_states_bit_for_bit) {
+TEST(ServoLoop, gives_bit_identical_tool_states_with_one_or_two_threads) {
     const auto scenes = two_rooms();
     std::vector<std::vector<std::uint64_t>> alone, together;
     bool touched = false, faulted = false;
@@ -175,7 +175,7 @@ TEST(ServoLoop, one_thread_and_two_give_the_same_tool_states_bit_for_bit) {
     for (std::size_t i = 0; i < alone.size(); ++i) ASSERT_EQ(alone[i], together[i]) << "tick " << i;
 }
 
-TEST(ServoLoop, runs_on_its_own_thread_while_app_and_ears_do_theirs) {
+TEST(ServoLoop, runs_on_its_own_thread_in_parallel_with_app_and_audio) {
     const auto scenes = two_rooms();
     SteadyClock clock;
     auto hand = std::make_shared<SimulatedHand>();
@@ -275,7 +275,7 @@ void press(ServoLoop& loop, NotingDevice::Notes& notes, VirtualClock& clock) {
     ASSERT_GT(notes.forces_n.back(), 0.5);
 }
 
-TEST(ServoLoop, stopping_takes_the_force_away_within_75_ms_then_closes) {
+TEST(ServoLoop, stopping_removes_the_force_within_75_ms_and_then_closes) {
     NotingDevice::Notes notes;
     VirtualClock clock;
     ServoLoop loop(std::make_unique<NotingDevice>(notes), clock);
@@ -296,7 +296,7 @@ TEST(ServoLoop, stopping_takes_the_force_away_within_75_ms_then_closes) {
 
 // The stop key F12 in virtual time, without the app. The thread that sees the key sets the switch, and the next tick
 // has zero force.
-TEST(ServoLoop, the_stop_switch_is_zero_at_the_next_tick_and_a_lost_keyboard_within_76_of_them) {
+TEST(ServoLoop, the_stop_switch_zeroes_the_force_on_the_next_tick_and_a_lost_keyboard_within_76_ticks) {
     for (const bool stop : {true, false}) {
         VirtualClock clock;
         ServoSwitches switches;
@@ -350,7 +350,7 @@ TEST(ServoLoop, the_destructor_stops_a_running_thread) {
     EXPECT_EQ(notes.closed, 1);
 }
 
-TEST(ServoLoop, a_device_that_refuses_says_why_and_nothing_starts) {
+TEST(ServoLoop, reports_the_reason_if_a_device_refuses_and_starts_nothing) {
     NotingDevice::Notes notes;
     notes.refuses = true;
     VirtualClock clock;
@@ -364,7 +364,7 @@ TEST(ServoLoop, a_device_that_refuses_says_why_and_nothing_starts) {
     EXPECT_EQ(notes.closed, 0);
 }
 
-TEST(ServoLoop, frees_a_scene_only_after_the_servo_has_let_it_go) {
+TEST(ServoLoop, frees_a_scene_only_after_the_servo_thread_has_released_it) {
     NotingDevice::Notes notes;
     VirtualClock clock;
     ServoLoop loop(std::make_unique<NotingDevice>(notes), clock);
@@ -387,7 +387,7 @@ TEST(ServoLoop, frees_a_scene_only_after_the_servo_has_let_it_go) {
     EXPECT_EQ(loop.scenes_kept(), 1u);
 }
 
-TEST(ServoLoop, counts_the_events_that_nobody_fetched_in_time) {
+TEST(ServoLoop, counts_events_that_were_not_fetched_in_time) {
     NotingDevice::Notes notes;
     VirtualClock clock;
     ServoLoop loop(std::make_unique<NotingDevice>(notes), clock);
@@ -407,7 +407,7 @@ TEST(ServoLoop, counts_the_events_that_nobody_fetched_in_time) {
 }
 
 // Two devices are two hands. Each has its own thread on the same scene, and a stop of one does not stop the other.
-TEST(ServoLoop, two_loops_share_a_scene_and_the_stop_key_and_nothing_else) {
+TEST(ServoLoop, two_loops_share_only_a_scene_and_the_stop_key) {
     SteadyClock clock;
     ServoSwitches switches;
     const auto scene = test::wall_scene(1.2, FeatureId{1});

@@ -125,10 +125,10 @@ void Companions::walk_into_the_wall(bool bluetooth) {
     EXPECT_EQ(session_.devices().steering(), Steering{});
 }
 
-TEST_F(Companions, a_dual_sense_on_usb_walks_the_body_into_a_wall_and_is_told_of_it) { walk_into_the_wall(false); }
-TEST_F(Companions, a_dual_sense_on_bluetooth_walks_the_body_into_a_wall_and_is_told_of_it) { walk_into_the_wall(true); }
+TEST_F(Companions, a_dual_sense_on_usb_walks_the_body_into_a_wall_and_gets_the_cue) { walk_into_the_wall(false); }
+TEST_F(Companions, a_dual_sense_on_bluetooth_walks_the_body_into_a_wall_and_gets_the_cue) { walk_into_the_wall(true); }
 
-TEST_F(Companions, what_is_pressed_while_a_person_is_busy_elsewhere_does_nothing_then_or_later) {
+TEST_F(Companions, a_press_while_the_person_is_busy_elsewhere_has_no_effect_then_or_later) {
     app_.apply(WorldEntered{make_ready(hall())}, 0.0);
     test::PadEmulator pad(true, false);
     MockHidraw node(bed_.bed, pad, {0, false, 0x054c, 0x0ce6, "DualSense Wireless Controller"});
@@ -145,7 +145,7 @@ TEST_F(Companions, what_is_pressed_while_a_person_is_busy_elsewhere_does_nothing
     EXPECT_TRUE(said_.empty()) << said_.front();
 }
 
-TEST_F(Companions, a_space_mouse_walks_and_turns_and_rests_when_it_falls_silent) {
+TEST_F(Companions, a_space_mouse_walks_and_turns_and_counts_as_at_rest_when_it_falls_silent) {
     app_.apply(WorldEntered{make_ready(hall())}, 0.0);
     test::PuckEmulator puck;
     MockHidraw node(bed_.bed, puck, {2, false, 0x046d, 0xc626, "SpaceNavigator"});
@@ -189,7 +189,7 @@ TEST_F(Companions, triggers_are_loose_and_coils_still_when_the_session_ends) {
     EXPECT_EQ(pad.right_effect, trigger_off());
 }
 
-TEST_F(Companions, a_pad_that_only_rumbles_knocks_at_the_wall_and_is_left_still) {
+TEST_F(Companions, a_rumble_only_pad_knocks_at_the_wall_and_is_still_afterwards) {
     app_.apply(WorldEntered{make_ready(hall())}, 0.0);
     test::MockStick pad(bed_.bed, false);
     ASSERT_TRUE(run_until([&] { return session_.devices().any(); }, 5.0));
@@ -215,7 +215,7 @@ TEST_F(Companions, a_pad_that_only_rumbles_knocks_at_the_wall_and_is_left_still)
 }
 
 // The whole program: a pad gives cues and walking, but is no hand.
-TEST_F(Companions, program_takes_a_dual_sense_as_cues_and_walking) {
+TEST_F(Companions, the_program_uses_a_dual_sense_for_cues_and_walking) {
     test::PadEmulator pad(true, false);
     MockHidraw node(bed_.bed, pad, {0, false, 0x054c, 0x0ce6, "DualSense Wireless Controller"});
     push(pad, node, {128, 128, 128, 128}, {8 | 0x40, 0, 0});

@@ -75,7 +75,7 @@ protected:
     test::MockStick stick_{bed_.bed, true};
 };
 
-TEST_F(DevicesCommand, tells_every_fact_of_every_device_as_data) {
+TEST_F(DevicesCommand, lists_every_fact_of_every_device_as_data) {
     {
         const std::lock_guard guard(falcon_.lock);
         falcon_.falcon.stage = test::FalconEmulator::Stage::Running;
@@ -100,7 +100,7 @@ TEST_F(DevicesCommand, tells_every_fact_of_every_device_as_data) {
 }
 
 // Other pads: a DualShock 4, a DualSense over Bluetooth, and one that only rumbles.
-TEST(DevicesCommandPads, tells_every_fact_of_them_too) {
+TEST(DevicesCommandPads, lists_every_fact_of_pads) {
     UMockdevTestbed* bed = umockdev_testbed_new();
     {
         test::PadEmulator shock{false, false}, wireless{true, true};
@@ -118,7 +118,7 @@ TEST(DevicesCommandPads, tells_every_fact_of_them_too) {
 }
 
 // Whole sentences without tables, signs or brackets, because a voice reads them aloud.
-TEST_F(DevicesCommand, tells_them_in_words_that_a_voice_can_read) {
+TEST_F(DevicesCommand, lists_devices_in_words_that_a_voice_can_read) {
     const std::string words = out_of({"devices"});
     for (const char* part :
          {"Novint Falcon", "DualSense", "SpaceNavigator", "Test Stick", "omega", "Touch", "State: ready."})

@@ -33,7 +33,7 @@ protected:
     SteadyClock clock_;
 };
 
-TEST_F(FalconOverLibusb, is_found_by_its_numbers_and_nothing_else_is) {
+TEST_F(FalconOverLibusb, is_found_by_its_usb_numbers_and_nothing_else_is) {
     const std::array both{kFalcon, UsbId{0x1451, 0}};
     const auto found = list_usb_devices(both);
     ASSERT_TRUE(found);
@@ -45,11 +45,11 @@ TEST_F(FalconOverLibusb, is_found_by_its_numbers_and_nothing_else_is) {
     EXPECT_TRUE(list_usb_devices(other)->empty());
 }
 
-TEST_F(FalconOverLibusb, wakes_homes_and_rests_against_a_wall_at_the_exact_static_answer) {
+TEST_F(FalconOverLibusb, starts_up_homes_and_rests_against_a_wall_at_the_exact_static_answer) {
     test::wake_home_and_rest_against_a_wall(open_link(), bus_.falcon, bus_.lock);
 }
 
-TEST_F(FalconOverLibusb, is_unplugged_within_one_exchange) {
+TEST_F(FalconOverLibusb, unplugging_is_detected_within_one_exchange) {
     {
         const std::lock_guard guard(bus_.lock);
         bus_.falcon.stage = test::FalconEmulator::Stage::Running;
@@ -65,7 +65,7 @@ TEST_F(FalconOverLibusb, is_unplugged_within_one_exchange) {
     EXPECT_FALSE(device.read(clock_.now_s()).connected);
 }
 
-TEST_F(FalconOverLibusb, leaves_the_motors_at_zero_when_let_go) {
+TEST_F(FalconOverLibusb, leaves_the_motors_at_zero_when_closed) {
     {
         const std::lock_guard guard(bus_.lock);
         bus_.falcon.stage = test::FalconEmulator::Stage::Running;

@@ -22,7 +22,7 @@ protected:
     } bed_;
 };
 
-TEST_F(OverEvdev, rumble_pad_rumbles_as_told_and_stops_when_let_go) {
+TEST_F(OverEvdev, a_rumble_pad_follows_commands_and_stops_when_closed) {
     MockStick pad(bed_.bed, false);
     const auto listed = list_ff_devices();
     ASSERT_EQ(listed.size(), 1U);
@@ -48,7 +48,7 @@ TEST_F(OverEvdev, rumble_pad_rumbles_as_told_and_stops_when_let_go) {
 
 // Axes in the plane: right is x and away from the person is y. A force to the right has the kernel's direction "right",
 // and so on.
-TEST_F(OverEvdev, stick_right_and_forward_are_east_and_north_and_a_force_east_pushes_right) {
+TEST_F(OverEvdev, a_stick_maps_right_and_forward_to_east_and_north_and_pushes_right_for_a_force_east) {
     MockStick stick(bed_.bed, true);
     auto link = open_ff_link("/dev/input/event5");
     ASSERT_TRUE(link);
@@ -99,7 +99,7 @@ TEST_F(OverEvdev, stick_right_and_forward_are_east_and_north_and_a_force_east_pu
     }
 }
 
-TEST_F(OverEvdev, stick_never_pushes_harder_than_it_can_and_lets_go_at_zero) {
+TEST_F(OverEvdev, a_stick_never_exceeds_its_maximum_force_and_ends_at_zero) {
     MockStick stick(bed_.bed, true);
     {
         ForceStick device(std::move(*open_ff_link("/dev/input/event5")));
@@ -121,7 +121,7 @@ TEST_F(OverEvdev, stick_never_pushes_harder_than_it_can_and_lets_go_at_zero) {
     EXPECT_FALSE(stick.playing);
 }
 
-TEST_F(OverEvdev, unplugged_stick_is_seen_at_once) {
+TEST_F(OverEvdev, an_unplugged_stick_is_detected_at_once) {
     MockStick stick(bed_.bed, true);
     ForceStick device(std::move(*open_ff_link("/dev/input/event5")));
     ASSERT_TRUE(device.open());
@@ -133,7 +133,7 @@ TEST_F(OverEvdev, unplugged_stick_is_seen_at_once) {
     EXPECT_FALSE(device.read(0.0).connected);
 }
 
-TEST_F(OverEvdev, a_pad_that_only_rumbles_is_no_hand) {
+TEST_F(OverEvdev, a_rumble_only_pad_is_not_offered_as_a_hand) {
     MockStick pad(bed_.bed, false);
     ForceStick device(std::move(*open_ff_link("/dev/input/event5")));
     const auto opened = device.open();

@@ -103,7 +103,7 @@ protected:
     std::vector<Frame> frames_;  // guarded by bus_.lock
 };
 
-TEST_F(GuardProcess, holds_the_device_for_the_servo_and_lets_it_go_at_zero) {
+TEST_F(GuardProcess, holds_the_device_for_the_servo_and_releases_it_at_zero_force) {
     GuardedDevice device(*find_device_spec("falcon"), kGuard, {"falcon"});
     const auto opened = device.open();
     ASSERT_TRUE(opened) << opened.error().sentence();
@@ -132,7 +132,7 @@ TEST_F(GuardProcess, holds_the_device_for_the_servo_and_lets_it_go_at_zero) {
     EXPECT_TRUE(no_force_now());
 }
 
-TEST_F(GuardProcess, unplugging_is_seen_and_plugging_in_again_too) {
+TEST_F(GuardProcess, unplugging_and_replugging_are_detected) {
     GuardedDevice device(*find_device_spec("falcon"), kGuard, {"falcon"});
     ASSERT_TRUE(device.open());
     const auto tick_until = [&](bool connected) {
@@ -330,7 +330,7 @@ protected:
     RunningProgram program_{home_.path()};
 };
 
-TEST_F(DyingProgram, killed_with_2_newtons_in_the_hand_leaves_zero_behind) {
+TEST_F(DyingProgram, killed_with_2_newtons_in_the_hand_leaves_zero_force) {
     press_on_the_floor();
     if (IsSkipped() || HasFatalFailure()) return;
     const auto killed = Clock_::now();
@@ -343,7 +343,7 @@ TEST_F(DyingProgram, killed_with_2_newtons_in_the_hand_leaves_zero_behind) {
     EXPECT_LE(bus_.falcon.largest_force_n, 3.0);
 }
 
-TEST_F(DyingProgram, frozen_with_2_newtons_in_the_hand_leaves_zero_behind) {
+TEST_F(DyingProgram, frozen_with_2_newtons_in_the_hand_leaves_zero_force) {
     press_on_the_floor();
     if (IsSkipped() || HasFatalFailure()) return;
     const auto frozen = Clock_::now();
@@ -387,7 +387,7 @@ protected:
     }
 };
 
-TEST_F(FailingGuard, killed_with_2_newtons_in_the_hand_is_followed_by_zero_within_100_ms_and_true_words) {
+TEST_F(FailingGuard, killed_with_2_newtons_in_the_hand_is_followed_by_zero_force_within_100_ms_and_a_true_message) {
     expect_zero_within(100.0, "guard killed", [this] { ::kill(guards().front(), SIGKILL); });
     if (IsSkipped() || HasFatalFailure()) return;
     EXPECT_TRUE(program_.says("Let go of the grip: the device may still push.")) << program_.said();
@@ -396,7 +396,7 @@ TEST_F(FailingGuard, killed_with_2_newtons_in_the_hand_is_followed_by_zero_withi
     EXPECT_TRUE(program_.says("I found a Falcon.")) << "and can be taken again: " << program_.said();
 }
 
-TEST_F(FailingGuard, frozen_with_2_newtons_in_the_hand_is_ended_and_followed_by_zero_within_250_ms) {
+TEST_F(FailingGuard, frozen_with_2_newtons_in_the_hand_is_killed_and_followed_by_zero_force_within_250_ms) {
     pid_t guard = 0;
     expect_zero_within(250.0, "guard frozen", [&] { ::kill(guard = guards().front(), SIGSTOP); });
     if (IsSkipped() || HasFatalFailure()) return;
@@ -405,7 +405,7 @@ TEST_F(FailingGuard, frozen_with_2_newtons_in_the_hand_is_ended_and_followed_by_
     EXPECT_NE(field_of(guard, "State").substr(0, 1), "T") << "it can never go on";
 }
 
-TEST_F(FailingGuard, frozen_together_with_the_program_is_followed_by_zero_all_the_same) {
+TEST_F(FailingGuard, frozen_together_with_the_program_is_still_followed_by_zero_force) {
     expect_zero_within(250.0, "guard and program frozen", [this] {
         const auto both = guards();
         ::kill(program_.pid(), SIGSTOP);
@@ -413,7 +413,7 @@ TEST_F(FailingGuard, frozen_together_with_the_program_is_followed_by_zero_all_th
     });
 }
 
-TEST_F(FailingGuard, frozen_when_the_program_is_left_leaves_zero_behind) {
+TEST_F(FailingGuard, frozen_while_the_program_exits_leaves_zero_force) {
     expect_zero_within(400.0, "guard frozen, then left", [this] {
         ::kill(guards().front(), SIGSTOP);
         program_.type("quit\n");
@@ -423,7 +423,7 @@ TEST_F(FailingGuard, frozen_when_the_program_is_left_leaves_zero_behind) {
 }
 
 // The second guard is frozen first, so that only the program is left when the first guard dies.
-TEST_F(FailingGuard, killed_beside_a_frozen_second_one_is_followed_by_zero_all_the_same) {
+TEST_F(FailingGuard, killed_with_a_frozen_second_guard_is_still_followed_by_zero_force) {
     expect_zero_within(250.0, "second guard frozen, first killed", [this] {
         const auto both = guards();
         ::kill(both.back(), SIGSTOP);
@@ -433,7 +433,7 @@ TEST_F(FailingGuard, killed_beside_a_frozen_second_one_is_followed_by_zero_all_t
     EXPECT_TRUE(program_.says("The device no longer pushes.")) << program_.said();
 }
 
-TEST_F(FailingGuard, frozen_beside_a_frozen_second_one_is_followed_by_zero_also_when_the_program_is_left) {
+TEST_F(FailingGuard, frozen_with_a_frozen_second_guard_is_followed_by_zero_force_even_when_the_program_exits) {
     expect_zero_within(500.0, "both guards frozen, then left", [this] {
         for (const pid_t guard : guards()) ::kill(guard, SIGSTOP);
         program_.type("quit\n");
@@ -442,7 +442,7 @@ TEST_F(FailingGuard, frozen_beside_a_frozen_second_one_is_followed_by_zero_also_
     EXPECT_EQ(program_.wait_for_end(), 0) << program_.said();
 }
 
-TEST_F(FailingGuard, keeps_no_privileges_and_is_replaced_when_the_second_one_dies) {
+TEST_F(FailingGuard, drops_all_privileges_and_is_replaced_when_the_second_guard_dies) {
     press_on_the_floor();
     if (IsSkipped() || HasFatalFailure()) return;
     const auto both = guards();
@@ -488,7 +488,7 @@ struct SystemBus {
 
 class SleepingComputer : protected SystemBus, public FailingGuard {};
 
-TEST_F(SleepingComputer, takes_2_newtons_away_before_it_sleeps_and_gives_them_back_only_when_told) {
+TEST_F(SleepingComputer, loses_2_newtons_before_it_sleeps_and_gets_them_back_only_on_request) {
     if (!logind) GTEST_SKIP() << test::LoginManager::why_not();
     press_on_the_floor();
     if (IsSkipped() || HasFatalFailure()) return;
@@ -657,7 +657,7 @@ protected:
     Vec3 target_m_{0.0, 0.0, 0.145};  // guarded by bus_.lock
 };
 
-TEST_F(CalibratingProgram, leads_through_the_whole_set_up_by_voice_and_keeps_a_profile) {
+TEST_F(CalibratingProgram, guides_through_the_whole_setup_by_voice_and_saves_a_profile) {
     if (!gives_its_time()) GTEST_SKIP() << "this machine is too busy to play a Falcon";
     {
         const std::lock_guard guard(bus_.lock);
@@ -683,7 +683,7 @@ TEST_F(CalibratingProgram, leads_through_the_whole_set_up_by_voice_and_keeps_a_p
     EXPECT_TRUE(no_force_now());
 }
 
-TEST_F(GuardProcess, devices_command_tells_every_fact_of_the_falcon) {
+TEST_F(GuardProcess, devices_command_lists_every_fact_of_the_falcon) {
     test::ProgramCall call;
     call.program = test::mocked_program().string();
     call.arguments = {"devices", "--json"};
@@ -713,7 +713,7 @@ TEST_F(GuardProcess, devices_command_tells_every_fact_of_the_falcon) {
         << "looking pushes nobody";
 }
 
-TEST_F(GuardProcess, devices_command_names_the_rule_where_the_device_may_not_be_opened) {
+TEST_F(GuardProcess, devices_command_names_the_udev_rule_if_access_is_denied) {
     {
         const std::lock_guard guard(bus_.lock);
         bus_.falcon.stage = test::FalconEmulator::Stage::Silent;

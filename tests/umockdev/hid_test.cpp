@@ -38,7 +38,7 @@ protected:
     MockHidraw puck_node_{bed_.bed, puck_, {2, false, 0x046d, 0xc626, "SpaceNavigator"}};
 };
 
-TEST_F(OverHidapi, all_three_are_listed_with_what_is_known_of_them) {
+TEST_F(OverHidapi, all_three_devices_are_listed_with_their_known_facts) {
     const auto listed = list_hid_devices();
     ASSERT_EQ(listed.size(), 3U);
     EXPECT_FALSE(listed[0].bluetooth);
@@ -48,7 +48,7 @@ TEST_F(OverHidapi, all_three_are_listed_with_what_is_known_of_them) {
     EXPECT_EQ(listed[0].product_name, "DualSense Wireless Controller");
 }
 
-TEST_F(OverHidapi, dual_sense_exchanges_a_thousand_reports_over_usb_and_bluetooth_and_loses_none) {
+TEST_F(OverHidapi, a_dual_sense_loses_none_of_a_thousand_reports_over_usb_and_bluetooth) {
     for (const bool bluetooth : {false, true}) {
         test::PadEmulator& emulator = bluetooth ? bluetooth_pad_ : usb_pad_;
         MockHidraw& node = bluetooth ? bluetooth_node_ : usb_node_;
@@ -58,7 +58,7 @@ TEST_F(OverHidapi, dual_sense_exchanges_a_thousand_reports_over_usb_and_bluetoot
     }
 }
 
-TEST_F(OverHidapi, bluetooth_report_with_a_wrong_checksum_is_not_believed) {
+TEST_F(OverHidapi, a_bluetooth_report_with_a_wrong_checksum_is_rejected) {
     PlaystationPad pad(open(0x054c, true), PadModel::DualSense, PadBus::Bluetooth);
     ASSERT_TRUE(pad.open());
     {
@@ -70,11 +70,11 @@ TEST_F(OverHidapi, bluetooth_report_with_a_wrong_checksum_is_not_believed) {
     EXPECT_FALSE(pad.lost());
 }
 
-TEST_F(OverHidapi, space_mouse_steers) {
+TEST_F(OverHidapi, a_space_mouse_steers_the_walker) {
     test::steer_with_a_space_mouse(open(0x046d, false), puck_, puck_node_.lock, [&] { puck_node_.ring(); });
 }
 
-TEST_F(OverHidapi, devices_command_tells_of_pads_and_pucks) {
+TEST_F(OverHidapi, the_devices_command_lists_pads_and_space_mice) {
     test::ProgramCall call;
     call.program = test::built_program("handrail");
     call.arguments = {"devices", "--json"};

@@ -63,7 +63,7 @@ protected:
     std::unique_ptr<Exploring> program;
 };
 
-TEST_F(Brailled, shows_the_heading_and_the_words_that_are_spoken) {
+TEST_F(Brailled, session_shows_the_heading_and_the_spoken_text) {
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;
     ASSERT_TRUE(press("Right"));
@@ -75,7 +75,7 @@ TEST_F(Brailled, shows_the_heading_and_the_words_that_are_spoken) {
     leave();
 }
 
-TEST_F(Brailled, pans_by_the_displays_keys_and_tells_more_by_a_routing_key) {
+TEST_F(Brailled, session_pans_with_the_display_keys_and_says_more_on_a_routing_key) {
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;
     // Repeats the query until the room is known, because a background task finds the rooms.
@@ -104,7 +104,7 @@ TEST_F(Brailled, pans_by_the_displays_keys_and_tells_more_by_a_routing_key) {
     leave();
 }
 
-TEST_F(Brailled, not_at_all_when_switched_off) {
+TEST_F(Brailled, output_is_absent_when_braille_is_switched_off) {
     ASSERT_NO_FATAL_FAILURE(explore({"--set", "speech.braille=false"}));
     if (!program) return;
     ASSERT_TRUE(press("c"));
@@ -113,7 +113,7 @@ TEST_F(Brailled, not_at_all_when_switched_off) {
     leave();
 }
 
-TEST_F(Brailled, takes_another_display_of_the_same_server) {
+TEST_F(Brailled, session_accepts_another_display_of_the_same_server) {
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;
     ASSERT_TRUE(press("c"));
@@ -126,7 +126,7 @@ TEST_F(Brailled, takes_another_display_of_the_same_server) {
 
 // Takes away, one after the other, everything that tells a person where they are. Whatever is left announces each loss,
 // and exploring continues.
-TEST_F(Brailled, goes_on_when_braille_and_sound_and_speech_are_taken_away_in_turn) {
+TEST_F(Brailled, session_goes_on_when_braille_sound_and_speech_are_taken_away_in_turn) {
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;
     ASSERT_TRUE(press("c"));

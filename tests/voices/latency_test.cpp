@@ -113,7 +113,7 @@ std::vector<Recorded> own_voice(const std::filesystem::path& file) {
     return all;
 }
 
-TEST(Latency, of_the_programs_own_voice_is_reported) {
+TEST(Latency, of_the_built_in_voice_is_reported) {
     if (const std::string why = why_no_preload(); !why.empty()) GTEST_SKIP() << why;
     const auto display = VirtualDisplay::start();
     if (!display) GTEST_SKIP() << "Xvfb or xdotool is not installed";

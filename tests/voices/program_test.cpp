@@ -35,7 +35,7 @@ protected:
     std::unique_ptr<Exploring> program;
 };
 
-TEST_F(ProgramSpeaking, through_the_speech_server_says_each_line_of_text_there_and_nowhere_else) {
+TEST_F(ProgramSpeaking, through_the_speech_server_speaks_each_line_of_text_there_and_nowhere_else) {
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;
     program->type("heading\nwhere\n");
@@ -51,10 +51,10 @@ TEST_F(ProgramSpeaking, through_the_speech_server_says_each_line_of_text_there_a
     EXPECT_THAT(program->said(), Not(HasSubstr("uses the built-in voice"))) << "the built-in voice was never needed";
 }
 
-TEST_F(ProgramSpeaking, goes_on_when_the_speech_server_is_killed_and_takes_it_back_when_it_returns) {
+TEST_F(ProgramSpeaking, continues_when_the_speech_server_is_killed_and_uses_it_again_when_it_returns) {
     // libspeechd cancels its thread. While g++ 12's sanitizer looks up names for its suppressions there, that thread
     // never ends and blocks all others.
-    if (test::kThreadSanitizer) GTEST_SKIP() << "SpeechdVoice.a_killed_server_* runs the same threads";
+    if (test::kThreadSanitizer) GTEST_SKIP() << "SpeechdVoice.notices_a_killed_server_* runs the same threads";
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;
     server->kill();
@@ -70,7 +70,7 @@ TEST_F(ProgramSpeaking, goes_on_when_the_speech_server_is_killed_and_takes_it_ba
     leave();
 }
 
-TEST_F(ProgramSpeaking, a_frozen_speech_server_holds_up_neither_text_nor_the_next_voice) {
+TEST_F(ProgramSpeaking, is_not_blocked_by_a_frozen_speech_server_in_its_text_or_next_voice) {
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;
     server->freeze();
@@ -81,7 +81,7 @@ TEST_F(ProgramSpeaking, a_frozen_speech_server_holds_up_neither_text_nor_the_nex
     leave();
 }
 
-TEST_F(ProgramSpeaking, by_a_voice_that_was_asked_for_and_is_not_there_says_so) {
+TEST_F(ProgramSpeaking, reports_a_missing_voice_that_the_settings_name) {
     program = std::make_unique<Exploring>(
         folder, Environment{},
         std::vector<std::string>{"--no-window", "--device", "none", "--set", "speech.through=speech-dispatcher"});

@@ -117,7 +117,7 @@ for a in pyatspi.Registry.getDesktop(0):
     std::unique_ptr<Exploring> program;
 };
 
-TEST_F(ReadByOrca, speaks_through_it_from_the_first_word_and_with_no_voice_of_its_own) {
+TEST_F(ReadByOrca, speaks_through_orca_from_the_first_word_and_without_its_own_voice) {
     ASSERT_NO_FATAL_FAILURE(begin(true));
     if (!program) return;
     ASSERT_TRUE(speaks_of("facing north")) << everything();
@@ -145,7 +145,7 @@ TEST_F(ReadByOrca, repeats_word_for_word_on_request) {
     leave();
 }
 
-TEST_F(ReadByOrca, has_each_key_first_but_for_the_stop_key) {
+TEST_F(ReadByOrca, gives_orca_each_key_first_except_the_stop_key) {
     ASSERT_NO_FATAL_FAILURE(begin(false));
     if (!program) return;
     ASSERT_TRUE(speaks_of("facing north")) << everything();
@@ -173,7 +173,7 @@ TEST_F(ReadByOrca, has_each_key_first_but_for_the_stop_key) {
     leave();
 }
 
-TEST_F(ReadByOrca, speaks_lists_and_finds_their_items_as_objects) {
+TEST_F(ReadByOrca, speaks_lists_and_exposes_their_items_as_objects) {
     ASSERT_NO_FATAL_FAILURE(begin(false));
     if (!program) return;
     ASSERT_TRUE(speaks_of("facing north")) << everything();
@@ -205,7 +205,7 @@ TEST_F(ReadByOrca, speaks_lists_and_finds_their_items_as_objects) {
 
 // Changes each control of the desk by the actions of its accessible object and through the program's own interface.
 // Both must end with the same text.
-TEST_F(ReadByOrca, changes_every_control_of_the_desk_by_the_actions_of_its_object) {
+TEST_F(ReadByOrca, changes_every_control_of_the_desk_through_its_accessible_actions) {
     ASSERT_NO_FATAL_FAILURE(begin(false));
     if (!program) return;
     ASSERT_NO_FATAL_FAILURE(open_desk());
@@ -263,7 +263,7 @@ for i in [i for i in range(desk.childCount) if i not in last] + last:
 
 // Sets each slider, volume and knob of the desk as a value of its accessible object, and through the program's own
 // interface. Both must end with the same text and number.
-TEST_F(ReadByOrca, sets_each_quantity_of_the_desk_as_a_value) {
+TEST_F(ReadByOrca, exposes_each_quantity_of_the_desk_as_a_settable_value) {
     ASSERT_NO_FATAL_FAILURE(begin(false));
     if (!program) return;
     ASSERT_NO_FATAL_FAILURE(open_desk());
@@ -310,7 +310,7 @@ for i in range(desk.childCount):
     leave();
 }
 
-TEST_F(ReadByOrca, tells_each_item_once_and_messages_about_it_too) {
+TEST_F(ReadByOrca, speaks_each_item_once_and_messages_about_it_too) {
     ASSERT_NO_FATAL_FAILURE(begin(false));
     if (!program) return;
     ASSERT_TRUE(speaks_of("facing north")) << everything();
@@ -336,7 +336,7 @@ TEST_F(ReadByOrca, tells_each_item_once_and_messages_about_it_too) {
     leave();
 }
 
-TEST_F(ReadByOrca, tells_a_question_and_what_is_typed) {
+TEST_F(ReadByOrca, speaks_a_question_and_the_typed_answer) {
     ASSERT_NO_FATAL_FAILURE(begin(false));
     if (!program) return;
     ASSERT_TRUE(speaks_of("facing north")) << everything();
@@ -367,7 +367,7 @@ for a in pyatspi.Registry.getDesktop(0):
     leave();
 }
 
-TEST_F(ReadByOrca, goes_on_when_it_is_killed_and_comes_back_to_it) {
+TEST_F(ReadByOrca, continues_when_orca_is_killed_and_uses_it_again_when_it_returns) {
     ASSERT_NO_FATAL_FAILURE(begin(true));
     if (!program) return;
     ASSERT_TRUE(speaks_of("facing north")) << everything();
@@ -384,7 +384,7 @@ TEST_F(ReadByOrca, goes_on_when_it_is_killed_and_comes_back_to_it) {
     leave();
 }
 
-TEST_F(ReadByOrca, goes_on_when_the_whole_session_bus_ends) {
+TEST_F(ReadByOrca, continues_when_the_whole_session_bus_ends) {
     ASSERT_NO_FATAL_FAILURE(begin(true));
     if (!program) return;
     ASSERT_TRUE(speaks_of("facing north")) << everything();
@@ -396,7 +396,7 @@ TEST_F(ReadByOrca, goes_on_when_the_whole_session_bus_ends) {
     leave();
 }
 
-TEST(WithoutASessionBus, no_bus_is_started_and_no_word_waits_for_one) {
+TEST(WithoutASessionBus, no_bus_is_started_and_speech_does_not_wait_for_one) {
     if (const std::string why = Desktop::why_not(); !why.empty()) GTEST_SKIP() << why;
     const TemporaryFolder folder;
     const auto display = VirtualDisplay::start();

@@ -73,7 +73,7 @@ protected:
     std::unique_ptr<Exploring> program;
 };
 
-TEST_F(SilentMachineNever, speaks_with_its_own_voice_where_there_is_nothing_else) {
+TEST_F(SilentMachineNever, speaks_with_the_built_in_voice_if_there_is_nothing_else) {
     if (const std::string why = why_no_preload(); !why.empty()) GTEST_SKIP() << why;
     const auto display = VirtualDisplay::start();
     if (!display) GTEST_SKIP() << "Xvfb or xdotool is not installed";
@@ -96,7 +96,7 @@ TEST_F(SilentMachineNever, speaks_with_its_own_voice_where_there_is_nothing_else
     ASSERT_NO_FATAL_FAILURE(go_on(*display, said()));
 }
 
-TEST_F(SilentMachineNever, speaks_through_the_speech_server_where_one_runs_and_its_own_voice_is_silent) {
+TEST_F(SilentMachineNever, speaks_through_the_speech_server_if_one_runs_and_mutes_the_built_in_voice) {
     if (const std::string why = why_no_preload(); !why.empty()) GTEST_SKIP() << why;
     if (!installed("speech-dispatcher")) GTEST_SKIP() << "speech-dispatcher is not installed";
     const auto display = VirtualDisplay::start();
@@ -150,7 +150,7 @@ TEST_F(SilentMachineNever, speaks_through_the_speech_server_where_one_runs_and_i
     EXPECT_EQ(read, question);
 }
 
-TEST_F(SilentMachineNever, speaks_and_brailles_through_orca_where_it_runs_and_its_own_voice_is_silent) {
+TEST_F(SilentMachineNever, speaks_and_brailles_through_orca_if_it_runs_and_mutes_the_built_in_voice) {
     if (const std::string why = Desktop::why_not(); !why.empty()) GTEST_SKIP() << why;
     Desktop desktop(folder.path());
     ASSERT_TRUE(desktop.running());

@@ -57,7 +57,7 @@ TEST_F(SpeechdVoice, speaks_every_word_and_knows_when_it_has_ended) {
     EXPECT_EQ(all[1].event, "end");
 }
 
-TEST_F(SpeechdVoice, a_new_utterance_and_silence_cut_what_is_being_said) {
+TEST_F(SpeechdVoice, is_interrupted_by_a_new_utterance_and_by_silence) {
     ASSERT_NO_FATAL_FAILURE(start(10000));  // words so long that no utterance ends
     if (!server) return;
     const double asked_s = now_s();
@@ -78,7 +78,7 @@ TEST_F(SpeechdVoice, a_new_utterance_and_silence_cut_what_is_being_said) {
                 1000.0 * (all[0].time_s - asked_s), 1000.0 * (all[3].time_s - silenced_s));
 }
 
-TEST_F(SpeechdVoice, a_killed_server_is_noticed_at_once_and_its_successor_taken) {
+TEST_F(SpeechdVoice, notices_a_killed_server_at_once_and_uses_its_successor) {
     ASSERT_NO_FATAL_FAILURE(start(5));
     if (!server) return;
     server->kill();
@@ -92,7 +92,7 @@ TEST_F(SpeechdVoice, a_killed_server_is_noticed_at_once_and_its_successor_taken)
     EXPECT_FALSE(server->spoke("lost"));
 }
 
-TEST_F(SpeechdVoice, a_server_that_stops_answering_is_given_up_by_the_watchdog) {
+TEST_F(SpeechdVoice, gives_up_a_server_that_no_longer_answers_after_the_watchdog_time) {
     ASSERT_NO_FATAL_FAILURE(start(5));
     if (!server) return;
     server->freeze();

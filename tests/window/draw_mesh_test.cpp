@@ -41,7 +41,7 @@ TEST(DrawMesh, outlines_a_wall_of_several_pieces_as_one_wall) {
     EXPECT_NEAR(length_m(build_draw_mesh(scene)), 12.0, 1e-4);
 }
 
-TEST(DrawMesh, outlines_two_features_in_one_plane_apart) {
+TEST(DrawMesh, outlines_two_features_in_one_plane_separately) {
     Scene scene;  // two squares of 2 m: 8 m each, because the shared side counts twice
     add_wall_piece(scene, upright(0.0, 2.0, 0.0, 2.0), 0);
     add_wall_piece(scene, upright(2.0, 4.0, 0.0, 2.0), 1);
@@ -60,7 +60,7 @@ TEST(DrawMesh, joins_slanted_pieces_at_any_angle) {
     }
 }
 
-TEST(DrawMesh, leaves_out_volumes_that_cannot_be_seen_and_needles) {
+TEST(DrawMesh, leaves_out_invisible_volumes_and_needle_triangles) {
     Scene scene;
     add_box(scene, Vec3(0.0), Vec3(1.0), FeatureKind::Trigger, SolidRole::Trigger);
     add_box(scene, Vec3(0.0), Vec3(1.0), FeatureKind::Wall, SolidRole::BodyClip);
@@ -74,7 +74,7 @@ TEST(DrawMesh, leaves_out_volumes_that_cannot_be_seen_and_needles) {
 
 TEST(DrawMesh, of_an_empty_scene_is_empty) { EXPECT_TRUE(build_draw_mesh(Scene{}).vertices.empty()); }
 
-TEST(LookOf, tells_kinds_apart_by_luminance_or_pattern) {
+TEST(LookOf, distinguishes_kinds_by_luminance_or_pattern) {
     struct Sample {
         const char* what;
         DrawLook look;

@@ -36,14 +36,14 @@ struct KeyGateTest : testing::Test {
     std::map<std::uint64_t, KeyVerdict> verdicts;
 };
 
-TEST_F(KeyGateTest, without_a_reader_keys_pass_at_once) {
+TEST_F(KeyGateTest, without_a_screen_reader_keys_pass_at_once) {
     take(65, "a", 0.0);
     take(66, "b", 0.0);
     EXPECT_THAT(decided(0.0), ElementsAre(65, 66));
     EXPECT_THAT(decided(0.0), IsEmpty());
 }
 
-TEST_F(KeyGateTest, keys_wait_for_the_reader_and_keep_their_order) {
+TEST_F(KeyGateTest, keys_wait_for_the_screen_reader_and_keep_their_order) {
     with_reader();
     take(65, "a", 0.0);
     take(66, "b", 0.0);
@@ -54,14 +54,14 @@ TEST_F(KeyGateTest, keys_wait_for_the_reader_and_keep_their_order) {
     EXPECT_THAT(decided(0.02), ElementsAre(-65, 66));
 }
 
-TEST_F(KeyGateTest, a_reader_that_does_not_answer_loses_its_say) {
+TEST_F(KeyGateTest, a_screen_reader_that_does_not_answer_is_no_longer_consulted) {
     with_reader();
     take(65, "a", 1.0);
     EXPECT_THAT(decided(1.0 + 0.99 * KeyGate::kPatience_s), IsEmpty());
     EXPECT_THAT(decided(1.0 + KeyGate::kPatience_s), ElementsAre(65));
 }
 
-TEST_F(KeyGateTest, what_a_key_types_shares_its_fate) {
+TEST_F(KeyGateTest, the_text_of_a_key_is_passed_or_dropped_together_with_it) {
     EXPECT_FALSE(gate.take_text("a")) << "no key is here";
     with_reader();
     take(65, "a", 0.0);
@@ -72,7 +72,7 @@ TEST_F(KeyGateTest, what_a_key_types_shares_its_fate) {
     EXPECT_EQ(passed[0].text, "a");
 }
 
-TEST_F(KeyGateTest, keys_undecided_when_the_keyboard_goes_are_dropped) {
+TEST_F(KeyGateTest, undecided_keys_are_dropped_when_the_keyboard_is_lost) {
     with_reader();
     take(65, "a", 0.0);
     gate.clear();

@@ -99,13 +99,13 @@ void expect_right(const KeyLabels& labels) {
     }
 }
 
-TEST(KeyLabels, of_an_american_keyboard_are_its_places) {
+TEST(KeyLabels, of_an_american_keyboard_match_their_physical_places) {
     expect_right(american());
     for (const auto& [key, name] : keys_by_label(american())) EXPECT_EQ(key, name);
     for (const auto& [key, name] : keys_by_label({})) EXPECT_EQ(key, name) << "nothing is known of the labels";
 }
 
-TEST(KeyLabels, of_a_french_keyboard_move_four_letters_and_the_semicolon) {
+TEST(KeyLabels, of_a_french_keyboard_differ_in_four_letters_and_the_semicolon) {
     KeyLabels french = american();
     french[GLFW_KEY_A] = "q", french[GLFW_KEY_Q] = "a", french[GLFW_KEY_Z] = "w", french[GLFW_KEY_W] = "z";
     french[GLFW_KEY_M] = ",", french[GLFW_KEY_SEMICOLON] = "m", french[GLFW_KEY_COMMA] = ";";
@@ -117,7 +117,7 @@ TEST(KeyLabels, of_a_french_keyboard_move_four_letters_and_the_semicolon) {
     EXPECT_EQ(named.at(GLFW_KEY_M), GLFW_KEY_SEMICOLON) << "the place that is left over";
 }
 
-TEST(KeyLabels, are_right_on_every_layout_with_latin_letters) {
+TEST(KeyLabels, are_correct_on_every_layout_with_latin_letters) {
     const auto all = layouts();
     if (all.empty()) GTEST_SKIP() << "needs the keyboard layouts of xkb-data";
     const std::unique_ptr<xkb_context, decltype(&xkb_context_unref)> context(xkb_context_new(XKB_CONTEXT_NO_FLAGS),

@@ -15,7 +15,7 @@ namespace keys_test {
 
 using Events = std::vector<KeyEvent>;
 
-TEST(KeyName, names_places_on_the_keyboard_and_puts_modifiers_before_them) {
+TEST(KeyName, names_the_physical_key_with_its_modifiers_in_front) {
     EXPECT_EQ(key_name(GLFW_KEY_UP, 0), "Up");
     EXPECT_EQ(key_name(GLFW_KEY_PAGE_DOWN, 0), "PageDown");
     EXPECT_EQ(key_name(GLFW_KEY_F, 0), "F");
@@ -29,7 +29,7 @@ TEST(KeyName, names_places_on_the_keyboard_and_puts_modifiers_before_them) {
     EXPECT_EQ(key_name(GLFW_KEY_LEFT_SUPER, 0), std::nullopt) << "the desktop's own key";
 }
 
-TEST(KeyNames, are_unique_and_every_one_is_made_by_some_key) {
+TEST(KeyNames, are_unique_and_each_belongs_to_some_key) {
     const std::set<std::string_view> names(key_names().begin(), key_names().end());
     EXPECT_EQ(names.size(), key_names().size());
     std::set<std::string> made;
@@ -38,7 +38,7 @@ TEST(KeyNames, are_unique_and_every_one_is_made_by_some_key) {
     EXPECT_EQ(made, std::set<std::string>(names.begin(), names.end()));
 }
 
-TEST(KeyTracker, tells_press_repeat_and_release_apart) {
+TEST(KeyTracker, distinguishes_press_repeat_and_release) {
     KeyTracker keys;
     EXPECT_EQ(keys.take(GLFW_KEY_UP, GLFW_PRESS, 0), (Events{{"Up", KeyAction::Press}}));
     EXPECT_EQ(keys.take(GLFW_KEY_UP, GLFW_REPEAT, 0), (Events{{"Up", KeyAction::Repeat}}));
@@ -54,7 +54,7 @@ TEST(KeyTracker, gives_a_release_the_name_of_its_press) {
     EXPECT_EQ(keys.take(GLFW_KEY_UP, GLFW_RELEASE, GLFW_MOD_SHIFT), (Events{{"Up", KeyAction::Release}}));
 }
 
-TEST(KeyTracker, control_alone_acts_when_it_comes_up) {
+TEST(KeyTracker, control_pressed_alone_acts_on_release) {
     KeyTracker keys;
     EXPECT_EQ(keys.take(GLFW_KEY_RIGHT_CONTROL, GLFW_PRESS, GLFW_MOD_CONTROL), Events{});
     EXPECT_EQ(keys.take(GLFW_KEY_RIGHT_CONTROL, GLFW_REPEAT, GLFW_MOD_CONTROL), Events{});
@@ -62,7 +62,7 @@ TEST(KeyTracker, control_alone_acts_when_it_comes_up) {
               (Events{{"Control", KeyAction::Press}, {"Control", KeyAction::Release}}));
 }
 
-TEST(KeyTracker, control_with_another_key_or_the_mouse_is_not_control_alone) {
+TEST(KeyTracker, control_with_another_key_or_the_mouse_does_not_count_as_control_alone) {
     KeyTracker keys;
     keys.take(GLFW_KEY_LEFT_CONTROL, GLFW_PRESS, GLFW_MOD_CONTROL);
     EXPECT_EQ(keys.take(GLFW_KEY_C, GLFW_PRESS, GLFW_MOD_CONTROL), (Events{{"Control+C", KeyAction::Press}}));
@@ -79,7 +79,7 @@ TEST(KeyTracker, control_with_another_key_or_the_mouse_is_not_control_alone) {
     EXPECT_EQ(keys.take(GLFW_KEY_LEFT_CONTROL, GLFW_RELEASE, 0), Events{});
 }
 
-TEST(KeyTracker, control_silences_while_a_walking_key_is_held) {
+TEST(KeyTracker, control_silences_speech_while_a_walking_key_is_held) {
     KeyTracker keys;
     keys.take(GLFW_KEY_UP, GLFW_PRESS, 0);
     keys.take(GLFW_KEY_LEFT_CONTROL, GLFW_PRESS, GLFW_MOD_CONTROL);
@@ -87,7 +87,7 @@ TEST(KeyTracker, control_silences_while_a_walking_key_is_held) {
     EXPECT_EQ(keys.take(GLFW_KEY_LEFT_CONTROL, GLFW_RELEASE, 0).size(), 2U);
 }
 
-TEST(KeyTracker, lets_go_of_everything_when_the_keyboard_is_lost) {
+TEST(KeyTracker, releases_all_keys_when_the_keyboard_is_lost) {
     KeyTracker keys;
     keys.take(GLFW_KEY_UP, GLFW_PRESS, 0);
     keys.take(GLFW_KEY_LEFT, GLFW_PRESS, GLFW_MOD_SHIFT);
@@ -99,7 +99,7 @@ TEST(KeyTracker, lets_go_of_everything_when_the_keyboard_is_lost) {
 }
 
 // Checks every default key, so that each command can be reached from the window.
-TEST(KeyNames, hold_every_key_of_the_command_table) {
+TEST(KeyNames, include_every_key_of_the_command_table) {
     ASSERT_FALSE(command_table().empty());
     for (const CommandInfo& row : command_table()) {
         std::string_view keys = row.key;

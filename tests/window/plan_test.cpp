@@ -18,7 +18,7 @@ double area_m2(const std::vector<Vec2>& outline) {
     return 0.5 * twice;
 }
 
-TEST(SectionAt, of_a_box_is_its_footprint_counter_clockwise_and_empty_above_it) {
+TEST(SectionAt, of_a_box_is_its_footprint_counter_clockwise_and_empty_above_the_box) {
     const ConvexSolid solid = box({1.0, 2.0, 0.0}, {4.0, 4.0, 2.0});
     EXPECT_NEAR(area_m2(section_at(solid, 1.0)), 6.0, 1e-12);
     EXPECT_EQ(section_at(solid, 1.0).size(), 4U);
@@ -37,7 +37,7 @@ TEST(SectionAt, of_a_pyramid_shrinks_with_height) {
         EXPECT_NEAR(area_m2(section_at(pyramid, h)), (4.0 - h) * (4.0 - h), 1e-9) << h;
 }
 
-TEST(CutPlan, shows_what_stands_at_hand_height_and_what_lies_below_it) {
+TEST(CutPlan, shows_things_at_hand_height_and_things_below_it) {
     // The room has a door and four walls, which are cut; the table is low, the water is a liquid, and the floor is a
     // floor. The ceiling is not shown.
     const PlanCut cut = cut_plan(*small_room(), 0.0);
@@ -66,7 +66,7 @@ TEST(CutPlan, of_another_storey_shows_that_storey) {
     EXPECT_EQ(cut.shapes[6].kind, PlanKind::Object);
 }
 
-TEST(CutPlan, shows_things_that_were_set_down_where_they_are) {
+TEST(CutPlan, shows_objects_that_were_placed_during_the_session) {
     Scene model;
     add_box(model, {-0.5, -0.25, 0.0}, {0.5, 0.25, 1.5}, FeatureKind::Object);
     const auto crate = std::make_shared<const Scene>(std::move(model));
@@ -97,7 +97,7 @@ TEST(CutPlan, cuts_sheets_into_lines) {
 
 constexpr PixelBox kBox{Vec2(0.0, 0.0), Vec2(800.0, 600.0)};
 
-TEST(LayOutPlan, fits_a_house_whole_with_north_up) {
+TEST(LayOutPlan, fits_a_whole_house_with_north_up) {
     Aabb house{{0.0, 0.0, 0.0}, {20.0, 10.0, 3.0}};
     const PlanLayout layout = lay_out_plan(house, {1.0, 1.0, 0.0}, 1.0, true, kBox);
     EXPECT_NEAR(layout.pixels_per_m, 0.94 * 800.0 / 20.0, 1e-9);
@@ -108,7 +108,7 @@ TEST(LayOutPlan, fits_a_house_whole_with_north_up) {
     EXPECT_GT(layout.to_pixels(Vec2(12.0, 5.0)).x, middle.x);
 }
 
-TEST(LayOutPlan, follows_the_feet_through_a_large_world_and_stays_inside_it) {
+TEST(LayOutPlan, follows_the_walker_through_a_large_world_and_stays_inside_it) {
     Aabb town{{0.0, 0.0, 0.0}, {500.0, 300.0, 3.0}};
     const Vec2 half_m = 0.5 * Vec2(800.0, 600.0) / kPlanFinest_px_per_m;
     for (const Vec3& feet :
@@ -124,7 +124,7 @@ TEST(LayOutPlan, follows_the_feet_through_a_large_world_and_stays_inside_it) {
     }
 }
 
-TEST(LayOutPlan, with_heading_up_shows_what_is_ahead_above_the_feet) {
+TEST(LayOutPlan, with_heading_up_shows_things_ahead_above_the_walker) {
     Aabb house{{0.0, 0.0, 0.0}, {20.0, 10.0, 3.0}};
     const Vec3 feet(4.0, 5.0, 0.0);
     for (const double heading_rad : {0.0, 0.7, 2.0, 4.0}) {
@@ -138,7 +138,7 @@ TEST(LayOutPlan, with_heading_up_shows_what_is_ahead_above_the_feet) {
     }
 }
 
-TEST(ScaleBar, is_one_two_or_five_of_something_and_fits) {
+TEST(ScaleBar, has_a_length_of_one_two_or_five_units_and_fits) {
     EXPECT_EQ(scale_bar(100.0, 240.0).words, "2 metres");
     EXPECT_EQ(scale_bar(100.0, 199.0).words, "1 metre");
     EXPECT_EQ(scale_bar(16.0, 240.0).words, "10 metres");

@@ -105,7 +105,7 @@ protected:
     Picture last_;
 };
 
-TEST_F(RendererTest, walls_ceiling_and_floor_differ_in_brightness_alone) {
+TEST_F(RendererTest, walls_ceiling_and_floor_differ_only_in_brightness) {
     const ViewState view = view_in(small_room(), 3.5, 0.3, 0.0);
     const Picture picture = draw(view);
     const double wall = brightness(picture, view, {3.5, 4.0, 1.5});
@@ -117,7 +117,7 @@ TEST_F(RendererTest, walls_ceiling_and_floor_differ_in_brightness_alone) {
     EXPECT_GT(east_wall, wall + 20.0);
 }
 
-TEST_F(RendererTest, a_corner_has_a_white_line_with_black_beside_it) {
+TEST_F(RendererTest, a_corner_has_a_white_line_with_black_next_to_it) {
     const ViewState view = view_in(small_room(), 3.5, 0.3, 0.0);
     const Picture picture = draw(view);
     const Vec2 corner = pixel_of(view, {6.0, 4.0, 1.6});
@@ -130,7 +130,7 @@ TEST_F(RendererTest, a_corner_has_a_white_line_with_black_beside_it) {
     EXPECT_GE(blacks, 2);
 }
 
-TEST_F(RendererTest, a_line_that_runs_on_below_the_eye_keeps_its_white_core) {
+TEST_F(RendererTest, a_line_that_continues_below_the_eye_keeps_its_white_core) {
     ViewState view = view_in(small_room(), 1.0, 1.0, 0.0);
     view.tilt_rad = -0.5;
     const Picture picture = draw(view);
@@ -166,7 +166,7 @@ TEST_F(RendererTest, a_door_has_upright_stripes_and_is_brighter_than_its_wall) {
     EXPECT_GE(changes, 5) << "0.8 m of stripes 0.12 m wide";
 }
 
-TEST_F(RendererTest, what_lies_under_water_shines_through) {
+TEST_F(RendererTest, things_under_water_shine_through) {
     auto with_bright_bottom = std::make_shared<Scene>(*small_room());
     add_box(*with_bright_bottom, {0.5, 0.5, 0.0}, {2.0, 1.5, 0.01}, FeatureKind::Object);
     ViewState view = view_in(small_room(), 1.2, 3.0, 180.0);
@@ -244,7 +244,7 @@ std::shared_ptr<const Scene> hall_with_crate(const Vec3& at_m, double turned_rad
     return std::make_shared<const Scene>(std::move(apart));
 }
 
-TEST_F(RendererTest, what_moves_is_drawn_where_it_is_as_if_it_stood_there_in_the_plan_too) {
+TEST_F(RendererTest, moved_objects_are_drawn_at_their_new_place_in_the_plan_too) {
     for (const bool plan : {false, true}) {
         const Vec3 here(4.0, 4.0, 0.375), there(5.2, 3.1, 0.875);
         ViewState view = view_in(hall_with_crate(here, 0.0), 4.0, 1.0, 0.0);
@@ -277,7 +277,7 @@ TEST_F(RendererTest, tilting_up_brings_the_ceiling_to_the_middle) {
     EXPECT_GT(ahead, 150.0);
 }
 
-TEST_F(RendererTest, another_scene_replaces_the_first) {
+TEST_F(RendererTest, a_new_scene_replaces_the_old_one) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
     const double wall = luminance(at(draw(view), {480.5, 290.5}));
     auto with_screen = std::make_shared<Scene>(*view.scene);
@@ -299,7 +299,7 @@ std::pair<int, int> text_rows(const Picture& picture, double top_px) {
     return {first, last};
 }
 
-TEST_F(RendererTest, last_spoken_line_stands_in_letters_of_a_twelfth_of_the_window_on_black) {
+TEST_F(RendererTest, the_last_spoken_line_is_on_black_in_letters_of_a_twelfth_of_the_window) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
     const Picture silent = draw(view);
     EXPECT_EQ(count(silent, black, kBandTop_px, kSize.height).count, kSize.width * 140);
@@ -312,7 +312,7 @@ TEST_F(RendererTest, last_spoken_line_stands_in_letters_of_a_twelfth_of_the_wind
     EXPECT_LT(last - first, 1.0 * kTextLinePart * kSize.height);
 }
 
-TEST_F(RendererTest, another_line_looks_different_and_letters_with_accents_are_known) {
+TEST_F(RendererTest, different_texts_look_different_even_with_accents_and_other_scripts) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
     std::vector<Picture> pictures;
     for (const char* text : {"u", "ü", "é", "ł", "ж", "?", "\xEF\xBF\xBD"}) {
@@ -327,7 +327,7 @@ TEST_F(RendererTest, another_line_looks_different_and_letters_with_accents_are_k
         }
 }
 
-TEST_F(RendererTest, a_long_line_wraps_and_a_very_long_one_leaves_a_quarter_of_the_picture) {
+TEST_F(RendererTest, a_long_line_wraps_and_a_very_long_one_leaves_a_quarter_of_the_picture_free) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
     const auto band_top = [&](int words) {
         view.last_spoken.clear();
@@ -349,7 +349,7 @@ TEST_F(RendererTest, a_long_line_wraps_and_a_very_long_one_leaves_a_quarter_of_t
     EXPECT_EQ(black_rows(300), 9 * 60 + 20);
 }
 
-TEST_F(RendererTest, a_window_of_a_few_pixels_is_survived) {
+TEST_F(RendererTest, a_window_of_a_few_pixels_causes_no_crash) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
     view.last_spoken = "Wall, plaster.";
     for (const PixelSize size : {PixelSize{1, 1}, PixelSize{3, 200}, PixelSize{200, 3}, PixelSize{0, 10}})
@@ -384,7 +384,7 @@ std::pair<int, int> bar_rows(const Picture& picture) {
     return {first, last};
 }
 
-TEST_F(RendererTest, an_open_list_stands_in_large_letters_with_one_item_turned_round) {
+TEST_F(RendererTest, an_open_list_is_in_large_letters_with_the_chosen_item_inverted) {
     const Picture picture = draw(with_list(4, 0));
     const auto [first, last] = bar_rows(picture);
     ASSERT_GE(first, 0);
@@ -396,7 +396,7 @@ TEST_F(RendererTest, an_open_list_stands_in_large_letters_with_one_item_turned_r
     EXPECT_EQ(next.second - next.first, last - first);
 }
 
-TEST_F(RendererTest, the_chosen_item_is_marked_by_a_pointer_and_not_by_colour_alone) {
+TEST_F(RendererTest, the_chosen_item_is_marked_by_a_pointer_as_well_as_by_colour) {
     const Picture picture = draw(with_list(4, 1));
     const auto [first, last] = bar_rows(picture);
     ASSERT_GE(first, 0);
@@ -412,7 +412,7 @@ TEST_F(RendererTest, the_chosen_item_is_marked_by_a_pointer_and_not_by_colour_al
     EXPECT_EQ(in_pointers_column(first + line, last + line, white), 0) << "nor the one below";
 }
 
-TEST_F(RendererTest, a_long_list_follows_its_chosen_item_and_tells_on_which_side_more_lies) {
+TEST_F(RendererTest, a_long_list_follows_its_chosen_item_and_shows_on_which_side_it_continues) {
     const auto arrow = [&](const Picture& picture, int top, int bottom) {
         int found = 0;
         for (int y = top; y < bottom; ++y)
@@ -431,7 +431,7 @@ TEST_F(RendererTest, a_long_list_follows_its_chosen_item_and_tells_on_which_side
     EXPECT_NE(twenty.rgb, draw(with_list(40, 20)).rgb) << "the items and the place are other ones";
 }
 
-TEST_F(RendererTest, a_chosen_item_that_is_too_long_for_a_line_is_shown_whole) {
+TEST_F(RendererTest, a_chosen_item_too_long_for_a_line_is_shown_completely) {
     ViewState view = with_list(3, 1);
     view.dialogue.items[1].name = "Keys: give a command another key, or take one away from it again";
     const auto [first, last] = bar_rows(draw(view));
@@ -441,7 +441,7 @@ TEST_F(RendererTest, a_chosen_item_that_is_too_long_for_a_line_is_shown_whole) {
     EXPECT_EQ(other.second - other.first + 1, static_cast<int>(kTextLinePart * kSize.height));
 }
 
-TEST_F(RendererTest, a_question_shows_what_is_typed_with_a_bar_behind_it) {
+TEST_F(RendererTest, a_question_shows_the_typed_text_with_a_cursor_bar) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
     view.dialogue.kind = DialogueView::Kind::Text;
     view.dialogue.title = "What is its name?";
@@ -468,7 +468,7 @@ TEST_F(RendererTest, a_question_shows_what_is_typed_with_a_bar_behind_it) {
     EXPECT_NE(without.rgb, last_.rgb) << "of a long line the end is in sight";
 }
 
-TEST_F(RendererTest, the_spoken_line_stays_below_an_open_list_however_long_it_is) {
+TEST_F(RendererTest, the_spoken_line_stays_below_an_open_list_at_any_length) {
     ViewState view = with_list(3, 2);
     const auto before = bar_rows(draw(view));
     for (int i = 0; i < 100; ++i) view.last_spoken += "corridor ";
@@ -476,7 +476,7 @@ TEST_F(RendererTest, the_spoken_line_stays_below_an_open_list_however_long_it_is
     EXPECT_GT(count(last_, white, kBandTop_px, kSize.height).count, 1000);
 }
 
-TEST_F(RendererTest, lists_in_a_window_of_a_few_pixels_are_survived) {
+TEST_F(RendererTest, lists_in_a_window_of_a_few_pixels_cause_no_crash) {
     for (const PixelSize size :
          {PixelSize{1, 1}, PixelSize{3, 200}, PixelSize{200, 3}, PixelSize{60, 60}, PixelSize{2000, 90}})
         for (ViewState view : {with_list(0, 0), with_list(1, 0), with_list(300, 299)}) {
@@ -488,7 +488,7 @@ TEST_F(RendererTest, lists_in_a_window_of_a_few_pixels_are_survived) {
     EXPECT_GE(bar_rows(draw(with_list(3, 0))).first, 0);
 }
 
-TEST(ListWindow, holds_the_chosen_item_and_as_many_others_as_have_room) {
+TEST(ListWindow, shows_the_chosen_item_and_as_many_others_as_fit) {
     for (std::size_t items = 1; items < 12; ++items)
         for (std::size_t room = 1; room < 9; ++room)
             for (std::size_t at = 0; at < items; ++at)
@@ -508,7 +508,7 @@ TEST(ListWindow, holds_the_chosen_item_and_as_many_others_as_have_room) {
     EXPECT_EQ(list_window({}, 0, 5).count, 0U);
 }
 
-TEST_F(RendererTest, plan_shows_an_arrow_that_turns_with_the_heading) {
+TEST_F(RendererTest, the_plan_shows_an_arrow_that_turns_with_the_heading) {
     ViewState view = view_in(small_room(), 3.0, 2.0, 0.0);
     view.plan_view = true;
     view.feet_m = view.eyes_m = {3.0, 2.0, 0.0};
@@ -540,7 +540,7 @@ TEST_F(RendererTest, plan_shows_an_arrow_that_turns_with_the_heading) {
     EXPECT_LT(tip(200.0).y, -15.0);
 }
 
-TEST_F(RendererTest, plan_shows_walls_full_doors_open_and_the_walked_path) {
+TEST_F(RendererTest, the_plan_shows_solid_walls_open_doors_and_the_walked_trail) {
     ViewState view = view_in(small_room(), 3.0, 2.0, 0.0);
     view.plan_view = true;
     const Picture before = draw(view);
@@ -561,7 +561,7 @@ TEST_F(RendererTest, plan_shows_walls_full_doors_open_and_the_walked_path) {
     EXPECT_GT(count(before, white).count, 300) << "scale and north";
 }
 
-TEST_F(RendererTest, plan_shows_outlines_and_names_of_rooms_and_which_one_is_in) {
+TEST_F(RendererTest, the_plan_shows_outlines_and_names_of_rooms_and_highlights_the_current_one) {
     ViewState view = two_rooms_on_the_plan();
     const Picture with = draw(view);
     // 100 px per metre, with the middle of the world in the middle of the picture, as above.
@@ -618,7 +618,7 @@ TEST_F(RendererTest, plan_shows_outlines_and_names_of_rooms_and_which_one_is_in)
     EXPECT_EQ(whites_across(draw(view), 0.25, 0.6), 0);
 }
 
-TEST_F(RendererTest, plan_keeps_names_of_rooms_apart_and_the_own_one_always) {
+TEST_F(RendererTest, the_plan_separates_room_names_and_always_shows_that_of_the_current_room) {
     ViewState view = two_rooms_on_the_plan();
     std::vector<DrawnRoom> crowd;
     for (int i = 0; i < 40; ++i) {
@@ -637,7 +637,7 @@ TEST_F(RendererTest, plan_keeps_names_of_rooms_apart_and_the_own_one_always) {
 }
 
 // Reports the cost and never asserts it, because it depends on the machine.
-TEST_F(RendererTest, draws_a_whole_map_without_holes_and_reports_its_cost) {
+TEST_F(RendererTest, a_whole_map_is_drawn_without_holes_and_its_cost_reported) {
     const auto maps = with_real_worlds({project_root() / "worlds/maps/school.map"}, {"quake-e1m1.map"});
     const auto path = maps.back();
     auto read = read_world(path);

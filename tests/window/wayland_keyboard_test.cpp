@@ -16,7 +16,7 @@ Keymap keymap_of(const char* layouts) {
     return Keymap(xkb_keymap_new_from_names(context.get(), &names, XKB_KEYMAP_COMPILE_NO_FLAGS));
 }
 
-TEST(WaylandKeyboard, names_keys_alone_and_with_shift_as_their_layout_has_them) {
+TEST(WaylandKeyboard, names_keys_with_and_without_shift_according_to_their_layout) {
     const Keymap german = keymap_of("de");
     ASSERT_TRUE(german);
     EXPECT_EQ(key_symbol(*german, kKeyTwo, 0, false).name, "2");
@@ -27,7 +27,7 @@ TEST(WaylandKeyboard, names_keys_alone_and_with_shift_as_their_layout_has_them) 
     EXPECT_EQ(key_symbol(*german, kKeyUp, 0, false).keysym, 0xFF52U);
 }
 
-TEST(WaylandKeyboard, takes_the_layout_that_is_in_use_and_the_first_if_a_key_has_fewer) {
+TEST(WaylandKeyboard, uses_the_active_layout_or_the_first_if_a_key_has_fewer_layouts) {
     const Keymap both = keymap_of("us,de");
     ASSERT_TRUE(both);
     EXPECT_EQ(key_symbol(*both, kKeyTwo, 0, true).name, "at");
@@ -35,14 +35,14 @@ TEST(WaylandKeyboard, takes_the_layout_that_is_in_use_and_the_first_if_a_key_has
     EXPECT_EQ(key_symbol(*both, kKeyOne, 7, true).name, "exclam");
 }
 
-TEST(WaylandKeyboard, has_nothing_to_say_of_a_key_that_the_layout_does_not_know) {
+TEST(WaylandKeyboard, returns_nothing_for_a_key_unknown_to_the_layout) {
     const Keymap english = keymap_of("us");
     ASSERT_TRUE(english);
     EXPECT_EQ(key_symbol(*english, kNoKey, 0, false).keysym, 0U);
     EXPECT_EQ(key_symbol(*english, kNoKey, 0, false).name, "");
 }
 
-TEST(WaylandKeyboard, has_the_codes_that_x_has) { EXPECT_EQ(x_code_of(kKeyOne), 10U); }
+TEST(WaylandKeyboard, uses_the_same_key_codes_as_x11) { EXPECT_EQ(x_code_of(kKeyOne), 10U); }
 
 }  // namespace wayland_keyboard_test
 }  // namespace handrail::test

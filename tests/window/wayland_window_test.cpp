@@ -71,7 +71,7 @@ protected:
     std::vector<WindowEvent> events_;
 };
 
-TEST_F(WaylandWindow, takes_keys_by_their_names_and_the_text_of_shifted_ones) {
+TEST_F(WaylandWindow, reads_keys_by_name_and_the_text_of_shifted_ones) {
     ASSERT_TRUE(session_->xdotool("key Up F2 Control_L shift+Left shift+1"));
     ASSERT_TRUE(wait_for([&] { return !keys().empty() && keys().back() == "-Shift+1"; }));
     EXPECT_EQ(keys(), (std::vector<std::string>{"Up", "-Up", "F2", "-F2", "Control", "-Control", "Shift+Left",
@@ -80,7 +80,7 @@ TEST_F(WaylandWindow, takes_keys_by_their_names_and_the_text_of_shifted_ones) {
     EXPECT_EQ(window_->number(), 0U) << "Wayland has no numbers for windows";
 }
 
-TEST_F(WaylandWindow, lets_go_of_held_keys_when_the_keyboard_goes_and_says_when_it_returns) {
+TEST_F(WaylandWindow, releases_held_keys_when_the_keyboard_is_lost_and_reports_its_return) {
     ASSERT_TRUE(session_->xdotool("keydown Up"));
     ASSERT_TRUE(wait_for([&] { return !keys().empty(); }));
     ASSERT_TRUE(session_->take_keyboard_away());
@@ -92,7 +92,7 @@ TEST_F(WaylandWindow, lets_go_of_held_keys_when_the_keyboard_goes_and_says_when_
 }
 
 // Nothing polls the window in this test.
-TEST_F(WaylandWindow, tells_a_watched_key_and_the_loss_of_the_keyboard_without_being_polled) {
+TEST_F(WaylandWindow, reports_a_watched_key_and_the_loss_of_the_keyboard_without_polling) {
     std::atomic<int> stops{0}, others{0};
     std::atomic<bool> focused{true};
     ASSERT_TRUE(
@@ -113,7 +113,7 @@ TEST_F(WaylandWindow, tells_a_watched_key_and_the_loss_of_the_keyboard_without_b
     EXPECT_EQ(std::count(all.begin(), all.end(), "F12"), 1);
 }
 
-TEST_F(WaylandWindow, offers_keys_to_a_screen_reader_as_x_would_name_them) {
+TEST_F(WaylandWindow, offers_keys_to_a_screen_reader_under_their_x11_names) {
     std::vector<KeyStroke> offered;
     window_->offer_keys({[&](const KeyStroke& stroke) { return offered.push_back(stroke), std::uint64_t{1}; },
                          [](std::uint64_t) { return KeyVerdict::Ours; }},
@@ -128,7 +128,7 @@ TEST_F(WaylandWindow, offers_keys_to_a_screen_reader_as_x_would_name_them) {
     for (const KeyStroke& stroke : offered) EXPECT_NE(stroke.name, "F12") << "the stop key waits for nobody";
 }
 
-TEST_F(WaylandWindow, outlives_its_compositor_and_asks_to_close_once) {
+TEST_F(WaylandWindow, survives_the_end_of_its_compositor_and_requests_closing_once) {
     ASSERT_TRUE(window_->watch_keys({[](const std::string&) { return true; }, [] {}, [](bool) {}}));
     session_->kill();
     ASSERT_TRUE(wait_for([&] { return close_requests() > 0; }));

@@ -24,7 +24,7 @@ void PrintTo(const KeyEvent& event, std::ostream* out) {
 namespace handrail::test {
 namespace window_test {
 
-TEST(WindowOpen, says_that_there_is_no_display) {
+TEST(WindowOpen, reports_a_missing_display) {
     ::unsetenv("DISPLAY");
     ::unsetenv("WAYLAND_DISPLAY");
     const auto window = Window::open();
@@ -33,7 +33,7 @@ TEST(WindowOpen, says_that_there_is_no_display) {
         << window.error().message;
 }
 
-TEST(WindowOpen, says_so_when_the_display_does_not_answer_and_can_be_tried_again) {
+TEST(WindowOpen, reports_a_display_that_does_not_answer_and_can_be_retried) {
     ::setenv("DISPLAY", ":65000", 1);
     for (int attempt = 0; attempt < 2; ++attempt) {
         const auto window = Window::open();
@@ -162,7 +162,7 @@ private:
 KeyEvent press(const char* key) { return {key, KeyAction::Press}; }
 KeyEvent release(const char* key) { return {key, KeyAction::Release}; }
 
-TEST_F(WindowTest, takes_keys_by_their_names) {
+TEST_F(WindowTest, reads_keys_by_their_names) {
     ASSERT_TRUE(display_->xdotool("key Up F2 Prior f grave Escape Control_L shift+Left"));
     ASSERT_TRUE(wait_for([&] { return !keys().empty() && keys().back() == release("Shift+Left"); }));
     EXPECT_EQ(keys(), (std::vector<KeyEvent>{press("Up"), release("Up"), press("F2"), release("F2"), press("PageUp"),
@@ -171,7 +171,7 @@ TEST_F(WindowTest, takes_keys_by_their_names) {
                                              release("Control"), press("Shift+Left"), release("Shift+Left")}));
 }
 
-TEST_F(WindowTest, tells_repeats_of_a_held_key_and_control_with_another_key_apart) {
+TEST_F(WindowTest, distinguishes_key_repeats_from_presses_and_control_combinations_from_control_alone) {
     ASSERT_TRUE(display_->xdotool("keydown Up"));
     ASSERT_TRUE(wait_for([&] { return keys().size() >= 3; })) << "the server repeats after 0.66 s";
     ASSERT_TRUE(display_->xdotool("keyup Up key ctrl+c"));
@@ -184,7 +184,7 @@ TEST_F(WindowTest, tells_repeats_of_a_held_key_and_control_with_another_key_apar
     EXPECT_EQ(std::count(all.begin(), all.end(), press("Control")), 0);
 }
 
-TEST_F(WindowTest, survives_keys_it_has_no_name_for) {
+TEST_F(WindowTest, survives_keys_without_a_name) {
     ASSERT_TRUE(display_->xdotool("key U263A Super_L F2"));
     ASSERT_TRUE(wait_for([&] { return !keys().empty() && keys().back() == release("F2"); }));
     EXPECT_EQ(keys(), (std::vector<KeyEvent>{press("F2"), release("F2")}));
@@ -205,7 +205,7 @@ TEST_F(WindowTest, moves_the_simulated_hand_with_the_mouse) {
     EXPECT_EQ(hand_motion_m().y, 0.0);
 }
 
-TEST_F(WindowTest, asks_to_close_and_stays_until_it_is_let_go) {
+TEST_F(WindowTest, requests_closing_and_stays_open_until_it_is_released) {
     Desktop desktop;
     ASSERT_TRUE(desktop.found());
     desktop.press_close_button();
@@ -216,7 +216,7 @@ TEST_F(WindowTest, asks_to_close_and_stays_until_it_is_let_go) {
     EXPECT_FALSE(Desktop().found());
 }
 
-TEST_F(WindowTest, lets_go_of_held_keys_when_the_focus_goes_and_says_when_it_returns) {
+TEST_F(WindowTest, releases_held_keys_when_the_focus_is_lost_and_reports_its_return) {
     ASSERT_TRUE(display_->xdotool("keydown Up"));
     ASSERT_TRUE(wait_for([&] { return !keys().empty(); }));
     Desktop().take_keyboard_away();
@@ -230,7 +230,7 @@ TEST_F(WindowTest, lets_go_of_held_keys_when_the_focus_goes_and_says_when_it_ret
 }
 
 // Nothing polls the window here; urgent events must still arrive.
-TEST_F(WindowTest, tells_a_watched_key_and_the_loss_of_the_keyboard_without_being_polled) {
+TEST_F(WindowTest, reports_a_watched_key_and_the_loss_of_the_keyboard_without_polling) {
     std::atomic<int> stops{0}, others{0};
     std::atomic<bool> focused{true};
     ASSERT_TRUE(
@@ -251,14 +251,14 @@ TEST_F(WindowTest, tells_a_watched_key_and_the_loss_of_the_keyboard_without_bein
     EXPECT_EQ(std::count(all.begin(), all.end(), press("F12")), 1);
 }
 
-TEST_F(WindowTest, a_watch_outlives_the_display) {
+TEST_F(WindowTest, a_key_watch_survives_the_end_of_the_display) {
     ASSERT_TRUE(window_->watch_keys({[](const std::string&) { return true; }, [] {}, [](bool) {}}));
     display_->kill();
     ASSERT_TRUE(wait_for([&] { return count<CloseRequest>() == 1; }));
     window_.reset();
 }
 
-TEST_F(WindowTest, shows_on_the_screen_what_it_drew_and_follows_its_size) {
+TEST_F(WindowTest, shows_the_drawn_picture_and_follows_its_size) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
     view.last_spoken = "North wall, plaster.";
     view.show_hand = true;
@@ -290,7 +290,7 @@ TEST_F(WindowTest, shows_on_the_screen_what_it_drew_and_follows_its_size) {
     EXPECT_EQ(desktop.what_stands_on_the_screen().width, 600);
 }
 
-TEST_F(WindowTest, puts_an_open_list_on_the_screen_in_black_and_white) {
+TEST_F(WindowTest, shows_an_open_list_in_black_and_white) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
     view.last_spoken = "Menu. What you can do, 1 of 3";
     view.dialogue.kind = DialogueView::Kind::List;
@@ -322,7 +322,7 @@ TEST_F(WindowTest, puts_an_open_list_on_the_screen_in_black_and_white) {
     EXPECT_TRUE(grey);
 }
 
-TEST_F(WindowTest, outlives_its_display_and_asks_to_close) {
+TEST_F(WindowTest, survives_the_end_of_its_display_and_requests_closing) {
     const ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
     window_->draw(view);
     ASSERT_TRUE(display_->xdotool("keydown Up"));
@@ -343,7 +343,7 @@ protected:
 };
 
 // Letter keys once acted by their place on an American keyboard, while help and documents name letters.
-TEST_P(WindowOnALayout, takes_letters_by_what_is_printed_on_their_keys_and_digits_by_their_place) {
+TEST_P(WindowOnALayout, reads_letters_by_their_key_labels_and_digits_by_their_place) {
     ASSERT_TRUE(display_->xdotool("key a q z y w m s F2"));
     ASSERT_TRUE(wait_for([&] { return keys().size() >= 16; }));
     std::vector<KeyEvent> wanted;

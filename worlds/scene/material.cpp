@@ -9,7 +9,7 @@ namespace {
 
 // Stiffness is a fraction of what the device can render, friction is Coulomb's mu. There are four steps of stiffness,
 // each a third or more above the one below: more steps cannot be told apart on a device of 3 N. Within a step, friction
-// differs by a half, or one material has a texture (test: every_two_can_be_told_apart_by_touch). Plaster is what the
+// differs by a half, or one material has a texture (test: any_two_can_be_distinguished_by_touch). Plaster is what the
 // walls of most rooms are made of. Depths and periods are in hand travel.
 constexpr TextureWave kBars{WaveShape::Square, 0.4e-3, 10e-3};
 constexpr TextureWave kJoints{WaveShape::Sine, 0.2e-3, 7e-3};

@@ -26,7 +26,7 @@ nlohmann::json inverse3_of(StandInService& service, Mood mood) {
     return nullptr;
 }
 
-TEST(Inverse3Facts, are_all_told_as_data) {  // S137
+TEST(Inverse3Facts, are_all_available_as_data) {  // S137
     for (const bool calibrated : {true, false}) {
         std::optional<StandInService> service;
         try {

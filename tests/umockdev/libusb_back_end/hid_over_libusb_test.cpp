@@ -32,7 +32,7 @@ protected:
     test::MockUsbDevice puck_device_{bed_.bed, puck_function_, 9};
 };
 
-TEST_F(OverHidapiLibusb, both_are_listed_by_what_the_bus_tells) {
+TEST_F(OverHidapiLibusb, both_devices_are_listed_by_their_bus_information) {
     const auto listed = list_hid_devices();
     ASSERT_EQ(listed.size(), 2U);
     EXPECT_EQ(listed[0].product, 0x0ce6);
@@ -41,16 +41,16 @@ TEST_F(OverHidapiLibusb, both_are_listed_by_what_the_bus_tells) {
     EXPECT_EQ(listed[1].product, 0xc626);
 }
 
-TEST_F(OverHidapiLibusb, dual_sense_exchanges_a_thousand_reports_and_loses_none) {
+TEST_F(OverHidapiLibusb, a_dual_sense_loses_none_of_a_thousand_reports) {
     test::exchange_a_thousand_reports(open(0x054c), PadBus::Usb, pad_, pad_device_.lock, [] {});
 }
 
-TEST_F(OverHidapiLibusb, space_mouse_steers) {
+TEST_F(OverHidapiLibusb, a_space_mouse_steers_the_walker) {
     test::steer_with_a_space_mouse(open(0x046d), puck_, puck_device_.lock, [] {});
 }
 
 // The back end reads on a separate thread, which ends when the device does.
-TEST_F(OverHidapiLibusb, an_unplugged_pad_is_lost_and_not_waited_for) {
+TEST_F(OverHidapiLibusb, an_unplugged_pad_counts_as_lost_without_waiting) {
     PlaystationPad pad(open(0x054c), PadModel::DualSense, PadBus::Usb);
     ASSERT_TRUE(pad.open());
     {

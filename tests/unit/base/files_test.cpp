@@ -26,7 +26,7 @@ std::size_t files_in(const fs::path& folder) {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator{}));
 }
 
-TEST(ReadWholeFile, gives_every_byte_as_it_is) {
+TEST(ReadWholeFile, returns_every_byte_unchanged) {
     const TemporaryFolder folder;
     const std::string bytes("a\0\r\n\xff", 5);
     EXPECT_EQ(read_whole_file(folder.write("some", bytes)).value(), bytes);
@@ -35,7 +35,7 @@ TEST(ReadWholeFile, gives_every_byte_as_it_is) {
     EXPECT_EQ(read_whole_file(folder.write("big", big)).value(), big);
 }
 
-TEST(MapFile, gives_the_same_bytes_and_refuses_the_same_files) {
+TEST(MapFile, returns_the_same_bytes_and_refuses_the_same_files_as_reading) {
     const TemporaryFolder folder;
     const std::string bytes = "a\0\r\n" + std::string(300'001, '\xff');
     const fs::path some = folder.write("some", bytes);
@@ -58,7 +58,7 @@ TEST(MapFile, gives_the_same_bytes_and_refuses_the_same_files) {
     EXPECT_TRUE(mapped_of(is_long, 6).has_value());
 }
 
-TEST(ReadWholeFile, names_the_file_and_says_why_it_cannot) {
+TEST(ReadWholeFile, names_the_file_and_the_reason_for_a_failure) {
     const TemporaryFolder folder;
     EXPECT_THAT(read_whole_file(folder.path() / "none.map").error().sentence(),
                 testing::StartsWith("none.map: This file cannot be opened: No such file"));
@@ -68,7 +68,7 @@ TEST(ReadWholeFile, names_the_file_and_says_why_it_cannot) {
 }
 
 // Opening a pipe without a writer would wait, and reading a device would never end.
-TEST(ReadWholeFile, opens_ordinary_files_only_and_waits_for_nothing) {
+TEST(ReadWholeFile, opens_only_ordinary_files_and_never_blocks) {
     const TemporaryFolder folder;
     const fs::path fifo = folder.path() / "fifo.map";
     ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
@@ -92,7 +92,7 @@ TEST(ReadWholeFile, opens_ordinary_files_only_and_waits_for_nothing) {
     ::close(listener);
 }
 
-TEST(ReadWholeFile, ends_where_it_is_stopped) {
+TEST(ReadWholeFile, can_be_cancelled_at_any_point) {
     const TemporaryFolder folder;
     std::stop_source stop;
     stop.request_stop();
@@ -100,7 +100,7 @@ TEST(ReadWholeFile, ends_where_it_is_stopped) {
 }
 
 // A signal arrives again and again; its handler does nothing and restarts no call.
-TEST(WriteFileAtomically, takes_an_interruption_for_no_damage) {
+TEST(WriteFileAtomically, does_not_treat_an_interruption_as_an_error) {
     struct sigaction action {
     }, before{};
     action.sa_handler = [](int) {};
@@ -119,7 +119,7 @@ TEST(WriteFileAtomically, takes_an_interruption_for_no_damage) {
     ::sigaction(SIGALRM, &before, nullptr);
 }
 
-TEST(WriteFileAtomically, sweeps_up_what_a_program_that_was_ended_in_the_middle_left) {
+TEST(WriteFileAtomically, removes_temporary_files_of_a_program_that_was_killed_while_writing) {
     const TemporaryFolder folder;
     const auto made = [&](const char* name, int seconds_ago) {
         const fs::path file = folder.write(name, "half");
@@ -142,7 +142,7 @@ TEST(WriteFileAtomically, sweeps_up_what_a_program_that_was_ended_in_the_middle_
     EXPECT_EQ(content_of(folder.path() / "file"), "newer");
 }
 
-TEST(WriteFileAtomically, replaces_the_whole_file_and_leaves_nothing_beside_it) {
+TEST(WriteFileAtomically, replaces_the_whole_file_and_leaves_no_temporary_file) {
     const TemporaryFolder folder;
     const fs::path file = folder.write("file", "a much longer old text");
     ASSERT_TRUE(write_file_atomically(file, "new"));
@@ -152,7 +152,7 @@ TEST(WriteFileAtomically, replaces_the_whole_file_and_leaves_nothing_beside_it) 
     EXPECT_EQ(files_in(folder.path()), 1U);
 }
 
-TEST(WriteFileAtomically, makes_missing_folders) {
+TEST(WriteFileAtomically, creates_missing_folders) {
     const TemporaryFolder folder;
     ASSERT_TRUE(write_file_atomically(folder.path() / "a" / "b" / "file", "x"));
     EXPECT_EQ(content_of(folder.path() / "a" / "b" / "file"), "x");
@@ -160,7 +160,7 @@ TEST(WriteFileAtomically, makes_missing_folders) {
     EXPECT_THAT(through_a_file.error().sentence(), HasSubstr("could not be saved"));
 }
 
-TEST(WriteFileAtomically, keeps_permission_bits_and_gives_new_files_ordinary_ones) {
+TEST(WriteFileAtomically, keeps_permission_bits_and_gives_new_files_the_usual_ones) {
     const TemporaryFolder folder;
     const fs::path secret = folder.write("secret", "old");
     fs::permissions(secret, fs::perms::owner_read | fs::perms::owner_write);
@@ -171,7 +171,7 @@ TEST(WriteFileAtomically, keeps_permission_bits_and_gives_new_files_ordinary_one
               fs::perms::owner_read | fs::perms::owner_write);
 }
 
-TEST(WriteNamedFileAtomically, follows_a_symbolic_link_so_that_it_stays_a_link) {
+TEST(WriteNamedFileAtomically, follows_a_symbolic_link_and_keeps_it_a_link) {
     const TemporaryFolder folder;
     fs::create_directory(folder.path() / "real");
     const fs::path target = folder.write("real/file", "old");
@@ -191,7 +191,7 @@ TEST(WriteNamedFileAtomically, follows_a_symbolic_link_so_that_it_stays_a_link) 
 }
 
 // Somebody else's folder may contain such a link to any file of the person.
-TEST(WriteFileAtomically, refuses_a_symbolic_link_and_leaves_it_and_its_target_as_they_are) {
+TEST(WriteFileAtomically, refuses_a_symbolic_link_and_does_not_change_it_or_its_target) {
     const TemporaryFolder folder;
     const fs::path target = folder.write("diary", "mine");
     fs::create_symlink("diary", folder.path() / "link");
@@ -208,14 +208,14 @@ TEST(WriteFileAtomically, refuses_a_symbolic_link_and_leaves_it_and_its_target_a
     EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 3) << "nothing else";
 }
 
-TEST(WritePrivateFileAtomically, gives_new_files_to_the_person_alone) {
+TEST(WritePrivateFileAtomically, makes_new_files_readable_only_by_the_person) {
     const TemporaryFolder folder;
     ASSERT_TRUE(write_private_file_atomically(folder.path() / "fresh", "new"));
     EXPECT_EQ(fs::status(folder.path() / "fresh").permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
 // In a child process without root rights, since root may write anywhere.
-TEST(WriteFileAtomically, leaves_the_old_file_and_says_so_when_the_folder_is_read_only) {
+TEST(WriteFileAtomically, keeps_the_old_file_and_reports_an_error_if_the_folder_is_read_only) {
     const TemporaryFolder folder;
     const fs::path file = folder.write("file", "old");
     ASSERT_EQ(::chmod(folder.path().c_str(), 0555), 0);

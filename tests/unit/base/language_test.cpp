@@ -15,7 +15,7 @@ void write(const std::filesystem::path& path, std::string_view content) {
     std::ofstream(path, std::ios::binary) << content;
 }
 
-TEST(SpokenTime, is_as_people_write_it) {
+TEST(SpokenTime, is_formatted_as_people_write_it) {
     // At noon UTC it is this day in nearly all of the world.
     EXPECT_EQ(day_words("2026-11-02T12:00:00Z"), "2 November 2026");
     EXPECT_TRUE(std::regex_match(day_and_time_words("2026-11-02T12:00:00Z"), std::regex("2 November 2026, ..:..")))
@@ -28,7 +28,7 @@ TEST(SpokenTime, is_as_people_write_it) {
     for (const char* none : {"", "yesterday", "2026-13-02T12:00:00Z"}) EXPECT_EQ(day_words(none), none);
 }
 
-TEST(Phrase, puts_values_in_and_keeps_to_the_language_spoken) {
+TEST(Phrase, inserts_values_in_the_spoken_language) {
     EXPECT_EQ(phrase("language.unknown", {{"code", "xx"}, {"codes", "en, de"}}),
               "Handrail has no language \"xx\". Available languages: en, de.");
     const test::InLanguage german("de");
@@ -37,7 +37,7 @@ TEST(Phrase, puts_values_in_and_keeps_to_the_language_spoken) {
     EXPECT_EQ(spoken_language(), "de");
 }
 
-TEST(Phrase, says_the_key_where_no_language_has_it) {
+TEST(Phrase, returns_the_key_if_no_language_has_it) {
     EXPECT_EQ(phrase("nothing.like_this", {{"x", 1}}), "nothing.like_this");
     EXPECT_FALSE(has_phrase("nothing.like_this"));
     EXPECT_TRUE(has_phrase("language.name"));
@@ -48,13 +48,13 @@ TEST(Phrase, keeps_curly_brackets_and_apostrophes_of_values) {
               "Handrail has no text called \"it's {odd} '{'\"; this entry is ignored.");
 }
 
-TEST(InSpokenLanguage, gives_a_text_that_outlives_what_it_was_made_of) {
+TEST(InSpokenLanguage, returns_a_text_that_outlives_its_arguments) {
     const std::string& told = in_spoken_language(std::string(100, 'x'), {});
     const std::string other(100, 'y');  // possibly at the address of the first one
     EXPECT_EQ(told, std::string(100, 'x'));
 }
 
-TEST(BundledLanguages, are_english_first_and_name_themselves) {
+TEST(BundledLanguages, are_listed_with_english_first_under_their_own_names) {
     const auto names = bundled_languages();
     ASSERT_GE(names.size(), 2U);
     EXPECT_EQ(names[0].code, "en");
@@ -63,7 +63,7 @@ TEST(BundledLanguages, are_english_first_and_name_themselves) {
                             [](const LanguageName& l) { return l.code == "de" && l.name == "Deutsch"; }));
 }
 
-TEST(SpeakLanguage, takes_a_file_of_ones_own_and_falls_back_to_english_for_what_it_lacks) {
+TEST(SpeakLanguage, accepts_a_custom_file_and_falls_back_to_english_for_missing_texts) {
     const test::TemporaryFolder folder;
     write(folder.path() / "nl.toml", "[language]\nname = \"Nederlands\"\n[error]\nline = \"regel {line}\"\n");
     const auto spoken = speak_language("nl", folder.path());
@@ -84,7 +84,7 @@ TEST(SpeakLanguage, replaces_single_texts_of_a_bundled_language) {
     ASSERT_TRUE(speak_language("en"));
 }
 
-TEST(SpeakLanguage, names_every_text_that_does_not_fit_and_uses_the_bundled_one_instead) {
+TEST(SpeakLanguage, names_every_unsuitable_text_and_uses_the_bundled_one_instead) {
     const test::TemporaryFolder folder;
     write(folder.path() / "de.toml",
           "[error]\nline = \"Zeile {lien}\"\ncolumn = \"Spalte {column\"\nerror = 3\nwarning = \"Achtung: \"\nnothing "
@@ -101,7 +101,7 @@ TEST(SpeakLanguage, names_every_text_that_does_not_fit_and_uses_the_bundled_one_
     ASSERT_TRUE(speak_language("en"));
 }
 
-TEST(SpeakLanguage, makes_nothing_silent_that_english_says) {
+TEST(SpeakLanguage, replaces_empty_texts_with_english_ones) {
     const test::TemporaryFolder folder;
     write(folder.path() / "nl.toml",
           "[error]\nline = \"\"\ncolumn = \"{column, plural, =1 {} other {kolom {column}}}\"\n");
@@ -116,7 +116,7 @@ TEST(SpeakLanguage, makes_nothing_silent_that_english_says) {
     ASSERT_TRUE(speak_language("en"));
 }
 
-TEST(SpeakLanguage, tells_what_is_wrong_with_ones_own_texts_of_a_bundled_language_in_that_language) {
+TEST(SpeakLanguage, reports_errors_in_custom_texts_of_a_bundled_language_in_that_language) {
     const test::TemporaryFolder folder;
     write(folder.path() / "de.toml", "error.nothing = \"nichts\"\n");
     const auto spoken = speak_language("de", folder.path());
@@ -127,7 +127,7 @@ TEST(SpeakLanguage, tells_what_is_wrong_with_ones_own_texts_of_a_bundled_languag
     ASSERT_TRUE(speak_language("en"));
 }
 
-TEST(SpeakLanguage, changes_nothing_for_a_damaged_file_and_says_where_it_is_damaged) {
+TEST(SpeakLanguage, reports_the_place_in_a_damaged_file_and_changes_nothing) {
     const test::TemporaryFolder folder;
     write(folder.path() / "de.toml", "[error]\nline = \"Zeile\n");
     const auto spoken = speak_language("de", folder.path());
@@ -152,7 +152,7 @@ TEST(SpeakLanguage, survives_a_file_cut_at_every_byte) {
     ASSERT_TRUE(speak_language("en"));
 }
 
-TEST(SpeakLanguage, refuses_names_that_are_no_language) {
+TEST(SpeakLanguage, refuses_invalid_language_names) {
     for (const char* name : {"", "xx", "../de", "de.toml", "a/b"}) {
         const auto spoken = speak_language(name, "/");
         ASSERT_FALSE(spoken) << name;
@@ -161,7 +161,7 @@ TEST(SpeakLanguage, refuses_names_that_are_no_language) {
     EXPECT_EQ(spoken_language(), "en");
 }
 
-TEST(SpeakLanguage, may_be_called_while_others_speak) {
+TEST(SpeakLanguage, can_be_called_while_other_threads_speak) {
     std::atomic<bool> done = false;
     std::thread other([&] {
         while (!done) {
@@ -175,7 +175,7 @@ TEST(SpeakLanguage, may_be_called_while_others_speak) {
     EXPECT_EQ(spoken_language(), "en");
 }
 
-TEST(Phrase, said_again_with_other_values_is_as_if_it_were_said_first_on_every_thread) {
+TEST(Phrase, reused_with_other_values_reads_like_a_first_use_on_every_thread) {
     const test::TemporaryFolder folder;
     write(folder.path() / "nl.toml", "[learning]\nseconds = \"{seconds, plural, one {# tel} other {# tellen}}\"\n");
     ASSERT_TRUE(speak_language("nl", folder.path()));
@@ -198,7 +198,7 @@ TEST(Phrase, said_again_with_other_values_is_as_if_it_were_said_first_on_every_t
     EXPECT_EQ(wrong, 0);
 }
 
-TEST(Phrase, has_a_second_form_for_who_types_words_in_every_language) {
+TEST(Phrase, has_a_second_form_for_typed_commands_in_every_language) {
     const std::string for_keys = phrase("session.begin_with_keys");
     speak_to_typist(true);
     EXPECT_EQ(phrase("session.begin_with_keys"), "Type forward to walk.");
@@ -213,7 +213,7 @@ TEST(Phrase, has_a_second_form_for_who_types_words_in_every_language) {
         }
 }
 
-TEST(LanguageOfEnvironment, is_a_bundled_one_or_one_with_a_file_of_its_own_and_opens_no_file) {
+TEST(LanguageOfEnvironment, is_a_bundled_or_custom_language_and_is_found_without_opening_a_file) {
     const test::TemporaryFolder folder;
     write(folder.path() / "nl.toml", "damaged = \"");  // reported only when it is spoken
     write(folder.path() / "xx.toml", "");
@@ -232,7 +232,7 @@ TEST(LanguageOfEnvironment, is_a_bundled_one_or_one_with_a_file_of_its_own_and_o
     EXPECT_EQ(language_of_environment({}), "en");
 }
 
-TEST(PatternFault, finds_what_a_pattern_asks_for_and_what_is_wrong_with_it) {
+TEST(PatternFault, reports_the_placeholders_of_a_pattern_and_its_syntax_errors) {
     std::vector<std::string> names;
     EXPECT_EQ(pattern_fault("{n, plural, one {# step of {who}} other {# steps}}", &names), "");
     EXPECT_EQ(names, (std::vector<std::string>{"n", "who"}));

@@ -25,7 +25,7 @@ struct Wide {
     }
 };
 
-TEST(LatestValue, shows_the_first_value_until_something_is_published_and_then_only_the_newest) {
+TEST(LatestValue, shows_the_first_value_until_a_publication_and_then_only_the_newest) {
     LatestValue<int> value(7);
     EXPECT_FALSE(value.refresh());
     EXPECT_EQ(value.read(), 7);
@@ -38,7 +38,7 @@ TEST(LatestValue, shows_the_first_value_until_something_is_published_and_then_on
     EXPECT_EQ(value.read(), 9);
 }
 
-TEST(LatestValue, hands_whole_values_in_order_from_one_thread_to_another_and_never_loses_the_last) {
+TEST(LatestValue, passes_whole_values_between_threads_in_order_and_never_loses_the_last) {
     LatestValue<Wide> value;
     const auto last = static_cast<std::uint64_t>(test::scaled(200'000));
     std::thread producer([&] {
@@ -61,7 +61,7 @@ TEST(LatestValue, hands_whole_values_in_order_from_one_thread_to_another_and_nev
 }
 
 // In memory shared by two processes, the other process may write anything.
-TEST(LatestValue, touches_nothing_outside_whatever_stands_in_its_indices) {
+TEST(LatestValue, stays_within_its_memory_for_any_content_of_its_indices) {
     struct Slot {
         std::array<std::uint64_t, 4> words{};
     };

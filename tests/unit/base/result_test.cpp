@@ -6,7 +6,7 @@
 namespace handrail {
 namespace result_test {
 
-TEST(Error, names_only_the_parts_of_the_place_that_are_known) {
+TEST(Error, includes_only_the_known_parts_of_a_source_location) {
     EXPECT_EQ((Error{"house.map", 12, 4, "It ends early."}.sentence()), "house.map, line 12, column 4: It ends early.");
     EXPECT_EQ((Error{"house.map", 12, 0, "It ends early."}.sentence()), "house.map, line 12: It ends early.");
     EXPECT_EQ((Error{"house.map", 0, 4, "It ends early."}.sentence()), "house.map: It ends early.");
@@ -14,27 +14,27 @@ TEST(Error, names_only_the_parts_of_the_place_that_are_known) {
     EXPECT_EQ((Error{"", 0, 0, "It ends early."}.sentence()), "It ends early.");
 }
 
-TEST(Diagnostic, says_severity_message_and_what_was_done) {
+TEST(Diagnostic, gives_severity_message_and_the_action_taken) {
     EXPECT_EQ((Diagnostic{Severity::Error, "house.map", 4752, 41, "a face ends early.", "This brush was left out."}
                    .sentence()),
               "house.map, line 4752, column 41: error: a face ends early. This brush was left out.");
     EXPECT_EQ((Diagnostic{Severity::Warning, "", 0, 0, "no start.", ""}.sentence()), "warning: no start.");
 }
 
-TEST(Fail, carries_place_and_sentence_into_any_result) {
+TEST(Fail, passes_place_and_sentence_on_into_any_result) {
     const Result<int> result = fail("It ends early.", "house.map", 3, 2);
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().sentence(), "house.map, line 3, column 2: It ends early.");
 }
 
-TEST(ContractPre, ends_the_program_naming_file_line_and_condition_but_no_folder) {
+TEST(ContractPre, ends_the_program_and_names_file_line_and_condition_but_no_folder) {
     contract_pre(1 + 1 == 2);
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     EXPECT_DEATH(contract_pre(1 + 1 == 3),
                  "^Handrail has a fault of its own at result_test.cpp line [0-9]+: 1 \\+ 1 == 3 does not hold");
 }
 
-TEST(VirtualClock, moves_only_when_told_to_and_never_back) {
+TEST(VirtualClock, moves_only_on_request_and_never_backwards) {
     VirtualClock clock;
     EXPECT_EQ(clock.now_s(), 0.0);
     clock.advance_s(0.25);
@@ -44,7 +44,7 @@ TEST(VirtualClock, moves_only_when_told_to_and_never_back) {
     EXPECT_EQ(clock.now_s(), 1.0);
 }
 
-TEST(SteadyClock, never_goes_back_and_does_not_wake_early) {
+TEST(SteadyClock, never_goes_back_and_sleepers_do_not_wake_early) {
     SteadyClock clock;
     double before = clock.now_s();
     for (int i = 0; i < 1000; ++i) {

@@ -4,14 +4,14 @@
 namespace handrail {
 namespace text_test {
 
-TEST(NearestName, finds_the_closest_spelling_and_keeps_the_first_of_equals) {
+TEST(NearestName, finds_the_closest_spelling_and_the_first_of_equals) {
     const std::vector<std::string> names{"plaster", "wood", "word"};
     EXPECT_EQ(nearest_name("Plastre", names), "plaster");
     EXPECT_EQ(nearest_name("wo", names), "wood");
     EXPECT_EQ(nearest_name("x", {}), "");
 }
 
-TEST(NearestKey, is_of_the_same_table_where_there_is_one) {
+TEST(NearestKey, is_in_the_same_table_if_that_table_has_a_similar_key) {
     const std::vector<std::string> keys{"sound.volume", "speech.rate", "speech.voice", "keys.where"};
     EXPECT_EQ(nearest_key("speech.volume", keys), "speech.voice");
     EXPECT_EQ(nearest_key("Speech.rate", keys), "speech.rate");
@@ -20,7 +20,7 @@ TEST(NearestKey, is_of_the_same_table_where_there_is_one) {
     EXPECT_EQ(nearest_key("speech.x", {}), "");
 }
 
-TEST(ParseFinite, takes_whole_numbers_only_and_refuses_nan_and_infinity) {
+TEST(ParseFinite, accepts_only_complete_numbers_and_refuses_nan_and_infinity) {
     double value = 7.0;
     EXPECT_TRUE(parse_finite("+1.5e2", value));
     EXPECT_EQ(value, 150.0);
@@ -30,7 +30,7 @@ TEST(ParseFinite, takes_whole_numbers_only_and_refuses_nan_and_infinity) {
         EXPECT_FALSE(parse_finite(bad, value)) << bad;
 }
 
-TEST(TakeNumber, takes_a_number_off_the_front_and_says_when_a_double_does_not_hold_it) {
+TEST(TakeNumber, parses_a_leading_number_and_reports_when_it_exceeds_the_range_of_a_double) {
     struct Row {
         std::string_view text, rest;
         double value;
@@ -54,9 +54,9 @@ TEST(TakeNumber, takes_a_number_off_the_front_and_says_when_a_double_does_not_ho
     }
 }
 
-TEST(LowerAscii, leaves_bytes_beyond_ascii_alone) { EXPECT_EQ(lower_ascii("AbZ\xC3\x89[`"), "abz\xC3\x89[`"); }
+TEST(LowerAscii, does_not_change_bytes_beyond_ascii) { EXPECT_EQ(lower_ascii("AbZ\xC3\x89[`"), "abz\xC3\x89[`"); }
 
-TEST(IsUtf8, takes_every_valid_length_and_refuses_every_kind_of_damage) {
+TEST(IsUtf8, accepts_every_valid_length_and_refuses_every_kind_of_damage) {
     for (const char* good :
          {"", "plain", "\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x98\x80", "\xED\x9F\xBF", "\xF4\x8F\xBF\xBF"})
         EXPECT_TRUE(is_utf8(good)) << good;
@@ -67,7 +67,7 @@ TEST(IsUtf8, takes_every_valid_length_and_refuses_every_kind_of_damage) {
         EXPECT_FALSE(is_utf8(bad)) << testing::PrintToString(std::string(bad));
 }
 
-TEST(OneLine, leaves_text_and_takes_away_what_no_voice_says_and_what_would_steer_a_terminal) {
+TEST(OneLine, removes_only_unspeakable_characters_and_terminal_controls) {
     EXPECT_EQ(one_line("T\xC3\xBCr, \xE2\x82\xAC 5, \xC2\xA0x"), "T\xC3\xBCr, \xE2\x82\xAC 5, \xC2\xA0x");
     EXPECT_EQ(one_line(std::string("a\0b\n\tc\x1B[2J\x7F", 11)), "a b  c [2J ");
     EXPECT_EQ(one_line("a\xC2\x9Bz"), "a z");  // also an escape of terminals, in one character
@@ -76,7 +76,7 @@ TEST(OneLine, leaves_text_and_takes_away_what_no_voice_says_and_what_would_steer
 }
 
 // After U+202E in a name, everything that follows is shown backwards, in terminals and on pages.
-TEST(OneLine, and_text_for_pages_have_no_direction_controls) {
+TEST(OneLine, and_text_for_pages_contain_no_direction_controls) {
     for (const char* control : {"\u061c", "\u200e", "\u200f", "\u202a", "\u202b", "\u202c", "\u202d", "\u202e",
                                 "\u2066", "\u2067", "\u2068", "\u2069"}) {
         EXPECT_EQ(one_line(std::string("a") + control + "b" + control), "ab");
@@ -97,7 +97,7 @@ std::size_t plain_distance(std::string_view a, std::string_view b) {
                      plain_distance(a.substr(1), b.substr(1)) + (a[0] == b[0] ? 0U : 1U)});
 }
 
-TEST(NearestName, agrees_with_a_plain_recursion_on_all_short_words) {
+TEST(NearestName, agrees_with_a_simple_recursive_algorithm_on_all_short_words) {
     std::vector<std::string> words{""};
     for (std::size_t i = 0; i < 40; ++i)
         for (const char c : {'a', 'b', 'c'}) words.push_back(words[i] + c);

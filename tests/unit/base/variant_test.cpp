@@ -19,7 +19,7 @@ struct CannotBeCopied {
 using Held = CopyableVariant<bool, std::string, std::vector<CannotBeCopied>>;
 
 // Here std::variant would jump to a random address.
-TEST(Variant, stays_whole_if_what_it_holds_cannot_be_copied) {
+TEST(Variant, stays_valid_if_copying_its_value_fails) {
     const Held full(std::vector<CannotBeCopied>(1));
     EXPECT_THROW(Held{full}, int);
     Held text(std::string("kept"));
@@ -27,7 +27,7 @@ TEST(Variant, stays_whole_if_what_it_holds_cannot_be_copied) {
     EXPECT_EQ(std::get<std::string>(text), "kept");
 }
 
-TEST(Variant, is_copied_moved_compared_and_visited_as_any_variant) {
+TEST(Variant, is_copied_moved_compared_and_visited_like_a_standard_variant) {
     CopyableVariant<bool, double, std::string> one(std::string("word"));
     const auto two = one;
     EXPECT_EQ(one, two);

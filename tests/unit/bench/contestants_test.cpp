@@ -50,7 +50,7 @@ TEST(Contestants, that_keep_a_ball_outside_agree_in_a_corner_of_three_boxes) {
     }
 }
 
-TEST(Contestants, slide_over_a_plane_of_many_triangles_as_over_a_plane) {
+TEST(Contestants, slide_over_a_plane_of_many_triangles_as_over_a_single_plane) {
     test::TouchWorld world;
     for (int i = 0; i < 8; ++i)
         for (int k = 0; k < 8; ++k)
@@ -75,7 +75,7 @@ TEST(Contestants, slide_over_a_plane_of_many_triangles_as_over_a_plane) {
         ASSERT_LE(glm::length(walked[i] - exact.reference_m[i]), 1e-5) << "the reference's own step";
 }
 
-TEST(Contestants, a_penalty_pops_through_a_thin_wall_and_a_proxy_does_not) {
+TEST(Contestants, a_penalty_method_pops_through_a_thin_wall_and_a_proxy_does_not) {
     for (const std::uint32_t seed : {0U, 5U}) {
         test::TouchWorld wall;
         wall.box({-5e-5, -.1, -.1}, {5e-5, .1, .1});
@@ -87,7 +87,7 @@ TEST(Contestants, a_penalty_pops_through_a_thin_wall_and_a_proxy_does_not) {
     }
 }
 
-TEST(Contestants, a_penalty_of_overlapping_objects_is_as_stiff_as_all_of_them) {
+TEST(Contestants, overlapping_objects_add_up_their_penalty_stiffness) {
     test::TouchWorld boxes;
     for (int i = 0; i < 3; ++i) boxes.box({-1, -1 - 0.1 * i, -1 - 0.1 * i}, {0, 1, 1});
     const BenchWorld world = world_of(boxes, {{.01, 0, 0}, {.002, 0, 0}}, 0.1);
@@ -99,7 +99,7 @@ TEST(Contestants, a_penalty_of_overlapping_objects_is_as_stiff_as_all_of_them) {
     }
 }
 
-TEST(Contestants, keep_their_answers_a_hundred_kilometres_from_the_origin) {
+TEST(Contestants, give_the_same_answers_a_hundred_kilometres_from_the_origin) {
     BenchWorld world = world_of(three_boxes(), kIntoCorner, 0.1);
     test::Motion far;
     far.shift_m = {5e4, -3e4, 8e4};
@@ -111,7 +111,7 @@ TEST(Contestants, keep_their_answers_a_hundred_kilometres_from_the_origin) {
     EXPECT_LE(measure(world, truth, active_set(64), 1, 1e7).error_rms_m, 2e-4);
 }
 
-TEST(TimeOfImpact, is_the_first_touch_found_by_small_steps) {
+TEST(TimeOfImpact, agrees_with_the_first_contact_found_by_small_steps) {
     std::mt19937 random(3);
     const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
     int hits = 0;
@@ -145,7 +145,7 @@ TEST(TimeOfImpact, is_the_first_touch_found_by_small_steps) {
     EXPECT_GT(hits, 30);
 }
 
-TEST(Reference, follows_a_circle_round_an_edge) {
+TEST(Reference, solution_follows_a_circle_round_an_edge) {
     // The exact solution at the edge of a box: the proxy's centre is on a circle of its radius about the edge, towards
     // the hand.
     test::TouchWorld box;
@@ -165,7 +165,7 @@ TEST(Reference, follows_a_circle_round_an_edge) {
     }
 }
 
-TEST(Nearby, gives_everything_within_reach_wherever_it_is_asked) {
+TEST(Nearby, returns_every_obstacle_within_reach_at_any_point) {
     std::mt19937 random(9);
     test::TouchWorld world;
     world.random_triangles(random, 200, .1, .01);

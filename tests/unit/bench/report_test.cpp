@@ -27,7 +27,7 @@ const BenchReport& small_report() {
     return report;
 }
 
-TEST(BenchReport, holds_every_renderer_on_every_scene_with_speed_and_error) {
+TEST(BenchReport, contains_every_renderer_on_every_scene_with_speed_and_error) {
     const auto json = nlohmann::json::parse(json_of(small_report()));
     std::set<std::pair<std::string, std::string>> seen;
     for (const auto& one : json["results"]) {
@@ -49,13 +49,13 @@ TEST(BenchReport, holds_every_renderer_on_every_scene_with_speed_and_error) {
         }
 }
 
-TEST(BenchReport, says_the_same_in_words_and_in_markdown) {
+TEST(BenchReport, has_the_same_content_as_text_and_as_markdown) {
     for (const std::string& text : {text_of(small_report()), markdown_of(small_report(), "families.md"),
                                     families_markdown_of(small_report(), "first.md")})
         for (const Contestant& c : main_contestants()) EXPECT_NE(text.find(c.title), std::string::npos) << c.title;
 }
 
-TEST(BenchReport, takes_counted_instructions) {
+TEST(BenchReport, includes_counted_instructions) {
     BenchReport report = small_report();
     EXPECT_EQ(
         merge_instructions(report, "nonsense\nT6 box edge, solid\thandrail\t1234.5\nT6 box edge, solid\tnobody\t1\n"),
@@ -63,7 +63,7 @@ TEST(BenchReport, takes_counted_instructions) {
     EXPECT_NE(json_of(report).find("1234.5"), std::string::npos);
 }
 
-TEST(BenchWorlds, a_simplified_sphere_is_coarser_within_its_bound_and_says_so) {
+TEST(BenchWorlds, a_simplified_sphere_is_coarser_within_its_error_bound_and_reports_it) {
     const BenchWorld fine = sphere_world(7, 10, 0), coarse = sphere_world(7, 10, 0, 10e-3);
     EXPECT_LT(coarse.scene->obstacles.size(), fine.scene->obstacles.size());
     EXPECT_GT(coarse.simplify_measured_m, 0.0);
@@ -71,7 +71,7 @@ TEST(BenchWorlds, a_simplified_sphere_is_coarser_within_its_bound_and_says_so) {
     EXPECT_EQ(coarse.family, "simplified sphere of 980 triangles, within 10 mm");
 }
 
-TEST(BenchBodies, are_felt_as_the_formula_says_by_our_model_which_gives_the_hand_nothing) {
+TEST(BenchBodies, feel_as_the_formula_says_and_give_the_hand_no_energy) {
     const std::vector<BodiesMeasured> all = run_bodies();
     ASSERT_EQ(all.size(), 9U);
     for (std::size_t i = 0; i < all.size(); i += 3) {
@@ -81,7 +81,7 @@ TEST(BenchBodies, are_felt_as_the_formula_says_by_our_model_which_gives_the_hand
     }
 }
 
-TEST(BenchPlots, have_a_title_words_for_all_points_and_axes_with_units) {
+TEST(BenchPlots, have_a_title_labels_for_all_points_and_axes_with_units) {
     const auto files = plots_of(small_report());
     ASSERT_GE(files.size(), 3U);
     for (const auto& [name, svg] : files) {

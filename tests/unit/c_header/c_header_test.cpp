@@ -34,7 +34,7 @@ handrail_touch tick(const Hand& hand, double x, double y, double z) {
     return touch;
 }
 
-TEST(CHeader, feels_what_the_renderer_feels_bit_for_bit_once_the_force_has_come_in) {
+TEST(CHeader, feels_bit_identical_to_the_renderer_once_the_force_has_ramped_in) {
     const World world = read(kHouse);
     ASSERT_TRUE(world);
     double at_m[3];
@@ -67,7 +67,7 @@ TEST(CHeader, feels_what_the_renderer_feels_bit_for_bit_once_the_force_has_come_
     EXPECT_TRUE(touched);
 }
 
-TEST(CHeader, lets_the_force_in_by_a_ramp_below_the_ceiling_and_takes_it_away_when_asked) {
+TEST(CHeader, ramps_the_force_in_below_the_ceiling_and_removes_it_on_request) {
     const World world = read(kHouse);
     double at_m[3];
     handrail_world_start(world.get(), at_m);
@@ -90,7 +90,7 @@ TEST(CHeader, lets_the_force_in_by_a_ramp_below_the_ceiling_and_takes_it_away_wh
     EXPECT_LT(tick(hand, at_m[0], at_m[1], at_m[2] - 0.02).force_n[2], 0.01);
 }
 
-TEST(CHeader, gives_no_force_for_a_place_that_is_none_and_ramps_afterwards) {
+TEST(CHeader, gives_no_force_for_an_invalid_position_and_ramps_afterwards) {
     const World world = read(kHouse);
     double at_m[3];
     handrail_world_start(world.get(), at_m);
@@ -119,7 +119,7 @@ TEST(CHeader, allocates_nothing_in_a_tick) {
     EXPECT_EQ(allocations, before);
 }
 
-TEST(CHeader, says_what_is_wrong_with_a_file_in_one_sentence_that_fits) {
+TEST(CHeader, describes_a_file_error_in_one_sentence_that_fits_the_buffer) {
     char error[400];
     EXPECT_EQ(handrail_world_read("/nowhere/house.map", error, sizeof error), nullptr);
     EXPECT_NE(std::string(error).find("house.map"), std::string::npos) << error;
@@ -132,7 +132,7 @@ TEST(CHeader, says_what_is_wrong_with_a_file_in_one_sentence_that_fits) {
     EXPECT_EQ(handrail_world_from_map(nullptr, 0, nullptr, 0), nullptr);
 }
 
-TEST(CHeader, refuses_a_feel_that_is_out_of_range_or_of_another_size) {
+TEST(CHeader, refuses_a_feel_struct_that_is_out_of_range_or_of_another_size) {
     const World world = read(kHouse);
     const handrail_feel good = default_feel();
     const auto refused = [&](auto change) {
@@ -155,7 +155,7 @@ TEST(CHeader, refuses_a_feel_that_is_out_of_range_or_of_another_size) {
     EXPECT_EQ(handrail_hand_set_feel(hand.get(), &good), 1);
 }
 
-TEST(CHeader, names_what_is_touched_and_lets_the_world_go_before_the_hand) {
+TEST(CHeader, names_the_touched_thing_and_can_free_the_world_before_the_hand) {
     World world = read(kHouse);
     double at_m[3];
     handrail_world_start(world.get(), at_m);

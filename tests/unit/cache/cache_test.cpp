@@ -58,7 +58,7 @@ int as_nobody(const std::function<bool()>& work) {
 }
 
 // Test vectors of FIPS 180-2, appendix B.
-TEST(Sha256, is_that_of_the_standard) {
+TEST(Sha256, matches_the_standard_test_vectors) {
     EXPECT_EQ(sha256_of(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
     EXPECT_EQ(sha256_of("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
     Sha256 million;
@@ -66,7 +66,7 @@ TEST(Sha256, is_that_of_the_standard) {
     EXPECT_EQ(million.hex(), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-TEST(Sha256, tells_counted_parts_apart) {
+TEST(Sha256, distinguishes_inputs_by_the_lengths_of_their_parts) {
     const auto of = [](std::string_view a, std::string_view b) {
         Sha256 sum;
         sum.add_counted(a);
@@ -77,7 +77,7 @@ TEST(Sha256, tells_counted_parts_apart) {
     EXPECT_NE(of("ab", "c"), of("a", "bc"));
 }
 
-TEST(Cache, gives_back_what_it_kept_and_is_the_persons_alone) {
+TEST(Cache, returns_what_it_stored_and_only_its_owner_can_read_it) {
     const TemporaryFolder home;
     const Cache cache(home.path() / "new" / ".cache" / "handrail");
     EXPECT_FALSE(taken(cache, "one"));
@@ -93,7 +93,7 @@ TEST(Cache, gives_back_what_it_kept_and_is_the_persons_alone) {
     EXPECT_THAT(names_in(home.path() / "new/.cache/handrail"), testing::UnorderedElementsAre("one", "two"));
 }
 
-TEST(Cache, believes_nothing_that_is_changed_cut_or_of_another_name) {
+TEST(Cache, rejects_entries_that_are_changed_cut_or_renamed) {
     const TemporaryFolder folder;
     const fs::path in = folder.path() / "handrail";
     const Cache cache(in);
@@ -117,7 +117,7 @@ TEST(Cache, believes_nothing_that_is_changed_cut_or_of_another_name) {
     EXPECT_EQ(taken(cache, "one"), "some content");
 }
 
-TEST(Cache, removes_what_was_not_used_for_the_longest_time) {
+TEST(Cache, removes_the_least_recently_used_entry) {
     const TemporaryFolder folder;
     const fs::path in = folder.path() / "handrail";
     const Cache cache(in, 1000);  // limit in bytes; each of these entries has 264
@@ -137,7 +137,7 @@ TEST(Cache, removes_what_was_not_used_for_the_longest_time) {
     EXPECT_THAT(names_in(in), testing::UnorderedElementsAre("e")) << "f is larger than all may be";
 }
 
-TEST(Cache, bears_that_its_folder_goes_while_it_is_used) {
+TEST(Cache, survives_deletion_of_its_folder_during_use) {
     const TemporaryFolder folder;
     const fs::path in = folder.path() / "handrail";
     const Cache cache(in);
@@ -152,7 +152,7 @@ TEST(Cache, bears_that_its_folder_goes_while_it_is_used) {
     EXPECT_EQ(mode_of(in), 0700U);
 }
 
-TEST(Cache, uses_no_folder_in_which_others_may_write_and_closes_one_that_they_may_read) {
+TEST(Cache, refuses_a_folder_that_others_can_write_to_and_makes_a_readable_one_private) {
     const TemporaryFolder folder;
     const fs::path in = folder.path() / "handrail";
     const Cache cache(in);
@@ -172,7 +172,7 @@ TEST(Cache, uses_no_folder_in_which_others_may_write_and_closes_one_that_they_ma
     EXPECT_FALSE(taken(cache, "one")) << "others may have written it";
 }
 
-TEST(Cache, uses_nothing_of_somebody_elses) {
+TEST(Cache, uses_nothing_that_another_user_owns) {
     if (::geteuid() != 0) GTEST_SKIP() << "only root can give files away";
     const TemporaryFolder folder;
     const fs::path in = folder.path() / "handrail";
@@ -187,7 +187,7 @@ TEST(Cache, uses_nothing_of_somebody_elses) {
     EXPECT_FALSE(fs::exists(in / "two"));
 }
 
-TEST(Cache, follows_no_link_and_opens_no_pipe) {
+TEST(Cache, follows_no_symbolic_link_and_opens_no_pipe) {
     const TemporaryFolder folder;
     const fs::path in = folder.path() / "handrail", diary = folder.write("diary", "mine");
     const Cache cache(in);
@@ -206,7 +206,7 @@ TEST(Cache, follows_no_link_and_opens_no_pipe) {
     EXPECT_TRUE(fs::is_fifo(in / "one"));
 }
 
-TEST(Cache, that_cannot_be_written_keeps_nothing_and_fails_nowhere) {
+TEST(Cache, that_is_not_writable_stores_nothing_and_fails_nothing) {
     const TemporaryFolder folder;
     ASSERT_EQ(::chmod(folder.path().c_str(), 0555), 0);
     EXPECT_EQ(as_nobody([&] {
@@ -254,7 +254,7 @@ TEST(Cache, serves_two_processes_at_once) {
     EXPECT_GT(all, 0U);
 }
 
-TEST(UserCacheFolder, is_where_the_base_directory_specification_says) {
+TEST(UserCacheFolder, follows_the_base_directory_specification) {
     test::WithEnvironment cache("XDG_CACHE_HOME", "/somewhere"), home("HOME", "/of/me");
     EXPECT_EQ(user_cache_folder(), "/somewhere/handrail");
     cache.put("relative");

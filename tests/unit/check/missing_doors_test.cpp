@@ -83,7 +83,7 @@ double short_of(const HapticScene& haptic, const Vec3& from_m, const Vec3& to_m)
     return glm::length(ball - to_m);
 }
 
-TEST(MissingDoors, are_found_in_the_walls_that_a_room_out_of_reach_has_with_its_neighbours) {
+TEST(MissingDoors, are_found_in_the_walls_between_an_unreachable_room_and_its_neighbours) {
     const World world(three_rooms());
     EXPECT_THAT(world.out_of_reach(), testing::ElementsAre("Kitchen"));
     const std::vector<MissingDoor> doors = missing_doors(world.scene, world.space, world.graph, world.room("Kitchen"));
@@ -104,7 +104,7 @@ TEST(MissingDoors, are_found_in_the_walls_that_a_room_out_of_reach_has_with_its_
     EXPECT_TRUE(missing_doors(world.scene, world.space, world.graph, world.room("Hall")).size() >= 1);
 }
 
-TEST(MissingDoors, are_where_one_stands_at_such_a_wall) {
+TEST(MissingDoors, are_suggested_at_the_walkers_place_if_it_is_at_such_a_wall) {
     const World world(three_rooms());
     const Vec3 stood_m(4.0 - 0.4, 1.0, 0.0);  // in the hall, at the kitchen's wall
     const std::vector<MissingDoor> doors =
@@ -131,7 +131,7 @@ Scene shut_house(double degrees) {
     return scene ? std::move(*scene) : Scene{};
 }
 
-TEST(MissingDoors, are_found_and_made_in_walls_of_any_direction) {
+TEST(MissingDoors, are_found_and_created_in_walls_of_any_direction) {
     for (const double degrees : {17.0, 135.0}) {
         SCOPED_TRACE(degrees);
         const double angle = radians_from_degrees(degrees);
@@ -169,7 +169,7 @@ TEST(MissingDoors, are_found_and_made_in_walls_of_any_direction) {
     }
 }
 
-TEST(ImpassableDoors, of_the_file_are_cut_free_where_a_wall_stands_in_them) {
+TEST(ImpassableDoors, of_the_file_can_be_cut_free_of_a_wall_that_stands_in_them) {
     Scene scene = three_rooms();
     auto stated = std::make_shared<StatedBuilding>(*scene.stated);
     StatedPortal walled;
@@ -208,7 +208,7 @@ TEST(ImpassableDoors, of_the_file_are_cut_free_where_a_wall_stands_in_them) {
     EXPECT_FALSE(doorway_cut_free(before.scene, other).has_value());
 }
 
-TEST(MadeDoors, open_the_wall_to_body_and_hand_and_to_nobody_beside_them) {
+TEST(MadeDoors, open_the_wall_to_body_and_hand_only_within_the_doorway) {
     const World before(three_rooms());
     const std::uint32_t kitchen = before.room("Kitchen"), hall = before.room("Hall");
     EXPECT_FALSE(before.joined(kitchen, hall));
@@ -253,7 +253,7 @@ TEST(MadeDoors, open_the_wall_to_body_and_hand_and_to_nobody_beside_them) {
 }
 
 // Two rooms of a .map with a double wall between them that has no floor under it.
-TEST(MadeDoors, go_through_walls_of_several_layers_and_get_a_threshold_where_no_floor_is) {
+TEST(MadeDoors, cut_through_walls_of_several_layers_and_get_a_threshold_if_there_is_no_floor) {
     std::string brushes;
     const auto room = [&](double west) {
         brushes +=
@@ -283,7 +283,7 @@ TEST(MadeDoors, go_through_walls_of_several_layers_and_get_a_threshold_where_no_
     EXPECT_GT(short_of(*haptic, place + Vec3(0, 0, 0.5), place - Vec3(0, 0, 0.3)), 0.2) << "the threshold is felt";
 }
 
-TEST(MadeDoors, are_kept_in_the_side_file_and_taken_out_of_it_again) {
+TEST(MadeDoors, are_saved_in_the_side_file_and_removed_from_it_again) {
     const test::TemporaryFolder folder;
     const auto world = folder.write("two.rooms", "bytes");
     MadeDoor door{{1.25, -2.5, 3.0}, 0.5 * kPi, 0.8, 0.3, "Kitchen, Hall"}, other = door;
@@ -314,7 +314,7 @@ TEST(MadeDoors, are_kept_in_the_side_file_and_taken_out_of_it_again) {
     EXPECT_EQ(test::content_of(world), "bytes") << "the world itself is as it was";
 }
 
-TEST(MadeDoors, that_are_no_doors_are_left_out) {
+TEST(MadeDoors, with_invalid_data_are_ignored) {
     const auto doors_in = [](const char* fields) {
         return made_doors_in(std::string("[mended]\n[[mended.door]]\n") + fields).size();
     };

@@ -280,14 +280,14 @@ const std::vector<Planted> kPlanted{
      }},
 };
 
-TEST(CheckedSchool, has_nothing_to_mend) {
+TEST(CheckedSchool, has_no_faults) {
     const Found found = faults_of(school());
     EXPECT_TRUE(found.faults.empty()) << listed(found);
 }
 
 class CopyOfTheSchool : public testing::TestWithParam<Planted> {};
 
-TEST_P(CopyOfTheSchool, is_told_its_planted_fault_with_place_and_what_to_do) {
+TEST_P(CopyOfTheSchool, gets_a_report_of_its_planted_fault_with_place_and_advice) {
     const Planted& planted = GetParam();
     const Found found = faults_of(planted.plant(MapCopy(school())).text(), planted.state);
     const auto fault = std::find_if(found.faults.begin(), found.faults.end(), [&](const WorldFault& one) {
@@ -326,7 +326,7 @@ std::size_t count_of(FaultKind kind, double joint_m, bool before_door) {
         std::count_if(faults.begin(), faults.end(), [&](const WorldFault& fault) { return fault.kind == kind; }));
 }
 
-TEST(NoFault, is_a_start_before_the_door_of_a_balcony_and_a_joint_under_a_beam) {
+TEST(NoFault, is_reported_for_a_start_at_a_balcony_door_or_a_narrow_gap_under_a_beam) {
     EXPECT_EQ(count_of(FaultKind::StartLost, 0.03, true), 0U);
     EXPECT_EQ(count_of(FaultKind::StartLost, 0.03, false), 1U) << "nobody stands where its author put it";
     EXPECT_EQ(count_of(FaultKind::Crack, 0.015, true), 0U);
@@ -350,7 +350,7 @@ std::size_t cracks_beside(const char* what, double joint_m) {
         faults.begin(), faults.end(), [](const WorldFault& fault) { return fault.kind == FaultKind::Crack; }));
 }
 
-TEST(NoFault, is_a_joint_beside_a_beam) {
+TEST(NoFault, is_reported_for_a_narrow_gap_next_to_a_beam) {
     EXPECT_EQ(cracks_beside("beam", 0.015), 0U);
     EXPECT_EQ(cracks_beside("beam", 0.03), 1U);
     EXPECT_EQ(cracks_beside("stairs", 0.015), 1U);
@@ -365,9 +365,9 @@ std::vector<Planted> planted_here() {
 
 INSTANTIATE_TEST_SUITE_P(Planted, CopyOfTheSchool, testing::ValuesIn(planted_here()));
 
-TEST(CopyOfTheSchool, is_planted_with_thirty_faults_and_more) { EXPECT_GE(kPlanted.size(), 30U); }
+TEST(CopyOfTheSchool, has_at_least_thirty_planted_faults) { EXPECT_GE(kPlanted.size(), 30U); }
 
-TEST(CopyOfTheSchool, has_a_doorway_that_is_half_walled_up_cut_free) {
+TEST(CopyOfTheSchool, has_a_half_blocked_doorway_that_can_be_cut_free) {
     const Found found = faults_of(MapCopy(school())
                                       .add(wall(test::box_brush(160, 349, 0, 180, 355, 67)))
                                       .add(wall(test::box_brush(180, 349, 48, 194, 355, 68)))
@@ -412,7 +412,7 @@ Outcome check(const std::filesystem::path& world, bool json) {
     return {status, out.str(), err.str()};
 }
 
-TEST(CheckCommand, ends_with_0_where_nothing_blocks_and_with_1_where_something_does) {
+TEST(CheckCommand, exits_with_0_if_nothing_blocks_the_way_and_with_1_otherwise) {
     const test::TemporaryFolder folder;
     const Outcome good = check(test::bundled_world("school.map"), false);
     EXPECT_EQ(good.status, 0);
@@ -438,7 +438,7 @@ TEST(CheckCommand, ends_with_0_where_nothing_blocks_and_with_1_where_something_d
     EXPECT_EQ(check(folder.path() / "none.map", false).status, 1);
 }
 
-TEST(CheckCommand, offers_what_could_be_a_landmark) {
+TEST(CheckCommand, suggests_possible_landmarks) {
     const Found found =
         faults_of(MapCopy(school()).replace("thing", "Girls' wash basin", "\"landmark\" \"1\"\n", "").text());
     ASSERT_EQ(found.faults.size(), 1U) << listed(found);

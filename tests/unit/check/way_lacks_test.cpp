@@ -52,7 +52,7 @@ WayLacks lacks_in(const Scene& scene, const Vec3& to_m) {
     return way_lacks(scene, *space, scene.starts[0].feet_m, places, kKinds)[0];
 }
 
-TEST(WayLacks, are_what_stands_in_the_way_of_a_body_and_how_much_there_is) {
+TEST(WayLacks, are_the_obstacles_to_a_body_and_their_extent) {
     for (const Vec3& at : {Vec3(0.0), Vec3(52'428.8, -26'214.4, 102.4)}) {
         const Vec3 there = at + Vec3(7, 2, 0);
         {  // A beam at 1.3 m.
@@ -96,7 +96,7 @@ TEST(WayLacks, are_what_stands_in_the_way_of_a_body_and_how_much_there_is) {
 }
 
 // The better of two routes is reported, with its worst place.
-TEST(WayLacks, are_those_of_the_best_way_at_its_worst_place) {
+TEST(WayLacks, are_those_of_the_worst_place_on_the_best_route) {
     test::SceneBuilder b = two_rooms(Vec3(0.0));
     b.box({4, 0, 1.0}, {5, 2, 4}, "Beam", SolidRole::Solid, {}, FeatureKind::Wall);
     b.box({4, 2, 1.5}, {4.5, 4, 4}, "Beam", SolidRole::Solid, {}, FeatureKind::Wall);
@@ -120,7 +120,7 @@ bool flooded(const Scene& scene, const WalkBody& body, const Vec3& there_m) {
 
 // The reported amount is the limit of what a walker may need. A slightly smaller walker gets there, a slightly larger
 // one does not.
-TEST(WayLacks, agree_with_bodies_that_are_tried_one_by_one) {
+TEST(WayLacks, agree_with_trying_bodies_one_by_one) {
     std::mt19937_64 random(test::seed_of_run());
     const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
     int told = 0;
@@ -166,7 +166,7 @@ TEST(WayLacks, agree_with_bodies_that_are_tried_one_by_one) {
 }
 
 // Stairs that lead up under a floor without enough headroom, as in many architects' models.
-TEST(RoomOutOfReach, says_that_stairs_to_it_lead_under_a_floor) {
+TEST(RoomOutOfReach, reports_stairs_that_lead_under_a_floor_without_headroom) {
     test::SceneBuilder b;
     b.box({0, 0, -0.2}, {10, 4, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
     for (const auto& [from, to] :
@@ -197,7 +197,7 @@ TEST(RoomOutOfReach, says_that_stairs_to_it_lead_under_a_floor) {
 
 // A row of houses, each with a flight of stairs to its gallery and a beam over it at a different height. For each
 // flight, only the obstruction on that flight is reported.
-TEST(StairsInOneGo, say_of_each_flight_what_is_in_the_way_on_it) {
+TEST(StairsInOneGo, report_for_each_flight_what_blocks_it) {
     constexpr int kHouses = 7, kSteps = 14;
     constexpr double kUp_m = 2.8, kEach_m = 6.0;
     test::SceneBuilder b;
@@ -257,7 +257,7 @@ TEST(StairsInOneGo, say_of_each_flight_what_is_in_the_way_on_it) {
 }
 
 // A trial finds the same reachable places as a complete walkable area for the same walker.
-TEST(TrialSpaces, are_reached_where_whole_spaces_are) {
+TEST(TrialSpaces, agree_with_complete_spaces_about_reachable_places) {
     std::mt19937_64 random(test::seed_of_run());
     const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
     for (int run = 0; run < test::scaled(10); ++run) {
@@ -287,7 +287,7 @@ TEST(TrialSpaces, are_reached_where_whole_spaces_are) {
 }
 
 // A spiral staircase whose lower turns are under the edge of the floor that they lead to, with 1.8 m of headroom there.
-TEST(StairsInOneGo, are_none_where_a_body_bows_its_head_in_a_family_house) {
+TEST(StairsInOneGo, are_not_needed_under_low_headroom_in_a_family_house) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for the stairs under a floor";
     const auto path = test::real_world("fzk-haus.ifc");
     if (!path) GTEST_SKIP() << test::needs_real_world("fzk-haus.ifc");
@@ -311,7 +311,7 @@ TEST(StairsInOneGo, are_none_where_a_body_bows_its_head_in_a_family_house) {
 }
 
 // The ground around a building is generated with it, and is correctly below its floors.
-TEST(ThingFaults, find_none_in_the_ground_that_was_made_round_a_building) {
+TEST(ThingFaults, are_not_reported_for_the_ground_that_was_added_around_a_building) {
     const test::TemporaryFolder folder;
     const std::filesystem::path file = folder.path() / "two.rooms";
     std::ofstream(file) << "Hall, 5 by 4 metres.\n\nDen, 4 by 4 metres, east of Hall. Opening to Hall.\n";

@@ -44,7 +44,7 @@ std::string refused(const Words& words) {
     return text;
 }
 
-TEST(CommandLine, explores_a_world_with_every_option) {
+TEST(CommandLine, accepts_every_option_for_exploring_a_world) {
     const auto call =
         parsed_as<ExploreCall>({"my.map", "--no-window", "--device", "none", "--set", "workspace.scale=40",
                                 "--set=walk.turn_deg=45", "--settings", "mine.toml", "--map-scale", "0.025"});
@@ -65,7 +65,7 @@ TEST(CommandLine, explores_a_world_with_every_option) {
         << "--set takes one word only";
 }
 
-TEST(CommandLine, calibrates_all_parts_or_those_that_are_named) {
+TEST(CommandLine, calibrates_all_parts_or_only_the_named_ones) {
     const auto all = parsed_as<ExploreCall>({"calibrate"});
     ASSERT_TRUE(all.arguments.calibrate);
     EXPECT_EQ(all.arguments.calibrate->size(), wizard_parts().size());
@@ -78,12 +78,12 @@ TEST(CommandLine, calibrates_all_parts_or_those_that_are_named) {
     EXPECT_THAT(refused({"calibrate", "--only", "rech"}), HasSubstr("nearest name is reach"));
 }
 
-TEST(CommandLine, opens_a_world_named_like_a_command_by_its_path) {
+TEST(CommandLine, opens_a_world_that_is_named_like_a_command_by_its_path) {
     EXPECT_EQ(parsed_as<ExploreCall>({"./info"}).arguments.world, "./info");
     EXPECT_EQ(parsed_as<InfoArguments>({"info", "info"}).world, "info");
 }
 
-TEST(CommandLine, gives_info_touch_scenario_and_settings_their_arguments) {
+TEST(CommandLine, passes_arguments_to_info_touch_scenario_and_settings) {
     const auto about = parsed_as<InfoArguments>({"info", "a.map", "--json", "--map-scale", "1"});
     EXPECT_TRUE(about.json);
     EXPECT_EQ(about.common.map_scale_m_per_unit, 1.0);
@@ -126,7 +126,7 @@ TEST(CommandLine, gives_info_touch_scenario_and_settings_their_arguments) {
     EXPECT_TRUE(parsed_as<SettingsCall>({"settings", "--explain"}).arguments.explain);
 }
 
-TEST(CommandLine, lets_one_friction_option_set_both) {
+TEST(CommandLine, lets_one_friction_option_set_both_coefficients) {
     const auto touch =
         parsed_as<TouchArguments>({"touch", "a", "--path", "i", "--out", "o", "--friction-kinetic", "0.4"});
     EXPECT_EQ(touch.friction_static, 0.4);
@@ -136,7 +136,7 @@ TEST(CommandLine, lets_one_friction_option_set_both) {
         HasSubstr("--friction-static (0.3)"));
 }
 
-TEST(CommandLine, refuses_numbers_that_are_negative_or_not_finite_or_no_numbers) {
+TEST(CommandLine, refuses_negative_infinite_and_malformed_numbers) {
     for (const char* option :
          {"--radius", "--stiffness", "--damping", "--friction-static", "--friction-kinetic", "--scale", "--map-scale"})
         for (const char* word : {"-1", "nan", "inf", "1e999", "1,5", "x", ""})
@@ -159,7 +159,7 @@ TEST(CommandLine, names_the_nearest_option_or_command_in_one_sentence_and_exits_
 }
 
 // Each error is one sentence that says what to do, without the library's words.
-TEST(CommandLine, tells_what_is_wrong_with_the_commands_for_recordings_worlds_and_learners) {
+TEST(CommandLine, reports_errors_in_the_commands_for_recordings_worlds_and_learners) {
     EXPECT_THAT(refused({"report"}), HasSubstr("--html OUT.html"));
     EXPECT_THAT(refused({"report", "--html"}), StartsWith("--html needs a value: OUT.html."));
     EXPECT_THAT(refused({"report", "--html", "a", "--html", "b"}), StartsWith("--html may be given only once"));
@@ -188,7 +188,7 @@ TEST(CommandLine, tells_what_is_wrong_with_the_commands_for_recordings_worlds_an
     EXPECT_THAT(refused({"lesson", "a.toml", "--session", "one"}), StartsWith("--session needs a whole number"));
 }
 
-TEST(CommandLine, takes_our_worlds_by_name_and_names_the_nearest) {
+TEST(CommandLine, opens_bundled_worlds_by_name_and_suggests_the_nearest_one) {
     const test::WithEnvironment worlds("HANDRAIL_WORLDS", (test::project_root() / "worlds/maps").c_str());
     for (const char* command : {"info", "check"}) {
         std::ostringstream out, err;
@@ -203,7 +203,7 @@ TEST(CommandLine, takes_our_worlds_by_name_and_names_the_nearest) {
     EXPECT_THAT(err.str(), HasSubstr("Did you mean first_room?"));
 }
 
-TEST(CommandLine, says_in_one_sentence_what_is_missing_on_the_disk) {
+TEST(CommandLine, names_what_is_missing_on_the_disk_in_one_sentence) {
     const test::TemporaryFolder home;
     const test::WithEnvironment data("XDG_DATA_HOME", home.path().c_str());
     const std::string none = (home.path() / "none").string();
@@ -226,7 +226,7 @@ TEST(CommandLine, says_in_one_sentence_what_is_missing_on_the_disk) {
     }
 }
 
-TEST(CommandLine, prints_no_control_character_of_a_word_that_it_quotes) {
+TEST(CommandLine, prints_no_control_character_of_a_quoted_word) {
     const std::string evil = "ho\x1b]0;title\x07use\n\u202ered";
     for (const Words& words : {Words{evil},
                                {"--" + evil},
@@ -250,7 +250,7 @@ TEST(CommandLine, prints_no_control_character_of_a_word_that_it_quotes) {
 }
 
 // Names of a world that would control a terminal, or reverse the text after them.
-TEST(CommandLine, prints_names_of_worlds_without_what_steers_a_terminal) {
+TEST(CommandLine, prints_names_of_worlds_without_terminal_control_sequences) {
     const test::TemporaryFolder folder;
     const test::WithEnvironment cache("XDG_CACHE_HOME", "/dev/null");
     std::string house = test::content_of(test::bundled_world("house.map"));
@@ -278,7 +278,7 @@ TEST(CommandLine, prints_names_of_worlds_without_what_steers_a_terminal) {
     EXPECT_FALSE(page.empty());
 }
 
-TEST(PlainOutput, lets_all_other_text_through_however_it_is_cut) {
+TEST(PlainOutput, lets_all_other_text_through_wherever_it_is_cut) {
     const std::string text = "T\xC3\xBCr \xe2\x80\x9cx\xe2\x80\x9d \xd8\xa8\t5 \xE2\x82\xAC\n\xe2\x80";
     for (std::size_t cut = 0; cut <= text.size(); ++cut) {
         std::ostringstream to;
@@ -294,7 +294,7 @@ TEST(PlainOutput, lets_all_other_text_through_however_it_is_cut) {
 }
 
 // Without a home folder, the folder in which the program was started is neither searched nor written.
-TEST(CommandLine, looks_for_nothing_in_the_current_folder_if_there_is_no_home) {
+TEST(CommandLine, never_searches_the_current_folder_if_there_is_no_home_folder) {
     const test::TemporaryFolder here;
     for (const char* folder : {"lessons", "learners/aaaaaaaa", "recordings/2026-01-01T00-00-00Z-aaaaaaaa"})
         std::filesystem::create_directories(here.path() / folder);
@@ -325,7 +325,7 @@ TEST(CommandLine, looks_for_nothing_in_the_current_folder_if_there_is_no_home) {
     EXPECT_THAT(left, testing::UnorderedElementsAre("lessons", "learners", "recordings"));
 }
 
-TEST(CommandLine, helps_with_every_command_and_says_its_version) {
+TEST(CommandLine, prints_help_for_every_command_and_its_version) {
     for (const Words& words : {Words{"--help"},
                                {"info", "--help"},
                                {"touch", "-h"},
@@ -340,7 +340,7 @@ TEST(CommandLine, helps_with_every_command_and_says_its_version) {
 }
 
 // In the person's language one and a half may be written 1,5; the command line and the files never use that.
-TEST(CommandLine, reads_numbers_alike_in_every_language_setting) {
+TEST(CommandLine, reads_numbers_the_same_way_in_every_locale) {
     const std::string before = std::setlocale(LC_ALL, nullptr);
     if (!std::setlocale(LC_ALL, "de_DE.UTF-8")) GTEST_SKIP() << "no German language setting on this machine";
     EXPECT_EQ(parsed_as<InfoArguments>({"info", "a.map", "--map-scale", "0.5"}).common.map_scale_m_per_unit, 0.5);
@@ -363,7 +363,7 @@ TEST(SettingsCommand, explains_every_setting_and_prints_problems_of_the_file) {
     EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), SettingsStore{}.explain().size());
 }
 
-TEST(CommandLine, helps_and_refuses_in_german_while_its_words_stay) {
+TEST(CommandLine, prints_help_and_errors_in_german_with_unchanged_option_names) {
     const test::InLanguage german("de");
     const auto help = std::get<PrintedText>(parse_command_line({"touch", "--help"})).text;
     for (const char* line : {"Aufruf: handrail touch [OPTIONEN] WORLD", "Angaben:", "--path IN.csv NÖTIG",
@@ -378,7 +378,7 @@ TEST(CommandLine, helps_and_refuses_in_german_while_its_words_stay) {
     EXPECT_EQ(refusal({"info", "x.map", "--jsno"}), "Die Option --jsno gibt es nicht; am nächsten kommt --json.");
 }
 
-TEST(CommandLine, opens_a_language_file_of_ones_own_once_and_tells_once_what_is_wrong_with_it) {
+TEST(CommandLine, opens_a_custom_language_file_once_and_reports_its_errors_once) {
     const test::TemporaryFolder data;
     std::filesystem::create_directories(data.path() / "handrail/languages");
     data.write("handrail/languages/de.toml", "error.nothing = \"nichts\"\n");

@@ -24,7 +24,7 @@ FoundDevice falcon() {
     return device;
 }
 
-TEST(DeviceFacts, tell_what_a_device_is_good_for_its_reach_and_force_and_whether_it_was_ever_met) {
+TEST(DeviceFacts, give_purpose_reach_and_force_of_a_device_and_whether_it_was_ever_tested) {
     EXPECT_THAT(
         device_sentences(falcon()),
         ElementsAre("Novint Falcon, called falcon, on USB bus 1, device 7. It can push the hand in every direction.",
@@ -44,7 +44,7 @@ TEST(DeviceFacts, tell_what_a_device_is_good_for_its_reach_and_force_and_whether
     EXPECT_THAT(device_sentences(falcon()), Contains(HasSubstr("noch nicht an einem echten Gerät")));
 }
 
-TEST(DeviceFacts, of_all_end_with_those_that_are_always_there) {
+TEST(DeviceFacts, of_all_devices_end_with_those_that_are_always_available) {
     const std::vector<std::string> none = device_sentences(std::span<const FoundDevice>());
     ASSERT_EQ(none.size(), 2U);
     EXPECT_THAT(none[0], HasSubstr("No touch device was found."));

@@ -16,7 +16,7 @@ void wait_for_ever() {
     never.wait(lock, [] { return false; });
 }
 
-TEST(EndInTime, ends_a_process_that_still_waits_for_a_thread_with_the_status_it_was_to_have) {
+TEST(EndInTime, ends_a_process_that_still_waits_for_a_thread_with_its_intended_status) {
     EXPECT_EXIT(
         {
             EndInTime in_time;
@@ -26,7 +26,7 @@ TEST(EndInTime, ends_a_process_that_still_waits_for_a_thread_with_the_status_it_
         testing::ExitedWithCode(3), "");
 }
 
-TEST(EndInTime, lets_a_process_go_on_that_waits_for_nothing) {
+TEST(EndInTime, leaves_a_process_alone_that_waits_for_nothing) {
     EndInTime never_armed;
     EndInTime in_time;
     in_time.end_within(3600.0, 3);

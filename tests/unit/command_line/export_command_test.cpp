@@ -28,7 +28,7 @@ Outcome run(std::vector<std::string> words) {
 
 std::string house() { return test::bundled_world("house.map"); }
 
-TEST(ExportCommand, writes_a_sheet_its_key_and_samples_and_tells_what_was_simplified) {
+TEST(ExportCommand, writes_a_sheet_its_key_and_samples_and_reports_what_was_simplified) {
     const TemporaryFolder folder;
     const std::string svg = (folder.path() / "plan.svg").string();
     const Outcome done = run({house(), "--swell", svg, "--storey", "2", "--strip"});
@@ -44,7 +44,7 @@ TEST(ExportCommand, writes_a_sheet_its_key_and_samples_and_tells_what_was_simpli
     EXPECT_THAT(done.out, testing::HasSubstr("Print it at 100 percent"));
 }
 
-TEST(ExportCommand, writes_a_plate_for_a_printer) {
+TEST(ExportCommand, writes_a_plate_for_a_3d_printer) {
     const TemporaryFolder folder;
     const std::filesystem::path stl = folder.path() / "plate.stl";
     const Outcome done = run({house(), "--stl", stl.string()});
@@ -54,7 +54,7 @@ TEST(ExportCommand, writes_a_plate_for_a_printer) {
     EXPECT_THAT(done.out, testing::HasSubstr("Plate: Left out for lack of space: "));
 }
 
-TEST(ExportCommand, writes_ways_in_words_in_print_and_in_braille) {
+TEST(ExportCommand, writes_routes_in_words_for_print_and_for_braille) {
     const TemporaryFolder folder;
     const std::filesystem::path txt = folder.path() / "card.txt", brf = folder.path() / "card.brf";
     ASSERT_EQ(run({house(), "--route-card", txt.string(), "--to", "kitchen"}).status, 0);
@@ -83,7 +83,7 @@ TEST(ExportCommand, writes_ways_in_words_in_print_and_in_braille) {
     EXPECT_THAT(here.err, testing::HasSubstr("The route begins in Hall already."));
 }
 
-TEST(ExportCommand, ends_with_status_1_and_offers_help_where_a_sheet_does_not_keep_its_promises) {
+TEST(ExportCommand, exits_with_status_1_and_suggests_help_if_a_sheet_breaks_its_promises) {
     const TemporaryFolder folder;
     // Two closets off the same hall are too small for signs, and nobody could tell which is which.
     const std::filesystem::path world = folder.path() / "closets.rooms";
@@ -118,7 +118,7 @@ TEST(ExportCommand, offers_no_coarser_plan_that_does_not_help) {
     EXPECT_EQ(run({world.string(), "--swell", (folder.path() / "coarse.svg").string(), "--coarse"}).status, 1);
 }
 
-TEST(ExportCommand, offers_several_sheets_for_what_is_too_large_for_one) {
+TEST(ExportCommand, suggests_several_sheets_if_one_is_too_small) {
     const TemporaryFolder folder;
     const std::filesystem::path world = folder.path() / "field.rooms", plan = folder.path() / "plan.svg";
     std::ofstream(world) << "Storey: Ground, 3 metres high.\n"
@@ -131,7 +131,7 @@ TEST(ExportCommand, offers_several_sheets_for_what_is_too_large_for_one) {
     EXPECT_EQ(run({world.string(), "--swell", plan.string(), "--paper", "a3", "--force"}).status, 0);
 }
 
-TEST(ExportCommand, replaces_files_only_when_told_to_and_then_all_of_them) {
+TEST(ExportCommand, replaces_files_only_on_request_and_then_all_of_them) {
     const TemporaryFolder folder;
     const std::filesystem::path pdf = folder.path() / "plan.pdf";
     std::ofstream(pdf) << "mine";
@@ -147,7 +147,7 @@ TEST(ExportCommand, replaces_files_only_when_told_to_and_then_all_of_them) {
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "s.svg"));
 }
 
-TEST(ExportCommand, refuses_what_it_cannot_do_in_one_sentence) {
+TEST(ExportCommand, refuses_impossible_exports_in_one_sentence) {
     const TemporaryFolder folder;
     const std::string svg = (folder.path() / "plan.svg").string();
     const auto sentence = [&](std::vector<std::string> words, int status) {

@@ -38,7 +38,7 @@ std::vector<Told> told_from(const LongWork& progress, double from_s, double to_s
     return all;
 }
 
-TEST(Patience, is_over_after_two_seconds_and_then_every_five) {
+TEST(Patience, ends_after_two_seconds_and_then_every_five) {
     Patience patience(10.0);
     std::vector<double> due;
     for (double now_s = 10.0; now_s < 30.0; now_s += 0.25)
@@ -46,7 +46,7 @@ TEST(Patience, is_over_after_two_seconds_and_then_every_five) {
     EXPECT_THAT(due, ElementsAre(2.0, 7.0, 12.0, 17.0));
 }
 
-TEST(LongWork, tells_nothing_of_what_is_over_within_two_seconds) {
+TEST(LongWork, that_ends_within_two_seconds_is_not_reported) {
     const LongWork progress = LongWork::begun();
     EXPECT_THAT(told_from(progress, 0.0, 10.0), IsEmpty()) << "there is no work";
     progress.at("Finding rooms and routes");
@@ -57,7 +57,7 @@ TEST(LongWork, tells_nothing_of_what_is_over_within_two_seconds) {
     EXPECT_THAT(told_from(progress, 20.0, 22.0), IsEmpty()) << "two seconds anew";
 }
 
-TEST(LongWork, tells_what_takes_longer_with_the_time_so_far) {
+TEST(LongWork, that_takes_longer_is_reported_with_the_elapsed_time) {
     const LongWork progress = LongWork::begun();
     progress.at("Finding rooms and routes");
     EXPECT_THAT(told_from(progress, 100.0, 103.0),
@@ -68,7 +68,7 @@ TEST(LongWork, tells_what_takes_longer_with_the_time_so_far) {
                             Told{112.0, "Looking for problems to fix, 12 seconds so far."}));
 }
 
-TEST(LongWork, tells_how_far_a_file_is_read_and_what_the_reader_is_at) {
+TEST(LongWork, reports_the_share_of_the_file_that_was_read_and_the_current_stage) {
     const LongWork progress = LongWork::begun();
     const ReadOptions options = progress.followed({});
     options.progress(0.4);
@@ -83,7 +83,7 @@ TEST(LongWork, tells_how_far_a_file_is_read_and_what_the_reader_is_at) {
                 ElementsAre(Told{12.0, "Laden, 55 Prozent: " + phrase("import.touch") + "."}));
 }
 
-TEST(LongWork, of_which_nobody_wants_to_hear_costs_nothing) {
+TEST(LongWork, costs_nothing_without_an_observer) {
     const LongWork nobody;
     EXPECT_FALSE(nobody.followed({}).progress);
     nobody.at("Anything");
@@ -105,7 +105,7 @@ std::vector<std::string> stages(const std::function<int(std::ostream&, std::ostr
     return all;
 }
 
-TEST(CommandWork, of_info_and_check_is_reading_rooms_and_the_rest_but_none_beside_json) {
+TEST(CommandWork, of_info_and_check_reports_each_stage_but_none_with_json) {
     const auto info = [](bool json, bool words) {
         return stages([json, words](std::ostream& out, std::ostream& err, const LongWork& progress) {
             InfoArguments arguments;
@@ -132,7 +132,7 @@ TEST(CommandWork, of_info_and_check_is_reading_rooms_and_the_rest_but_none_besid
     EXPECT_THAT(check(true), IsEmpty());
 }
 
-TEST(CommandWork, of_export_and_scenario_is_each_part_of_the_work) {
+TEST(CommandWork, of_export_and_scenario_reports_each_stage) {
     const test::TemporaryFolder folder;
     EXPECT_THAT(stages([&](std::ostream& out, std::ostream& err, const LongWork& progress) {
                     ExportArguments arguments;
@@ -149,7 +149,7 @@ TEST(CommandWork, of_export_and_scenario_is_each_part_of_the_work) {
                 Contains(HasSubstr("Playing ")));
 }
 
-TEST(CommandWork, is_over_before_a_problem_is_told) {
+TEST(CommandWork, ends_before_a_problem_is_reported) {
     const test::TemporaryFolder folder;
     std::ostringstream out, err;
     std::vector<std::string> all;
@@ -172,7 +172,7 @@ TEST(CommandWork, is_over_before_a_problem_is_told) {
 
 // The thread that writes for a terminal runs in real time, so this only tests that it ends at once, with or without
 // work.
-TEST(LongWorkLines, end_at_once_with_and_without_work) {
+TEST(LongWorkLines, stop_at_once_with_and_without_work) {
     std::ostringstream to;
     const LongWork progress = LongWork::begun();
     { const LongWorkLines idle(progress, to); }

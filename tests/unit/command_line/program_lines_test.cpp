@@ -41,7 +41,7 @@ struct Typed {
     double now = 0.0;
 };
 
-TEST(ProgramLines, leave_a_world_without_a_floor_once_the_fall_has_ended) {
+TEST(ProgramLines, quit_a_world_without_a_floor_once_the_fall_has_ended) {
     auto sheet = std::make_shared<Scene>();
     sheet->materials.emplace_back();
     sheet->triangles.push_back({{0, 0, 0}, {4, 0, 0}, {0, 0, 3}});
@@ -53,7 +53,7 @@ TEST(ProgramLines, leave_a_world_without_a_floor_once_the_fall_has_ended) {
     EXPECT_TRUE(typed.lines.left());
 }
 
-TEST(ProgramLines, leave_when_what_was_typed_before_has_been_done) {
+TEST(ProgramLines, quit_only_after_earlier_commands_are_done) {
     const auto house = read_world(test::bundled_world("house.map"));
     ASSERT_TRUE(house);
     Typed typed(std::make_shared<const Scene>(*house));
@@ -66,7 +66,7 @@ TEST(ProgramLines, leave_when_what_was_typed_before_has_been_done) {
     EXPECT_NEAR(glm::length(typed.app.feet_m() - begun_m), 2.1, 0.05);
 }
 
-TEST(ProgramLines, of_a_person_leave_while_the_first_world_is_read_and_of_a_script_wait_for_it) {
+TEST(ProgramLines, quit_during_the_first_loading_if_typed_but_wait_for_it_in_a_script) {
     Typed person(nullptr, true), script(nullptr, false);
     for (Typed* typed : {&person, &script}) {
         typed->lines.lines().add("quit");
@@ -77,7 +77,7 @@ TEST(ProgramLines, of_a_person_leave_while_the_first_world_is_read_and_of_a_scri
     EXPECT_EQ(script.lines.lines().waiting(), 1U);
 }
 
-TEST(ProgramLines, of_a_person_are_done_while_another_world_is_read) {
+TEST(ProgramLines, of_a_person_are_performed_while_another_world_is_being_read) {
     const auto house = read_world(test::bundled_world("house.map"));
     ASSERT_TRUE(house);
     for (const bool by_person : {true, false}) {
@@ -95,7 +95,7 @@ TEST(ProgramLines, of_a_person_are_done_while_another_world_is_read) {
 }
 
 // The house has a room of that name, and a thing whose name begins with it.
-TEST(ProgramLines, look_for_a_room_by_its_name_before_things_that_begin_so) {
+TEST(ProgramLines, find_a_room_with_the_exact_name_before_things_whose_names_begin_with_it) {
     const auto house = read_world(test::bundled_world("house.map"));
     ASSERT_TRUE(house);
     for (const auto& [line, answer] :

@@ -54,7 +54,7 @@ private:
 
 struct OfWorld : testing::TestWithParam<const char*> {};
 
-TEST_P(OfWorld, have_the_legs_that_are_told_to_every_room) {
+TEST_P(OfWorld, the_route_cards_have_the_spoken_legs_to_every_room) {
     const std::string file = GetParam();
     if (kSanitizerScale < 1.0 && file != "house.map") GTEST_SKIP() << "the same code as for our house";
     std::filesystem::path path = test::project_root() / "worlds" / "maps" / file;

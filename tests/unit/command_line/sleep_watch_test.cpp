@@ -33,7 +33,7 @@ struct SleepWatchTest : testing::Test {
     std::optional<SleepWatch> watch;
 };
 
-TEST_F(SleepWatchTest, releases_the_force_before_it_lets_the_computer_sleep_each_time) {
+TEST_F(SleepWatchTest, removes_the_force_before_it_lets_the_computer_sleep_each_time) {
     for (int sleeps = 1; sleeps <= 2; ++sleeps) {
         logind->announce_sleep(true);
         ASSERT_TRUE(eventually([&] { return released == sleeps && watch->delays_sleep(); }));
@@ -47,7 +47,7 @@ TEST_F(SleepWatchTest, releases_the_force_before_it_lets_the_computer_sleep_each
     }
 }
 
-TEST_F(SleepWatchTest, does_not_hold_up_the_computer_when_nobody_says_that_the_force_is_gone) {
+TEST_F(SleepWatchTest, does_not_delay_suspend_for_long_if_nobody_confirms_that_the_force_is_gone) {
     const SteadyClock clock;
     const double begun_s = clock.now_s();
     logind->announce_sleep(true);
@@ -56,7 +56,7 @@ TEST_F(SleepWatchTest, does_not_hold_up_the_computer_when_nobody_says_that_the_f
     EXPECT_GE(clock.now_s() - begun_s, SleepWatch::kMostDelay_s);
 }
 
-TEST_F(SleepWatchTest, lets_go_of_it_when_it_ends_and_when_the_bus_does) {
+TEST_F(SleepWatchTest, releases_the_suspend_lock_when_the_watch_or_the_bus_ends) {
     watch.reset();
     EXPECT_TRUE(eventually([this] { return logind->inhibitors().empty(); }));
     watch.emplace([this] { ++released; });

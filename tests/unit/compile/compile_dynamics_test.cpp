@@ -35,7 +35,7 @@ Scene crates() {
     return scene;
 }
 
-TEST(CompileDynamics, makes_bodies_of_what_is_free_and_lets_the_rest_be_driven) {
+TEST(CompileDynamics, creates_bodies_for_free_things_and_leaves_the_rest_driven) {
     const Scene scene = crates();
     FreeThing first, last;
     first.placed = 0;
@@ -65,7 +65,7 @@ TEST(CompileDynamics, makes_bodies_of_what_is_free_and_lets_the_rest_be_driven) 
     EXPECT_EQ(thing.scale, felt->bodies[2].start.scale);
 }
 
-TEST(CompileDynamics, gives_nothing_at_all_where_nothing_is_free) {
+TEST(CompileDynamics, returns_nothing_if_no_body_is_free) {
     const Scene scene = crates();
     EXPECT_FALSE(compile_dynamics(scene, {}, Vec3(0.0)));
     FreeThing bad;
@@ -77,7 +77,7 @@ TEST(CompileDynamics, gives_nothing_at_all_where_nothing_is_free) {
     EXPECT_EQ(report.refused[0].fault, BodyFault::BadMass);
 }
 
-TEST(CompileDynamics, refuses_a_density_without_volume_and_what_is_too_many) {
+TEST(CompileDynamics, refuses_a_density_without_volume_and_too_many_bodies) {
     Scene scene = crates();
     auto sheet = std::make_shared<Scene>();
     sheet->triangles.push_back({Vec3(0.0), Vec3(1, 0, 0), Vec3(0, 1, 0)});

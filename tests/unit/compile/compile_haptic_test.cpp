@@ -26,7 +26,7 @@ Solid box_solid(const Vec3& low, const Vec3& high, SolidRole role, FeatureId fea
     return solid;
 }
 
-TEST(CompileHaptic, makes_obstacles_of_solids_and_movers_volumes_of_liquids_and_nothing_of_the_rest) {
+TEST(CompileHaptic, makes_obstacles_of_solids_and_movers_and_volumes_of_liquids_and_skips_the_rest) {
     Scene scene;
     scene.materials.resize(1);
     scene.features.resize(10);
@@ -47,7 +47,7 @@ TEST(CompileHaptic, makes_obstacles_of_solids_and_movers_volumes_of_liquids_and_
     EXPECT_EQ(compiled->surface(2, {0, 0, 1}).feature, FeatureId{9});
 }
 
-TEST(CompileHaptic, keeps_the_side_from_which_sheets_are_touched_also_where_they_are_joined) {
+TEST(CompileHaptic, keeps_the_touchable_side_of_sheets_even_after_joining_them) {
     Scene scene;
     scene.materials.resize(1);
     scene.features.resize(1);
@@ -64,7 +64,7 @@ TEST(CompileHaptic, keeps_the_side_from_which_sheets_are_touched_also_where_they
         << "different sides are different surfaces";
 }
 
-TEST(CompileHaptic, lays_textures_and_shading_on_what_moves_as_on_what_stands) {
+TEST(CompileHaptic, applies_textures_and_shading_to_moving_and_static_things_alike) {
     // A slightly bent sheet, thin along x, with four facets around an axis.
     auto model = std::make_shared<Scene>();
     model->materials.resize(1);
@@ -172,7 +172,7 @@ TEST(CompileHaptic, counts_the_triangles_of_each_thing_before_it_calls_a_mesh_de
     EXPECT_FALSE(has_dense_mesh(scene));
 }
 
-TEST(CompileHaptic, keeps_slanted_solids_as_brushes_and_names_their_faces) {
+TEST(CompileHaptic, keeps_slanted_solids_as_brushes_with_named_faces) {
     Scene scene;
     scene.materials.resize(3);
     Solid wedge = box_solid({0, 0, 0}, {1, 1, 1}, SolidRole::Solid, kNoFeature);
@@ -188,7 +188,7 @@ TEST(CompileHaptic, keeps_slanted_solids_as_brushes_and_names_their_faces) {
     EXPECT_EQ(compiled->surface(0, {0, 0, -1}).feature, kNoFeature);
 }
 
-TEST(CompileHaptic, takes_only_written_keys_for_replay_and_library_values_below_them_for_exploring) {
+TEST(CompileHaptic, uses_only_explicit_keys_for_replay_and_falls_back_to_the_library_for_exploring) {
     Scene scene;
     scene.materials.resize(3);
     scene.materials[1].stiffness_fraction = 0.25;
@@ -208,7 +208,7 @@ TEST(CompileHaptic, takes_only_written_keys_for_replay_and_library_values_below_
     EXPECT_NE(keys->generation, library->generation);
 }
 
-TEST(CompileHaptic, brings_the_librarys_texture_and_damping_only_for_exploring_and_written_ones_always) {
+TEST(CompileHaptic, applies_library_texture_and_damping_only_for_exploring_and_explicit_values_always) {
     Scene scene;
     scene.materials.resize(3);
     scene.materials[1].name = "steel grille";
@@ -233,7 +233,7 @@ TEST(CompileHaptic, brings_the_librarys_texture_and_damping_only_for_exploring_a
         << "nothing is paid for what no surface has";
 }
 
-TEST(CompileHaptic, moves_the_origin_only_into_buildings_far_away) {
+TEST(CompileHaptic, moves_the_origin_only_for_buildings_far_away) {
     Scene near, far;
     near.materials.resize(1);
     far.materials.resize(1);

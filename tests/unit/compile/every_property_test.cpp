@@ -46,7 +46,7 @@ TEST_F(EveryProperty, is_read_without_a_warning) {
     EXPECT_EQ(haptic->effects.size(), scene->effects.size()) << "none was refused when the scene was built";
 }
 
-TEST_F(EveryProperty, liquids_drag_lift_hold_and_stream) {
+TEST_F(EveryProperty, liquids_drag_lift_hold_and_flow) {
     const Vec3 step(2e-4, 0, 0);  // 0.2 m/s
     EXPECT_NEAR(felt({3, 3, -0.6}, 1, step, 400).x, -4.0 * 0.2, 1e-6);
     EXPECT_NEAR(felt({7.5, 3.5, -0.6}, 200).z, 0.6, 1e-9);
@@ -83,7 +83,7 @@ TEST_F(EveryProperty, each_effect_is_felt_as_its_keys_say) {
     EXPECT_EQ(felt({20, 5, 3}, 200), Vec3(0.0)) << "nothing elsewhere";
 }
 
-TEST_F(EveryProperty, soft_sides_give_way_as_their_keys_say) {
+TEST_F(EveryProperty, soft_sides_yield_as_their_keys_say) {
     // Cushion, top at 1 m, soft to 0.4 m: at once a quarter of 1,000 N/m; held, the force relaxes to about two thirds.
     const double radius = TouchTuning{}.radius_m;
     EXPECT_NEAR(felt({17, 3, 1.0 + radius - 0.004}).z, 250.0 * 0.004, 0.02);
@@ -96,7 +96,7 @@ TEST_F(EveryProperty, soft_sides_give_way_as_their_keys_say) {
     EXPECT_EQ(haptic->soft_patches.size(), 2U);
 }
 
-TEST_F(EveryProperty, an_effect_belongs_to_the_thing_that_is_named) {
+TEST_F(EveryProperty, an_effect_belongs_to_the_named_thing) {
     const auto magnet = std::find_if(scene->effects.begin(), scene->effects.end(),
                                      [](const Effect& e) { return e.pull == MagnetPull::Object; });
     ASSERT_NE(magnet, scene->effects.end());

@@ -187,7 +187,7 @@ std::vector<Family> families(std::mt19937& random) {
     return all;
 }
 
-TEST(PrepareMesh, joins_flat_patches_to_convex_polygons_that_cover_exactly_what_was_there) {
+TEST(PrepareMesh, merges_flat_patches_into_convex_polygons_that_cover_exactly_the_same_area) {
     std::mt19937 random(kSeed);
     for (const double far : {0.0, 1e3, 5e5})
         for (const Family& family : families(random)) {
@@ -214,7 +214,7 @@ TEST(PrepareMesh, joins_flat_patches_to_convex_polygons_that_cover_exactly_what_
         }
 }
 
-TEST(PrepareMesh, leaves_facets_of_curves_to_shading_when_exploring) {
+TEST(PrepareMesh, keeps_the_facets_of_curves_for_shading_when_exploring) {
     Soup soup;
     prism(soup, 60, 0.3);
     const PreparedMesh mesh = prepared(soup);
@@ -222,7 +222,7 @@ TEST(PrepareMesh, leaves_facets_of_curves_to_shading_when_exploring) {
     EXPECT_EQ(mesh.polygons.size(), 2U);
 }
 
-TEST(PrepareMesh, joins_only_triangles_of_one_surface) {
+TEST(PrepareMesh, merges_only_triangles_of_one_surface) {
     std::mt19937 random(kSeed);
     Soup soup;
     grid(soup, random, 10, 2, 0, [](const Vec2&) { return 0.0; });
@@ -240,7 +240,7 @@ TEST(PrepareMesh, joins_only_triangles_of_one_surface) {
     }
 }
 
-TEST(PrepareMesh, welds_like_a_comparison_of_all_with_all) {
+TEST(PrepareMesh, welds_the_same_points_as_an_all_pairs_comparison) {
     std::mt19937 random(kSeed);
     for (const double tolerance : {0.0, 1e-4, 3e-3})
         for (int round = 0; round < 20; ++round) {
@@ -275,7 +275,7 @@ TEST(PrepareMesh, welds_like_a_comparison_of_all_with_all) {
         }
 }
 
-TEST(PrepareMesh, drops_triangles_without_area_only_where_neighbours_cover_them) {
+TEST(PrepareMesh, drops_zero_area_triangles_only_if_neighbours_cover_them) {
     Soup soup;
     triangle(soup, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     triangle(soup, {0, 0, 0}, {0.4, 0, 0}, {1, 0, 0});  // degenerate, on the edge of the first
@@ -307,7 +307,7 @@ Soup untidy() {
     return soup;
 }
 
-TEST(PrepareMesh, loses_nothing_of_soups_that_fit_no_half_edge_structure) {
+TEST(PrepareMesh, loses_no_triangle_of_non_manifold_soups) {
     std::mt19937 random(kSeed);
     for (const double simplify : {0.0, 1e-3}) {
         const Soup soup = untidy();
@@ -320,7 +320,7 @@ TEST(PrepareMesh, loses_nothing_of_soups_that_fit_no_half_edge_structure) {
     }
 }
 
-TEST(PrepareMesh, makes_curves_coarser_within_the_bound_and_says_how_far_off_they_are) {
+TEST(PrepareMesh, makes_curves_coarser_within_the_error_bound_and_reports_the_deviation) {
     std::mt19937 random(kSeed);
     for (const double bound : {1e-2, 5e-3}) {
         Soup soup;
@@ -451,7 +451,7 @@ std::shared_ptr<const HapticScene> scene_of(const PreparedMesh& mesh) {
     return builder.build();
 }
 
-TEST(PrepareMesh, leaves_touch_within_a_micrometre_of_the_mesh_as_filed) {
+TEST(PrepareMesh, keeps_touch_within_a_micrometre_of_the_original_mesh) {
     std::mt19937 random(kSeed);
     for (const Family& family : families(random)) {
         if (family.bound_m > 1e-9) continue;
@@ -489,7 +489,7 @@ TEST(PrepareMesh, leaves_touch_within_a_micrometre_of_the_mesh_as_filed) {
 }
 
 // Slivers of aspect 1e3 to 1e7 in a plane, as in the hard case of that name; joined, they make the plane.
-TEST(PrepareMesh, makes_a_plane_of_slivers_feel_like_a_plane) {
+TEST(PrepareMesh, makes_a_plane_of_sliver_triangles_feel_like_a_plane) {
     constexpr double b = 0.1, r = 0.005;
     for (const double aspect : {1e3, 1e5, 1e7})
         for (const bool exact : {true, false}) {

@@ -24,7 +24,7 @@ Scene scene_of(const Primitive& primitive) {
     return scene;
 }
 
-TEST(CompileHaptic, makes_every_exact_shape_the_obstacle_it_is_standing_or_as_a_body) {
+TEST(CompileHaptic, turns_every_exact_shape_into_its_obstacle_whether_static_or_a_body) {
     const std::array kinds{ObstacleKind::Box, ObstacleKind::Sphere, ObstacleKind::Cylinder, ObstacleKind::Cone,
                            ObstacleKind::Capsule};
     for (std::size_t k = 0; k < kinds.size(); ++k) {
@@ -46,7 +46,7 @@ TEST(CompileHaptic, makes_every_exact_shape_the_obstacle_it_is_standing_or_as_a_
 }
 
 // Force and proxy along a hand path, for a placed shape, turned back into the shape's own frame.
-TEST(CompileHaptic, moved_turned_and_scaled_shapes_push_as_they_did_moved_turned_and_scaled) {
+TEST(CompileHaptic, moved_turned_and_scaled_shapes_push_like_the_transformed_originals) {
     const std::uint32_t seed0 = test::seed_of_run();
     std::size_t touched = 0;  // over all rounds, since a single path may miss a thin shape
     for (int round = 0; round < scaled(20); ++round) {

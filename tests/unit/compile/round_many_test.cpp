@@ -28,7 +28,7 @@ std::shared_ptr<const Scene> cubes(std::size_t count) {
     return std::make_shared<const Scene>(std::move(scene));
 }
 
-TEST(RoundMany, leaves_all_edges_sharp_beyond_a_number_of_solids_and_says_so) {
+TEST(RoundMany, leaves_all_edges_sharp_above_a_number_of_solids_and_reports_it) {
     CompileReport few, many;
     EXPECT_TRUE(any_rounded(*compile_haptic(*cubes(300), exploring(0.05), &few)));
     EXPECT_EQ(few.rounding.too_many, 0U);
@@ -41,7 +41,7 @@ TEST(RoundMany, leaves_all_edges_sharp_beyond_a_number_of_solids_and_says_so) {
                     "All edges stay sharp: there are 100001 solids, and edges are rounded for at most 100000."));
 }
 
-TEST(RoundMany, makes_nothing_once_it_is_not_wanted_any_more) {
+TEST(RoundMany, returns_nothing_after_cancellation) {
     const auto scene = cubes(50);
     std::stop_source stop;
     CompileOptions options = exploring(0.05);

@@ -63,7 +63,7 @@ bool is_solid(const Scene& scene, const Vec3& p, bool with_leaves = true) {
 }
 
 // Doors, openings without doors, and many small things, each of which is checked more than once.
-TEST(SimplifyScene, looks_at_nothing_more_once_it_is_not_wanted_wherever_that_comes) {
+TEST(SimplifyScene, stops_at_once_when_cancelled_at_any_step) {
     TwoRooms rooms;
     for (int i = 0; i < 30; ++i)
         rooms.thing({0.2 * i, 1.0, 0.0}, {0.2 * i + 0.1, 1.1, 0.5}, "cup " + std::to_string(i));
@@ -86,7 +86,7 @@ TEST(SimplifyScene, looks_at_nothing_more_once_it_is_not_wanted_wherever_that_co
     }
 }
 
-TEST(SimplifyScene, widens_a_doorway_to_both_sides_and_its_leaf_with_it) {
+TEST(SimplifyScene, widens_a_doorway_to_both_sides_together_with_its_leaf) {
     TwoRooms rooms;
     const Simplification plan = plan_simplification(rooms.scene(), at_scale(kBuilding));
     ASSERT_EQ(plan.openings.size(), 1U);
@@ -108,7 +108,7 @@ TEST(SimplifyScene, widens_a_doorway_to_both_sides_and_its_leaf_with_it) {
     EXPECT_TRUE(is_solid(felt, {3.1, 6.1, 1.0})) << "3.1372 is where it ends";
 }
 
-TEST(SimplifyScene, does_nothing_where_everything_can_be_felt) {
+TEST(SimplifyScene, does_nothing_if_everything_can_be_felt) {
     TwoRooms rooms;
     rooms.thing({1, 1, 0}, {1.3, 1.2, 0.5}, "stool");
     for (const double scale : {15.0, 60.0, 90.0, 0.0, -1.0, std::numeric_limits<double>::infinity()}) {
@@ -119,7 +119,7 @@ TEST(SimplifyScene, does_nothing_where_everything_can_be_felt) {
     EXPECT_TRUE(plan_simplification(Scene{}, at_scale(500.0)).changes_nothing());
 }
 
-TEST(SimplifyScene, leaves_out_what_is_under_an_eighth_of_an_inch_and_not_wanted) {
+TEST(SimplifyScene, omits_unneeded_things_under_an_eighth_of_an_inch) {
     TwoRooms rooms;
     const FeatureId stool = rooms.thing({1, 1, 0}, {1.3, 1.2, 0.5}, "stool"),
                     pole = rooms.thing({2, 1, 0}, {2.1, 1.1, 2.5}, "pole");
@@ -146,14 +146,14 @@ TEST(SimplifyScene, leaves_out_what_is_under_an_eighth_of_an_inch_and_not_wanted
     EXPECT_EQ(plan_simplification(rooms.scene(), at_scale(60.0)).left_out, std::vector<FeatureId>{pole});
 }
 
-TEST(SimplifyScene, keeps_a_thing_that_is_most_of_the_world) {
+TEST(SimplifyScene, keeps_a_thing_that_makes_up_most_of_the_world) {
     test::SceneBuilder builder;
     builder.box({0, 0, 0}, {0.1, 0.1, 0.1}, "figure");
     builder.scene().bounds_m = {{0, 0, 0}, {0.1, 0.1, 0.1}};
     EXPECT_TRUE(plan_simplification(builder.scene(), at_scale(60.0)).changes_nothing());
 }
 
-TEST(SimplifyScene, leaves_no_hole_in_a_wall_where_a_window_or_a_piece_of_the_wall_is_small) {
+TEST(SimplifyScene, leaves_no_hole_where_a_window_or_a_piece_of_wall_is_small) {
     TwoRooms rooms;
     std::erase_if(rooms.scene().solids, [](const Solid& s) { return s.shape.bounds_m.min_m == Vec3(4.4, 6.0, 0.0); });
     rooms.wall({4.4, 6, 0}, {6, 6.2, 2.6});
@@ -172,7 +172,7 @@ TEST(SimplifyScene, leaves_no_hole_in_a_wall_where_a_window_or_a_piece_of_the_wa
         << window.value << stub.value;
 }
 
-TEST(SimplifyScene, stops_at_a_wall_that_stands_across_and_widens_the_other_way) {
+TEST(SimplifyScene, stops_widening_at_a_crossing_wall_and_widens_to_the_other_side) {
     // A third room in the north-west; its wall meets the doorway's wall 0.1 m west of the doorway.
     TwoRooms rooms;
     rooms.wall({3.2, 6.2, 0}, {3.4, 12.2, 2.6});
@@ -183,7 +183,7 @@ TEST(SimplifyScene, stops_at_a_wall_that_stands_across_and_widens_the_other_way)
     EXPECT_FALSE(plan.openings[0].stays_narrow());
 }
 
-TEST(SimplifyScene, says_what_stays_narrow_between_two_walls_that_stand_across) {
+TEST(SimplifyScene, reports_an_opening_that_stays_narrow_between_two_crossing_walls) {
     TwoRooms rooms;
     rooms.wall({3.2, 6.2, 0}, {3.4, 12.2, 2.6});
     rooms.wall({4.5, 0, 0}, {4.7, 6.0, 2.6});
@@ -195,7 +195,7 @@ TEST(SimplifyScene, says_what_stays_narrow_between_two_walls_that_stand_across) 
     EXPECT_NEAR(plan.openings[0].felt_width_m(), 1.1, 1e-9);
 }
 
-TEST(SimplifyScene, does_not_cut_into_what_is_a_thing_of_its_own) {
+TEST(SimplifyScene, never_cuts_into_a_separately_named_thing) {
     TwoRooms rooms;
     rooms.thing({4.6, 6, 0}, {5.8, 6.2, 2.0}, "Window");  // it is inside the wall
     const Simplification plan = plan_simplification(rooms.scene(), at_scale(kBuilding));
@@ -221,7 +221,7 @@ TEST(SimplifyScene, keeps_a_piece_of_wall_between_two_doorways) {
     EXPECT_FALSE(plan.openings[1].stays_narrow()) << "and to the east";
 }
 
-TEST(SimplifyScene, widens_an_opening_that_has_no_door_only_where_it_is_told_of) {
+TEST(SimplifyScene, widens_doorless_openings_only_at_the_given_places) {
     TwoRooms rooms(3.5, Vec3(0.0), false);
     EXPECT_TRUE(plan_simplification(rooms.scene(), at_scale(kBuilding)).openings.empty());
     SimplifyOptions options = at_scale(kBuilding);
@@ -235,7 +235,7 @@ TEST(SimplifyScene, widens_an_opening_that_has_no_door_only_where_it_is_told_of)
     EXPECT_FALSE(is_solid(felt, {3.2, 6.1, 1.0}));
 }
 
-TEST(SimplifyScene, stretches_a_leaf_that_slides_and_one_that_swings_so_that_both_ends_of_their_way_are_right) {
+TEST(SimplifyScene, stretches_sliding_and_swinging_leaves_so_that_both_end_positions_fit) {
     for (const bool swings : {false, true}) {
         TwoRooms rooms;
         Mover mover;
@@ -269,7 +269,7 @@ TEST(SimplifyScene, stretches_a_leaf_that_slides_and_one_that_swings_so_that_bot
     }
 }
 
-TEST(SimplifyScene, widens_a_doorway_under_which_the_floor_has_a_hole) {
+TEST(SimplifyScene, widens_a_doorway_above_a_hole_in_the_floor) {
     TwoRooms rooms;
     std::erase_if(rooms.scene().solids, [](const Solid& s) { return s.shape.bounds_m.max_m.z == 0.0; });
     rooms.wall({0, 0, -0.4}, {8, 6, 0}, FeatureKind::Floor);
@@ -300,7 +300,7 @@ Scene turned(Scene scene, double angle_rad) {
     return scene;
 }
 
-TEST(SimplifyScene, widens_doorways_that_stand_aslant_as_those_that_do_not) {
+TEST(SimplifyScene, widens_slanted_doorways_like_straight_ones) {
     for (const double degrees : {7.0, 45.0, 90.0, 133.0, 200.0}) {
         TwoRooms rooms;
         rooms.wall({3.2, 6.2, 0}, {3.4, 12.2, 2.6});
@@ -321,7 +321,7 @@ TEST(SimplifyScene, widens_doorways_that_stand_aslant_as_those_that_do_not) {
     }
 }
 
-TEST(SimplifyScene, leaves_doors_alone_that_are_no_doorways) {
+TEST(SimplifyScene, does_not_change_doors_that_are_not_in_a_doorway) {
     test::SceneBuilder builder;
     builder.box({0, 0, -0.3}, {20, 20, 0}, "floor", SolidRole::Solid, "", FeatureKind::Floor);
     builder.box({2, 2, 0}, {2.9, 2.05, 2}, "in the open", SolidRole::Mover, "", FeatureKind::Door);
@@ -342,7 +342,7 @@ TEST(SimplifyScene, leaves_doors_alone_that_are_no_doorways) {
     EXPECT_EQ(plan.openings[0].doors, std::vector<FeatureId>{deep});
 }
 
-TEST(SimplifyScene, takes_two_leaves_in_one_doorway_for_one) {
+TEST(SimplifyScene, treats_two_leaves_in_one_doorway_as_one) {
     TwoRooms rooms(3.5, Vec3(0.0), false);
     const FeatureId west =
         rooms.builder.box({3.5, 6.0, 0}, {3.95, 6.05, 2.08}, "West leaf", SolidRole::Mover, "wood", FeatureKind::Door);
@@ -362,7 +362,7 @@ TEST(SimplifyScene, takes_two_leaves_in_one_doorway_for_one) {
 }
 
 // Brute force: random places all over the building.
-TEST(SimplifyScene, changes_nothing_but_what_is_in_a_cut_a_leaf_or_left_out) {
+TEST(SimplifyScene, changes_only_cuts_door_leaves_and_omitted_things) {
     const std::uint32_t seed = test::seed_of_run();
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
@@ -422,7 +422,7 @@ TEST(SimplifyScene, changes_nothing_but_what_is_in_a_cut_a_leaf_or_left_out) {
     }
 }
 
-TEST(SimplifyScene, compiles_with_a_placed_thing_left_out_and_every_other_number_kept) {
+TEST(SimplifyScene, omits_a_placed_thing_and_keeps_the_numbers_of_all_others) {
     TwoRooms rooms;
     Scene world = *with_placed(rooms.scene(), "crumb", *box_model({0.1, 0.1, 0.1}), {{1, 1, 0.05}, {}, 1.0}, "");
     world = *with_placed(world, "crate", *box_model({1.5, 1.5, 1.0}), {{6, 3, 0.5}, {}, 1.0}, "");
@@ -435,7 +435,7 @@ TEST(SimplifyScene, compiles_with_a_placed_thing_left_out_and_every_other_number
     EXPECT_EQ(haptic->bodies[1].shape->obstacles.size(), 1U);
 }
 
-TEST(SimplifyScene, widens_every_door_of_the_house_at_the_scale_of_the_whole_building) {
+TEST(SimplifyScene, widens_every_door_of_the_house_at_building_scale) {
     auto house = read_world(test::project_root() / "worlds/maps/house.map");
     ASSERT_TRUE(house);
     const Simplification plan = plan_simplification(*house, at_scale(kBuilding));

@@ -12,7 +12,7 @@ namespace handrail::test {
 namespace touch_model_test {
 using testing::ElementsAre;
 
-TEST(TouchModelWords, stand_in_every_language_and_for_nothing_else) {
+TEST(TouchModelWords, exist_in_every_language_and_for_nothing_else) {
     const TouchModel model = touch_model(HapticScene{});
     std::set<std::string> known;
     for (const TouchModel::Part& part : model.parts) known.insert("touch_part." + std::string(part.key));
@@ -30,7 +30,7 @@ TEST(TouchModelWords, stand_in_every_language_and_for_nothing_else) {
     }
 }
 
-TEST(TouchModelWords, follow_the_number) {
+TEST(TouchModelWords, have_correct_singular_and_plural) {
     EXPECT_EQ(spoken_part({"liquids_with_drag", 1}), "1 liquid with drag");
     EXPECT_EQ(spoken_part({"triangles", 12345}), "12345 triangles");
     const InLanguage german("de");
@@ -39,7 +39,7 @@ TEST(TouchModelWords, follow_the_number) {
     EXPECT_EQ(spoken_stage("liquid surfaces"), "Oberflächen von Flüssigkeiten");
 }
 
-TEST(CompileReports, are_whole_sentences_in_german_too) {
+TEST(CompileReports, are_whole_sentences_in_german) {
     const InLanguage german("de");
     MeshReport mesh;
     mesh.points_welded = 1;

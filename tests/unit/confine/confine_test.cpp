@@ -89,12 +89,12 @@ protected:
 
 class Computing : public Confined {};
 
-TEST_F(Computing, gets_what_the_kernel_offers) {
+TEST_F(Computing, receives_the_protection_that_the_kernel_offers) {
     const Confinement offered = confinement_offered();
     EXPECT_EQ(ending_of([&] { return confine({}) == offered ? 0 : 1; }), kWentThrough);
 }
 
-TEST_F(Computing, opens_and_makes_no_file) {
+TEST_F(Computing, opens_and_creates_no_file) {
     ASSERT_EQ(ending_of([&] { return open_error(secret_); }), kWentThrough);
     const auto refused = testing::AnyOf(kRefused, kNotPermitted);
     EXPECT_THAT(confined({}, [&] { return open_error(secret_); }), refused);
@@ -105,7 +105,7 @@ TEST_F(Computing, opens_and_makes_no_file) {
     EXPECT_EQ(test::content_of(secret_), "of the person");
 }
 
-TEST_F(Computing, ends_at_a_socket_and_at_a_program) {
+TEST_F(Computing, terminates_on_opening_a_socket_or_starting_a_program) {
     EXPECT_EQ(confined({}, [] { return socket_error(AF_UNIX, SOCK_STREAM); }), kKilled);
     EXPECT_EQ(confined({}, [] { return socket_error(AF_INET, SOCK_STREAM); }), kKilled);
     EXPECT_EQ(confined({}, exec_error), kKilled);
@@ -120,7 +120,7 @@ TEST_F(Computing, reaches_no_other_process) {
 #endif
 }
 
-TEST_F(Computing, still_computes_with_memory_threads_exceptions_and_what_is_open) {
+TEST_F(Computing, can_still_use_memory_threads_exceptions_and_open_descriptors) {
     int ends[2] = {-1, -1};
     ASSERT_EQ(::pipe2(ends, O_CLOEXEC), 0);
     const Descriptor from(ends[0]), to(ends[1]), open(::open(secret_.c_str(), O_RDONLY | O_CLOEXEC));
@@ -158,7 +158,7 @@ protected:
     }
 };
 
-TEST_F(Driving, opens_only_what_is_permitted_now_or_later) {
+TEST_F(Driving, opens_only_files_permitted_at_the_start_or_later) {
     const test::TemporaryFolder devices, system;
     const fs::path fact = system.write("fact", "1");
     Permissions permissions = nothing();
@@ -191,9 +191,9 @@ TEST_F(Driving, opens_only_what_is_permitted_now_or_later) {
               kNotPermitted);
 }
 
-TEST_F(Driving, starts_no_program_and_goes_on) { EXPECT_EQ(confined(nothing(), exec_error), kRefused); }
+TEST_F(Driving, starts_no_other_program) { EXPECT_EQ(confined(nothing(), exec_error), kRefused); }
 
-TEST_F(Driving, gets_no_socket_but_those_that_are_permitted) {
+TEST_F(Driving, gets_only_permitted_sockets) {
     for (const int family : {AF_UNIX, AF_INET, AF_INET6, AF_NETLINK, AF_PACKET})
         EXPECT_EQ(confined(nothing(), [=] { return socket_error(family, SOCK_DGRAM); }), kRefused) << family;
     // The kernel uses only the lower half of the number.
@@ -213,7 +213,7 @@ TEST_F(Driving, gets_no_socket_but_those_that_are_permitted) {
     EXPECT_EQ(confined(internet, [] { return socket_error(AF_INET, SOCK_DGRAM); }), kWentThrough);
 }
 
-TEST_F(Driving, connects_to_a_permitted_port_alone) {
+TEST_F(Driving, connects_only_to_a_permitted_port) {
     if (confinement_offered().landlock < 4) GTEST_SKIP() << "Landlock knows ports since version 4";
     Permissions permissions = nothing();
     permissions.tcp_ports = {1};
@@ -234,7 +234,7 @@ TEST_F(Driving, reaches_no_other_process_but_may_end_itself) {
 }
 
 // Simulates a kernel that was built without either, or a container that hides them.
-TEST(Confinement, that_the_kernel_does_not_offer_is_reported_and_changes_nothing) {
+TEST(Confinement, that_the_kernel_lacks_is_reported_and_changes_nothing) {
     const test::TemporaryFolder folder;
     const fs::path file = folder.write("file", "");
     EXPECT_EQ(ending_of([&] {
@@ -253,7 +253,7 @@ TEST(Confinement, that_the_kernel_does_not_offer_is_reported_and_changes_nothing
               kWentThrough);
 }
 
-TEST(Confinement, is_one_sentence_for_whatever_the_kernel_offers) {
+TEST(Confinement, is_described_in_one_sentence_for_every_kernel) {
     using testing::AllOf;
     using testing::HasSubstr;
     using testing::Not;

@@ -17,7 +17,7 @@ struct Typist {
     ~Typist() { speak_to_typist(false); }
 };
 
-TEST(ActingWords, are_the_words_of_commands_for_who_types) {
+TEST(ActingWords, name_typed_commands_if_the_person_types) {
     const Typist typist;
     EXPECT_EQ(KeyMap({}).keys_of(Command::DropMark), "mark");
     test::AppSession s;
@@ -35,7 +35,7 @@ TEST(ActingWords, are_the_words_of_commands_for_who_types) {
             EXPECT_EQ(line.find(word), std::string::npos) << line;
 }
 
-TEST(ActingWords, are_keys_for_who_presses_them) {
+TEST(ActingWords, name_keys_if_the_person_uses_keys) {
     test::AppSession s;
     s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
     s.run(0.1);
@@ -44,7 +44,7 @@ TEST(ActingWords, are_keys_for_who_presses_them) {
               "You have not kept a route here yet. Control+8 keeps the route that you planned or walked last.");
 }
 
-TEST(WithNoDevice, no_force_is_spoken_of) {
+TEST(WithNoDevice, nothing_is_said_about_force) {
     test::AppSession s;
     s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
     s.run(0.1);
@@ -62,7 +62,7 @@ TEST(WithNoDevice, no_force_is_spoken_of) {
     EXPECT_TRUE(s.app.hand().tuning.forces_on) << "a device that is plugged in later is not off";
 }
 
-TEST(WhatGivesWay, is_named_while_it_is_pressed) {
+TEST(WhatGivesWay, is_announced_while_it_is_pressed) {
     for (const char* soft : {"elastic", "plastic"}) {
         const std::string room = test::room_brushes(0, 0, 0, 320, 640, 128);
         const std::string cushion =

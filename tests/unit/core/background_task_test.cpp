@@ -24,7 +24,7 @@ int until_stopped(const std::stop_token& stop) {
     return -1;
 }
 
-TEST(BackgroundTask, gives_what_was_made_once) {
+TEST(BackgroundTask, delivers_each_result_once) {
     BackgroundTask<int> task(on_threads(), "test");
     EXPECT_FALSE(task.busy());
     EXPECT_FALSE(task.take());
@@ -35,7 +35,7 @@ TEST(BackgroundTask, gives_what_was_made_once) {
     EXPECT_FALSE(task.take());
 }
 
-TEST(BackgroundTask, counts_only_the_last_of_what_was_begun) {
+TEST(BackgroundTask, delivers_only_the_result_of_the_latest_start) {
     BackgroundTask<int> task(on_threads(), "test");
     task.begin(until_stopped);
     task.begin([](const std::stop_token&) { return 1; });
@@ -44,7 +44,7 @@ TEST(BackgroundTask, counts_only_the_last_of_what_was_begun) {
     EXPECT_FALSE(task.busy());
 }
 
-TEST(BackgroundTask, forgets_what_was_given_up_and_ends_with_its_owner) {
+TEST(BackgroundTask, discards_abandoned_work_and_ends_with_its_owner) {
     const auto held = std::make_shared<int>(3);
     {
         BackgroundTask<int> task(on_threads(), "test");
@@ -57,7 +57,7 @@ TEST(BackgroundTask, forgets_what_was_given_up_and_ends_with_its_owner) {
     EXPECT_EQ(held.use_count(), 1);
 }
 
-TEST(BackgroundTask, makes_nothing_where_memory_does_not_suffice_and_goes_on_afterwards) {
+TEST(BackgroundTask, delivers_nothing_when_memory_runs_out_and_can_be_started_again) {
     BackgroundTask<int> task(on_threads(), "test");
     task.begin([](const std::stop_token&) -> int { throw std::bad_alloc(); });
     EXPECT_TRUE(test::eventually([&] {
@@ -90,7 +90,7 @@ TEST(BackgroundTask, queries_its_own_arrivals_while_another_session_has_its_turn
     EXPECT_TRUE(told_to_other.empty());
 }
 
-TEST(BackgroundTask, is_done_when_it_was_begun_without_threads) {
+TEST(BackgroundTask, finishes_at_once_if_there_are_no_threads) {
     BackgroundTask<int> task(at_once(), "test");
     task.begin([](const std::stop_token&) { return 1; });
     task.begin([](const std::stop_token&) { return 2; });
@@ -99,7 +99,7 @@ TEST(BackgroundTask, is_done_when_it_was_begun_without_threads) {
     EXPECT_FALSE(task.busy());
 }
 
-TEST(Executor, names_its_threads_or_has_none) {
+TEST(Executor, names_its_threads_or_runs_without_threads) {
     std::string name;
     std::thread::id ran;
     const auto note = [&] {

@@ -152,7 +152,7 @@ TEST(Brevity, help_is_a_list_by_topic_with_a_search) {
     }
 }
 
-TEST(Brevity, ahead_is_what_a_body_bumps_into) {
+TEST(Brevity, ahead_names_the_thing_that_the_body_would_bump_into) {
     test::SceneBuilder builder;
     builder.box({-5, -5, -0.2}, {5, 5, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
     builder.box({-5, 3, 0}, {5, 3.2, 2.6}, "north wall", SolidRole::Solid, {}, FeatureKind::Wall);
@@ -173,7 +173,7 @@ TEST(Brevity, ahead_is_what_a_body_bumps_into) {
     EXPECT_THAT(s.ask(Command::WhereAmI), HasSubstr("Ahead: shelf, ")) << "at the height of the head";
 }
 
-TEST(Brevity, what_is_around_is_told_without_its_direction_twice) {
+TEST(Brevity, around_me_names_each_direction_only_once) {
     for (const char* world : kWorlds)
         in_every_room(world, [&](AppSession& s, const DrawnRoom&) {
             for (const std::string& sentence : sentences_of(s.ask(Command::AroundMe)))
@@ -188,7 +188,7 @@ TEST(Brevity, what_is_around_is_told_without_its_direction_twice) {
         });
 }
 
-TEST(FindList, holds_several_of_one_name_once_and_finds_by_any_word) {
+TEST(FindList, lists_each_name_once_and_finds_it_by_any_word) {
     AppSession s;
     s.app.apply(WorldEntered{make_ready(test::our_world("school.map"))}, 0.0);
     s.run(0.1);
@@ -218,7 +218,7 @@ TEST(FindList, holds_several_of_one_name_once_and_finds_by_any_word) {
     EXPECT_EQ(s.app.guide().goal()->name, "Table");
 }
 
-TEST(FindList, is_narrowed_to_one_kind) {
+TEST(FindList, can_be_narrowed_to_one_kind) {
     AppSession s;
     s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
     s.run(0.1);
@@ -237,7 +237,7 @@ TEST(FindList, is_narrowed_to_one_kind) {
     EXPECT_EQ(s.app.dialogue().view().items.size(), all);
 }
 
-TEST(Lists, answer_what_only_asks_and_keep_to_their_items_otherwise) {
+TEST(Lists, answer_questions_but_otherwise_accept_only_their_items) {
     AppSession s;
     s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
     s.run(0.1);
@@ -249,7 +249,7 @@ TEST(Lists, answer_what_only_asks_and_keep_to_their_items_otherwise) {
     EXPECT_TRUE(s.app.dialogue().is_open());
 }
 
-TEST(Lists, are_left_with_the_program_by_quit_after_asking) {
+TEST(Lists, are_left_together_with_the_program_by_a_confirmed_quit) {
     for (const char* word : {"quit", "leave"}) {
         SCOPED_TRACE(word);
         AppSession s;

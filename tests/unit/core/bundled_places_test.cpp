@@ -92,7 +92,7 @@ TEST_P(BundledPlaces, every_door_leads_on_and_every_room_has_a_landmark) {
 
 // Every text of the map exists in every language that comes with the program. Two things with different names in
 // English also have different names there.
-TEST_P(BundledPlaces, names_are_there_in_every_bundled_language) {
+TEST_P(BundledPlaces, names_exist_in_every_bundled_language) {
     const auto read = read_world(test::project_root() / "worlds" / "maps" / GetParam());
     ASSERT_TRUE(read);
     const auto has_all = [](const std::string& text, const OtherLanguages& others) {
@@ -126,7 +126,7 @@ TEST_P(BundledPlaces, names_are_there_in_every_bundled_language) {
 
 // From every place that can be reached from the base, on foot, by stairs or over an edge, there is a route back to the
 // base. No pond or pit traps anybody.
-TEST_P(BundledPlaces, the_base_is_reached_again_from_wherever_one_gets_to) {
+TEST_P(BundledPlaces, the_base_can_be_walked_to_again_from_every_reachable_place) {
     const auto read = read_world(test::project_root() / "worlds" / "maps" / GetParam());
     ASSERT_TRUE(read);
     const BodySize body = body_size(*read, 0.25);

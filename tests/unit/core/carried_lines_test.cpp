@@ -40,7 +40,7 @@ protected:
     HeadlessSession session_{Settings{}, HandFacts{}, audio_, speech_};
 };
 
-TEST_F(CarriedLinesInTheHouse, are_commands_where_the_open_list_has_no_use_for_them) {
+TEST_F(CarriedLinesInTheHouse, are_commands_if_the_open_list_has_no_use_for_them) {
     for (const char* list : {"menu", "find", "routes", "find piano", "describe"}) {
         type(list);
         ASSERT_TRUE(list_is_open()) << list;
@@ -57,7 +57,7 @@ TEST_F(CarriedLinesInTheHouse, are_commands_where_the_open_list_has_no_use_for_t
     }
 }
 
-TEST_F(CarriedLinesInTheHouse, choose_from_the_open_list_before_they_are_commands) {
+TEST_F(CarriedLinesInTheHouse, choose_from_the_open_list_before_they_count_as_commands) {
     EXPECT_NE(type("describe").find("Which room to describe."), std::string::npos);
     EXPECT_NE(type("kitchen").find("Kitchen: 4.5 by 3 metres"), std::string::npos);
     type("menu");
@@ -69,7 +69,7 @@ TEST_F(CarriedLinesInTheHouse, choose_from_the_open_list_before_they_are_command
     EXPECT_NE(type("escape").find("Closed"), std::string::npos);
 }
 
-TEST_F(CarriedLinesInTheHouse, leave_no_list_open_that_nobody_asked_for) {
+TEST_F(CarriedLinesInTheHouse, open_no_list_that_the_person_did_not_request) {
     for (const auto& [line, answer] :
          {std::pair("where is the unicorn", "Nothing called \"unicorn\" was found. Type find to hear what there is."),
           std::pair("how do i get to the moon", "Nothing called \"moon\" was found. Type routes to hear"),

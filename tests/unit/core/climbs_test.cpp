@@ -24,7 +24,7 @@ struct Visit : test::AppSession {
     }
 };
 
-TEST(Climbs, one_hears_of_the_stairs_on_coming_to_them_and_takes_them_up_and_down_by_the_key_that_is_told) {
+TEST(Climbs, stairs_are_announced_on_arrival_and_the_announced_key_takes_them_up_and_down) {
     Visit visit;
     visit.go_in();
     ASSERT_GT(visit.app.feet_m().y, 6.3) << "in the stairwell";
@@ -41,7 +41,7 @@ TEST(Climbs, one_hears_of_the_stairs_on_coming_to_them_and_takes_them_up_and_dow
     EXPECT_NEAR(visit.app.feet_m().z, 0.0, 0.02);
 }
 
-TEST(Climbs, a_door_that_one_faces_is_meant_by_the_key_and_not_the_stairs_behind_one) {
+TEST(Climbs, the_use_key_opens_the_door_ahead_rather_than_taking_the_stairs_behind) {
     Visit visit;
     visit.app.apply(Placed{{3.0, 6.6, visit.app.feet_m().z}, kPi}, visit.now);
     visit.run(0.5);
@@ -52,14 +52,14 @@ TEST(Climbs, a_door_that_one_faces_is_meant_by_the_key_and_not_the_stairs_behind
     EXPECT_TRUE(visit.heard("oor opens")) << visit.said.back();
 }
 
-TEST(Climbs, away_from_its_ends_the_key_uses_other_things_or_says_that_there_are_none) {
+TEST(Climbs, away_from_the_stairs_the_use_key_acts_on_other_things_or_reports_nothing_to_use) {
     Visit visit;
     EXPECT_THAT(visit.ask(Command::Use), Not(HasSubstr("stairs")));
     EXPECT_NEAR(visit.app.feet_m().z, 0.0, 0.02);
 }
 
 // On the middle storey one flight begins where the other ends, and a door is equally near.
-TEST(Climbs, on_a_way_the_key_takes_the_flight_that_the_way_leads_over_in_its_direction) {
+TEST(Climbs, on_a_route_the_use_key_takes_the_flight_of_that_route_in_its_direction) {
     test::AppSession person;
     person.app.apply(WorldEntered{make_ready(test::hall_with(PlanSpaceKind::Stairs, "Spiral stairs", 1.6, 1.6, 3))},
                      0.0);
@@ -79,7 +79,7 @@ TEST(Climbs, on_a_way_the_key_takes_the_flight_that_the_way_leads_over_in_its_di
     }
 }
 
-TEST(Climbs, are_among_the_exits_and_on_the_way) {
+TEST(Climbs, are_listed_among_the_exits_and_on_the_route) {
     Visit visit;
     visit.go_in();
     EXPECT_THAT(visit.ask(Command::Exits), HasSubstr("Stairs, in one go to Spiral stairs, Level 1"));

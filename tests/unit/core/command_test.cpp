@@ -19,7 +19,7 @@ TEST(CommandTable, lists_every_command_once_in_order) {
 }
 
 // The demonstration keys of the original program keep their meanings for ever.
-TEST(KeyMap, keeps_the_keys_of_the_original) {
+TEST(KeyMap, keeps_the_key_bindings_of_the_original_program) {
     const KeyMap keys({});
     const std::map<std::string, Command> original{{"Left", Command::TurnLeft},  {"Right", Command::TurnRight},
                                                   {"Up", Command::Forward},     {"Down", Command::Back},
@@ -29,7 +29,7 @@ TEST(KeyMap, keeps_the_keys_of_the_original) {
 }
 
 // Orca and NVDA reserve Insert and the keypad, so no set of keys uses them.
-TEST(KeyMap, needs_no_key_that_screen_readers_keep) {
+TEST(KeyMap, needs_no_key_that_screen_readers_reserve) {
     for (const KeyboardHand hand : {KeyboardHand::Both, KeyboardHand::Left, KeyboardHand::Right}) {
         const KeyMap keys({}, hand);
         EXPECT_EQ(keys.find("Shift+M"), Command::DropMark);
@@ -47,7 +47,7 @@ TEST(KeyMap, needs_no_key_that_screen_readers_keep) {
     }
 }
 
-TEST(KeyMap, lets_the_person_change_keys_and_says_what_clashes) {
+TEST(KeyMap, lets_the_person_change_keys_and_reports_conflicts) {
     const KeyMap keys({{"where", "Alt+W"}, {"wher", "X"}, {"heading", "E"}});
     const std::vector<std::string>& problems = keys.problems();
     EXPECT_EQ(keys.find("alt+w"), Command::WhereAmI);

@@ -13,7 +13,7 @@
 namespace handrail {
 namespace command_texts_test {
 
-TEST(CommandTexts, are_there_for_every_command_and_for_nothing_else) {
+TEST(CommandTexts, exist_for_every_command_and_for_nothing_else) {
     std::set<std::string> wanted;
     for (const CommandInfo& row : command_table()) wanted.insert("command." + std::string(row.word));
     for (const LanguageName& language : bundled_languages()) {
@@ -24,7 +24,7 @@ TEST(CommandTexts, are_there_for_every_command_and_for_nothing_else) {
     }
 }
 
-TEST(CommandTexts, name_no_key_that_a_window_does_not_know) {
+TEST(CommandTexts, name_only_keys_that_a_window_knows) {
     const std::string names = lower_ascii(test::content_of((test::project_root() / "app/window/keys.cpp").string()));
     std::size_t keys = 0;
     for (const auto& [key, pattern] : bundled_texts("en"))
@@ -35,7 +35,7 @@ TEST(CommandTexts, name_no_key_that_a_window_does_not_know) {
     EXPECT_GT(keys, 40U);
 }
 
-TEST(CommandTexts, are_said_in_german_with_the_names_of_german_keys) {
+TEST(CommandTexts, are_spoken_in_german_with_german_key_names) {
     const test::InLanguage german("de");
     EXPECT_EQ(info(Command::Forward).help(), "Ein Schritt vorwärts; gehalten: gehen.");
     EXPECT_EQ(find_command("forward")->command, Command::Forward);

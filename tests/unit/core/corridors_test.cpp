@@ -38,7 +38,7 @@ std::vector<CellStrip> all_looked_at(std::vector<bool> free, int width, int dept
     }
 }
 
-TEST(Corridors, are_the_largest_strips_of_free_cells_one_after_another_and_cover_them_all) {
+TEST(Corridors, are_the_largest_strips_of_free_cells_in_order_and_cover_them_all) {
     std::mt19937 random(20261124);
     for (int round = 0; round < 60; ++round) {
         const int width = 1 + static_cast<int>(random() % 9), depth = 1 + static_cast<int>(random() % 9);
@@ -59,7 +59,7 @@ TEST(Corridors, are_the_largest_strips_of_free_cells_one_after_another_and_cover
     EXPECT_TRUE(largest_strips({false}, 1, 1).empty());
 }
 
-TEST(Corridors, of_our_labyrinths_join_each_other_both_ways_and_the_ball_lies_in_the_first) {
+TEST(Corridors, of_the_bundled_labyrinths_are_mutually_connected_and_the_ball_starts_in_the_first) {
     for (const char* map : {"labyrinth1.map", "labyrinth2.map", "labyrinth3.map"}) {
         SCOPED_TRACE(map);
         const EnteringWorld world = make_ready(test::our_world(map));

@@ -21,7 +21,7 @@ using test::TemporaryFolder;
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(CrashNotes, tell_the_last_acts_with_the_time_before_the_latest_and_repeated_ones_once) {
+TEST(CrashNotes, list_the_last_actions_with_times_before_the_end_and_repeated_ones_once) {
     CrashNotes notes({"Handrail 1."});
     EXPECT_THAT(notes.text(), HasSubstr("No actions were recorded before the end."));
     notes.note("forward", 10.0);
@@ -35,7 +35,7 @@ TEST(CrashNotes, tell_the_last_acts_with_the_time_before_the_latest_and_repeated
     EXPECT_LT(notes.text().size(), 4000U);
 }
 
-TEST(CrashNotes, hold_values_of_settings_only_where_they_name_nobody) {
+TEST(CrashNotes, contain_values_of_settings_only_if_they_identify_nobody) {
     EXPECT_TRUE(may_be_reported("0.8", "0 to 1"));
     EXPECT_TRUE(may_be_reported("-3", "any"));
     EXPECT_TRUE(may_be_reported("true", "true or false"));
@@ -82,7 +82,7 @@ void die_with(const fs::path& sessions, const std::string& text, const std::stri
     EXPECT_TRUE(written);
 }
 
-TEST(CrashReport, lies_beside_the_sessions_with_how_it_ended_and_where) {
+TEST(CrashReport, is_saved_next_to_the_sessions_with_cause_and_place) {
     const TemporaryFolder folder;
     const fs::path sessions = folder.path() / "sessions";
     die_with(sessions, "Handrail 1.\nforward: 0.0 seconds.\n", "11\nhandrail+0x1f\n-\n");
@@ -102,7 +102,7 @@ TEST(CrashReport, lies_beside_the_sessions_with_how_it_ended_and_where) {
     EXPECT_EQ(reports_beside(sessions).size(), 1U) << "and it stays";
 }
 
-TEST(CrashReport, of_a_kill_says_that_its_end_was_not_seen_and_a_session_that_was_left_leaves_none) {
+TEST(CrashReport, of_a_kill_says_that_the_end_was_not_seen_and_an_orderly_exit_leaves_no_report) {
     const TemporaryFolder folder;
     const fs::path sessions = folder.path() / "sessions";
     {
@@ -118,7 +118,7 @@ TEST(CrashReport, of_a_kill_says_that_its_end_was_not_seen_and_a_session_that_wa
     EXPECT_THAT(test::content_of(next.report()), HasSubstr("How the program ended is not known"));
 }
 
-TEST(CrashReport, only_the_newest_five_stay) {
+TEST(CrashReport, files_are_limited_to_the_newest_five) {
     const TemporaryFolder folder;
     const fs::path sessions = folder.path() / "sessions", reports = folder.path() / "crash-reports";
     fs::create_directories(reports);
@@ -174,7 +174,7 @@ TEST(MenuOfReports, lists_every_fault_of_the_settings) {
 
 // Opens the list of devices by its word, and from the desk by hand or key. The hand in use comes before the connected
 // devices.
-TEST(MenuOfReports, opens_the_devices_by_their_word_and_from_the_desk) {
+TEST(MenuOfReports, opens_the_list_of_devices_by_a_typed_command_and_from_the_desk) {
     const HandFacts falcon{true, false, *find_device_spec("falcon")};
     test::AppSession session({}, falcon);
     session.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, 0.0);
@@ -199,7 +199,7 @@ TEST(MenuOfReports, opens_the_devices_by_their_word_and_from_the_desk) {
     EXPECT_TRUE(session.app.requests().take_devices());
 }
 
-TEST(MenuOfReports, tells_the_devices_in_german) {
+TEST(MenuOfReports, describes_the_devices_in_german) {
     const test::InLanguage german("de");
     Settings settings;
     settings.speech.language = "de";

@@ -96,7 +96,7 @@ public:
 
 const char* const kDevices[] = {"sim-t", "sim-f"};
 
-TEST(DeskPanel, controls_are_large_enough_far_enough_apart_within_reach_and_all_there_on_every_device) {
+TEST(DeskPanel, controls_are_large_far_apart_reachable_and_complete_on_every_device) {
     Session app(Settings{}, HandFacts{});
     for (const DeviceSpec& spec : device_specs()) {
         SCOPED_TRACE(spec.name);
@@ -157,7 +157,7 @@ TEST(DeskPanel, the_hand_feels_a_detent_for_each_position_of_sliders_and_knobs) 
     EXPECT_EQ(ridges, slider->positions - 1);
 }
 
-TEST(DeskPanel, a_control_has_one_number_whichever_page_lies_there) {
+TEST(DeskPanel, a_control_has_the_same_number_on_every_page) {
     // Otherwise a control that is still pressed while the page turns would count as a different control of the new
     // page.
     Session app(Settings{}, HandFacts{});
@@ -181,7 +181,7 @@ TEST(DeskPanel, a_control_has_one_number_whichever_page_lies_there) {
 }
 
 // Every control gives the same result, whether the hand works it at the desk or keys work it in the list.
-TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
+TEST(Desk, every_control_can_be_read_and_changed_by_hand_and_by_keys) {
     for (const char* device : kDevices) {
         if (device != kDevices[0] && test::kSanitizerScale < 1.0) continue;
         DeskSession by_hand(device), by_keys(nullptr);
@@ -299,7 +299,7 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
     }
 }
 
-TEST(Desk, a_world_is_chosen_from_its_list_and_gone_to_by_the_button_beside_it) {
+TEST(Desk, a_world_is_chosen_from_its_list_and_entered_with_the_button_next_to_it) {
     DeskSession s(nullptr);
     Session& app = s.app();
     const std::size_t world = *app.desk_visit().desk().find("World"),
@@ -320,7 +320,7 @@ TEST(Desk, a_world_is_chosen_from_its_list_and_gone_to_by_the_button_beside_it) 
     EXPECT_FALSE(app.requests().take_world());
 }
 
-TEST(Desk, a_beacon_is_put_on_the_mark_of_its_list_and_taken_off_again) {
+TEST(Desk, a_beacon_can_be_set_on_a_mark_from_its_list_and_removed) {
     DeskSession s(nullptr);
     Session& app = s.app();
     const std::size_t mark = *app.desk_visit().desk().find("Mark"),
@@ -341,7 +341,7 @@ TEST(Desk, a_beacon_is_put_on_the_mark_of_its_list_and_taken_off_again) {
     EXPECT_EQ(app.desk_visit().press(beacon), "There are no marks yet. Insert or Shift+M sets one.");
 }
 
-TEST(Desk, steps_or_metres_where_one_is_and_what_is_explored_are_told_there) {
+TEST(Desk, steps_or_metres_position_and_explored_share_are_shown) {
     DeskSession s(nullptr);
     Session& app = s.app();
     const std::size_t units = *app.desk_visit().desk().find("Steps or metres"),
@@ -362,7 +362,7 @@ TEST(Desk, steps_or_metres_where_one_is_and_what_is_explored_are_told_there) {
     EXPECT_NE(app.desk_visit().desk().value(explored), before);
 }
 
-TEST(Desk, lists_and_lessons_speak_german_where_that_is_spoken) {
+TEST(Desk, lists_and_lessons_are_german_in_a_german_session) {
     const test::InLanguage german("en");  // restores English at the end
     Session app(Settings{}, HandFacts{});
     ASSERT_TRUE(app.desk_visit().desk().find("Speech volume"));
@@ -386,7 +386,7 @@ TEST(Desk, lists_and_lessons_speak_german_where_that_is_spoken) {
 
 // A screen reader sets a number, which goes to the nearest position, so that hand, keys and accessible tree reach the
 // same values.
-TEST(Desk, quantities_are_numbers_and_go_to_the_nearest_position) {
+TEST(Desk, quantities_are_numbers_and_snap_to_the_nearest_position) {
     Session app(Settings{}, HandFacts{});
     const Desk& desk = app.desk_visit().desk();
     const auto find = [&](const char* name) { return *desk.find(name); };
@@ -436,7 +436,7 @@ TEST(Desk, quantities_are_numbers_and_go_to_the_nearest_position) {
     }
 }
 
-TEST(Desk, grooves_are_switched_there_and_felt_in_the_world) {
+TEST(Desk, grooves_are_switched_on_the_desk_and_felt_in_the_world) {
     Session app(Settings{}, HandFacts{});
     const std::size_t grooves = *app.desk_visit().desk().find("Grooves in the floor");
     EXPECT_EQ(app.desk_visit().desk().value(grooves), "off");
@@ -447,7 +447,7 @@ TEST(Desk, grooves_are_switched_there_and_felt_in_the_world) {
     EXPECT_FALSE(app.settings().guidance.grooves);
 }
 
-TEST(Desk, the_device_button_presses_what_the_hand_touches) {
+TEST(Desk, the_device_button_presses_the_control_that_the_hand_touches) {
     DeskSession s("sim-t");
     s.pull_through();
     ASSERT_TRUE(s.reach("Sound volume", 0.0, 0.0, -0.2 * s.deep_m()));
@@ -457,7 +457,7 @@ TEST(Desk, the_device_button_presses_what_the_hand_touches) {
     s.button(false);
 }
 
-TEST(Desk, the_world_waits_and_escape_leads_back) {
+TEST(Desk, the_world_pauses_and_escape_returns_to_it) {
     DeskSession s("sim-t");
     s.pull_through();
     ASSERT_TRUE(s.app().at_desk());
@@ -478,7 +478,7 @@ TEST(Desk, the_world_waits_and_escape_leads_back) {
     EXPECT_GT(s.app().feet_m().y, 0.5);
 }
 
-TEST(Desk, can_be_switched_off_wholly) {
+TEST(Desk, can_be_switched_off_completely) {
     Settings settings;
     settings.desk.use = false;
     DeskSession s("sim-t", settings);
@@ -490,7 +490,7 @@ TEST(Desk, can_be_switched_off_wholly) {
     EXPECT_TRUE(s.heard("switched off"));
 }
 
-TEST(Desk, a_value_between_two_positions_goes_to_the_next_one_either_way) {
+TEST(Desk, a_value_between_two_positions_moves_to_the_next_one_in_either_direction) {
     Settings settings;
     settings.sound.volume = 0.83;
     Session app(settings, HandFacts{});

@@ -29,7 +29,7 @@ struct Fruit {
     std::string key(std::string_view name) { return dialogue.key(name, 0.0).words; }
 };
 
-TEST(Dialogue, goes_through_a_list_and_stops_at_its_ends) {
+TEST(Dialogue, steps_through_a_list_and_stops_at_its_ends) {
     Fruit f;
     EXPECT_EQ(f.dialogue.open(f.list()), "Fruit. Apple, 1 of 4");
     EXPECT_TRUE(f.dialogue.key("Up", 0.0).denied);
@@ -46,7 +46,7 @@ TEST(Dialogue, goes_through_a_list_and_stops_at_its_ends) {
     EXPECT_FALSE(f.dialogue.key("Down", 0.0).taken);
 }
 
-TEST(Dialogue, puts_no_stop_behind_a_title_that_ends_its_sentence) {
+TEST(Dialogue, adds_no_full_stop_to_a_title_that_ends_its_sentence) {
     for (const std::string title : {"Which route?", "Put 3 places in order, starting with the first.", "Stop!"}) {
         Fruit f;
         ListSpec list = f.list();
@@ -68,7 +68,7 @@ TEST(Dialogue, finds_names_by_their_first_letters) {
 }
 
 // A keyboard sends a blank first as a key and then as a character.
-TEST(Dialogue, finds_names_of_several_words_as_they_are_typed) {
+TEST(Dialogue, finds_names_of_several_words_as_the_person_types_them) {
     Dialogue dialogue;
     ListSpec doors;
     doors.title = "Doors";
@@ -88,7 +88,7 @@ TEST(Dialogue, finds_names_of_several_words_as_they_are_typed) {
     EXPECT_EQ(said, "Nothing begins with lib do.");
 }
 
-TEST(Dialogue, finds_an_item_by_what_is_also_typed_for_it) {
+TEST(Dialogue, finds_an_item_by_its_typed_alternatives) {
     Dialogue dialogue;
     std::size_t chosen = 9;
     const auto open = [&] {
@@ -126,7 +126,7 @@ TEST(Dialogue, changes_a_value_in_place) {
     EXPECT_EQ(f.dialogue.view().items[1].value, "2");
 }
 
-TEST(Dialogue, comes_back_to_the_list_below_and_ends_all_of_them_with_a_choice_that_ends) {
+TEST(Dialogue, returns_to_the_outer_list_and_closes_all_lists_after_a_final_choice) {
     Fruit f;
     f.dialogue.open(f.list(true));
     f.key("Down");
@@ -144,7 +144,7 @@ TEST(Dialogue, comes_back_to_the_list_below_and_ends_all_of_them_with_a_choice_t
 }
 
 // A choice may open and close any lists, including the one from which it is made.
-TEST(Dialogue, may_be_changed_by_what_was_chosen) {
+TEST(Dialogue, can_be_changed_by_the_chosen_item) {
     Dialogue dialogue;
     ListSpec list;
     list.title = "Outer";
@@ -167,13 +167,13 @@ TEST(Dialogue, may_be_changed_by_what_was_chosen) {
     EXPECT_FALSE(dialogue.is_open());
 }
 
-TEST(Dialogue, says_that_a_list_is_empty_and_opens_nothing) {
+TEST(Dialogue, reports_an_empty_list_and_opens_nothing) {
     Dialogue dialogue;
     EXPECT_EQ(dialogue.open({.title = "Marks", .items = {}, .chosen = {}}), "Marks: the list is empty.");
     EXPECT_FALSE(dialogue.is_open());
 }
 
-TEST(Dialogue, takes_text_of_any_letters_and_deletes_whole_ones) {
+TEST(Dialogue, accepts_text_in_any_script_and_deletes_whole_letters) {
     Dialogue dialogue;
     std::string typed;
     EXPECT_EQ(
@@ -193,7 +193,7 @@ TEST(Dialogue, takes_text_of_any_letters_and_deletes_whole_ones) {
     EXPECT_FALSE(dialogue.is_open());
 }
 
-TEST(Dialogue, works_by_lines) {
+TEST(Dialogue, works_with_typed_lines) {
     Fruit f;
     f.dialogue.open(f.list(true));
     EXPECT_EQ(f.dialogue.line("list", 0.0).words, "Fruit. 1: Apple. 2: Banana, 3. 3: Blueberry. 4: Cherry.");
@@ -213,7 +213,7 @@ TEST(Dialogue, works_by_lines) {
 }
 
 // The platforms of a station: "1" means platform 1, wherever it is in the list.
-TEST(Dialogue, takes_what_is_called_by_a_number_before_the_item_of_that_number) {
+TEST(Dialogue, prefers_an_item_named_by_a_number_to_the_item_at_that_number) {
     Fruit f;
     ListSpec platforms = f.list(true);
     platforms.items = {{"Footway", {}}, {"2", {}}, {"1", {}}, {"Steps", {}}};
@@ -222,7 +222,7 @@ TEST(Dialogue, takes_what_is_called_by_a_number_before_the_item_of_that_number) 
     EXPECT_EQ(f.chosen, (std::vector<std::size_t>{2, 1, 3}));
 }
 
-TEST(Dialogue, sets_the_quantity_of_an_item_outright_where_it_has_one) {
+TEST(Dialogue, sets_the_quantity_of_an_item_directly) {
     Dialogue dialogue;
     ListSpec list;
     list.title = "Desk";
@@ -258,7 +258,7 @@ struct Open {
     Session app;
 };
 
-TEST(SessionLists, hold_everything_that_can_be_done_and_do_it) {
+TEST(SessionLists, contain_every_command_and_perform_it) {
     Open s;
     s.app.apply(CommandDown{Command::Menu}, 0.0);
     s.app.apply(CommandUp{Command::Menu}, 0.0);
@@ -276,7 +276,7 @@ TEST(SessionLists, hold_everything_that_can_be_done_and_do_it) {
     EXPECT_THAT(s.said().back(), HasSubstr("Facing north"));
 }
 
-TEST(SessionLists, never_keep_the_keys_that_stop_force_sound_or_speech) {
+TEST(SessionLists, never_capture_the_keys_that_stop_force_sound_or_speech) {
     Open s;
     s.app.apply(CommandDown{Command::Menu}, 0.0);
     for (const char* key : {"F12", "Control", "Grave"}) EXPECT_FALSE(s.app.apply(KeyTapped{key}, 0.0)) << key;
@@ -287,7 +287,7 @@ TEST(SessionLists, never_keep_the_keys_that_stop_force_sound_or_speech) {
     EXPECT_FALSE(s.app.dialogue().is_open()) << "in another world the list may mean nothing";
 }
 
-TEST(SessionLists, let_go_of_what_was_held) {
+TEST(SessionLists, release_held_keys_when_they_open) {
     Open s;
     s.app.apply(CommandDown{Command::Forward}, 0.0);
     s.app.apply(CommandDown{Command::Menu}, 0.0);

@@ -7,7 +7,7 @@
 namespace handrail {
 namespace events_test {
 
-TEST(SessionEvents, of_a_walk_through_our_house_tell_rooms_doors_the_way_and_being_put_elsewhere) {
+TEST(SessionEvents, of_a_walk_through_our_house_report_rooms_doors_the_path_and_teleports) {
     test::AppSession s;
     s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
     s.run(0.1);
@@ -43,7 +43,7 @@ TEST(SessionEvents, of_a_walk_through_our_house_tell_rooms_doors_the_way_and_bei
     EXPECT_EQ(std::get<Teleported>(put[0].what).feet_m, Vec3(6.0, -4.0, 0.0));
 }
 
-TEST(SessionEvents, of_a_stay_at_a_thing_are_told_once_and_of_a_typed_answer_with_its_question) {
+TEST(SessionEvents, report_a_stay_at_a_thing_once_and_a_typed_answer_with_its_question) {
     test::AppSession s;
     s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
     s.run(0.2);

@@ -33,7 +33,7 @@ std::shared_ptr<const Scene> hall_with(int rooms) {
     return builder.share();
 }
 
-TEST(Exits, of_more_than_eight_are_the_nearest_eight_and_then_the_kinds_of_the_rest) {
+TEST(Exits, beyond_eight_are_the_nearest_eight_and_a_summary_of_the_rest) {
     for (const int rooms : {7, 8, 9, 14}) {
         AppSession s;
         s.app.apply(WorldEntered{make_ready(hall_with(rooms))}, 0.0);

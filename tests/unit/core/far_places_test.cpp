@@ -33,7 +33,7 @@ struct Visitor : AppSession {
     }
 };
 
-TEST(IAmLost, turns_to_the_nearest_wall_and_tells_room_wall_and_the_way_back) {
+TEST(IAmLost, turns_to_the_nearest_wall_and_names_the_room_the_wall_and_the_way_back) {
     for (const char* language : kLanguages) {
         const test::InLanguage spoken(language);
         Visitor s("house.map");
@@ -62,7 +62,7 @@ TEST(IAmLost, turns_to_the_nearest_wall_and_tells_room_wall_and_the_way_back) {
     }
 }
 
-TEST(IAmLost, knows_the_doorway_one_came_through_and_else_the_base) {
+TEST(IAmLost, names_the_last_known_place_or_else_the_base) {
     Visitor s("house.map");
     EXPECT_THAT(s.ask(Command::Lost), HasSubstr(phrase("lost.at_base")));
     Visitor far("house.map");
@@ -72,7 +72,7 @@ TEST(IAmLost, knows_the_doorway_one_came_through_and_else_the_base) {
         << "the exits were asked for there";
 }
 
-TEST(DescribeRoom, tells_size_exits_by_wall_and_furniture_clockwise_from_afar) {
+TEST(DescribeRoom, gives_size_exits_by_wall_and_furniture_clockwise_from_a_distance) {
     for (const char* language : kLanguages) {
         const test::InLanguage spoken(language);
         Visitor s("house.map");
@@ -103,7 +103,7 @@ TEST(DescribeRoom, tells_size_exits_by_wall_and_furniture_clockwise_from_afar) {
     }
 }
 
-TEST(DescribeRoom, names_what_stands_where) {
+TEST(DescribeRoom, names_each_thing_and_its_place) {
     Visitor s("house.map");
     const std::string kitchen = s.describe("kitchen");
     EXPECT_THAT(kitchen, HasSubstr("Kitchen: "));
@@ -112,7 +112,7 @@ TEST(DescribeRoom, names_what_stands_where) {
     EXPECT_THAT(kitchen, HasSubstr("It is on storey 1"));
 }
 
-TEST(Overview, tells_storeys_shape_and_neighbours_in_three_sentences) {
+TEST(Overview, gives_storeys_shape_and_neighbours_in_three_sentences) {
     for (const char* world : {"house.map", "school.map"}) {
         Visitor s(world);
         for (const char* language : kLanguages) {
@@ -135,7 +135,7 @@ TEST(Overview, tells_storeys_shape_and_neighbours_in_three_sentences) {
 
 Aabb box(double x0, double y0, double x1, double y1) { return {{x0, y0, 0.0}, {x1, y1, 3.0}}; }
 
-TEST(OutlineOf, tells_a_rectangle_an_l_and_a_court_apart) {
+TEST(OutlineOf, distinguishes_a_rectangle_an_l_and_a_courtyard) {
     EXPECT_EQ(outline_of({box(0, 0, 5, 8), box(5, 0, 10, 8)}).shape, OutlineShape::Rectangle);
     // A room of three quarters of a square; each corner in turn is missing.
     const Aabb quarters[] = {box(5, 5, 10, 10), box(5, 0, 10, 5), box(0, 0, 5, 5), box(0, 5, 5, 10)};

@@ -29,7 +29,7 @@ std::vector<std::string> names_of(const DialogueView& view) {
     return names;
 }
 
-TEST(FaultList, leads_from_fault_to_fault_and_says_where_each_is_and_what_to_do) {
+TEST(FaultList, leads_from_fault_to_fault_with_the_place_and_advice_for_each) {
     Explorer p(bare_room(), nullptr);
     p.key("Alt+8");
     ASSERT_TRUE(p.app().dialogue().is_open());
@@ -46,7 +46,7 @@ TEST(FaultList, leads_from_fault_to_fault_and_says_where_each_is_and_what_to_do)
     EXPECT_EQ(p.app().dialogue().view().title, faults.title) << "back among the faults";
 }
 
-TEST(FaultList, mends_a_missing_name_and_a_missing_landmark_in_place) {
+TEST(FaultList, repairs_a_missing_name_and_a_missing_landmark_on_the_spot) {
     Explorer p(bare_room(), nullptr);
     p.tap(Command::Faults);
     p.line("1");
@@ -75,7 +75,7 @@ std::shared_ptr<const Scene> shut_kitchen() {
     return std::make_shared<const Scene>(std::move(*scene));
 }
 
-TEST(FaultList, makes_a_missing_door_that_is_kept_and_takes_it_away_again) {
+TEST(FaultList, creates_a_missing_door_that_is_saved_and_can_remove_it_again) {
     Explorer p(shut_kitchen(), nullptr);
     p.tap(Command::Faults);
     ASSERT_TRUE(p.app().dialogue().is_open());
@@ -100,14 +100,14 @@ TEST(FaultList, makes_a_missing_door_that_is_kept_and_takes_it_away_again) {
         EXPECT_EQ(name.find("Door added"), std::string::npos);
 }
 
-TEST(FaultList, finds_nothing_in_the_school) {
+TEST(FaultList, is_empty_for_the_school) {
     Explorer p(test::our_world("school.map"), nullptr);
     p.tap(Command::Faults);
     EXPECT_TRUE(p.heard("No problems found here.")) << p.all_heard(0);
     EXPECT_FALSE(p.app().dialogue().is_open());
 }
 
-TEST(Landmarks, are_kept_in_the_side_file_and_laid_upon_the_world_again) {
+TEST(Landmarks, are_saved_in_the_side_file_and_restored_in_the_world) {
     const test::TemporaryFolder folder;
     const auto world = folder.write("bare.map", "bytes");
     const std::shared_ptr<const Scene> scene = bare_room();
@@ -133,7 +133,7 @@ TEST(Landmarks, are_kept_in_the_side_file_and_laid_upon_the_world_again) {
     EXPECT_EQ(with_landmarks(marked, read_landmarks(file, faults)), marked) << "nothing is left to mark";
 }
 
-TEST(Landmarks, that_cannot_be_read_are_told_and_stay) {
+TEST(Landmarks, that_are_unreadable_are_reported_and_stay_in_the_file) {
     const test::TemporaryFolder folder;
     const auto world = folder.write("bare.map", "bytes");
     folder.write("bare.map.handrail.toml",

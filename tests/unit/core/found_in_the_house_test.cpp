@@ -38,7 +38,7 @@ std::vector<NamedThing> sought_things(const Scene& scene) {
 }
 
 // The hand rests, opens the doors that are announced to it, and moves where it is pulled.
-TEST(FoundInTheHouse, by_a_hand_that_is_taken_there_from_the_front_door) {
+TEST(FoundInTheHouse, everything_is_reached_by_a_hand_that_is_guided_from_the_front_door) {
     const auto house = test::our_world("house.map");
     Explorer p(house, "sim-t");
     double longest_s = 0.0;
@@ -216,7 +216,7 @@ const std::vector<Vec3> kSlanting{{0, 1, 1},  {1, 0, 1},  {-1, 0, 1},  {0, -1, 1
                                   {0, 1, -1}, {1, 0, -1}, {-1, 0, -1}, {0, -1, -1}};
 
 // The hand moves on and gives way to the forces. Where it is held back, it feels around for a free direction.
-TEST(FoundInTheHouse, by_a_hand_that_follows_the_lines_from_the_front_door) {
+TEST(FoundInTheHouse, everything_is_reached_by_a_hand_that_follows_the_lines_from_the_front_door) {
     constexpr double kSpeed_m_per_s = 0.06, kStep_s = 0.02, kFelt_n = 0.03;
     const auto house = test::our_world("house.map");
     Explorer p(house, "sim-t");
@@ -282,7 +282,7 @@ TEST(FoundInTheHouse, by_a_hand_that_follows_the_lines_from_the_front_door) {
 
 // A search along one axis after the other, for the point where the push of a line reverses, finds the place. The hand
 // is a strong one: it passes through walls, as the lines do.
-TEST(FoundInTheHouse, by_a_hand_along_the_lines_that_cross_there) {
+TEST(FoundInTheHouse, everything_is_reached_by_a_hand_along_the_lines_that_cross_there) {
     constexpr double kReach_m = 0.07;
     const auto house = test::our_world("house.map");
     Explorer p(house, "sim-t", free_reach());
@@ -441,7 +441,7 @@ private:
 };
 
 // Walls and things stop this hand.
-TEST(FoundInTheHouse, by_a_hand_that_listens_to_warmer_and_colder_from_the_front_door) {
+TEST(FoundInTheHouse, everything_is_reached_by_a_hand_that_listens_to_warmer_and_colder_from_the_front_door) {
     const auto house = test::our_world("house.map");
     Explorer p(house, "sim-t");
     double longest_s = 0.0;
@@ -462,7 +462,7 @@ TEST(FoundInTheHouse, by_a_hand_that_listens_to_warmer_and_colder_from_the_front
 // Keys only, in a hurry: 2 m/s by the setting of the walking speed. This person knows only which of its sounds the
 // beacon makes, from which side it comes, and the announced doors. They turn while walking, and stand still for larger
 // turns. They step around obstacles.
-TEST(FoundInTheHouse, by_somebody_who_walks_by_keys_to_where_the_beacon_rings_from_the_front_door) {
+TEST(FoundInTheHouse, everything_is_reached_by_a_walker_who_follows_the_beacon_from_the_front_door) {
     constexpr double kHurried_m_per_s = 2.0;
     Settings settings;
     settings.walk.speed_m_per_s = kHurried_m_per_s;
@@ -545,7 +545,7 @@ void lead_to_piano(Explorer& p) {
     ASSERT_EQ(p.tool().guidance.phase, GuidancePhase::Acts);
 }
 
-TEST(TakenAlongAWay, a_hand_whose_body_walks_off_or_is_put_elsewhere_gets_a_new_way_and_one_that_pulls_is_let_go) {
+TEST(TakenAlongAWay, a_hand_gets_a_new_path_when_its_body_walks_off_or_is_moved_and_is_released_when_it_pulls) {
     for (const char* how : {"walks", "home", "pulls"}) {
         Explorer p(test::our_world("house.map"), "sim-t");
         lead_to_piano(p);
@@ -576,7 +576,7 @@ TEST(TakenAlongAWay, a_hand_whose_body_walks_off_or_is_put_elsewhere_gets_a_new_
 }
 
 // A door that opens changes the world for both tools.
-TEST(TakenAlongAWay, beacon_and_warmer_are_each_planned_anew_when_something_stands_elsewhere) {
+TEST(TakenAlongAWay, beacon_and_warmer_are_both_replanned_when_something_moves) {
     Explorer p(test::our_world("house.map"), nullptr);
     const auto& features = p.app().scene()->features;
     for (const auto& [name, tool] : {std::pair{"Piano", "Beacon"}, std::pair{"Desk", "Warmer and colder"}}) {
@@ -596,7 +596,7 @@ TEST(TakenAlongAWay, beacon_and_warmer_are_each_planned_anew_when_something_stan
 }
 
 // The hand has already left the door while the person hears which door it is, and another door is nearer to the walker.
-TEST(TakenAlongAWay, a_hand_opens_the_door_that_it_was_told_of_a_moment_ago) {
+TEST(TakenAlongAWay, a_hand_opens_the_door_that_was_announced_a_moment_ago) {
     Explorer p(test::our_world("house.map"), "sim-t");
     const auto& features = p.app().scene()->features;
     const auto desk =

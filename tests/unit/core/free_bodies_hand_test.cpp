@@ -58,13 +58,13 @@ struct Hand : test::Explorer {
     Rotation turned(const std::string& name) { return app().thing_at(name).value_or(Placement{}).rotation; }
 };
 
-TEST(HandOnBodies, there_is_no_engine_for_a_hand_where_nothing_is_free) {
+TEST(HandOnBodies, no_physics_engine_runs_for_a_hand_if_no_body_is_free) {
     Hand hand("");
     EXPECT_EQ(hand.app().hand().engine, nullptr);
     EXPECT_EQ(hand.app().free_bodies().engine(), nullptr);
 }
 
-TEST(HandOnBodies, a_pushed_crate_goes_along_and_again_with_the_same_bits) {
+TEST(HandOnBodies, a_pushed_crate_moves_along_and_does_so_bit_identically_each_time) {
     std::array<Placement, 2> ends;
     std::array<Vec3, 2> forces;
     for (int run = 0; run < 2; ++run) {
@@ -83,7 +83,7 @@ TEST(HandOnBodies, a_pushed_crate_goes_along_and_again_with_the_same_bits) {
     EXPECT_EQ(forces[0], forces[1]);
 }
 
-TEST(HandOnBodies, the_key_takes_what_the_hand_touches_turns_it_and_lets_it_go) {
+TEST(HandOnBodies, the_key_grips_the_touched_body_turns_it_and_releases_it) {
     Hand hand(box("Crate", 1.0, 4.0, 2.5));
     hand.to({4.0, 1.9, 0.25});
     hand.to({4.0, 2.16, 0.25}, 0.01);
@@ -105,7 +105,7 @@ TEST(HandOnBodies, the_key_takes_what_the_hand_touches_turns_it_and_lets_it_go) 
     EXPECT_EQ(hand.app().free_bodies().held_by_hand(0), kNoFeature);
 }
 
-TEST(HandOnBodies, what_was_held_in_the_world_one_has_left_is_nothing_in_the_next) {
+TEST(HandOnBodies, a_body_gripped_in_one_world_is_not_gripped_in_the_next) {
     Hand hand(box("Crate", 1.0, 4.0, 2.5));
     hand.to({4.0, 1.9, 0.25});
     hand.to({4.0, 2.16, 0.25}, 0.01);
@@ -140,7 +140,7 @@ TEST(HandOnBodies, a_ball_on_a_rubber_string_hangs_pulls_back_and_swings_home) {
     EXPECT_NEAR(glm::length(hand.at("Ball") - Vec3(6.0, 3.0, hangs_m)), 0.0, 0.1);
 }
 
-TEST(HandOnBodies, what_is_too_heavy_slips_out_of_the_grip_and_says_its_weight) {
+TEST(HandOnBodies, a_body_that_is_too_heavy_slips_out_of_the_grip_and_its_weight_is_announced) {
     Hand hand(box("Safe", 20.0, 4.0, 2.5));
     hand.to({4.0, 1.9, 0.25});
     hand.to({4.0, 2.16, 0.25}, 0.01);
@@ -173,7 +173,7 @@ TEST(HandOnBodies, a_crate_that_falls_on_the_hand_is_felt) {
     EXPECT_TRUE(hand.heard("Crate released."));
 }
 
-TEST(HandOnBodies, random_pushes_grips_and_drops_leave_all_in_the_hall_and_no_force_above_the_ceiling) {
+TEST(HandOnBodies, random_pushes_grips_and_drops_keep_all_bodies_in_the_hall_and_force_below_the_ceiling) {
     const std::uint32_t seed = test::seed_of_run();
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
@@ -363,15 +363,15 @@ void lives_among_things(const std::filesystem::path& file) {
     EXPECT_GT(walked_m, acts * 0.01) << "nobody is stuck";
 }
 
-TEST(HandAmongThings, in_our_house_nothing_goes_through_a_wall_and_nobody_is_stuck) {
+TEST(HandAmongThings, in_our_house_no_body_passes_through_a_wall_and_the_walker_is_never_stuck) {
     lives_among_things(test::project_root() / "worlds" / "maps" / "house.map");
 }
 
-TEST(HandAmongThings, in_our_school_nothing_goes_through_a_wall_and_nobody_is_stuck) {
+TEST(HandAmongThings, in_our_school_no_body_passes_through_a_wall_and_the_walker_is_never_stuck) {
     lives_among_things(test::project_root() / "worlds" / "maps" / "school.map");
 }
 
-TEST(HandAmongThings, in_e1m1_nothing_goes_through_a_wall_and_nobody_is_stuck) {
+TEST(HandAmongThings, in_e1m1_no_body_passes_through_a_wall_and_the_walker_is_never_stuck) {
     const auto file = test::real_world("quake-e1m1.map");
     if (!file) GTEST_SKIP() << test::needs_real_world("quake-e1m1.map");
     lives_among_things(*file);

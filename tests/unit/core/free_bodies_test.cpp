@@ -47,7 +47,7 @@ struct Walk : test::AppSession {
     }
 };
 
-TEST(FreeBodies, a_light_crate_goes_along_with_who_walks_into_it_and_is_never_inside) {
+TEST(FreeBodies, a_light_crate_moves_with_the_walker_who_pushes_it_and_never_overlaps_the_walker) {
     Walk walk(hall(box("Crate", 4.0, 5.0, 4.0)));
     walk.app.apply(CommandDown{Command::Forward}, walk.now);
     for (int i = 0; i < 300; ++i) {
@@ -63,7 +63,7 @@ TEST(FreeBodies, a_light_crate_goes_along_with_who_walks_into_it_and_is_never_in
     EXPECT_TRUE(walk.bumped.empty()) << "what gives way is no bump";
 }
 
-TEST(FreeBodies, a_safe_stops_who_walks_and_says_its_weight) {
+TEST(FreeBodies, a_safe_stops_the_walker_and_its_weight_is_announced) {
     Walk walk(hall(box("Safe", 400.0, 5.0, 4.0)));
     walk.walk(5.0);
     EXPECT_NEAR(walk.app.feet_m().y, 4.0 - 0.25 - 0.25, 0.01);
@@ -72,7 +72,7 @@ TEST(FreeBodies, a_safe_stops_who_walks_and_says_its_weight) {
     EXPECT_EQ(walk.bumped.size(), 1U);
 }
 
-TEST(FreeBodies, a_ball_too_low_to_stop_a_foot_is_kicked_and_not_stepped_on) {
+TEST(FreeBodies, a_ball_too_low_to_stop_a_foot_is_kicked_rather_than_stepped_on) {
     Walk walk(hall(ball(0.11, 5.0, 3.0)));
     walk.walk(3.0);
     EXPECT_LT(walk.app.feet_m().z, 0.02);
@@ -80,7 +80,7 @@ TEST(FreeBodies, a_ball_too_low_to_stop_a_foot_is_kicked_and_not_stepped_on) {
     EXPECT_NEAR(walk.at("Ball").z, 0.11, 2e-3);
 }
 
-TEST(FreeBodies, what_is_pushed_against_a_wall_is_in_the_way) {
+TEST(FreeBodies, a_body_pushed_against_a_wall_blocks_the_walker) {
     Walk walk(hall(box("Crate", 4.0, 5.0, 18.0)));
     walk.app.apply(Placed{{5.0, 16.0, 0.0}, 0.0}, walk.now);
     walk.walk(8.0);
@@ -119,7 +119,7 @@ TEST(FreeBodies, a_crate_behind_a_door_is_pushed_aside_by_its_leaf) {
     EXPECT_LT(glm::length(walk.at("Crate") - there), 0.01) << "and rests there";
 }
 
-TEST(FreeBodies, keys_take_move_lift_and_drop_a_crate) {
+TEST(FreeBodies, keys_grip_move_lift_and_drop_a_crate) {
     Walk walk(hall(box("Crate", 2.0, 5.0, 2.0)));
     walk.tap(Command::Use, 0.3);
     ASSERT_TRUE(walk.heard("Crate held, 2 kilograms."));
@@ -142,7 +142,7 @@ TEST(FreeBodies, keys_take_move_lift_and_drop_a_crate) {
     EXPECT_GT(walk.app.feet_m().y, feet.y) << "the arrows walk again";
 }
 
-TEST(FreeBodies, a_crate_is_turned_by_quarters_and_keeps_its_turn) {
+TEST(FreeBodies, a_crate_is_turned_in_quarter_turns_and_keeps_its_orientation) {
     Walk walk(hall(entity("thing", key("cs_name", "dynamic_box") + key("name", "Plank") + key("mass", "1"),
                           box_brush(144, 60, 0, 176, 68, 4))));
     walk.tap(Command::Use, 0.3);
@@ -153,7 +153,7 @@ TEST(FreeBodies, a_crate_is_turned_by_quarters_and_keeps_its_turn) {
     EXPECT_NEAR(std::abs(along.y), 1.0, 0.02) << "it lay from west to east, and lies from south to north";
 }
 
-TEST(FreeBodies, what_weighs_more_than_the_strength_is_not_taken) {
+TEST(FreeBodies, a_body_heavier_than_the_strength_is_not_gripped) {
     Walk walk(hall(box("Trunk", 12.0, 5.0, 2.0)));
     walk.tap(Command::Use, 0.3);
     EXPECT_TRUE(walk.heard("Trunk. Heavy, 12 kilograms."));
@@ -168,7 +168,7 @@ TEST(FreeBodies, what_weighs_more_than_the_strength_is_not_taken) {
     EXPECT_TRUE(walk.heard("Trunk held, 12 kilograms."));
 }
 
-TEST(FreeBodies, what_is_led_stops_at_a_wall_and_tells_which) {
+TEST(FreeBodies, a_carried_body_stops_at_a_wall_which_is_named) {
     Walk walk(hall(box("Crate", 2.0, 5.0, 18.9)));
     walk.app.apply(Placed{{5.0, 17.9, 0.0}, 0.0}, walk.now);
     walk.tap(Command::Use, 0.3);
@@ -177,7 +177,7 @@ TEST(FreeBodies, what_is_led_stops_at_a_wall_and_tells_which) {
     EXPECT_TRUE(walk.heard("Crate stopped by ")) << walk.news();
 }
 
-TEST(FreeBodies, a_ball_rolls_by_two_of_its_diameters_and_is_not_lifted) {
+TEST(FreeBodies, a_ball_rolls_two_diameters_far_and_cannot_be_lifted) {
     Walk walk(hall(ball(0.1, 5.0, 2.0)));
     walk.tap(Command::Use, 0.3);
     ASSERT_TRUE(walk.heard("Ball held, 0.5 kilograms."));
@@ -188,7 +188,7 @@ TEST(FreeBodies, a_ball_rolls_by_two_of_its_diameters_and_is_not_lifted) {
     EXPECT_NEAR(walk.at("Ball").z, 0.1, 2e-3);
 }
 
-TEST(FreeBodies, all_is_put_back_exactly) {
+TEST(FreeBodies, everything_can_be_put_back_exactly) {
     Walk walk(hall(box("Crate", 4.0, 5.0, 4.0) + ball(0.1, 4.0, 2.0)));
     const Vec3 crate = walk.at("Crate"), round = walk.at("Ball");
     walk.walk(5.0);
@@ -199,7 +199,7 @@ TEST(FreeBodies, all_is_put_back_exactly) {
     EXPECT_TRUE(walk.heard("back where it was"));
 }
 
-TEST(FreeBodies, where_nothing_is_free_there_is_no_engine) {
+TEST(FreeBodies, without_a_free_body_no_physics_engine_runs) {
     Walk walk(hall(entity("thing", key("name", "Table"), box_brush(144, 60, 0, 176, 68, 24))));
     EXPECT_EQ(walk.app.free_bodies().engine(), nullptr);
     EXPECT_EQ(make_ready(hall({})).moves_freely, nullptr);
@@ -207,7 +207,7 @@ TEST(FreeBodies, where_nothing_is_free_there_is_no_engine) {
     EXPECT_TRUE(walk.heard("Nothing can be moved here."));
 }
 
-TEST(FreeBodies, the_same_keys_give_the_same_bits) {
+TEST(FreeBodies, the_same_keys_give_bit_identical_results) {
     const auto play = [] {
         Walk walk(hall(box("Crate", 4.0, 5.0, 4.0) + ball(0.1, 5.1, 3.0)));
         walk.walk(4.0);
@@ -220,7 +220,7 @@ TEST(FreeBodies, the_same_keys_give_the_same_bits) {
     EXPECT_EQ(play(), play());
 }
 
-TEST(FreeBodies, ways_leave_out_what_gives_way_and_go_round_what_does_not) {
+TEST(FreeBodies, routes_ignore_movable_things_and_go_round_fixed_ones) {
     for (const auto& [kg, leads_through] : {std::pair(4.0, true), std::pair(400.0, false)}) {
         const auto scene =
             hall(entity("thing", key("cs_name", "dynamic_box") + key("name", "Crate") + key("mass", std::to_string(kg)),
@@ -232,7 +232,7 @@ TEST(FreeBodies, ways_leave_out_what_gives_way_and_go_round_what_does_not) {
 }
 
 // Walks at random among twenty bodies, and takes and drops them at random.
-TEST(FreeBodies, random_walks_grips_and_drops_leave_all_in_the_hall_and_nobody_inside_anything) {
+TEST(FreeBodies, random_walks_grips_and_drops_keep_all_bodies_in_the_hall_and_the_walker_outside_them) {
     const std::uint32_t seed = test::seed_of_run();
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);

@@ -31,7 +31,7 @@ struct Visitor : test::AppSession {
     }
 };
 
-TEST(GermanSession, begins_asks_touches_walks_and_leaves_in_whole_german_sentences) {
+TEST(GermanSession, of_questions_touch_and_walking_is_in_whole_german_sentences_from_start_to_end) {
     const test::InLanguage german("de");
     Visitor s;
     s.app.apply(WorldEntered{make_ready(world("worlds/maps/house.map"))}, 0.0);
@@ -86,7 +86,7 @@ std::shared_ptr<const Scene> platform() {
     return b.share();
 }
 
-TEST(GermanSession, warns_of_a_drop_and_holds_at_its_edge_in_german) {
+TEST(GermanSession, warns_of_a_drop_in_german_and_stops_at_its_edge) {
     const test::InLanguage german("de");
     Visitor s;
     s.app.apply(WorldEntered{make_ready(platform())}, 0.0);
@@ -98,7 +98,7 @@ TEST(GermanSession, warns_of_a_drop_and_holds_at_its_edge_in_german) {
                           "Absturzkante, 1,2 Meter tief. Noch einmal drücken, um darüber hinauszugehen."}));
 }
 
-TEST(GermanSession, tells_what_of_a_place_was_learnt_and_what_is_left_in_german) {
+TEST(GermanSession, reports_in_german_what_was_learnt_of_a_place_and_what_is_left) {
     const test::InLanguage german("de");
     Visitor s;
     s.app.apply(WorldEntered{make_ready(world("tests/scenarios/worlds/two_rooms_door.map"))}, 0.0);
@@ -123,7 +123,7 @@ TEST(GermanSession, tells_what_of_a_place_was_learnt_and_what_is_left_in_german)
         "Südwand, Putz, Bookcase, Holz.");
 }
 
-TEST(GermanSession, made_names_of_rooms_and_walls_follow_the_language_and_the_maps_own_names_do_not) {
+TEST(GermanSession, follows_the_language_for_generated_names_of_rooms_and_walls_but_keeps_the_maps_own_names) {
     Visitor s;
     s.app.apply(WorldEntered{make_ready(world("tests/scenarios/worlds/two_rooms_door.map"))}, 0.0);
     s.run(0.1);

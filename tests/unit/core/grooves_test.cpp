@@ -10,7 +10,7 @@ namespace grooves_test {
 
 using test::Explorer;
 
-TEST(GrooveLegs, run_through_every_doorway_of_our_house_from_one_room_to_the_other) {
+TEST(GrooveLegs, run_through_every_doorway_of_our_house_from_room_to_room) {
     const auto scene = test::our_world("house.map");
     const auto navigation = Navigation::make(*scene, walk_body(*scene, 0.25, 1.7, 0.2));
     ASSERT_TRUE(navigation);
@@ -26,7 +26,7 @@ TEST(GrooveLegs, run_through_every_doorway_of_our_house_from_one_room_to_the_oth
     }
 }
 
-TEST(GrooveLegs, are_the_nearest_that_the_servo_can_take_and_tell_how_far_they_are_good) {
+TEST(GrooveLegs, are_the_nearest_that_the_servo_can_hold_and_state_their_valid_range) {
     std::vector<Vec3> way;
     for (int i = 0; i <= 40; ++i) way.emplace_back(i, 0.0, 0.0);
     const Grooves few = nearest_grooves(std::span(way).first(11), {}, {0, 0, 0}, 0.12);
@@ -40,7 +40,7 @@ TEST(GrooveLegs, are_the_nearest_that_the_servo_can_take_and_tell_how_far_they_a
     EXPECT_EQ(nearest_grooves({}, {}, {0, 0, 0}, 0.12).path.count, 0U);
 }
 
-TEST(Grooves, are_off_unless_wished_for_and_then_hold_a_hand_in_a_doorway) {
+TEST(Grooves, are_off_by_default_and_otherwise_hold_a_hand_in_a_doorway) {
     for (const bool wished : {false, true}) {
         Settings settings;
         settings.guidance.grooves = wished;

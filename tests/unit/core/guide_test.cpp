@@ -77,7 +77,7 @@ struct Person : test::AppSession {
     }
 };
 
-TEST(Marks, are_set_named_kept_found_again_and_deleted) {
+TEST(Marks, are_set_named_saved_found_again_and_deleted) {
     const test::TemporaryFolder folder;
     const fs::path world = folder.write("room.map", "one");
     {
@@ -110,7 +110,7 @@ TEST(Marks, are_set_named_kept_found_again_and_deleted) {
     EXPECT_EQ(again.app.world().marks[0].name, "Książki 本");
 }
 
-TEST(Marks, are_set_and_found_in_german_near_what_the_world_stores_in_english) {
+TEST(Marks, are_set_and_found_in_german_near_things_with_english_names_in_the_world) {
     const test::InLanguage german("de");
     Scene scene = *room(4.0);
     for (Feature& feature : scene.features) feature.made_name = feature.kind == FeatureKind::Wall;
@@ -146,7 +146,7 @@ TEST(Marks, are_set_and_found_in_german_near_what_the_world_stores_in_english) {
     EXPECT_TRUE(p.heard("Marke 2, bei Table gesetzt")) << testing::PrintToString(p.said);
 }
 
-TEST(Marks, of_an_edited_world_that_no_longer_fit_are_told) {
+TEST(Marks, that_no_longer_fit_an_edited_world_are_reported) {
     const test::TemporaryFolder folder;
     const fs::path world = folder.write("room.map", "one");
     Settings settings;
@@ -173,7 +173,7 @@ TEST(Marks, of_an_edited_world_that_no_longer_fit_are_told) {
     EXPECT_THAT(p.app.dialogue().view().items[2].value, HasSubstr("may no longer fit"));
 }
 
-TEST(Marks, that_are_damaged_are_put_aside_and_told) {
+TEST(Marks, that_are_damaged_are_set_aside_and_reported) {
     const test::TemporaryFolder folder;
     const fs::path world = folder.write("room.map", "one");
     folder.write("room.map.handrail.toml", "[[mark]\n");
@@ -196,7 +196,7 @@ TEST(Marks, that_are_damaged_are_put_aside_and_told) {
         << "what could not be read stays in the file";
 }
 
-TEST(Marks, are_set_where_the_hand_is_by_the_devices_button_too_and_told_once_when_near) {
+TEST(Marks, are_set_at_the_hand_also_by_the_devices_button_and_announced_once_when_near) {
     Settings settings;
     settings.marks.ask_name = false;
     Person p(true, settings);
@@ -248,7 +248,7 @@ TEST(Landmarks, and_clues_sound_different_when_touched_or_passed) {
     EXPECT_EQ(p.count(SoundKind::Landmark), 2);
 }
 
-TEST(BeaconTest, beats_faster_the_nearer_and_tells_ahead_side_and_behind) {
+TEST(BeaconTest, beats_faster_when_nearer_and_distinguishes_ahead_side_and_behind) {
     Beacon beacon;
     const Aabb thing{{-0.1, 9.9, 0.9}, {0.1, 10.1, 1.1}};
     const auto clear = [](const Vec3&) { return 0.0; };
@@ -278,7 +278,7 @@ TEST(BeaconTest, beats_faster_the_nearer_and_tells_ahead_side_and_behind) {
     EXPECT_FALSE(beacon.on());
 }
 
-TEST(BeaconTest, is_set_on_what_is_ahead_muted_and_brought_back) {
+TEST(BeaconTest, is_set_on_the_thing_ahead_muted_and_restored) {
     Person p;
     p.enter();
     p.stand_at({2.6, 1.0, 0.0});
@@ -315,7 +315,7 @@ void seek(Person& p, const std::string& thing, const std::string& way) {
 }
 
 // A ray at waist height passes over the table, so the wall behind is "ahead", but nobody can walk through a table.
-TEST(BeaconTest, calls_from_the_way_round_what_one_sees_over_and_cannot_walk_through) {
+TEST(BeaconTest, calls_along_the_route_if_the_target_is_visible_but_the_direct_line_is_blocked) {
     Person p;
     p.enter();
     p.stand_at({1.5, 1.0, 0.0});
@@ -328,7 +328,7 @@ TEST(BeaconTest, calls_from_the_way_round_what_one_sees_over_and_cannot_walk_thr
     EXPECT_GE(p.count(SoundKind::Beacon), 5);
 }
 
-TEST(WarmerTest, ticks_the_faster_the_nearer_is_silent_while_stopped_and_ends_on_the_thing) {
+TEST(WarmerTest, ticks_faster_when_nearer_is_silent_at_rest_and_ends_on_the_target) {
     for (double felt_m = 0.0; felt_m < 0.3; felt_m += 0.001)
         EXPECT_LE(Warmer::interval_s(felt_m), Warmer::interval_s(felt_m + 0.001)) << felt_m;
     for (double felt_m = 0.005; felt_m < 0.3; felt_m += 0.005)
@@ -363,7 +363,7 @@ TEST(WarmerTest, ticks_the_faster_the_nearer_is_silent_while_stopped_and_ends_on
     EXPECT_FALSE(warmer.tick(0.0, Vec3(0.0), true, true, now_s + 9.0).found) << "told once";
 }
 
-TEST(WarmerTest, is_told_ticks_for_hand_or_body_and_is_off_when_asked_again) {
+TEST(WarmerTest, is_announced_ticks_for_hand_or_body_and_is_switched_off_by_a_second_request) {
     for (const bool device : {true, false}) {
         Person p(device);
         p.enter();
@@ -411,7 +411,7 @@ TEST(WarmerTest, is_told_ticks_for_hand_or_body_and_is_off_when_asked_again) {
     }
 }
 
-TEST(WarmerTest, tells_by_its_pitch_how_directly_one_came_nearer_or_went_away) {
+TEST(WarmerTest, signals_by_pitch_how_directly_the_person_approaches_or_moves_away) {
     Warmer warmer;
     warmer.set("cup", {{0, 0, 0}, {0, 0, 0}}, kNoFeature);
     double now_s = 0.0;
@@ -431,7 +431,7 @@ TEST(WarmerTest, tells_by_its_pitch_how_directly_one_came_nearer_or_went_away) {
 
 // An L of two legs. A walker who goes around its corner hears the walking distance, and nothing jumps if the route is
 // planned again.
-TEST(SoughtWayTest, measures_the_walk_calls_from_the_turning_and_stays_continuous_where_it_is_planned_anew) {
+TEST(SoughtWayTest, measures_walking_distance_calls_from_the_next_turn_and_is_continuous_on_replanning) {
     SoughtWay way;
     const auto follow = [&](const Vec3& at_m) { way.follow(at_m, kHeightCountsForWalkers, {}); };
     EXPECT_TRUE(way.wants_plan(false, 0.0));
@@ -483,7 +483,7 @@ TEST(SoughtWayTest, measures_the_walk_calls_from_the_turning_and_stays_continuou
     EXPECT_FALSE(way.known());
 }
 
-TEST(LapsTest, help_falls_as_errors_do_and_never_grows_by_itself) {
+TEST(LapsTest, help_decreases_with_success_and_never_increases_automatically) {
     Laps laps;
     laps.begin("table");
     for (const double strength : {1.0, 0.6, 0.3, 0.0, 0.0}) {
@@ -507,7 +507,7 @@ TEST(LapsTest, help_falls_as_errors_do_and_never_grows_by_itself) {
     EXPECT_EQ(laps.strength(), 0.6) << "switched off";
 }
 
-TEST(TakeMe, is_told_a_second_before_the_servo_knows_of_it_and_only_one_is_known) {
+TEST(TakeMe, is_announced_a_second_before_the_servo_starts_it_and_only_one_target_is_active) {
     Person p(true);
     p.enter();
     p.hand_at({3.0, 1.0, 1.0});
@@ -532,7 +532,7 @@ TEST(TakeMe, is_told_a_second_before_the_servo_knows_of_it_and_only_one_is_known
 }
 
 // The session says why the force was removed, and not only that it is gone.
-TEST(TakeMe, says_why_the_hand_is_led_no_longer) {
+TEST(TakeMe, gives_the_reason_when_guidance_ends) {
     struct Case {
         void (*happens)(Person&);
         const char* said;
@@ -566,7 +566,7 @@ TEST(TakeMe, says_why_the_hand_is_led_no_longer) {
 }
 
 // Runs with a servo that withholds its force until somebody holds the grip.
-TEST(TakeMe, waits_for_a_hand_on_the_grip_and_says_so) {
+TEST(TakeMe, waits_for_a_hand_on_the_grip_and_announces_it) {
     Person p(true);
     p.enter();
     p.hand_at({3.0, 1.0, 1.0});
@@ -583,7 +583,7 @@ TEST(TakeMe, waits_for_a_hand_on_the_grip_and_says_so) {
     EXPECT_FALSE(p.heard("You are no longer guided"));
 }
 
-TEST(TakeMe, leads_round_what_stands_between_along_the_planned_way_and_by_ear_where_there_is_no_force) {
+TEST(TakeMe, leads_around_obstacles_along_the_planned_path_and_by_ear_without_force) {
     Person p(true);
     p.enter();
     p.hand_at({1.2, 3.7, 0.3});  // behind the table
@@ -613,7 +613,7 @@ TEST(TakeMe, leads_round_what_stands_between_along_the_planned_way_and_by_ear_wh
     EXPECT_TRUE(p.heard("Forces are off. Follow the beacon"));
 }
 
-TEST(TakeMe, says_where_no_way_leads_and_goes_to_the_nearest_place_that_can_be_reached) {
+TEST(TakeMe, reports_an_unreachable_target_and_goes_to_the_nearest_reachable_place) {
     // A place behind a wall without a door.
     SceneBuilder b;
     b.box({0, 0, -0.2}, {10, 4, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
@@ -655,7 +655,7 @@ TEST(TakeMe, says_where_no_way_leads_and_goes_to_the_nearest_place_that_can_be_r
     EXPECT_TRUE(keys.heard("The nearest place to Chest. You are there.")) << testing::PrintToString(keys.said);
 }
 
-TEST(TakeMe, without_a_device_tells_the_way_follows_it_and_stops_when_asked_again) {
+TEST(TakeMe, without_a_device_gives_directions_follows_the_route_and_stops_when_requested_again) {
     Person p;
     p.enter();
     p.stand_at({0.5, 3.6, 0.0});  // the table is in between

@@ -65,7 +65,7 @@ int walk_into_the_study(Explorer& p) {
     return touches;
 }
 
-TEST(AHandForWantOfADevice, is_where_one_stands_and_touches_nothing_on_the_way_through_a_door) {
+TEST(AHandForWantOfADevice, follows_the_walker_through_a_door_and_touches_nothing) {
     const auto p = with_keys_alone(test::our_world("house.map"));
     for (int step = 0; step < 2; ++step) {
         if (step == 1) {
@@ -83,7 +83,7 @@ TEST(AHandForWantOfADevice, is_where_one_stands_and_touches_nothing_on_the_way_t
     EXPECT_FALSE(p->heard("Hand brought back to you"));
 }
 
-TEST(AHandForWantOfADevice, stays_ahead_where_keys_moved_it_and_comes_along_through_a_door) {
+TEST(AHandForWantOfADevice, stays_ahead_where_the_keys_moved_it_and_follows_the_walker_through_a_door) {
     const auto p = with_keys_alone(test::our_world("house.map"));
     p->hold({0.0, 0.02, 0.0});
     const Vec3 off = p->tool().proxy_m - p->app().feet_m();
@@ -93,7 +93,7 @@ TEST(AHandForWantOfADevice, stays_ahead_where_keys_moved_it_and_comes_along_thro
     EXPECT_TRUE(body_sees_hand(walls_of(*test::our_world("house.map")), *p, p->app().feet_m()));
 }
 
-TEST(AHandOnADevice, comes_along_through_a_door_from_no_force_and_with_a_word) {
+TEST(AHandOnADevice, follows_the_walker_through_a_door_with_force_rising_from_zero_and_an_announcement) {
     const auto house = test::our_world("house.map");
     const BodyWorld walls = walls_of(*house);
     Explorer p(house, "sim-t");
@@ -135,7 +135,7 @@ TEST(AHandOnADevice, comes_along_through_a_door_from_no_force_and_with_a_word) {
 }
 
 // Goes through every door and opening, in both directions, with the hand in different places.
-TEST(TheHand, is_seen_by_the_body_within_a_second_of_every_way_through_a_door) {
+TEST(TheHand, is_visible_from_the_body_within_a_second_after_every_passage_through_a_door) {
     namespace fs = std::filesystem;
     const fs::path maps = test::project_root() / "worlds/maps";
     const auto files = test::kSanitizerScale < 1.0 ? std::vector<fs::path>{maps / "house.map"}

@@ -33,7 +33,7 @@ void stairs(SceneBuilder& b, const Vec3& at, double y0, int risers, double rise,
         b.box(at + Vec3(-1, y0 + i * tread, 0), at + Vec3(1, y0 + risers * tread + 2.0, (i + 1) * rise), "stair");
 }
 
-TEST(Hazards, stairs_are_counted_and_measured_wherever_they_stand_and_however_steep) {
+TEST(Hazards, stairs_are_counted_and_measured_at_any_place_and_steepness) {
     std::mt19937 random(static_cast<unsigned>(test::seed_of_run()));
     for (int run = 0; run < 60; ++run) {
         const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
@@ -61,7 +61,7 @@ TEST(Hazards, stairs_are_counted_and_measured_wherever_they_stand_and_however_st
     }
 }
 
-TEST(Hazards, two_steps_are_no_stairs_and_stairs_behind_a_wall_or_out_of_range_are_not_told) {
+TEST(Hazards, two_steps_are_not_stairs_and_stairs_behind_a_wall_or_out_of_range_are_not_announced) {
     SceneBuilder two;
     stairs(two, Vec3(0.0), 2.0, 2, 0.17, 0.3);
     EXPECT_FALSE(Ground(two).ahead(Vec3(0.0), 0.0).stairs);
@@ -74,7 +74,7 @@ TEST(Hazards, two_steps_are_no_stairs_and_stairs_behind_a_wall_or_out_of_range_a
     EXPECT_FALSE(Ground(hidden).ahead(Vec3(0.0), 0.0).stairs);
 }
 
-TEST(Hazards, a_drop_is_where_the_body_would_fall_and_a_gap_it_spans_is_none) {
+TEST(Hazards, a_drop_is_a_gap_into_which_the_body_would_fall_and_not_one_that_it_spans) {
     std::mt19937 random(static_cast<unsigned>(test::seed_of_run()));
     for (int run = 0; run < 200; ++run) {
         const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
@@ -105,7 +105,7 @@ TEST(Hazards, a_drop_is_where_the_body_would_fall_and_a_gap_it_spans_is_none) {
     }
 }
 
-TEST(Hazards, games_call_only_what_is_deeper_than_two_of_their_steps_a_drop) {
+TEST(Hazards, games_count_as_drops_only_what_is_deeper_than_two_of_their_steps) {
     for (const double depth : {0.5, 1.0, 1.5}) {
         SceneBuilder b;
         b.box({-5, -5, -4}, {5, 2, 0}, "floor");
@@ -114,7 +114,7 @@ TEST(Hazards, games_call_only_what_is_deeper_than_two_of_their_steps_a_drop) {
     }
 }
 
-TEST(Hazards, no_ground_at_all_is_a_drop_without_a_depth) {
+TEST(Hazards, missing_ground_is_a_drop_without_a_depth) {
     SceneBuilder b;
     b.box({-5, -5, -4}, {5, 2, 0}, "floor");
     const GroundAhead seen = Ground(b).ahead(Vec3(0.0), 0.0);
@@ -122,7 +122,7 @@ TEST(Hazards, no_ground_at_all_is_a_drop_without_a_depth) {
     EXPECT_FALSE(seen.drop->depth_m);
 }
 
-TEST(Hazards, slopes_are_rise_per_metre_of_the_way_and_never_stairs_or_drops) {
+TEST(Hazards, slopes_are_measured_as_rise_per_metre_of_path_and_never_count_as_stairs_or_drops) {
     SceneBuilder b;
     b.box({-5, -5, -1}, {5, 0, 0}, "floor");
     b.ramp({-5, 0, 0}, {5, 12, 1}, "ramp");

@@ -32,7 +32,7 @@ std::shared_ptr<const Scene> rooms() {
     return b.share();
 }
 
-TEST(Hunt, hides_where_one_can_walk_far_enough_away_and_leads_there) {
+TEST(Hunt, hides_the_clock_at_a_walkable_place_far_enough_away_and_leads_there) {
     const auto scene = rooms();
     const BodyWorld world(scene);
     const BodySize body = body_size(*scene, 0.25);
@@ -93,7 +93,7 @@ TEST(Hunt, knows_each_place_once_and_none_that_nobody_can_step_up_to) {
 
 // Where the clock is heard through open air, ears lead; where walls or doors muffle it, the person requests a hint and
 // follows it.
-TEST(Hunt, is_won_in_the_house_by_a_newcomer_with_keys_and_ears_and_the_best_time_is_kept) {
+TEST(Hunt, is_won_in_the_house_by_a_newcomer_with_keys_and_ears_and_the_best_time_is_saved) {
     auto scene = read_world(test::project_root() / "worlds" / "maps" / "house.map");
     ASSERT_TRUE(scene);
     const auto house = std::make_shared<const Scene>(std::move(*scene));

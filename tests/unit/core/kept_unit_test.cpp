@@ -10,7 +10,7 @@ namespace kept_unit_test {
 
 namespace fs = std::filesystem;
 
-TEST(KeptUnit, is_there_again_beside_what_else_was_added) {
+TEST(KeptUnit, is_restored_together_with_other_additions) {
     const test::TemporaryFolder folder;
     const fs::path world = folder.write("flat.obj", "v 0 0 0\n");
     EXPECT_EQ(kept_unit(world, {}, false), std::nullopt);
@@ -25,7 +25,7 @@ TEST(KeptUnit, is_there_again_beside_what_else_was_added) {
     EXPECT_EQ(text_of(again.table("unit"), "said_by"), "me");
 }
 
-TEST(KeptUnit, is_not_asked_of_nonsense_and_leaves_a_damaged_file_where_it_is) {
+TEST(KeptUnit, is_ignored_if_invalid_and_a_damaged_file_stays_in_place) {
     const test::TemporaryFolder folder;
     const fs::path world = folder.write("flat.obj", "v 0 0 0\n"), side = folder.path() / "flat.obj.handrail.toml";
     for (const char* text :

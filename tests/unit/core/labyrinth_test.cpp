@@ -26,7 +26,7 @@ struct Player : test::AppSession {
     std::string stands() { return ask(Command::Labyrinth); }
 };
 
-TEST(Labyrinth, first_level_is_finished_by_a_newcomer_who_knows_only_what_is_said_in_under_two_minutes) {
+TEST(Labyrinth, first_level_can_be_finished_in_under_two_minutes_with_only_the_spoken_information) {
     Player player("labyrinth1.map");
     EXPECT_TRUE(player.heard("Labyrinth 1.")) << player.news();
     // The words name the keys that it presses.
@@ -64,7 +64,7 @@ TEST(Labyrinth, first_level_is_finished_by_a_newcomer_who_knows_only_what_is_sai
     EXPECT_LT(player.now - began_s, 120.0);
 }
 
-TEST(Labyrinth, a_hole_swallows_the_ball_and_all_is_back_at_the_start) {
+TEST(Labyrinth, a_hole_swallows_the_ball_and_everything_returns_to_the_start) {
     Player player("labyrinth2.map");
     EXPECT_NE(player.stands().find("A hole is 1.5 rolls east."), std::string::npos) << player.news();
     player.tap(Command::Use, 0.5);
@@ -80,7 +80,7 @@ TEST(Labyrinth, a_hole_swallows_the_ball_and_all_is_back_at_the_start) {
     EXPECT_NEAR(ball.z, 0.55, 2e-3);
 }
 
-TEST(Labyrinth, a_hole_hums_the_faster_the_nearer_the_ball_is_and_is_heard_to_swallow_it) {
+TEST(Labyrinth, a_hole_hums_faster_when_the_ball_is_nearer_and_is_heard_swallowing_it) {
     Player player("labyrinth2.map");
     player.run(1.0);
     const auto hum = [&] {
@@ -107,7 +107,7 @@ TEST(Labyrinth, a_hole_hums_the_faster_the_nearer_the_ball_is_and_is_heard_to_sw
     EXPECT_EQ(hum().loudness, 0.0) << "a covered hole is silent";
 }
 
-TEST(Labyrinth, corridors_are_a_list_with_what_lies_in_them_and_where_they_lead) {
+TEST(Labyrinth, corridors_are_listed_with_their_contents_and_destinations) {
     Player player("labyrinth2.map");
     player.tap(Command::Overview, 0.5);
     EXPECT_TRUE(player.heard(
@@ -126,7 +126,7 @@ TEST(Labyrinth, corridors_are_a_list_with_what_lies_in_them_and_where_they_lead)
                      "after 7 rolls"));
 }
 
-TEST(Labyrinth, corridors_are_there_too_where_the_ball_was_rolled_against_a_wall) {
+TEST(Labyrinth, corridors_are_listed_even_after_the_ball_was_rolled_against_a_wall) {
     for (const char* world : {"labyrinth1.map", "labyrinth2.map"}) {
         Player player(world);
         player.tap(Command::Use, 0.5);
@@ -138,7 +138,7 @@ TEST(Labyrinth, corridors_are_there_too_where_the_ball_was_rolled_against_a_wall
     }
 }
 
-TEST(Labyrinth, the_border_thuds_when_the_ball_meets_it) {
+TEST(Labyrinth, the_border_thuds_when_the_ball_hits_it) {
     Player player("labyrinth1.map");
     const auto thuds = [&] { return std::count(player.sounds.begin(), player.sounds.end(), SoundKind::Border); };
     player.tap(Command::Use, 0.5);
@@ -162,7 +162,7 @@ void finish_second(Player& player) {
     player.taps(Command::TurnLeft, 9);
 }
 
-TEST(Labyrinth, second_level_is_finished_over_the_plank_and_again_after_starting_anew_with_the_best_time_kept) {
+TEST(Labyrinth, second_level_is_finished_over_the_plank_twice_and_the_best_time_is_saved) {
     const test::TemporaryFolder folder;
     SessionOptions options;
     options.records_in = folder.path() / "not there yet";
@@ -216,7 +216,7 @@ std::vector<Placement> course_of(Player& player) {
     return course;
 }
 
-TEST(Labyrinth, begun_anew_goes_with_the_same_bits_as_in_another_run) {
+TEST(Labyrinth, restarted_behaves_bit_identically_to_another_run) {
     Player first("labyrinth2.map"), second("labyrinth2.map");
     const std::vector<Placement> once = course_of(first);
     EXPECT_EQ(once, course_of(second));
@@ -255,7 +255,7 @@ TEST(Labyrinth, third_level_is_finished_by_filling_the_pit_and_lifting_the_crate
     EXPECT_TRUE(player.heard("Finished in ")) << player.news();
 }
 
-TEST(Labyrinth, safe_of_the_third_level_bars_the_shorter_way) {
+TEST(Labyrinth, third_level_has_a_safe_that_blocks_the_shorter_route) {
     Player player("labyrinth3.map");
     // Placed at the table's north side, the safe is the nearest thing.
     player.app.apply(Placed{{2.0, 3.15, 0.0}, kPi}, player.now);
@@ -271,7 +271,7 @@ TEST(Labyrinth, safe_of_the_third_level_bars_the_shorter_way) {
     EXPECT_LT(after.y, 2.45);
 }
 
-TEST(Labyrinth, who_gets_no_nearer_for_a_minute_is_told_once_how_to_go_on) {
+TEST(Labyrinth, a_person_who_gets_no_nearer_for_a_minute_gets_one_hint) {
     Player player("labyrinth1.map");
     player.tap(Command::Use, 0.5);
     player.taps(Command::TurnRight, 1);
@@ -282,7 +282,7 @@ TEST(Labyrinth, who_gets_no_nearer_for_a_minute_is_told_once_how_to_go_on) {
               1);
 }
 
-TEST(Labyrinth, is_nothing_of_in_other_worlds) {
+TEST(Labyrinth, commands_say_so_in_worlds_that_are_not_labyrinths) {
     test::AppSession house;
     house.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, 0.0);
     house.run(0.1);
@@ -313,7 +313,7 @@ const std::string kBall = entity("thing", key("cs_name", "dynamic_sphere") + key
                                  box_brush(100, 100, 0, 110, 110, 10));
 const std::string kGoal = entity("trigger_goal", "", box_brush(200, 200, 0, 220, 220, 20, "trigger"));
 
-TEST(LabyrinthKeys, that_make_no_game_are_told_with_their_line) {
+TEST(LabyrinthKeys, that_make_no_complete_game_are_reported_with_their_line) {
     EXPECT_EQ(warnings_of(key("labyrinth", "1"), kBall + kGoal), "");
     EXPECT_NE(warnings_of(key("labyrinth", "1"), kGoal).find("a labyrinth needs a ball"), std::string::npos);
     EXPECT_NE(warnings_of(key("labyrinth", "1"), kBall).find("a labyrinth needs a goal"), std::string::npos);
@@ -321,7 +321,7 @@ TEST(LabyrinthKeys, that_make_no_game_are_told_with_their_line) {
     EXPECT_NE(warnings_of(key("labyrinth", "nan"), kBall + kGoal).find("labyrinth is not a number"), std::string::npos);
 }
 
-TEST(LabyrinthKeys, of_single_things_that_fit_nothing_are_left_out_and_the_rest_is_played) {
+TEST(LabyrinthKeys, that_are_misplaced_are_ignored_and_the_rest_is_played) {
     const auto told = [](const std::string& entities, const std::string& sentence) {
         const std::string room = test::room_brushes(0, 0, 0, 256, 256, 128);
         const auto scene = read_quake_map(

@@ -34,7 +34,7 @@ struct Person : test::AppSession {
     }
 };
 
-TEST(Language, is_chosen_from_a_list_of_their_own_names_and_kept) {
+TEST(Language, is_chosen_from_a_list_of_native_names_and_saved) {
     Person p;
     EXPECT_THAT(p.line("language"), HasSubstr("English"));
     EXPECT_THAT(p.line("deutsch"), HasSubstr("Deutsch."));
@@ -47,7 +47,7 @@ TEST(Language, is_chosen_from_a_list_of_their_own_names_and_kept) {
     EXPECT_EQ(spoken_language(), "en");
 }
 
-TEST(Language, of_a_file_of_ones_own_stands_in_the_list) {
+TEST(Language, from_a_custom_file_appears_in_the_list) {
     const test::TemporaryFolder folder;
     std::ofstream(folder.path() / "nl.toml") << "language.name = \"Nederlands\"\n";
     std::ofstream(folder.path() / "broken.toml") << "language.name = ";
@@ -60,7 +60,7 @@ TEST(Language, of_a_file_of_ones_own_stands_in_the_list) {
     EXPECT_EQ(spoken_language(), "nl");
 }
 
-TEST(Language, that_there_is_not_is_told_and_changes_nothing) {
+TEST(Language, that_does_not_exist_is_reported_and_changes_nothing) {
     Person p;
     Settings wanted = p.app.settings();
     wanted.speech.language = "xx";
@@ -70,7 +70,7 @@ TEST(Language, that_there_is_not_is_told_and_changes_nothing) {
     EXPECT_EQ(spoken_language(), "en");
 }
 
-TEST(Language, is_the_environments_where_the_settings_name_none) {
+TEST(Language, comes_from_the_environment_if_the_settings_name_none) {
     test::WithEnvironment environment("LC_ALL", nullptr);
     for (const auto& [locale, code] :
          {std::pair{"de_AT.UTF-8", "de"}, std::pair{"en_GB", "en"}, std::pair{"xx_XX", "en"}, std::pair{"C", "en"}}) {

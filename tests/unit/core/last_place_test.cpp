@@ -26,7 +26,7 @@ std::size_t files_in(const fs::path& folder) {
 const LastPlace kKitchen{
     {"/worlds/\"odd\" \\ house ü.map", 0.1 + 0.2, 0.3048, "The \"Annex\""}, {1.0 / 3.0, -2e-17, 1234567.125}, -3.0};
 
-TEST(LastPlace, is_read_back_to_the_last_bit) {
+TEST(LastPlace, is_restored_to_the_last_bit) {
     const auto again = read_last_place(text_of(kKitchen));
     ASSERT_TRUE(again) << again.error().sentence();
     EXPECT_EQ(again->world, kKitchen.world);
@@ -34,7 +34,7 @@ TEST(LastPlace, is_read_back_to_the_last_bit) {
     EXPECT_EQ(again->heading_rad, kKitchen.heading_rad);
 }
 
-TEST(LastPlace, cut_at_any_byte_is_refused_or_whole) {
+TEST(LastPlace, cut_at_any_byte_is_refused_or_complete) {
     const std::string text = text_of(kKitchen);
     for (std::size_t length = 0; length < text.size(); ++length) {
         const auto read = read_last_place(text.substr(0, length));
@@ -49,7 +49,7 @@ TEST(LastPlace, cut_at_any_byte_is_refused_or_whole) {
         EXPECT_FALSE(read_last_place(bad)) << bad;
 }
 
-TEST(SessionTrace, that_was_ended_leaves_nothing_behind_and_tells_nothing) {
+TEST(SessionTrace, of_an_orderly_end_leaves_no_file_and_reports_nothing) {
     const TemporaryFolder folder;
     {
         SessionTrace trace(folder.path());
@@ -61,7 +61,7 @@ TEST(SessionTrace, that_was_ended_leaves_nothing_behind_and_tells_nothing) {
     EXPECT_FALSE(SessionTrace(folder.path()).crashed());
 }
 
-TEST(SessionTrace, that_was_killed_is_told_once_with_its_last_place) {
+TEST(SessionTrace, of_a_killed_session_is_reported_once_with_its_last_place) {
     const TemporaryFolder folder;
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
@@ -99,7 +99,7 @@ TEST(SessionTrace, that_was_killed_is_told_once_with_its_last_place) {
     EXPECT_FALSE(SessionTrace(folder.path()).crashed());
 }
 
-TEST(SessionTrace, that_still_runs_beside_is_no_crash) {
+TEST(SessionTrace, of_a_session_that_still_runs_is_not_a_crash) {
     const TemporaryFolder folder;
     SessionTrace one(folder.path());
     one.note(kKitchen, 1.0);
@@ -115,7 +115,7 @@ TEST(SessionTrace, that_still_runs_beside_is_no_crash) {
     EXPECT_EQ(files_in(folder.path()), 0U);
 }
 
-TEST(SessionTrace, writes_at_most_every_3_s_and_only_where_one_has_moved) {
+TEST(SessionTrace, is_written_at_most_every_3_s_and_only_after_movement) {
     const TemporaryFolder folder;
     SessionTrace trace(folder.path());
     const auto place = [&](double x) { return LastPlace{{"/a.map"}, {x, 0.0, 0.0}, 0.0}; };
@@ -138,7 +138,7 @@ TEST(SessionTrace, writes_at_most_every_3_s_and_only_where_one_has_moved) {
     trace.end();
 }
 
-TEST(SessionTrace, keeps_nothing_where_it_may_not_and_goes_on) {
+TEST(SessionTrace, stores_nothing_if_that_is_not_permitted_and_continues) {
     SessionTrace nowhere{fs::path()};
     nowhere.note(kKitchen, 1.0);
     nowhere.end();
@@ -159,7 +159,7 @@ TEST(SessionTrace, keeps_nothing_where_it_may_not_and_goes_on) {
     EXPECT_EQ(files_in(folder.path()), 1U);
 }
 
-TEST(GoOnAtLastPlace, puts_the_body_there_and_home_stays_home) {
+TEST(GoOnAtLastPlace, puts_the_body_back_there_and_leaves_the_home_position_unchanged) {
     test::AppSession session;
     session.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
     session.run(0.1);

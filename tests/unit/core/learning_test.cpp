@@ -72,7 +72,7 @@ struct DoorRoom : Ground {
     double wide_m, deep_m;
 };
 
-TEST(Learning, perimeter_and_floor_are_as_large_as_the_room_and_what_stands_free_is_no_wall) {
+TEST(Learning, perimeter_and_floor_match_the_room_and_free_standing_things_are_not_walls) {
     std::mt19937 random(test::seed_of_run());
     for (int run = 0; run < 20; ++run) {
         const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
@@ -89,7 +89,7 @@ TEST(Learning, perimeter_and_floor_are_as_large_as_the_room_and_what_stands_free
     }
 }
 
-TEST(Learning, the_share_of_the_walls_that_was_touched_is_the_truth_within_two_percent) {
+TEST(Learning, reports_the_touched_share_of_the_walls_within_two_percent) {
     std::mt19937 random(test::seed_of_run());
     for (int run = 0; run < 40; ++run) {
         const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
@@ -115,7 +115,7 @@ TEST(Learning, the_share_of_the_walls_that_was_touched_is_the_truth_within_two_p
     }
 }
 
-TEST(Learning, the_share_of_the_floor_that_was_walked_is_the_truth_within_two_percent) {
+TEST(Learning, reports_the_walked_share_of_the_floor_within_two_percent) {
     std::mt19937 random(test::seed_of_run());
     for (int run = 0; run < 10; ++run) {
         const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
@@ -165,7 +165,7 @@ std::optional<Vec3> nearest_unknown_wall(const Learnt& learnt, const Vec3& feet_
     return nearest;
 }
 
-TEST(Learning, a_huge_place_is_seen_in_coarser_cells_and_measures_the_same) {
+TEST(Learning, uses_coarser_cells_in_a_huge_place_with_the_same_measurements) {
     const double wide = 60.0, deep = 40.0;
     const DoorRoom hall(Vec3(0.0), wide, deep, false);
     EXPECT_LE(hall.place.free.size(), 400'000U) << "memory and time are those of a large hall";
@@ -186,7 +186,7 @@ TEST(Learning, a_huge_place_is_seen_in_coarser_cells_and_measures_the_same) {
     }
 }
 
-TEST(Learning, what_is_not_known_yet_is_found_nearest_first_and_nothing_is_left_at_the_end) {
+TEST(Learning, finds_the_nearest_unexplored_part_first_until_nothing_is_left) {
     const DoorRoom room(Vec3(0.0), 6.0, 4.0);
     LearningNotes notes;
     const Vec3 feet(1.5, 0.5, 0.0);
@@ -212,7 +212,7 @@ TEST(Learning, what_is_not_known_yet_is_found_nearest_first_and_nothing_is_left_
     for (const Lane& lane : lanes_of(room.learnt(notes))) EXPECT_TRUE(lane.done() || !lane.north);
 }
 
-TEST(Learning, lanes_lie_a_metre_apart_both_ways) {
+TEST(Learning, lanes_are_a_metre_apart_in_both_directions) {
     const DoorRoom room(Vec3(0.0), 6.0, 4.0);
     const std::vector<Lane> lanes = lanes_of(room.learnt());
     EXPECT_EQ(std::count_if(lanes.begin(), lanes.end(), [](const Lane& lane) { return lane.north; }), 6);
@@ -305,7 +305,7 @@ class Outlines : public testing::TestWithParam<Outline> {};
 INSTANTIATE_TEST_SUITE_P(Learning, Outlines, testing::Values(kOblong, kAngle, kPillared, kRecessed),
                          [](const auto& test) { return test.param.name; });
 
-TEST_P(Outlines, are_as_long_and_as_large_as_they_are_within_two_percent) {
+TEST_P(Outlines, have_the_true_length_and_area_within_two_percent) {
     const Outline& outline = GetParam();
     const Ground room(outline.build(), outline.start);
     const Progress none = room.progress();
@@ -348,7 +348,7 @@ struct Lap : test::AppSession {
 };
 
 // A lap by the keys: what the session reports must match the actual path on the floor.
-TEST_P(Outlines, a_lap_by_keys_is_told_as_it_was_within_two_percent_at_every_part_of_it) {
+TEST_P(Outlines, of_a_lap_by_keys_are_reported_within_two_percent_at_every_part) {
     const Outline& outline = GetParam();
     const std::shared_ptr<const Scene> scene = outline.build().share();
     for (const double share : {0.2, 0.35, 0.55, 1.0}) {
@@ -386,7 +386,7 @@ TEST_P(Outlines, a_lap_by_keys_is_told_as_it_was_within_two_percent_at_every_par
 
 // A pocket too small for any walker has its own wall. Without that wall, 95 percent of the walls are touched, and the
 // session used to report that as all of them.
-TEST(Learning, walls_that_nobody_touched_are_not_told_as_done) {
+TEST(Learning, untouched_walls_are_not_reported_as_done) {
     SceneBuilder b;
     const auto wall = [&](const Vec3& from, const Vec3& to, const char* name) {
         b.box(from, to, name, SolidRole::Solid, "plaster", FeatureKind::Wall);
@@ -407,7 +407,7 @@ TEST(Learning, walls_that_nobody_touched_are_not_told_as_done) {
     for (const std::string& line : lap.said) EXPECT_EQ(line.find("All walls done,"), std::string::npos) << line;
 }
 
-TEST(Learning, a_lap_past_a_door_finds_it) {
+TEST(Learning, a_lap_past_a_door_finds_the_door) {
     const DoorRoom room(Vec3(0.0), 6.0, 4.0);
     Lap lap(room.scene);
     lap.ask(Command::LearnPlace);
@@ -434,7 +434,7 @@ SceneBuilder two_rooms() {
     return b;
 }
 
-TEST(Learning, the_place_is_the_room_of_the_graph_and_its_portals_are_the_exits) {
+TEST(Learning, uses_the_room_of_the_graph_as_the_place_and_its_portals_as_exits) {
     const SceneBuilder b = two_rooms();
     const Ground study(b, {2, 2, 0}), kitchen(b, {8, 2, 0});
     ASSERT_NE(study.room, kitchen.room);
@@ -457,7 +457,7 @@ TEST(Learning, the_place_is_the_room_of_the_graph_and_its_portals_are_the_exits)
     EXPECT_EQ(kitchen.progress(notes).exits_found, 1);
 }
 
-TEST(Learning, what_is_known_of_a_room_is_kept_while_one_is_elsewhere_and_all_rooms_can_be_asked_for) {
+TEST(Learning, keeps_progress_of_a_room_after_leaving_it_and_can_report_on_all_rooms) {
     Lap lap(two_rooms().share());
     EXPECT_TRUE(words_in_order("Learning Study The base is here", lap.ask(Command::LearnPlace)));
     lap.walk(Command::TrailLeft, 4.0);
@@ -484,7 +484,7 @@ TEST(Learning, what_is_known_of_a_room_is_kept_while_one_is_elsewhere_and_all_ro
     EXPECT_EQ(percents(lap.ask(Command::ProgressReport)), percents(before));
 }
 
-TEST(Learning, a_room_of_which_nothing_is_known_is_listed_as_such) {
+TEST(Learning, an_unexplored_room_is_listed_as_unexplored) {
     Lap lap(two_rooms().share());
     lap.app.apply(CommandDown{Command::LearntRooms}, lap.now);
     lap.run(0.1);

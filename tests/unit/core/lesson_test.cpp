@@ -37,7 +37,7 @@ LessonSense did(Command command, bool at_home = false) {
     return sense;
 }
 
-TEST(Lessons, are_over_only_when_the_person_has_done_each_thing) {
+TEST(Lessons, end_only_when_the_person_has_done_each_thing) {
     const World w;
     LessonRun corner(lessons()[1], true, "");
     EXPECT_THAT(corner.begin().instruction, HasSubstr("reach forward"));
@@ -63,7 +63,7 @@ TEST(Lessons, are_over_only_when_the_person_has_done_each_thing) {
     EXPECT_TRUE(door.tick(met(w.door), *w.scene).finished);
 }
 
-TEST(Lessons, of_forces_need_a_device_and_follow_the_force_itself) {
+TEST(Lessons, about_forces_need_a_device_and_observe_the_actual_force) {
     const World w;
     LessonRun keys(lessons()[4], false, "");
     EXPECT_EQ(keys.begin().instruction, "This lesson needs a touch device.");
@@ -77,7 +77,7 @@ TEST(Lessons, of_forces_need_a_device_and_follow_the_force_itself) {
     EXPECT_TRUE(hand.tick(on, *w.scene).finished);
 }
 
-TEST(Lessons, of_the_beacon_are_over_when_it_was_set_and_reached_and_not_when_it_was_only_taken_off) {
+TEST(Lessons, about_the_beacon_end_once_it_was_set_and_reached_and_not_when_it_is_just_removed) {
     const World w;
     LessonRun lesson(lessons()[5], false, "");
     EXPECT_THAT(lesson.begin().instruction, HasSubstr("Shift+H"));
@@ -92,7 +92,7 @@ TEST(Lessons, of_the_beacon_are_over_when_it_was_set_and_reached_and_not_when_it
 }
 
 // The same in a session: the thing is chosen from the list, the walker goes there, and the beacon ends.
-TEST(Lessons, of_the_beacon_lead_a_body_to_the_thing_it_chose) {
+TEST(Lessons, about_the_beacon_lead_the_walker_to_the_chosen_thing) {
     const World w;
     Session app(Settings{}, HandFacts{});
     double now = 0.0;
@@ -133,7 +133,7 @@ TEST(Lessons, of_the_beacon_lead_a_body_to_the_thing_it_chose) {
     EXPECT_THAT(text, HasSubstr("That is the end of the lesson."));
 }
 
-TEST(Lessons, say_little_enough_for_two_minutes) {
+TEST(Lessons, are_short_enough_for_two_minutes) {
     for (const Lesson& lesson : lessons()) {
         std::size_t words = 0;
         for (const LessonStep& step : lesson.steps)
@@ -144,7 +144,7 @@ TEST(Lessons, say_little_enough_for_two_minutes) {
 }
 
 // In a session, the lesson continues where it was left.
-TEST(FirstMinutes, go_on_where_they_were_left_and_are_not_begun_again_once_done) {
+TEST(FirstMinutes, resume_where_they_were_left_and_never_start_again_once_done) {
     const World w;
     Session app(Settings{}, HandFacts{});
     std::map<std::string, std::string> saved;
@@ -200,7 +200,7 @@ TEST(FirstMinutes, go_on_where_they_were_left_and_are_not_begun_again_once_done)
     EXPECT_FALSE(app.requests().leave);
 }
 
-TEST(FirstMinutes, are_skipped_by_whoever_does_something_else_and_the_world_greets_then) {
+TEST(FirstMinutes, are_skipped_by_any_other_command_and_the_world_then_greets) {
     const World w;
     Session app(Settings{}, HandFacts{});
     app.apply(FirstMinutesBegun{"a voice", true}, 0.0);

@@ -12,7 +12,7 @@ struct Ride : test::AppSession {
     explicit Ride(std::shared_ptr<const Scene> scene) { app.apply(WorldEntered{make_ready(std::move(scene))}, 0.0); }
 };
 
-TEST(LiftHalts, the_lift_comes_to_a_door_between_its_ends_and_opens_it) {
+TEST(LiftHalts, include_a_door_between_both_ends_which_the_lift_opens) {
     const auto scene = test::hall_with_lift();
     MoverPlay play;
     play.enter(scene->movers);
@@ -47,7 +47,7 @@ TEST(LiftHalts, the_lift_comes_to_a_door_between_its_ends_and_opens_it) {
     EXPECT_NEAR(play.at(0).position_m.z, play.at_rest(0).position_m.z, 1e-9) << "from the highest to the lowest";
 }
 
-TEST(LiftHalts, one_rides_to_the_storey_that_is_told_and_chosen_by_the_key_again) {
+TEST(LiftHalts, lead_to_the_announced_storey_which_the_key_can_change) {
     Ride ride(test::hall_with_lift());
     ride.walk(4.0);  // up to its door
     ride.tap(Command::Use);
@@ -69,7 +69,7 @@ TEST(LiftHalts, one_rides_to_the_storey_that_is_told_and_chosen_by_the_key_again
 
 // Under the lintel the lift would hit the walker's head. It moves the walker farther in instead of turning back for
 // ever.
-TEST(LiftHalts, one_rides_from_the_threshold) {
+TEST(LiftHalts, allow_boarding_from_the_threshold) {
     for (const double in_m : {0.3, 0.35, 0.4, 0.5}) {
         SCOPED_TRACE(in_m);
         Ride ride(test::hall_with_lift());

@@ -51,7 +51,7 @@ struct Person : test::AppSession {
     }
 };
 
-TEST(Menu, leads_to_every_command_by_topic_each_with_its_key) {
+TEST(Menu, leads_by_topic_to_every_command_with_its_key) {
     Person p;
     EXPECT_THAT(p.key("Tab"), HasSubstr("What you can do"));
     p.line("what you can do");
@@ -73,7 +73,7 @@ TEST(Menu, leads_to_every_command_by_topic_each_with_its_key) {
     EXPECT_FALSE(p.app.dialogue().is_open()) << "what is done closes the lists";
 }
 
-TEST(Rebinding, takes_the_key_that_is_pressed_and_saves_it) {
+TEST(Rebinding, accepts_the_pressed_key_and_saves_it) {
     Person p;
     p.key("Tab");
     p.line("keys");
@@ -90,7 +90,7 @@ TEST(Rebinding, takes_the_key_that_is_pressed_and_saves_it) {
     EXPECT_THAT(p.key("C"), Not(HasSubstr("Facing north")));
 }
 
-TEST(Rebinding, tells_conflicts_and_lets_the_person_decide_and_gives_the_built_in_key_back) {
+TEST(Rebinding, reports_conflicts_for_the_person_to_decide_and_can_restore_the_built_in_key) {
     Person p;
     const auto ask_for = [&](const std::string& what) {
         p.key("Tab");
@@ -135,7 +135,7 @@ TEST(Rebinding, tells_conflicts_and_lets_the_person_decide_and_gives_the_built_i
     EXPECT_FALSE(p.app.apply(KeyTapped{"F12"}, p.now)) << "the stop key stops, whatever is asked";
 }
 
-TEST(InputHelp, explains_keys_and_does_nothing_until_it_is_pressed_again) {
+TEST(InputHelp, explains_keys_without_performing_them_until_it_is_switched_off) {
     Person p;
     EXPECT_THAT(p.key("Shift+F1"), StartsWith("Input help on."));
     EXPECT_THAT(p.key("Up"), StartsWith("Up: Walk one step forward"));
@@ -151,7 +151,7 @@ TEST(InputHelp, explains_keys_and_does_nothing_until_it_is_pressed_again) {
     EXPECT_EQ(p.app.settings().workspace.frame, FrameChoice::Walk);
 }
 
-TEST(OneHandedKeys, reach_what_is_most_used_with_one_hand_and_clash_with_nothing_of_their_own) {
+TEST(OneHandedKeys, cover_the_most_used_commands_for_one_hand_without_conflicts) {
     for (const KeyboardHand hand : {KeyboardHand::Left, KeyboardHand::Right}) {
         const KeyMap keys({}, hand);
         EXPECT_TRUE(keys.problems().empty());
@@ -206,7 +206,7 @@ TEST(OneHandedKeys, reach_what_is_most_used_with_one_hand_and_clash_with_nothing
     EXPECT_TRUE(reaches(KeyboardHand::Right, "Control+F12"));
 }
 
-TEST(OneHandedKeys, are_chosen_in_the_menu_and_act_at_once) {
+TEST(OneHandedKeys, are_chosen_in_the_menu_and_take_effect_at_once) {
     Person p;
     p.key("Tab");
     p.line("keys");
@@ -269,7 +269,7 @@ TEST(AdjustSettings, every_setting_steps_up_and_down_within_its_range_and_comes_
     EXPECT_EQ(settings.walk.step_length_m, 0.7);
 }
 
-TEST(WorldsMenu, offers_what_comes_along_what_was_visited_and_any_folder) {
+TEST(WorldsMenu, offers_bundled_worlds_recent_worlds_and_any_folder) {
     const test::TemporaryFolder folder;
     folder.write("my_house.map", "");
     folder.write("old-school.map", "");
@@ -300,7 +300,7 @@ TEST(WorldsMenu, offers_what_comes_along_what_was_visited_and_any_folder) {
     EXPECT_EQ(p.app.requests().take_world(), WorldRequest{folder.path() / "my_house.map"});
 }
 
-TEST(RecentWorlds, are_kept_between_sessions_and_a_damaged_file_is_set_aside_and_said) {
+TEST(RecentWorlds, are_kept_between_sessions_and_a_damaged_file_is_set_aside_and_reported) {
     const test::TemporaryFolder folder;
     const auto file = folder.path() / "state" / "recent-worlds.txt";
     {
@@ -330,7 +330,7 @@ TEST(RecentWorlds, are_kept_between_sessions_and_a_damaged_file_is_set_aside_and
     EXPECT_EQ(name_of_file("/a/\xff\xfe.map"), "a world without a name");
 }
 
-TEST(SoundsMenu, plays_what_is_chosen) {
+TEST(SoundsMenu, plays_the_chosen_sound) {
     Person p;
     p.key("Tab");
     p.line("dictionary");

@@ -48,7 +48,7 @@ std::shared_ptr<const Scene> hall_with_stairs() {
     return b.share();
 }
 
-TEST(Trailing, says_so_when_it_turns_the_body_to_begin_with) {
+TEST(Trailing, announces_an_initial_turn_of_the_body) {
     for (const char* language : kLanguages) {
         const test::InLanguage spoken(language);
         // Facing west at the south wall, which is on the left. It is on the right only for a walker who faces east.
@@ -69,7 +69,7 @@ TEST(Trailing, says_so_when_it_turns_the_body_to_begin_with) {
     }
 }
 
-TEST(Trailing, says_so_when_the_wall_is_walked_to_first) {
+TEST(Trailing, announces_walking_to_the_wall_first) {
     Body s(hall_with_stairs());
     s.app.apply(Placed{{4, 3, 0}, 0.0}, s.now);
     s.news();
@@ -78,7 +78,7 @@ TEST(Trailing, says_so_when_the_wall_is_walked_to_first) {
     EXPECT_THAT(s.said.back(), HasSubstr("with the wall on your left"));
 }
 
-TEST(Trailing, waits_before_stairs_until_it_is_asked_again) {
+TEST(Trailing, waits_at_stairs_until_it_is_requested_again) {
     for (const char* language : kLanguages) {
         const test::InLanguage spoken(language);
         Body s(hall_with_stairs());
@@ -105,7 +105,7 @@ TEST(Trailing, waits_before_stairs_until_it_is_asked_again) {
 
 // Trails along the walls of the house's rooms, from their middles. Every turn by more than a notch and every change of
 // height must have been announced before it.
-TEST(Trailing, never_turns_or_climbs_without_a_word_in_the_house) {
+TEST(Trailing, never_turns_or_climbs_without_an_announcement_in_the_house) {
     Body s("house.map");
     s.ask(Command::Exits);
     s.ask(Command::PlanView);
@@ -154,7 +154,7 @@ std::shared_ptr<const Scene> three_things() {
     return b.share();
 }
 
-TEST(Leaping, goes_to_the_nearest_first_and_tells_where_one_is_then) {
+TEST(Leaping, goes_to_the_nearest_thing_first_and_announces_the_new_place) {
     for (const char* language : kLanguages) {
         const test::InLanguage spoken(language);
         Body s(three_things());
@@ -185,7 +185,7 @@ TEST(Leaping, goes_to_the_nearest_first_and_tells_where_one_is_then) {
     }
 }
 
-TEST(Leaping, reaches_every_door_of_the_room_also_those_out_of_sight) {
+TEST(Leaping, reaches_every_door_of_the_room_even_out_of_sight) {
     Body s("house.map");
     s.ask(Command::Exits);
     s.run(0.1);
@@ -205,7 +205,7 @@ TEST(Leaping, reaches_every_door_of_the_room_also_those_out_of_sight) {
     }
 }
 
-TEST(Leaping, says_so_when_it_leads_higher_or_lower) {
+TEST(Leaping, announces_a_leap_to_a_higher_or_lower_level) {
     test::SceneBuilder b;
     b.box({-10, -10, -0.2}, {10, 10, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
     b.box({3, -2, 0}, {8, 2, 0.4}, "platform", SolidRole::Solid, {}, FeatureKind::Floor);

@@ -68,7 +68,7 @@ TEST(Movers, a_hinged_door_of_a_building_swings_out_of_its_opening) {
     }
 }
 
-TEST(Movers, the_door_is_in_the_way_until_it_is_used_and_again_after_it_is_used_once_more) {
+TEST(Movers, a_door_blocks_the_walker_until_it_is_used_and_again_after_a_second_use) {
     Walk walk(world(kWall + door(key("name", "Oak door") + key("hinge", "west"))));
     walk.walk(5.0);
     EXPECT_NEAR(walk.app.feet_m().y, 3.0625 - 0.25, 0.01);
@@ -85,7 +85,7 @@ TEST(Movers, the_door_is_in_the_way_until_it_is_used_and_again_after_it_is_used_
     EXPECT_EQ(walk.count(SoundKind::DoorShuts), 1);
 }
 
-TEST(Movers, a_door_that_would_shut_on_somebody_opens_again) {
+TEST(Movers, a_door_that_would_shut_on_the_walker_opens_again) {
     Walk walk(world(kWall + door(key("name", "Oak door") + key("hinge", "west"))));
     walk.app.apply(Placed{{5.0, 2.4, 0.0}, 0.0}, walk.now);
     walk.tap(Command::Use, 2.0);
@@ -98,7 +98,7 @@ TEST(Movers, a_door_that_would_shut_on_somebody_opens_again) {
 }
 
 // A walker who has opened a door steps around its leaf to shut it again.
-TEST(Movers, a_door_shuts_past_somebody_who_stands_in_its_swing_but_not_in_its_opening) {
+TEST(Movers, a_door_shuts_past_a_walker_in_its_swing_but_not_in_its_opening) {
     Walk walk(world(kWall + door(key("name", "Oak door") + key("hinge", "west") + key("opens", "north"))));
     walk.app.apply(Placed{{5.0, 2.4, 0.0}, 0.0}, walk.now);
     walk.tap(Command::Use, 2.0);
@@ -110,13 +110,13 @@ TEST(Movers, a_door_shuts_past_somebody_who_stands_in_its_swing_but_not_in_its_o
     EXPECT_NEAR(glm::length(walk.app.feet_m() - in_swing_m), 0.0, 0.05) << "it moves nobody";
 }
 
-TEST(Movers, nothing_in_reach_is_said) {
+TEST(Movers, the_use_command_reports_if_no_door_or_button_is_in_reach) {
     Walk walk(world({}));
     walk.tap(Command::Use);
     EXPECT_TRUE(walk.heard("no door or button within reach"));
 }
 
-TEST(Movers, game_doors_go_up_when_one_comes_near_and_come_back_by_themselves) {
+TEST(Movers, game_doors_rise_when_the_walker_comes_near_and_close_automatically) {
     Walk walk(world(kWall + door(key("angle", "-1") + key("speed", "200")), true));
     const Mover& mover = walk.app.scene()->movers.at(0);
     EXPECT_EQ(mover.slide_m, Vec3(0, 0, (72.0 - 8.0) / 32.0));
@@ -126,7 +126,7 @@ TEST(Movers, game_doors_go_up_when_one_comes_near_and_come_back_by_themselves) {
     EXPECT_TRUE(walk.heard("Door is shut"));
 }
 
-TEST(Movers, a_button_opens_the_door_that_has_its_name_and_nothing_else_does) {
+TEST(Movers, a_button_opens_only_the_door_with_its_name_and_nothing_else_opens_it) {
     const std::string button =
         entity("func_button", key("target", "gate") + key("angle", "90") + key("name", "Red button"),
                box_brush(150, 60, 0, 170, 64, 48));
@@ -148,7 +148,7 @@ TEST(Movers, a_button_opens_the_door_that_has_its_name_and_nothing_else_does) {
     EXPECT_GT(walk.app.feet_m().y, 4.5);
 }
 
-TEST(Movers, a_locked_door_tells_of_its_button_once_it_is_walked_into_and_that_it_opens_from_anywhere) {
+TEST(Movers, a_locked_door_announces_its_button_when_bumped_and_opens_with_it_from_anywhere) {
     const std::string button =
         entity("func_button", key("target", "gate") + key("angle", "90") + key("name", "Red button"),
                box_brush(150, 600, 0, 170, 604, 48));
@@ -169,7 +169,7 @@ TEST(Movers, a_locked_door_tells_of_its_button_once_it_is_walked_into_and_that_i
     EXPECT_GT(walk.app.feet_m().y, 4.5);
 }
 
-TEST(Movers, a_lift_waits_below_and_carries_whoever_steps_on) {
+TEST(Movers, a_lift_waits_below_and_carries_a_walker_who_steps_on) {
     const std::string lift = entity("func_plat", key("name", "Lift"), box_brush(96, 64, 0, 224, 192, 64));
     Walk walk(world(lift, true));
     const Mover& mover = walk.app.scene()->movers.at(0);
@@ -186,7 +186,7 @@ TEST(Movers, a_lift_waits_below_and_carries_whoever_steps_on) {
     EXPECT_TRUE(walk.heard("Lift stops"));
 }
 
-TEST(Movers, a_teleporter_leads_where_its_target_stands) {
+TEST(Movers, a_teleporter_leads_to_its_target) {
     const std::string there = entity("info_teleport_destination",
                                      key("targetname", "far") + key("origin", "160 560 24") + key("angle", "270"));
     const std::string volume =
@@ -198,7 +198,7 @@ TEST(Movers, a_teleporter_leads_where_its_target_stands) {
     EXPECT_TRUE(walk.heard("door took you somewhere else"));
 }
 
-TEST(Movers, a_teleporter_without_a_target_is_told_with_its_line) {
+TEST(Movers, a_teleporter_without_a_target_is_reported_with_its_line) {
     const std::string volume =
         entity("trigger_teleport", key("target", "nowhere"), box_brush(96, 64, 0, 224, 96, 96, "trigger"));
     const auto scene =
@@ -211,7 +211,7 @@ TEST(Movers, a_teleporter_without_a_target_is_told_with_its_line) {
 
 // A moving leaf pushes a hand that is held against it evenly and without knocks. Checked with the body frames of the
 // session.
-TEST(Movers, the_frames_of_a_swinging_leaf_follow_one_another_closely) {
+TEST(Movers, poses_of_a_swinging_leaf_follow_each_other_closely) {
     Walk walk(world(kWall + door(key("hinge", "west"))));
     walk.app.apply(Placed{{5.0, 2.4, 0.0}, 0.0}, walk.now);
     walk.app.apply(CommandDown{Command::Use}, walk.now);
@@ -230,7 +230,7 @@ TEST(Movers, the_frames_of_a_swinging_leaf_follow_one_another_closely) {
 }
 
 // In the bundled house every door can be opened, passed in both directions, and shut behind the walker.
-TEST(Movers, every_door_of_our_house_can_be_gone_through_from_both_sides) {
+TEST(Movers, every_door_of_our_house_can_be_used_from_both_sides) {
     auto scene = read_world(test::project_root() / "worlds" / "maps" / "house.map");
     ASSERT_TRUE(scene);
     const auto house = std::make_shared<const Scene>(std::move(*scene));

@@ -66,7 +66,7 @@ const std::string kLevelLift =
     entity("func_plat", key("name", "Lift") + key("height", "64"), box_brush(96, 96, 0, 224, 224, 64));
 const std::string kFloorPlate = box_brush(100, 70, -8, 250, 250, 0);
 
-TEST(Riding, a_lift_whose_top_is_level_with_the_floor_takes_along_who_stands_on_it) {
+TEST(Riding, starts_on_a_lift_whose_top_is_level_with_the_floor) {
     Rider rider(hall(kLevelLift, true, kFloorPlate));
     rider.walk(2.5);
     EXPECT_NEAR(rider.highest_m(3.0), 2.0, 0.02);
@@ -77,7 +77,7 @@ TEST(Riding, a_lift_whose_top_is_level_with_the_floor_takes_along_who_stands_on_
     EXPECT_TRUE(rider.heard("Lift is back"));
 }
 
-TEST(Riding, a_body_with_a_hand_is_taken_along_and_its_workspace_with_it) {
+TEST(Riding, carries_a_body_with_a_hand_and_its_workspace) {
     test::Explorer rider(hall(kLevelLift, true, kFloorPlate), "sim-t");
     const auto above_soles_m = [&] { return rider.tool().proxy_m.z - rider.app().feet_m().z; };
     const double before_m = above_soles_m();
@@ -87,7 +87,7 @@ TEST(Riding, a_body_with_a_hand_is_taken_along_and_its_workspace_with_it) {
     EXPECT_NEAR(above_soles_m(), before_m, 0.02);
 }
 
-TEST(Riding, one_steps_off_above_and_the_lift_goes_down_alone) {
+TEST(Riding, ends_by_stepping_off_above_and_the_lift_then_goes_down_empty) {
     const std::string ledge = entity("func_wall", key("name", "ledge"), box_brush(96, 224, 0, 224, 400, 64));
     Rider rider(hall(kLevelLift + ledge, true));
     rider.app.apply(Placed{{5.0, 5.5, 0.0}, 0.0}, rider.now);
@@ -99,7 +99,7 @@ TEST(Riding, one_steps_off_above_and_the_lift_goes_down_alone) {
     EXPECT_TRUE(rider.heard("Lift is back"));
 }
 
-TEST(Riding, who_has_a_foot_beside_a_lift_that_goes_down_is_taken_wholly_onto_it) {
+TEST(Riding, pulls_a_walker_with_a_foot_over_the_edge_of_a_descending_lift_completely_onto_it) {
     // Its top is level with a floor 2 m up around its shaft. It moves when called, and waits at the top as the map's
     // author set it.
     const std::string shaft = box_brush(0, 0, 0, 96, 640, 64) + box_brush(224, 0, 0, 320, 640, 64) +
@@ -120,7 +120,7 @@ TEST(Riding, who_has_a_foot_beside_a_lift_that_goes_down_is_taken_wholly_onto_it
     EXPECT_GE(rider.app.feet_m().y, 3.25 - 1e-6);
 }
 
-TEST(Meeting, a_lift_under_a_low_ceiling_goes_back_and_does_not_try_again_while_one_stands_on_it) {
+TEST(Meeting, a_lift_under_a_low_ceiling_goes_back_and_does_not_retry_while_the_walker_stands_on_it) {
     // A beam from 3.1 m up.
     const std::string low = entity("func_wall", key("name", "beam"), box_brush(90, 90, 100, 230, 230, 128));
     Rider rider(hall(kLevelLift + low, true));
@@ -135,7 +135,7 @@ TEST(Meeting, a_lift_under_a_low_ceiling_goes_back_and_does_not_try_again_while_
     EXPECT_NEAR(rider.app.feet_m().z, 0.0, 0.02);
 }
 
-TEST(Meeting, a_lift_that_comes_down_on_somebody_goes_back_up) {
+TEST(Meeting, a_lift_that_comes_down_on_the_walker_goes_back_up) {
     const std::string lift = entity(
         "func_plat",
         key("name", "Lift") + key("height", "96") + key("targetname", "lift") + key("wait", "1") + key("speed", "40"),
@@ -168,7 +168,7 @@ std::string train(const std::string& more = {}) {
                   box_brush(0, 0, 0, 64, 64, 8));
 }
 
-TEST(Trains, go_from_stop_to_stop_wait_where_the_map_says_and_begin_anew) {
+TEST(Trains, go_from_stop_to_stop_wait_as_the_map_says_and_start_again) {
     Rider rider(hall(train() + kTrack, true), {9.0, 18.0, 0.0});
     const Mover& mover = rider.app.scene()->movers.at(0);
     ASSERT_EQ(mover.stops.size(), 4U);
@@ -185,7 +185,7 @@ TEST(Trains, go_from_stop_to_stop_wait_where_the_map_says_and_begin_anew) {
     }
 }
 
-TEST(Trains, carry_who_stands_on_them_round_and_tell_them_of_stops) {
+TEST(Trains, carry_walkers_round_and_announce_stops_to_them) {
     Rider rider(hall(train() + kTrack, true), {2.0, 2.0, 0.75});
     rider.run(0.1);
     const Vec3 on_it = rider.app.feet_m() - rider.thing(0).position_m;
@@ -198,13 +198,13 @@ TEST(Trains, carry_who_stands_on_them_round_and_tell_them_of_stops) {
     EXPECT_TRUE(rider.heard("Car moves"));
 }
 
-TEST(Trains, without_a_way_back_stand_at_the_last_stop) {
+TEST(Trains, without_a_way_back_stay_at_the_last_stop) {
     Rider rider(hall(train() + corner("a", "b", "32 32 16") + corner("b", "", "96 32 16"), true), {9.0, 18.0, 0.0});
     rider.run(10.0);
     EXPECT_NEAR(rider.thing(0).position_m.x, 3.0, 1e-9);
 }
 
-TEST(Trains, that_something_names_wait_for_it) {
+TEST(Trains, that_are_a_target_of_another_entity_wait_for_it) {
     const std::string button = entity("func_button", key("target", "car") + key("name", "Button") + key("angle", "90"),
                                       box_brush(280, 580, 30, 300, 582, 40));
     Rider rider(hall(train(key("targetname", "car")) + kTrack + button, true), {9.0, 17.5, 0.0});
@@ -214,7 +214,7 @@ TEST(Trains, that_something_names_wait_for_it) {
     EXPECT_GT(rider.thing(0).position_m.x, 2.0);
 }
 
-TEST(Trains, without_two_corners_are_told_with_their_line_and_stand) {
+TEST(Trains, without_two_corners_are_reported_with_their_line_and_stand_still) {
     const auto scene = read_quake_map(entity("worldspawn", {}, test::room_brushes(0, 0, 0, 320, 640, 128)) + train() +
                                           corner("a", "nowhere", "32 32 16"),
                                       "t.map", {});
@@ -231,7 +231,7 @@ const std::string kGate = entity("func_wall", key("name", "gate wall"),
                                      box_brush(112, 304, 96, 208, 320, 128));
 const std::string kThrough = corner("a", "b", "128 160 16") + corner("b", "a", "128 544 16");
 
-TEST(Trains, go_through_a_doorway_with_their_passenger_and_wait_for_who_stands_in_it) {
+TEST(Trains, pass_a_doorway_with_their_passenger_and_wait_for_a_walker_in_it) {
     Rider rider(hall(train() + kThrough + kGate, true), {5.0, 6.0, 0.75});
     rider.run(12.3);
     EXPECT_GT(rider.app.feet_m().y, 17.0) << "through the doorway";
@@ -250,7 +250,7 @@ TEST(Trains, go_through_a_doorway_with_their_passenger_and_wait_for_who_stands_i
     EXPECT_LT(rider.thing(0).position_m.y, 8.0) << "and goes on when they are gone";
 }
 
-TEST(Meeting, a_train_waits_before_a_shut_door_until_it_is_opened) {
+TEST(Meeting, a_train_waits_at_a_shut_door_until_it_is_opened) {
     // The door comes first in the file. It slides up by its height less 8 units, which leaves 2.75 m free; the car is
     // 0.75 m high.
     const std::string door =
@@ -266,7 +266,7 @@ TEST(Meeting, a_train_waits_before_a_shut_door_until_it_is_opened) {
     EXPECT_GT(rider.thing(1).position_m.y, before_m + 2.0);
 }
 
-TEST(Meeting, of_two_that_want_one_place_the_earlier_goes_and_the_later_waits_and_goes_back) {
+TEST(Meeting, the_earlier_of_two_movers_proceeds_and_the_later_waits_and_goes_back) {
     // Two sliding leaves whose paths cross at a right angle. Each has a button, and both buttons are pressed at once.
     const auto leaf = [](const char* name, const char* angle, const std::string& box) {
         return entity("func_door",
@@ -299,7 +299,7 @@ std::string turner(const std::string& more, const std::string& brushes) {
     return entity("func_rotating", key("name", "Paddle") + more, brushes);
 }
 
-TEST(TurningParts, turn_by_their_speed_about_the_axis_that_their_flags_say) {
+TEST(TurningParts, turn_with_their_speed_about_the_axis_in_their_flags) {
     struct Case {
         const char* flags;
         Vec3 axis;
@@ -318,14 +318,14 @@ TEST(TurningParts, turn_by_their_speed_about_the_axis_that_their_flags_say) {
     }
 }
 
-TEST(TurningParts, turn_about_the_middle_of_their_origin_brush) {
+TEST(TurningParts, turn_about_the_centre_of_their_origin_brush) {
     const auto scene = hall(turner(key("speed", "30"), box_brush(140, 300, 60, 180, 310, 70) +
                                                            box_brush(138, 303, 63, 142, 307, 67, "origin")),
                             true);
     EXPECT_NEAR(glm::length(scene->movers.at(0).pivot_m - Vec3(140, 305, 65) / 32.0), 0.0, 1e-12);
 }
 
-TEST(TurningParts, take_along_who_stands_on_them_and_turn_them_too) {
+TEST(TurningParts, carry_and_turn_a_walker_who_stands_on_them) {
     Rider rider(hall(turner(key("speed", "20"), box_brush(64, 224, 0, 256, 416, 4)), true), {7.0, 10.0, 0.3});
     rider.run(0.2);
     const Vec3 middle{5.0, 10.0, 0.125};
@@ -341,7 +341,7 @@ TEST(TurningParts, take_along_who_stands_on_them_and_turn_them_too) {
     EXPECT_NEAR(wrap_angle(rider.app.heading_rad() - heading + turned), 0.0, 1e-6) << "to the left, as it turns";
 }
 
-TEST(TurningParts, wait_for_who_stands_in_their_way) {
+TEST(TurningParts, wait_for_a_walker_who_blocks_them) {
     // An arm 4 m long at hip height; the person stands where it passes after a quarter of a turn.
     Rider rider(hall(turner(key("speed", "45"), box_brush(96, 316, 28, 224, 324, 36)), true), {5.0, 11.5, 0.0});
     for (int i = 0; i < 300; ++i) {
@@ -357,7 +357,7 @@ TEST(TurningParts, wait_for_who_stands_in_their_way) {
     EXPECT_FALSE(rider.thing(0) == waits);
 }
 
-TEST(TurningParts, are_felt_as_they_come_by_and_push_the_hand) {
+TEST(TurningParts, are_felt_as_they_pass_and_push_the_hand) {
     // A flat arm sweeps over the hand. Four ends pass per turn, so one comes within a second.
     test::Explorer person(
         hall(turner(key("speed", "60"), box_brush(128, 60, 30, 192, 68, 50) + box_brush(156, 32, 30, 164, 96, 50)),
@@ -400,7 +400,7 @@ std::shared_ptr<const Scene> two_storeys(const std::string& more = {}) {
     return hall(lift + doors + more, false, upper);
 }
 
-TEST(LiftsOfBuildings, are_called_by_their_door_and_by_their_buttons_and_open_it_only_where_they_stand) {
+TEST(LiftsOfBuildings, are_called_by_door_and_buttons_and_open_a_door_only_at_their_storey) {
     Rider rider(two_storeys(), {5.0, 2.9, 0.0});
     const Scene& scene = *rider.app.scene();
     ASSERT_EQ(scene.movers.size(), 5U);
@@ -434,7 +434,7 @@ TEST(LiftsOfBuildings, are_called_by_their_door_and_by_their_buttons_and_open_it
     EXPECT_TRUE(rider.heard("Upper lift door opens"));
 }
 
-TEST(LiftsOfBuildings, take_somebody_up_by_keys_alone_and_keep_nobody_in) {
+TEST(LiftsOfBuildings, carry_the_walker_up_by_keys_alone_and_lock_nobody_in) {
     Rider rider(two_storeys(), {5.0, 2.9, 0.0});
     rider.tap(Command::Use, 1.5);
     rider.walk(2.0);
@@ -450,7 +450,7 @@ TEST(LiftsOfBuildings, take_somebody_up_by_keys_alone_and_keep_nobody_in) {
     EXPECT_NEAR(rider.app.feet_m().z, 3.0, 0.02);
 }
 
-TEST(LiftsOfBuildings, wait_with_their_door_open_for_who_stands_in_it) {
+TEST(LiftsOfBuildings, wait_with_an_open_door_while_the_walker_stands_in_it) {
     Rider rider(two_storeys(), {5.0, 2.9, 0.0});
     rider.tap(Command::Use, 1.5);
     rider.app.apply(Placed{{5.0, 123.0 / 32.0, 0.0}, 0.0}, rider.now);
@@ -462,7 +462,7 @@ TEST(LiftsOfBuildings, wait_with_their_door_open_for_who_stands_in_it) {
     EXPECT_FALSE(rider.in_something());
 }
 
-TEST(LiftsOfBuildings, tell_of_a_door_whose_lift_there_is_not) {
+TEST(LiftsOfBuildings, report_a_door_whose_lift_is_missing) {
     const auto scene = read_quake_map(
         entity("worldspawn", key("building", "1"), test::room_brushes(0, 0, 0, 320, 640, 128)) +
             entity("func_door", key("lift", "nolift") + key("hinge", "west"), box_brush(144, 122, 0, 176, 124, 60)),
@@ -472,7 +472,7 @@ TEST(LiftsOfBuildings, tell_of_a_door_whose_lift_there_is_not) {
     EXPECT_NE(scene->report.warnings[0].sentence().find("nolift"), std::string::npos);
 }
 
-TEST(LiftsOfBuildings, our_school_has_one_by_which_one_gets_up_and_down_by_keys_alone) {
+TEST(LiftsOfBuildings, include_one_in_our_school_that_can_be_ridden_up_and_down_by_keys_alone) {
     Rider rider(test::our_world("school.map"), {14.15, 10.2, 0.0});
     rider.run(0.2);
     for (const double floor_m : {3.4, 0.0}) {
@@ -492,7 +492,7 @@ TEST(LiftsOfBuildings, our_school_has_one_by_which_one_gets_up_and_down_by_keys_
 
 // ---- contacts between things ----
 
-TEST(ThingsMeet, agrees_with_boxes_and_never_says_apart_of_what_shares_a_point) {
+TEST(ThingsMeet, agrees_with_boxes_and_never_separates_shapes_that_share_a_point) {
     std::mt19937 random(20260);
     std::uniform_real_distribution<double> part(-1.0, 1.0);
     const auto cube = *box_model({1.0, 0.6, 1.4});
@@ -526,7 +526,7 @@ TEST(ThingsMeet, agrees_with_boxes_and_never_says_apart_of_what_shares_a_point) 
     EXPECT_GT(met, test::scaled(100));
 }
 
-TEST(BodyWorld, made_on_from_the_last_one_is_the_same_as_made_anew) {
+TEST(BodyWorld, updated_from_its_predecessor_equals_one_built_from_scratch) {
     const auto scene = [] {
         std::vector<int> apart;
         return std::make_shared<const Scene>(with_movers_apart(*test::our_world("house.map"), 128, apart));

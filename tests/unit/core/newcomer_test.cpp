@@ -38,7 +38,7 @@ std::string room_with(Newcomer& n, const std::string& word) {
     return {};
 }
 
-TEST(ANewcomer, walks_the_first_tutorial_map_from_its_start_to_its_exit_through_its_door) {
+TEST(ANewcomer, walks_through_the_first_tutorial_map_from_start_to_exit) {
     const auto world = real("agtut01.map");
     if (!world) GTEST_SKIP() << test::needs_real_world("agtut01.map");
     Newcomer n(world);
@@ -55,7 +55,7 @@ TEST(ANewcomer, walks_the_first_tutorial_map_from_its_start_to_its_exit_through_
 }
 
 // The door before the exit opens only with its button, which is two rooms away and higher up.
-TEST(ANewcomer, meets_the_locked_door_of_the_fifth_tutorial_map_finds_its_button_presses_it_and_goes_through_the_door) {
+TEST(ANewcomer, opens_the_locked_door_of_the_fifth_tutorial_map_with_its_button_and_goes_through) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the house is enough";
     const auto world = real("agtut05.map");
     if (!world) GTEST_SKIP() << test::needs_real_world("agtut05.map");
@@ -117,20 +117,20 @@ void reaches_three_things(const std::shared_ptr<const Scene>& world) {
     EXPECT_EQ(found.size(), 3U) << n.last_lines(30);
 }
 
-TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_house_that_it_found_by_asking) {
+TEST(ANewcomer, reaches_three_things_that_its_questions_found_in_other_rooms_of_the_house) {
     reaches_three_things(test::our_world("house.map"));
 }
-TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_school_that_it_found_by_asking) {
+TEST(ANewcomer, reaches_three_things_that_its_questions_found_in_other_rooms_of_the_school) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the house is enough";
     reaches_three_things(test::our_world("school.map"));
 }
-TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_melee_that_it_found_by_asking) {
+TEST(ANewcomer, reaches_three_things_that_its_questions_found_in_other_rooms_of_the_melee) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the house is enough";
     const auto world = real("agdm01.map");
     if (!world) GTEST_SKIP() << test::needs_real_world("agdm01.map");
     reaches_three_things(world);
 }
-TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_office_that_it_found_by_asking) {
+TEST(ANewcomer, reaches_three_things_that_its_questions_found_in_other_rooms_of_the_office) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the house is enough";
     const auto world = real("office.map");
     if (!world) GTEST_SKIP() << test::needs_real_world("office.map");
@@ -264,10 +264,10 @@ constexpr Building kInstitute{"institute.ifczip", 1, 2}, kDuplex{"duplex-apartme
     kStation{.file = "delft-station.osm", .here = 1, .other = 2, .below = true, .next = false},
     kOffice{"office.ifc", 1, 2, false, true};
 
-TEST(ANewcomer, walks_in_an_office_of_ours_to_three_rooms_on_two_storeys_and_out_again) {
+TEST(ANewcomer, walks_in_a_generated_office_to_three_rooms_on_two_storeys_and_out_again) {
     walks_to_three_rooms_and_out_again(kOffice, nullptr);
 }
-TEST(ANewcomer, walks_in_an_office_of_ours_with_a_simulated_device_to_three_rooms_on_two_storeys_and_out_again) {
+TEST(ANewcomer, walks_in_a_generated_office_with_a_simulated_device_to_three_rooms_on_two_storeys_and_out_again) {
     walks_to_three_rooms_and_out_again(kOffice, "SIM-T");
 }
 TEST(ANewcomer, walks_in_the_institute_to_three_rooms_on_two_storeys_and_out_again) {
@@ -300,7 +300,7 @@ TEST(ANewcomer, walks_in_the_station_with_a_simulated_device_to_three_places_on_
 
 // The only room upstairs. Its spiral stairs wind below the gallery's own floor, under which a person must bow their
 // head.
-TEST(ANewcomer, hears_in_the_family_house_what_is_around_and_of_the_stairs_that_are_walked_to_its_gallery) {
+TEST(ANewcomer, hears_what_is_around_in_the_family_house_and_a_stair_route_to_its_gallery) {
     const auto world = real("fzk-haus.ifc");
     if (!world) GTEST_SKIP() << test::needs_real_world("fzk-haus.ifc");
     Newcomer n(world);
@@ -314,7 +314,7 @@ TEST(ANewcomer, hears_in_the_family_house_what_is_around_and_of_the_stairs_that_
 }
 
 // Goes to each named room in turn to which a route is announced. The unnamed ones are window ledges.
-TEST(ANewcomer, walks_to_every_room_of_the_duplex_and_of_the_family_house) {
+TEST(ANewcomer, walks_to_every_room_of_the_duplex_and_the_family_house) {
     if (!std::getenv("HANDRAIL_ALL_ROUTES")) GTEST_SKIP() << "set HANDRAIL_ALL_ROUTES: half a minute of computing";
     for (const char* file : {"duplex-apartment.ifc", "fzk-haus.ifc"}) {
         const auto world = real(file);

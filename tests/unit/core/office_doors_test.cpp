@@ -36,7 +36,7 @@ struct Hand {
     int most_work = 0;
 };
 
-TEST(OfficeDoors, of_two_thousand_each_twentieth_opens_to_the_hand) {
+TEST(OfficeDoors, let_every_twentieth_of_two_thousand_open_to_the_hand) {
     const OfficeSize size{4, 10, 25, 0, 1};
     const OfficeWorld office = office_world(size);
     ASSERT_EQ(office.doors, 2000);

@@ -62,7 +62,7 @@ std::map<std::string, std::string> list_told(AppSession& s, Command command) {
     return told;
 }
 
-TEST(OnePlace, of_a_door_is_the_same_in_exits_where_ahead_and_the_list_of_things) {
+TEST(OnePlace, of_a_door_is_the_same_in_exits_where_ahead_and_the_find_list) {
     for (const char* world : {"house.map", "school.map"}) {
         int in_list = 0, seen = 0, where = 0;
         in_every_room(world, [&](AppSession& s) {
@@ -91,7 +91,7 @@ TEST(OnePlace, of_a_door_is_the_same_in_exits_where_ahead_and_the_list_of_things
     }
 }
 
-TEST(OnePlace, of_a_thing_in_another_room_is_as_far_as_its_way_on_foot_and_told_so) {
+TEST(OnePlace, of_a_thing_in_another_room_has_the_walking_distance_and_says_so) {
     int on_foot = 0, straight = 0;
     in_every_room("house.map", [&](AppSession& s) {
         const Vec3 waist_m = s.app.feet_m() + Vec3(0.0, 0.0, 1.0);
@@ -119,7 +119,7 @@ TEST(OnePlace, of_a_thing_in_another_room_is_as_far_as_its_way_on_foot_and_told_
     EXPECT_GT(straight, 50);
 }
 
-TEST(OnePlace, of_a_room_is_as_far_in_the_list_of_ways_as_its_way_is_long_and_tells_its_storey) {
+TEST(OnePlace, of_a_room_has_the_distance_of_its_route_and_its_storey_in_the_route_list) {
     for (const char* world : {"house.map", "school.map"}) {
         if (test::kSanitizerScale < 1.0 && world == std::string_view("school.map")) continue;
         // The school has many routes, so fewer are tried in each run.

@@ -53,7 +53,7 @@ std::vector<std::string> doors_of(const Scene& scene) {
     return doors;
 }
 
-TEST(OpenDoors, stand_in_no_way_between_two_rooms_of_the_house) {
+TEST(OpenDoors, block_no_route_between_two_rooms_of_the_house) {
     HouseWalker p;
     const std::vector<std::string> doors = doors_of(*p.app.scene());
     ASSERT_EQ(doors.size(), 11U);
@@ -81,7 +81,7 @@ TEST(OpenDoors, stand_in_no_way_between_two_rooms_of_the_house) {
             if (from != to && pair++ % test::every(7, 29) == 0) walk(from, to);
 }
 
-TEST(OpenDoors, that_one_opens_on_the_way_are_gone_round_from_there_on) {
+TEST(OpenDoors, that_the_walker_opens_on_the_way_are_avoided_from_then_on) {
     HouseWalker first;
     const std::vector<std::string> doors = doors_of(*first.app.scene());
     std::uint32_t number = 0;
@@ -99,7 +99,7 @@ TEST(OpenDoors, that_one_opens_on_the_way_are_gone_round_from_there_on) {
     }
 }
 
-TEST(OpenDoors, that_stand_open_from_the_begin_are_gone_round_from_the_begin) {
+TEST(OpenDoors, that_are_open_from_the_start_are_avoided_from_the_start) {
     using test::box_brush;
     using test::key;
     // Two rooms with a gap of a metre in the wall between them. The door in the gap is hinged at its south and stands
@@ -130,7 +130,7 @@ TEST(OpenDoors, that_stand_open_from_the_begin_are_gone_round_from_the_begin) {
     EXPECT_TRUE(p.bumped.empty()) << p.app.scene()->features[p.bumped[0].value].name;
 }
 
-TEST(OpenDoors, that_are_shut_again_leave_the_ways_as_they_were) {
+TEST(OpenDoors, that_are_shut_again_leave_the_routes_unchanged) {
     HouseWalker p;
     const auto way = [&] {
         p.ask(Command::Routes);
@@ -197,7 +197,7 @@ void open_the_closet(test::AppSession& p) {
     ASSERT_TRUE(p.heard("Closet opens"));
 }
 
-TEST(OpenDoors, whose_leaf_leaves_no_way_beside_it_are_announced_and_can_be_shut) {
+TEST(OpenDoors, whose_leaf_leaves_no_room_to_pass_are_announced_and_can_be_shut) {
     test::AppSession p;
     open_the_closet(p);
     p.app.apply(Placed{{1.5, 2.43, 0.0}, 0.5 * kPi}, p.now);
@@ -217,7 +217,7 @@ TEST(OpenDoors, whose_leaf_leaves_no_way_beside_it_are_announced_and_can_be_shut
 
 // A walker who follows the words passes the open leaf: next to it without an announcement if there is room, or else by
 // shutting it.
-TEST(OpenDoors, are_passed_by_words_beside_their_leaf_or_by_shutting_it) {
+TEST(OpenDoors, are_passed_next_to_the_leaf_or_shut_as_the_directions_say) {
     for (const int wide_units : {34, 36, 64, 80}) {
         SCOPED_TRACE(wide_units);
         test::WordWalker walker(corridor_with_closet(wide_units, true));
@@ -237,7 +237,7 @@ TEST(OpenDoors, are_passed_by_words_beside_their_leaf_or_by_shutting_it) {
 }
 
 // A door that is open from the start behaves like any other.
-TEST(OpenDoors, that_rest_open_are_told_as_they_stand) {
+TEST(OpenDoors, that_stay_open_are_described_as_open) {
     test::AppSession p;
     p.app.apply(WorldEntered{make_ready(corridor_with_closet(36, true))}, 0.0);
     p.run(0.1);
@@ -251,7 +251,7 @@ TEST(OpenDoors, that_rest_open_are_told_as_they_stand) {
 }
 
 // Two doors face each other across a corridor, and their swings overlap.
-TEST(OpenDoors, on_both_sides_of_a_corridor_open_and_shut_past_each_other) {
+TEST(OpenDoors, on_both_sides_of_a_corridor_open_and_shut_without_collision) {
     const auto door = [](const char* name, const char* hinge, const char* opens, const std::string& brush) {
         return test::entity("func_door",
                             test::key("name", name) + test::key("hinge", hinge) + test::key("opens", opens), brush);
@@ -290,7 +290,7 @@ TEST(OpenDoors, on_both_sides_of_a_corridor_open_and_shut_past_each_other) {
 }
 
 // From the side of its hinge, the leaf is across the route before the doorway through which the route leads.
-TEST(OpenDoors, that_the_way_leads_through_are_in_the_way_where_one_comes_to_their_leaf_first) {
+TEST(OpenDoors, block_their_own_doorway_if_the_route_reaches_the_leaf_first) {
     test::AppSession p;
     open_the_closet(p);
     const BodySize size = body_size(*p.app.scene(), p.app.settings().walk.body_radius_m);
@@ -305,7 +305,7 @@ TEST(OpenDoors, that_the_way_leads_through_are_in_the_way_where_one_comes_to_the
     EXPECT_TRUE(leaf_across(p.app.world(), size, std::array{Vec3{3.2, 2.4, 0.0}, Vec3{7.0, 2.4, 0.0}})) << "past it";
 }
 
-TEST(OpenDoors, that_are_shut_on_the_way_are_told_to_be_opened_again) {
+TEST(OpenDoors, that_were_shut_on_the_route_are_announced_as_to_be_opened_again) {
     test::AppSession p;
     p.app.apply(WorldEntered{make_ready(corridor_with_closet())}, 0.0);
     p.run(0.1);
@@ -323,7 +323,7 @@ TEST(OpenDoors, that_are_shut_on_the_way_are_told_to_be_opened_again) {
 }
 
 // No leg names the door, since by the plan the walker passes it. A person who asks again hears what to do with it.
-TEST(OpenDoors, that_stop_the_body_on_a_leg_are_named_by_it) {
+TEST(OpenDoors, that_stop_the_body_on_a_leg_are_named_as_the_obstacle) {
     test::AppSession p;
     p.app.apply(WorldEntered{make_ready(corridor_with_closet(64))}, 0.0);
     p.run(0.1);

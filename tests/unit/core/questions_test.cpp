@@ -39,7 +39,7 @@ std::vector<std::string> names(const std::vector<Sight>& sights) {
     return all;
 }
 
-TEST(Questions, around_me_is_one_thing_for_each_quarter_and_nothing_behind_something_else) {
+TEST(Questions, about_the_surroundings_are_answered_with_one_unhidden_thing_per_quarter) {
     const BodyWorld world(hall().share());
     const auto quarters = around({world, {4, 4, 0}, 0.0});
     EXPECT_EQ(quarters[0]->name, "Bench");
@@ -53,7 +53,7 @@ TEST(Questions, around_me_is_one_thing_for_each_quarter_and_nothing_behind_somet
     EXPECT_THAT(names(in_sight({world, {2, 0.6, 0}, 0.0}, 24)), testing::Contains("Statue"));
 }
 
-TEST(Questions, a_quarter_with_nothing_in_it_tells_of_its_wall_or_that_it_is_open) {
+TEST(Questions, about_an_empty_quarter_are_answered_with_its_wall_or_that_it_is_open) {
     SceneBuilder b;
     b.box({-5, -5, -0.2}, {5, 5, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
     b.box({-5, 5, 0}, {5, 5.2, 2}, "north wall", SolidRole::Solid, "brick", FeatureKind::Wall);
@@ -65,7 +65,7 @@ TEST(Questions, a_quarter_with_nothing_in_it_tells_of_its_wall_or_that_it_is_ope
     EXPECT_FALSE(quarters[1] || quarters[2] || quarters[3]);
 }
 
-TEST(Questions, ahead_of_me_is_at_most_four_by_distance_and_the_wall) {
+TEST(Questions, about_ahead_are_answered_with_at_most_four_things_by_distance_and_the_wall) {
     SceneBuilder b = hall();
     for (int i = 0; i < 4; ++i)
         b.box({3.2 + 0.5 * i, 6.6 + 0.35 * i, 0}, {3.3 + 0.5 * i, 6.7 + 0.35 * i, 1.5}, fmt::format("Post {}", i));
@@ -76,14 +76,14 @@ TEST(Questions, ahead_of_me_is_at_most_four_by_distance_and_the_wall) {
     EXPECT_THAT(names(ahead({BodyWorld(hall().share()), {4, 4, 0}, 0.0})), testing::ElementsAre("Bench", "north wall"));
 }
 
-TEST(Questions, looking_one_way_finds_what_is_low_and_what_stands_behind_it) {
+TEST(Questions, about_one_direction_find_low_things_and_things_behind_them) {
     const BodyWorld world(hall().share());
     EXPECT_THAT(names(look_towards({world, {4, 4, 0}, 0.0}, 0.0)), testing::ElementsAre("Bench", "north wall"));
     EXPECT_THAT(names(look_towards({world, {4, 4, 0}, 0.0}, kPi / 4.0)), testing::ElementsAre("north wall"));
 }
 
 // Compared with the slow method: straight lines to many points of each box that no other box blocks.
-TEST(Questions, tell_of_nothing_that_no_line_reaches_and_of_everything_whose_middle_one_reaches) {
+TEST(Questions, mention_no_hidden_thing_and_every_thing_with_a_visible_middle) {
     std::mt19937_64 random(test::seed_of_run());
     std::uniform_real_distribution<double> place(-6.0, 6.0), size(0.2, 1.5);
     for (const double far : {0.0, 1e4})
@@ -139,7 +139,7 @@ TEST(Questions, tell_of_nothing_that_no_line_reaches_and_of_everything_whose_mid
         }
 }
 
-TEST(Questions, say_more_the_higher_the_level_and_a_name_at_every_one) {
+TEST(Questions, are_answered_in_more_detail_at_higher_verbosity_and_with_a_name_at_every_level) {
     Sight sight{{0.0, 2.8, FeatureId{0}, {}}, "Door", "wood", false};
     Telling how;
     const auto at = [&](int verbosity) {
@@ -155,7 +155,7 @@ TEST(Questions, say_more_the_higher_the_level_and_a_name_at_every_one) {
     EXPECT_EQ(at(2), "Door, wood, 4 steps ahead") << "a surface's name includes its material";
 }
 
-TEST(Questions, doors_hang_on_the_side_one_sees_them_hang) {
+TEST(Questions, about_doors_are_answered_with_hinge_and_handle_as_seen_from_here) {
     Feature door;
     door.hinge = "west";
     door.handle = "east";
@@ -165,7 +165,7 @@ TEST(Questions, doors_hang_on_the_side_one_sees_them_hang) {
     EXPECT_EQ(sides_of_door(Feature{}, 0.0), "");
 }
 
-TEST(LookRound, begins_ahead_goes_round_by_sixteenths_and_follows_the_hand) {
+TEST(LookRound, begins_ahead_turns_in_sixteenths_and_follows_the_hand) {
     LookRound look;
     const Vec3 here{1, 2, 0};
     EXPECT_NEAR(look.step(1, here, 0.3, std::nullopt), 0.3, 1e-12);
@@ -179,7 +179,7 @@ TEST(LookRound, begins_ahead_goes_round_by_sixteenths_and_follows_the_hand) {
     EXPECT_NEAR(look.step(1, here + Vec3(0.5, 0, 0), 1.0, 2.5), 1.0, 1e-12) << "the body has moved";
 }
 
-TEST(ScaleBar, is_five_steps_under_a_roof_and_25_metres_outdoors_with_north) {
+TEST(ScaleBar, is_five_steps_indoors_and_25_metres_outdoors_with_north) {
     Telling how;
     how.heading_rad = kPi / 2.0;
     EXPECT_EQ(
@@ -198,7 +198,7 @@ TEST(ScaleBar, is_five_steps_under_a_roof_and_25_metres_outdoors_with_north) {
     EXPECT_FALSE(under_roof(BodyWorld(hall().share()), {4, 4, 0}));
 }
 
-TEST(Coordinates, say_metres_from_the_origin_and_height_above_what_is_below) {
+TEST(Coordinates, give_metres_from_the_origin_and_the_height_above_the_surface_below) {
     EXPECT_EQ(coordinates_words({3.04, -0.51, 1.0}), "3 east, 0.5 south, height 1 metre");
     EXPECT_EQ(coordinates_words({-2.0, 0.0, -0.0001}), "2 west, 0 north, height 0 metres");
     const BodyWorld world(hall().share());

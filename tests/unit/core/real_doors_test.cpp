@@ -29,7 +29,7 @@ bool walks(const BodyWorld& world, const BodySize& size, const Vec3& middle_m, c
     return glm::dot(walker.state().feet_m - middle_m, way) > kBefore_m;
 }
 
-TEST(RealDoors, are_walked_through_both_ways_by_the_body_of_a_session) {
+TEST(RealDoors, can_be_walked_through_in_both_directions_in_a_session) {
     if (test::kThreadSanitizer) GTEST_SKIP() << "unit_osm starts the threads that read OpenStreetMap";
     const test::TemporaryFolder folder;
     for (const auto& [path, known_doors, large] : test::known_buildings(folder)) {
@@ -86,7 +86,7 @@ DoorsWalked walk_all(const Scene& scene) {
     return walked;
 }
 
-TEST(RealDoors, of_each_model_are_passed_or_reported_with_a_reason) {
+TEST(RealDoors, of_each_model_are_passable_or_reported_with_a_reason) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "real buildings";
     const std::vector<std::pair<std::string, int>> models{
         {"duplex-apartment.ifc", 0}, {"fzk-haus.ifc", 0},     {"institute.ifczip", 0},
@@ -118,7 +118,7 @@ test::Hut hut_without_openings() {
     return hut;
 }
 
-TEST(RealDoors, without_an_opening_are_walked_through) {
+TEST(RealDoors, without_an_opening_can_be_walked_through) {
     const Scene scene = hut_without_openings().scene();
     const DoorsWalked walked = walk_all(scene);
     EXPECT_EQ(walked.doors, 1);

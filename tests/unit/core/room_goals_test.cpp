@@ -21,7 +21,7 @@ std::shared_ptr<const Scene> entered_at(const Hut& hut, const std::vector<Vec3>&
     return scene;
 }
 
-TEST(RoomGoals, are_any_place_of_the_room_that_one_comes_to) {
+TEST(RoomGoals, are_any_reachable_place_of_the_room) {
     AppSession person;
     person.app.apply(
         WorldEntered{make_ready(entered_at(test::hall_with_gallery(), {{-2.0, 0.6, 0.0}, {6.0, 4.0, 2.6}}))},

@@ -51,7 +51,7 @@ struct World {
     fs::path path = folder.path() / "flat.map";
 };
 
-TEST(NamesOfRooms, are_typed_told_everywhere_and_kept_for_the_next_time) {
+TEST(NamesOfRooms, that_the_person_gives_are_used_everywhere_and_saved_for_the_next_session) {
     const World world;
     const std::string sign =
         "K\xC3\xBC"
@@ -74,7 +74,7 @@ TEST(NamesOfRooms, are_typed_told_everywhere_and_kept_for_the_next_time) {
     EXPECT_FALSE(p.heard("fit"));
 }
 
-TEST(NamesOfRooms, are_typed_in_a_terminal_by_word_and_line) {
+TEST(NamesOfRooms, can_be_typed_in_a_terminal_by_command_and_line) {
     const World world;
     Person p(world.path);
     const CommandInfo* row = find_command("name-room");
@@ -85,7 +85,7 @@ TEST(NamesOfRooms, are_typed_in_a_terminal_by_word_and_line) {
     EXPECT_EQ(p.said.back(), "This room is now called Workshop.");
 }
 
-TEST(NamesOfRooms, may_have_200_bytes_and_no_more_and_are_not_given_twice) {
+TEST(NamesOfRooms, may_have_at_most_200_bytes_and_must_be_unique) {
     const World world;
     Person p(world.path);
     const std::string longest(200, 'a');
@@ -103,7 +103,7 @@ TEST(NamesOfRooms, may_have_200_bytes_and_no_more_and_are_not_given_twice) {
     EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith("Room, east, "));
 }
 
-TEST(NamesOfRooms, go_away_when_the_rooms_own_name_is_typed) {
+TEST(NamesOfRooms, are_reset_by_typing_the_rooms_original_name) {
     const World world;
     Person p(world.path);
     p.name("Shop");
@@ -112,7 +112,7 @@ TEST(NamesOfRooms, go_away_when_the_rooms_own_name_is_typed) {
     EXPECT_EQ(SideFile::of_world(world.path, {}).entries("room_name").size(), 0U);
 }
 
-TEST(NamesOfRooms, of_a_world_that_was_edited_are_told_where_they_no_longer_fit) {
+TEST(NamesOfRooms, that_no_longer_fit_an_edited_world_are_reported) {
     const World world;
     {
         Person p(world.path);
@@ -141,7 +141,7 @@ TEST(NamesOfRooms, of_a_world_that_was_edited_are_told_where_they_no_longer_fit)
     EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith("Shop, "));
 }
 
-TEST(NamesOfRooms, that_are_damaged_are_kept_aside_said_and_started_empty) {
+TEST(NamesOfRooms, that_are_damaged_are_set_aside_reported_and_started_empty) {
     const World world;
     ASSERT_TRUE(write_file_atomically(world.beside(), "[[room_name]]\nname = \"Shop\nplace_m = [1.0, 2.5, 0.0]\n"));
     {

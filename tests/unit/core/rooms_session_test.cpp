@@ -21,7 +21,7 @@ struct Visitor : test::AppSession {
     explicit Visitor(bool beside = false) : AppSession({}, {}, {.executor = beside ? on_threads() : at_once()}) {}
 };
 
-TEST(RoomsInASession, tell_on_entering_which_room_one_cannot_walk_to) {
+TEST(RoomsInASession, without_a_walkable_route_are_announced_on_entering_the_world) {
     using test::box_brush, test::entity, test::key;
     const auto world = [](const std::string& wall) {
         const std::string room = test::room_brushes(0, 0, 0, 320, 640, 128) + box_brush(0, 400, 0, 144, 410, 128) +
@@ -47,7 +47,7 @@ TEST(RoomsInASession, tell_on_entering_which_room_one_cannot_walk_to) {
     }
 }
 
-TEST(RoomsInASession, name_the_room_and_its_exits_clockwise) {
+TEST(RoomsInASession, are_described_by_name_and_exits_clockwise) {
     Visitor s;
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     s.run(0.1);
@@ -68,7 +68,7 @@ TEST(RoomsInASession, name_the_room_and_its_exits_clockwise) {
     EXPECT_TRUE(s.ask(Command::UnvisitedExits).find("exits you have not taken") != std::string::npos) << s.said.back();
 }
 
-TEST(RoomsInASession, tell_the_name_on_entering_another_one_unless_switched_off) {
+TEST(RoomsInASession, are_announced_on_entering_unless_that_is_switched_off) {
     for (const bool told : {true, false}) {
         Settings settings;
         settings.speech.rooms = told;
@@ -85,7 +85,7 @@ TEST(RoomsInASession, tell_the_name_on_entering_another_one_unless_switched_off)
     }
 }
 
-TEST(RoomsInASession, lead_to_another_room_in_words_and_along_the_way) {
+TEST(RoomsInASession, give_directions_to_another_room_and_along_the_route) {
     Visitor s;
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     s.run(0.1);
@@ -120,7 +120,7 @@ TEST(RoomsInASession, lead_to_another_room_in_words_and_along_the_way) {
     EXPECT_EQ(s.said.back(), "You are no longer following a route.");
 }
 
-TEST(RoomsInASession, say_plainly_where_there_is_no_way) {
+TEST(RoomsInASession, are_plainly_reported_as_unreachable_if_no_route_exists) {
     // A balcony 3 m up that cannot be reached.
     auto scene = read_quake_map(R"({
 "classname" "worldspawn"
@@ -169,7 +169,7 @@ TEST(RoomsInASession, say_plainly_where_there_is_no_way) {
     EXPECT_EQ(s.said.back(), "Give the room a door, or add stairs or a lift to its storey.");
 }
 
-TEST(RoomsInASession, are_found_on_a_thread_while_everything_goes_on) {
+TEST(RoomsInASession, are_found_in_the_background_while_the_session_continues) {
     Visitor s(true);
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     // Entering another world cancels the search for rooms.
@@ -200,7 +200,7 @@ struct LateRooms {
                       there = "Rooms and routes have been worked out.";
 };
 
-TEST(RoomsInASession, that_take_long_are_told_of_once_and_again_when_they_are_there) {
+TEST(RoomsInASession, that_take_long_to_find_are_announced_once_at_the_start_and_once_at_the_end) {
     LateRooms late(2000);
     late.session.run(1.9);
     EXPECT_EQ(late.told(late.waited_for), 0);
@@ -214,7 +214,7 @@ TEST(RoomsInASession, that_take_long_are_told_of_once_and_again_when_they_are_th
     EXPECT_EQ(late.told(late.there), 1) << "once";
 }
 
-TEST(RoomsInASession, that_are_there_within_two_seconds_are_no_news) {
+TEST(RoomsInASession, that_are_found_within_two_seconds_are_not_announced) {
     LateRooms soon(20);
     soon.session.run(20.0);
     EXPECT_EQ(soon.told(soon.waited_for), 0);
@@ -222,7 +222,7 @@ TEST(RoomsInASession, that_are_there_within_two_seconds_are_no_news) {
     EXPECT_TRUE(soon.session.ask(Command::Exits).starts_with("Hall. ")) << soon.session.said.back();
 }
 
-TEST(RoomsInASession, are_drawn_on_the_plan_by_the_names_they_go_by_and_cost_nothing_without_it) {
+TEST(RoomsInASession, are_drawn_on_the_plan_under_their_current_names_and_cost_nothing_without_the_plan) {
     Visitor s;
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     s.ask(Command::Exits);
@@ -246,7 +246,7 @@ TEST(RoomsInASession, are_drawn_on_the_plan_by_the_names_they_go_by_and_cost_not
     EXPECT_FALSE(s.app.view({}, "").rooms);
 }
 
-TEST(RoomsKept, are_as_if_they_were_found_anew_and_the_sessions_own) {
+TEST(RoomsKept, equal_newly_found_rooms_and_belong_to_their_session) {
     const auto world = house(), same_again = std::make_shared<const Scene>(*world);
     const BodySize size = body_size(*world, 0.25);
     const WalkBody body = walk_body(*world, size.radius_m, size.height_m, size.step_up_m);
@@ -279,7 +279,7 @@ TEST(RoomsKept, are_as_if_they_were_found_anew_and_the_sessions_own) {
     EXPECT_EQ(in_german.graph().language, "de");
 }
 
-TEST(RoomsOfAWorld, are_taken_from_what_was_kept_and_are_the_same) {
+TEST(RoomsOfAWorld, are_taken_from_the_cache_unchanged) {
     std::map<std::string, std::string> cache;
     const WaysKeeper keeper{[&](const std::string& key, const std::stop_token&) { return unpacked_ways(cache[key]); },
                             [&](const std::string& key, std::string_view packed) { cache[key] = packed; }};

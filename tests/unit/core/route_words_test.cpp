@@ -28,7 +28,7 @@ std::vector<RouteNode> nodes(const Route& route) {
     });
 }
 
-TEST(RouteWords, tell_every_leg_with_the_next_feature_and_the_turn_there) {
+TEST(RouteWords, give_for_every_leg_the_next_feature_and_the_turn_there) {
     const Route route = corner();
     EXPECT_EQ(route_words(route, nodes(route), 0.0, kSteps),
               "45 steps in all. 14 steps to blue door. Turn right. 15 steps. Turn half right. 14 steps to Kitchen.");
@@ -39,7 +39,7 @@ TEST(RouteWords, tell_every_leg_with_the_next_feature_and_the_turn_there) {
     EXPECT_EQ(route_words(Route{}, {}, 0.0, kSteps), "You are there.");
 }
 
-TEST(RouteWords, tell_how_far_to_turn_by_the_notches_of_the_turning_key) {
+TEST(RouteWords, give_turns_in_notches_of_the_turning_key) {
     const auto first_turn = [](double deg) {
         const Route route = corner();
         return route_words(route, nodes(route), radians_from_degrees(-deg), kSteps);
@@ -71,7 +71,7 @@ Walked walk(RouteFollower& follower, const std::vector<Vec3>& places, double ste
     return walked;
 }
 
-TEST(RouteFollower, announces_features_6_m_ahead_and_at_them_and_arrives) {
+TEST(RouteFollower, announces_features_6_m_ahead_and_on_reaching_them_and_announces_the_arrival) {
     const Route route = corner();
     RouteFollower follower;
     follower.follow(route, nodes(route));
@@ -83,7 +83,7 @@ TEST(RouteFollower, announces_features_6_m_ahead_and_at_them_and_arrives) {
     EXPECT_FALSE(follower.following());
 }
 
-TEST(RouteWords, are_german_sentences_before_the_way_and_along_it) {
+TEST(RouteWords, are_german_sentences_before_and_along_the_route) {
     const test::InLanguage german("de");
     const Route route = corner();
     EXPECT_EQ(route_words(route, nodes(route), -kPi / 2.0, kSteps),
@@ -100,7 +100,7 @@ TEST(RouteWords, are_german_sentences_before_the_way_and_along_it) {
                     "Kitchen, noch 9 Schritte", "Kitchen. Das Ziel ist erreicht."));
 }
 
-TEST(RouteFollower, says_every_10_m_that_one_is_on_the_way) {
+TEST(RouteFollower, confirms_every_10_m_that_the_walker_is_on_the_route) {
     Route route;
     route.points_m = {{0, 0, 0}, {0, 50, 0}};
     route.length_m = 50.0;
@@ -113,7 +113,7 @@ TEST(RouteFollower, says_every_10_m_that_one_is_on_the_way) {
     EXPECT_EQ(walked.said[4], "Kitchen, 9 steps");
 }
 
-TEST(RouteFollower, tells_when_the_way_was_left_and_not_before) {
+TEST(RouteFollower, reports_leaving_the_route_only_when_it_happens) {
     const Route route = corner();
     RouteFollower follower;
     follower.follow(route, nodes(route));

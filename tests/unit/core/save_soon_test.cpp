@@ -8,7 +8,7 @@
 namespace handrail {
 namespace save_soon_test {
 
-TEST(SaveSoon, saves_2_s_after_the_first_change_however_many_follow) {
+TEST(SaveSoon, saves_2_s_after_the_first_change_even_if_more_follow) {
     SaveSoon save;
     EXPECT_FALSE(save.take_due(100.0));
     save.changed(10.0);
@@ -25,7 +25,7 @@ TEST(SaveSoon, saves_2_s_after_the_first_change_however_many_follow) {
     EXPECT_TRUE(save.take_due(14.3));
 }
 
-TEST(SaveSoon, tells_of_a_failure_once_tries_again_and_forgets_it_when_it_has_worked) {
+TEST(SaveSoon, reports_a_failure_once_retries_and_resets_after_a_success) {
     SaveSoon save;
     save.changed(0.0);
     ASSERT_TRUE(save.take_due(2.0));
@@ -45,7 +45,7 @@ TEST(SaveSoon, tells_of_a_failure_once_tries_again_and_forgets_it_when_it_has_wo
     EXPECT_EQ(save.ended(fail("read-only"), 72.0), "read-only") << "it had worked in between";
 }
 
-TEST(BackgroundWriter, writes_and_tells_how_it_went_once) {
+TEST(BackgroundWriter, writes_and_reports_the_outcome_once) {
     const test::TemporaryFolder folder;
     BackgroundWriter writer(on_threads());
     EXPECT_FALSE(writer.busy());

@@ -38,7 +38,7 @@ protected:
 
 constexpr const char* kHead = "title = \"t\"\nworld = \"w.map\"\n";
 
-TEST_F(ScenarioFile, reads_actions_and_expectations_with_their_windows) {
+TEST_F(ScenarioFile, reads_actions_and_expectations_with_their_time_windows) {
     const auto s =
         read(std::string(kHead) +
              "[[do]]\nname = \"go\"\nhold = \"forward\"\nfor_s = 2\n[[do]]\nmove_to = [1, 2, 3.5]\nmeanwhile = true\n"
@@ -52,7 +52,7 @@ TEST_F(ScenarioFile, reads_actions_and_expectations_with_their_windows) {
     EXPECT_EQ(s->expectations[0].to.offset_s, 0.5);
 }
 
-TEST_F(ScenarioFile, a_sweep_is_three_moves_for_each_direction) {
+TEST_F(ScenarioFile, turns_a_sweep_into_three_moves_per_direction) {
     const auto s = read(std::string(kHead) +
                         "[[do]]\nname = \"w\"\nsweep_at = [0, 0, 1]\nfrom_deg = 0\nto_deg = 90\nangles = 2\nreach_m = "
                         "1\ndepth_m = 0.5\n[[expect]]\nfree = true\n");
@@ -64,7 +64,7 @@ TEST_F(ScenarioFile, a_sweep_is_three_moves_for_each_direction) {
 }
 
 // For each bad file the error names the line and what to do; no file is read in part.
-TEST_F(ScenarioFile, says_what_is_wrong_and_where) {
+TEST_F(ScenarioFile, reports_what_is_wrong_and_where) {
     const std::string head = kHead;
     EXPECT_THAT(error("title = \"t\"\n"), testing::HasSubstr("needs the key \"world\""));
     EXPECT_THAT(error("title = \"t\"\nworld = \"gone.map\"\n"), testing::HasSubstr("line 2"));
@@ -147,7 +147,7 @@ TEST(RunScenario, gives_the_same_log_every_time) {
 }
 
 // As for a person: settings next to the world apply, but those of the scenario take precedence.
-TEST(RunScenario, counts_the_settings_next_to_its_world) {
+TEST(RunScenario, respects_the_settings_file_next_to_its_world) {
     const test::TemporaryFolder folder;
     const auto world = folder.path() / "room.map";
     std::filesystem::copy_file(test::bundled_world("first_room.map"), world);

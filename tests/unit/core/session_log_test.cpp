@@ -21,7 +21,7 @@ TEST(LineAmplitude, finds_a_sine_in_a_ramp_with_its_amplitude) {
 }
 
 // Each kind of expectation must be able to fail: it is checked on the same log, once met and once not.
-TEST(Failures, each_kind_holds_when_it_should_and_fails_with_line_and_what_was_seen) {
+TEST(Failures, each_kind_of_expectation_passes_when_met_and_otherwise_fails_with_line_and_observation) {
     test::SceneBuilder b;
     const FeatureId wall = b.box({-1, 1, 0}, {1, 1.2, 2}, "north wall");
     SessionLog log;

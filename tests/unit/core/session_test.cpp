@@ -65,7 +65,7 @@ struct SessionAlone {
     std::vector<CueRequest> cues;
 };
 
-TEST(Session, says_once_on_entering_where_many_materials_crowd_unless_that_is_switched_off) {  // G3
+TEST(Session, warns_once_on_entering_if_many_materials_are_close_together_unless_switched_off) {  // G3
     Scene scene = *room();
     for (const char* name : {"concrete", "wood", "carpet", "rubber", "steel grille", "glass"}) {
         Material material;
@@ -88,7 +88,7 @@ TEST(Session, says_once_on_entering_where_many_materials_crowd_unless_that_is_sw
     }
 }
 
-TEST(Session, rounds_edges_by_hand_millimetres_at_room_scale_and_leaves_them_sharp_at_scales_for_details) {  // G7
+TEST(Session, rounds_edges_in_hand_millimetres_at_room_scale_and_leaves_them_sharp_at_detail_scales) {  // G7
     Settings settings;
     Session app(settings, SessionAlone::facts(true));
     app.apply(WorldEntered{make_ready(room())}, 0.0);
@@ -115,7 +115,7 @@ TEST(Session, rounds_edges_by_hand_millimetres_at_room_scale_and_leaves_them_sha
     EXPECT_EQ(largest(), 0.0);
 }
 
-TEST(Session, says_on_entering_what_how_large_where_which_way_and_what_to_try) {
+TEST(Session, announces_on_entering_the_place_its_size_the_position_the_heading_and_what_to_try) {
     SessionAlone s;
     s.run(0.1);
     ASSERT_FALSE(s.said().empty());
@@ -141,7 +141,7 @@ TEST(Session, a_tap_is_one_step_and_a_bump_names_the_wall_once) {
     EXPECT_EQ(s.count(CueRequestKind::Bump), 2);
 }
 
-TEST(Session, taps_while_walking_are_walked_one_after_the_other) {
+TEST(Session, performs_taps_during_walking_one_after_the_other) {
     SessionAlone s;
     for (int i = 0; i < 3; ++i) s.tap(Command::Forward);
     s.run(3.0);
@@ -149,7 +149,7 @@ TEST(Session, taps_while_walking_are_walked_one_after_the_other) {
     EXPECT_EQ(s.count(CueRequestKind::Footstep), 3);
 }
 
-TEST(Session, turns_snap_to_notches_and_the_body_follows_at_a_bounded_rate) {
+TEST(Session, turns_snap_to_notches_and_the_body_follows_at_a_limited_rate) {
     SessionAlone s;
     s.tap(Command::TurnRight);
     EXPECT_LT(s.app.heading_rad(), radians_from_degrees(22.5));
@@ -163,7 +163,7 @@ TEST(Session, turns_snap_to_notches_and_the_body_follows_at_a_bounded_rate) {
     EXPECT_EQ(s.said().back(), "East");
 }
 
-TEST(SessionSteering, a_stick_walks_as_fast_as_it_is_pushed_and_stops_when_let_go) {
+TEST(SessionSteering, a_stick_walks_as_fast_as_it_is_pushed_and_stops_when_released) {
     SessionAlone s;
     s.app.apply(Steered{{.ahead = 0.5}}, s.now);
     s.run(1.0);
@@ -182,7 +182,7 @@ TEST(SessionSteering, a_stick_walks_as_fast_as_it_is_pushed_and_stops_when_let_g
     EXPECT_EQ(s.app.feet_m(), at);
 }
 
-TEST(SessionSteering, a_stick_turns_at_90_degrees_a_second_and_tells_where_to_once_it_rests) {
+TEST(SessionSteering, a_stick_turns_at_90_degrees_a_second_and_the_heading_is_announced_once_it_rests) {
     SessionAlone s;
     s.app.apply(Steered{{.turn_right = 1.0}}, s.now);
     s.run(0.5);
@@ -194,7 +194,7 @@ TEST(SessionSteering, a_stick_turns_at_90_degrees_a_second_and_tells_where_to_on
     EXPECT_EQ(s.said().size(), 2U);
 }
 
-TEST(SessionSteering, what_is_no_number_is_rest_and_a_lost_keyboard_lets_go) {
+TEST(SessionSteering, invalid_numbers_count_as_rest_and_losing_the_keyboard_releases_the_stick) {
     SessionAlone s;
     const Vec3 at = s.app.feet_m();
     s.app.apply(
@@ -209,12 +209,12 @@ TEST(SessionSteering, what_is_no_number_is_rest_and_a_lost_keyboard_lets_go) {
     EXPECT_EQ(s.app.feet_m(), at);
 }
 
-TEST(SessionSteering, passage_is_as_wide_as_the_room_across_the_way) {
+TEST(SessionSteering, the_passage_width_is_the_width_of_the_room_across_the_heading) {
     SessionAlone s;
     EXPECT_NEAR(s.app.passage_width_m(), 6.0, 1e-3);
 }
 
-TEST(Session, map_frame_never_turns_the_felt_world_and_walk_frame_does) {
+TEST(Session, map_frame_never_turns_the_felt_world_but_walk_frame_does) {
     SessionAlone s(true);
     s.tap(Command::TurnRight);
     s.run(0.5);
@@ -230,7 +230,7 @@ TEST(Session, map_frame_never_turns_the_felt_world_and_walk_frame_does) {
     EXPECT_EQ(s.app.take_setting_changes().back().second, "map");
 }
 
-TEST(Session, measured_profile_of_this_very_device_sets_workspace_and_ceiling) {
+TEST(Session, the_measured_profile_of_the_connected_device_sets_workspace_and_ceiling) {
     Settings settings;
     settings.haptic.ceiling = ForceCeiling::Full;
     settings.workspace.devices["sim-t"].scale = 90.0;
@@ -256,7 +256,7 @@ TEST(Session, measured_profile_of_this_very_device_sets_workspace_and_ceiling) {
     EXPECT_EQ(core_of("9").first.force_ceiling_n, find_device_spec("sim-t")->peak_force_n);
 }
 
-TEST(Session, workspace_reaches_further_ahead_than_behind_in_the_frame_in_force) {
+TEST(Session, the_workspace_reaches_further_ahead_than_behind_in_the_current_frame) {
     SessionAlone s(true);
     s.run(0.1);
     EXPECT_NEAR(s.app.hand().pose.origin_m.y - s.app.feet_m().y, 0.01 * 60.0, 1e-12);
@@ -267,7 +267,7 @@ TEST(Session, workspace_reaches_further_ahead_than_behind_in_the_frame_in_force)
     EXPECT_NEAR(s.app.hand().pose.origin_m.x - s.app.feet_m().x, 0.01 * 60.0, 1e-9);
 }
 
-TEST(Session, leaving_wants_a_second_escape_within_five_seconds) {
+TEST(Session, leaving_needs_a_second_escape_within_five_seconds) {
     SessionAlone s;
     s.tap(Command::Leave);
     EXPECT_FALSE(s.app.requests().leave);
@@ -292,7 +292,7 @@ TEST(Session, f12_raises_panic_until_f_confirms) {
     EXPECT_FALSE(s.app.hand().tuning.forces_on);
 }
 
-TEST(Session, a_stop_seen_by_the_servos_switch_is_followed_and_only_f_lets_it_go) {
+TEST(Session, follows_a_stop_seen_by_the_servo_switch_and_only_f_releases_it) {
     SessionAlone s(true);
     s.app.apply(Stopped{1}, s.now);
     s.app.apply(CommandDown{Command::StopEverything}, s.now);  // the window reports the same press
@@ -307,7 +307,7 @@ TEST(Session, a_stop_seen_by_the_servos_switch_is_followed_and_only_f_lets_it_go
     EXPECT_EQ(s.app.hand().tuning.stops_let_go, 1U);
 }
 
-TEST(Session, f_says_why_there_is_no_force_yet_and_when_there_may_be) {
+TEST(Session, f_explains_why_there_is_no_force_yet_and_when_it_will_come) {
     SessionAlone s(true);
     s.tool.fault = Fault::Unplugged;
     s.tool.fault_latched = s.tool.fault_lasts = true;
@@ -331,7 +331,7 @@ TEST(Session, f_says_why_there_is_no_force_yet_and_when_there_may_be) {
     EXPECT_EQ(s.said().back(), "The motors of the touch device are still too warm.");
 }
 
-TEST(Session, losing_the_keyboard_is_handed_to_the_servo_and_lets_keys_go) {
+TEST(Session, passes_the_loss_of_the_keyboard_to_the_servo_and_releases_keys) {
     SessionAlone s(true);
     s.app.apply(CommandDown{Command::Forward}, s.now);
     s.app.apply(FocusChanged{false}, s.now);
@@ -345,7 +345,7 @@ TEST(Session, losing_the_keyboard_is_handed_to_the_servo_and_lets_keys_go) {
     EXPECT_TRUE(s.app.hand().tuning.focused);
 }
 
-TEST(Session, a_device_plugged_in_later_is_offered_and_taken_with_the_force_key) {
+TEST(Session, a_device_plugged_in_later_is_offered_and_accepted_with_the_force_key) {
     SessionAlone s(false);
     s.app.apply(HandOffered{"Falcon"}, s.now);
     s.run(0.1);
@@ -368,7 +368,7 @@ TEST(Session, a_device_plugged_in_later_is_offered_and_taken_with_the_force_key)
     EXPECT_THAT(s.said().back(), testing::HasSubstr("15 minutes"));
 }
 
-TEST(Session, hints_at_a_break_once_for_each_quarter_hour_of_contact) {
+TEST(Session, suggests_a_break_once_for_each_quarter_hour_of_contact) {
     SessionAlone s(true);
     const auto hints = [&] {
         const auto lines = s.said();
@@ -387,7 +387,7 @@ TEST(Session, hints_at_a_break_once_for_each_quarter_hour_of_contact) {
     EXPECT_EQ(hints(), 2);
 }
 
-TEST(Session, what_is_this_tells_the_name_and_on_asking_again_the_size) {
+TEST(Session, what_is_this_gives_the_name_and_when_repeated_the_size) {
     SessionAlone s(true);
     s.tool.contacts.count = 1;
     s.tool.contacts.contacts[0].feature = FeatureId{5};
@@ -398,7 +398,7 @@ TEST(Session, what_is_this_tells_the_name_and_on_asking_again_the_size) {
     EXPECT_THAT(s.said().back(), testing::HasSubstr("1 by 0.5 metres"));
 }
 
-TEST(Session, the_ball_is_four_per_cent_of_a_six_metre_room_and_never_too_big_for_a_door) {
+TEST(Session, the_ball_is_four_percent_as_wide_as_a_six_metre_room_and_never_too_big_for_a_door) {
     SessionAlone s(true);
     EXPECT_NEAR(s.app.hand().tuning.touch.radius_m, 0.12, 1e-12);
     SceneBuilder b;
@@ -408,7 +408,7 @@ TEST(Session, the_ball_is_four_per_cent_of_a_six_metre_room_and_never_too_big_fo
     EXPECT_NEAR(narrow.hand().tuning.touch.radius_m, 0.1, 1e-12);
 }
 
-TEST(Session, falling_out_of_the_world_brings_one_back_to_the_base) {
+TEST(Session, returns_a_walker_who_falls_out_of_the_world_to_the_base) {
     SceneBuilder b;
     b.box({-1, -1, -0.2}, {1, 1, 0}, "floor");
     b.start({0, 0, 0}, 0.0);
@@ -427,7 +427,7 @@ TEST(Session, falling_out_of_the_world_brings_one_back_to_the_base) {
     EXPECT_NEAR(app.feet_m().z, 0.0, 1e-3);
 }
 
-TEST(Session, home_goes_back_and_every_command_can_be_given_without_harm) {
+TEST(Session, home_returns_to_the_base_and_every_command_is_safe) {
     SessionAlone s(true);
     for (int round = 0; round < 2; ++round)
         for (const CommandInfo& row : command_table())
@@ -440,7 +440,7 @@ TEST(Session, home_goes_back_and_every_command_can_be_given_without_harm) {
     EXPECT_FALSE(s.app.requests().leave);
 }
 
-TEST(Session, sets_things_down_moves_and_removes_them_while_everything_goes_on) {
+TEST(Session, places_moves_and_removes_things_while_everything_continues) {
     SessionAlone s(true);
     s.run(0.1);
     const auto world = s.app.haptic_scene()->world;
@@ -481,7 +481,7 @@ TEST(Session, sets_things_down_moves_and_removes_them_while_everything_goes_on) 
     EXPECT_FALSE(s.app.remove_thing("crate", s.now));
 }
 
-TEST(Session, brings_body_and_hand_out_of_what_they_are_in) {
+TEST(Session, moves_body_and_hand_out_of_solids_that_they_are_in) {
     SessionAlone s(true);
     s.tool.hip_m = Vec3(3.0, 1.5, 1.0);
     s.run(0.1);
@@ -504,7 +504,7 @@ TEST(Session, brings_body_and_hand_out_of_what_they_are_in) {
     EXPECT_GE(std::max(std::abs(s.app.feet_m().x - 3.0), std::abs(s.app.feet_m().y - 2.0)), 1.25 - 1e-3);
 }
 
-TEST(Session, says_the_scale_first_and_keeps_the_place_under_the_hand) {
+TEST(Session, announces_the_scale_first_and_keeps_the_place_under_the_hand) {
     SessionAlone s(true);
     s.run(0.1);
     s.tool.ticks = 10;
@@ -531,7 +531,7 @@ TEST(Session, says_the_scale_first_and_keeps_the_place_under_the_hand) {
     EXPECT_EQ(s.app.settings().workspace.scale, 60.0) << "a named scale changes no setting";
 }
 
-TEST(Session, building_scale_lays_the_building_round_the_hand_and_not_the_hand_into_a_wall) {
+TEST(Session, building_scale_places_the_building_around_the_hand_and_never_the_hand_in_a_wall) {
     SessionAlone s(true);
     s.run(0.1);
     s.tool.ticks = 10;
@@ -548,7 +548,7 @@ TEST(Session, building_scale_lays_the_building_round_the_hand_and_not_the_hand_i
     EXPECT_LT(glm::length(s.app.hand().pose.origin_m - Vec3(3.0, 2.0, 1.0)), 1.0);
 }
 
-TEST(Session, workspace_stays_when_it_does_not_follow_the_walk) {
+TEST(Session, the_workspace_stays_if_it_does_not_follow_the_walker) {
     SessionAlone s(true);
     Settings own;
     own.workspace.follows_walk = false;
@@ -563,7 +563,7 @@ TEST(Session, workspace_stays_when_it_does_not_follow_the_walk) {
     EXPECT_NEAR(s.app.hand().pose.origin_m.y, before.y + 0.7, 1e-3);
 }
 
-TEST(Session, grabbing_by_key_ends_with_the_key_the_stop_key_and_a_lost_window) {
+TEST(Session, grabbing_by_key_ends_with_the_key_the_stop_key_and_loss_of_focus) {
     SessionAlone s(true);
     s.run(0.1);
     for (const auto& end : std::vector<std::function<void()>>{
@@ -576,7 +576,7 @@ TEST(Session, grabbing_by_key_ends_with_the_key_the_stop_key_and_a_lost_window) 
     }
 }
 
-TEST(Session, the_ways_to_move_the_workspace_are_the_persons_choice) {
+TEST(Session, lets_the_person_choose_how_the_workspace_is_moved) {
     SessionAlone s(true);
     EXPECT_TRUE(s.app.hand().tuning.workspace.rim);
     EXPECT_EQ(s.app.hand().tuning.workspace.grab_buttons, 1U);
@@ -593,7 +593,7 @@ TEST(Session, the_ways_to_move_the_workspace_are_the_persons_choice) {
         << "the button that is held to feel anything does not grab";
 }
 
-TEST(Session, two_hands_have_their_own_limits_and_go_along_with_each_others_workspace) {
+TEST(Session, two_hands_have_separate_limits_and_follow_each_others_workspace) {
     SessionAlone s(true);
     HandFacts left;
     left.present = left.simulated = true;

@@ -122,7 +122,7 @@ protected:
     }
 };
 
-TEST_F(SettingDoors, lead_to_the_same_state_and_the_same_file) {
+TEST_F(SettingDoors, all_lead_to_the_same_state_and_the_same_file) {
     const auto untouched = changed_by([](Door&) {});
     for (const SettingInfo& info : settings_table()) {
         SCOPED_TRACE(info.key);
@@ -146,7 +146,7 @@ TEST_F(SettingDoors, lead_to_the_same_state_and_the_same_file) {
     }
 }
 
-TEST_F(SettingDoors, of_the_desk_lead_to_the_same_as_those_of_the_list) {
+TEST_F(SettingDoors, at_the_desk_have_the_same_effect_as_in_the_list) {
     for (const DeskSetting& row : desk_settings()) {
         SCOPED_TRACE(row.key);
         std::string value;
@@ -164,7 +164,7 @@ TEST_F(SettingDoors, of_the_desk_lead_to_the_same_as_those_of_the_list) {
     }
 }
 
-TEST_F(SettingDoors, of_commands_lead_to_the_same_as_those_of_the_list) {
+TEST_F(SettingDoors, by_command_have_the_same_effect_as_in_the_list) {
     const std::pair<Command, std::pair<const char*, const char*>> commands[] = {
         {Command::SwitchFrame, {"workspace.frame", "walk"}},
         {Command::Callouts, {"walk.callouts", "false"}},
@@ -198,7 +198,7 @@ TEST_F(SettingDoors, of_the_settings_owner_lead_to_the_same_state) {
     }
 }
 
-TEST_F(SettingDoors, change_keys_and_refuse_what_cannot_be) {
+TEST_F(SettingDoors, change_keys_and_refuse_invalid_values) {
     const auto changed = set("keys.forward", "F9");
     EXPECT_EQ(changed.at("keys"), "F9");
     EXPECT_THAT(changed.at("file"), testing::HasSubstr("forward = \"F9\""));
@@ -209,7 +209,7 @@ TEST_F(SettingDoors, change_keys_and_refuse_what_cannot_be) {
 }
 
 // Until 2026-11 the new scale was announced and saved, but the hand stayed in the named scale.
-TEST_F(SettingDoors, lead_out_of_a_named_scale) {
+TEST_F(SettingDoors, leave_a_named_scale_when_a_number_is_set) {
     EXPECT_THAT(set("workspace.scale", "33").at("touch"), testing::StartsWith("33 "));
 }
 

@@ -22,7 +22,7 @@ SideEntry mark(const std::string& name, double x) {
     return {{"name", name}, {"place_m", std::vector<double>{x, 0.1, -3.25}}, {"near_m", 0.1 + 0.2}};
 }
 
-TEST(SideFile, keeps_entries_and_tables_beside_the_world_to_the_last_bit) {
+TEST(SideFile, stores_entries_and_tables_next_to_the_world_to_the_last_bit) {
     const TemporaryFolder folder;
     const fs::path world = folder.write("house.map", "{ }");
     SideFile file = SideFile::of_world(world, {});
@@ -41,7 +41,7 @@ TEST(SideFile, keeps_entries_and_tables_beside_the_world_to_the_last_bit) {
     EXPECT_EQ(again.world_checksum().size(), 8U);
 }
 
-TEST(SideFile, keeps_what_it_does_not_know) {
+TEST(SideFile, keeps_unknown_content) {
     const TemporaryFolder folder;
     const fs::path world = folder.write("a.map", "");
     folder.write("a.map.handrail.toml",
@@ -61,7 +61,7 @@ TEST(SideFile, keeps_what_it_does_not_know) {
 }
 
 // Another person's folder may contain such a link to any file of the user.
-TEST(SideFile, is_neither_read_nor_written_through_a_link) {
+TEST(SideFile, is_never_read_or_written_through_a_symbolic_link) {
     const TemporaryFolder folder, data;
     const fs::path world = folder.write("a.map", "x");
     const std::string diary = "[[mark]]\nname = \"mine\"\nplace_m = [0.0, 0.0, 0.0]\n";
@@ -89,7 +89,7 @@ TEST(SideFile, is_neither_read_nor_written_through_a_link) {
     }
 }
 
-TEST(SideFile, is_not_written_through_a_link_that_came_later) {
+TEST(SideFile, is_not_written_through_a_symbolic_link_that_appears_later) {
     const TemporaryFolder folder;
     const fs::path world = folder.write("a.map", "x"), diary = folder.write("diary", "mine");
     SideFile file = SideFile::of_world(world, {});
@@ -101,7 +101,7 @@ TEST(SideFile, is_not_written_through_a_link_that_came_later) {
     EXPECT_TRUE(file.save()) << "nothing is lost";
 }
 
-TEST(SideFile, puts_a_damaged_file_aside_says_so_and_starts_empty) {
+TEST(SideFile, that_is_damaged_is_set_aside_reported_and_started_empty) {
     const TemporaryFolder folder;
     const fs::path world = folder.write("a.map", "x");
     for (int round = 1; round <= 2; ++round) {
@@ -144,7 +144,7 @@ TEST(SideFile, survives_being_cut_or_changed_at_every_byte) {
     }
 }
 
-TEST(SideFile, goes_to_the_data_folder_where_the_worlds_folder_cannot_be_written) {
+TEST(SideFile, goes_to_the_data_folder_if_the_worlds_folder_is_not_writable) {
     if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
     const TemporaryFolder folder, data, other;
     const fs::path world = folder.write("a.map", "x");
@@ -161,7 +161,7 @@ TEST(SideFile, goes_to_the_data_folder_where_the_worlds_folder_cannot_be_written
     EXPECT_EQ(SideFile::of_world(world, data.path()).entries("mark").size(), 1U);
 }
 
-TEST(SideFile, goes_to_the_data_folder_when_the_worlds_folder_takes_no_file_from_anybody) {
+TEST(SideFile, goes_to_the_data_folder_if_the_worlds_folder_is_read_only_for_everyone) {
     const TemporaryFolder data;
     SideFile file = SideFile::of_world("/proc/version", data.path());
     file.set_entries("mark", {mark("m", 1.0)});
@@ -170,7 +170,7 @@ TEST(SideFile, goes_to_the_data_folder_when_the_worlds_folder_takes_no_file_from
     EXPECT_EQ(SideFile::of_world("/proc/version", data.path()).entries("mark").size(), 1U);
 }
 
-TEST(SideFile, takes_the_data_folder_when_saving_beside_the_world_fails) {
+TEST(SideFile, uses_the_data_folder_if_saving_next_to_the_world_fails) {
     const TemporaryFolder folder, data;
     // A name that is valid for the world but leaves no room for our ending.
     const std::string name(244, 'w');
@@ -184,7 +184,7 @@ TEST(SideFile, takes_the_data_folder_when_saving_beside_the_world_fails) {
     EXPECT_FALSE(nowhere.save());
 }
 
-TEST(SideFile, in_memory_takes_and_gives_and_writes_nothing) {
+TEST(SideFile, in_memory_stores_and_returns_values_without_writing) {
     SideFile file;
     file.set_entries("mark", {mark("m", 1.0)});
     EXPECT_EQ(file.entries("mark").size(), 1U);
@@ -192,7 +192,7 @@ TEST(SideFile, in_memory_takes_and_gives_and_writes_nothing) {
     EXPECT_TRUE(file.path().empty());
 }
 
-TEST(SideFile, keeps_the_file_aside_before_it_writes_over_what_is_no_list_of_entries) {
+TEST(SideFile, is_copied_aside_before_a_value_that_is_not_a_list_is_overwritten) {
     const auto own_name = [](const SideEntry& entry) -> Result<std::string> { return text_of(entry, "name"); };
     for (const std::string& odd : {std::string("mark = 3\n"), std::string("mark = [{ name = \"a\" }, 3]\n"),
                                    std::string("[mark]\nname = \"a\"\n")}) {
@@ -231,7 +231,7 @@ TEST(SideFile, keeps_the_file_aside_before_it_writes_over_what_is_no_list_of_ent
     }
 }
 
-TEST(SideFile, reads_wrong_kinds_as_missing) {
+TEST(SideFile, reads_values_of_the_wrong_type_as_missing) {
     const TemporaryFolder folder;
     const fs::path world = folder.write("a.map", "x");
     folder.write("a.map.handrail.toml",
@@ -245,7 +245,7 @@ TEST(SideFile, reads_wrong_kinds_as_missing) {
     EXPECT_EQ(number_of(spot, "near_m", -1.0), -1.0);
 }
 
-TEST(GoodName, takes_any_utf8_line_up_to_200_bytes) {
+TEST(GoodName, accepts_any_utf8_line_of_up_to_200_bytes) {
     EXPECT_EQ(*good_name("  Bücher — 本  "), "Bücher — 本");
     EXPECT_EQ(good_name(std::string(200, 'x'))->size(), 200U);
     for (const std::string& bad : {std::string(), std::string("  \n"), std::string(201, 'x'), std::string("a\nb"),

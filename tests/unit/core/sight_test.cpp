@@ -92,7 +92,7 @@ Vec3 somewhere(std::mt19937& random, const Aabb& box) {
     return box.min_m + box.size_m() * Vec3(x, y, z);
 }
 
-TEST(Sight, tells_what_eight_straight_looks_at_everything_tell_in_our_own_worlds) {
+TEST(Sight, agrees_with_eight_exhaustive_ray_casts_in_the_bundled_worlds) {
     for (const char* name : {"house.map", "school.map"}) {
         std::vector<int> thing_of_mover;
         const auto scene = std::make_shared<const Scene>(with_movers_apart(*shipped(name), 128, thing_of_mover));
@@ -103,7 +103,7 @@ TEST(Sight, tells_what_eight_straight_looks_at_everything_tell_in_our_own_worlds
     }
 }
 
-TEST(Sight, tells_the_same_among_slanted_solids_and_sheets_far_from_the_origin) {
+TEST(Sight, gives_the_same_answers_among_slanted_solids_and_sheets_far_from_the_origin) {
     std::mt19937 random(kSeed);
     for (const Vec3 shift : {Vec3(0.0), Vec3(4e4, -3e4, 100.0)}) {
         SceneBuilder some;
@@ -123,7 +123,7 @@ TEST(Sight, tells_the_same_among_slanted_solids_and_sheets_far_from_the_origin) 
     }
 }
 
-TEST(Sight, costs_a_bounded_number_of_looks_however_large_the_world) {
+TEST(Sight, uses_a_limited_number_of_rays_in_a_world_of_any_size) {
     const auto read = read_quake_map(office_world(office_size(3000)).map, "office.map");
     const auto office = std::make_shared<const Scene>(*read);
     const BodyWorld world(office);
@@ -147,7 +147,7 @@ TEST(Sight, costs_a_bounded_number_of_looks_however_large_the_world) {
     EXPECT_LT(rays, 400);
 }
 
-TEST(BodyWorld, meets_in_a_shared_building_what_it_meets_in_one_of_its_own) {
+TEST(BodyWorld, hits_the_same_obstacles_whether_the_building_is_shared_or_private) {
     std::vector<int> thing_of_mover;
     const auto scene = std::make_shared<const Scene>(with_movers_apart(*shipped("house.map"), 128, thing_of_mover));
     ASSERT_GT(scene->placed.size(), 5U);
@@ -171,7 +171,7 @@ TEST(BodyWorld, meets_in_a_shared_building_what_it_meets_in_one_of_its_own) {
 }
 
 // Finds where a path meets each solid alone; for all solids together the first of these counts.
-TEST(BodyWorld, meets_first_what_is_met_first_of_all_solids_alone) {
+TEST(BodyWorld, reports_the_first_obstacle_that_a_search_of_all_solids_finds) {
     std::mt19937 random(kSeed);
     const Aabb all{Vec3(-6.0), Vec3(6.0)};
     SceneBuilder some;

@@ -42,7 +42,7 @@ double room_round(const Session& app, const Vec3& at_m) {
     return surrounding_of(*app.haptic_scene(), app.bodies().poses(), at_m, 1.0).distance_m;
 }
 
-TEST(Simplified, is_told_with_each_scale_where_it_differs_and_undone_on_the_way_back) {
+TEST(Simplified, view_is_announced_at_each_scale_if_it_differs_and_undone_on_returning) {
     Explorer p(test::our_world("house.map"), "sim-t");
     EXPECT_TRUE(p.heard("Simplified: 1 small thing left out.")) << p.all_heard();
     const FeatureId stand = feature_named(*p.app().scene(), "Globe's stand"),
@@ -75,7 +75,7 @@ TEST(Simplified, is_told_with_each_scale_where_it_differs_and_undone_on_the_way_
         << "the true scene stays";
 }
 
-TEST(Simplified, lists_what_it_is_and_leads_to_each) {
+TEST(Simplified, parts_are_listed_and_each_can_be_gone_to) {
     Explorer p(test::our_world("house.map"), "sim-t");
     p.tap(Command::ScaleBuilding, 0.2);
     p.key("Shift+6");
@@ -99,7 +99,7 @@ TEST(Simplified, lists_what_it_is_and_leads_to_each) {
     EXPECT_TRUE(p.heard("Nothing is simplified.", from));
 }
 
-TEST(Simplified, is_off_by_a_setting_at_once_and_says_so) {
+TEST(Simplified, view_can_be_switched_off_by_a_setting_at_once_which_is_announced) {
     Explorer p(test::our_world("house.map"), "sim-t");
     p.tap(Command::ScaleBuilding, 0.2);
     const FeatureId coats = feature_named(*p.app().scene(), "Coat stand");
@@ -172,7 +172,7 @@ TEST(Simplified, feels_dense_meshes_with_fewer_triangles_at_coarse_scales_and_sa
         << "nobody waits for it without a hand";
 }
 
-TEST(Simplified, needs_a_hand_and_keeps_what_bears_a_mark) {
+TEST(Simplified, view_needs_a_hand_and_keeps_marked_things) {
     Explorer keys(test::our_world("house.map"), nullptr);
     std::size_t from = keys.lines();
     keys.tap(Command::Simplified);
@@ -193,7 +193,7 @@ TEST(Simplified, needs_a_hand_and_keeps_what_bears_a_mark) {
     EXPECT_TRUE(is_felt(*p.app().haptic_scene(), feature_named(*p.app().scene(), "Coat stand")));
 }
 
-TEST(Simplified, knows_the_marks_of_a_world_and_no_others_before_it_is_compiled_once) {
+TEST(Simplified, view_knows_only_the_marks_of_the_current_world_before_its_first_compilation) {
     const auto house = test::our_world("house.map");
     Session app({}, Explorer::facts("sim-t"));
     double now = 0.0;
@@ -222,7 +222,7 @@ TEST(Simplified, knows_the_marks_of_a_world_and_no_others_before_it_is_compiled_
     EXPECT_FALSE(is_felt(*app.haptic_scene(), stand)) << "the mark was in the other world";
 }
 
-TEST(Simplified, is_said_in_whole_german_sentences) {
+TEST(Simplified, view_is_described_in_whole_german_sentences) {
     const test::InLanguage german("de");
     Explorer p(test::our_world("house.map"), "sim-t");
     EXPECT_TRUE(p.heard("Vereinfacht: 1 kleines Ding weggelassen.")) << p.all_heard();
@@ -260,7 +260,7 @@ std::shared_ptr<const Scene> open_rooms() {
     return builder.share();
 }
 
-TEST(Simplified, widens_openings_without_a_door_as_soon_as_the_rooms_are_found) {
+TEST(Simplified, view_widens_doorless_openings_as_soon_as_the_rooms_are_found) {
     Session app({}, Explorer::facts("sim-t"), {.executor = on_threads()});
     app.apply(WorldEntered{make_ready(open_rooms())}, 0.0);
     app.apply(CommandDown{Command::ScaleBuilding}, 0.0);
@@ -301,7 +301,7 @@ bool any_rounded(const HapticScene& scene) {
 
 // The results with threads and without them are bit-identical. Until they are ready, the hand feels what there was
 // before, and entering a world does not wait.
-TEST(Simplified, makes_on_threads_what_it_makes_without_them) {
+TEST(Simplified, view_is_bit_identical_with_and_without_threads) {
     const auto house = test::our_world("house.map");
     Session beside({}, Explorer::facts("sim-t"), {.executor = on_threads()}), at_once({}, Explorer::facts("sim-t"));
     double now = 0.0, now_at_once = 0.0;
@@ -355,7 +355,7 @@ TEST(Simplified, makes_on_threads_what_it_makes_without_them) {
 
 // An opened door is found, seen and walked through at its new place, also if a background task has registered that
 // place.
-TEST(Simplified, settles_on_a_thread_what_has_come_to_rest) {
+TEST(Simplified, view_updates_movers_that_came_to_rest_in_the_background) {
     const auto house = test::our_world("house.map");
     Session app({}, Explorer::facts(nullptr), {.executor = on_threads()});
     app.apply(WorldEntered{make_ready(house)}, 0.0);
@@ -373,7 +373,7 @@ TEST(Simplified, settles_on_a_thread_what_has_come_to_rest) {
     EXPECT_TRUE(moved);
 }
 
-TEST(Simplified, looks_for_openings_on_entering_a_world_with_nothing_of_the_one_before) {
+TEST(Simplified, openings_are_found_on_entering_a_world_without_those_of_the_previous_one) {
     Explorer p(test::our_world("house.map"), "sim-t");
     p.tap(Command::ScaleBuilding, 0.2);
     const std::size_t from = p.lines();
@@ -384,7 +384,7 @@ TEST(Simplified, looks_for_openings_on_entering_a_world_with_nothing_of_the_one_
 }
 
 // Walls are not thickened, because no wall is too thin to hold the hand.
-TEST(Simplified, holds_a_fast_hand_at_a_wall_of_a_fifth_of_a_millimetre) {
+TEST(Simplified, view_stops_a_fast_hand_at_a_wall_of_a_fifth_of_a_millimetre) {
     Settings settings;
     settings.desk.use = false;
     settings.workspace.rim = false;
@@ -455,7 +455,7 @@ void changes_under_the_hand(const std::shared_ptr<const Scene>& world, const cha
     EXPECT_GT(widened, 0U);
 }
 
-TEST(Simplified, changes_under_the_hand_without_leaving_it_in_a_wall_or_a_jolt) {
+TEST(Simplified, view_changes_under_the_hand_without_a_jolt_or_leaving_it_in_a_wall) {
     for (const char* device : {"sim-t", "sim-f"})
         changes_under_the_hand(test::our_world("house.map"), device, test::scaled(60));
 }
@@ -506,12 +506,12 @@ void tells_the_truth_of_each_scale(const std::shared_ptr<const Scene>& world) {
     changes_under_the_hand(world, "sim-t", test::scaled(30));
 }
 
-TEST(Simplified, tells_the_truth_of_each_scale_in_an_office_of_ours_and_changes_unfelt) {
+TEST(Simplified, view_reports_each_scale_of_a_generated_office_truthfully_and_changes_imperceptibly) {
     const test::TemporaryFolder folder;
     tells_the_truth_of_each_scale(test::world_in(folder.write("office.ifc", test::office_ifc({2, 1, 4, 24}).text)));
 }
 
-TEST(Simplified, tells_the_truth_of_each_scale_in_an_architects_house_and_changes_unfelt) {
+TEST(Simplified, view_reports_each_scale_of_an_architects_house_truthfully_and_changes_imperceptibly) {
     const auto path = test::real_world("duplex-apartment.ifc");
     if (!path) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
     tells_the_truth_of_each_scale(test::world_once(*path));
@@ -519,7 +519,7 @@ TEST(Simplified, tells_the_truth_of_each_scale_in_an_architects_house_and_change
 
 // Both hands are still, anywhere in their workspaces. A change of scale puts each proxy outside of everything wherever
 // the shared workspace has room for both.
-TEST(Simplified, brings_both_hands_out_of_walls_in_their_one_workspace) {
+TEST(Simplified, view_moves_both_hands_out_of_walls_in_their_common_workspace) {
     Settings settings;
     settings.desk.use = false;
     Session app(settings, Explorer::facts("sim-t"));
@@ -557,7 +557,7 @@ TEST(Simplified, brings_both_hands_out_of_walls_in_their_one_workspace) {
 }
 
 // The rule of thirds also applies to doorways as they are felt, so the proxy of each scale passes through all of them.
-TEST(Simplified, leaves_a_ball_that_goes_through_every_doorway_at_each_scale) {
+TEST(Simplified, doorways_let_the_ball_through_at_each_scale) {
     for (const char* device : {"sim-t", "sim-f"})
         for (const char* file : {"house.map", "school.map"}) {
             if (!test::tried(device == std::string("sim-t") ? 0 : 1, 2)) continue;

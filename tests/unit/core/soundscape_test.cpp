@@ -24,7 +24,7 @@ SceneBuilder two_rooms() {
     return b;
 }
 
-TEST(Muffling, open_way_takes_nothing_and_a_closed_door_at_least_12_db) {
+TEST(Muffling, is_zero_for_an_open_path_and_at_least_12_db_for_a_closed_door) {
     const Vec3 clock{2.0, 7.0, 1.6};
     EXPECT_EQ(muffling_db(BodyWorld(two_rooms().share()), kEars_m, clock), 0.0);
     SceneBuilder closed = two_rooms();
@@ -33,7 +33,7 @@ TEST(Muffling, open_way_takes_nothing_and_a_closed_door_at_least_12_db) {
     EXPECT_GE(kDoorMuffles_db, 12.0);
 }
 
-TEST(Muffling, wall_takes_more_than_a_door_and_one_built_of_two_layers_counts_once) {
+TEST(Muffling, of_a_wall_is_stronger_than_of_a_door_and_a_wall_of_two_layers_counts_once) {
     const Vec3 ears{0.7, 1.0, 1.6}, source{0.7, 7.0, 1.6};
     EXPECT_NEAR(muffling_db(BodyWorld(two_rooms().share()), ears, source), kWallMuffles_db, 1e-9);
     SceneBuilder layered = two_rooms();
@@ -45,7 +45,7 @@ TEST(Muffling, wall_takes_more_than_a_door_and_one_built_of_two_layers_counts_on
     EXPECT_GT(2.0 * kWallMuffles_db, kUnheard_db);
 }
 
-TEST(Muffling, rises_little_by_little_behind_an_edge_and_furniture_takes_little) {
+TEST(Muffling, rises_gradually_behind_an_edge_and_is_small_for_furniture) {
     // The line from these ears to the source passes the corner at (2.5, 4) first on one side, then on the other.
     const BodyWorld world(two_rooms().share());
     const Vec3 source{2.5, 7.0, 1.6};
@@ -64,7 +64,7 @@ TEST(Muffling, rises_little_by_little_behind_an_edge_and_furniture_takes_little)
     EXPECT_NEAR(muffling_db(BodyWorld(b.share()), kEars_m, {2.0, 3.5, 1.6}), kThingMuffles_db, 1e-9);
 }
 
-TEST(Muffling, what_the_source_stands_in_and_what_only_stops_bodies_take_nothing) {
+TEST(Muffling, ignores_the_solid_around_the_source_and_solids_that_only_stop_bodies) {
     SceneBuilder b = two_rooms();
     b.box({1.9, 6.9, 1.5}, {2.1, 7.1, 1.7}, "Lamp", SolidRole::Solid, "glass");
     b.box({0, 3, 0}, {4, 3.1, 2.6}, "clip", SolidRole::BodyClip);
@@ -118,7 +118,7 @@ SceneBuilder closed_room(const std::string& floor, const std::string& walls, con
     return b;
 }
 
-TEST(Reverberation, is_that_of_sabine_within_10_percent_wherever_one_stands_in_the_room) {
+TEST(Reverberation, follows_sabine_within_10_percent_at_any_place_in_the_room) {
     // V is 62.4 cubic metres; floor 24, ceiling 24, walls 52 square metres.
     const double carpeted_s = 0.161 * 62.4 / (24 * 0.35 + 24 * 0.05 + 52 * 0.05),
                  tiled_s = 0.161 * 62.4 / (24 * 0.02 + 24 * 0.03 + 52 * 0.03);
@@ -131,7 +131,7 @@ TEST(Reverberation, is_that_of_sabine_within_10_percent_wherever_one_stands_in_t
     EXPECT_GT(tiled_s, 2.0 * carpeted_s);
 }
 
-TEST(Reverberation, there_is_none_under_the_sky_or_on_a_field) {
+TEST(Reverberation, is_absent_outdoors_and_on_open_ground) {
     EXPECT_EQ(reverberation_s(BodyWorld(closed_room("tile", "brick", "").share()), {3, 2, 1.6}), 0.0);
     SceneBuilder b;
     b.box({-100, -100, -1}, {100, 100, 0}, "ground", SolidRole::Solid, "grass", FeatureKind::Floor);
@@ -169,7 +169,7 @@ struct Field {
     double now_s = 0.0;
 };
 
-TEST(Soundscape, hears_the_three_loudest_and_follows_as_one_walks) {
+TEST(Soundscape, plays_the_three_loudest_sources_and_follows_the_walker) {
     Field f{0, 4, 8, 12, 16, 20};
     f.stand(0.0, 1.0);
     EXPECT_EQ(f.playing, (std::set<std::uint32_t>{0, 1, 2}));
@@ -178,7 +178,7 @@ TEST(Soundscape, hears_the_three_loudest_and_follows_as_one_walks) {
     EXPECT_LE(f.most, 3U);
 }
 
-TEST(Soundscape, sound_as_near_as_another_does_not_take_its_place) {
+TEST(Soundscape, keeps_a_source_when_another_becomes_about_equally_loud) {
     Field f{-3, 3, 9, -9};  // the two far ones differ by less than 3 dB around the middle
     f.stand(0.0, 1.0);
     const auto before = f.playing;
@@ -188,7 +188,7 @@ TEST(Soundscape, sound_as_near_as_another_does_not_take_its_place) {
     EXPECT_EQ(f.changes, changes) << "nothing is told again that did not change";
 }
 
-TEST(Soundscape, sound_out_of_range_or_behind_two_walls_is_not_heard_and_another_world_stops_them_all) {
+TEST(Soundscape, drops_sources_out_of_range_or_behind_two_walls_and_all_on_a_change_of_world) {
     Field f{0, 200};
     f.stand(0.0, 0.5);
     EXPECT_EQ(f.playing, std::set<std::uint32_t>{0});
@@ -197,7 +197,7 @@ TEST(Soundscape, sound_out_of_range_or_behind_two_walls_is_not_heard_and_another
     EXPECT_TRUE(f.playing.empty());
 }
 
-TEST(Soundscape, follows_sources_of_a_crowded_map_within_a_few_ticks_at_bounded_cost) {
+TEST(Soundscape, follows_sources_of_a_crowded_map_within_a_few_ticks_at_limited_cost) {
     SceneBuilder b;
     b.box({-100, -100, -1}, {100, 100, 0}, "ground", SolidRole::Solid, "grass", FeatureKind::Floor);
     for (int i = 0; i < 60; ++i)
@@ -218,7 +218,7 @@ TEST(Soundscape, follows_sources_of_a_crowded_map_within_a_few_ticks_at_bounded_
     EXPECT_TRUE(playing.contains(59));
 }
 
-TEST(SessionSounds, ears_know_the_room_they_are_in) {
+TEST(SessionSounds, listener_gets_the_reverberation_of_the_current_room) {
     SceneBuilder b = closed_room("tile", "concrete", "concrete");
     b.start({3, 2, 0}, 0.0);
     Session app(Settings{}, HandFacts{});
@@ -227,7 +227,7 @@ TEST(SessionSounds, ears_know_the_room_they_are_in) {
     EXPECT_NEAR(app.listener().reverberation_s, 3.6, 0.4);
 }
 
-TEST(SessionSounds, session_tells_the_planner_what_the_world_sounds_like) {
+TEST(SessionSounds, world_sounds_are_passed_to_the_cue_planner) {
     SceneBuilder b = two_rooms();
     b.scene().sounds.push_back({{2.0, 3.0, 1.6}, "Clock", "clock_tick", 0.5});
     b.start({2, 1, 0}, 0.0);

@@ -40,7 +40,7 @@ struct Visitor : AppSession {
     }
 };
 
-TEST(Storeys, of_the_house_are_listed_from_below_with_their_rooms_and_ones_own_marked) {
+TEST(Storeys, of_the_house_are_listed_from_below_with_their_rooms_and_the_current_one_marked) {
     Visitor s(test::our_world("house.map"));
     const std::vector<ListItem> storeys = s.storeys();
     ASSERT_EQ(storeys.size(), 2U);
@@ -56,7 +56,7 @@ TEST(Storeys, of_the_house_are_listed_from_below_with_their_rooms_and_ones_own_m
     EXPECT_THAT(whole, HasSubstr("from the lowest up: " + lower + ", " + upper));
 }
 
-TEST(Storeys, that_are_chosen_are_walked_to_by_the_way_to_their_nearest_room) {
+TEST(Storeys, are_walked_to_by_the_route_to_their_nearest_room) {
     for (const char* language : {"en", "de"}) {
         const test::InLanguage spoken(language);
         Visitor s(test::our_world("house.map"));
@@ -70,7 +70,7 @@ TEST(Storeys, that_are_chosen_are_walked_to_by_the_way_to_their_nearest_room) {
     }
 }
 
-TEST(Storeys, ones_own_is_told_with_its_rooms) {
+TEST(Storeys, that_the_walker_is_on_are_described_with_their_rooms) {
     Visitor s(test::our_world("house.map"));
     s.storeys();
     const std::string here = s.line("1");
@@ -79,7 +79,7 @@ TEST(Storeys, ones_own_is_told_with_its_rooms) {
     EXPECT_THAT(s.ask(Command::RestOfWay), HasSubstr(phrase("way.none"))) << "nobody is led";
 }
 
-TEST(Storeys, that_one_comes_to_are_said_with_the_first_room_there_and_not_again) {
+TEST(Storeys, are_announced_with_the_first_room_on_arrival_and_not_again) {
     Visitor s(test::our_world("house.map"));
     s.news();
     s.app.apply(Placed{s.room_above(2.0), 0.0}, s.now);
@@ -94,7 +94,7 @@ TEST(Storeys, that_one_comes_to_are_said_with_the_first_room_there_and_not_again
     EXPECT_THAT(s.news(), HasSubstr("House with a garden, storey 1 of 2: "));
 }
 
-TEST(Storeys, are_called_as_the_file_calls_them_and_a_lift_that_one_stands_on_rides_to_the_chosen_one) {
+TEST(Storeys, have_the_names_of_the_file_and_a_lift_under_the_walker_rides_to_the_chosen_one) {
     Visitor s(test::hall_with_lift());
     s.walk(4.0);
     s.tap(Command::Use);
@@ -116,7 +116,7 @@ TEST(Storeys, are_called_as_the_file_calls_them_and_a_lift_that_one_stands_on_ri
     EXPECT_NEAR(s.app.feet_m().z, 3.0, 0.02);
 }
 
-TEST(Storeys, of_architects_models_are_those_that_hold_rooms) {
+TEST(Storeys, of_architects_models_are_those_that_contain_rooms) {
     const test::TemporaryFolder folder;
     const auto office = folder.write("office.ifc", test::office_ifc({2, 1, 2}).text);
     for (const auto& path : test::with_real_worlds({office}, {"duplex-apartment.ifc"})) {

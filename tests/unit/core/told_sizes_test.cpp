@@ -25,7 +25,7 @@ std::string said_on_entering(const std::shared_ptr<const Scene>& scene) {
     return fmt::format("{}", fmt::join(session.said, " "));
 }
 
-TEST(ToldSizes, of_a_building_are_those_of_its_walls_and_not_of_the_ground_round_it) {
+TEST(ToldSizes, of_a_building_exclude_the_ground_around_it) {
     const auto house = std::make_shared<const Scene>(*read_words(kHouse, "house.rooms"));
     const Vec3 size = building_bounds_m(*house).size_m();
     EXPECT_NEAR(size.x, 6.2, 1e-6);
@@ -40,7 +40,7 @@ TEST(ToldSizes, of_a_building_are_those_of_its_walls_and_not_of_the_ground_round
         }
 }
 
-TEST(ToldSizes, of_a_room_are_those_of_its_outline_however_it_is_turned) {
+TEST(ToldSizes, of_a_room_are_those_of_its_outline_in_any_rotation) {
     for (const double degrees : {0.0, 10.0, 30.0, 90.0, 137.0}) {
         const double turn = degrees * std::numbers::pi / 180.0;
         StatedRoom room;

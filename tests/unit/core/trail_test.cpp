@@ -62,7 +62,7 @@ void four_walls(SceneBuilder& b, const Vec3& at, double wide, double deep) {
     b.box(at + Vec3(-0.2, 0, 0), at + Vec3(0, deep, 2.6), "west wall", SolidRole::Solid, "brick", FeatureKind::Wall);
 }
 
-TEST(Trail, rounds_a_room_both_ways_wherever_it_is_and_never_leaves_the_wall) {
+TEST(Trail, goes_round_a_room_both_ways_at_any_place_and_never_leaves_the_wall) {
     std::mt19937 random(static_cast<unsigned>(test::seed_of_run()));
     for (int run = 0; run < 40; ++run) {
         const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
@@ -105,7 +105,7 @@ TEST(Trail, rounds_a_room_both_ways_wherever_it_is_and_never_leaves_the_wall) {
     }
 }
 
-TEST(Trail, passes_doorways_straight_on_and_tells_them_but_follows_wide_openings_inside) {
+TEST(Trail, crosses_doorways_straight_and_announces_them_but_follows_wide_openings_inside) {
     for (const double gap : {0.8, 1.2, 2.0, 3.0}) {
         SceneBuilder b;
         four_walls(b, Vec3(0.0), 8.0, 4.0);
@@ -131,7 +131,7 @@ TEST(Trail, passes_doorways_straight_on_and_tells_them_but_follows_wide_openings
     }
 }
 
-TEST(Trail, goes_round_a_free_standing_block_outside_and_round_a_slanted_one) {
+TEST(Trail, goes_round_the_outside_of_free_standing_straight_and_slanted_blocks) {
     for (const double gap : {0.0, 0.7}) {  // a square room, and one with a slanted side
         SceneBuilder b;
         b.box({-9, -9, -0.2}, {9, 9, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
@@ -169,7 +169,7 @@ std::string prism(const std::vector<Vec3>& ring, double z0, double z1) {
 }
 
 // Six walls; in two of the three rooms none of them is parallel to an axis.
-TEST(Trail, rounds_a_room_of_slanted_walls_at_a_constant_distance) {
+TEST(Trail, goes_round_a_room_with_slanted_walls_at_a_constant_distance) {
     for (const double turned : {0.0, 0.2, 0.41}) {
         constexpr double kRadius = 128.0;  // 4 m
         const auto corner = [&](int i, double radius) {
@@ -213,7 +213,7 @@ TEST(Trail, rounds_a_room_of_slanted_walls_at_a_constant_distance) {
     }
 }
 
-TEST(Trail, names_what_stands_at_the_wall_without_calling_it_a_corner_and_a_door_in_its_niche) {
+TEST(Trail, names_furniture_at_the_wall_without_a_corner_and_a_door_in_its_niche) {
     SceneBuilder b;
     four_walls(b, Vec3(0.0), 8.0, 4.0);
     b.box({-0.2, -0.2, 0}, {5, 0, 2.6}, "south wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
@@ -235,7 +235,7 @@ TEST(Trail, names_what_stands_at_the_wall_without_calling_it_a_corner_and_a_door
     }
 }
 
-TEST(Trail, turns_round_and_says_where_there_is_no_wall) {
+TEST(Trail, turns_round_and_reports_if_there_is_no_wall) {
     SceneBuilder b;
     b.box({-50, -50, -0.2}, {50, 50, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
     const auto open = b.share();

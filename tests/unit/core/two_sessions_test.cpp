@@ -37,7 +37,7 @@ std::vector<std::string> names(const std::vector<SideEntry>& entries) {
     return all;
 }
 
-TEST(SideMerge, keeps_what_either_added_and_drops_what_either_deleted) {
+TEST(SideMerge, keeps_what_either_session_added_and_drops_what_either_deleted) {
     const std::vector<SideEntry> base{entry("a", 1.0), entry("b", 2.0), entry("c", 3.0)};
     const MergedEntries merged = merge_entries(base, {base[0], base[2], entry("mine", 4.0)},
                                                {base[0], base[1], entry("theirs", 5.0)}, Alike::OneThing);
@@ -46,7 +46,7 @@ TEST(SideMerge, keeps_what_either_added_and_drops_what_either_deleted) {
     EXPECT_TRUE(merged.differs);
 }
 
-TEST(SideMerge, takes_each_change_that_one_alone_made) {
+TEST(SideMerge, accepts_each_change_that_only_one_session_made) {
     const std::vector<SideEntry> base{entry("a", 1.0), entry("b", 2.0)};
     const MergedEntries merged =
         merge_entries(base, {entry("A", 1.0), base[1]}, {base[0], entry("b", 2.5)}, Alike::OneThing);
@@ -56,7 +56,7 @@ TEST(SideMerge, takes_each_change_that_one_alone_made) {
     EXPECT_THAT(merged.conflicts, IsEmpty());
 }
 
-TEST(SideMerge, keeps_both_where_both_changed_the_same_and_tells_the_name) {
+TEST(SideMerge, keeps_both_versions_of_a_conflicting_change_and_reports_the_name) {
     const std::vector<SideEntry> base{entry("a", 1.0), entry("b", 2.0), entry("c", 3.0)};
     const MergedEntries merged = merge_entries(base, {entry("mine", 1.0), entry("b changed", 2.0)},
                                                {entry("theirs", 1.0), entry("c changed", 3.0)}, Alike::OneThing);
@@ -71,13 +71,13 @@ TEST(SideMerge, keeps_both_where_both_changed_the_same_and_tells_the_name) {
     EXPECT_FALSE(alike.differs);
 }
 
-TEST(SideMerge, tells_of_a_name_that_both_gave_to_something_new) {
+TEST(SideMerge, reports_a_name_that_both_sessions_gave_to_new_things) {
     const MergedEntries merged = merge_entries({}, {entry("Mark 1", 1.0)}, {entry("mark 1", 2.0)}, Alike::OneThing);
     EXPECT_EQ(merged.entries.size(), 2U);
     EXPECT_THAT(merged.twice, ElementsAre("mark 1"));
 }
 
-TEST(SideMerge, counts_what_is_no_number_as_unchanged) {
+TEST(SideMerge, treats_values_that_are_not_numbers_as_unchanged) {
     SideEntry odd = entry("a", std::nan(""));
     odd["near_m"] = std::nan("");
     const MergedEntries merged = merge_entries({odd, odd}, {odd, odd}, {odd, odd}, Alike::OneThing);
@@ -85,7 +85,7 @@ TEST(SideMerge, counts_what_is_no_number_as_unchanged) {
     EXPECT_FALSE(merged.differs);
 }
 
-TEST(SideMerge, takes_alike_marks_of_two_sessions_for_two_that_each_may_change_or_delete) {
+TEST(SideMerge, treats_identical_marks_of_two_sessions_as_two_independent_marks) {
     const SideEntry mark = entry("Mark 1", 1.0);
     EXPECT_EQ(merge_entries({}, {mark}, {mark}, Alike::OneThing).entries.size(), 1U);
     EXPECT_EQ(merge_entries({}, {mark}, {mark}, Alike::TwoThings).entries.size(), 2U);
@@ -152,7 +152,7 @@ std::multiset<std::string> all_of(const Twin::Values& values) {
     return all;
 }
 
-TEST(TwoSessions, random_interleavings_of_their_edits_lose_nothing) {
+TEST(TwoSessions, lose_nothing_in_random_interleavings_of_their_edits) {
     const std::uint32_t seed = test::seed_of_run();
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     std::mt19937 random(seed);
@@ -212,7 +212,7 @@ TEST(TwoSessions, random_interleavings_of_their_edits_lose_nothing) {
     }
 }
 
-TEST(TwoSessions, one_that_saves_learns_what_the_other_has_added) {
+TEST(TwoSessions, learn_on_saving_what_the_other_session_has_added) {
     const TemporaryFolder folder;
     const fs::path world = folder.write("a.map", "x");
     SideFile mine = SideFile::of_world(world, {}), theirs = SideFile::of_world(world, {});
@@ -228,7 +228,7 @@ TEST(TwoSessions, one_that_saves_learns_what_the_other_has_added) {
     EXPECT_FALSE(mine.take_over().differs) << "once";
 }
 
-TEST(TwoSessions, what_was_damaged_meanwhile_is_kept_aside_and_told) {
+TEST(TwoSessions, set_aside_and_report_a_file_that_was_damaged_meanwhile) {
     const TemporaryFolder folder;
     const fs::path world = folder.write("a.map", "x");
     SideFile mine = SideFile::of_world(world, {});
@@ -240,7 +240,7 @@ TEST(TwoSessions, what_was_damaged_meanwhile_is_kept_aside_and_told) {
     EXPECT_THAT(names(SideFile::of_world(world, {}).entries("mark")), ElementsAre("mine"));
 }
 
-TEST(TwoSessions, one_waits_for_the_others_save_and_says_so_where_it_does_not_end) {
+TEST(TwoSessions, wait_for_each_others_save_and_report_one_that_does_not_end) {
     const TemporaryFolder folder;
     const fs::path world = folder.write("a.map", "x");
     SideFile mine = SideFile::of_world(world, {});
@@ -277,7 +277,7 @@ struct Visitor : test::AppSession {
     }
 };
 
-TEST(Additions, that_cannot_be_saved_are_said_to_be_unsaved_each_time_and_saved_when_they_can_be) {
+TEST(Additions, that_cannot_be_saved_are_reported_each_time_and_saved_once_that_is_possible) {
     const TemporaryFolder folder;
     const fs::path world = folder.path() / "first_room.map", link = folder.path() / "first_room.map.handrail.toml";
     fs::copy_file(test::project_root() / "worlds/maps/first_room.map", world);
@@ -295,7 +295,7 @@ TEST(Additions, that_cannot_be_saved_are_said_to_be_unsaved_each_time_and_saved_
     EXPECT_THAT(visitor.mark("Hat"), Not(HasSubstr("Not saved")));
 }
 
-TEST(TwoSessions, at_one_spot_name_two_marks_and_hear_of_no_change_of_the_same) {
+TEST(TwoSessions, at_one_spot_name_two_marks_without_a_conflict) {
     const TemporaryFolder folder;
     const fs::path world = folder.path() / "first_room.map";
     fs::copy_file(test::project_root() / "worlds/maps/first_room.map", world);
@@ -308,7 +308,7 @@ TEST(TwoSessions, at_one_spot_name_two_marks_and_hear_of_no_change_of_the_same) 
     EXPECT_THAT(first.news() + second.news(), Not(HasSubstr("changed the same")));
 }
 
-TEST(TwoSessions, both_keep_their_marks_and_a_conflict_is_said) {
+TEST(TwoSessions, both_keep_their_marks_and_a_conflict_is_announced) {
     const TemporaryFolder folder;
     const fs::path world = folder.path() / "first_room.map";
     fs::copy_file(test::project_root() / "worlds/maps/first_room.map", world);

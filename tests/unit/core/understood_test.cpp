@@ -25,7 +25,7 @@ std::shared_ptr<const Scene> house_with_odd_room() {
     return std::make_shared<const Scene>(std::move(*scene));
 }
 
-TEST(Understood, is_told_in_one_sentence_on_entering_and_leads_to_what_is_to_be_checked) {
+TEST(Understood, is_announced_in_one_sentence_on_entering_which_leads_to_the_points_to_check) {
     Explorer p(house_with_odd_room(), nullptr);
     EXPECT_TRUE(
         p.heard("This world has 2 rooms on one storey, 2 doors, one window and no stairs. It also has one piece of "
@@ -48,7 +48,7 @@ TEST(Understood, is_told_in_one_sentence_on_entering_and_leads_to_what_is_to_be_
 }
 
 // The reader adds eight metres of ground around this house, which does not count as part of it.
-TEST(SizeOfABuilding, leaves_out_the_ground_that_the_reader_laid_round_it) {
+TEST(SizeOfABuilding, excludes_the_ground_that_the_reader_added_around_it) {
     Explorer p(house_with_odd_room(), "sim-t");
     const Scene& scene = *p.app().scene();
     const Vec3 size = building_bounds_m(scene).size_m(), laid = scene.bounds_m.size_m();
@@ -85,7 +85,7 @@ TEST(DescribedRoom, has_the_size_of_the_outline_that_the_file_states) {
     }
 }
 
-TEST(Understood, says_that_a_map_states_no_rooms_and_nothing_of_it_on_entering) {
+TEST(Understood, reports_on_request_that_a_map_states_no_rooms_but_not_on_entering) {
     Explorer p(test::our_world("house.map"), nullptr);
     EXPECT_FALSE(p.heard("storey")) << p.all_heard(0);
     p.tap(Command::Understood);

@@ -48,7 +48,7 @@ TEST(WalkedStairs, of_each_form_lead_up_and_down) {
 }
 
 // A step that does not belong to the stairs is as high as ever, even right next to them.
-TEST(WalkedStairs, make_no_step_lower_that_is_none_of_theirs) {
+TEST(WalkedStairs, lower_no_step_that_does_not_belong_to_them) {
     test::SceneBuilder b;
     b.box({-5, -5, -0.2}, {5, 5, 0}, "floor");
     b.box({-5, 1, 0}, {5, 2, 0.35}, "block");

@@ -28,7 +28,7 @@ Walked walk(Walker& walker, const Vec3& velocity, double seconds, double hz = 60
     return total;
 }
 
-TEST(Walker, stops_at_its_radius_before_a_wall_and_names_it) {
+TEST(Walker, stops_at_its_radius_from_a_wall_and_names_it) {
     SceneBuilder room;
     room.box({-5, -5, -0.2}, {5, 5, 0}, "floor");
     const FeatureId wall = room.box({-5, 4, 0}, {5, 4.2, 2.6}, "north wall");
@@ -114,7 +114,7 @@ TEST(Walker, walks_up_a_ramp_and_falls_off_an_edge_at_earth_gravity) {
     EXPECT_NEAR(air, std::sqrt(2 * 4.0 / 9.81), 0.05);
 }
 
-TEST(Walker, passes_a_door_of_90_cm_and_not_one_of_40_cm) {
+TEST(Walker, passes_a_door_of_90_cm_but_not_one_of_40_cm) {
     for (const double width : {0.9, 0.4}) {
         SceneBuilder rooms;
         rooms.box({-5, -5, -0.2}, {5, 5, 0});
@@ -148,7 +148,7 @@ TEST(Walker, steps_over_a_threshold_of_2_cm_under_a_lintel_that_leaves_it_3_cm) 
 }
 
 // Earlier, nothing held up a walker between walls that it overlapped, and it fell through its floor.
-TEST(Walker, stands_on_the_floor_where_it_is_too_wide_for_its_place) {
+TEST(Walker, stands_on_the_floor_even_if_it_is_too_wide_for_its_place) {
     SceneBuilder passage;
     passage.box({-5, -5, -0.2}, {5, 5, 0});
     passage.box({-1, 0.5, 0}, {1, 0.7, 2.6});
@@ -168,7 +168,7 @@ TEST(Walker, stands_on_the_floor_where_it_is_too_wide_for_its_place) {
 }
 
 // Earlier, solids that a walker overlapped were ignored, and it walked through the whole wall.
-TEST(Walker, walks_out_of_what_it_overlaps_and_never_farther_in) {
+TEST(Walker, walks_out_of_an_overlapping_solid_and_never_deeper_into_it) {
     SceneBuilder passage;
     passage.box({-5, -5, -0.2}, {5, 5, 0});
     const FeatureId wall = passage.box({-3, 0.5, 0}, {3, 0.7, 2.6}, "wall");
@@ -191,7 +191,7 @@ TEST(Walker, walks_out_of_what_it_overlaps_and_never_farther_in) {
 }
 
 // A crate that comes down at a slant neither lifts nor moves a walker that it touches.
-TEST(Walker, stands_where_it_stood_when_something_has_come_to_overlap_it) {
+TEST(Walker, stays_in_place_when_something_comes_to_overlap_it) {
     SceneBuilder room;
     room.box({-5, -5, -0.2}, {5, 5, 0});
     room.ramp({0.15, -0.5, 0.3}, {1.5, 0.5, 1.5});
@@ -213,7 +213,7 @@ TEST(Walker, stands_where_it_stood_when_something_has_come_to_overlap_it) {
 }
 
 // A walker is not trapped in something that was set down around it.
-TEST(Walker, walks_out_of_a_solid_that_its_middle_is_in_either_way) {
+TEST(Walker, walks_out_of_a_solid_around_its_centre_in_either_direction) {
     SceneBuilder room;
     room.box({-5, -5, -0.2}, {5, 5, 0});
     room.box({-3, -0.1, 0.001}, {3, 0.1, 2.6});

@@ -76,7 +76,7 @@ std::shared_ptr<const Scene> platform(double deep) {
     return b.share();
 }
 
-TEST(Walking, trailing_stops_where_something_is_met_and_turns_round_on_the_same_wall) {
+TEST(Walking, trailing_stops_at_an_obstacle_and_turns_round_on_the_same_wall) {
     Walk w(room());
     w.tap(Command::TurnRight);
     w.tap(Command::TrailOn, 4.0);
@@ -95,7 +95,7 @@ TEST(Walking, trailing_stops_where_something_is_met_and_turns_round_on_the_same_
     EXPECT_GT(w.sounds(SoundKind::Corner), 1) << "back round the same corner";
 }
 
-TEST(Walking, square_up_faces_the_nearest_wall_or_along_it) {
+TEST(Walking, square_up_turns_towards_the_nearest_wall_or_along_it) {
     Walk w(room());
     for (int i = 0; i < 3; ++i) w.tap(Command::TurnRight, 0.5);  // 67.5 degrees
     w.tap(Command::SquareUp);
@@ -103,7 +103,7 @@ TEST(Walking, square_up_faces_the_nearest_wall_or_along_it) {
     EXPECT_TRUE(w.said("Turned square. Facing east"));
 }
 
-TEST(Walking, free_turns_have_no_notches_and_notches_are_as_large_as_they_are_set) {
+TEST(Walking, free_turns_have_no_notches_and_notches_have_the_size_that_is_set) {
     Settings settings;
     for (const double deg : {22.5, 45.0, 90.0}) {
         settings.walk.turn_deg = deg;
@@ -120,7 +120,7 @@ TEST(Walking, free_turns_have_no_notches_and_notches_are_as_large_as_they_are_se
     EXPECT_TRUE(w.said("North-east") || w.said("East"));
 }
 
-TEST(Walking, a_leap_and_home_are_taken_back_one_after_the_other) {
+TEST(Walking, a_leap_and_home_can_be_undone_one_after_the_other) {
     Walk w(room());
     w.tap(Command::Forward);
     const Vec3 here = w.app.feet_m();
@@ -139,7 +139,7 @@ TEST(Walking, a_leap_and_home_are_taken_back_one_after_the_other) {
     EXPECT_TRUE(w.said("There is nothing to undo"));
 }
 
-TEST(Walking, a_leap_leads_to_ones_own_mark_too_and_right_onto_it) {
+TEST(Walking, a_leap_can_lead_exactly_onto_the_persons_mark) {
     Settings settings;
     settings.marks.ask_name = false;
     Walk w(room(), settings);
@@ -159,7 +159,7 @@ TEST(Walking, a_leap_leads_to_ones_own_mark_too_and_right_onto_it) {
     EXPECT_LT(glm::length(w.app.feet_m() - left), 1e-3);
 }
 
-TEST(Walking, going_back_follows_the_way_one_came_to_its_beginning) {
+TEST(Walking, going_back_follows_the_walked_trail_to_its_beginning) {
     Walk w(room());
     const Vec3 begin = w.app.feet_m();
     w.hold(Command::Forward, 2.0);
@@ -178,7 +178,7 @@ TEST(Walking, going_back_follows_the_way_one_came_to_its_beginning) {
     EXPECT_TRUE(w.said("You are where your route began"));
 }
 
-TEST(Walking, an_edge_holds_until_it_is_asked_for_twice_and_not_at_all_where_that_is_switched_off) {
+TEST(Walking, an_edge_stops_the_walker_until_a_second_request_unless_that_is_switched_off) {
     Settings settings;
     Walk w(platform(1.2), settings);
     w.hold(Command::Forward, 6.0);
@@ -206,7 +206,7 @@ TEST(Walking, an_edge_holds_until_it_is_asked_for_twice_and_not_at_all_where_tha
     EXPECT_EQ(step.sounds(SoundKind::DropNear), 0);
 }
 
-TEST(Walking, callouts_go_off_and_on_by_their_key_and_stay_so) {
+TEST(Walking, callouts_are_switched_off_and_on_by_their_key_and_stay_so) {
     Walk w(platform(1.2));
     w.tap(Command::Callouts);
     EXPECT_TRUE(w.said("Callouts off"));
@@ -221,7 +221,7 @@ TEST(Walking, callouts_go_off_and_on_by_their_key_and_stay_so) {
 
 // In a level of steps half a metre high, the walker goes a minute in every direction: it says little without a request,
 // and gets around.
-TEST(Walking, game_levels_stay_walkable_and_quiet) {
+TEST(Walking, game_levels_are_walkable_and_quiet) {
     const auto ours = test::project_root() / "tests/scenarios/worlds/game_step.map";
     for (const auto& file : test::with_real_worlds({ours}, {"agtut01.map", "quake-e1m1.map"})) {
         const std::string name = file.filename().string();

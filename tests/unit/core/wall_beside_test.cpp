@@ -47,7 +47,7 @@ BodyWorld room() {
     return BodyWorld(std::make_shared<const Scene>(std::move(*scene)));
 }
 
-TEST(WallBeside, goes_on_across_windows_doors_and_boards) {
+TEST(WallBeside, continues_across_windows_doors_and_boards) {
     const BodyWorld world = room();
     for (double x = 0.6; x <= 7.4; x += 0.1) EXPECT_NEAR(wall_beside_m(world, {x, 5.6, 0.0}), 0.4, 0.02) << x;
     for (double y = 0.6; y <= 5.4; y += 0.1) EXPECT_NEAR(wall_beside_m(world, {7.6, y, 0.0}), 0.4, 0.02) << y;
@@ -55,7 +55,7 @@ TEST(WallBeside, goes_on_across_windows_doors_and_boards) {
     for (double x = 0.6; x <= 4.5; x += 0.1) EXPECT_NEAR(wall_beside_m(world, {x, 0.4, 0.0}), 0.37, 0.04) << x;
 }
 
-TEST(WallBeside, is_what_stands_at_a_wall_and_not_what_stands_free) {
+TEST(WallBeside, includes_things_against_a_wall_but_not_free_standing_things) {
     const BodyWorld world = room();
     for (double x = 5.2; x <= 6.8; x += 0.1) EXPECT_NEAR(wall_beside_m(world, {x, 0.8, 0.0}), 0.4, 0.02) << x;
     for (double x = 3.2; x <= 4.2; x += 0.1) EXPECT_GT(wall_beside_m(world, {x, 2.0, 0.0}), 1.5) << x;
@@ -63,7 +63,7 @@ TEST(WallBeside, is_what_stands_at_a_wall_and_not_what_stands_free) {
 }
 
 // A window from corner to corner has no wall next to it.
-TEST(WallBeside, is_a_pane_from_corner_to_corner_and_no_pole) {
+TEST(WallBeside, is_a_glass_pane_from_corner_to_corner_but_not_a_pole) {
     std::string walls = built(-1, -1, -0.2, 9, 7, 0.0) + built(-1, -1, 2.6, 9, 7, 2.8) + built(-0.3, 0, 0, 0, 6, 2.6) +
                         built(8, 0, 0, 8.3, 6, 2.6) + built(-0.3, -0.3, 0, 8.3, 0, 2.6);
     auto scene =
@@ -77,7 +77,7 @@ TEST(WallBeside, is_a_pane_from_corner_to_corner_and_no_pole) {
     EXPECT_GT(wall_beside_m(world, {3.6, 3.05, 0.0}), 1.5);
 }
 
-TEST(WallBeside, goes_along_the_windows_of_a_real_building) {
+TEST(WallBeside, continues_along_the_windows_of_a_real_building) {
     const auto file = test::real_world("duplex-apartment.ifc");
     if (!file) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
     auto scene = read_world(*file);
@@ -89,7 +89,7 @@ TEST(WallBeside, goes_along_the_windows_of_a_real_building) {
     EXPECT_GE(near, 95) << "of 101";
 }
 
-TEST(WallBeside, ends_where_nothing_goes_on) {
+TEST(WallBeside, ends_where_the_wall_does_not_continue) {
     const BodyWorld world = room();
     // In the gate, and outside in the open.
     EXPECT_GT(wall_beside_m(world, {0.4, 1.7, 0.0}), 1.5);

@@ -59,7 +59,7 @@ struct Person : test::AppSession {
     }
 };
 
-TEST(KeptWays, from_what_was_planned_are_walked_stop_after_stop_after_a_restart) {
+TEST(KeptWays, from_a_planned_route_are_walked_stop_after_stop_after_a_restart) {
     const House house;
     {
         Person p(house.path);
@@ -110,7 +110,7 @@ TEST(KeptWays, from_what_was_planned_are_walked_stop_after_stop_after_a_restart)
     EXPECT_TRUE(p.heard("Living room. You are there. To Hall. "));
 }
 
-TEST(KeptWays, are_left_and_found_again_go_on_from_where_one_is_and_stop_when_asked) {
+TEST(KeptWays, are_listed_resumed_from_the_current_place_and_stopped_on_request) {
     const House house;
     Person p(house.path);
     p.ask(Command::Routes);
@@ -196,7 +196,7 @@ TEST(KeptWays, from_the_trail_keep_its_corners_and_lead_along_them) {
     EXPECT_LT(glm::length(p.app.feet_m() - detour.back()), 1.2);
 }
 
-TEST(KeptWays, are_renamed_and_deleted_and_the_file_follows) {
+TEST(KeptWays, are_renamed_and_deleted_in_the_file_too) {
     const House house;
     {
         Person p(house.path);
@@ -221,7 +221,7 @@ TEST(KeptWays, are_renamed_and_deleted_and_the_file_follows) {
     EXPECT_NE(p.item("Three"), "");
 }
 
-TEST(KeptWays, that_are_damaged_are_kept_aside_or_told_with_their_line) {
+TEST(KeptWays, that_are_damaged_are_set_aside_or_reported_with_their_line) {
     const House house;
     ASSERT_TRUE(write_file_atomically(house.beside(), "[[way]]\nname = \"Half"));
     {
@@ -264,7 +264,7 @@ std::string two_rooms(double gap_units, double table_x) {
     return text;
 }
 
-TEST(KeptWays, tell_by_name_what_no_longer_fits_an_edited_world_on_entering_and_when_chosen) {
+TEST(KeptWays, report_by_name_what_no_longer_fits_an_edited_world_on_entering_and_when_chosen) {
     const test::TemporaryFolder folder;
     const fs::path path = folder.path() / "flat.map";
     const auto write = [&](const std::string& text) { ASSERT_TRUE(write_file_atomically(path, text)); };
@@ -330,7 +330,7 @@ TEST(KeptWays, tell_by_name_what_no_longer_fits_an_edited_world_on_entering_and_
     EXPECT_LT(p.app.feet_m().x, 8.3);  // the table ends at 7.7 m
 }
 
-TEST(KeptWays, follow_a_room_that_the_person_gives_another_name) {
+TEST(KeptWays, follow_a_room_that_the_person_renames) {
     const test::TemporaryFolder folder;
     const fs::path path = folder.path() / "flat.map";
     ASSERT_TRUE(write_file_atomically(path, two_rooms(32.0, 300.0)));
@@ -367,7 +367,7 @@ std::size_t kept_and_led(test::Explorer& p, const std::string& which) {
     return before;
 }
 
-TEST(KeptWays, lead_the_hand_from_stop_to_stop) {
+TEST(KeptWays, guide_the_hand_from_stop_to_stop) {
     test::Explorer p(test::our_world("house.map"), "sim-t");
     p.tap(Command::Exits);
     for (const char* thing : {"Coat stand", "Door mat"}) {
@@ -389,7 +389,7 @@ TEST(KeptWays, lead_the_hand_from_stop_to_stop) {
     EXPECT_FALSE(p.heard("To Coat stand. ", before));
 }
 
-TEST(KeptWays, lead_the_hand_along_the_corners_of_a_trail) {
+TEST(KeptWays, guide_the_hand_along_the_corners_of_a_trail) {
     test::Explorer p(test::our_world("house.map"), "sim-t");
     p.tap(Command::Exits);
     // Walks around by the east of the hall and back to its west, 3 m from the start.
@@ -411,7 +411,7 @@ TEST(KeptWays, lead_the_hand_along_the_corners_of_a_trail) {
     EXPECT_LT(p.tool().proxy_m.x, 5.6);
 }
 
-TEST(KeptWays, are_kept_told_and_followed_in_german) {
+TEST(KeptWays, are_saved_announced_and_followed_in_german) {
     const test::InLanguage german("de");
     const House house;
     Person p(house.path);

@@ -55,7 +55,7 @@ void expect_same(const std::vector<SavedWay>& a, const std::vector<SavedWay>& b)
     }
 }
 
-TEST(Ways, are_kept_to_the_last_bit_beside_marks_with_what_is_not_known) {
+TEST(Ways, are_saved_to_the_last_bit_together_with_marks_and_unknown_content) {
     const TemporaryFolder folder;
     const fs::path world = folder.write("a.map", "x");
     folder.write("a.map.handrail.toml",
@@ -81,7 +81,7 @@ TEST(Ways, are_kept_to_the_last_bit_beside_marks_with_what_is_not_known) {
         EXPECT_THAT(text, HasSubstr(part));
 }
 
-TEST(Ways, that_cannot_be_read_are_told_with_file_line_and_what_to_do_and_stay_in_the_file) {
+TEST(Ways, that_are_unreadable_are_reported_with_file_line_and_advice_and_stay_in_the_file) {
     const std::string two =
         "[[way.stop]]\nname = \"A\"\nplace_m = [0.0, 0.0, 0.0]\n[[way.stop]]\nname = \"B\"\nplace_m = [1.0, 0.0, "
         "0.0]\n";
@@ -222,7 +222,7 @@ std::string unfit(const Flat& flat, const SavedWay& way = to_the_table()) {
     return fault_words(found, [](double way_m) { return fmt::format("{:.1f} metres", way_m); });
 }
 
-TEST(Ways, are_looked_up_again_and_what_no_longer_fits_is_told_by_name) {
+TEST(Ways, are_checked_against_the_world_and_misfits_are_reported_by_name) {
     const Vec3 table(2.4, 3.2, 0);
     EXPECT_EQ(unfit(flat(table)), "");
     EXPECT_EQ(unfit(flat(table - Vec3(0.3, 0, 0))), "");  // moved by less than half a metre
@@ -243,7 +243,7 @@ TEST(Ways, are_looked_up_again_and_what_no_longer_fits_is_told_by_name) {
                 HasSubstr("there is no place to stand on the route to Far end"));
 }
 
-TEST(Ways, know_rooms_by_each_of_their_names) {
+TEST(Ways, know_rooms_by_all_their_names) {
     Flat one = flat(Vec3(2.4, 3.2, 0));
     SavedWay way = to_the_table();
     way.stops[0].room = "Larder";
@@ -261,7 +261,7 @@ TEST(Ways, know_rooms_by_each_of_their_names) {
     EXPECT_GT(found.stops[0].place_m.x, 6.0);
 }
 
-TEST(Ways, through_several_places_are_the_legs_one_after_the_other) {
+TEST(Ways, through_several_places_consist_of_consecutive_legs) {
     const Flat flat_one = flat(Vec3(2.4, 3.2, 0));
     Navigation& navigation = *flat_one.navigation;
     std::vector<Vec3> places{{1, 4, 0}, {11, 4, 0}, {11, 0.5, 0}, {1, 0.5, 0}};
@@ -309,7 +309,7 @@ double farthest_off_m(const std::vector<Vec3>& trail, const std::vector<Vec3>& c
     return worst;
 }
 
-TEST(Trails, keep_so_few_corners_that_nothing_is_farther_off_than_asked) {
+TEST(Trails, keep_few_corners_and_stay_within_the_given_tolerance) {
     std::mt19937 random(test::seed_of_run());
     RecordProperty("seed", static_cast<int>(test::seed_of_run()));
     for (int round = 0; round < 30; ++round) {
@@ -345,7 +345,7 @@ TEST(Trails, keep_so_few_corners_that_nothing_is_farther_off_than_asked) {
     EXPECT_EQ(corners_of(straight, 0.4), (std::vector<Vec3>{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}}));
 }
 
-TEST(Trails, since_a_place_begin_where_one_was_nearest_to_it_the_last_time) {
+TEST(Trails, since_a_place_start_at_the_latest_nearest_approach_to_it) {
     std::vector<Vec3> trail;
     for (int i = 0; i <= 40; ++i) trail.push_back({0.25 * i, 0, 0});  // 10 metres east, and back to 6
     for (int i = 1; i <= 16; ++i) trail.push_back({10 - 0.25 * i, 0, 0});

@@ -5,7 +5,7 @@
 namespace handrail {
 namespace words_test {
 
-TEST(DistanceWords, are_whole_steps_and_rounded_to_five_past_twenty) {
+TEST(DistanceWords, are_whole_steps_rounded_to_five_above_twenty) {
     const DistanceWords steps{true, 0.7};
     EXPECT_EQ(distance_words(3.5, steps), "5 steps");
     EXPECT_EQ(distance_words(0.7, steps), "1 step");
@@ -14,7 +14,7 @@ TEST(DistanceWords, are_whole_steps_and_rounded_to_five_past_twenty) {
     EXPECT_EQ(distance_words(33.0, steps), "45 steps");  // exactly 47.1 steps
 }
 
-TEST(DistanceWords, are_half_metres_when_metres_are_chosen) {
+TEST(DistanceWords, are_half_metres_in_metres_mode) {
     const DistanceWords metres{false, 0.7};
     EXPECT_EQ(distance_words(3.4, metres), "3.5 metres");
     EXPECT_EQ(distance_words(1.1, metres), "1 metre");
@@ -23,13 +23,13 @@ TEST(DistanceWords, are_half_metres_when_metres_are_chosen) {
 
 TEST(SizeWords, give_metres_and_steps) { EXPECT_EQ(size_words(6.0, 4.0, {true, 0.7}), "6 by 4 metres, 9 by 6 steps"); }
 
-TEST(DistanceWords, are_exact_where_rounding_is_off) {
+TEST(DistanceWords, are_exact_if_rounding_is_off) {
     EXPECT_EQ(distance_words(3.36, {true, 0.7, false}), "4.8 steps");
     EXPECT_EQ(distance_words(33.04, {false, 0.7, false}), "33 metres");
     EXPECT_EQ(distance_words(33.0, {false, 0.7}), "35 metres");
 }
 
-TEST(DirectionWords, change_with_the_vocabulary_and_nothing_else) {
+TEST(DirectionWords, depend_only_on_the_chosen_vocabulary) {
     const double north_east = radians_from_degrees(45.0);
     struct Case {
         double bearing_deg;
@@ -50,7 +50,7 @@ TEST(DirectionWords, change_with_the_vocabulary_and_nothing_else) {
 }
 
 // In every direction and for every heading, the hour is the nearest one and the words name the same side.
-TEST(DirectionWords, agree_with_each_other_all_the_way_round) {
+TEST(DirectionWords, agree_with_each_other_in_every_direction) {
     for (int heading = -360; heading <= 360; heading += 30)
         for (int turn = -175; turn <= 175; turn += 5) {
             const double facing = radians_from_degrees(heading), bearing = radians_from_degrees(heading + turn);
@@ -66,7 +66,7 @@ TEST(DirectionWords, agree_with_each_other_all_the_way_round) {
         }
 }
 
-TEST(PlaceWords, put_distance_and_direction_together) {
+TEST(PlaceWords, combine_distance_and_direction) {
     const DistanceWords steps{true, 0.7};
     const double right = kPi / 2.0;
     EXPECT_EQ(place_words(6.3, radians_from_degrees(25), 0.0, DirectionChoice::Clock, steps), "9 steps at 1 o'clock");
@@ -96,14 +96,14 @@ TEST(Words, are_german_in_german) {
     EXPECT_EQ(sentence_case("überall"), "Überall");
 }
 
-TEST(FoundWords, have_the_article_that_the_name_wants_in_english_and_none_in_german) {
+TEST(FoundWords, use_the_correct_article_in_english_and_none_in_german) {
     EXPECT_EQ(found_words("Falcon"), "I found a Falcon.");
     EXPECT_EQ(found_words("omega.7"), "I found an omega.7.");
     const test::InLanguage german("de");
     EXPECT_EQ(found_words("Falcon"), "Gefunden: Falcon.");
 }
 
-TEST(SentenceCase, changes_the_first_letter_of_any_script_and_nothing_else) {
+TEST(SentenceCase, changes_only_the_first_letter_in_any_script) {
     EXPECT_EQ(sentence_case("north wall"), "North wall");
     EXPECT_EQ(sentence_case("éCRAN"), "ÉCRAN");
     EXPECT_EQ(sentence_case("дверь"), "Дверь");

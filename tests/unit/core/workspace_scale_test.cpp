@@ -8,7 +8,7 @@ namespace workspace_scale_test {
 constexpr double kTouch = 0.075, kFalcon = 0.04;
 const Aabb kBounds{{0.0, 0.0, 0.0}, {30.0, 40.0, 6.0}};
 
-TEST(NamedScale, has_the_ratios_of_the_maps_and_fits_a_building_corner_to_corner_inside_the_rim) {
+TEST(NamedScale, has_the_published_ratios_and_fits_a_building_with_both_corners_inside_the_rim) {
     for (const double reach : {kTouch, kFalcon}) {
         EXPECT_EQ(world_m_per_hand_m(NamedScale::Floor, kBounds, reach), 120.0);
         EXPECT_EQ(world_m_per_hand_m(NamedScale::Room, kBounds, reach), 60.0);
@@ -20,7 +20,7 @@ TEST(NamedScale, has_the_ratios_of_the_maps_and_fits_a_building_corner_to_corner
     EXPECT_EQ(world_m_per_hand_m(NamedScale::Building, Aabb{}, kTouch), 120.0) << "nothing to fit";
 }
 
-TEST(NamedScale, says_its_name_and_its_width_in_the_persons_units) {
+TEST(NamedScale, is_announced_with_its_name_and_width_in_the_persons_units) {
     const DistanceWords steps{true, 0.7}, metres{false, 0.7};
     EXPECT_EQ(scale_sentence(NamedScale::Room, 60.0, kTouch, metres), "Room, 9 metres wide");
     EXPECT_EQ(scale_sentence(NamedScale::Room, 60.0, kTouch, steps), "Room, 9 metres wide, 13 steps");
@@ -30,7 +30,7 @@ TEST(NamedScale, says_its_name_and_its_width_in_the_persons_units) {
     EXPECT_EQ(scale_sentence(NamedScale::Building, 416.7, kTouch, metres), "Building, 63 metres wide");
 }
 
-TEST(BallRadius, is_4_mm_felt_at_room_scale_2_to_6_mm_elsewhere_and_a_third_of_the_narrowest_door) {
+TEST(BallRadius, is_4_mm_at_room_scale_2_to_6_mm_elsewhere_and_at_most_a_sixth_of_the_narrowest_door) {
     test::SceneBuilder open;
     open.box({0, 0, 0}, {1, 1, 1}, "block", SolidRole::Solid, "wood", FeatureKind::Object);
     const Scene& plain = open.scene();

@@ -116,7 +116,7 @@ protected:
     CuePlannerWithVoice() : CuePlannerTest(240.0) {}
 };
 
-TEST_F(CuePlannerTest, names_what_is_touched_with_its_material_within_120_ms) {
+TEST_F(CuePlannerTest, names_the_touched_thing_with_its_material_within_120_ms) {
     const double touched_s = now_s;
     begin(kNorth);
     wait(0.2);
@@ -152,7 +152,7 @@ TEST_F(CuePlannerTest, second_touch_within_5_s_is_a_knock_without_speech) {
     EXPECT_THAT(said(), ElementsAre("North wall, plaster", "North wall, plaster"));
 }
 
-TEST_F(CuePlannerTest, nothing_is_said_twice_within_5_s_whatever_happens) {
+TEST_F(CuePlannerTest, nothing_is_spoken_twice_within_5_s) {
     std::uint64_t state = 7;
     const auto random = [&](std::uint64_t below) {
         return static_cast<std::uint32_t>((state = state * 6364136223846793005ULL + 1442695040888963407ULL) >> 33U) %
@@ -206,7 +206,7 @@ TEST_F(CuePlannerTest, chatter_of_one_feature_within_50_ms_sounds_once) {
     EXPECT_EQ(heard().size(), 2U);
 }
 
-TEST_F(CuePlannerTest, corner_gives_two_knocks_and_the_newest_name_only) {
+TEST_F(CuePlannerTest, a_corner_gives_two_knocks_and_only_the_newest_name) {
     tick({event(ContactEventKind::Begin, kFloor), event(ContactEventKind::Begin, kNorth)});
     wait(0.2);
     EXPECT_THAT(heard(), ElementsAre(SoundKind::Contact, SoundKind::Contact));
@@ -255,7 +255,7 @@ TEST_F(CuePlannerTest, slide_loop_follows_speed_and_ends_with_the_slide) {
     EXPECT_FALSE(audio.loop(SoundKind::Slide)) << "1 mm/s is inaudible";
 }
 
-TEST_F(CuePlannerTest, two_surfaces_slid_along_at_once_give_one_steady_loop) {
+TEST_F(CuePlannerTest, sliding_along_two_surfaces_at_once_gives_one_steady_loop) {
     tick({event(ContactEventKind::Begin, kNorth), event(ContactEventKind::Begin, kFloor)});
     for (int i = 0; i < 40; ++i) {
         tick({event(ContactEventKind::Slide, kNorth, 0.2), event(ContactEventKind::Slide, kFloor, 0.2)});
@@ -268,7 +268,7 @@ TEST_F(CuePlannerTest, two_surfaces_slid_along_at_once_give_one_steady_loop) {
     EXPECT_EQ(audio.loop(SoundKind::Slide)->material, SoundClass::Carpet);
 }
 
-TEST_F(CuePlannerTest, harder_blow_is_louder) {
+TEST_F(CuePlannerTest, a_harder_blow_is_louder) {
     tick({event(ContactEventKind::Begin, kNorth, 0.01)});
     wait(0.1);
     tick({event(ContactEventKind::Begin, kNorth, 0.3)});
@@ -277,7 +277,7 @@ TEST_F(CuePlannerTest, harder_blow_is_louder) {
     EXPECT_GT(audio.sounds()[1].cue.loudness, 1.5 * audio.sounds()[0].cue.loudness);
 }
 
-TEST_F(CuePlannerTest, bump_names_what_it_met_and_further_bumps_are_thuds_only) {
+TEST_F(CuePlannerTest, a_bump_names_the_obstacle_and_further_bumps_only_thud) {
     CueRequest bump = request(CueRequestKind::Bump);
     bump.feature = FeatureId{kNorth};
     for (int i = 0; i < 4; ++i) {
@@ -289,7 +289,7 @@ TEST_F(CuePlannerTest, bump_names_what_it_met_and_further_bumps_are_thuds_only) 
     EXPECT_EQ(audio.sounds()[0].cue.material, SoundClass::Plaster);
 }
 
-TEST_F(CuePlannerTest, a_blocked_step_is_said_once_in_5_s_and_written_each_time) {
+TEST_F(CuePlannerTest, a_blocked_step_is_spoken_once_in_5_s_and_written_each_time) {
     CueRequest bump = request(CueRequestKind::Bump);
     bump.feature = FeatureId{kNorth};
     bump.text = "North wall, plaster";
@@ -310,7 +310,7 @@ TEST_F(CuePlannerTest, a_blocked_step_is_said_once_in_5_s_and_written_each_time)
     EXPECT_EQ(speech.lines().size(), 5U) << "sounds alone";
 }
 
-TEST_F(CuePlannerWithVoice, a_warning_is_said_each_time_and_cuts_an_answer) {
+TEST_F(CuePlannerWithVoice, a_warning_is_spoken_each_time_and_interrupts_an_answer) {
     tick({}, {text("You are in a long room with four doors and a window to the yard")});
     wait(0.3);
     for (int i = 0; i < 3; ++i) {
@@ -323,7 +323,7 @@ TEST_F(CuePlannerWithVoice, a_warning_is_said_each_time_and_cuts_an_answer) {
     for (std::size_t i = 1; i < 4; ++i) EXPECT_FALSE(speech.lines()[i].cut);
 }
 
-TEST_F(CuePlannerWithVoice, warnings_wait_for_alarms_and_for_each_other_and_answers_for_both) {
+TEST_F(CuePlannerWithVoice, warnings_wait_for_alarms_and_each_other_and_answers_wait_for_both) {
     tick({}, {text("Facing north"), text("Stairs up", SpeechClass::Warning), text("Drop", SpeechClass::Warning),
               text("The touch device was unplugged", SpeechClass::Alarm)});
     wait(6.0);
@@ -331,7 +331,7 @@ TEST_F(CuePlannerWithVoice, warnings_wait_for_alarms_and_for_each_other_and_answ
     for (const HeardSpeech& line : speech.lines()) EXPECT_FALSE(line.cut) << line.utterance.text;
 }
 
-TEST_F(CuePlannerTest, a_hand_that_stands_in_for_a_device_has_no_force_to_speak_of) {
+TEST_F(CuePlannerTest, a_keyboard_driven_hand_causes_no_messages_about_force) {
     planner.set_hand_stands_in(true);
     ContactEvent fault = event(ContactEventKind::FaultRaised, kNoFeature.value);
     for (const Fault kind : {Fault::Stalled, Fault::LateLoop}) {
@@ -347,7 +347,7 @@ TEST_F(CuePlannerTest, a_hand_that_stands_in_for_a_device_has_no_force_to_speak_
     EXPECT_THAT(said(), ElementsAre(fault_sentence(Fault::LateLoop)));
 }
 
-TEST_F(CuePlannerTest, sounds_are_told_as_text_only_where_that_is_wished_for) {
+TEST_F(CuePlannerTest, sounds_are_described_as_text_only_on_request) {
     CueRequest door = request(CueRequestKind::Play), clock = request(CueRequestKind::WorldSound);
     door.sound = SoundKind::DoorNear;
     door.position_m = {0.0, 2.0, 1.0};
@@ -413,7 +413,7 @@ TEST_F(CuePlannerTest, fault_sounds_and_speaks_as_an_alarm) {
 
 // Here speech takes time. The message that a device may push interrupts earlier messages about that device,
 // instead of waiting behind them.
-TEST_F(CuePlannerWithVoice, that_a_device_may_push_waits_for_no_other_alarm) {
+TEST_F(CuePlannerWithVoice, a_warning_that_a_device_may_push_waits_for_no_other_alarm) {
     ContactEvent fault = event(ContactEventKind::FaultRaised, kNoFeature.value);
     fault.fault = Fault::DeviceSilent;
     tick({fault});
@@ -424,7 +424,7 @@ TEST_F(CuePlannerWithVoice, that_a_device_may_push_waits_for_no_other_alarm) {
     EXPECT_EQ(speech.lines().back().utterance.text, fault_sentence(Fault::MayPush));
 }
 
-TEST_F(CuePlannerTest, a_fault_that_waits_for_the_person_is_told_each_time_and_a_pause_is_no_alarm) {
+TEST_F(CuePlannerTest, a_fault_that_needs_the_person_is_announced_each_time_and_a_pause_raises_no_alarm) {
     ContactEvent fault = event(ContactEventKind::FaultRaised, kNoFeature.value);
     for (const auto& [kind, times] :
          {std::pair{Fault::LateLoop, 2U}, std::pair{Fault::Stalled, 1U}, std::pair{Fault::ButtonReleased, 1U}}) {
@@ -474,7 +474,7 @@ TEST_F(CuePlannerTest, each_kind_of_sound_follows_its_own_volume) {
     EXPECT_DOUBLE_EQ(audio.loop(SoundKind::WallTone)->loudness, 0.5 * 0.6 * 0.5);
 }
 
-TEST_F(CuePlannerTest, verbosity_0_is_sounds_only_but_answers_and_alarms_are_said) {
+TEST_F(CuePlannerTest, verbosity_0_leaves_only_sounds_answers_and_alarms) {
     set([](Settings& s) { s.speech.verbosity = 0; });
     CueRequest bump = request(CueRequestKind::Bump);
     bump.feature = FeatureId{kDoor};
@@ -541,7 +541,7 @@ TEST_F(CuePlannerTest, higher_verbosity_says_more) {
     EXPECT_EQ(describe_feature(*scene, kNoFeature, 4), "");
 }
 
-TEST_F(CuePlannerTest, repeat_says_the_last_line_word_for_word_at_once) {
+TEST_F(CuePlannerTest, repeat_speaks_the_last_line_word_for_word_at_once) {
     tick({}, {request(CueRequestKind::Repeat)});
     tick({}, {text("You are at the door, facing north")});
     tick({}, {request(CueRequestKind::Repeat)});
@@ -556,7 +556,7 @@ TEST_F(CuePlannerTest, repeatable_answers_are_not_held_back) {
     EXPECT_THAT(said(), ElementsAre("Facing north", "Facing north", "Facing north", "Saved"));
 }
 
-TEST_F(CuePlannerTest, silence_stops_voice_sounds_and_loops_until_something_happens_again) {
+TEST_F(CuePlannerTest, silence_stops_voice_sounds_and_loops_until_the_next_event) {
     CueRequest tone = request(CueRequestKind::WallTone);
     tick({event(ContactEventKind::Slide, kNorth, 0.2)}, {tone});
     ASSERT_TRUE(audio.loop(SoundKind::WallTone) && audio.loop(SoundKind::Slide));
@@ -582,7 +582,7 @@ TEST_F(CuePlannerTest, switching_the_wall_tone_off_silences_it) {
     EXPECT_FALSE(audio.loop(SoundKind::WallTone));
 }
 
-TEST_F(CuePlannerTest, sounds_of_the_world_obey_volume_switch_and_silence_and_come_back) {
+TEST_F(CuePlannerTest, sounds_of_the_world_follow_volume_switch_and_silence_and_return) {
     CueRequest clock = request(CueRequestKind::WorldSound);
     clock.sound = SoundKind::Clock;
     clock.source = 4;
@@ -636,7 +636,7 @@ TEST_F(CuePlannerTest, every_cue_but_an_alarm_can_be_switched_off) {
     EXPECT_TRUE(audio.loop_changes().empty());
 }
 
-TEST_F(CuePlannerWithVoice, sound_dictionary_names_first_and_plays_when_the_voice_has_finished) {
+TEST_F(CuePlannerWithVoice, the_sound_dictionary_speaks_the_name_first_and_then_plays_the_sound) {
     CueRequest shown = request(CueRequestKind::Demonstrate);
     shown.sound = SoundKind::Clock;
     shown.text = "Clock: a ticking clock.";
@@ -664,7 +664,7 @@ TEST_F(CuePlannerWithVoice, sound_dictionary_names_first_and_plays_when_the_voic
     EXPECT_THAT(heard(), IsEmpty());
 }
 
-TEST(SoundTable, dictionary_holds_every_sound_with_its_name_and_meaning) {
+TEST(SoundTable, dictionary_contains_every_sound_with_its_name_and_meaning) {
     const std::vector<DictionaryEntry> entries = sound_dictionary();
     for (const SoundInfo& row : sound_table()) {
         const auto known =
@@ -677,7 +677,7 @@ TEST(SoundTable, dictionary_holds_every_sound_with_its_name_and_meaning) {
     }
 }
 
-TEST(SoundTable, words_of_maps_are_heard_as_what_they_say) {
+TEST(SoundTable, keywords_of_maps_select_the_matching_sounds) {
     const std::pair<const char*, SoundKind> rows[]{{"ambient_comp_hum", SoundKind::Hum},
                                                    {"ambient_drip", SoundKind::Drip},
                                                    {"ambient_drone", SoundKind::Drone},
@@ -698,7 +698,7 @@ TEST(SoundTable, words_of_maps_are_heard_as_what_they_say) {
     for (const auto& [word, kind] : rows) EXPECT_EQ(world_sound_of(word), kind) << word;
 }
 
-TEST(SoundTable, distance_never_makes_louder_and_world_sounds_end_at_their_range) {
+TEST(SoundTable, distance_never_makes_a_sound_louder_and_world_sounds_end_at_their_range) {
     for (const SoundInfo& row : sound_table()) {
         double last = 1.0;
         for (double d = 0.0; d < 60.0; d += 0.25) {
@@ -722,7 +722,7 @@ TEST_F(CuePlannerTest, keeps_the_last_500_lines) {
     EXPECT_EQ(planner.spoken_in_all(), 620U);
 }
 
-TEST_F(CuePlannerTest, says_nothing_of_a_thing_without_a_name_and_survives_having_no_world) {
+TEST_F(CuePlannerTest, speaks_no_name_for_unnamed_things_and_works_without_a_world) {
     begin(kNameless);
     begin(4711);  // this number does not exist in the world
     wait(0.1);
@@ -739,7 +739,7 @@ TEST_F(CuePlannerTest, text_of_a_map_reaches_the_sinks_as_one_clean_line) {
     EXPECT_THAT(said(), ElementsAre("You need the gold kéy"));
 }
 
-TEST_F(CuePlannerWithVoice, alarm_cuts_an_answer_and_an_answer_waits_for_an_alarm) {
+TEST_F(CuePlannerWithVoice, an_alarm_interrupts_an_answer_and_an_answer_waits_for_an_alarm) {
     tick({}, {text("You are in a long room with four doors")});
     wait(0.3);
     tick({}, {text("The touch device was unplugged", SpeechClass::Alarm)});
@@ -774,7 +774,7 @@ TEST_F(CuePlannerWithVoice, answer_to_another_key_comes_at_once_and_parts_of_one
         << "what was not voiced is still written";
 }
 
-TEST_F(CuePlannerWithVoice, touch_never_cuts_an_answer_and_waits_while_the_hand_stays) {
+TEST_F(CuePlannerWithVoice, touch_never_interrupts_an_answer_and_waits_while_the_hand_stays) {
     tick({}, {text("You are at the door")});
     begin(kNorth);
     wait(0.5);
@@ -784,7 +784,7 @@ TEST_F(CuePlannerWithVoice, touch_never_cuts_an_answer_and_waits_while_the_hand_
     EXPECT_FALSE(speech.lines()[0].cut);
 }
 
-TEST_F(CuePlannerWithVoice, name_is_dropped_when_the_hand_has_left_before_its_turn) {
+TEST_F(CuePlannerWithVoice, a_name_is_dropped_if_the_hand_leaves_before_its_turn) {
     tick({}, {text("You are at the door of a very long and very wide room")});
     begin(kNorth);
     wait(0.2);
@@ -793,7 +793,7 @@ TEST_F(CuePlannerWithVoice, name_is_dropped_when_the_hand_has_left_before_its_tu
     EXPECT_THAT(said(), ElementsAre("You are at the door of a very long and very wide room"));
 }
 
-TEST_F(CuePlannerWithVoice, newer_name_cuts_an_older_one) {
+TEST_F(CuePlannerWithVoice, a_newer_name_interrupts_an_older_one) {
     begin(kNorth);
     wait(0.15);
     begin(kDoor);
@@ -802,7 +802,7 @@ TEST_F(CuePlannerWithVoice, newer_name_cuts_an_older_one) {
     EXPECT_TRUE(speech.lines()[0].cut);
 }
 
-TEST_F(CuePlannerWithVoice, hint_is_dropped_when_anything_else_speaks) {
+TEST_F(CuePlannerWithVoice, a_hint_is_dropped_when_anything_else_is_spoken) {
     tick({}, {text("You are at the door")});
     tick({}, {text("Time for a break", SpeechClass::Ambient)});
     wait(5.0);
@@ -813,7 +813,7 @@ TEST_F(CuePlannerWithVoice, hint_is_dropped_when_anything_else_speaks) {
     EXPECT_THAT(said(true), ElementsAre("You are at the door", "Time for another break"));
 }
 
-TEST_F(CuePlannerWithVoice, stop_key_silences_the_voice_in_that_tick_and_leaves_sounds) {
+TEST_F(CuePlannerWithVoice, the_stop_key_silences_the_voice_in_the_same_tick_and_keeps_sounds) {
     tick({}, {text("One is long enough to be cut"), text("Two")});
     tick({event(ContactEventKind::Slide, kNorth, 0.2)}, {request(CueRequestKind::StopSpeech)});
     EXPECT_FALSE(speech.speaking());
@@ -852,14 +852,14 @@ TEST_F(CuePlannerWithVoice, any_key_interrupts_an_answer_but_no_warning) {
     }
 }
 
-TEST_F(CuePlannerWithVoice, a_key_leaves_a_warning_that_waits) {
+TEST_F(CuePlannerWithVoice, a_key_does_not_drop_a_waiting_warning) {
     tick({}, {text("Stairs up, five steps", SpeechClass::Warning), text("Door is shut", SpeechClass::Warning)});
     tick({}, {request(CueRequestKind::Interrupt)});
     wait(10.0);
     EXPECT_THAT(said(true), ElementsAre("Stairs up, five steps", "Door is shut"));
 }
 
-TEST_F(CuePlannerWithVoice, flush_writes_every_answer_that_still_waits) {
+TEST_F(CuePlannerWithVoice, flush_writes_every_waiting_answer) {
     tick({}, {text("One"), text("Two"), text("Three")});
     EXPECT_TRUE(planner.waiting());
     planner.flush(now_s, speech);
@@ -892,7 +892,7 @@ TEST_F(CuePlannerTest, same_inputs_give_the_same_speech_and_sound) {
     EXPECT_EQ(audio.loop_changes().size(), audio2.loop_changes().size());
 }
 
-TEST_F(CuePlannerTest, with_two_hands_says_which_one_touches_and_keeps_their_sounds_apart) {
+TEST_F(CuePlannerTest, with_two_hands_names_the_touching_hand_and_separates_their_sounds) {
     planner.set_two_hands(true);
     const auto of_left = [&](ContactEvent e, const Vec3& at_m) {
         e.hand = 1;

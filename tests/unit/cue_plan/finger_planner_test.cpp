@@ -49,9 +49,9 @@ protected:
     double now_s = 1.0;
 };
 
-TEST_F(FingerPlannerTest, says_nothing_of_nothing) { EXPECT_EQ(tick(), FingerCue{}); }
+TEST_F(FingerPlannerTest, outputs_nothing_without_input) { EXPECT_EQ(tick(), FingerCue{}); }
 
-TEST_F(FingerPlannerTest, a_bump_knocks_and_stays_stiff_as_hard_as_the_wall_is) {
+TEST_F(FingerPlannerTest, a_bump_knocks_and_then_stays_as_stiff_as_the_wall_is_hard) {
     const FingerCue wall = tick({request(CueRequestKind::Bump, FeatureId{kWall})});
     EXPECT_EQ(wall.nearness, 1.0);
     EXPECT_EQ(wall.hardness, 1.0);
@@ -65,7 +65,7 @@ TEST_F(FingerPlannerTest, a_bump_knocks_and_stays_stiff_as_hard_as_the_wall_is) 
     EXPECT_LT(cushion.knock, 0.6);
 }
 
-TEST_F(FingerPlannerTest, a_wall_ahead_stiffens_as_it_nears_and_never_as_much_as_one_that_is_met) {
+TEST_F(FingerPlannerTest, a_wall_ahead_stiffens_on_approach_but_never_as_much_as_one_that_is_touched) {
     double last = -1.0;
     for (double loudness = 0.0; loudness <= 1.0; loudness += 0.25) {
         CueRequest tone = request(CueRequestKind::WallTone);
@@ -79,7 +79,7 @@ TEST_F(FingerPlannerTest, a_wall_ahead_stiffens_as_it_nears_and_never_as_much_as
     EXPECT_EQ(tick({request(CueRequestKind::SilenceAll)}), FingerCue{}) << "the stop key";
 }
 
-TEST_F(FingerPlannerTest, a_passage_no_wider_than_a_door_clicks_once_on_the_way_in) {
+TEST_F(FingerPlannerTest, a_passage_no_wider_than_a_door_clicks_once_on_entry) {
     EXPECT_FALSE(tick({}, nullptr, 4.0).doorway);
     EXPECT_TRUE(tick({}, nullptr, 0.9).doorway);
     now_s += FingerPlanner::kClick_s;
@@ -90,7 +90,7 @@ TEST_F(FingerPlannerTest, a_passage_no_wider_than_a_door_clicks_once_on_the_way_
     EXPECT_TRUE(tick({}, nullptr, 0.9).doorway);
 }
 
-TEST_F(FingerPlannerTest, a_door_that_is_bumped_into_or_touched_clicks) {
+TEST_F(FingerPlannerTest, a_door_that_is_bumped_or_touched_clicks) {
     EXPECT_TRUE(tick({request(CueRequestKind::Bump, FeatureId{kDoor})}).doorway);
     EXPECT_FALSE(after(FingerPlanner::kBumpHolds_s).doorway);
     ToolState tool;
@@ -101,7 +101,7 @@ TEST_F(FingerPlannerTest, a_door_that_is_bumped_into_or_touched_clicks) {
     EXPECT_FALSE(tick({}, &tool).doorway) << "once for each touch";
 }
 
-TEST_F(FingerPlannerTest, a_hand_feels_force_as_stiffness_and_texture_as_its_own_frequency) {
+TEST_F(FingerPlannerTest, a_hand_feels_force_as_stiffness_and_texture_at_its_own_frequency) {
     ToolState tool;
     tool.contacts.count = 1;
     tool.contacts.contacts[0].material = kRibbed;
@@ -121,7 +121,7 @@ TEST_F(FingerPlannerTest, a_hand_feels_force_as_stiffness_and_texture_as_its_own
     EXPECT_EQ(tick({}, &tool).material_hz, grain_hz(SoundClass::Brick));
 }
 
-TEST_F(FingerPlannerTest, stairs_resist_on_the_left_and_steps_give_the_grain_of_the_floor) {
+TEST_F(FingerPlannerTest, stairs_resist_on_the_left_and_footsteps_give_the_grain_of_the_floor) {
     const auto step = [&](double x, double z) {
         CueRequest made = request(CueRequestKind::Footstep);
         made.material = SoundClass::Stone;
@@ -135,7 +135,7 @@ TEST_F(FingerPlannerTest, stairs_resist_on_the_left_and_steps_give_the_grain_of_
     EXPECT_EQ(tick({step(50.0, 3.0)}).slope, 0.0) << "carried elsewhere";
 }
 
-TEST_F(FingerPlannerTest, each_kind_of_cue_can_be_switched_off_and_all_be_made_weaker) {
+TEST_F(FingerPlannerTest, each_kind_of_cue_can_be_switched_off_and_all_can_be_weakened) {
     const auto bump = [&] { return tick({request(CueRequestKind::Bump, FeatureId{kWall})}); };
     planner.set_settings({.triggers = false});
     EXPECT_EQ(bump().nearness, 0.0);

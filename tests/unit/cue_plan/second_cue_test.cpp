@@ -22,7 +22,7 @@ Range over_time(const Vec3& head_m, bool behind = true, bool height = true) {
     return range;
 }
 
-TEST(SecondCue, ahead_and_at_the_sides_on_ones_level_there_is_none) {
+TEST(SecondCue, is_absent_ahead_and_at_the_sides_on_the_same_level) {
     for (const Vec3 head : {Vec3(0, 2, 0), Vec3(2, 0, 0), Vec3(-3, 0, 0), Vec3(1, 1, 0.4), Vec3(0, 0, 0)}) {
         const Range r = over_time(head);
         EXPECT_EQ(r.least_gain, 1.0);
@@ -32,7 +32,7 @@ TEST(SecondCue, ahead_and_at_the_sides_on_ones_level_there_is_none) {
     }
 }
 
-TEST(SecondCue, straight_behind_flutters_all_the_way_and_less_towards_the_side) {
+TEST(SecondCue, flutters_fully_straight_behind_and_less_towards_the_side) {
     const Range back = over_time({0, -2, 0}), slant = over_time({2, -1, 0});
     EXPECT_NEAR(back.least_gain, 1.0 - kFlutterDepth, 0.01);
     EXPECT_EQ(back.most_gain, 1.0) << "it never gets louder";
@@ -40,7 +40,7 @@ TEST(SecondCue, straight_behind_flutters_all_the_way_and_less_towards_the_side) 
     EXPECT_EQ(over_time({0, -2, 0}, false).least_gain, 1.0);
 }
 
-TEST(SecondCue, above_rises_and_below_falls_by_a_quarter_of_an_octave) {
+TEST(SecondCue, raises_the_pitch_above_and_lowers_it_below_by_a_quarter_of_an_octave) {
     const Range above = over_time({0, 1, 3}), below = over_time({0, 1, -3});
     EXPECT_NEAR(above.most_pitch, std::exp2(kGlideOctaves), 0.01);
     EXPECT_EQ(above.least_pitch, 1.0);
@@ -53,7 +53,7 @@ TEST(SecondCue, above_rises_and_below_falls_by_a_quarter_of_an_octave) {
     EXPECT_EQ(over_time({0, 1, 3}, true, false).most_pitch, 1.0);
 }
 
-TEST(SecondCue, changes_without_steps_from_tick_to_tick_and_place_to_place) {
+TEST(SecondCue, changes_without_jumps_in_time_and_space) {
     for (double angle = 0.0; angle < 2.0 * kPi; angle += 0.01) {
         const Vec3 a{std::sin(angle), std::cos(angle), 0.7}, b{std::sin(angle + 0.01), std::cos(angle + 0.01), 0.7};
         EXPECT_NEAR(second_cue(a, 1.23, true, true).gain, second_cue(b, 1.23, true, true).gain, 0.03);

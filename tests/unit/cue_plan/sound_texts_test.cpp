@@ -11,7 +11,7 @@
 namespace handrail {
 namespace sound_texts_test {
 
-TEST(SoundTexts, are_there_for_every_sound_and_material_and_for_nothing_else) {
+TEST(SoundTexts, exist_for_every_sound_and_material_and_for_nothing_else) {
     std::set<std::string> wanted;
     for (const SoundInfo& row : sound_table()) {
         if (row.kind == SoundKind::Contact) continue;  // described for each material instead
@@ -29,7 +29,7 @@ TEST(SoundTexts, are_there_for_every_sound_and_material_and_for_nothing_else) {
     }
 }
 
-TEST(SoundTexts, are_said_in_german_while_scenarios_keep_their_names) {
+TEST(SoundTexts, are_spoken_in_german_while_scenarios_keep_their_names) {
     const test::InLanguage german("de");
     const auto all = sound_dictionary();
     const auto tone = std::find_if(all.begin(), all.end(),
@@ -41,7 +41,7 @@ TEST(SoundTexts, are_said_in_german_while_scenarios_keep_their_names) {
 }
 
 // Formerly, for a sound ahead to one side, the program said the key of a text that did not exist.
-TEST(SoundTexts, say_the_side_of_a_sound_in_words_all_round) {
+TEST(SoundTexts, give_the_direction_of_a_sound_in_words_all_round) {
     for (const LanguageName& language : bundled_languages()) {
         const test::InLanguage spoken(language.code);
         const std::string ahead = phrase("direction.half_left");

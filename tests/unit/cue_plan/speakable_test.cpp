@@ -9,21 +9,21 @@ TEST(Speakable, leaves_clean_text_unchanged) {
     for (const char* text : {"", "north wall, plaster", "Café", "東京", "🚪 door"}) EXPECT_EQ(speakable(text), text);
 }
 
-TEST(Speakable, makes_one_line_of_several) {
+TEST(Speakable, joins_several_lines_into_one) {
     EXPECT_EQ(speakable("  You need\r\nthe\tgold \n\n key\x7f "), "You need the gold key");
     EXPECT_EQ(speakable(std::string_view("a\0b", 3)), "a b");
     EXPECT_EQ(speakable("bell\x1b[2J"), "bell [2J");  // no escape sequence reaches a terminal
     EXPECT_EQ(speakable("next\xc2\x85line"), "next line");
 }
 
-TEST(Speakable, reads_what_is_no_utf8_as_latin1) {
+TEST(Speakable, reads_invalid_utf8_as_latin_1) {
     EXPECT_EQ(speakable("Caf\xe9"), "Café");
     EXPECT_EQ(speakable("\xc0\xaf"), "À¯");              // an overlong slash does not count as a slash
     EXPECT_EQ(speakable("\xe6\x9d"), "æ");               // truncated sequence: 9d is a control character in Latin-1
     EXPECT_EQ(speakable("\xed\xa0\x80x"), "í\u00a0 x");  // a surrogate is not a character; 80 is a control character
 }
 
-TEST(Speakable, has_no_direction_controls_and_no_line_separators) {
+TEST(Speakable, contains_no_direction_controls_and_no_line_separators) {
     EXPECT_EQ(speakable("a\u202eb \u2066c\u2069"), "ab c");
     EXPECT_EQ(speakable("a\u2028b"), "a b");
     EXPECT_EQ(speakable("\u05d0\u200d\u05d1"), "\u05d0\u200d\u05d1") << "joiners are part of a word";
@@ -38,7 +38,7 @@ TEST(Speakable, gives_valid_utf8_for_every_pair_of_bytes) {
         }
 }
 
-TEST(SentenceCase, raises_the_first_ascii_letter_only) {
+TEST(SentenceCase, capitalises_only_the_first_ascii_letter) {
     EXPECT_EQ(sentence_case("north wall"), "North wall");
     EXPECT_EQ(sentence_case("Table"), "Table");
     EXPECT_EQ(sentence_case("écran"), "Écran");

@@ -8,7 +8,7 @@
 namespace handrail {
 namespace device_spec_test {
 
-TEST(DeviceSpec, rows_have_unique_lower_case_names_and_sane_facts) {
+TEST(DeviceSpec, rows_have_unique_lower_case_names_and_plausible_facts) {
     std::set<std::string_view> seen;
     for (const DeviceSpec& spec : device_specs()) {
         SCOPED_TRACE(spec.name);
@@ -24,7 +24,7 @@ TEST(DeviceSpec, rows_have_unique_lower_case_names_and_sane_facts) {
     EXPECT_EQ(device_names().size(), device_specs().size());
 }
 
-TEST(DeviceNames, stand_in_every_language_and_for_no_other_device) {
+TEST(DeviceNames, exist_in_every_language_and_only_for_real_devices) {
     for (const LanguageName& language : bundled_languages()) {
         const test::InLanguage spoken(language.code);
         for (const DeviceSpec& spec : device_specs())
@@ -36,7 +36,7 @@ TEST(DeviceNames, stand_in_every_language_and_for_no_other_device) {
     }
 }
 
-TEST(DeviceSpec, is_found_in_any_case_and_unknown_names_are_not) {
+TEST(DeviceSpec, is_found_in_any_letter_case_and_unknown_names_are_refused) {
     ASSERT_NE(find_device_spec("SIM-T"), nullptr);
     EXPECT_EQ(find_device_spec("Sim-T"), find_device_spec("sim-t"));
     EXPECT_EQ(find_device_spec("sim"), nullptr);
@@ -56,7 +56,7 @@ TEST(DeviceSpec, simulated_models_carry_the_published_profiles) {
     EXPECT_EQ(falcon.min_rate_hz, 600.0);
 }
 
-TEST(DeviceSpec, an_uncalibrated_falcon_is_held_at_three_newtons) {
+TEST(DeviceSpec, an_uncalibrated_falcon_is_limited_to_three_newtons) {
     const DeviceSpec& falcon = *find_device_spec("falcon");
     EXPECT_EQ(falcon.peak_force_n, 3.0);
     EXPECT_EQ(falcon.rated_stiffness_n_per_m, 1000.0);

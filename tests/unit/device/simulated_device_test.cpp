@@ -37,7 +37,7 @@ struct Bench {
     }
 };
 
-TEST(SimulatedDevice, move_puts_the_point_exactly_where_it_is_told_against_any_force) {
+TEST(SimulatedDevice, move_sets_the_exact_position_against_any_force) {
     Bench bench(*find_device_spec("sim-t"));
     const Vec3 target(0.0123456789, -0.01, 0.2);  // not on an encoder step, and beyond the device's workspace
     bench.hand->command.publish({HandMode::Move, target, 0.0, Vec3(0.0), 1});
@@ -49,7 +49,7 @@ TEST(SimulatedDevice, move_puts_the_point_exactly_where_it_is_told_against_any_f
     }
 }
 
-TEST(SimulatedDevice, move_with_a_speed_goes_straight_at_that_speed_and_stops_there) {
+TEST(SimulatedDevice, move_with_a_speed_goes_straight_at_that_speed_and_stops_at_the_target) {
     Bench bench(*find_device_spec("sim-t"));
     const Vec3 target(0.03, 0.04, 0.0);  // distance 50 mm: 500 ticks at 0.1 m/s
     bench.hand->command.publish({HandMode::Move, target, 0.1, Vec3(0.0), 0});
@@ -71,14 +71,14 @@ TEST(SimulatedDevice, push_accelerates_a_hand_towards_push_over_damping) {
     EXPECT_NEAR(bench.truth().velocity_m_per_s.y, 0.0, 1e-12);
 }
 
-TEST(SimulatedDevice, dry_friction_holds_a_light_push) {
+TEST(SimulatedDevice, holds_still_against_a_light_push_by_dry_friction) {
     Bench bench(plain_spec());
     bench.hand->command.publish({HandMode::Push, Vec3(0.0), 0.0, Vec3(0.049, 0, 0), 0});
     for (int i = 0; i < 1000; ++i) bench.tick();
     EXPECT_EQ(bench.truth().position_m, Vec3(0.0));
 }
 
-TEST(SimulatedDevice, rest_leans_on_a_soft_spring_and_follow_on_a_stiff_one) {
+TEST(SimulatedDevice, rest_uses_a_soft_spring_and_follow_a_stiff_one) {
     for (const auto& [mode, stiffness] : {std::pair{HandMode::Rest, 20.0}, std::pair{HandMode::Follow, 300.0}}) {
         Bench bench(plain_spec());
         bench.hand->command.publish({mode, Vec3(0.0), 0.0, Vec3(0.0), 0});
@@ -100,7 +100,7 @@ TEST(SimulatedDevice, follows_its_target_with_little_overshoot) {
     EXPECT_LT(farthest, 0.02 * 1.012);
 }
 
-TEST(SimulatedDevice, positions_come_in_encoder_steps_near_the_truth) {
+TEST(SimulatedDevice, positions_are_quantised_in_encoder_steps_near_the_true_position) {
     const DeviceSpec& spec = *find_device_spec("sim-t");
     Bench bench(spec);
     bench.hand->command.publish({HandMode::Push, Vec3(0.0), 0.0, Vec3(0.3, 0.2, -0.1), 0});
@@ -124,7 +124,7 @@ TEST(SimulatedDevice, stops_at_the_end_of_its_reach) {
     EXPECT_EQ(bench.truth().velocity_m_per_s, Vec3(0.0));
 }
 
-TEST(SimulatedDevice, a_force_is_felt_its_delay_later) {
+TEST(SimulatedDevice, delays_the_effect_of_a_force_by_its_latency) {
     DeviceSpec spec = plain_spec();
     spec.delay_s = 2e-3;
     Bench bench(spec);
@@ -136,7 +136,7 @@ TEST(SimulatedDevice, a_force_is_felt_its_delay_later) {
     EXPECT_GT(bench.truth().position_m.x, 0.0);
 }
 
-TEST(SimulatedDevice, has_the_troubles_it_is_given_and_no_others) {
+TEST(SimulatedDevice, has_exactly_the_configured_faults) {
     Bench bench(*find_device_spec("sim-t"));
     bench.hand->command.publish({HandMode::Move, Vec3(0.01, 0, 0), 0.0, Vec3(0.0), 0});
     bench.tick();
@@ -165,7 +165,7 @@ TEST(SimulatedDevice, has_the_troubles_it_is_given_and_no_others) {
     EXPECT_TRUE(bench.tick().connected);
 }
 
-TEST(SimulatedDevice, same_commands_give_the_same_samples_bit_for_bit) {
+TEST(SimulatedDevice, gives_bit_identical_samples_for_identical_commands) {
     const auto run = [] {
         Bench bench(*find_device_spec("sim-f"));
         std::vector<Vec3> seen;
@@ -181,7 +181,7 @@ TEST(SimulatedDevice, same_commands_give_the_same_samples_bit_for_bit) {
 }
 
 // The axes of the hand are those of the world.
-TEST(SimulatedDevice, hand_right_forward_up_is_east_north_up_and_a_force_east_pushes_right) {
+TEST(SimulatedDevice, right_forward_up_are_east_north_up_and_a_force_to_the_east_pushes_right) {
     for (int axis = 0; axis < 3; ++axis) {
         auto hand = std::make_shared<SimulatedHand>();
         SimulatedDevice device(*find_device_spec("sim-t"), hand);

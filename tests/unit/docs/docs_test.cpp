@@ -61,7 +61,7 @@ std::set<std::string> anchors_of(const fs::path& page) {
     return anchors;
 }
 
-TEST(SettingsGuide, lists_every_setting_as_the_program_explains_it) {
+TEST(SettingsGuide, explains_every_setting_as_the_program_does) {
     std::map<std::string, std::vector<std::string>> expected;
     for (const SettingRow& row : SettingsStore{}.explain()) {
         const std::string range =
@@ -73,7 +73,7 @@ TEST(SettingsGuide, lists_every_setting_as_the_program_explains_it) {
         EXPECT_THAT(list_items("settings.md", "### " + topic), UnorderedElementsAreArray(settings));
 }
 
-TEST(SettingsGuide, names_every_setting_that_a_world_may_set_and_no_other) {
+TEST(SettingsGuide, names_exactly_the_settings_that_a_world_may_set) {
     std::vector<std::string> expected;
     for (const SettingRow& row : SettingsStore{}.explain())
         if (world_may_set(row.key)) expected.emplace_back(row.key);
@@ -88,7 +88,7 @@ TEST(SettingsGuide, names_every_setting_that_a_world_may_set_and_no_other) {
     EXPECT_THAT(named, UnorderedElementsAreArray(expected));
 }
 
-TEST(MapAuthorsGuide, lists_every_material_with_what_it_feels_like) {
+TEST(MapAuthorsGuide, lists_every_material_and_how_it_feels) {
     std::vector<std::string> expected;
     for (const MaterialSpec& material : material_library()) {
         const TextureWave& wave = material.wave;
@@ -123,7 +123,7 @@ TEST(MapAuthorsGuide, lists_every_effect_with_its_ranges) {
 
 // The reader queries keys by name. Every queried name must have a line in the guide, and every line must belong to a
 // queried name.
-TEST(MapAuthorsGuide, lists_every_key_that_the_map_reader_looks_at) {
+TEST(MapAuthorsGuide, lists_every_key_that_the_map_reader_reads) {
     static const std::regex kAsked(
         R"re((?:(?:entity_?\.find|entity\.value|text_of|yes_no_of|number_of|side_of|vector_of|)re"
         R"re(name_of_key)\((?:entity_?,\s*)?|NumberKey k\w+\{)"([a-z_]+)")re");
@@ -176,7 +176,7 @@ TEST(Documents, link_only_to_files_and_headings_that_exist) {
     EXPECT_GE(headings, 20U) << "links to headings were not understood";
 }
 
-TEST(Documents, are_all_reached_from_the_index) {
+TEST(Documents, are_all_linked_from_the_index) {
     static const std::regex kLink(R"re(\]\(([^)#:\s]+\.md)(?:#[^)\s]*)?\))re");
     std::set<fs::path> reached;
     std::vector<fs::path> open{kRoot / "docs" / "README.md"};
@@ -193,7 +193,7 @@ TEST(Documents, are_all_reached_from_the_index) {
     EXPECT_NE(prose_of(kRoot / "README.md").find("](docs/README.md)"), std::string::npos);
 }
 
-TEST(Documents, have_headings_whose_levels_no_screen_reader_misses) {
+TEST(Documents, have_heading_levels_without_gaps_for_screen_readers) {
     for (const fs::path& page : pages()) {
         std::istringstream lines(prose_of(page));
         std::size_t before = 0;
@@ -217,7 +217,7 @@ TEST(Documents, have_fewer_than_400_lines_and_one_title_each) {
 }
 
 // The line after a table of docs/results: "Measured 2026-11-24, a machine, with a command."
-TEST(Results, say_of_each_table_when_where_and_with_what_it_was_measured) {
+TEST(Results, state_for_each_table_when_where_and_with_what_it_was_measured) {
     static const std::regex kMeasured(R"re(^Measured \d{4}-\d\d-\d\d, [^`]+, with ([^`]*`[^`]+`.*|the .*column)\.$)re");
     std::size_t tables = 0;
     for (const fs::path& page : pages()) {

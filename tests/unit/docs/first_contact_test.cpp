@@ -103,7 +103,7 @@ std::string played() {
     return text;
 }
 
-TEST(Readme, shows_a_first_minute_as_the_program_plays_it) {
+TEST(Readme, shows_a_first_minute_that_matches_the_program) {
     const std::string begin = "a test holds it against that. -->\n", end = "<!-- end -->";
     std::string readme = test::content_of(kRoot / "README.md");
     const std::size_t from = readme.find(begin), to = readme.find(end);

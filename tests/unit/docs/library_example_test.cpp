@@ -23,7 +23,7 @@ const auto force_n = handrail::touch_tick(state, *felt, {}, hand_m, 0.001).force
     return glm::length(force_n);
 }
 
-TEST(Readme, shows_five_lines_of_the_library_that_compile_and_give_a_force) {
+TEST(Readme, shows_five_lines_of_library_code_that_compile_and_give_a_force) {
     const std::string readme = test::content_of(test::project_root() / "README.md");
     const std::size_t open = readme.find("```cpp\n");
     ASSERT_NE(open, std::string::npos);

@@ -42,7 +42,7 @@ bool needs_no_system(const std::string& file) {
            (file.starts_with("app/core/") && !file.starts_with("app/core/kept/"));
 }
 
-TEST(Portability, page_lists_every_file_that_asks_the_system_and_the_core_asks_nothing) {
+TEST(Portability, documentation_lists_every_file_with_system_calls_and_the_core_has_none) {
     std::set<std::string> asking;
     for (const std::string& file : test::project_files()) {
         const bool program =

@@ -125,7 +125,7 @@ std::string place_of(const std::string& page, const Block& block) {
     return page + ":" + std::to_string(block.lines.front().number);
 }
 
-TEST(Prose, lists_pages_that_exist) {
+TEST(Prose, list_of_plain_pages_names_only_existing_pages) {
     for (const std::string& page : test::listed_in("plain_pages.txt")) EXPECT_TRUE(fs::exists(kRoot / page)) << page;
 }
 
@@ -147,7 +147,7 @@ TEST(Prose, has_sentences_of_20_words_on_average_and_35_at_most) {
     }
 }
 
-TEST(Prose, is_seen_to_be_too_long) {
+TEST(Prose, sentences_and_words_are_counted_correctly) {
     EXPECT_EQ(sentences_of("A door. See X. It is 1.5 m wide, e.g. here. \"Stop!\" He stops.").size(), 5U);
     EXPECT_EQ(word_count("A door - 0.9 m wide."), 5U);
 }
@@ -211,7 +211,7 @@ const std::string& sources() {
 }
 
 // For `ServoLoop::open`, `force_n` or `haptic/servo/servo_loop.h`, each part must be in the sources or be a file.
-TEST(Prose, names_only_what_exists) {
+TEST(Prose, mentions_only_names_that_exist) {
     static const std::regex kCode("`([^`]+)`"),
         kName(R"(^(?:[A-Za-z_]\w*(?:::|\.|/))*[A-Za-z_]\w*(?:\.(?:h|cpp|sh|py|toml|md|txt|cmake))?(?:\(\))?$)");
     std::set<std::string> looked_up;
@@ -237,7 +237,7 @@ TEST(Prose, names_only_what_exists) {
     EXPECT_TRUE(looked_up.size() > 3 || test::listed_in("plain_pages.txt").size() < 5) << "names were not understood";
 }
 
-TEST(Prose, is_spelled_as_the_dictionaries_or_the_word_list_have_it) {
+TEST(Prose, is_spelled_as_in_the_dictionaries_or_the_word_list) {
     if (!test::has_dictionary("en_GB") || !test::has_dictionary("de_DE"))
         GTEST_SKIP() << "needs hunspell, hunspell-en-gb and hunspell-de-de: the spelling of the documents";
     // A word consists of letters, with apostrophes and hyphens inside.

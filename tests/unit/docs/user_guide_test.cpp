@@ -40,7 +40,7 @@ TEST(UserGuide, lists_every_command_with_its_keys_and_nothing_else) {
     EXPECT_THAT(list_items("user-guide/keys.md", "## Keys"), UnorderedElementsAreArray(expected));
 }
 
-TEST(UserGuide, lists_every_command_in_german_by_its_german_word_and_keys) {
+TEST(UserGuide, lists_every_command_in_german_with_its_german_word_and_keys) {
     const test::InLanguage german("de");
     std::vector<std::string> expected;
     for (const CommandInfo& command : command_table())
@@ -64,7 +64,7 @@ std::map<std::string, int> parts_of(const std::string& page) {
     return parts;
 }
 
-TEST(UserGuide, is_all_there_in_german) {
+TEST(UserGuide, is_complete_in_german) {
     const std::map<std::string, std::string> pages{
         {"user-guide.md", "benutzerhandbuch.md"},
         {"user-guide/setting-up.md", "benutzerhandbuch/einrichten.md"},
@@ -83,7 +83,7 @@ TEST(UserGuide, is_all_there_in_german) {
     for (const auto& [english, german] : pages) EXPECT_EQ(parts_of(english), parts_of("de/" + german)) << german;
 }
 
-TEST(AuthorsGuide, is_all_there_in_german) {
+TEST(AuthorsGuide, is_complete_in_german) {
     const std::map<std::string, std::string> pages{
         {"map-authors-guide.md", "autorenhandbuch.md"},
         {"map-authors-guide/buildings.md", "autorenhandbuch/gebaeude.md"},
@@ -129,7 +129,7 @@ TEST(AuthorsGuide, is_all_there_in_german) {
               first_words(table_rows("map-authors-guide/furniture.md", "| Key | Size")));
 }
 
-TEST(Dictionary, lists_every_sound_as_the_spoken_one_tells_it_in_its_order) {
+TEST(Dictionary, lists_every_sound_in_the_order_of_the_spoken_dictionary) {
     std::vector<std::string> expected;
     std::string contacts;
     for (const DictionaryEntry& entry : sound_dictionary()) {

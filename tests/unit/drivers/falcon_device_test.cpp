@@ -56,7 +56,7 @@ struct Falcon {
 
 Vec3 true_place(const FalconEmulator& emulator) { return falcon_to_device(emulator.grip_m); }
 
-TEST(FalconDevice, wakes_by_sending_its_firmware_and_comparing_every_echo) {
+TEST(FalconDevice, starts_up_by_sending_its_firmware_and_comparing_every_echo) {
     Falcon falcon(false);
     falcon.emulator.leading_zero = true;
     falcon.emulator.frames_until_homed = 60;
@@ -89,7 +89,7 @@ private:
 };
 
 // A sentence after two seconds and then every five: 4000 bytes in pieces that take a third of a second each.
-TEST(FalconDevice, tells_how_far_a_firmware_is_that_takes_long_to_send) {
+TEST(FalconDevice, reports_progress_of_a_slow_firmware_upload) {
     VirtualClock clock;
     FalconEmulator emulator;
     const test::TemporaryFolder folder;
@@ -114,13 +114,13 @@ TEST(FalconDevice, tells_how_far_a_firmware_is_that_takes_long_to_send) {
     for (std::size_t i = 1; i < told_s.size(); ++i) EXPECT_NEAR(told_s[i] - told_s[i - 1], 5.0, 0.5);
 }
 
-TEST(FalconDevice, needs_no_file_when_its_firmware_runs_since_power_on) {
+TEST(FalconDevice, needs_no_firmware_file_if_its_firmware_already_runs) {
     Falcon falcon;
     ASSERT_TRUE(falcon.device->open());
     EXPECT_TRUE(falcon.device->firmware_was_running());
 }
 
-TEST(FalconDevice, tells_each_leg_that_has_found_its_zero) {
+TEST(FalconDevice, reports_each_leg_that_has_found_its_zero) {
     Falcon falcon;
     falcon.emulator.homes_by_moving = true;
     ASSERT_TRUE(falcon.device->open());
@@ -136,7 +136,7 @@ TEST(FalconDevice, tells_each_leg_that_has_found_its_zero) {
     EXPECT_EQ(legs_at(0.11), 7);
 }
 
-TEST(FalconDevice, tries_again_after_a_wrong_echo_and_says_so) {
+TEST(FalconDevice, retries_after_a_wrong_echo_and_reports_it) {
     Falcon falcon(false);
     falcon.emulator.wrong_echo_at_byte = 1234;
     ASSERT_TRUE(falcon.device->open());
@@ -144,7 +144,7 @@ TEST(FalconDevice, tries_again_after_a_wrong_echo_and_says_so) {
     EXPECT_EQ(falcon.emulator.firmware, test::boot_image(4000));
 }
 
-TEST(FalconDevice, refuses_in_one_sentence_what_cannot_be) {
+TEST(FalconDevice, explains_each_failure_to_open_in_one_sentence) {
     {
         Falcon falcon(false);
         falcon.emulator.deaf = true;
@@ -177,7 +177,7 @@ TEST(FalconDevice, refuses_in_one_sentence_what_cannot_be) {
                 testing::AllOf(testing::HasSubstr("nvent_firmware.bin"), testing::HasSubstr("falcon")));
 }
 
-TEST(FalconDevice, a_damaged_file_does_not_hide_a_sound_one) {
+TEST(FalconDevice, a_damaged_firmware_file_does_not_hide_an_intact_one) {
     VirtualClock clock;
     FalconEmulator emulator;
     const auto image = test::boot_image(400);
@@ -190,7 +190,7 @@ TEST(FalconDevice, a_damaged_file_does_not_hide_a_sound_one) {
     EXPECT_TRUE(device.open());
 }
 
-TEST(FalconDevice, sends_no_force_before_all_legs_are_homed) {
+TEST(FalconDevice, commands_no_force_before_all_legs_are_homed) {
     Falcon falcon;
     falcon.emulator.frames_until_homed = 60;
     ASSERT_TRUE(falcon.device->open());
@@ -207,7 +207,7 @@ TEST(FalconDevice, sends_no_force_before_all_legs_are_homed) {
 }
 
 // S126: the axes of the hand are those of the world.
-TEST(FalconDevice, hand_right_forward_up_is_east_north_up_and_a_force_east_pushes_right) {
+TEST(FalconDevice, right_forward_up_are_east_north_up_and_a_force_to_the_east_pushes_right) {
     const std::array<Vec3, 3> falcon_axes{Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 0.0, -1.0},
                                           Vec3{0.0, 1.0, 0.0}};  // right, away from the person, up
     for (int axis = 0; axis < 3; ++axis) {
@@ -238,7 +238,7 @@ TEST(FalconDevice, hand_right_forward_up_is_east_north_up_and_a_force_east_pushe
     }
 }
 
-TEST(FalconDevice, gives_the_asked_force_and_never_more_than_its_ceiling) {
+TEST(FalconDevice, gives_the_requested_force_and_never_exceeds_its_ceiling) {
     Falcon falcon;
     ASSERT_TRUE(falcon.device->open());
     falcon.home();
@@ -269,7 +269,7 @@ TEST(FalconDevice, gives_the_asked_force_and_never_more_than_its_ceiling) {
 
 // A wall of 1000 N/m across z = 0.130, pressed with less than the 3 N of the ceiling. The static answer is force /
 // stiffness behind it.
-TEST(FalconDevice, wall_of_a_thousand_exchanges_rests_at_the_exact_static_answer) {
+TEST(FalconDevice, rests_against_a_wall_at_the_exact_static_answer_over_a_thousand_exchanges) {
     constexpr double kStiffness = 1000.0, kPush = 2.0;
     const double wall_y = falcon_to_device({0.0, 0.0, 0.130}).y;
     Falcon falcon;
@@ -352,7 +352,7 @@ INSTANTIATE_TEST_SUITE_P(
                               800}),
     [](const auto& fault) { return std::string(fault.param.name); });
 
-TEST(FalconDevice, is_unplugged_at_once_and_stays_so) {
+TEST(FalconDevice, unplugging_is_detected_at_once_and_permanent) {
     Falcon falcon;
     ASSERT_TRUE(falcon.device->open());
     falcon.home();
@@ -363,7 +363,7 @@ TEST(FalconDevice, is_unplugged_at_once_and_stays_so) {
     EXPECT_FALSE(falcon.exchange({0.0, 1.0, 0.0}).connected);
 }
 
-TEST(FalconDevice, takes_its_force_back_after_20_ms_of_silence) {
+TEST(FalconDevice, withdraws_its_force_after_20_ms_without_commands) {
     Falcon falcon;
     ASSERT_TRUE(falcon.device->open());
     falcon.home();
@@ -381,7 +381,7 @@ TEST(FalconDevice, takes_its_force_back_after_20_ms_of_silence) {
 
 // The device has three encoders for three directions, so only time can show that one is stuck. Until then the grip's
 // position is wrong by a few millimetres, and the force falls before that.
-TEST(FalconDevice, a_stuck_encoder_is_noticed_within_millimetres_and_ends_the_force) {
+TEST(FalconDevice, a_stuck_encoder_is_detected_within_millimetres_and_ends_the_force) {
     for (int leg = 0; leg < 3; ++leg) {
         Falcon falcon;
         ASSERT_TRUE(falcon.device->open());
@@ -410,7 +410,7 @@ TEST(FalconDevice, a_stuck_encoder_is_noticed_within_millimetres_and_ends_the_fo
     }
 }
 
-TEST(FalconDevice, a_line_along_which_a_leg_stands_still_costs_force_for_a_moment_and_is_no_fault) {
+TEST(FalconDevice, moving_along_a_line_on_which_one_leg_stays_still_interrupts_force_briefly_without_a_fault) {
     Falcon falcon;
     ASSERT_TRUE(falcon.device->open());
     falcon.home();
@@ -434,7 +434,7 @@ TEST(FalconDevice, a_line_along_which_a_leg_stands_still_costs_force_for_a_momen
 
 // The whole chain over a wire on which anything can go wrong at any time, with a hand that presses a wall. Whatever
 // comes over the wire, no accepted position is wrong and no force is above the ceiling, nor with a stuck leg.
-TEST(FalconDevice, under_the_servo_no_fault_gives_a_wrong_place_or_a_force_above_the_ceiling) {
+TEST(FalconDevice, no_fault_under_the_servo_gives_a_wrong_position_or_a_force_above_the_ceiling) {
     const std::uint64_t seed = test::seed_of_run();
     SCOPED_TRACE(fmt::format("seed {}", seed));
     std::mt19937_64 random(seed);
@@ -492,7 +492,7 @@ TEST(FalconDevice, under_the_servo_no_fault_gives_a_wrong_place_or_a_force_above
     EXPECT_GT(strongest_n, 0.95 * kCeilingN) << "the wall was pressed";
 }
 
-TEST(FalconDevice, a_hand_that_rests_or_trembles_is_not_taken_for_a_stuck_encoder) {
+TEST(FalconDevice, a_resting_or_trembling_hand_does_not_count_as_a_stuck_encoder) {
     Falcon falcon;
     ASSERT_TRUE(falcon.device->open());
     falcon.home();
@@ -507,7 +507,7 @@ TEST(FalconDevice, a_hand_that_rests_or_trembles_is_not_taken_for_a_stuck_encode
     }
 }
 
-TEST(FalconDevice, leaves_the_motors_at_zero) {
+TEST(FalconDevice, leaves_the_motors_at_zero_on_closing) {
     Falcon falcon;
     ASSERT_TRUE(falcon.device->open());
     falcon.home();

@@ -24,7 +24,7 @@ int nearest_counts(double angle) {
     return static_cast<int>(std::lround((angle - radians_from_degrees(35.0)) / (14.25 / 110.0 * 2.0 * kPi / 1280.0)));
 }
 
-TEST(FalconKinematics, agrees_with_the_published_values_in_front_of_the_middle) {
+TEST(FalconKinematics, agrees_with_the_published_values_in_front_of_the_centre) {
     const Vec3 grip{0.0, 0.0, 0.12};
     const auto angles = falcon_inverse(grip);
     ASSERT_TRUE(angles);
@@ -121,7 +121,7 @@ TEST(FalconKinematics, torques_do_the_work_of_the_force) {
     }
 }
 
-TEST(FalconKinematics, says_nothing_rather_than_something_wrong) {
+TEST(FalconKinematics, returns_nothing_rather_than_a_wrong_answer) {
     const double nan = std::nan("");
     EXPECT_FALSE(falcon_inverse({0.0, 0.0, 0.5}));
     EXPECT_FALSE(falcon_inverse({0.3, 0.0, 0.12}));

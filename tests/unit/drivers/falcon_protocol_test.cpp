@@ -52,7 +52,7 @@ TEST(FalconFrames, carry_every_motor_value_and_flag) {
     EXPECT_EQ(pack_falcon_command({{}, false, false, true, false})[13], 0x49);
 }
 
-TEST(FalconFrames, flags_of_the_device_are_not_a_nibble) {
+TEST(FalconFrames, decode_flags_wider_than_four_bits) {
     FalconFrame frame = answer_with("AAAAAAAAAAAA");
     frame[13] = static_cast<std::uint8_t>(0x41 + 0x7f);
     FalconFrameReader reader;
@@ -62,7 +62,7 @@ TEST(FalconFrames, flags_of_the_device_are_not_a_nibble) {
     EXPECT_EQ(found[0].homed_legs, 7);
 }
 
-TEST(FalconFrames, are_found_again_after_anything) {
+TEST(FalconFrames, are_found_again_after_any_garbage) {
     const unsigned seed = 3;
     std::mt19937 random(seed);
     std::uint64_t frames = 0;
@@ -89,7 +89,7 @@ TEST(FalconFrames, are_found_again_after_anything) {
     EXPECT_GT(reader.skipped(), frames);
 }
 
-TEST(FalconFrames, too_many_bytes_lose_the_oldest) {
+TEST(FalconFrames, drop_the_oldest_of_too_many_bytes) {
     FalconFrameReader reader;
     std::vector<std::uint8_t> flood(1000, '<');
     const FalconFrame frame = pack_falcon_command({{1, 2, 3}, false, false, false, false});
@@ -99,7 +99,7 @@ TEST(FalconFrames, too_many_bytes_lose_the_oldest) {
     EXPECT_EQ(found[0].encoders, (std::array<int, 3>{1, 2, 3}));
 }
 
-TEST(FalconMotorCounts, stay_in_range_and_keep_their_direction) {
+TEST(FalconMotorCounts, stay_in_range_and_keep_the_direction_of_the_force) {
     const unsigned seed = 12;
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(-1.0, 1.0), power(-6.0, 9.0);
@@ -131,7 +131,7 @@ TEST(FalconMotorCounts, stay_in_range_and_keep_their_direction) {
     EXPECT_EQ(falcon_motor_counts({5e-320, 0.0, 0.0}, 10000.0), (std::array<int, 3>{}));
 }
 
-TEST(FalconFirmware, is_taken_whole_and_refused_when_cut_at_any_byte) {
+TEST(FalconFirmware, is_accepted_whole_and_refused_if_cut_at_any_byte) {
     for (const std::size_t size : {4, 36, 500}) {
         const std::vector<std::uint8_t> image = test::boot_image(size);
         EXPECT_TRUE(check_falcon_firmware(image, "f.bin"));

@@ -64,7 +64,7 @@ TEST(ForcePacking, any_force_stays_within_the_peak_and_keeps_its_direction) {
         EXPECT_NEAR(glm::length(held_to({newtons, -newtons, newtons}, 3.0)), 3.0, 1e-14);
 }
 
-TEST(ForcePacking, what_is_no_number_is_no_force) {
+TEST(ForcePacking, of_an_invalid_number_gives_no_force) {
     for (const double odd : {std::nan(""), kInf, -kInf})
         for (int axis = 0; axis < 3; ++axis) {
             Vec3 force{1.0, -2.0, 0.5};
@@ -75,7 +75,7 @@ TEST(ForcePacking, what_is_no_number_is_no_force) {
         }
 }
 
-TEST(ForceStick, level_stays_in_range_and_keeps_its_direction_whatever_is_asked) {
+TEST(ForceStick, level_stays_in_range_and_keeps_its_direction_for_any_request) {
     KeepingLink::Told told;
     ForceStick stick(std::make_unique<KeepingLink>(told));
     ASSERT_TRUE(stick.open());

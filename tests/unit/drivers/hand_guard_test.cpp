@@ -105,7 +105,7 @@ struct Guard : test::GuardEnds {
     }
 };
 
-TEST(HandGuard, says_what_goes_on_and_exchanges_each_force_for_a_sample) {
+TEST(HandGuard, reports_its_status_and_exchanges_each_force_for_a_sample) {
     Guard guard;
     guard.start();
     EXPECT_EQ(guard.message(), "nWaking it.");
@@ -117,7 +117,7 @@ TEST(HandGuard, says_what_goes_on_and_exchanges_each_force_for_a_sample) {
     EXPECT_GT(guard.mailbox.answer.read().position_m.x, 0.0);
 }
 
-TEST(HandGuard, zeroes_the_force_when_the_program_stops_commanding) {
+TEST(HandGuard, zeroes_the_force_when_the_program_stops_sending_commands) {
     Guard guard;
     guard.start();
     guard.command({0.0, 2.0, 0.0});
@@ -132,7 +132,7 @@ TEST(HandGuard, zeroes_the_force_when_the_program_stops_commanding) {
     EXPECT_EQ(std::count(guard.life.forces.begin(), guard.life.forces.end(), Vec3(0.0, 2.0, 0.0)), 1);
 }
 
-TEST(HandGuard, lets_the_device_go_when_the_program_is_gone) {
+TEST(HandGuard, releases_the_device_when_the_program_is_gone) {
     Guard guard;
     guard.start();
     guard.command({0.0, 2.0, 0.0});
@@ -143,7 +143,7 @@ TEST(HandGuard, lets_the_device_go_when_the_program_is_gone) {
     EXPECT_EQ(guard.status, 0);
 }
 
-TEST(HandGuard, looks_for_an_unplugged_device_until_it_is_back) {
+TEST(HandGuard, searches_for_an_unplugged_device_until_it_returns) {
     Guard guard;
     guard.start();
     ASSERT_EQ(guard.message(), "nWaking it.");
@@ -169,7 +169,7 @@ TEST(HandGuard, looks_for_an_unplugged_device_until_it_is_back) {
     }));
 }
 
-TEST(HandGuard, notices_a_driver_that_does_not_come_back) {
+TEST(HandGuard, notices_a_driver_call_that_does_not_return) {
     Guard guard;
     {
         const std::lock_guard lock(guard.life.mutex);
@@ -183,7 +183,7 @@ TEST(HandGuard, notices_a_driver_that_does_not_come_back) {
     guard.life.changed.notify_all();
 }
 
-TEST(HandGuard, passes_on_why_there_is_no_device) {
+TEST(HandGuard, reports_why_there_is_no_device) {
     Guard guard;
     guard.life.refuse = true;
     guard.start();
@@ -192,7 +192,7 @@ TEST(HandGuard, passes_on_why_there_is_no_device) {
     EXPECT_EQ(guard.status, 1);
 }
 
-TEST(GuardedDevice, says_in_a_sentence_that_its_guard_is_missing_or_ends) {
+TEST(GuardedDevice, reports_in_one_sentence_that_its_guard_is_missing_or_has_ended) {
     GuardedDevice without(*find_device_spec("falcon"), "", {});
     ASSERT_FALSE(without.open());
     EXPECT_THAT(without.open().error().sentence(), testing::HasSubstr("handrail-guard"));
@@ -204,7 +204,7 @@ TEST(GuardedDevice, says_in_a_sentence_that_its_guard_is_missing_or_ends) {
     EXPECT_THAT(opened.error().sentence(), testing::HasSubstr("ended unexpectedly"));
 }
 
-TEST(GuardedDevice, is_told_in_the_language_of_the_program_what_its_guard_says) {
+TEST(GuardedDevice, receives_guard_messages_in_the_language_of_the_program) {
     const test::InLanguage german("de");
     GuardedDevice absent(*find_device_spec("falcon"), test::built_program("standin_guard"), {"absent"});
     const auto opened = absent.open();
@@ -212,7 +212,7 @@ TEST(GuardedDevice, is_told_in_the_language_of_the_program_what_its_guard_says) 
     EXPECT_EQ(opened.error().sentence(), "Der Falcon ist nicht angesteckt.");
 }
 
-TEST(GuardedDevice, is_told_a_persons_own_texts_by_its_guard) {
+TEST(GuardedDevice, receives_the_persons_custom_texts_from_its_guard) {
     const test::TemporaryFolder folder;
     folder.write("de.toml", "[drivers]\nno_falcon = \"Kein Falcon da.\"\n");
     const test::InLanguage own("de", folder.path());
@@ -222,7 +222,7 @@ TEST(GuardedDevice, is_told_a_persons_own_texts_by_its_guard) {
     EXPECT_EQ(opened.error().sentence(), "Kein Falcon da.");
 }
 
-TEST(GuardedDevice, exchanges_with_a_process_of_its_own) {
+TEST(GuardedDevice, exchanges_samples_with_a_separate_process) {
     GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"echo"});
     const auto opened = device.open();
     ASSERT_TRUE(opened) << opened.error().sentence();
@@ -235,7 +235,7 @@ TEST(GuardedDevice, exchanges_with_a_process_of_its_own) {
     EXPECT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; }));
 }
 
-TEST(GuardedDevice, reaches_no_file_socket_program_or_process_from_its_driver) {
+TEST(GuardedDevice, is_confined_so_that_its_driver_reaches_no_file_socket_program_or_process) {
 #if defined(HANDRAIL_SANITIZED)
     GTEST_SKIP() << "a sanitizer needs some of these";
 #endif
@@ -248,7 +248,7 @@ TEST(GuardedDevice, reaches_no_file_socket_program_or_process_from_its_driver) {
     EXPECT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; })) << "and still drives";
 }
 
-TEST(GuardPermissions, are_what_each_driver_needs) {
+TEST(GuardPermissions, are_exactly_those_that_each_driver_needs) {
     const auto writes = [](const char* device) { return guard_permissions(device).read_and_write; };
     using testing::Contains;
     using testing::ElementsAre;
@@ -272,7 +272,7 @@ TEST(GuardPermissions, are_what_each_driver_needs) {
 }
 
 // A person's environment contains keys and addresses of other programs.
-TEST(GuardedDevice, gives_its_guards_only_the_variables_that_drivers_need) {
+TEST(GuardedDevice, passes_only_the_environment_variables_that_drivers_need) {
     const std::map<std::string, std::string> hidden{{"SSH_AUTH_SOCK", "/run/agent"},
                                                     {"DBUS_SESSION_BUS_ADDRESS", "unix:path=/run/bus"},
                                                     {"GTDD_HOME_OF_MINE", "x"},
@@ -295,7 +295,7 @@ TEST(GuardedDevice, gives_its_guards_only_the_variables_that_drivers_need) {
     }
 }
 
-TEST(GuardedDevice, is_unplugged_when_its_guard_dies_or_ends_itself_over_a_driver_that_blocks) {
+TEST(GuardedDevice, counts_as_unplugged_when_its_guard_dies_or_exits_because_of_a_blocked_driver) {
     for (const char* behaviour : {"dies", "blocks"}) {
         GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {behaviour});
         ASSERT_TRUE(device.open());
@@ -304,7 +304,7 @@ TEST(GuardedDevice, is_unplugged_when_its_guard_dies_or_ends_itself_over_a_drive
     }
 }
 
-TEST(GuardedDevice, hands_positions_that_are_no_numbers_to_the_servo_to_judge) {
+TEST(GuardedDevice, passes_invalid_positions_on_to_the_servo_for_judgement) {
     GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"nan"});
     ASSERT_TRUE(device.open());
     EXPECT_TRUE(

@@ -15,7 +15,7 @@ namespace haply_test {
 using test::Mood;
 using test::StandInService;
 
-TEST(HaplyFacts, name_the_device_its_firmware_and_calibration) {
+TEST(HaplyFacts, include_the_device_its_firmware_and_its_calibration) {
     for (const bool calibrated : {true, false}) {
         StandInService service;
         service.mood = calibrated ? Mood::Sound : Mood::Uncalibrated;
@@ -28,7 +28,7 @@ TEST(HaplyFacts, name_the_device_its_firmware_and_calibration) {
     }
 }
 
-TEST(HaplyDevice, wall_of_a_thousand_exchanges_rests_at_the_exact_static_answer) {
+TEST(HaplyDevice, rests_against_a_wall_at_the_exact_static_answer_over_a_thousand_exchanges) {
     StandInService service;
     SteadyClock clock;
     auto device = open_haply_device(clock, service.port());
@@ -89,7 +89,7 @@ TEST(HaplyDevice, force_keeps_its_direction_and_stays_below_the_ceiling) {
 }
 
 // S126, as we understand the service's documentation.
-TEST(HaplyDevice, hand_right_forward_up_is_east_north_up_and_a_force_east_pushes_right) {
+TEST(HaplyDevice, right_forward_up_are_east_north_up_and_a_force_to_the_east_pushes_right) {
     for (int axis = 0; axis < 3; ++axis) {
         StandInService service;
         Vec3 theirs{0.0};
@@ -116,7 +116,7 @@ TEST(HaplyDevice, hand_right_forward_up_is_east_north_up_and_a_force_east_pushes
     }
 }
 
-TEST(HaplyDevice, says_in_one_sentence_what_is_missing) {
+TEST(HaplyDevice, names_what_is_missing_in_one_sentence) {
     SteadyClock clock;
     const auto none = open_haply_device(clock, test::port_of_nobody());
     ASSERT_FALSE(none);
@@ -127,7 +127,7 @@ TEST(HaplyDevice, says_in_one_sentence_what_is_missing) {
     EXPECT_THAT(without.error().sentence(), testing::HasSubstr("no Inverse3"));
 }
 
-TEST(HaplyDevice, damaged_silent_or_missing_states_are_nothing_new_and_hanging_up_is_unplugged) {
+TEST(HaplyDevice, damaged_silent_or_missing_states_are_ignored_and_a_closed_connection_counts_as_unplugged) {
     for (const Mood mood : {Mood::Damaged, Mood::Silent, Mood::NoPosition}) {
         StandInService service;
         SteadyClock clock;
@@ -164,7 +164,7 @@ TEST(HaplyDevice, damaged_silent_or_missing_states_are_nothing_new_and_hanging_u
     EXPECT_FALSE(connected);
 }
 
-TEST(HaplyDevice, uncalibrated_gets_no_force) {
+TEST(HaplyDevice, without_calibration_gets_no_force) {
     StandInService service;
     service.mood = Mood::Uncalibrated;
     SteadyClock clock;

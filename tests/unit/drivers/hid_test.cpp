@@ -23,7 +23,7 @@ protected:
     PlaystationPad pad{std::make_unique<DirectHidLink>(emulator), GetParam().model, GetParam().bus};
 };
 
-TEST_P(Pad, tells_sticks_triggers_and_buttons) {
+TEST_P(Pad, reports_sticks_triggers_and_buttons) {
     ASSERT_TRUE(pad.open());
     emulator.sticks = {255, 0, 128, 191};
     emulator.triggers = {51, 255};
@@ -41,7 +41,7 @@ TEST_P(Pad, tells_sticks_triggers_and_buttons) {
     EXPECT_EQ(input->buttons, 0b11'1000'0001'0010U);  // cross, L1, R3, PS, touch
 }
 
-TEST_P(Pad, takes_two_thousand_outputs_without_a_bad_one_and_rests_at_the_end) {
+TEST_P(Pad, takes_two_thousand_valid_outputs_and_is_at_rest_at_the_end) {
     ASSERT_TRUE(pad.open());
     for (int i = 0; i < 2000; ++i) {
         PadOutput output;
@@ -65,7 +65,7 @@ TEST_P(Pad, takes_two_thousand_outputs_without_a_bad_one_and_rests_at_the_end) {
     EXPECT_TRUE(GetParam().model != PadModel::DualSense || emulator.right_effect == trigger_off());
 }
 
-TEST_P(Pad, believes_no_report_with_a_wrong_checksum_and_no_piece_of_one) {
+TEST_P(Pad, rejects_reports_with_a_wrong_checksum_and_incomplete_reports) {
     ASSERT_TRUE(pad.open());
     emulator.sticks = {255, 255, 255, 255};
     if (GetParam().bus == PadBus::Bluetooth) {
@@ -89,7 +89,7 @@ TEST_P(Pad, believes_no_report_with_a_wrong_checksum_and_no_piece_of_one) {
     }
 }
 
-TEST_P(Pad, gives_the_newest_of_many_reports) {
+TEST_P(Pad, returns_the_newest_of_many_reports) {
     ASSERT_TRUE(pad.open());
     for (const std::uint8_t trigger : {10, 20, 51}) {
         emulator.triggers = {trigger, 0};
@@ -99,7 +99,7 @@ TEST_P(Pad, gives_the_newest_of_many_reports) {
     EXPECT_FALSE(pad.read(0.0));
 }
 
-TEST_P(Pad, is_lost_when_unplugged) {
+TEST_P(Pad, counts_as_lost_when_unplugged) {
     ASSERT_TRUE(pad.open());
     emulator.unplugged = true;
     EXPECT_FALSE(pad.read(0.0));
@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(Models, Pad,
                                          PadCase{PadModel::DualShock4, PadBus::Usb},
                                          PadCase{PadModel::DualShock4, PadBus::Bluetooth}));
 
-TEST(DualSense, asks_for_full_reports_over_bluetooth_and_reads_its_firmware) {
+TEST(DualSense, requests_full_reports_over_bluetooth_and_reads_its_firmware) {
     PadEmulator emulator(true, true);
     emulator.version = 0x0236;
     PlaystationPad pad(std::make_unique<DirectHidLink>(emulator), PadModel::DualSense, PadBus::Bluetooth);
@@ -128,7 +128,7 @@ TEST(DualSense, asks_for_full_reports_over_bluetooth_and_reads_its_firmware) {
     EXPECT_FALSE(old.rumbles_improved);
 }
 
-TEST(TriggerEffects, are_the_published_bytes) {
+TEST(TriggerEffects, match_the_published_bytes) {
     EXPECT_EQ(trigger_resists(3, 8), (TriggerEffect{0x21, 0xF8, 0x03, 0x00, 0xFE, 0xFF, 0x3F, 0, 0, 0, 0}));
     EXPECT_EQ(trigger_clicks(2, 5, 8), (TriggerEffect{0x25, 0x24, 0x00, 7}));
     EXPECT_EQ(trigger_vibrates(9, 2, 40), (TriggerEffect{0x26, 0x00, 0x02, 0, 0, 0, 0x08, 0, 0, 40, 0}));
@@ -163,7 +163,7 @@ struct Puck {
 };
 
 // S126: pushes to the right, away and up are x, y and z.
-TEST(SpaceMouse, right_forward_up_are_x_y_z_and_turns_follow_the_right_hand) {
+TEST(SpaceMouse, right_forward_up_are_x_y_z_and_rotations_follow_the_right_hand_rule) {
     Puck puck;
     puck.emulator.tell(1, {350, 0, 0});
     EXPECT_EQ(puck.mouse.poll(0.0).move, Vec3(1.0, 0.0, 0.0));
@@ -179,7 +179,7 @@ TEST(SpaceMouse, right_forward_up_are_x_y_z_and_turns_follow_the_right_hand) {
     EXPECT_EQ(puck.mouse.poll(0.0).turn, Vec3(0.0, 0.0, 1.0));
 }
 
-TEST(SpaceMouse, rests_inside_its_dead_band_and_when_it_falls_silent) {
+TEST(SpaceMouse, is_at_rest_inside_its_dead_band_and_when_it_falls_silent) {
     Puck puck;
     puck.emulator.tell(1, {27, -27, 20});
     EXPECT_EQ(puck.mouse.poll(0.0).move, Vec3(0.0));
@@ -193,7 +193,7 @@ TEST(SpaceMouse, rests_inside_its_dead_band_and_when_it_falls_silent) {
     EXPECT_EQ(puck.mouse.poll(2.0).move, Vec3(1.0, 1.0, 0.0));
 }
 
-TEST(SpaceMouse, has_buttons_and_a_light_and_ignores_what_is_cut) {
+TEST(SpaceMouse, has_buttons_and_a_light_and_ignores_truncated_reports) {
     Puck puck;
     puck.emulator.tell_buttons(0x80000002);
     EXPECT_EQ(puck.mouse.poll(0.0).buttons, 0x80000002U);

@@ -65,7 +65,7 @@ struct Reliever : test::GuardEnds {
     }
 };
 
-TEST(ReliefGuard, zeroes_the_device_when_the_first_guard_dies_with_it) {
+TEST(ReliefGuard, zeroes_the_device_when_the_first_guard_dies_while_holding_it) {
     Reliever relief;
     EXPECT_EQ(relief.message(), "r");
     relief.mailbox.holds = true;
@@ -75,7 +75,7 @@ TEST(ReliefGuard, zeroes_the_device_when_the_first_guard_dies_with_it) {
     EXPECT_EQ(relief.killed, 0);
 }
 
-TEST(ReliefGuard, ends_a_first_guard_that_stands_still_before_it_touches_the_device) {
+TEST(ReliefGuard, kills_a_frozen_first_guard_before_it_touches_the_device) {
     Reliever relief;
     relief.mailbox.holds = true;
     for (int i = 0; i < 60; ++i, std::this_thread::sleep_for(5ms)) ++relief.mailbox.beats;
@@ -85,7 +85,7 @@ TEST(ReliefGuard, ends_a_first_guard_that_stands_still_before_it_touches_the_dev
     EXPECT_FALSE(relief.held_by_two);
 }
 
-TEST(ReliefGuard, leaves_a_device_alone_that_the_first_guard_had_let_go) {
+TEST(ReliefGuard, does_not_touch_a_device_that_the_first_guard_has_released) {
     Reliever relief;
     std::this_thread::sleep_for(250ms);  // opening takes a guard seconds, in which it counts no rounds
     EXPECT_EQ(relief.killed, 0);
@@ -94,7 +94,7 @@ TEST(ReliefGuard, leaves_a_device_alone_that_the_first_guard_had_let_go) {
     EXPECT_EQ(relief.zeroed, 0);
 }
 
-TEST(ReliefGuard, outlives_the_program_and_still_takes_the_force_away) {
+TEST(ReliefGuard, outlives_the_program_and_still_removes_the_force) {
     Reliever relief;
     relief.mailbox.holds = true;
     relief.leave();
@@ -103,7 +103,7 @@ TEST(ReliefGuard, outlives_the_program_and_still_takes_the_force_away) {
     EXPECT_EQ(relief.zeroed, 1);
 }
 
-TEST(ReliefGuard, tells_that_the_device_may_push_and_tries_on) {
+TEST(ReliefGuard, reports_that_the_device_may_push_and_keeps_trying) {
     Reliever relief;
     EXPECT_EQ(relief.message(), "r");
     relief.refuse = true;
@@ -116,7 +116,7 @@ TEST(ReliefGuard, tells_that_the_device_may_push_and_tries_on) {
     EXPECT_TRUE(relief.comes_to(ReliefState::Zero)) << "it was plugged in again";
 }
 
-TEST(ReliefGuard, beats_while_it_looks_and_while_a_driver_takes_its_time_over_the_zero) {
+TEST(ReliefGuard, shows_that_it_is_alive_while_it_watches_and_while_a_driver_zeroes_slowly) {
     Reliever relief;
     const auto beats_on = [&] {
         const std::uint32_t before = relief.mailbox.relief_beats;
@@ -133,7 +133,7 @@ TEST(ReliefGuard, beats_while_it_looks_and_while_a_driver_takes_its_time_over_th
     EXPECT_TRUE(relief.comes_to(ReliefState::Zero));
 }
 
-TEST(GuardedDevice, is_said_to_push_until_the_second_guard_has_its_zero) {
+TEST(GuardedDevice, is_reported_as_possibly_pushing_until_the_second_guard_has_zeroed_it) {
     for (const int signal : {SIGKILL, SIGSTOP}) {
         GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"echo"});
         ASSERT_TRUE(device.open());
@@ -149,7 +149,7 @@ TEST(GuardedDevice, is_said_to_push_until_the_second_guard_has_its_zero) {
     }
 }
 
-TEST(GuardedDevice, says_on_closing_that_it_may_push_where_zero_was_not_confirmed) {
+TEST(GuardedDevice, warns_on_closing_that_it_may_push_if_zero_was_not_confirmed) {
     GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"stubborn"});
     ASSERT_TRUE(device.open());
     ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; }));
@@ -164,7 +164,7 @@ TEST(GuardedDevice, says_on_closing_that_it_may_push_where_zero_was_not_confirme
                                                       "not be taken away. The Falcon is not plugged in."));
 }
 
-TEST(GuardedDevice, gets_a_new_second_guard_for_one_that_died) {
+TEST(GuardedDevice, gets_a_new_second_guard_when_the_old_one_dies) {
     GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"echo"});
     ASSERT_TRUE(device.open());
     ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; }));
@@ -184,7 +184,7 @@ bool gets_another_second_guard(const GuardedDevice& device, pid_t than) {
     return eventually([&] { return device.relief_process() != than; });
 }
 
-TEST(GuardedDevice, gets_a_new_second_guard_for_one_that_stands_still) {
+TEST(GuardedDevice, gets_a_new_second_guard_when_the_old_one_freezes) {
     GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"echo"});
     ASSERT_TRUE(device.open());
     ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; }));
@@ -198,7 +198,7 @@ TEST(GuardedDevice, gets_a_new_second_guard_for_one_that_stands_still) {
         device, [](const DeviceSample& sample) { return !sample.connected && sample.loss == DeviceLoss::ForceOff; }));
 }
 
-TEST(GuardedDevice, leaves_no_force_behind_when_the_second_guard_is_frozen_and_the_first_one_fails) {
+TEST(GuardedDevice, leaves_no_force_if_the_second_guard_is_frozen_and_the_first_fails) {
     for (const int signal : {SIGKILL, SIGSTOP}) {
         for (const bool leaves : {false, true}) {
             GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"echo"});
@@ -217,7 +217,7 @@ TEST(GuardedDevice, leaves_no_force_behind_when_the_second_guard_is_frozen_and_t
     }
 }
 
-TEST(GuardedDevice, says_that_it_may_push_when_no_second_guard_can_be_had_any_more) {
+TEST(GuardedDevice, warns_that_it_may_push_if_no_second_guard_can_be_started_again) {
     GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"echo"});
     ASSERT_TRUE(device.open());
     ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; }));
@@ -237,7 +237,7 @@ TEST(GuardedDevice, says_that_it_may_push_when_no_second_guard_can_be_had_any_mo
     EXPECT_TRUE(eventually(warns));
 }
 
-TEST(GuardProcess, refuses_a_mailbox_that_could_be_cut_off_below_it) {
+TEST(GuardProcess, refuses_a_mailbox_file_that_could_be_truncated) {
     for (const bool sealed : {false, true}) {
         const int memory = ::memfd_create("mailbox", MFD_ALLOW_SEALING);
         ASSERT_EQ(::ftruncate(memory, sizeof(HandMailbox)), 0);

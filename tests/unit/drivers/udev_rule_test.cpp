@@ -17,7 +17,7 @@ TEST(UdevRule, names_every_device_that_a_driver_opens) {
     EXPECT_THAT(permission_advice(), testing::HasSubstr(std::string(kUdevRule)));
 }
 
-TEST(FoundDevices, are_meant_by_name_in_any_case_or_by_their_serial_number) {
+TEST(FoundDevices, are_found_by_name_in_any_letter_case_or_by_serial_number) {
     FoundDevice falcon;
     falcon.name = "falcon";
     falcon.serial = "F100";
@@ -30,7 +30,7 @@ TEST(FoundDevices, are_meant_by_name_in_any_case_or_by_their_serial_number) {
     for (const std::string& name : openable_device_names()) EXPECT_TRUE(find_device_spec(name)) << name;
 }
 
-TEST(OpenDevice, of_an_unknown_name_is_a_sentence) {
+TEST(OpenDevice, with_an_unknown_name_returns_one_sentence) {
     SteadyClock clock;
     const auto opened = open_device("harpsichord", "", clock, {});
     ASSERT_FALSE(opened);

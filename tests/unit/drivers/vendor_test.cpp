@@ -73,7 +73,7 @@ struct Hd : StandIn {
     }
 };
 
-TEST(DhdDevice, wall_of_a_thousand_exchanges_rests_at_the_exact_static_answer) {
+TEST(DhdDevice, rests_against_a_wall_at_the_exact_static_answer_over_a_thousand_exchanges) {
     const Dhd dhd;
     auto device = open_dhd_device(test::built_standin("standin_dhd"));
     ASSERT_TRUE(device) << device.error().sentence();
@@ -95,7 +95,7 @@ TEST(DhdDevice, wall_of_a_thousand_exchanges_rests_at_the_exact_static_answer) {
 }
 
 // S126, both makers: x right, y forward, z up, for places and for forces.
-TEST(VendorDevices, hand_right_forward_up_is_east_north_up_and_a_force_east_pushes_right) {
+TEST(VendorDevices, right_forward_up_are_east_north_up_and_a_force_to_the_east_pushes_right) {
     const std::array<Vec3, 3> dhd_axes{Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1)},
         hd_axes{Vec3(1, 0, 0), Vec3(0, 0, -1), Vec3(0, 1, 0)};
     for (int axis = 0; axis < 3; ++axis) {
@@ -133,7 +133,7 @@ TEST(VendorDevices, hand_right_forward_up_is_east_north_up_and_a_force_east_push
     }
 }
 
-TEST(DhdDevice, positions_that_are_no_numbers_get_no_force) {
+TEST(DhdDevice, gives_no_force_for_positions_that_are_not_numbers) {
     const Dhd dhd;
     auto device = open_dhd_device(test::built_standin("standin_dhd"));
     ASSERT_TRUE(device);
@@ -152,7 +152,7 @@ TEST(DhdDevice, positions_that_are_no_numbers_get_no_force) {
     }
 }
 
-TEST(VendorDevices, say_in_one_sentence_what_is_missing) {
+TEST(VendorDevices, name_what_is_missing_in_one_sentence) {
     for (const auto& [opened, words] :
          {std::pair{open_dhd_device("/nowhere/libdhd.so"), "is not installed"},
           {open_hd_device("/nowhere/libHD.so"), "is not installed"},
@@ -177,7 +177,7 @@ TEST(VendorDevices, say_in_one_sentence_what_is_missing) {
     EXPECT_FALSE(open_hd_device(test::built_standin("standin_hd")));
 }
 
-TEST(HdDevice, wall_rests_at_the_exact_static_answer_while_the_library_calls_from_its_own_thread) {
+TEST(HdDevice, rests_against_a_wall_at_the_exact_static_answer_with_calls_from_the_librarys_thread) {
     const Hd hd;
     auto device = open_hd_device(test::built_standin("standin_hd"));
     ASSERT_TRUE(device) << device.error().sentence();
@@ -204,7 +204,7 @@ TEST(HdDevice, wall_rests_at_the_exact_static_answer_while_the_library_calls_fro
     EXPECT_TRUE(hd.told().disabled);
 }
 
-TEST(HdDevice, gives_no_force_before_it_is_calibrated_nor_at_places_that_are_no_numbers) {
+TEST(HdDevice, gives_no_force_before_calibration_or_at_invalid_positions) {
     const Hd hd;
     auto device = open_hd_device(test::built_standin("standin_hd"));
     ASSERT_TRUE(device);
@@ -222,7 +222,7 @@ TEST(HdDevice, gives_no_force_before_it_is_calibrated_nor_at_places_that_are_no_
     EXPECT_TRUE(eventually([&] { return hd.told().force == Vec3(0.0); }));
 }
 
-TEST(HdDevice, a_force_error_of_the_library_ends_the_device_and_heat_is_told_apart) {
+TEST(HdDevice, a_force_error_of_the_library_disconnects_the_device_and_overheating_is_distinguished) {
     for (const unsigned code : {0x0200U, 0x0202U}) {
         const Hd hd;
         auto device = open_hd_device(test::built_standin("standin_hd"));
@@ -238,7 +238,7 @@ TEST(HdDevice, a_force_error_of_the_library_ends_the_device_and_heat_is_told_apa
 }
 
 // The library hangs. Reads return at once without a new sample, and the servo removes the force after 25 ms.
-TEST(HdDevice, a_library_that_blocks_gives_no_new_samples) {
+TEST(HdDevice, a_blocked_library_gives_no_new_samples) {
     const Hd hd;
     auto device = open_hd_device(test::built_standin("standin_hd"));
     ASSERT_TRUE(device);

@@ -18,7 +18,7 @@ double median(std::vector<double> v) {
     return v[v.size() / 2];
 }
 
-TEST(DynamicsCost, of_a_step_is_printed) {
+TEST(DynamicsCost, prints_the_cost_of_a_step) {
     for (const std::uint32_t bodies : {1U, 20U, 100U}) {
         DynamicsSceneBuilder builder;
         for (int x = -10; x < 10; ++x)
@@ -60,7 +60,7 @@ TEST(DynamicsCost, of_a_step_is_printed) {
     }
 }
 
-TEST(DynamicsCost, of_the_hands_model_is_printed) {
+TEST(DynamicsCost, prints_the_cost_of_the_hand_model) {
     for (const int contacts : {0, 1, 4, 12}) {
         BodyWord word;
         word.body = 0;

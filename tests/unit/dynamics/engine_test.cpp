@@ -61,7 +61,7 @@ std::uint64_t play(Dynamics& engine, std::uint32_t game, int steps) {
     return bits_of(engine);
 }
 
-TEST(Dynamics, gives_the_same_bits_in_two_runs_and_after_a_restart) {
+TEST(Dynamics, gives_bit_identical_results_in_two_runs_and_after_a_restart) {
     for (unsigned seed = 1; seed <= 3; ++seed) {
         SCOPED_TRACE(seed);
         const int steps = scaled(600);
@@ -79,7 +79,7 @@ TEST(Dynamics, gives_the_same_bits_in_two_runs_and_after_a_restart) {
     }
 }
 
-TEST(Dynamics, is_the_same_far_from_the_origin_when_the_scene_says_where_its_zero_is) {
+TEST(Dynamics, is_the_same_far_away_if_the_scene_states_its_origin) {
     Dynamics near(heap(4)), far(heap(4, Vec3(5000.0, -3000.0, 200.0)));
     run(near, scaled(480));
     run(far, scaled(480));
@@ -102,7 +102,7 @@ TEST(Dynamics, is_the_same_far_from_the_origin_when_the_scene_says_where_its_zer
     }
 }
 
-TEST(Dynamics, falls_slides_and_rolls_as_the_formulas_say) {
+TEST(Dynamics, makes_bodies_fall_slide_and_roll_as_the_formulas_say) {
     // Free fall for a quarter of a second.
     {
         DynamicsSceneBuilder builder;
@@ -145,7 +145,7 @@ TEST(Dynamics, falls_slides_and_rolls_as_the_formulas_say) {
     }
 }
 
-TEST(Dynamics, lets_a_stack_of_five_stand_and_sleep) {
+TEST(Dynamics, lets_a_stack_of_five_bodies_stand_and_sleep) {
     DynamicsSceneBuilder builder;
     builder.add_fixed_box({Vec3(-5, -5, -1), Vec3(5, 5, 0)});
     const DynamicsPiece box = box_of(0.15);
@@ -166,7 +166,7 @@ TEST(Dynamics, lets_a_stack_of_five_stand_and_sleep) {
     EXPECT_TRUE(engine.awake(4));
 }
 
-TEST(Dynamics, lets_nothing_through_walls_floors_and_sheets_however_fast) {
+TEST(Dynamics, lets_no_body_through_walls_floors_and_sheets_at_any_speed) {
     std::mt19937 random(11);
     const auto unit = [&] { return random() / 4294967296.0; };
     const auto three = [&] {  // separate statements, because compilers evaluate arguments in different orders
@@ -210,7 +210,7 @@ TEST(Dynamics, lets_nothing_through_walls_floors_and_sheets_however_fast) {
     }
 }
 
-TEST(Dynamics, puts_back_what_falls_out_of_the_world_and_says_so) {
+TEST(Dynamics, puts_back_bodies_that_fall_out_of_the_world_and_reports_it) {
     DynamicsSceneBuilder builder;
     builder.add_fixed_box({Vec3(-1, -1, -1), Vec3(1, 1, 0)});
     const DynamicsPiece ball = ball_of(0.1);
@@ -233,7 +233,7 @@ TEST(Dynamics, puts_back_what_falls_out_of_the_world_and_says_so) {
     EXPECT_GE(falls, 1);
 }
 
-TEST(Dynamics, keeps_the_number_of_moving_bodies_bounded_and_forgets_none) {
+TEST(Dynamics, limits_the_number_of_moving_bodies_and_forgets_none) {
     constexpr std::uint32_t kBalls = 128;
     DynamicsSceneBuilder builder;
     builder.add_fixed_box({Vec3(-20, -20, -1), Vec3(20, 20, 0)});
@@ -269,7 +269,7 @@ std::shared_ptr<const DynamicsScene> many_boxes(std::uint32_t count, double apar
 }
 
 // The boxes are so close that each moving one keeps its neighbours awake.
-TEST(Dynamics, lets_every_body_sleep_that_rests_also_those_that_had_to_wait) {
+TEST(Dynamics, puts_every_resting_body_to_sleep_even_after_waiting) {
     for (const double z_m : {0.2, 0.3, 1.2})
         for (const bool elastic : {false, true}) {
             Dynamics engine(many_boxes(128, 0.5, z_m, elastic ? BodyNature{} : nature(4)));
@@ -283,7 +283,7 @@ TEST(Dynamics, lets_every_body_sleep_that_rests_also_those_that_had_to_wait) {
 
 // A hundred at a time. All 2,048 that fit also come to rest, in 44 s of the world's time, which take as long to
 // compute.
-TEST(Dynamics, brings_600_bodies_to_rest_where_they_stand) {
+TEST(Dynamics, brings_600_bodies_to_rest_in_place) {
     constexpr std::uint32_t kBodies = 600;
     Dynamics engine(many_boxes(kBodies, 0.5, 0.2, nature(4)));
     DynamicsFrame frame;
@@ -295,7 +295,7 @@ TEST(Dynamics, brings_600_bodies_to_rest_where_they_stand) {
     for (std::uint32_t b = 0; b < kBodies; ++b) EXPECT_NEAR(engine.middle(b).position_m.z, 0.2, 5e-4) << b;
 }
 
-TEST(Dynamics, has_room_for_2048_bodies_and_tells_which_of_them_moved) {
+TEST(Dynamics, has_room_for_2048_bodies_and_reports_which_ones_moved) {
     constexpr auto kMost = static_cast<std::uint32_t>(DynamicsScene::kMostBodies);
     ASSERT_GE(kMost, 2048U);
     Dynamics engine(many_boxes(kMost, 0.5, 0.2, nature(4)));
@@ -320,7 +320,7 @@ TEST(Dynamics, has_room_for_2048_bodies_and_tells_which_of_them_moved) {
     EXPECT_EQ(full.add_body(std::span(&ball, 1), kThing, 0, {}, nature(1)), BodyFault::TooMany);
 }
 
-TEST(Dynamics, lets_a_body_go_on_at_once_that_is_pushed_while_it_has_to_wait) {
+TEST(Dynamics, moves_a_waiting_body_at_once_when_it_is_pushed) {
     Dynamics engine(many_boxes(128, 1.0, 0.2, nature(4)));
     DynamicsFrame frame;
     std::vector<BodyEvent> events;
@@ -338,7 +338,7 @@ TEST(Dynamics, lets_a_body_go_on_at_once_that_is_pushed_while_it_has_to_wait) {
     EXPECT_EQ(frame.awake, Dynamics::kMostAwake);
 }
 
-TEST(Dynamics, carries_a_body_on_a_lift_and_stops_a_door_before_one_that_is_jammed) {
+TEST(Dynamics, carries_a_body_on_a_lift_and_stops_a_door_at_a_jammed_body) {
     DynamicsSceneBuilder builder;
     builder.add_fixed_box({Vec3(-5, -5, -1), Vec3(5, 5, 0)}, kFloor);
     builder.add_fixed_box({Vec3(1.0, -1, 0), Vec3(1.5, 1, 2)}, kWall);
@@ -378,7 +378,7 @@ TEST(Dynamics, carries_a_body_on_a_lift_and_stops_a_door_before_one_that_is_jamm
     EXPECT_EQ(frame.blocked, kNoBody);
 }
 
-TEST(Dynamics, keeps_bodies_out_of_somebody_who_walks) {
+TEST(Dynamics, keeps_bodies_out_of_the_walker) {
     DynamicsSceneBuilder builder;
     builder.add_fixed_box({Vec3(-5, -5, -1), Vec3(5, 5, 0)});
     const DynamicsPiece ball = ball_of(0.1);
@@ -402,7 +402,7 @@ TEST(Dynamics, keeps_bodies_out_of_somebody_who_walks) {
     }
 }
 
-TEST(Dynamics, leads_a_body_by_keys_with_no_more_than_the_force_it_is_given) {
+TEST(Dynamics, drives_a_body_by_keys_with_no_more_than_the_given_force) {
     DynamicsSceneBuilder builder;
     builder.add_fixed_box({Vec3(-5, -5, -1), Vec3(5, 5, 0)});
     const DynamicsPiece crate = box_of(0.15);
@@ -422,7 +422,7 @@ TEST(Dynamics, leads_a_body_by_keys_with_no_more_than_the_force_it_is_given) {
     EXPECT_LT(engine.middle(0).position_m.z, 0.2);  // fell after it was released
 }
 
-TEST(Dynamics, tells_of_an_impact_what_was_hit_and_how_hard) {
+TEST(Dynamics, reports_what_an_impact_hit_and_how_hard) {
     DynamicsSceneBuilder builder;
     builder.add_fixed_box({Vec3(-5, -5, -1), Vec3(5, 5, 0)}, kFloor);
     const DynamicsPiece crate = box_of(0.15);
@@ -441,7 +441,7 @@ TEST(Dynamics, tells_of_an_impact_what_was_hit_and_how_hard) {
     EXPECT_EQ(events.back().kind, BodyEvent::Kind::Rests);
 }
 
-TEST(Dynamics, refuses_bodies_without_volume_or_with_senseless_numbers) {
+TEST(Dynamics, refuses_bodies_without_volume_or_with_invalid_numbers) {
     DynamicsSceneBuilder builder;
     const DynamicsPiece ball = ball_of(0.1), point = ball_of(0.0);
     const auto add = [&](const DynamicsPiece& piece, BodyNature n, const Vec3& at = Vec3(0.0)) {

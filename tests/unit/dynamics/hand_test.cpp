@@ -10,7 +10,7 @@ namespace hand_test {
 
 const HandIntent kNothing{};
 
-TEST(HeldBody, lets_a_crate_of_four_kilograms_break_away_at_its_friction_and_then_slide_on_with_less) {
+TEST(HeldBody, of_four_kilograms_breaks_away_at_its_friction_and_then_slides_with_less) {
     BodyWorldMaker world;
     world.floor();
     BodyNature n = nature(4.0, 0.32);
@@ -52,7 +52,7 @@ TEST(HeldBody, lets_a_crate_of_four_kilograms_break_away_at_its_friction_and_the
     EXPECT_NEAR(mean_n, 0.32 * 4.0 * 9.81 / 20.0, 0.04);
 }
 
-TEST(HeldBody, weighs_in_the_grip_what_it_weighs) {
+TEST(HeldBody, is_felt_in_the_grip_with_its_true_weight) {
     for (const double kg : {0.05, 0.5, 1.0, 2.0, 4.0}) {
         SCOPED_TRACE(kg);
         BodyWorldMaker world;
@@ -87,7 +87,7 @@ TEST(HeldBody, weighs_in_the_grip_what_it_weighs) {
     }
 }
 
-TEST(HeldBody, has_the_mass_it_has) {
+TEST(HeldBody, is_felt_with_its_true_mass) {
     for (const double kg : {0.05, 1.0, 4.0}) {
         SCOPED_TRACE(kg);
         BodyWorldMaker world;
@@ -158,7 +158,7 @@ double worst_energy_mj(bool push, double kg, int seeds) {
     return worst;
 }
 
-TEST(HeldBody, gives_the_hand_no_energy_on_closed_ways_without_any_damping) {
+TEST(HeldBody, gives_the_hand_no_energy_on_closed_paths_without_any_damping) {
     for (const bool push : {false, true})
         for (const double kg : {0.05, 0.2, 1.0}) {
             const double worst = worst_energy_mj(push, kg, scaled(20));
@@ -167,7 +167,7 @@ TEST(HeldBody, gives_the_hand_no_energy_on_closed_ways_without_any_damping) {
         }
 }
 
-TEST(HeldBody, is_quiet_in_a_light_hand_however_late_the_engine_is) {
+TEST(HeldBody, does_not_vibrate_in_a_light_hand_with_a_late_engine) {
     for (const double kg : {0.05, 0.2, 1.0, 4.0})
         for (const int late : {1, 4, 16}) {
             SCOPED_TRACE(testing::Message() << kg << " kg, " << late << " ms late");
@@ -202,7 +202,7 @@ TEST(HeldBody, is_quiet_in_a_light_hand_however_late_the_engine_is) {
         }
 }
 
-TEST(HeldBody, dropped_on_a_still_hand_never_rises_above_where_it_came_from) {
+TEST(HeldBody, dropped_on_a_still_hand_never_rises_above_its_starting_height) {
     for (const double kg : {0.05, 1.0}) {
         SCOPED_TRACE(kg);
         BodyWorldMaker world;
@@ -224,7 +224,7 @@ TEST(HeldBody, dropped_on_a_still_hand_never_rises_above_where_it_came_from) {
     }
 }
 
-TEST(HeldBody, is_led_by_two_hands_at_once_and_rests_between_them) {
+TEST(HeldBody, can_be_moved_by_two_hands_at_once_and_rests_between_them) {
     for (const double kg : {0.05, 0.2, 1.0, 4.0}) {
         SCOPED_TRACE(kg);
         BodyWorldMaker world;
@@ -258,7 +258,7 @@ TEST(HeldBody, is_led_by_two_hands_at_once_and_rests_between_them) {
     }
 }
 
-TEST(HeldBody, squeezed_between_hand_and_wall_stands_still_and_is_felt_as_the_wall) {
+TEST(HeldBody, squeezed_between_hand_and_wall_stands_still_and_feels_like_the_wall) {
     for (const double kg : {0.05, 1.0, 400.0}) {
         SCOPED_TRACE(kg);
         BodyWorldMaker world;
@@ -287,7 +287,7 @@ TEST(HeldBody, squeezed_between_hand_and_wall_stands_still_and_is_felt_as_the_wa
     }
 }
 
-TEST(HandBodies, pushes_a_row_and_a_stack_and_none_goes_through_another) {
+TEST(HandBodies, pushed_in_a_row_or_a_stack_never_pass_through_each_other) {
     BodyWorldMaker world;
     world.floor();
     for (int i = 0; i < 3; ++i) world.body(box_of(0.15), Vec3(0.31 * i, 0, 0.15), nature(1.0, 0.3));
@@ -313,7 +313,7 @@ TEST(HandBodies, pushes_a_row_and_a_stack_and_none_goes_through_another) {
     EXPECT_LT(most_j, 5e-5);
 }
 
-TEST(HandBodies, a_plank_jammed_in_a_corridor_holds_and_gives_no_more_than_the_ceiling) {
+TEST(HandBodies, hold_a_plank_jammed_in_a_corridor_with_no_more_than_the_ceiling) {
     BodyWorldMaker world;
     world.floor();
     world.box({Vec3(-3, 0.25, 0), Vec3(3, 0.5, 1)}, kWall);
@@ -342,7 +342,7 @@ TEST(HandBodies, a_plank_jammed_in_a_corridor_holds_and_gives_no_more_than_the_c
     EXPECT_LE(most_n, 2.5 + 1e-12);
 }
 
-TEST(HandBodies, a_safe_slips_out_of_the_grip_at_the_ceiling_and_is_called_heavy) {
+TEST(HandBodies, let_a_safe_slip_out_of_the_grip_at_the_ceiling_and_report_it_as_heavy) {
     BodyWorldMaker world;
     world.floor();
     world.body(box_of(0.3), Vec3(0, 0, 0.3), nature(400.0));
@@ -374,7 +374,7 @@ TEST(HandBodies, a_safe_slips_out_of_the_grip_at_the_ceiling_and_is_called_heavy
     EXPECT_NEAR(rig.engine.middle(0).position_m.z, 0.3, 1e-3);
 }
 
-TEST(HandBodies, keeps_what_it_holds_upright_and_turns_it_by_quarters) {
+TEST(HandBodies, stay_upright_in_the_grip_and_turn_in_quarter_turns) {
     BodyWorldMaker world;
     world.floor();
     const DynamicsPiece plank = make_box_piece({Vec3(-0.4, -0.1, -0.05), Vec3(0.4, 0.1, 0.05)});
@@ -402,7 +402,7 @@ TEST(HandBodies, keeps_what_it_holds_upright_and_turns_it_by_quarters) {
     EXPECT_NEAR(std::abs(turned.z), std::sqrt(0.5), 0.12);
 }
 
-TEST(HandBodies, gives_the_same_bits_in_two_runs) {
+TEST(HandBodies, give_bit_identical_results_in_two_runs) {
     const auto play = [] {
         BodyWorldMaker world;
         world.floor();
@@ -430,7 +430,7 @@ TEST(HandBodies, gives_the_same_bits_in_two_runs) {
 }
 
 // Runs the same hand twice; one of them examines every body on every tick.
-TEST(HandBodies, looks_only_at_what_moves_and_shows_the_same_as_if_it_looked_at_all) {
+TEST(HandBodies, considering_only_moving_ones_gives_the_same_result_as_considering_all) {
     BodyWorldMaker world;
     world.floor();
     for (int i = 0; i < 24; ++i) world.body(i % 2 ? ball_of(0.1) : box_of(0.1), Vec3(0.3 * i, 0.0, 0.1), nature(1));
@@ -469,7 +469,7 @@ TEST(HandBodies, looks_only_at_what_moves_and_shows_the_same_as_if_it_looked_at_
     EXPECT_EQ(least, 0U) << "whatever rests costs a tick nothing";
 }
 
-TEST(HandBodies, lets_a_body_stand_when_the_engine_is_silent_and_go_on_when_it_speaks_again) {
+TEST(HandBodies, stand_still_while_the_engine_is_silent_and_move_again_when_it_answers) {
     BodyWorldMaker world;
     world.floor();
     world.body(box_of(0.2), Vec3(0, 0, 0.2), nature(1.0));

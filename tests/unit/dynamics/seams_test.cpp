@@ -57,7 +57,7 @@ Slide over_tiles(bool ball, unsigned seed, bool cylinder = false) {
     return slide;
 }
 
-TEST(Seams, neither_catch_nor_bump_what_slides_or_rolls_over_them) {
+TEST(Seams, neither_catch_nor_bump_bodies_that_slide_or_roll_over_them) {
     for (const bool ball : {false, true}) {
         Slide worst;
         for (int seed = 1; seed <= scaled(100); ++seed) {
@@ -80,7 +80,7 @@ TEST(Seams, let_a_cylinder_roll_over_them) {
     }
 }
 
-TEST(Seams, leave_a_true_step_a_wall_and_a_hole_what_they_are) {
+TEST(Seams, handling_does_not_change_a_real_step_a_wall_or_a_hole) {
     {
         DynamicsSceneBuilder builder;
         builder.add_fixed_box({Vec3(-5, -5, -1), Vec3(1, 5, 0)});
@@ -135,7 +135,7 @@ TEST(Seams, leave_a_true_step_a_wall_and_a_hole_what_they_are) {
 }
 
 // The independent check examines every part of the building, where the compiled scene lists only neighbours.
-TEST(Seams, are_judged_by_the_neighbours_as_by_all_parts_in_any_order_and_far_away) {
+TEST(Seams, get_the_same_verdict_from_neighbours_as_from_all_parts_in_any_order_and_far_away) {
     std::mt19937 random(5);
     const auto unit = [&] { return random() / 4294967296.0; };
     int turned = 0, none = 0, judged = 0;
@@ -187,7 +187,7 @@ TEST(Seams, are_judged_by_the_neighbours_as_by_all_parts_in_any_order_and_far_aw
     EXPECT_GT(none, judged / 50);
 }
 
-TEST(Seams, ask_few_parts_even_of_a_large_building) {
+TEST(Seams, have_few_neighbouring_parts_even_in_a_large_building) {
     DynamicsSceneBuilder builder;
     for (int i = 0; i < 20; ++i)
         for (int j = 0; j < 20; ++j) builder.add_fixed_box({Vec3(i, j, -0.5), Vec3(i + 1, j + 1, 0)});

@@ -56,13 +56,13 @@ Vec3 play(double from_s) {
     return at;
 }
 
-TEST(DynamicsLoop, gives_the_same_bits_in_virtual_time) {
+TEST(DynamicsLoop, gives_bit_identical_results_in_virtual_time) {
     const Vec3 first = play(0.0);
     EXPECT_GT(first.x, 0.05);
     EXPECT_EQ(play(0.0), first);
 }
 
-TEST(DynamicsLoop, lets_time_go_that_it_cannot_make_up_for) {
+TEST(DynamicsLoop, skips_time_that_it_cannot_catch_up) {
     auto made = std::make_unique<DynamicsLoop>(ball_on_floor());
     DynamicsLoop& loop = *made;
     EXPECT_TRUE(loop.step_until(10.0));
@@ -73,7 +73,7 @@ TEST(DynamicsLoop, lets_time_go_that_it_cannot_make_up_for) {
     EXPECT_FALSE(loop.step_until(10.0));
 }
 
-TEST(DynamicsLoop, runs_on_a_thread_of_its_own_beside_hands_and_ears) {
+TEST(DynamicsLoop, runs_on_its_own_thread_in_parallel_with_servo_and_audio) {
     SteadyClock clock;
     auto loop = std::make_unique<DynamicsLoop>(ball_on_floor(), clock.now_s());
     loop->start(clock);

@@ -163,7 +163,7 @@ TEST(LiquidLaws, give_no_energy_on_random_loops_through_the_surface) {
         }
 }
 
-TEST(LiquidLaws, a_stream_gives_no_more_than_two_newtons_times_its_speed) {
+TEST(LiquidLaws, a_stream_gives_at_most_two_newtons_times_its_speed) {
     LiquidVolume river = pool(1.0);
     river.viscosity_ns_per_m = 8.0;
     river.flow_hand_m_per_s = Vec3(0.1, 0.0, 0.0);
@@ -186,7 +186,7 @@ TEST(LiquidLaws, a_stream_gives_no_more_than_two_newtons_times_its_speed) {
     }
 }
 
-TEST(LiquidLaws, lifts_up_to_its_buoyancy_and_holds_back_at_the_film) {
+TEST(LiquidLaws, lift_with_buoyancy_and_hold_the_hand_back_at_the_surface_film) {
     LiquidVolume liquid = pool(60.0);
     liquid.buoyancy_n = 0.7;
     TouchTuning tuning;
@@ -213,7 +213,7 @@ TEST(LiquidLaws, lifts_up_to_its_buoyancy_and_holds_back_at_the_film) {
     EXPECT_EQ(force_at(*holds, 0.03), 0.0);
 }
 
-TEST(LiquidLaws, a_pressed_wall_of_the_pool_does_not_end_the_buoyancy) {
+TEST(LiquidLaws, a_pressed_pool_wall_does_not_cancel_the_buoyancy) {
     // The pool's side x = 0.3 is a wall. The hand presses 8 mm into it, so the hand itself is outside the pool.
     HapticSceneBuilder builder;
     LiquidVolume liquid = pool(1.0);
@@ -233,7 +233,7 @@ TEST(LiquidLaws, a_pressed_wall_of_the_pool_does_not_end_the_buoyancy) {
     EXPECT_EQ(r.force_n, Vec3(0.0));
 }
 
-TEST(EffectLaws, sources_stay_within_their_bounds) {
+TEST(EffectLaws, keep_energy_sources_within_their_bounds) {
     const auto wind = scene_of({effect_of(ForceLaw{Vec3(0, 1, 0), 2.0}, cube(0.05), 0.02)});
     const auto shaker = scene_of({effect_of(VibrationLaw{Vec3(0, 0, 1), 0.5, 100.0}, cube(0.05))});
     for (unsigned seed = 1; seed <= 40; ++seed) {
@@ -331,7 +331,7 @@ TEST(EffectLaws, fly_paper_holds_until_it_tears_and_then_holds_again) {
     EXPECT_EQ(touch_tick(state, *scene, {}, Vec3(0.009, 0, 0), kTick_s).force_n, Vec3(0.0));
 }
 
-TEST(EffectLaws, inertia_resists_a_change_of_speed_and_not_a_steady_one) {
+TEST(EffectLaws, for_inertia_resist_acceleration_but_not_steady_motion) {
     InertiaLaw law;
     law.mass_kg = 0.2;
     law.damping_ns_per_m = 0.2;
@@ -349,7 +349,7 @@ TEST(EffectLaws, inertia_resists_a_change_of_speed_and_not_a_steady_one) {
     EXPECT_NEAR(late, -0.2 * 1.0, 0.005) << "only the damping at 1 m/s";
 }
 
-TEST(EffectLaws, magnets_meet_without_an_edge_between_their_targets) {
+TEST(EffectLaws, of_neighbouring_magnets_blend_without_an_edge_between_targets) {
     // Across the plane that is equally far from two points, the force reverses gradually, without a step.
     const auto scene = scene_of({effect_of(MagnetLaw{{{Vec3(-0.012, 0, 0)}, {Vec3(0.012, 0, 0)}}}, cube(0.2))});
     TouchState state;
@@ -362,7 +362,7 @@ TEST(EffectLaws, magnets_meet_without_an_edge_between_their_targets) {
     EXPECT_GT(last.x, 0.5) << "and draws to the other one now";
 }
 
-TEST(EffectLaws, many_at_one_place_stay_bounded_in_stiffness_and_force) {
+TEST(EffectLaws, stay_bounded_in_stiffness_and_force_where_many_overlap) {
     // Combines all effects in one place, several times over. No direction gets stiffer than the device allows, and
     // nothing pushes with more than 4 N.
     for (const double rated : {300.0, 1000.0}) {
@@ -394,7 +394,7 @@ TEST(EffectLaws, many_at_one_place_stay_bounded_in_stiffness_and_force) {
     }
 }
 
-TEST(EffectLaws, hang_on_a_body_and_go_with_it) {
+TEST(EffectLaws, move_with_the_body_to_which_they_are_attached) {
     // A crate with a magnet, a row of notches and fly-paper on it is moved, turned and enlarged. In the crate's own
     // frame nothing changes.
     for (const EffectLaw& law : {EffectLaw(MagnetLaw{{{Vec3(0.01, 0, 0)}}}),
@@ -436,7 +436,7 @@ TEST(EffectLaws, hang_on_a_body_and_go_with_it) {
     }
 }
 
-TEST(EffectLaws, say_when_more_than_sixteen_hold_the_hand) {
+TEST(EffectLaws, report_when_more_than_sixteen_act_on_the_hand) {
     std::vector<EffectVolume> effects(17, effect_of(ForceLaw{Vec3(1, 0, 0), 0.1}, cube(0.05)));
     effects[0].region = Aabb{Vec3(0.02, -0.05, -0.05), Vec3(0.1, 0.05, 0.05)};
     const auto scene = scene_of(effects);
@@ -450,7 +450,7 @@ TEST(EffectLaws, say_when_more_than_sixteen_hold_the_hand) {
     EXPECT_LE(glm::length(r.force_n), 1.6 + 1e-9);
 }
 
-TEST(EffectLaws, enter_and_leave_without_a_step) {
+TEST(EffectLaws, enter_and_leave_without_a_jump_in_force) {
     for (const double scale : {1.0, 12.0})
         for (const Law& law : passive_laws(scale)) {
             const auto scene = scene_of({effect_of(law.law, cube(0.05 * scale))});
@@ -471,7 +471,7 @@ TEST(EffectLaws, enter_and_leave_without_a_step) {
         }
 }
 
-TEST(EffectLaws, survive_every_step) {
+TEST(EffectLaws, survive_extreme_step_sizes) {
     std::vector<EffectVolume> effects;
     for (const Law& law : passive_laws(1.0)) effects.push_back(effect_of(law.law, cube(0.05)));
     effects.push_back(effect_of(ForceLaw{}, SphereRegion{Vec3(0.0), 0.1}));
@@ -524,7 +524,7 @@ TEST(EffectLaws, feel_the_same_far_from_the_origin_and_in_any_order) {
     }
 }
 
-TEST(EffectLaws, refuse_what_has_no_size_or_no_number) {
+TEST(EffectLaws, refuse_regions_without_size_and_values_that_are_not_numbers) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     HapticSceneBuilder builder;
     const auto refused = [&](EffectLaw law, EffectRegion region) {
@@ -555,7 +555,7 @@ TEST(EffectLaws, refuse_what_has_no_size_or_no_number) {
     EXPECT_EQ(builder.build()->effects.size(), 1U);
 }
 
-TEST(TickMath, agrees_with_the_library) {
+TEST(TickMath, agrees_with_the_standard_library) {
     for (double u = 0.0; u < 45.0; u += 0.0137) {
         EXPECT_NEAR(exp_minus(u), u < 40.0 ? std::exp(-u) : 0.0, 1e-8 * std::exp(-u) + (u < 40.0 ? 0.0 : 1e-17)) << u;
         EXPECT_NEAR(sine_of_turns(u).sine, std::sin(2.0 * kPi * u), 1e-11 + 1e-14 * u) << u;

@@ -131,7 +131,7 @@ TEST(SoftPatch, pushes_back_with_stiffness_times_depth_on_an_untouched_face) {
             }
 }
 
-TEST(SoftPatch, follows_its_law_within_two_per_cent) {
+TEST(SoftPatch, follows_its_formula_within_two_percent) {
     // Random wandering and pressing, compared with the second implementation, which steps the dent four times as
     // finely. Whole loops are needed, because their beginning hardly presses. Sanitizers get fewer of them.
     const unsigned seeds = static_cast<unsigned>(std::max(2, scaled(6)));
@@ -198,7 +198,7 @@ double press_middle(TouchState& state, const HapticScene& scene, double depth_m,
     return force;
 }
 
-TEST(SoftPatch, a_dent_in_clay_stays_and_one_in_a_cushion_goes) {
+TEST(SoftPatch, as_clay_keeps_a_dent_but_as_a_cushion_loses_it) {
     const auto clay = scene_of(patch_of(true)), cushion = scene_of(patch_of(false));
     TouchState in_clay, in_cushion;
     const double first_clay = press_middle(in_clay, *clay, 0.02),
@@ -224,7 +224,7 @@ TEST(SoftPatch, a_dent_in_clay_stays_and_one_in_a_cushion_goes) {
     EXPECT_LT(press_middle(in_clay, *builder.build(fresh->world), 0.005, 1), 0.2);
 }
 
-TEST(SoftPatch, a_cushion_comes_back_with_its_time_constant) {
+TEST(SoftPatch, as_a_cushion_recovers_with_its_time_constant) {
     SoftPatch patch = patch_of(false);
     patch.recovery_s = 0.2;
     const auto scene = scene_of(patch);
@@ -246,7 +246,7 @@ TEST(SoftPatch, a_cushion_comes_back_with_its_time_constant) {
     EXPECT_NEAR(late, 0.0, 0.02 * 200.0 * 0.005);
 }
 
-TEST(SoftPatch, rests_on_its_hard_floor_and_leaves_everything_else_alone) {
+TEST(SoftPatch, stops_at_its_hard_floor_and_leaves_everything_else_unchanged) {
     HapticSceneBuilder with, without;
     for (HapticSceneBuilder* builder : {&with, &without}) {
         builder->add_box({{0, 0, -0.06}, {0.2, 0.16, -0.03}}, SurfaceLabel{FeatureId{1}, 0, false});
@@ -285,7 +285,7 @@ TEST(SoftPatch, rests_on_its_hard_floor_and_leaves_everything_else_alone) {
         EXPECT_EQ(touch_tick(a, *soft, tuning, {0.1, 0.08, z}, 1e-3).soft, kNoFeature);
 }
 
-TEST(SoftPatch, bears_a_ball_larger_than_itself_and_any_place_and_step) {
+TEST(SoftPatch, survives_a_ball_larger_than_itself_at_any_place_and_step) {
     for (const bool plastic : {false, true}) {
         SoftPatch patch = patch_of(plastic);
         patch.size_u_m = patch.size_v_m = 0.01;
@@ -310,7 +310,7 @@ TEST(SoftPatch, bears_a_ball_larger_than_itself_and_any_place_and_step) {
     }
 }
 
-TEST(SoftPatch, feels_the_same_far_away_and_turned) {
+TEST(SoftPatch, feels_the_same_far_away_and_rotated) {
     const Vec3 far(3.1e5, -2.2e5, 800.0);
     SoftPatch turned = patch_of(true, 1.0, far);
     turned.u = Vec3(0, 0.6, 0.8);
@@ -327,7 +327,7 @@ TEST(SoftPatch, feels_the_same_far_away_and_turned) {
     }
 }
 
-TEST(SoftPatch, is_soft_only_where_its_face_is) {
+TEST(SoftPatch, is_soft_only_within_its_face) {
     SoftPatch patch = patch_of(false);
     patch.outline_m = {{0, 0, 0}, {0.2, 0, 0}, {0, 0.16, 0}};  // a triangle with half the rectangle's area
     const auto scene = scene_of(patch);
@@ -340,7 +340,7 @@ TEST(SoftPatch, is_soft_only_where_its_face_is) {
     EXPECT_EQ(at(0.15, 0.12), 0.0);
 }
 
-TEST(SoftPatch, many_share_the_cells_and_wrong_ones_are_refused) {
+TEST(SoftPatch, cells_are_shared_by_many_patches_and_invalid_patches_are_refused) {
     HapticSceneBuilder builder;
     for (std::uint32_t i = 0; i < kMostSoftPatches; ++i) {
         SoftPatch patch = patch_of(i % 2 == 0, 1.0, Vec3(i, 0, 0));
@@ -372,7 +372,7 @@ TEST(SoftPatch, many_share_the_cells_and_wrong_ones_are_refused) {
     EXPECT_TRUE(refused([](SoftPatch& p) { p.yield_n = 0.0; }));
 }
 
-TEST(SoftPatch, takes_little_of_the_millisecond_however_many_are_awake) {
+TEST(SoftPatch, prints_the_cost_of_many_patches_pressed_at_once) {
     // Eight cushions that share the largest possible number of cells, pressed at once. The cost is reported, not
     // asserted.
     HapticSceneBuilder builder;

@@ -21,7 +21,7 @@ TEST(Braille, spells_in_grade_1_and_contracts_in_grade_2) {
     EXPECT_EQ(brf("Küche", BrailleTable::DeG1).size(), brf("Kuche", BrailleTable::DeG1).size());
 }
 
-TEST(Braille, of_signs_has_a_cell_for_each_letter_in_every_table) {
+TEST(Braille, for_signs_has_a_cell_for_each_letter_in_every_table) {
     for (const std::string_view word : {"en-ueb-g1", "en-ueb-g2", "de-g1", "de-g2"}) {
         const auto table = braille_table_named(word);
         ASSERT_TRUE(table) << word;
@@ -36,13 +36,13 @@ TEST(Braille, of_signs_has_a_cell_for_each_letter_in_every_table) {
     EXPECT_EQ(braille_table_of("fr"), BrailleTable::EnUebG1);
 }
 
-TEST(Braille, takes_any_bytes) {
+TEST(Braille, accepts_any_bytes) {
     for (const std::string_view text : {"", "\xFF\xFE", "a\xC3", "\xF0\x9F\x98\x80", "\xE2\x82"})
         EXPECT_TRUE(braille_of(text, BrailleTable::EnUebG2)) << text;
     EXPECT_TRUE(braille_of(std::string(5000, 'X'), BrailleTable::DeG2)->size() >= 5000U);
 }
 
-TEST(BrailleLines, break_at_blanks_and_set_in_what_follows) {
+TEST(BrailleLines, break_at_blanks_and_indent_continuation_lines) {
     const auto lines = [](std::string_view text, std::size_t width, std::size_t indent) {
         std::string all;
         for (const BrailleCells& line : braille_lines(*braille_of(text, BrailleTable::EnUebG1), width, indent))

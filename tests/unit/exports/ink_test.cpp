@@ -21,7 +21,7 @@ SheetPage page_of(std::vector<std::vector<std::vector<Vec2>>> shapes, bool one_p
     return page;
 }
 
-TEST(InkDistances, agree_with_looking_at_every_pixel) {
+TEST(InkDistances, agree_with_checking_every_pixel) {
     std::mt19937 random(7);
     Ink ink(4.1, 3.3);
     for (std::uint8_t& pixel : ink.black) pixel = random() % 40 == 0 ? 1 : 0;
@@ -42,7 +42,7 @@ TEST(InkDistances, agree_with_looking_at_every_pixel) {
     EXPECT_GT(distances_px(Ink(1.0, 1.0)).front(), 1e6F) << "nothing is black";
 }
 
-TEST(NearBlack, agrees_with_the_distances) {
+TEST(NearBlack, agrees_with_the_pixel_distances) {
     std::mt19937 random(11);
     Ink ink(6.3, 5.2);
     for (std::uint8_t& pixel : ink.black) pixel = random() % 300 == 0 ? 1 : 0;
@@ -59,7 +59,7 @@ TEST(NearBlack, agrees_with_the_distances) {
     EXPECT_EQ(std::count(none.black.begin(), none.black.end(), 1), 0) << "nothing is black";
 }
 
-TEST(CheckGaps, finds_what_is_too_near_and_leaves_what_is_far_enough) {
+TEST(CheckGaps, finds_gaps_that_are_too_narrow_and_ignores_wide_enough_ones) {
     EXPECT_TRUE(check_gaps(page_of({{box(5, 5, 10, 20)}, {box(13.1, 5, 18, 20)}}), 3.0).narrow_mm.empty());
     const GapCheck near = check_gaps(page_of({{box(5, 5, 10, 20)}, {box(12.8, 5, 18, 20)}}), 3.0);
     EXPECT_FALSE(near.narrow_mm.empty());
@@ -71,7 +71,7 @@ TEST(CheckGaps, finds_what_is_too_near_and_leaves_what_is_far_enough) {
     EXPECT_FALSE(askew.narrow_mm.empty());
 }
 
-TEST(CheckGaps, finds_slits_within_one_part_and_leaves_its_corners) {
+TEST(CheckGaps, finds_slits_within_one_part_and_ignores_its_corners) {
     // Two lines of one part, joined by a third: first with a gap of 2 mm between them, then of 4 mm.
     EXPECT_FALSE(check_gaps(page_of({{box(5, 5, 20, 7)}, {box(5, 9, 20, 11)}, {box(3, 5, 5, 11)}}, true), 3.0)
                      .narrow_mm.empty());
@@ -96,7 +96,7 @@ TEST(CheckGaps, finds_slits_within_one_part_and_leaves_its_corners) {
     }
 }
 
-TEST(CheckGaps, holds_dots_against_all_but_their_own_sign) {
+TEST(CheckGaps, checks_dots_against_everything_except_their_own_sign) {
     SheetPage page = page_of({{box(5, 5, 20, 7)}});
     page.dots = {{{10, 12}, 0.75, 9}, {{12.5, 12}, 0.75, 9}};
     EXPECT_TRUE(check_gaps(page, 3.0).narrow_mm.empty());
@@ -106,7 +106,7 @@ TEST(CheckGaps, holds_dots_against_all_but_their_own_sign) {
     EXPECT_FALSE(check_gaps(page, 3.0).narrow_mm.empty());
 }
 
-TEST(TracedInk, covers_the_same_pixels_but_for_its_slanting_borders) {
+TEST(TracedInk, covers_the_same_pixels_except_on_slanting_borders) {
     Ink ink(40.0, 40.0);
     const std::vector<std::vector<std::vector<Vec2>>> shapes{{box(5, 5, 30, 8)},
                                                              {box(10, 5, 12, 30)},
@@ -130,7 +130,7 @@ TEST(TracedInk, covers_the_same_pixels_but_for_its_slanting_borders) {
     EXPECT_LE(corners, 60U) << "straight lines stay a few corners";
 }
 
-TEST(HollowOut, leaves_a_border_and_no_pit_where_walls_meet) {
+TEST(HollowOut, leaves_a_border_and_makes_no_pit_at_wall_crossings) {
     Ink thick(40.0, 40.0);
     fill(thick, Loops{box(5, 5, 35, 15)}, true);
     EXPECT_EQ(hollow_out(thick, 6.0, 1.5, 15.0), 1);

@@ -28,7 +28,7 @@ struct Drawn {
     WallInk walls;
 };
 
-TEST(Openings, are_found_where_a_wall_lacks_and_where_a_door_is_closed) {
+TEST(Openings, are_checked_for_missing_walls_and_closed_doorways_and_repaired) {
     const Storey storey = two_rooms();
     const Drawn drawn(storey);
     const OpeningCheck sound = check_openings(drawn.walls.ink, storey, drawn.on_paper);
@@ -52,7 +52,7 @@ TEST(Openings, are_found_where_a_wall_lacks_and_where_a_door_is_closed) {
     EXPECT_TRUE(check_openings(leaks.walls.ink, open, leaks.on_paper).leaking.empty());
 }
 
-TEST(Openings, at_the_sides_of_a_flight_are_left_to_its_lines) {
+TEST(Openings, beside_a_flight_of_stairs_need_no_wall) {
     Storey open = two_rooms();
     open.walls_m.pop_back();
     open.rooms[1].kind = RoomKind::Stairs;
@@ -124,7 +124,7 @@ void are_those_of_the_graph(const std::string& file) {
 }
 
 struct OfWorld : testing::TestWithParam<const char*> {};
-TEST_P(OfWorld, are_where_the_route_graph_has_them) { are_those_of_the_graph(GetParam()); }
+TEST_P(OfWorld, openings_agree_with_the_route_graph) { are_those_of_the_graph(GetParam()); }
 INSTANTIATE_TEST_SUITE_P(Openings, OfWorld,
                          testing::Values("house.map", "school.map", "first_room.map", "labyrinth1.map",
                                          "small_house.ifc", "institute.ifczip", "fzk-haus.ifc", "duplex-apartment.ifc",
@@ -132,12 +132,12 @@ INSTANTIATE_TEST_SUITE_P(Openings, OfWorld,
 
 // Reading plans starts threads.
 struct OfPlan : testing::TestWithParam<const char*> {};
-TEST_P(OfPlan, are_where_the_route_graph_has_them) { are_those_of_the_graph(GetParam()); }
+TEST_P(OfPlan, openings_agree_with_the_route_graph) { are_those_of_the_graph(GetParam()); }
 INSTANTIATE_TEST_SUITE_P(Openings, OfPlan, testing::Values("minimal.imdf.zip", "delft-station.osm"));
 
 // Takes minutes.
 struct OfManyWorlds : testing::TestWithParam<const char*> {};
-TEST_P(OfManyWorlds, are_where_the_route_graph_has_them) {
+TEST_P(OfManyWorlds, openings_agree_with_the_route_graph) {
     if (!std::getenv("HANDRAIL_ALL_ROUTES")) GTEST_SKIP() << "takes minutes; HANDRAIL_ALL_ROUTES=1 tries it";
     are_those_of_the_graph(GetParam());
 }

@@ -6,13 +6,13 @@
 namespace handrail::test {
 namespace route_card_test {
 
-TEST(RouteCard, in_print_breaks_lines_at_blanks_and_sets_in_what_follows) {
+TEST(RouteCard, in_print_breaks_lines_at_blanks_and_indents_continuation_lines) {
     EXPECT_EQ(card_text({{"From the base to Kitchen.", "28 steps in all. Turn slightly left. 14 steps to Front door."},
                          {"Ü."}}),
               "From the base to Kitchen.\n28 steps in all. Turn slightly left. 14\n  steps to Front door.\n\nÜ.\n");
 }
 
-TEST(RouteCard, in_braille_begins_a_page_for_each_way_and_after_25_lines) {
+TEST(RouteCard, in_braille_starts_a_page_for_each_route_and_after_25_lines) {
     const Result<std::string> one = card_brf({{"one", "two"}, {"three"}}, BrailleTable::EnUebG1);
     ASSERT_TRUE(one);
     EXPECT_EQ(*one, "ONE\r\nTWO\r\n\fTHREE\r\n");

@@ -43,7 +43,7 @@ TEST(Triangulated, covers_an_area_with_holes_exactly) {
     EXPECT_EQ(faces->size(), 4U + 4U * 4U + 2U * 4U - 2U) << "corners and two for each hole, less two";
 }
 
-TEST(Triangulated, covers_random_areas_of_many_holes) {
+TEST(Triangulated, covers_random_areas_with_many_holes) {
     for (unsigned seed = 1; seed <= 40; ++seed) {
         std::mt19937 random(seed);
         PlateArea area{box(0, 0, 1000, 1000), {}};
@@ -63,7 +63,7 @@ TEST(Triangulated, covers_random_areas_of_many_holes) {
     }
 }
 
-TEST(PlateWith, is_closed_round_rooms_within_walls_and_has_the_volume_of_its_parts) {
+TEST(PlateWith, is_closed_round_rooms_within_walls_and_its_volume_is_the_sum_of_its_parts) {
     std::vector<RaisedArea> raised;
     raised.push_back({{box(1000, 1000, 9000, 9000), {box(2000, 2000, 8000, 8000, true)}}, 4000});  // a closed room
     raised.push_back({{box(3000, 3000, 4000, 4000), {}}, 1000});  // a thing in the room
@@ -75,7 +75,7 @@ TEST(PlateWith, is_closed_round_rooms_within_walls_and_has_the_volume_of_its_par
     EXPECT_NEAR(check.volume_mm3, 200.0 + (64.0 - 36.0) * 4.0 + 1.0 + 0.045, 1e-9);
 }
 
-TEST(CheckSolid, finds_what_is_open_crowded_or_flat) {
+TEST(CheckSolid, finds_open_crowded_and_flat_solids) {
     auto solid = *plate_with(10000, 10000, 2000, {});
     EXPECT_TRUE(check_solid(solid).closed());
     auto open = solid;
@@ -97,7 +97,7 @@ float real_at(const std::string& bytes, std::size_t at) {
     return value;
 }
 
-TEST(StlOfSolid, holds_every_triangle_in_millimetres_with_its_normal) {
+TEST(StlOfSolid, contains_every_triangle_in_millimetres_with_its_normal) {
     const auto solid = *plate_with(10000, 20000, 2000, {});
     const std::string stl = stl_of(solid);
     ASSERT_EQ(stl.size(), 84U + 50U * 12U);
@@ -147,7 +147,7 @@ void all_plates_are_closed(const std::string& file) {
 }
 
 TEST(StoreyPlate, of_every_storey_of_our_house_is_closed) { all_plates_are_closed("house.map"); }
-TEST(StoreyPlate, of_an_architects_house_of_ours_is_closed) { all_plates_are_closed("small_house.ifc"); }
+TEST(StoreyPlate, of_a_generated_architects_house_is_closed) { all_plates_are_closed("small_house.ifc"); }
 TEST(StoreyPlate, of_every_storey_of_our_school_is_closed) { all_plates_are_closed("school.map"); }
 TEST(StoreyPlate, of_a_game_map_is_closed) { all_plates_are_closed("agdm01.map"); }
 TEST(StoreyPlate, of_every_storey_of_a_real_building_is_closed) { all_plates_are_closed("duplex-apartment.ifc"); }
@@ -175,7 +175,7 @@ bool is_wall_at(const StoreyPlate& plate, const Vec2& at_um) {
     });
 }
 
-TEST(StoreyPlate, is_solid_between_the_leaves_of_a_wall) {
+TEST(StoreyPlate, is_solid_between_the_two_layers_of_a_wall) {
     // The wall between the rooms has two skins with 0.3 m between them, up to the doorway.
     Storey storey = two_rooms();
     storey.walls_m.push_back({{6.5, 0.0}, {6.7, 0.0}, {6.7, 1.5}, {6.5, 1.5}});
@@ -192,7 +192,7 @@ TEST(StoreyPlate, is_solid_between_the_leaves_of_a_wall) {
     EXPECT_FALSE(is_wall_at(*plate, on_plate(7.5, 0.7)));
 }
 
-TEST(StoreyPlate, refuses_in_a_sentence_what_is_too_large) {
+TEST(StoreyPlate, reports_an_excessive_size_in_one_sentence) {
     Storey storey = two_rooms();
     storey.max_m = {3000.0, 40.0};
     const Result<StoreyPlate> plate = storey_plate(storey, BrailleTable::EnUebG1);

@@ -108,20 +108,20 @@ void all_storeys_are_fit(const std::string& file, const PaperSize& paper, Braill
     }
 }
 
-TEST(SwellSheet, of_every_storey_of_our_house_parts_what_fingers_part) {
+TEST(SwellSheet, of_every_storey_of_our_house_keeps_lines_far_enough_apart_for_fingers) {
     all_storeys_are_fit("house.map", kA4, BrailleTable::EnUebG1);
     all_storeys_are_fit("house.map", kA3, BrailleTable::DeG2, 1);
 }
-TEST(SwellSheet, of_an_architects_house_of_ours_parts_what_fingers_part) {
+TEST(SwellSheet, of_a_generated_architects_house_keeps_lines_far_enough_apart_for_fingers) {
     all_storeys_are_fit("small_house.ifc", kA4, BrailleTable::DeG1);
 }
-TEST(SwellSheet, of_every_storey_of_our_school_parts_what_fingers_part) {
+TEST(SwellSheet, of_every_storey_of_our_school_keeps_lines_far_enough_apart_for_fingers) {
     all_storeys_are_fit("school.map", kA4, BrailleTable::EnUebG2);
 }
-TEST(SwellSheet, of_a_game_map_parts_what_fingers_part) {
+TEST(SwellSheet, of_a_game_map_keeps_lines_far_enough_apart_for_fingers) {
     all_storeys_are_fit("agdm01.map", kA4, BrailleTable::EnUebG1);
 }
-TEST(SwellSheet, of_every_storey_of_a_real_building_parts_what_fingers_part) {
+TEST(SwellSheet, of_every_storey_of_a_real_building_keeps_lines_far_enough_apart_for_fingers) {
     all_storeys_are_fit("duplex-apartment.ifc", kA4, BrailleTable::DeG1);
 }
 
@@ -171,7 +171,7 @@ std::string brf_for(const std::string& text) {
     return cells ? brf_of(*cells) : cells.error().sentence();
 }
 
-TEST(SwellSheet, keeps_the_storey_in_its_title_however_long_the_name_is) {
+TEST(SwellSheet, keeps_the_storey_in_its_title_even_with_a_long_name) {
     Storey storey = two_rooms();
     storey.number = 2;
     storey.count = 3;
@@ -184,7 +184,7 @@ TEST(SwellSheet, keeps_the_storey_in_its_title_however_long_the_name_is) {
     }
 }
 
-TEST(SwellSheet, wraps_its_title_and_keeps_as_much_of_a_long_name_as_two_lines_have) {
+TEST(SwellSheet, wraps_its_title_and_keeps_as_much_of_a_long_name_as_fits_in_two_lines) {
     const auto head = [](const std::string& world, const Vec2& max_m) {
         Storey storey = two_rooms();
         storey.world = world;
@@ -222,7 +222,7 @@ TEST(SwellSheet, says_that_the_base_is_outside_and_which_room_has_no_route) {
     EXPECT_NE(sheet->plan.text.find("Kitchen. Drawn there"), std::string::npos) << sheet->plan.text;
 }
 
-TEST(SwellSheet, calls_its_storey_what_the_file_and_the_names_of_rooms_call_it) {
+TEST(SwellSheet, names_its_storey_as_the_file_and_the_room_names_do) {
     Storey storey = two_rooms();
     storey.name = "Level 1";
     storey.number = 3;
@@ -233,7 +233,7 @@ TEST(SwellSheet, calls_its_storey_what_the_file_and_the_names_of_rooms_call_it) 
     EXPECT_EQ(sheet->key_text.at(0), "Test, Level 1, storey 3 of 5");
 }
 
-TEST(SwellSheet, of_an_upper_storey_shows_the_stairs_that_arrive) {
+TEST(SwellSheet, of_an_upper_storey_shows_the_stairs_that_arrive_there) {
     const NamedStoreys* house = storeys_of("house.map");
     ASSERT_TRUE(house && house->storeys.size() == 2U);
     const Storey& upper = house->storeys[1];
@@ -253,7 +253,7 @@ TEST(SwellSheet, of_an_upper_storey_shows_the_stairs_that_arrive) {
     EXPECT_GE(lines, 3);
 }
 
-TEST(SwellSheet, of_our_house_keeps_its_promises_with_stairs_base_and_every_sign) {
+TEST(SwellSheet, of_our_house_meets_all_requirements_and_has_stairs_base_and_every_sign) {
     const NamedStoreys* house = storeys_of("house.map");
     ASSERT_TRUE(house && !house->storeys.empty());
     const Result<SwellSheet> sheet = swell_sheet(house->storeys[0], {kA4, BrailleTable::EnUebG1});
@@ -264,7 +264,7 @@ TEST(SwellSheet, of_our_house_keeps_its_promises_with_stairs_base_and_every_sign
     EXPECT_NE(sheet->plan.text.find("pn  Pond."), std::string::npos) << sheet->plan.text;
 }
 
-TEST(SwellSheet, of_a_real_building_has_no_sign_of_a_niche_outside_of_it) {
+TEST(SwellSheet, of_a_real_building_has_no_sign_for_a_niche_outside_it) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for our house";
     const NamedStoreys* duplex = storeys_of("duplex-apartment.ifc");
     if (!duplex) GTEST_SKIP() << needs_real_world("duplex-apartment.ifc");
@@ -283,7 +283,7 @@ TEST(SwellSheet, of_a_real_building_has_no_sign_of_a_niche_outside_of_it) {
     }
 }
 
-TEST(SwellSheet, names_a_thing_in_the_room_in_which_it_is_drawn) {
+TEST(SwellSheet, assigns_a_thing_to_the_room_in_which_it_is_drawn) {
     Storey storey = two_rooms();
     // No walker gets to this place next to the wall; the nearest floor is that of the kitchen, behind the wall.
     storey.rooms[1].loops_m = {{{7.8, 0.25}, {8.95, 0.25}, {8.95, 3.75}, {7.8, 3.75}},
@@ -333,7 +333,7 @@ Storey many_rooms(int columns, int rows) {
     return storey;
 }
 
-TEST(SwellSheets, say_that_one_is_not_enough_and_are_several_that_keep_what_they_promise) {
+TEST(SwellSheets, state_that_one_is_not_enough_and_several_meet_all_requirements) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for our house";
     const Storey storey = many_rooms(16, 3);
     const SheetWish wish{kA4, BrailleTable::EnUebG1};
@@ -406,7 +406,7 @@ TEST(SheetParts, are_cut_between_wings_and_show_no_empty_corner) {
     EXPECT_TRUE(parts_of(storey, kA4, 10.0).empty()) << "more than there may be";
 }
 
-TEST(SheetParts, know_the_scale_that_a_room_needs) {
+TEST(SheetParts, have_the_scale_that_each_room_needs) {
     const Storey storey = two_rooms();
     const std::vector<double> scales{100.0, 200.0, 300.0, 1000.0};
     // 6 m and 3 m wide, 4 m deep, between walls.
@@ -414,7 +414,7 @@ TEST(SheetParts, know_the_scale_that_a_room_needs) {
     EXPECT_EQ(scales_needed(storey, scales, {16.0, 50.0}), (std::vector<double>{0.0, 0.0}));
 }
 
-TEST(SwellSheet, gives_a_small_room_one_letter_and_says_where_a_smaller_one_leads_to) {
+TEST(SwellSheet, gives_a_small_room_one_letter_and_describes_where_an_even_smaller_one_leads) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for our house";
     const auto sheet_of = [](Storey storey, double wide_m) {
         storey.max_m = {wide_m, 30.0};
@@ -461,7 +461,7 @@ TEST(SwellSheet, gives_a_small_room_one_letter_and_says_where_a_smaller_one_lead
         << shut->plan.text;
 }
 
-TEST(SwellSheets, show_once_more_and_larger_what_is_too_small_for_its_sign) {
+TEST(SwellSheets, repeat_at_a_larger_scale_what_is_too_small_for_its_sign) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for our house";
     // Two closets of 1.5 by 1.5 m in a room: for most rooms one sheet is enough.
     Storey storey = many_rooms(8, 10);
@@ -515,7 +515,7 @@ TEST(SwellSheets, show_once_more_and_larger_what_is_too_small_for_its_sign) {
     stand_in_their_rooms(storey, larger, "larger");
 }
 
-TEST(SwellSheet, makes_doors_wide_enough_for_a_finger_and_tells) {
+TEST(SwellSheet, makes_doors_wide_enough_for_a_finger_and_reports_it) {
     Storey storey = two_rooms();
     storey.max_m = {80.0, 40.0};  // at 1 to 300 the door is 3.3 mm
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
@@ -531,7 +531,7 @@ TEST(SwellSheet, makes_doors_wide_enough_for_a_finger_and_tells) {
     EXPECT_TRUE(told);
 }
 
-TEST(SwellSheet, leaves_out_what_has_no_room_by_name) {
+TEST(SwellSheet, names_things_that_are_omitted_for_lack_of_space) {
     Storey storey = two_rooms();
     storey.things.push_back({FeatureId{2}, "Cup", {{3.0, 1.0}, {1.0, 0.0}, {0.04, 0.04}}, false});
     storey.things.push_back({FeatureId{3}, "Fountain", {{3.0, 3.0}, {1.0, 0.0}, {0.04, 0.04}}, true});
@@ -544,7 +544,7 @@ TEST(SwellSheet, leaves_out_what_has_no_room_by_name) {
 }
 
 // Earlier, a wall of another part of the building, far beyond the rooms of the storey, ran through the title.
-TEST(SwellSheet, draws_no_wall_through_its_title_or_its_foot) {
+TEST(SwellSheet, draws_no_wall_through_its_title_or_its_footer) {
     Storey storey = two_rooms();
     storey.walls_m.push_back({{3.0, -40.0}, {3.2, -40.0}, {3.2, 60.0}, {3.0, 60.0}});
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
@@ -559,7 +559,7 @@ TEST(SwellSheet, draws_no_wall_through_its_title_or_its_foot) {
     }
 }
 
-TEST(SwellSheet, refuses_in_a_sentence_what_is_larger_than_a_sheet) {
+TEST(SwellSheet, refuses_in_one_sentence_a_storey_larger_than_a_sheet) {
     Storey storey = two_rooms();
     storey.max_m = {2000.0, 40.0};
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA3, BrailleTable::EnUebG1});
@@ -567,7 +567,7 @@ TEST(SwellSheet, refuses_in_a_sentence_what_is_larger_than_a_sheet) {
     EXPECT_EQ(sheet.error().message, "This storey is 2,000.5 by 40.5 metres, which is too large for one sheet.");
 }
 
-TEST(RoomSigns, are_two_letters_each_and_never_alike) {
+TEST(RoomSigns, have_two_letters_each_and_are_unique) {
     Storey storey = two_rooms();
     storey.rooms.resize(1);
     for (const std::string name : {"Kiosk", "Kino", "Room 1", "Room 2", "Room 1", "K", "", "Übung", "12"}) {
@@ -583,7 +583,7 @@ TEST(RoomSigns, are_two_letters_each_and_never_alike) {
     EXPECT_TRUE(signs.contains("12"));
 }
 
-TEST(RoomSigns, have_no_number_but_the_only_one_of_the_name_and_never_run_out) {
+TEST(RoomSigns, use_a_number_only_if_the_name_has_just_one_and_never_run_out) {
     Storey storey = two_rooms();
     storey.rooms.resize(1);
     for (int i = 0; i < 900; ++i) {
@@ -597,7 +597,7 @@ TEST(RoomSigns, have_no_number_but_the_only_one_of_the_name_and_never_run_out) {
     }
 }
 
-TEST(RoomSigns, do_not_have_the_number_of_the_storey) {
+TEST(RoomSigns, do_not_contain_the_number_of_the_storey) {
     Storey storey = two_rooms();
     storey.number = 4;
     storey.name = "Level 3";
@@ -608,7 +608,7 @@ TEST(RoomSigns, do_not_have_the_number_of_the_storey) {
     EXPECT_EQ(signs[1].sign, "st");
 }
 
-TEST(SwellSheet, gives_two_letters_to_a_room_whose_number_has_no_room) {
+TEST(SwellSheet, gives_two_letters_to_a_room_whose_number_does_not_fit) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for our house";
     Storey storey = many_rooms(8, 10);
     for (std::size_t i = 0; i < storey.rooms.size(); ++i) storey.rooms[i].name = "Office " + std::to_string(101 + i);
@@ -623,7 +623,7 @@ TEST(SwellSheet, gives_two_letters_to_a_room_whose_number_has_no_room) {
 
 bool says(const SwellSheet& sheet, const std::string& text) { return sheet.plan.text.find(text) != std::string::npos; }
 
-TEST(SwellSheet, draws_the_stairs_between_narrow_walls_from_wall_to_wall) {
+TEST(SwellSheet, draws_stairs_between_narrow_walls_from_wall_to_wall) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for our house";
     // 3 m between the walls are 8.6 mm: lines that keep away from both would be too short.
     Storey storey = two_rooms();
@@ -698,7 +698,7 @@ TEST(SwellSheet, of_several_joins_no_rooms_by_ending_in_a_third) {
     EXPECT_THAT(sheet->broken, testing::IsEmpty());
 }
 
-TEST(SwellSheet, says_which_stairs_have_no_lines) {
+TEST(SwellSheet, states_which_stairs_have_no_lines) {
     Storey storey = two_rooms();
     storey.stairs_of_others.push_back({0, {{{1.0, 1.0}, {2.0, 1.0}, {2.0, 3.0}, {1.0, 3.0}}}});
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
@@ -706,7 +706,7 @@ TEST(SwellSheet, says_which_stairs_have_no_lines) {
     EXPECT_TRUE(says(*sheet, "Stairs without lines, for lack of space: Kitchen.")) << sheet->plan.text;
 }
 
-TEST(SwellSheet, says_where_it_goes_to_other_storeys) {
+TEST(SwellSheet, states_where_it_leads_to_other_storeys) {
     Storey storey = two_rooms();
     storey.exits.push_back({PassageKind::Opening, 0, "Cellar", {1.0, 1.0}});
     storey.exits.push_back({PassageKind::Lift, 1, "Attic", {8.0, 1.0}});
@@ -716,7 +716,7 @@ TEST(SwellSheet, says_where_it_goes_to_other_storeys) {
         << sheet->plan.text;
 }
 
-TEST(SwellSheet, says_between_which_rooms_it_is_drawn_closed) {
+TEST(SwellSheet, states_between_which_rooms_it_is_drawn_closed) {
     Storey storey = two_rooms();
     storey.portals.clear();
     storey.gaps.clear();
@@ -726,7 +726,7 @@ TEST(SwellSheet, says_between_which_rooms_it_is_drawn_closed) {
         << sheet->plan.text;
 }
 
-TEST(SwellSheet, says_which_floors_end_without_a_wall) {
+TEST(SwellSheet, states_which_floors_end_without_a_wall) {
     Storey storey = two_rooms();
     storey.walls_m.erase(storey.walls_m.begin() + 1);  // removes the north wall
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
@@ -738,7 +738,7 @@ TEST(SwellSheet, says_which_floors_end_without_a_wall) {
     EXPECT_FALSE(says(*walled, "without a wall")) << walled->plan.text;
 }
 
-TEST(SwellSheet, explains_the_signs_of_its_plate_where_they_are_others) {
+TEST(SwellSheet, explains_signs_that_differ_on_the_matching_plate) {
     Storey storey = two_rooms();
     storey.max_m = {57.0, 30.0};
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1, false, {"ki", "r12"}});
@@ -748,7 +748,7 @@ TEST(SwellSheet, explains_the_signs_of_its_plate_where_they_are_others) {
     EXPECT_TRUE(says(*sheet, "Room 12. On the plate: r12.\n")) << sheet->plan.text;
 }
 
-TEST(SwellSheet, speaks_german_where_that_is_spoken) {
+TEST(SwellSheet, is_german_in_a_german_session) {
     const InLanguage german("de");
     const Result<SwellSheet> sheet = swell_sheet(two_rooms(), {kA4, BrailleTable::DeG2});
     ASSERT_TRUE(sheet);
@@ -796,7 +796,7 @@ void is_xml(const std::string& text) {
     for (std::size_t i = 0; (i = text.find('&', i)) != std::string::npos; ++i) EXPECT_LT(text.find(';', i) - i, 7U);
 }
 
-TEST(SvgOfSheet, is_well_formed_whatever_a_world_is_called_and_has_its_size_in_millimetres) {
+TEST(SvgOfSheet, is_well_formed_for_any_world_name_and_has_its_size_in_millimetres) {
     Storey storey = two_rooms();
     storey.world = "<b> & \"co\" \x01";
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
@@ -808,7 +808,7 @@ TEST(SvgOfSheet, is_well_formed_whatever_a_world_is_called_and_has_its_size_in_m
     EXPECT_EQ(svg.find("<text"), std::string::npos) << "no font is asked for";
 }
 
-TEST(PdfOfSheet, has_every_page_and_its_table_points_at_its_objects) {
+TEST(PdfOfSheet, contains_every_page_and_a_table_that_points_at_its_objects) {
     const Result<SwellSheet> sheet = swell_sheet(two_rooms(), {kA3, BrailleTable::EnUebG1});
     ASSERT_TRUE(sheet);
     std::vector<SheetPage> pages{sheet->plan};

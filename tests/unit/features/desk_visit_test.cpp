@@ -51,7 +51,7 @@ protected:
     double now_s = 1.0;
 };
 
-TEST_F(DeskAlone, lies_before_a_hand_and_nowhere_without_one) {
+TEST_F(DeskAlone, appears_in_front_of_a_hand_and_not_at_all_without_one) {
     EXPECT_TRUE(visit.scene());
     const std::string first = visit.desk().controls().front().name;
     EXPECT_TRUE(visit.place_m(first));
@@ -61,7 +61,7 @@ TEST_F(DeskAlone, lies_before_a_hand_and_nowhere_without_one) {
     EXPECT_FALSE(visit.place_m(first));
 }
 
-TEST_F(DeskAlone, lets_the_world_wait_while_the_hand_is_there) {
+TEST_F(DeskAlone, pauses_the_world_while_the_hand_is_on_it) {
     EXPECT_FALSE(visit.refuses(Command::Forward, now_s));
     hand_at_desk(true);
     EXPECT_EQ(came, 1);
@@ -78,7 +78,7 @@ TEST_F(DeskAlone, lets_the_world_wait_while_the_hand_is_there) {
     EXPECT_THAT(back_with, ElementsAre(std::nullopt));
 }
 
-TEST_F(DeskAlone, hands_a_scale_over_when_the_hand_is_back) {
+TEST_F(DeskAlone, passes_a_new_scale_on_when_the_hand_returns_to_the_world) {
     const std::size_t scale = control("Scale");
     hand_at_desk(true);
     visit.keep_scale("120.0");
@@ -89,7 +89,7 @@ TEST_F(DeskAlone, hands_a_scale_over_when_the_hand_is_back) {
     EXPECT_THAT(back_with, ElementsAre("120.0", std::nullopt)) << "once";
 }
 
-TEST_F(DeskAlone, changes_settings_in_its_list_by_keys) {
+TEST_F(DeskAlone, changes_settings_in_its_list_with_keys) {
     const std::size_t units = control("Steps or metres");
     const bool before = plain.person.settings.speech.distances_in_steps;
     visit.open_list(now_s);
@@ -107,7 +107,7 @@ TEST_F(DeskAlone, changes_settings_in_its_list_by_keys) {
     EXPECT_EQ(plain.said().size(), 1U) << "says why";
 }
 
-TEST_F(DeskAlone, puts_the_beacon_on_a_mark_and_goes_to_a_world) {
+TEST_F(DeskAlone, sets_the_beacon_on_a_mark_and_enters_a_world) {
     const std::size_t mark = control("Mark"), button = control("Beacon on that mark");
     EXPECT_THAT(visit.press(button), HasSubstr("no marks"));
     plain.world.marks.resize(2);

@@ -17,7 +17,7 @@ std::shared_ptr<const Scene> yard() {
     return builder.share();
 }
 
-TEST(Events, come_in_their_order_and_once) {
+TEST(Events, arrive_once_and_in_order) {
     Events events;
     events.tell(HelpAsked{Command::Exits}, 1.0);
     events.tell(Teleported{{1.0, 2.0, 3.0}, 0.5}, 2.0);
@@ -29,7 +29,7 @@ TEST(Events, come_in_their_order_and_once) {
     EXPECT_TRUE(events.take().empty());
 }
 
-TEST(Events, that_nobody_takes_are_the_newest_only) {
+TEST(Events, that_are_not_fetched_keep_only_the_newest) {
     Events events;
     const std::size_t more = 10;
     for (std::size_t i = 0; i < Events::kMost + more; ++i)
@@ -39,7 +39,7 @@ TEST(Events, that_nobody_takes_are_the_newest_only) {
     for (std::size_t i = 0; i < told.size(); ++i) ASSERT_EQ(std::get<RoomEntered>(told[i].what).room, i + more);
 }
 
-TEST(Events, tell_of_a_touch_when_it_is_another_thing) {
+TEST(Events, report_a_touch_only_when_the_touched_thing_changes) {
     test::PlainSession plain(yard());
     TouchEvents touch(plain.context);
     const auto feel = [&](ToolState& tool, FeatureId feature) {
@@ -64,7 +64,7 @@ TEST(Events, tell_of_a_touch_when_it_is_another_thing) {
     }
 }
 
-TEST(Events, tell_of_help_that_was_asked_and_of_no_other_command) {
+TEST(Events, report_requested_help_and_no_other_command) {
     test::PlainSession plain(yard());
     Rooms rooms(plain.context);
     Asking asking(plain.context, rooms);

@@ -24,7 +24,7 @@ std::shared_ptr<const Scene> yard() {
     return builder.share();
 }
 
-TEST(Features, answer_what_is_ahead_without_a_session) {
+TEST(Features, answer_ahead_of_me_without_a_full_session) {
     test::PlainSession plain(yard());
     Rooms rooms(plain.context);
     Asking asking(plain.context, rooms);
@@ -37,7 +37,7 @@ TEST(Features, answer_what_is_ahead_without_a_session) {
     EXPECT_THAT(plain.said(), IsEmpty());
 }
 
-TEST(Features, use_nothing_where_nothing_is_in_reach) {
+TEST(Features, use_nothing_if_nothing_is_in_reach) {
     test::PlainSession plain(yard());
     Doors doors(plain.context, plain.world, plain.body);
     EXPECT_TRUE(doors.act(Command::Use, 0.0));
@@ -46,7 +46,7 @@ TEST(Features, use_nothing_where_nothing_is_in_reach) {
     EXPECT_FALSE(doors.take_arrived());
 }
 
-TEST(Features, tell_of_a_liquid_once_each_time_one_walks_into_it) {
+TEST(Features, announce_a_liquid_once_each_time_the_body_enters_it) {
     test::PlainSession plain(yard());
     Triggers triggers(plain.context, plain.world);
     triggers.tick(0.0);
@@ -63,7 +63,7 @@ TEST(Features, tell_of_a_liquid_once_each_time_one_walks_into_it) {
     }
 }
 
-TEST(Features, know_the_rooms_from_the_tick_on_that_finds_them_there) {
+TEST(Features, know_the_rooms_from_the_tick_on_which_they_are_found) {
     test::PlainSession plain(yard());
     Rooms rooms(plain.context);
     EXPECT_FALSE(rooms.looked_for());

@@ -54,7 +54,7 @@ struct WithHand {
     Forces forces{plain.context, plain.hands};
 };
 
-TEST(TouchViewFeature, tells_once_what_the_scale_leaves_out) {
+TEST(TouchViewFeature, announces_once_what_the_scale_omits) {
     WithHand one;
     one.plain.person.settings.workspace.scale = 200.0;
     one.enter();
@@ -76,7 +76,7 @@ TEST(TouchViewFeature, tells_once_what_the_scale_leaves_out) {
     EXPECT_EQ(one.touch.news(), phrase("simplify.nothing"));
 }
 
-TEST(TouchViewFeature, feels_what_it_felt_until_the_new_is_taken) {
+TEST(TouchViewFeature, keeps_the_old_felt_scene_until_the_new_one_is_adopted) {
     WithHand one;
     one.plain.person.settings.workspace.scale = 200.0;
     one.enter();
@@ -88,7 +88,7 @@ TEST(TouchViewFeature, feels_what_it_felt_until_the_new_is_taken) {
     EXPECT_FALSE(one.touch.plan().changes_nothing());
 }
 
-TEST(TouchViewFeature, asks_again_for_openings_that_were_awaited) {
+TEST(TouchViewFeature, requests_openings_again_that_were_not_known_yet) {
     WithHand one;
     int asked = 0;
     bool awaited = true;
@@ -125,7 +125,7 @@ TEST(WorkspaceFeature, keeps_the_place_under_the_hand_when_the_scale_changes) {
     EXPECT_LT(glm::length(one.world_m(hand) - place), 1e-9);
 }
 
-TEST(WorkspaceFeature, needs_a_hand_and_says_so) {
+TEST(WorkspaceFeature, needs_a_hand_and_reports_if_there_is_none) {
     WithHand one(false);
     one.enter();
     for (const Command command : {Command::ScaleRoom, Command::WorkspaceLeft, Command::WorkspaceCentre, Command::Grab,
@@ -137,7 +137,7 @@ TEST(WorkspaceFeature, needs_a_hand_and_says_so) {
     EXPECT_FALSE(one.workspace.pushed(0.0));
 }
 
-TEST(WorkspaceFeature, is_pushed_by_a_tap_for_a_moment_and_by_a_held_key_for_longer) {
+TEST(WorkspaceFeature, moves_briefly_on_a_tap_and_for_as_long_as_a_key_is_held) {
     WithHand one;
     one.enter();
     EXPECT_TRUE(one.workspace.act(Command::WorkspaceRight, 1.0));
@@ -155,7 +155,7 @@ TEST(WorkspaceFeature, is_pushed_by_a_tap_for_a_moment_and_by_a_held_key_for_lon
     EXPECT_EQ(one.plain.hands.tuning.workspace.push_hand_m_per_s.y, 0.0) << "keys count first";
 }
 
-TEST(WorkspaceFeature, brings_a_hand_out_of_what_it_is_in) {
+TEST(WorkspaceFeature, moves_a_hand_out_of_a_solid_that_it_is_in) {
     WithHand one;
     one.enter();
     EXPECT_EQ(one.workspace.bring_out(one.workspace.middle_m(), false, 0.0), "");
@@ -167,7 +167,7 @@ TEST(WorkspaceFeature, brings_a_hand_out_of_what_it_is_in) {
     EXPECT_LT(out.y, 2.0 - 0.5 * one.plain.hands.tuning.touch.radius_m) << "the nearest side";
 }
 
-TEST(WorkspaceFeature, moves_the_simulated_hand_no_farther_than_it_reaches) {
+TEST(WorkspaceFeature, moves_the_simulated_hand_no_farther_than_its_reach) {
     WithHand one;
     one.enter();
     EXPECT_TRUE(one.workspace.act(Command::HandUp, 0.0));
@@ -179,7 +179,7 @@ TEST(WorkspaceFeature, moves_the_simulated_hand_no_farther_than_it_reaches) {
     EXPECT_EQ(one.workspace.hand_target_m(), Vec3(0.0));
 }
 
-TEST(ForcesFeature, stop_at_once_and_come_back_by_their_key) {
+TEST(ForcesFeature, stop_at_once_and_return_with_their_key) {
     WithHand one;
     EXPECT_TRUE(one.forces.know_stops(1)) << "the switch was pressed";
     EXPECT_TRUE(one.forces.stop(1.0));
@@ -197,7 +197,7 @@ TEST(ForcesFeature, stop_at_once_and_come_back_by_their_key) {
     EXPECT_FALSE(one.forces.act(Command::Home, 3.0)) << "another's command";
 }
 
-TEST(ForcesFeature, take_a_hand_that_was_offered_by_the_same_key) {
+TEST(ForcesFeature, accept_an_offered_device_with_the_same_key) {
     WithHand one(false);
     one.forces.offer("Touch", 0.0);
     EXPECT_FALSE(one.plain.requests.take_offered_hand());
@@ -209,7 +209,7 @@ TEST(ForcesFeature, take_a_hand_that_was_offered_by_the_same_key) {
     EXPECT_THAT(one.plain.said(), ElementsAre(phrase("session.no_hand")));
 }
 
-TEST(ForcesFeature, propose_a_break_every_quarter_of_an_hour_of_touching_whatever_the_device) {
+TEST(ForcesFeature, suggest_a_break_after_every_quarter_hour_of_touching_with_any_device) {
     WithHand one;
     one.plain.hands.tool.contact_s = 10.0 * 60.0;
     one.forces.tell_break(1.0);
@@ -223,7 +223,7 @@ TEST(ForcesFeature, propose_a_break_every_quarter_of_an_hour_of_touching_whateve
     EXPECT_THAT(one.plain.said(), IsEmpty());
 }
 
-TEST(ForcesFeature, say_when_a_device_that_was_too_warm_may_act_again) {
+TEST(ForcesFeature, announce_when_an_overheated_device_may_act_again) {
     WithHand one;
     ToolState& tool = one.plain.hands.tool;
     tool.fault = Fault::TooHot;

@@ -58,7 +58,7 @@ struct Learner : test::PlainSession {
     PlaceLearning learning{context, rooms};
 };
 
-TEST(PlaceLearningFeature, tells_what_was_trailed_and_walked_since_the_world_was_entered) {
+TEST(PlaceLearningFeature, reports_what_was_trailed_and_walked_since_entering_the_world) {
     Learner learner;
     EXPECT_THAT(learner.progress(0.0), AllOf(HasSubstr("Walls 0 percent, floor 0 percent"), Not(HasSubstr("ouched"))));
     double now_s = 1.0;
@@ -71,14 +71,14 @@ TEST(PlaceLearningFeature, tells_what_was_trailed_and_walked_since_the_world_was
     EXPECT_THAT(learner.progress(now_s), HasSubstr("Walls 0 percent, floor 0 percent. 0 seconds"));
 }
 
-TEST(PlaceLearningFeature, counts_what_a_body_bumps_into_as_touched) {
+TEST(PlaceLearningFeature, counts_walls_that_the_body_bumps_into_as_touched) {
     Learner learner;
     learner.stand({1.0, 5.7, 0.0});
     learner.learning.note(Vec3(0.0, -1.0, 0.0), std::nullopt, 0.1);
     EXPECT_THAT(learner.progress(0.2), HasSubstr("orth wall"));
 }
 
-TEST(PlaceLearningFeature, plays_a_corner_once_where_the_hand_touches_two_walls) {
+TEST(PlaceLearningFeature, plays_a_corner_once_when_the_hand_touches_two_walls) {
     Learner learner;
     learner.hands.right.present = true;
     ToolState& tool = learner.hands.tool;
@@ -103,7 +103,7 @@ TEST(PlaceLearningFeature, plays_a_corner_once_where_the_hand_touches_two_walls)
     EXPECT_EQ(corners(5.0), 0U) << "one plane is no corner";
 }
 
-TEST(PlaceLearningFeature, leads_in_its_mode_and_is_silent_outside_it) {
+TEST(PlaceLearningFeature, announces_progress_in_its_mode_and_is_silent_outside_it) {
     Learner learner;
     double now_s = 1.0;
     learner.walk_east(true, now_s);
@@ -118,7 +118,7 @@ TEST(PlaceLearningFeature, leads_in_its_mode_and_is_silent_outside_it) {
     EXPECT_THAT(learner.said(), ElementsAre(HasSubstr("Learning has ended")));
 }
 
-TEST(PlaceLearningFeature, sends_to_the_room_that_is_chosen_of_its_list) {
+TEST(PlaceLearningFeature, leads_to_the_room_that_is_chosen_from_its_list) {
     Learner learner;
     std::optional<std::uint32_t> gone_to;
     learner.learning.on_go_to_room = [&](std::uint32_t room, double) { gone_to = room; };
@@ -158,7 +158,7 @@ struct Hunter : test::PlainSession {
     ClockHunt hunt{context, rooms, soundscape};
 };
 
-TEST(ClockHuntFeature, hides_a_clock_that_ticks_gives_hints_and_knows_when_it_is_found) {
+TEST(ClockHuntFeature, hides_a_ticking_clock_gives_hints_and_notices_when_it_is_found) {
     Hunter hunter;
     EXPECT_FALSE(hunter.clock_m());
     EXPECT_TRUE(hunter.hunt.act(Command::Hunt, 1.0));
@@ -177,7 +177,7 @@ TEST(ClockHuntFeature, hides_a_clock_that_ticks_gives_hints_and_knows_when_it_is
     EXPECT_FALSE(hunter.hunt.act(Command::LearnPlace, 33.0)) << "another's command";
 }
 
-TEST(ClockHuntFeature, is_found_by_reaching_for_the_clock) {
+TEST(ClockHuntFeature, is_won_by_reaching_for_the_clock) {
     Hunter hunter;
     EXPECT_TRUE(hunter.hunt.act(Command::Hunt, 1.0));
     hunter.hands.right.present = true;
@@ -189,7 +189,7 @@ TEST(ClockHuntFeature, is_found_by_reaching_for_the_clock) {
     EXPECT_THAT(hunter.said(), ElementsAre(HasSubstr("You found the clock")));
 }
 
-TEST(ClockHuntFeature, keeps_the_best_time_of_a_world_in_its_folder) {
+TEST(ClockHuntFeature, stores_the_best_time_of_a_world_in_its_folder) {
     const test::TemporaryFolder folder;
     const auto play = [&](double took_s) {
         Hunter hunter;
@@ -203,7 +203,7 @@ TEST(ClockHuntFeature, keeps_the_best_time_of_a_world_in_its_folder) {
     EXPECT_THAT(play(12.0), ElementsAre(HasSubstr("That is a new best time. The previous best was 20 seconds")));
 }
 
-TEST(ClockHuntFeature, begins_in_the_world_it_waits_for_once_and_ends_with_its_world) {
+TEST(ClockHuntFeature, begins_once_in_the_world_it_waits_for_and_ends_with_that_world) {
     Hunter hunter;
     hunter.hunt.begin_awaited(1.0);
     EXPECT_THAT(hunter.said(), IsEmpty()) << "none was asked for";

@@ -104,7 +104,7 @@ struct Remembered : testing::Test {
 
 std::string without_time(const std::string& words) { return words.substr(0, words.find("percent. ")); }
 
-TEST_F(Remembered, learning_goes_on_where_it_ended) {
+TEST_F(Remembered, learning_resumes_where_it_ended) {
     std::string before;
     {
         Session first(world);
@@ -124,7 +124,7 @@ TEST_F(Remembered, learning_goes_on_where_it_ended) {
     EXPECT_THAT(third.said(), ElementsAre(HasSubstr("You have learnt this place twice before")));
 }
 
-TEST_F(Remembered, who_only_walked_or_only_touched_is_remembered_too) {
+TEST_F(Remembered, learning_by_only_walking_or_only_touching_is_restored_too) {
     for (const bool walked : {true, false}) {
         SideFile additions = SideFile::of_world(world, {});
         KeptLearning kept;
@@ -140,7 +140,7 @@ TEST_F(Remembered, who_only_walked_or_only_touched_is_remembered_too) {
     }
 }
 
-TEST_F(Remembered, the_mode_goes_on_from_the_same_base_and_tells_no_wall_twice) {
+TEST_F(Remembered, learning_mode_resumes_at_the_same_base_and_announces_no_wall_twice) {
     {
         Session first(world);
         first.go({1.0, 1.2, 0.0});
@@ -157,7 +157,7 @@ TEST_F(Remembered, the_mode_goes_on_from_the_same_base_and_tells_no_wall_twice) 
     EXPECT_THAT(second.said(), Not(Contains(HasSubstr("done, "))));
 }
 
-TEST(LearnPlaceMode, leads_back_to_the_base_after_a_wall_and_on_from_there) {
+TEST(LearnPlaceMode, leads_back_to_the_base_after_each_wall_and_onwards_from_there) {
     const test::TemporaryFolder folder;
     Session session(folder.write("hall.map", "x"));
     session.go({1.0, 1.2, 0.0});
@@ -173,7 +173,7 @@ TEST(LearnPlaceMode, leads_back_to_the_base_after_a_wall_and_on_from_there) {
     EXPECT_THAT(session.said(), ElementsAre(AllOf(HasSubstr("Back at the base."), HasSubstr("Unexplored"))));
 }
 
-TEST(LearnPlaceMode, asks_how_things_lie_to_the_base) {
+TEST(LearnPlaceMode, asks_for_directions_of_things_relative_to_the_base) {
     const test::TemporaryFolder folder;
     Session session(folder.write("hall.map", "x"));
     ASSERT_TRUE(session.rooms.have(0.0));
@@ -187,7 +187,7 @@ TEST(LearnPlaceMode, asks_how_things_lie_to_the_base) {
     EXPECT_EQ(questions[1].right, Quarter::Right) << "east of the base";
 }
 
-TEST_F(Remembered, nothing_is_kept_unless_it_is_wanted_and_nothing_is_left_once_it_is_not) {
+TEST_F(Remembered, learning_is_deleted_when_remembering_is_switched_off_and_then_not_stored) {
     {
         Session first(world);
         first.trail_south();
@@ -205,7 +205,7 @@ TEST_F(Remembered, nothing_is_kept_unless_it_is_wanted_and_nothing_is_left_once_
     EXPECT_EQ(test::content_of(file), bytes);
 }
 
-TEST_F(Remembered, damage_is_told_with_file_and_line_and_never_written_over) {
+TEST_F(Remembered, damage_is_reported_with_file_and_line_and_never_overwritten) {
     for (const char* text :
          {"[[learnt]]\nname = \"walls and floor\"\nsteps_m = [1.0, 2.0]\n", "[[learnt]]\ntouches = \"many\"\n",
           "[[learnt]]\nspent_s = -1.0\n", "learnt = 3\n", "[[learnt]]\nx = 1\n[[learnt_room]]\nspent_s = 2.0\n"}) {
@@ -224,7 +224,7 @@ TEST_F(Remembered, damage_is_told_with_file_and_line_and_never_written_over) {
     }
 }
 
-TEST_F(Remembered, file_cut_at_every_byte_loses_nothing) {
+TEST_F(Remembered, a_file_cut_at_every_byte_is_never_overwritten) {
     {
         Session first(world);
         for (int i = 0; i < 3; ++i) first.go({1.0 + 0.3 * i, 1.0, 0.0});
@@ -248,7 +248,7 @@ TEST_F(Remembered, file_cut_at_every_byte_loses_nothing) {
     }
 }
 
-TEST(LearntFile, thinned_out_notes_know_as_much_and_thinning_again_changes_nothing) {
+TEST(LearntFile, after_thinning_holds_the_same_knowledge_and_thinning_again_changes_nothing) {
     std::mt19937_64 draw(5);
     const auto between = [&](double from, double to) { return std::uniform_real_distribution<double>(from, to)(draw); };
     LearningNotes notes;
@@ -279,7 +279,7 @@ TEST(LearntFile, thinned_out_notes_know_as_much_and_thinning_again_changes_nothi
         }
 }
 
-TEST_F(Remembered, a_turn_that_was_made_too_early_is_told_when_led_there_again_until_it_is_learnt) {
+TEST_F(Remembered, a_premature_turn_is_announced_on_the_next_guidance_until_it_is_learnt) {
     {
         Session first(world);
         ASSERT_TRUE(first.rooms.have(0.0));

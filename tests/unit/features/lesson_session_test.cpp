@@ -60,7 +60,7 @@ protected:
     double now_s = 1.0;
 };
 
-TEST_F(LessonsAlone, welcome_set_up_and_go_on_as_the_first_minutes) {
+TEST_F(LessonsAlone, run_the_first_minutes_from_welcome_through_setup) {
     lessons.begin_first_minutes("a voice", true, now_s);
     EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("with a voice")));
     EXPECT_TRUE(lessons.greeting_waits());
@@ -78,7 +78,7 @@ TEST_F(LessonsAlone, welcome_set_up_and_go_on_as_the_first_minutes) {
     EXPECT_EQ(begun_here, 0) << "there is no hand to begin with";
 }
 
-TEST_F(LessonsAlone, are_left_at_the_second_asking_within_five_seconds) {
+TEST_F(LessonsAlone, end_when_leave_is_repeated_within_five_seconds) {
     lessons.begin_first_minutes("a voice", false, now_s);
     lessons.takes(Command::Use, now_s);
     tick();
@@ -101,7 +101,7 @@ TEST_F(LessonsAlone, are_left_at_the_second_asking_within_five_seconds) {
     EXPECT_FALSE(lessons.takes(Command::Leave, 23.0)) << "who was asked a moment before is not asked again";
 }
 
-TEST_F(LessonsAlone, give_way_to_whoever_does_something_else_and_let_the_world_greet) {
+TEST_F(LessonsAlone, give_way_to_any_other_command_and_let_the_world_greet) {
     lessons.begin_first_minutes("a voice", true, now_s);
     plain.said();
     EXPECT_FALSE(lessons.takes(Command::StopSpeech, now_s));
@@ -111,7 +111,7 @@ TEST_F(LessonsAlone, give_way_to_whoever_does_something_else_and_let_the_world_g
     EXPECT_FALSE(lessons.greeting_waits());
 }
 
-TEST_F(LessonsAlone, take_lines_of_a_terminal_only_while_they_wait_for_a_key) {
+TEST_F(LessonsAlone, accept_typed_lines_only_while_they_wait_for_a_key) {
     EXPECT_FALSE(lessons.take_line("enter", now_s));
     lessons.begin_first_minutes("a voice", true, now_s);
     EXPECT_FALSE(lessons.take_line("forward", now_s));
@@ -120,7 +120,7 @@ TEST_F(LessonsAlone, take_lines_of_a_terminal_only_while_they_wait_for_a_key) {
     EXPECT_THAT(performed, ElementsAre(Command::Use, Command::Repeat));
 }
 
-TEST_F(LessonsAlone, follow_the_beacon_by_what_they_are_told_of_it) {
+TEST_F(LessonsAlone, follow_the_reported_state_of_the_beacon) {
     EXPECT_FALSE(lessons.act(Command::Menu, now_s)) << "another's command";
     EXPECT_TRUE(lessons.act(Command::Lessons, now_s));
     for (const char* one : {"End", "Up", "Enter"}) key(one);
@@ -137,7 +137,7 @@ TEST_F(LessonsAlone, follow_the_beacon_by_what_they_are_told_of_it) {
     EXPECT_TRUE(lessons.idle());
 }
 
-TEST_F(LessonsAlone, meet_a_wall_by_body_and_lead_on_to_what_is_chosen) {
+TEST_F(LessonsAlone, detect_a_wall_met_by_the_body_and_continue_with_the_chosen_item) {
     lessons.act(Command::Lessons, now_s);
     for (const char* one : {"Home", "Enter"}) key(one);
     plain.said();

@@ -42,7 +42,7 @@ protected:
     std::vector<Command> performed;
 };
 
-TEST_F(MenuAlone, leads_to_commands_and_has_them_performed) {
+TEST_F(MenuAlone, leads_to_commands_and_performs_them) {
     EXPECT_FALSE(menu.act(Command::Use, 1.0)) << "another's command";
     EXPECT_TRUE(menu.act(Command::Menu, 1.0));
     EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("Menu")));
@@ -70,7 +70,7 @@ TEST_F(MenuAlone, understands_items_typed_as_questions) {
     EXPECT_THAT(performed, ElementsAre(Command::Learners));
 }
 
-TEST_F(MenuAlone, gives_a_command_another_key) {
+TEST_F(MenuAlone, assigns_another_key_to_a_command) {
     EXPECT_FALSE(menu.commands().take_key("J", 1.0)) << "nobody asked for a key";
     menu.commands().open(true, 1.0);
     line("all topics");
@@ -83,7 +83,7 @@ TEST_F(MenuAlone, gives_a_command_another_key) {
     EXPECT_FALSE(menu.commands().take_key("Control+Shift+J", 1.0)) << "once";
 }
 
-TEST_F(MenuAlone, explains_keys_in_input_help_and_does_nothing) {
+TEST_F(MenuAlone, explains_keys_in_input_help_without_performing_them) {
     EXPECT_TRUE(menu.act(Command::InputHelp, 1.0));
     plain.said();
     EXPECT_TRUE(menu.commands().take_key("C", 1.0));
@@ -97,7 +97,7 @@ TEST_F(MenuAlone, explains_keys_in_input_help_and_does_nothing) {
     EXPECT_THAT(performed, IsEmpty());
 }
 
-TEST_F(MenuAlone, steps_and_types_settings) {
+TEST_F(MenuAlone, changes_settings_by_steps_or_typed_values) {
     open_setting_topics(plain.context, 1.0);
     line("speech");
     ASSERT_TRUE(plain.lists.dialogue.is_open());
@@ -110,7 +110,7 @@ TEST_F(MenuAlone, steps_and_types_settings) {
     EXPECT_NE(plain.person.settings.speech.verbosity, before) << "what is no number changes nothing";
 }
 
-TEST_F(MenuAlone, goes_to_worlds_that_are_offered_or_typed) {
+TEST_F(MenuAlone, goes_to_listed_or_typed_worlds) {
     const test::TemporaryFolder folder;
     std::ofstream(folder.path() / "old-mill.map") << "{}\n";
     menu.worlds().offer({folder.path(), {"/far/castle.map"}});
@@ -127,13 +127,13 @@ TEST_F(MenuAlone, goes_to_worlds_that_are_offered_or_typed) {
     EXPECT_EQ(plain.requests.take_world(), WorldRequest{folder.path() / "old-mill.map"});
 }
 
-TEST_F(MenuAlone, asks_for_a_language_by_its_own_name) {
+TEST_F(MenuAlone, offers_each_language_under_its_own_name) {
     EXPECT_TRUE(menu.act(Command::Language, 1.0));
     line("deutsch");
     EXPECT_EQ(plain.person.settings.speech.language, "de");
 }
 
-TEST_F(MenuAlone, lists_what_is_too_small_to_feel) {
+TEST_F(MenuAlone, lists_things_that_are_too_small_to_feel) {
     Rooms rooms(plain.context);
     SimplifiedList simplified(plain.context, rooms);
     std::vector<std::string> chosen;

@@ -58,7 +58,7 @@ struct Marker : Place {
     MarkList marks{context, world.marks};
 };
 
-TEST(MarkListFeature, sets_names_and_deletes_marks_and_keeps_each_change) {
+TEST(MarkListFeature, sets_names_and_deletes_marks_and_saves_each_change) {
     Marker m;
     m.stand({1.0, 2.0, 0.0});
     EXPECT_TRUE(m.marks.act(Command::DropMark, 1.0));
@@ -84,7 +84,7 @@ TEST(MarkListFeature, sets_names_and_deletes_marks_and_keeps_each_change) {
     EXPECT_FALSE(m.marks.act(Command::Find, 4.0)) << "another's command";
 }
 
-TEST(MarkListFeature, says_of_each_mark_that_is_not_on_the_disk_that_it_is_not_saved) {
+TEST(MarkListFeature, reports_each_mark_that_is_not_on_the_disk_as_unsaved) {
     Marker m;
     m.saves = false;
     EXPECT_TRUE(m.marks.act(Command::DropMark, 1.0));
@@ -95,7 +95,7 @@ TEST(MarkListFeature, says_of_each_mark_that_is_not_on_the_disk_that_it_is_not_s
     EXPECT_THAT(m.line("enter"), ElementsAre("Not saved yet: My place deleted"));
 }
 
-TEST(MarkListFeature, sets_a_mark_where_the_hand_is_when_its_button_goes_down) {
+TEST(MarkListFeature, sets_a_mark_at_the_hand_when_the_device_button_is_pressed) {
     Marker m;
     m.person.settings.marks.button = 2;
     m.hands.right.present = true;
@@ -121,7 +121,7 @@ TEST(MarkListFeature, sets_a_mark_where_the_hand_is_when_its_button_goes_down) {
     EXPECT_EQ(m.world.marks.size(), 1U) << "that button grabs the world";
 }
 
-TEST(MarkListFeature, tells_a_mark_each_time_one_comes_near_and_not_on_entering) {
+TEST(MarkListFeature, announces_a_mark_on_each_approach_but_not_on_entering) {
     Marker m;
     m.person.settings.marks.ask_name = false;
     (void)m.marks.act(Command::DropMark, 0.0);
@@ -142,7 +142,7 @@ TEST(MarkListFeature, tells_a_mark_each_time_one_comes_near_and_not_on_entering)
     }
 }
 
-TEST(MarkListFeature, plays_a_landmark_when_the_body_comes_near_it) {
+TEST(MarkListFeature, plays_a_landmark_sound_when_the_body_comes_near) {
     Marker m;
     m.marks.tick(0.0);
     EXPECT_EQ(m.heard(SoundKind::Landmark), 0U);
@@ -159,7 +159,7 @@ TEST(MarkListFeature, plays_a_landmark_when_the_body_comes_near_it) {
     EXPECT_EQ(m.heard(SoundKind::Landmark), 0U) << "everything was stopped";
 }
 
-TEST(MarkListFeature, lists_the_marks_below_the_lines_of_others) {
+TEST(MarkListFeature, lists_the_marks_below_the_rows_of_other_features) {
     Marker m;
     int chosen = 0, adjusted = 0;
     std::optional<Goal> found;
@@ -186,7 +186,7 @@ TEST(MarkListFeature, lists_the_marks_below_the_lines_of_others) {
     EXPECT_EQ(found->box_m.min_m, m.body.feet_m());
 }
 
-TEST(MarkListFeature, tells_once_what_of_the_file_is_no_mark) {
+TEST(MarkListFeature, reports_invalid_marks_of_the_file_once) {
     const test::TemporaryFolder folder;
     const auto world = folder.write("yard.map", "a world");
     folder.write("yard.map.handrail.toml",
@@ -223,7 +223,7 @@ struct Keeper : Place {
     KeptWays ways{context, rooms, planned};
 };
 
-TEST(KeptWaysFeature, keep_what_was_walked_under_a_name_of_its_own) {
+TEST(KeptWaysFeature, save_a_walked_route_under_its_own_name) {
     Keeper k;
     EXPECT_TRUE(k.ways.act(Command::Ways, 0.0));
     EXPECT_THAT(k.said(), ElementsAre(HasSubstr("You have not kept a route here yet")));
@@ -243,7 +243,7 @@ TEST(KeptWaysFeature, keep_what_was_walked_under_a_name_of_its_own) {
     EXPECT_FALSE(k.ways.act(Command::Routes, 3.0)) << "another's command";
 }
 
-TEST(KeptWaysFeature, are_called_kept_only_if_they_are_on_the_disk) {
+TEST(KeptWaysFeature, are_called_saved_only_if_they_are_on_the_disk) {
     Keeper k;
     k.keep("To the east");
     k.saves = false;
@@ -256,7 +256,7 @@ TEST(KeptWaysFeature, are_called_kept_only_if_they_are_on_the_disk) {
     EXPECT_THAT(k.line("Delete it"), ElementsAre("Not saved yet: Route East deleted"));
 }
 
-TEST(KeptWaysFeature, hand_their_stops_to_whoever_goes_along_them) {
+TEST(KeptWaysFeature, pass_their_stops_to_the_wayfinding) {
     Keeper k;
     std::vector<Stop> gone;
     bool by_hand = false;
@@ -279,7 +279,7 @@ TEST(KeptWaysFeature, hand_their_stops_to_whoever_goes_along_them) {
     EXPECT_THAT(k.line("Hear it"), ElementsAre(AllOf(HasSubstr("East. From "), HasSubstr("in all."))));
 }
 
-TEST(KeptWaysFeature, offer_what_was_planned_when_it_has_two_stops) {
+TEST(KeptWaysFeature, offer_to_save_a_planned_route_with_two_stops) {
     Keeper k;
     ASSERT_TRUE(k.rooms.known());
     k.planned.note({.name = "Fountain", .place_m = {5.5, 4.0, 0.0}, .thing = {}, .room = {}, .kept = {}}, {0, 0, 0});
@@ -287,7 +287,7 @@ TEST(KeptWaysFeature, offer_what_was_planned_when_it_has_two_stops) {
     EXPECT_THAT(k.items(), ElementsAre("The route you planned last", "Begin a route here"));
 }
 
-TEST(KeptWaysFeature, follow_the_new_name_of_a_room_and_read_again_what_another_wrote) {
+TEST(KeptWaysFeature, follow_a_renamed_room_and_reload_what_another_session_wrote) {
     Keeper k;
     const Stop here{.name = "Door", .place_m = {0.0, 0.0, 0.0}, .thing = {}, .room = "Old yard", .kept = {}},
         there{.name = "Gate", .place_m = {4.0, 0.0, 0.0}, .thing = {}, .room = "Street", .kept = {}};
@@ -303,7 +303,7 @@ TEST(KeptWaysFeature, follow_the_new_name_of_a_room_and_read_again_what_another_
     EXPECT_EQ(k.saved, 0) << "who renames a room saves";
 }
 
-TEST(KeptWaysFeature, tell_which_of_them_no_longer_fit_once_the_rooms_are_known) {
+TEST(KeptWaysFeature, report_which_routes_no_longer_fit_once_the_rooms_are_known) {
     Keeper k;
     const Stop here{.name = "Base", .place_m = {0.0, 0.0, 0.0}, .thing = {}, .room = {}, .kept = {}},
         there{.name = "Statue", .place_m = {4.0, 0.0, 0.0}, .thing = "statue", .room = {}, .kept = {}};

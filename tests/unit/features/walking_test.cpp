@@ -70,7 +70,7 @@ int count_of(const std::vector<CueRequest>& cues, CueRequestKind kind) {
 }
 
 // Earlier, at the verbosity that leaves out materials, it read past the end of the world's features.
-TEST(WalkingFeature, calls_what_has_no_name_of_its_own_a_wall_at_every_verbosity) {
+TEST(WalkingFeature, calls_an_unnamed_obstacle_a_wall_at_every_verbosity) {
     OnFoot one;
     for (const FeatureId nameless : {kNoFeature, FeatureId{1000}})
         for (int verbosity = 1; verbosity <= 4; ++verbosity) {
@@ -81,7 +81,7 @@ TEST(WalkingFeature, calls_what_has_no_name_of_its_own_a_wall_at_every_verbosity
         }
 }
 
-TEST(WalkingFeature, goes_a_step_for_a_tap_and_hears_it) {
+TEST(WalkingFeature, takes_one_audible_step_per_tap) {
     OnFoot one;
     one.tap(Command::Forward);
     EXPECT_NEAR(one.feet_m().y, one.plain.person.settings.walk.step_length_m, 1e-6);
@@ -92,7 +92,7 @@ TEST(WalkingFeature, goes_a_step_for_a_tap_and_hears_it) {
     EXPECT_EQ(one.walking.path_m().size(), 3U) << "a point for each quarter of a metre";
 }
 
-TEST(WalkingFeature, tells_a_bump_once_until_the_body_has_got_away) {
+TEST(WalkingFeature, announces_a_bump_once_until_the_body_has_moved_away) {
     OnFoot one;
     one.keys.press(Command::Forward);
     for (int i = 0; i < 300; ++i) one.tick();
@@ -106,7 +106,7 @@ TEST(WalkingFeature, tells_a_bump_once_until_the_body_has_got_away) {
     EXPECT_EQ(count_of(one.plain.cues.take(), CueRequestKind::Bump), 1);
 }
 
-TEST(WalkingFeature, takes_what_is_no_number_for_a_stick_at_rest) {
+TEST(WalkingFeature, treats_invalid_numbers_as_a_stick_at_rest) {
     OnFoot one;
     one.walking.steer({std::numeric_limits<double>::quiet_NaN(), 0.0, std::numeric_limits<double>::infinity()});
     for (int i = 0; i < 60; ++i) one.tick();
@@ -117,7 +117,7 @@ TEST(WalkingFeature, takes_what_is_no_number_for_a_stick_at_rest) {
     EXPECT_NEAR(one.feet_m().y, one.plain.person.settings.walk.speed_m_per_s, 1e-6) << "never faster than a key";
 }
 
-TEST(WalkingFeature, stops_at_an_edge_until_the_key_comes_again) {
+TEST(WalkingFeature, stops_at_an_edge_until_the_key_is_pressed_again) {
     OnFoot one;
     one.walking.set_down({0.0, -9.0, 0.0}, kPi);
     one.settle();
@@ -151,7 +151,7 @@ std::vector<std::string> told(OnFoot& one) {
     return words;
 }
 
-TEST(WalkingFeature, walks_as_many_steps_as_were_typed) {
+TEST(WalkingFeature, takes_as_many_steps_as_were_typed) {
     OnFoot one;
     one.walking.set_down({0.0, -8.0, 0.0}, 0.0);
     EXPECT_TRUE(one.walking.act(Command::Forward, one.now_s, 11));
@@ -165,7 +165,7 @@ TEST(WalkingFeature, walks_as_many_steps_as_were_typed) {
     EXPECT_NEAR(one.feet_m().y, -8.0 + 8 * 0.7, 1e-6) << "keys that are tapped fast wait, but not for ever";
 }
 
-TEST(WalkingFeature, a_count_is_one_wish_at_an_edge) {
+TEST(WalkingFeature, treats_a_counted_step_command_as_one_request_at_an_edge) {
     OnFoot one;
     one.walking.set_down({0.0, -9.0, 0.0}, kPi);
     EXPECT_TRUE(one.walking.act(Command::Forward, one.now_s, 12));
@@ -174,7 +174,7 @@ TEST(WalkingFeature, a_count_is_one_wish_at_an_edge) {
     EXPECT_GT(one.feet_m().y, -10.3);
 }
 
-TEST(WalkingFeature, who_types_is_told_each_step_and_what_ended_it) {
+TEST(WalkingFeature, reports_each_step_and_what_ended_it_to_a_person_who_types) {
     const ByLines typist;
     OnFoot one;
     one.tap(Command::Forward);
@@ -195,7 +195,7 @@ TEST(WalkingFeature, who_types_is_told_each_step_and_what_ended_it) {
     EXPECT_THAT(told(one), ElementsAre("Drop, 1 step ahead", "1 step. " + phrase("walking.edge_very_deep")));
 }
 
-TEST(WalkingFeature, a_blocked_step_says_on_which_side_it_was_met) {
+TEST(WalkingFeature, reports_on_which_side_a_step_was_blocked) {
     OnFoot one;
     const auto met = [&](const Vec3& feet_m, double heading_rad, Command command) {
         one.walking.set_down(feet_m, heading_rad);
@@ -221,7 +221,7 @@ TEST(WalkingFeature, a_blocked_step_says_on_which_side_it_was_met) {
     EXPECT_EQ(met({0.0, 2.7, 0.0}, 0.0, Command::Forward), "") << "the thud alone";
 }
 
-TEST(WalkingFeature, tells_one_heading_in_sixteen_winds_for_several_turns) {
+TEST(WalkingFeature, announces_only_the_last_heading_of_several_turns_in_sixteen_winds) {
     OnFoot one;
     for (int i = 0; i < 8; ++i) {
         EXPECT_TRUE(one.walking.act(Command::TurnRight, one.now_s));
@@ -246,7 +246,7 @@ TEST(WalkingFeature, tells_one_heading_in_sixteen_winds_for_several_turns) {
     EXPECT_EQ(std::unique(winds.begin(), winds.end()), winds.end()) << "each notch has a name of its own";
 }
 
-TEST(WalkingFeature, comes_home_when_it_falls_out_of_the_world) {
+TEST(WalkingFeature, returns_to_the_base_after_falling_out_of_the_world) {
     OnFoot one;
     one.walking.set_down({30.0, 0.0, 0.0}, 1.0);
     for (int i = 0; i < 600 && one.feet_m().x > 1.0; ++i) one.tick();
@@ -269,7 +269,7 @@ struct OverNothing : OnFoot {
     }
 };
 
-TEST(WalkingFeature, falls_once_from_a_base_over_nothing) {
+TEST(WalkingFeature, falls_once_from_a_base_in_the_air) {
     for (const bool other_start : {false, true}) {
         SCOPED_TRACE(other_start);
         test::SceneBuilder builder;
@@ -288,7 +288,7 @@ TEST(WalkingFeature, falls_once_from_a_base_over_nothing) {
     }
 }
 
-TEST(WalkingFeature, stays_in_the_air_where_no_ground_holds) {
+TEST(WalkingFeature, stays_in_the_air_if_there_is_no_ground) {
     test::SceneBuilder builder;
     builder.box({-10.0, -10.0, -2.0}, {10.0, 10.0, 0.0}, "lake without a bed", SolidRole::Liquid);
     builder.start({30.0, 0.0, 0.0}, 0.0);
@@ -304,7 +304,7 @@ TEST(WalkingFeature, stays_in_the_air_where_no_ground_holds) {
     EXPECT_NE(one.feet_m(), one.plain.world.home_feet_m) << "what is set down falls again";
 }
 
-TEST(ByEarFeature, leaps_to_what_is_in_sight_and_back) {
+TEST(ByEarFeature, leaps_to_a_visible_thing_and_back) {
     OnFoot one;
     one.tap(Command::UndoLeap);
     EXPECT_THAT(one.plain.said(), ElementsAre(phrase("walking.nothing_to_undo")));
@@ -317,7 +317,7 @@ TEST(ByEarFeature, leaps_to_what_is_in_sight_and_back) {
     EXPECT_THAT(one.plain.said(), ElementsAre(HasSubstr("here")));
 }
 
-TEST(ByEarFeature, is_not_put_back_into_what_stands_there) {
+TEST(ByEarFeature, refuses_to_return_to_a_place_that_is_blocked_by_a_solid) {
     OnFoot one;
     const Vec3 gate_m{4.1, 0.0, 0.0};
     one.walking.set_down(gate_m, 0.0);
@@ -331,7 +331,7 @@ TEST(ByEarFeature, is_not_put_back_into_what_stands_there) {
     EXPECT_THAT(one.plain.said(), ElementsAre(phrase("walking.nothing_to_undo")));
 }
 
-TEST(ByEarFeature, goes_back_the_way_it_came) {
+TEST(ByEarFeature, goes_back_along_the_walked_trail) {
     OnFoot one;
     for (int i = 0; i < 3; ++i) one.tap(Command::Forward);
     one.tap(Command::TurnLeft);

@@ -74,7 +74,7 @@ Stop stop(const std::string& name, const Vec3& place_m) {
 
 // ---- stops ----
 
-TEST(Wayfinding, knows_everything_with_a_name_and_the_marks_the_nearest_first) {
+TEST(Wayfinding, offers_all_named_things_and_marks_with_the_nearest_first) {
     Yard plain;
     Mark mark;
     mark.name = "Puddle";
@@ -89,7 +89,7 @@ TEST(Wayfinding, knows_everything_with_a_name_and_the_marks_the_nearest_first) {
     EXPECT_EQ(goals(plain.context).front().name, "Bench");
 }
 
-TEST(Wayfinding, plans_one_way_of_stops_each_from_where_the_one_before_ended) {
+TEST(Wayfinding, plans_a_route_of_stops_with_each_leg_starting_where_the_previous_one_ended) {
     Yard plain;
     ASSERT_TRUE(plain.rooms.known());
     PlannedStops planned(plain.context, plain.rooms);
@@ -110,7 +110,7 @@ TEST(Wayfinding, plans_one_way_of_stops_each_from_where_the_one_before_ended) {
     EXPECT_TRUE(near_stop(planned.stops().front(), {-8.0, -8.0, 0.0}, 0.5));
 }
 
-TEST(Wayfinding, finds_the_thing_of_a_stop_where_it_is_by_now) {
+TEST(Wayfinding, finds_a_moved_thing_of_a_stop_at_its_current_place) {
     Yard plain;
     Stop at = stop("Sit", {0.0, 3.7, 0.0});
     EXPECT_FALSE(goal_of(plain.context, at).feature);
@@ -119,7 +119,7 @@ TEST(Wayfinding, finds_the_thing_of_a_stop_where_it_is_by_now) {
     EXPECT_EQ(goal_of(plain.context, at).name, "Sit");
 }
 
-TEST(Wayfinding, tells_a_whole_way_with_its_stops) {
+TEST(Wayfinding, describes_a_whole_route_with_its_stops) {
     Yard plain;
     ASSERT_TRUE(plain.rooms.known());
     const std::vector<Stop> stops{stop("Here", {0.0, 0.0, 0.0}), stop("", {8.0, 1.0, 0.0}),
@@ -134,7 +134,7 @@ TEST(Wayfinding, tells_a_whole_way_with_its_stops) {
 
 // ---- plans ----
 
-TEST(Wayfinding, goes_along_the_stops_of_a_kept_way_and_past_those_without_a_name) {
+TEST(Wayfinding, follows_the_stops_of_a_saved_route_and_passes_unnamed_ones) {
     Plans plain;
     ASSERT_TRUE(plain.rooms.known());
     WayPlans& plans = plain.plans;
@@ -154,7 +154,7 @@ TEST(Wayfinding, goes_along_the_stops_of_a_kept_way_and_past_those_without_a_nam
     EXPECT_FALSE(plans.running());
 }
 
-TEST(Wayfinding, leads_a_hand_straight_or_round_what_stands_between) {
+TEST(Wayfinding, guides_a_hand_straight_or_around_obstacles) {
     Plans plain;
     plain.give_hand({0.0, 0.0, 1.0});
     const WayForHand straight = plain.plans.for_hand(plain.goal("Well"), GuidancePath::kMostPoints);
@@ -174,7 +174,7 @@ TEST(Wayfinding, leads_a_hand_straight_or_round_what_stands_between) {
 
 // ---- by ear ----
 
-TEST(Wayfinding, tells_a_way_and_then_each_step_of_it_by_ear) {
+TEST(Wayfinding, describes_a_route_and_then_each_of_its_steps_by_ear) {
     Plans plain;
     ASSERT_TRUE(plain.rooms.known());
     WordGround ground(plain.context, plain.rooms);
@@ -205,7 +205,7 @@ TEST(Wayfinding, tells_a_way_and_then_each_step_of_it_by_ear) {
     EXPECT_TRUE(ear.tick(0.0).left);
 }
 
-TEST(Wayfinding, is_not_there_by_ear_while_a_wall_stands_between) {
+TEST(Wayfinding, has_not_arrived_by_ear_while_a_wall_is_in_between) {
     Plans plain;
     ASSERT_TRUE(plain.rooms.known());
     WordGround ground(plain.context, plain.rooms);
@@ -237,7 +237,7 @@ std::shared_ptr<const Scene> two_rooms() {
 }
 
 // The ground used for words may let a body slide past something that really stops it.
-TEST(Wayfinding, tells_no_leg_again_that_the_body_has_just_been_stopped_on) {
+TEST(Wayfinding, does_not_repeat_a_leg_on_which_the_body_was_just_stopped) {
     test::PlainSession plain(two_rooms());
     Rooms rooms{plain.context};
     rooms.enter_world(plain.as_read);
@@ -292,7 +292,7 @@ struct Hand : Plans {
     HandLead hand{context, rooms, plans, doors};
 };
 
-TEST(Wayfinding, pulls_a_hand_a_second_after_telling_it) {
+TEST(Wayfinding, starts_to_pull_a_hand_a_second_after_the_announcement) {
     Hand plain;
     EXPECT_TRUE(plain.hand.may_lead());
     plain.hands.keys_alone = true;
@@ -312,7 +312,7 @@ TEST(Wayfinding, pulls_a_hand_a_second_after_telling_it) {
     EXPECT_FALSE(plain.hand.at_work());
 }
 
-TEST(Wayfinding, numbers_what_the_servo_gets_on_from_world_to_world) {
+TEST(Wayfinding, numbers_its_servo_messages_continuously_across_worlds) {
     Hand plain;
     plain.pull(0.0);
     const std::uint32_t before = plain.hand.path().number;
@@ -322,7 +322,7 @@ TEST(Wayfinding, numbers_what_the_servo_gets_on_from_world_to_world) {
     EXPECT_EQ(plain.hand.path().number, before + 1);
 }
 
-TEST(Wayfinding, tells_how_being_led_has_ended) {
+TEST(Wayfinding, reports_how_guidance_has_ended) {
     Hand plain;
     plain.pull(0.0);
     EXPECT_FALSE(plain.hand.tick(plain.goal, 1.2));
@@ -340,7 +340,7 @@ TEST(Wayfinding, tells_how_being_led_has_ended) {
     EXPECT_FALSE(plain.hand.at_work());
 }
 
-TEST(Wayfinding, wants_a_new_way_for_who_walked_off_once_all_is_at_rest) {
+TEST(Wayfinding, replans_for_a_walker_who_left_the_route_once_everything_is_at_rest) {
     Hand plain;
     plain.pull(0.0);
     EXPECT_FALSE(plain.hand.wants_new_way(plain.goal, 1.2));
@@ -354,7 +354,7 @@ TEST(Wayfinding, wants_a_new_way_for_who_walked_off_once_all_is_at_rest) {
     EXPECT_TRUE(plain.hand.wants_new_way(plain.goal, 1.7));
 }
 
-TEST(Wayfinding, carries_the_workspace_on_where_the_way_leads_out_of_reach) {
+TEST(Wayfinding, moves_the_workspace_on_if_the_path_leads_out_of_reach) {
     Hand plain;
     plain.pull(0.0);
     EXPECT_EQ(plain.hand.carry(), Vec3(0.0));
@@ -367,7 +367,7 @@ TEST(Wayfinding, carries_the_workspace_on_where_the_way_leads_out_of_reach) {
     EXPECT_FALSE(plain.hand.take_carried());
 }
 
-TEST(Wayfinding, lays_grooves_along_the_last_way_while_nothing_else_acts) {
+TEST(Wayfinding, lays_grooves_along_the_last_path_while_nothing_else_acts) {
     Hand plain;
     plain.hand.tick(plain.goal, 0.0);
     EXPECT_EQ(plain.hand.path().number, 0U) << "not wished for";
@@ -390,7 +390,7 @@ TEST(Wayfinding, lays_grooves_along_the_last_way_while_nothing_else_acts) {
 
 // ---- by sounds ----
 
-TEST(Wayfinding, calls_from_a_thing_until_one_is_there) {
+TEST(Wayfinding, calls_from_a_thing_until_the_walker_arrives) {
     Plans plain;
     Seek seek(plain.context, plain.rooms, plain.plans, plain.doors);
     EXPECT_FALSE(seek.tick_beacon(0.0));
@@ -408,7 +408,7 @@ TEST(Wayfinding, calls_from_a_thing_until_one_is_there) {
     EXPECT_FALSE(seek.tick_beacon(9.0));
 }
 
-TEST(Wayfinding, tells_warmer_as_found_only_on_the_thing_s_side_of_a_wall) {
+TEST(Wayfinding, reports_the_target_of_warmer_as_found_only_on_its_side_of_a_wall) {
     Plans plain;
     Seek seek(plain.context, plain.rooms, plain.plans, plain.doors);
     Goal bell{"Bell", point_box({0.0, 2.5, 1.0}), kNoFeature};
@@ -444,7 +444,7 @@ struct Guided : Yard {
     double now_s = 0.0;
 };
 
-TEST(Wayfinding, chooses_what_to_go_to_and_forgets_it_in_another_world) {
+TEST(Wayfinding, chooses_a_target_and_forgets_it_in_another_world) {
     Guided plain;
     EXPECT_FALSE(plain.guide.act(Command::Use, 0.0)) << "another's command";
     EXPECT_TRUE(plain.guide.act(Command::TakeMe, 0.0));
@@ -461,7 +461,7 @@ TEST(Wayfinding, chooses_what_to_go_to_and_forgets_it_in_another_world) {
     EXPECT_TRUE(plain.guide.planned().stops().empty());
 }
 
-TEST(Wayfinding, sets_and_mutes_the_beacon_on_what_is_ahead) {
+TEST(Wayfinding, sets_and_mutes_the_beacon_on_the_thing_ahead) {
     Guided plain;
     plain.body.heading_rad = plain.body.heading_goal_rad = kPi;
     EXPECT_TRUE(plain.guide.act(Command::SetBeacon, 0.0));
@@ -473,7 +473,7 @@ TEST(Wayfinding, sets_and_mutes_the_beacon_on_what_is_ahead) {
     EXPECT_TRUE(plain.guide.beacon().on()) << "to the same thing again";
 }
 
-TEST(Wayfinding, leads_along_a_kept_way_by_ear_from_stop_to_stop) {
+TEST(Wayfinding, guides_along_a_saved_route_by_ear_from_stop_to_stop) {
     Guided plain;
     ASSERT_TRUE(plain.rooms.known());
     plain.guide.go_along(
@@ -486,7 +486,7 @@ TEST(Wayfinding, leads_along_a_kept_way_by_ear_from_stop_to_stop) {
     EXPECT_THAT(plain.walk(), IsEmpty()) << "there";
 }
 
-TEST(Wayfinding, says_where_a_thing_is_by_the_name_of_the_item_and_by_the_question) {
+TEST(Wayfinding, says_where_a_thing_is_on_choosing_its_item_and_on_asking) {
     for (const char* language : {"en", "de"}) {
         const test::InLanguage spoken(language);
         for (const std::string& typed : {phrase("guide.where_is_it"), phrase("guide.where_is_it_question")}) {
@@ -499,7 +499,7 @@ TEST(Wayfinding, says_where_a_thing_is_by_the_name_of_the_item_and_by_the_questi
     }
 }
 
-TEST(Wayfinding, leads_by_ear_where_no_force_may_act) {
+TEST(Wayfinding, guides_by_ear_if_force_is_not_permitted) {
     Guided plain;
     plain.give_hand({0.0, 0.0, 1.0});
     plain.hands.tuning.forces_on = false;
@@ -535,7 +535,7 @@ std::vector<std::string> facts(Yard& plain) {
     return told;
 }
 
-TEST(Wayfinding, tells_of_stops_that_are_passed_and_of_the_end_as_facts) {
+TEST(Wayfinding, reports_passed_stops_and_the_end_as_events) {
     Guided plain;
     ASSERT_TRUE(plain.rooms.known());
     plain.guide.go_along(
@@ -550,7 +550,7 @@ TEST(Wayfinding, tells_of_stops_that_are_passed_and_of_the_end_as_facts) {
 }
 
 // A lesson leads to one stop, which may be nearer than the distance that counts as passed.
-TEST(Wayfinding, leads_to_the_only_stop_of_a_way_however_near_it_is) {
+TEST(Wayfinding, guides_to_the_only_stop_of_a_route_even_if_it_is_near) {
     for (const double away_m : {0.0, 0.2, 1.0, 1.4}) {
         Guided plain;
         ASSERT_TRUE(plain.rooms.known());
@@ -572,7 +572,7 @@ TEST(Wayfinding, leads_to_the_only_stop_of_a_way_however_near_it_is) {
     }
 }
 
-TEST(Wayfinding, tells_of_a_way_that_was_left_as_a_fact) {
+TEST(Wayfinding, reports_leaving_the_route_as_an_event) {
     Guided plain;
     ASSERT_TRUE(plain.rooms.known());
     plain.guide.go_along({stop("Gate", {0.0, 0.0, 0.0}), stop("Shed", {8.0, 7.0, 0.0})}, false, 0.0);
@@ -582,7 +582,7 @@ TEST(Wayfinding, tells_of_a_way_that_was_left_as_a_fact) {
     EXPECT_THAT(facts(plain), ElementsAre("left Shed by 2", "led Shed by 2"));
 }
 
-TEST(Wayfinding, tells_of_a_hand_that_is_led_as_facts) {
+TEST(Wayfinding, reports_guidance_of_a_hand_as_events) {
     Guided plain;
     plain.give_hand({0.0, 0.0, 1.0});
     plain.guide.open_tools(plain.goal("Well"), 0.0);
@@ -603,7 +603,7 @@ TEST(Wayfinding, tells_of_a_hand_that_is_led_as_facts) {
     EXPECT_THAT(facts(plain), ElementsAre("led Well by 1"));
 }
 
-TEST(Wayfinding, tells_of_a_beacon_as_a_fact) {
+TEST(Wayfinding, reports_a_beacon_as_an_event) {
     Guided plain;
     plain.guide.call_from(plain.goal("Bench"));
     EXPECT_THAT(facts(plain), ElementsAre("led Bench by 3"));

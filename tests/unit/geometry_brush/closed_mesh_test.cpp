@@ -42,7 +42,7 @@ std::optional<int> held(const std::vector<ConvexSolid>& solids, const Vec3& at_m
     return in;
 }
 
-TEST(SolidsWithin, hold_each_point_once_that_a_ray_says_is_inside) {
+TEST(SolidsWithin, contain_exactly_once_each_point_that_a_ray_cast_calls_inside) {
     int several = 0;
     for (int seed = 0; seed < test::scaled(60); ++seed) {
         SCOPED_TRACE(seed);
@@ -99,7 +99,7 @@ BlockMesh ring(int around, int sides) {
     return mesh;
 }
 
-TEST(SolidsWithin, fill_a_ring_and_leave_its_hole_free) {
+TEST(SolidsWithin, fill_a_ring_without_its_hole) {
     const BlockMesh mesh = ring(16, 10);
     const std::vector<MeshShell> shells = shells_of(mesh.points_m, mesh.triangles);
     ASSERT_EQ(shells.size(), 1U);
@@ -120,7 +120,7 @@ TEST(SolidsWithin, fill_a_ring_and_leave_its_hole_free) {
     }
 }
 
-TEST(SolidsWithin, cut_what_is_round_into_parts_of_few_sides) {
+TEST(SolidsWithin, cut_round_shapes_into_parts_with_few_sides) {
     BlockMesh ball;  // a ball of 24 by 24 sides
     constexpr int kSides = 24;
     for (int i = 0; i <= kSides; ++i)
@@ -149,7 +149,7 @@ TEST(SolidsWithin, cut_what_is_round_into_parts_of_few_sides) {
     EXPECT_EQ(held(*solids, {0.9, 0.9, 0.0}), 0);
 }
 
-TEST(SolidsWithin, are_refused_where_the_limits_are_reached_or_a_skin_goes_through_itself) {
+TEST(SolidsWithin, are_refused_at_the_limits_and_for_self_intersecting_skins) {
     const auto place = [](const Vec3& p) { return 0.3 * p; };
     const BlockMesh table = test::block_mesh(test::table_blocks(), place);
     EXPECT_TRUE(filled(table).has_value());
@@ -184,7 +184,7 @@ TEST(SolidsWithin, are_refused_where_the_limits_are_reached_or_a_skin_goes_throu
     EXPECT_FALSE(solids_within(table.points_m, table.triangles, all_of(table), {}, stop.get_token()).has_value());
 }
 
-TEST(ShellsOf, a_mesh_are_its_pieces_with_what_is_closed_and_which_way_they_are_seen) {
+TEST(ShellsOf, a_mesh_are_its_pieces_with_closedness_and_visible_side) {
     BlockMesh mesh = test::block_mesh(test::hollow_blocks(3), [](const Vec3& p) { return p; });
     const auto more = static_cast<std::uint32_t>(mesh.points_m.size());
     mesh.points_m.insert(mesh.points_m.end(), {{9, 0, 0}, {10, 0, 0}, {9, 1, 0}});

@@ -88,7 +88,7 @@ TEST(SolidFromPlanes, agrees_with_brute_force_on_random_solids_in_any_order_of_p
     }
 }
 
-TEST(SolidFromPlanes, tells_open_empty_and_inside_out_apart) {
+TEST(SolidFromPlanes, distinguishes_open_empty_and_inside_out) {
     std::vector<Plane> planes = box_planes({0, 0, 0}, {1, 1, 1});
     planes.pop_back();
     EXPECT_EQ(solid_from_planes(planes, {0, 0, 0}, 100.0).fault, SolidFault::Open);
@@ -114,7 +114,7 @@ TEST(SolidFromPlanes, drops_repeated_planes_and_planes_that_touch_nothing) {
     EXPECT_THAT(built.plane_index, testing::ElementsAre(0, 1, 2, 3, 4, 5));
 }
 
-TEST(PlaneFromClockwise, points_outward_and_refuses_points_on_a_line) {
+TEST(PlaneFromClockwise, points_outward_and_refuses_collinear_points) {
     Plane plane;
     ASSERT_TRUE(plane_from_clockwise({0, 0, 5}, {0, 1, 5}, {1, 0, 5}, plane));
     EXPECT_EQ(plane.normal, Vec3(0, 0, 1));
@@ -123,7 +123,7 @@ TEST(PlaneFromClockwise, points_outward_and_refuses_points_on_a_line) {
     EXPECT_FALSE(plane_from_clockwise({1, 2, 3}, {1, 2, 3}, {3, 3, 3}, plane));
 }
 
-TEST(Split, shares_the_area_between_both_sides) {
+TEST(Split, preserves_the_total_area_of_both_sides) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> offset(-1.2, 1.2);
     const std::vector<Vec3> square{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};

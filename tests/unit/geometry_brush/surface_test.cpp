@@ -62,7 +62,7 @@ Vec3 random_point_in(const Polygon& polygon, std::mt19937& random) {
     return sum / weights;
 }
 
-TEST(ExposedSurface, loses_both_sides_of_a_contact_and_one_of_two_equal_faces) {
+TEST(ExposedSurface, drops_both_sides_of_a_contact_and_one_of_two_equal_faces) {
     // Two unit cubes next to each other: of 12 faces, the two in contact are hidden.
     const auto side_by_side = exposed({box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1})});
     EXPECT_EQ(side_by_side.size(), 10U);
@@ -79,7 +79,7 @@ TEST(ExposedSurface, loses_both_sides_of_a_contact_and_one_of_two_equal_faces) {
         total_area(exposed({box({0, 0, 0}, {1, 1, 1}), box({1, 1, 1}, {2, 2, 2}), box({1, 1, 0}, {2, 2, 1})})), 16.0);
 }
 
-TEST(ExposedSurface, lets_doors_and_liquids_cover_nothing_of_the_wall) {
+TEST(ExposedSurface, keeps_the_wall_behind_doors_and_liquids) {
     const ConvexSolid wall = box({0, 0, 0}, {1, 1, 1}), other = box({1, 0, 0}, {2, 1, 1});
     const std::vector<Aabb> boxes{wall.bounds_m, other.bounds_m};
     const std::vector<SurfaceSolid> door{{&wall, 0}, {&other, 1}};
@@ -203,7 +203,7 @@ std::vector<std::uint32_t> joined(const std::vector<Polygon>& polygons, const st
 
 // A floor with hundreds of objects on it. Every place of it is either under one of them or in exactly one piece of the
 // rest.
-TEST(ExposedSurface, cuts_a_floor_by_all_that_stands_on_it) {
+TEST(ExposedSurface, cuts_a_floor_around_everything_that_stands_on_it) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> place(-10.0, 9.0), size(0.1, 0.9), anywhere(-10.0, 10.0);
     std::vector<ConvexSolid> shapes{box({-10, -10, -1}, {10, 10, 0})};
@@ -253,7 +253,7 @@ TEST(ExposedSurface, cuts_a_floor_by_all_that_stands_on_it) {
 
 // Solids, each repeated thousands of times (fewer if time is short). The exposed surface is that of a single copy of
 // each, and belongs to the first copy.
-TEST(ExposedSurface, shows_once_what_lies_in_one_place_thousands_of_times) {
+TEST(ExposedSurface, shows_thousands_of_coincident_solids_once) {
     std::mt19937 random(11);
     std::uniform_int_distribution<int> place(0, 5), extent(1, 4);
     std::vector<ConvexSolid> once;
@@ -274,7 +274,7 @@ TEST(ExposedSurface, shows_once_what_lies_in_one_place_thousands_of_times) {
 
 // Boxes less than 2 mm apart from each other, none identical to another. The exposed surface is still only that of
 // their union.
-TEST(ExposedSurface, shows_no_more_of_a_heap_than_is_outside) {
+TEST(ExposedSurface, shows_only_the_outside_of_a_heap) {
     std::mt19937 random(12);
     std::uniform_int_distribution<int> tenths_of_mm(0, 20);
     const auto shift = [&] { return 1e-4 * tenths_of_mm(random); };
@@ -303,7 +303,7 @@ double top_area(const std::vector<ConvexSolid>& shapes, const CutTolerance& tole
     return area;
 }
 
-TEST(ExposedSurface, keeps_one_of_faces_hardly_apart_however_they_are_set) {
+TEST(ExposedSurface, keeps_only_one_of_several_almost_coincident_faces_in_any_arrangement) {
     constexpr CutTolerance kCoarse{1e-3, 1e-3};
     // Each box is as large as the next within the tolerance, but the third exceeds the first by more. The first is the
     // westmost.
@@ -335,7 +335,7 @@ TEST(ExposedSurface, keeps_one_of_faces_hardly_apart_however_they_are_set) {
     }
 }
 
-TEST(JoinedSurfaces, joins_along_edges_and_t_junctions_but_not_at_corners) {
+TEST(JoinedSurfaces, are_joined_along_edges_and_t_junctions_but_not_at_corners) {
     using testing::ElementsAre;
     EXPECT_THAT(joined({square(0, 0, 1, 1), square(1, 0, 2, 1)}), ElementsAre(0, 0));
     EXPECT_THAT(joined({square(0, 0, 1, 3), square(1, 1, 2, 2)}), ElementsAre(0, 0));
@@ -348,7 +348,7 @@ TEST(JoinedSurfaces, joins_along_edges_and_t_junctions_but_not_at_corners) {
     EXPECT_THAT(joined({square(0, 0, 1, 1), higher}), ElementsAre(0, 1));
 }
 
-TEST(BoxIndex, finds_the_boxes_that_brute_force_finds_in_rising_order) {
+TEST(BoxIndex, finds_the_same_boxes_as_brute_force_in_rising_order) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> place(0.0, 10.0), extent(0.0, 2.0);
     const auto random_box = [&] {

@@ -34,7 +34,7 @@ double distance_to(const TriangleMesh& mesh, const Vec3& p) {
     return nearest;
 }
 
-TEST(BezierPatch, keeps_its_triangles_within_the_error_that_is_allowed_and_says_what_it_is) {
+TEST(BezierPatch, keeps_its_triangles_within_the_permitted_error_and_reports_the_error) {
     constexpr std::uint32_t kSeed = 87;
     std::mt19937 random(kSeed);
     for (int round = 0; round < scaled(40); ++round) {
@@ -55,7 +55,7 @@ TEST(BezierPatch, keeps_its_triangles_within_the_error_that_is_allowed_and_says_
     }
 }
 
-TEST(BezierPatch, flat_ones_take_two_triangles_a_part_and_ones_without_area_none) {
+TEST(BezierPatch, flat_patches_become_two_triangles_per_part_and_patches_without_area_none) {
     PatchGrid flat{5, 3, {}};
     for (int r = 0; r < 5; ++r)
         for (int c = 0; c < 3; ++c) flat.points_m.emplace_back(c, r, 0.25 * c);
@@ -104,7 +104,7 @@ PatchGrid mirrored(const PatchGrid& grid) {
     return out;
 }
 
-TEST(BezierPatch, neighbours_with_one_edge_in_common_meet_along_one_line_however_they_are_turned) {
+TEST(BezierPatch, neighbours_with_a_common_edge_meet_along_one_line_in_any_orientation) {
     constexpr std::uint32_t kSeed = 88;
     std::mt19937 random(kSeed);
     for (int round = 0; round < scaled(30); ++round) {

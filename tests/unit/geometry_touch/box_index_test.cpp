@@ -43,7 +43,7 @@ double enters(const Aabb& box, const Vec3& from, const Vec3& to, const Vec3& low
     return in <= out ? in : 2.0;
 }
 
-TEST(BoxIndex, finds_what_a_scan_finds_for_boxes_and_lines) {
+TEST(BoxIndex, finds_the_same_boxes_and_lines_as_a_full_scan) {
     std::mt19937 random(kSeed);
     for (const Vec3 shift : {Vec3(0.0), Vec3(1e6, -1e6, 3.0)})
         for (const int count : {0, 1, 4, 5, 200}) {

@@ -112,7 +112,7 @@ void expect_right(const Bvh& bvh, const std::vector<Aabb>& boxes, std::mt19937& 
     }
 }
 
-TEST(Bvh, answers_like_a_full_scan_also_for_many_things_in_one_place_and_far_from_the_origin) {
+TEST(Bvh, answers_like_a_full_scan_for_many_things_in_one_place_and_far_from_the_origin) {
     std::mt19937 random(kSeed);
     for (const Vec3 shift : {Vec3(0.0), Vec3(1e3, -2e3, 500.0), Vec3(1e6, 1e6, -1e6)})
         for (const int count : {0, 1, 2, 3, 4, 5, 6, 16, 17, 18, 33, 400, scaled(3000)}) {
@@ -121,7 +121,7 @@ TEST(Bvh, answers_like_a_full_scan_also_for_many_things_in_one_place_and_far_fro
         }
 }
 
-TEST(Bvh, keeps_its_looks_where_everything_is_equally_near) {
+TEST(Bvh, stays_within_its_budget_of_looks_when_everything_is_equally_near) {
     // In the middle of a round room no order helps: 20,480 triangles at one distance. A hundred looks must suffice and
     // still report that the room is there.
     const TriangleMesh mesh = sphere_mesh(32, 0.006);

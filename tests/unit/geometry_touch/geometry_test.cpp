@@ -93,7 +93,7 @@ TEST(ClosestPointOfTriangle, on_the_sheet_itself_gives_a_supporting_normal) {
     }
 }
 
-TEST(ClosestPointOfBox, agrees_with_the_same_box_as_planes_and_with_brute_force) {
+TEST(ClosestPointOfBox, agrees_with_the_same_box_given_as_planes_and_with_brute_force) {
     std::mt19937 random(kSeed);
     for (int round = 0; round < scaled(3000); ++round) {
         const Vec3 low = random_point(random, 0.1);
@@ -140,7 +140,7 @@ TEST(ClosestPointOfSolid, agrees_with_brute_force_on_random_brushes_with_permute
     }
 }
 
-TEST(ProjectOnHalfSpaces, agrees_with_trying_every_subset_warm_and_cold) {
+TEST(ProjectOnHalfSpaces, agrees_with_trying_every_subset_from_cold_and_warm_starts) {
     std::mt19937 random(kSeed);
     int infeasible = 0;
     for (int round = 0; round < scaled(4000); ++round) {

@@ -48,7 +48,7 @@ void expect_near(const MassProperties& a, const MassProperties& b, double size_m
         EXPECT_LT(glm::length(a.spread_m5[k] - b.spread_m5[k]), 2.0 * part * trace) << k;
 }
 
-TEST(MassProperties, of_flat_solids_are_those_of_counted_points_far_from_zero_too) {
+TEST(MassProperties, of_flat_solids_agree_with_counted_points_even_far_from_the_origin) {
     std::mt19937 random(3);
     const auto unit = [&] { return random() / 4294967296.0 - 0.5; };
     int looked_at = 0;
@@ -84,7 +84,7 @@ TEST(MassProperties, of_flat_solids_are_those_of_counted_points_far_from_zero_to
     EXPECT_GE(looked_at, 6);
 }
 
-TEST(MassProperties, of_round_solids_are_those_of_counted_points) {
+TEST(MassProperties, of_round_solids_agree_with_counted_points) {
     const Vec3 axis = glm::normalize(Vec3(1, 2, 3)), at(1, -2, 0.5);
     for (const RoundShape& shape :
          {RoundShape(SphereShape{at, 0.3}), RoundShape(CapsuleShape{at, axis, 0.4, 0.2}),
@@ -102,7 +102,7 @@ TEST(MassProperties, of_round_solids_are_those_of_counted_points) {
     EXPECT_EQ(mass_properties(ConvexSolid{}).volume_m3, 0.0);
 }
 
-TEST(MassProperties, of_two_parts_are_those_of_the_whole) {
+TEST(MassProperties, of_two_parts_equal_those_of_the_whole) {
     const auto box = [](const Vec3& low, const Vec3& high) {
         std::vector<Plane> planes;
         for (int axis = 0; axis < 3; ++axis)

@@ -87,7 +87,7 @@ protected:
     std::mt19937 random_{seed_};
 };
 
-TEST_P(RoundShape, agrees_with_brute_force_and_gives_a_supporting_plane_degenerate_and_far_from_origin) {
+TEST_P(RoundShape, agrees_with_brute_force_and_gives_a_supporting_plane_even_degenerate_or_far_away) {
     double worst = 0.0;
     for (int round = 0; round < scaled(20000); ++round) {
         const Vec3 shift = round % 3 == 0 ? Vec3(0.0) : round % 3 == 1 ? Vec3(1e3, -2e3, 500.0) : Vec3(7e5, 3e5, -9e5);
@@ -110,7 +110,7 @@ TEST_P(RoundShape, agrees_with_brute_force_and_gives_a_supporting_plane_degenera
     std::cout << fmt::format("largest difference near the origin {:.1e} m\n", worst);
 }
 
-TEST_P(RoundShape, supports_from_the_axis_and_a_hair_beside_it_and_says_the_same_twice) {
+TEST_P(RoundShape, gives_a_repeatable_supporting_plane_on_and_very_near_the_axis) {
     for (int round = 0; round < scaled(3000); ++round) {
         const Shape shape = random_shape(GetParam(), round, Vec3(0.0), random_);
         const double size = shape.height_m + shape.radius_m;
@@ -148,7 +148,7 @@ TEST_P(RoundShape, lies_within_its_bounds_and_touches_them) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, RoundShape, testing::Values(Kind::Sphere, Kind::Capsule, Kind::Cylinder, Kind::Cone));
 
-TEST(FaceTowards, names_side_and_ends) {
+TEST(FaceTowards, names_the_side_and_the_ends) {
     const CylinderShape cylinder{{0, 0, 0}, {0, 0, 1}, 2.0, 1.0};
     EXPECT_EQ(face_towards(cylinder, {1, 0, 0}), 0);
     EXPECT_EQ(face_towards(cylinder, {0, 0, -1}), 1);
@@ -206,7 +206,7 @@ TEST(ClosestPointOfPolygon, agrees_with_brute_force_from_every_first_corner_dege
     }
 }
 
-TEST(ClosestPointOfPolygon, is_that_of_the_triangle_for_three_corners_bit_for_bit) {
+TEST(ClosestPointOfPolygon, equals_the_triangle_answer_for_three_corners_bit_for_bit) {
     std::mt19937 random(8);
     for (int round = 0; round < scaled(3000); ++round) {
         const std::array<Vec3, 3> t{point(random, 0.1), point(random, 0.1), point(random, 0.1)};

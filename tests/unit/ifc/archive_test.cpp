@@ -10,7 +10,7 @@ namespace archive_test {
 
 using ::testing::HasSubstr;
 
-TEST(IfcArchive, is_the_building_that_lies_in_it) {
+TEST(IfcArchive, is_read_like_the_building_that_it_contains) {
     const test::TemporaryFolder folder;
     const std::string zip = test::zipped({{"model/House.IFC", test::small_house()}, {"model/.ifc", "x"}}, true);
     for (const char* name : {"house.ifczip", "HOUSE.IFCZIP"}) {
@@ -25,7 +25,7 @@ TEST(IfcArchive, is_the_building_that_lies_in_it) {
     ASSERT_TRUE(by_content.has_value()) << by_content.error().sentence();
 }
 
-TEST(IfcArchive, that_is_no_single_model_is_told_in_a_sentence) {
+TEST(IfcArchive, that_is_not_a_single_model_is_reported_in_one_sentence) {
     const auto told = [](const std::string& bytes) {
         const Result<Scene> scene = read_ifczip(bytes, "a.ifczip");
         return scene ? std::string("a world") : scene.error().sentence();
@@ -38,7 +38,7 @@ TEST(IfcArchive, that_is_no_single_model_is_told_in_a_sentence) {
         EXPECT_THAT(told(whole.substr(0, at)), HasSubstr("damaged")) << "cut at " << at;
 }
 
-TEST(IfcArchive, institute_is_read_as_it_lies_there) {
+TEST(IfcArchive, is_read_for_the_institute_without_unpacking) {
     const auto path = test::real_world("institute.ifczip");
     if (!path) GTEST_SKIP() << test::needs_real_world("institute.ifczip");
     const Result<Scene> scene = read_world(*path);

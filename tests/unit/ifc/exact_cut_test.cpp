@@ -89,7 +89,7 @@ double sampled_common_m3(const Ring3& ring, int places) {
     return size.x * size.y * size.z * held / places;
 }
 
-TEST(ExactCuts, hold_what_places_looked_at_one_by_one_say) {
+TEST(ExactCuts, agree_with_testing_single_points) {
     const double all_m3 = volume_m3(wall());
     for (const int corners : {8, 12, 48})  // with 12 corners the hole touches the faces of the wall
         // With these angles the wall's faces are in the ring's faces, or across them.
@@ -109,7 +109,7 @@ TEST(ExactCuts, hold_what_places_looked_at_one_by_one_say) {
         }
 }
 
-TEST(ExactCuts, leave_what_the_other_does_not_meet_bit_for_bit) {
+TEST(ExactCuts, leave_untouched_parts_bit_identical) {
     Ring3 ring;
     ring.frame.origin_m = {20.0, 0.0, 0.0};
     ExactLimits limits;
@@ -122,7 +122,7 @@ TEST(ExactCuts, leave_what_the_other_does_not_meet_bit_for_bit) {
 }
 
 // Solids whose faces were cut without regard to their neighbours, and one that is cut twice.
-TEST(ExactCuts, take_two_things_from_a_hollow_skin) {
+TEST(ExactCuts, subtract_two_things_from_a_hollow_skin) {
     Ring3 outer;
     outer.corners = 16;
     Body hollow = outer.body();
@@ -150,7 +150,7 @@ TEST(ExactCuts, take_two_things_from_a_hollow_skin) {
     EXPECT_NEAR(ring_m3 - volume_m3(*less), 0.2 * 1.0 * (edge_m - 0.5), 1e-3);
 }
 
-TEST(ExactCuts, are_refused_for_what_encloses_nothing_and_beyond_the_limits) {
+TEST(ExactCuts, refuse_bodies_that_enclose_nothing_or_exceed_the_limits) {
     Ring3 ring;
     ring.frame.origin_m = {2.0, 0.0, 0.0};
     ExactLimits limits;
@@ -177,7 +177,7 @@ TEST(ExactCuts, are_refused_for_what_encloses_nothing_and_beyond_the_limits) {
 }
 
 // Both compilers give this number. Another major version of CGAL may refine the meshes in a different order.
-TEST(ExactCuts, are_the_same_bits_everywhere) {
+TEST(ExactCuts, are_bit_identical_on_every_compiler) {
     if (CGAL_VERSION_NR / 10000000 != 105) GTEST_SKIP() << "the number is that of CGAL 5";
     Ring3 ring;
     ring.frame = tilted(0.4, {2.0, 0.05, 1.0});
@@ -232,7 +232,7 @@ double left_m3(const Scene& scene) {
     return sum + std::abs(six) / 6.0;
 }
 
-TEST(ExactCuts, make_openings_of_the_form_that_they_have) {
+TEST(ExactCuts, make_openings_of_the_given_shape) {
     for (const int corners : {12, 160}) {  // the first hole can be made of convex solids, the second cannot
         SCOPED_TRACE(corners);
         Ring3 ring;
@@ -253,7 +253,7 @@ TEST(ExactCuts, make_openings_of_the_form_that_they_have) {
     }
 }
 
-TEST(ExactCuts, take_round_tessellated_and_nested_bodies_away) {
+TEST(ExactCuts, subtract_round_tessellated_and_nested_bodies) {
     Ring3 ring;
     ring.corners = 160;
     ring.frame = tilted(0.0, {2.0, 0.0, 0.4});
@@ -304,7 +304,7 @@ TEST(ExactCuts, take_round_tessellated_and_nested_bodies_away) {
     }
 }
 
-TEST(ExactCuts, that_are_refused_leave_the_whole_body_and_are_named) {
+TEST(ExactCuts, that_are_refused_leave_the_whole_body_and_are_reported_by_name) {
     Ring3 ring;
     ring.corners = 160;
     ring.frame.origin_m = {2.0, 0.0, 0.4};

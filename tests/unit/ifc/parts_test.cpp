@@ -24,7 +24,7 @@ using test::volume_within_m3;
 
 constexpr Aabb kWall{{0.0, 0.0, 0.0}, {6.0, 0.3, 2.5}};
 
-TEST(PartsOfIfc, stand_however_many_cuts_are_nested) {
+TEST(PartsOfIfc, survive_any_number_of_nested_cuts) {
     for (const int cuts : {1, 24, 25, 400}) {
         SCOPED_TRACE(cuts);
         Hut hut;
@@ -39,7 +39,7 @@ TEST(PartsOfIfc, stand_however_many_cuts_are_nested) {
     }
 }
 
-TEST(PartsOfIfc, stand_however_deep_a_cutter_is_made_of_cutters) {
+TEST(PartsOfIfc, survive_deeply_nested_cutting_solids) {
     Hut hut;
     int cutter = hut.block({1.0, -1.0, 0.0}, {2.0, 1.0, 2.0});
     for (int i = 0; i < 60; ++i)  // with an even number the last cutter leaves what the first one takes away
@@ -50,7 +50,7 @@ TEST(PartsOfIfc, stand_however_deep_a_cutter_is_made_of_cutters) {
 
 // A partition is named after its two sides, whether the wall in front is a solid or a sheet. Only without that wall its
 // front is the outer side of the building.
-TEST(PartsOfIfc, behind_a_sheet_are_named_as_behind_a_wall) {
+TEST(PartsOfIfc, behind_a_sheet_get_the_same_names_as_behind_a_solid_wall) {
     enum class Before { Nothing, Solid, Sheet };
     for (const Before before : {Before::Nothing, Before::Solid, Before::Sheet}) {
         SCOPED_TRACE(static_cast<int>(before));
@@ -71,7 +71,7 @@ TEST(PartsOfIfc, behind_a_sheet_are_named_as_behind_a_wall) {
     }
 }
 
-TEST(PartsOfIfc, are_named_when_a_cut_refers_to_itself) {
+TEST(PartsOfIfc, are_reported_if_a_cut_refers_to_itself) {
     Hut hut;
     hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {6.0, 6.0, 0.0}), ",$");
     const int tool = hut.block({1.0, -1.0, 0.0}, {2.0, 1.0, 2.0});
@@ -80,7 +80,7 @@ TEST(PartsOfIfc, are_named_when_a_cut_refers_to_itself) {
     EXPECT_THAT(scene.report.left_out, testing::Contains(testing::HasSubstr("IFCBOOLEANRESULT")));
 }
 
-TEST(PartsOfIfc, are_cut_by_shells_that_are_not_convex) {
+TEST(PartsOfIfc, can_be_cut_by_non_convex_shells) {
     const Ring rebated{{1.5, -0.3}, {1.5, 0.1}, {1.7, 0.1}, {1.7, 0.6},
                        {2.7, 0.6},  {2.7, 0.1}, {2.9, 0.1}, {2.9, -0.3}};
     Hut by_cut;
@@ -99,7 +99,7 @@ TEST(PartsOfIfc, are_cut_by_shells_that_are_not_convex) {
 }
 
 // A wedge with a step, neither convex nor a prism.
-TEST(PartsOfIfc, are_cut_by_any_closed_shell) {
+TEST(PartsOfIfc, can_be_cut_by_any_closed_shell) {
     Hut hut;
     const int step = hut.brep({{1.0, -1.0}, {2.0, -1.0}, {2.0, 1.0}, {1.0, 1.0}}, 0.5, 1.0);
     const int tool = hut.less(hut.brep({{1.0, -1.0}, {2.0, -1.0}, {2.0, 1.0}, {1.0, 1.0}}, 0.0, 2.0), step);
@@ -107,7 +107,7 @@ TEST(PartsOfIfc, are_cut_by_any_closed_shell) {
     EXPECT_NEAR(volume_within_m3(hut.scene(), kWall), 4.5 - 0.3 * 1.5, 1e-4);
 }
 
-TEST(PartsOfIfc, keep_the_wall_behind_a_niche_whatever_fills_it) {
+TEST(PartsOfIfc, keep_the_wall_behind_a_niche_with_any_filling) {
     for (const std::string filling : {"IFCFURNISHINGELEMENT", "IFCBUILDINGELEMENTPROXY", "IFCDOOR", "IFCWINDOW"}) {
         SCOPED_TRACE(filling);
         Hut hut;
@@ -126,7 +126,7 @@ TEST(PartsOfIfc, keep_the_wall_behind_a_niche_whatever_fills_it) {
     }
 }
 
-TEST(PartsOfIfc, are_cut_through_by_windows_that_end_at_their_faces) {
+TEST(PartsOfIfc, are_cut_through_by_windows_that_are_flush_with_their_faces) {
     Hut hut;
     const int wall = hut.part("IFCWALL", "South", hut.block(kWall.min_m, kWall.max_m), ",$");
     const int window = hut.part("IFCWINDOW", "Window", hut.block({1.0, 0.1, 1.0}, {2.0, 0.2, 2.0}), ",1.,1.,$,$,$");
@@ -135,7 +135,7 @@ TEST(PartsOfIfc, are_cut_through_by_windows_that_end_at_their_faces) {
 }
 
 // A wall that is already cut and also has a matching opening, and one whose opening is next to it.
-TEST(PartsOfIfc, that_come_already_cut_need_no_cut) {
+TEST(PartsOfIfc, that_are_stored_already_cut_need_no_cut) {
     for (const bool beside : {false, true}) {
         Hut hut;
         const int wall =
@@ -154,7 +154,7 @@ TEST(PartsOfIfc, that_come_already_cut_need_no_cut) {
     }
 }
 
-TEST(DoorsOfIfc, without_an_opening_are_cut_as_the_whole_leaf) {
+TEST(DoorsOfIfc, without_an_opening_are_cut_at_the_size_of_the_leaf) {
     for (const double off : {0.0, 0.1, 0.25}) {  // in the wall, and hung in front of it
         SCOPED_TRACE(off);
         Hut hut;
@@ -175,7 +175,7 @@ TEST(DoorsOfIfc, without_an_opening_are_cut_as_the_whole_leaf) {
     }
 }
 
-TEST(DoorsOfIfc, that_lead_against_a_wall_are_reported_with_it) {
+TEST(DoorsOfIfc, that_lead_against_a_wall_are_reported_with_that_wall) {
     for (const double behind : {0.1, 0.3, 2.0}) {
         SCOPED_TRACE(behind);
         Hut hut;
@@ -194,7 +194,7 @@ TEST(DoorsOfIfc, that_lead_against_a_wall_are_reported_with_it) {
 }
 
 // Each is named in the report, in the list of things to check, and among the warnings.
-TEST(DoorsOfIfc, that_no_body_passes_are_named_with_the_reason) {
+TEST(DoorsOfIfc, too_small_for_a_body_are_named_with_the_reason) {
     struct Row {
         Vec3 least, most;  // extent of the door
         std::string reason;
@@ -244,7 +244,7 @@ TEST(DoorsOfIfc, that_no_body_passes_are_named_with_the_reason) {
     }
 }
 
-TEST(PartsOfIfc, stand_where_the_axes_of_a_grid_cross) {
+TEST(PartsOfIfc, can_be_placed_at_crossings_of_grid_axes) {
     for (const bool relative : {false, true}) {  // IFC 4.3 has an additional attribute
         SCOPED_TRACE(relative);
         Hut hut;
@@ -280,7 +280,7 @@ TEST(PartsOfIfc, stand_where_the_axes_of_a_grid_cross) {
     }
 }
 
-TEST(PartsOfIfc, stand_though_no_curtain_wall_holds_them) {
+TEST(PartsOfIfc, appear_even_if_no_curtain_wall_contains_them) {
     Hut hut;
     hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {6.0, 6.0, 0.0}), ",$");
     hut.part("IFCPLATE", "Pane", hut.block({1.0, 2.0, 0.0}, {1.05, 4.0, 2.0}), ",$");
@@ -291,7 +291,7 @@ TEST(PartsOfIfc, stand_though_no_curtain_wall_holds_them) {
     EXPECT_TRUE(scene.report.left_out.empty());
 }
 
-TEST(PartsOfIfc, that_carry_people_are_called_what_they_are) {
+TEST(PartsOfIfc, that_carry_people_get_their_correct_names) {
     Hut hut;
     hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {16.0, 6.0, 0.0}), ",$");
     hut.part("IFCTRANSPORTELEMENT", "Up", hut.block({1.0, 1.0, 0.0}, {2.0, 2.0, 1.0}), ",.ESCALATOR.");
@@ -311,7 +311,7 @@ TEST(PartsOfIfc, that_carry_people_are_called_what_they_are) {
         })) << name;
 }
 
-TEST(PartsOfIfc, are_read_at_national_coordinates_whatever_their_class) {
+TEST(PartsOfIfc, are_read_at_national_coordinates_in_every_class) {
     for (const std::string kind : {"IFCBUILDINGELEMENTPROXY", "IFCCOLUMN", "IFCFURNISHINGELEMENT", "IFCWALL"}) {
         SCOPED_TRACE(kind);
         Hut hut;
@@ -323,7 +323,7 @@ TEST(PartsOfIfc, are_read_at_national_coordinates_whatever_their_class) {
     }
 }
 
-TEST(StepFile, takes_an_apostrophe_that_is_shifted_for_a_letter) {
+TEST(StepFile, decodes_a_shifted_apostrophe_as_a_letter) {
     struct Row {
         std::string raw, right;
     };
@@ -343,14 +343,14 @@ TEST(StepFile, takes_an_apostrophe_that_is_shifted_for_a_letter) {
     }
 }
 
-TEST(PartsOfIfc, are_read_whatever_the_case_of_the_schema) {
+TEST(PartsOfIfc, are_read_for_any_letter_case_of_the_schema) {
     Hut hut;
     hut.part("IFCWALL", "South", hut.block(kWall.min_m, kWall.max_m), ",$");
     for (const std::string schema : {"ifc4", "Ifc2x3", "IFC4X3_ADD2"})
         EXPECT_NEAR(volume_within_m3(hut.scene(schema), kWall), 4.5, 1e-6) << schema;
 }
 
-TEST(MissingParts, are_named_with_their_guid_storey_and_reason) {
+TEST(MissingParts, are_reported_with_their_guid_storey_and_reason) {
     Hut hut;
     hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {6.0, 6.0, 0.0}), ",$");
     const int odd = hut.add("IFCSPHERE(" + Hut::ref(hut.placed({3.0, 3.0, 1.0})) + ",0.5)");
@@ -371,7 +371,7 @@ TEST(MissingParts, are_named_with_their_guid_storey_and_reason) {
 }
 
 // Sweeps that grow or shrink are read as straight, so they make a part with too little volume, and one with too much.
-TEST(MissingParts, are_named_when_they_hold_another_volume) {
+TEST(MissingParts, with_a_wrong_volume_are_reported) {
     struct Row {
         double from, to;  // side of the square at each end
         std::string said;
@@ -415,7 +415,7 @@ TEST(MissingParts, are_named_when_they_hold_another_volume) {
 }
 
 // The cuts are compared with the file place by place, whatever they are made of.
-TEST(MissingParts, are_not_named_when_all_cuts_were_made) {
+TEST(MissingParts, are_not_reported_if_all_cuts_were_made) {
     std::mt19937 random(7);
     const auto at = [&](double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); };
     for (int round = 0; round < 20; ++round) {
@@ -436,7 +436,7 @@ TEST(MissingParts, are_not_named_when_all_cuts_were_made) {
     }
 }
 
-TEST(MissingParts, are_named_when_they_were_not_cut) {
+TEST(MissingParts, without_their_cuts_are_reported) {
     Hut round;  // by a surface of a kind that is not read
     const int surface = round.add("IFCCYLINDRICALSURFACE(" + Hut::ref(round.placed({3.0, 0.0, 0.0})) + ",1.)");
     const int half = round.add("IFCHALFSPACESOLID(" + Hut::ref(surface) + ",.T.)");
@@ -459,7 +459,7 @@ TEST(MissingParts, are_named_when_they_were_not_cut) {
                 testing::HasSubstr("has 25 percent more volume than in the file"));
 }
 
-TEST(MissingParts, know_what_a_closed_skin_encloses) {
+TEST(MissingParts, are_compared_with_the_volume_of_a_closed_skin) {
     const auto cube = [](bool holed) {
         std::vector<FlatFace> faces;
         const auto corner = [](int i) {
@@ -501,7 +501,7 @@ TEST(RoomsOfIfc, without_a_slab_get_a_floor_that_is_reported) {
 }
 
 // A hut over a cellar with three inner doors, and one door out of the hut.
-TEST(StartsOfIfc, without_rooms_are_before_doors_to_the_open_sky) {
+TEST(StartsOfIfc, without_rooms_are_in_front_of_doors_to_the_open_air) {
     for (const bool out_to_south : {true, false}) {
         SCOPED_TRACE(out_to_south);
         Hut hut;
@@ -530,7 +530,7 @@ TEST(StartsOfIfc, without_rooms_are_before_doors_to_the_open_sky) {
 }
 
 // Two doors to the ground under a porch, a balcony above one of them, and a door from the cellar to a sunken yard.
-TEST(StartsOfIfc, without_rooms_are_at_the_ground_under_a_porch_or_over_a_sunken_yard) {
+TEST(StartsOfIfc, without_rooms_are_on_the_ground_even_under_a_porch_or_over_a_sunken_yard) {
     for (const bool porch : {false, true}) {
         SCOPED_TRACE(porch);
         Hut hut;
@@ -562,7 +562,7 @@ TEST(StartsOfIfc, without_rooms_are_at_the_ground_under_a_porch_or_over_a_sunken
     }
 }
 
-TEST(RoomsOfIfc, alone_get_walls_and_floors_from_their_outlines) {
+TEST(RoomsOfIfc, without_walls_or_floors_get_them_from_their_outlines) {
     Hut hut;
     hut.space("Hall", hut.block({0.0, 0.0, 0.0}, {10.0, 5.0, 2.8}));
     hut.space("Office", hut.block({10.1, 0.0, 0.0}, {15.0, 5.0, 2.8}));
@@ -580,7 +580,7 @@ TEST(RoomsOfIfc, alone_get_walls_and_floors_from_their_outlines) {
     EXPECT_EQ(honest_report(far.scene()).rooms, 1);
 }
 
-TEST(RoomsOfIfc, as_high_as_their_storey_do_not_hold_the_floor_over_them) {
+TEST(RoomsOfIfc, as_high_as_their_storey_do_not_contain_the_floor_above_them) {
     StatedRoom room;
     room.rings = {{{0.0, 0.0}, {4.0, 0.0}, {4.0, 4.0}, {0.0, 4.0}}};
     room.height_m = 3.0;
@@ -592,7 +592,7 @@ TEST(RoomsOfIfc, as_high_as_their_storey_do_not_hold_the_floor_over_them) {
     EXPECT_FALSE(holds(room, {5.0, 2.0, 1.0}));
 }
 
-TEST(RoomsOfIfc, have_their_goal_where_one_comes_to_from_the_base) {
+TEST(RoomsOfIfc, have_a_goal_that_can_be_reached_from_the_base) {
     Scene placed = test::hall_with_gallery().scene();
     placed.starts = {Start{{-2.0, 0.6, 0.0}, 0.0, true, "", {}}, Start{{6.0, 4.0, 2.6}, 0.0, false, "", {}}};
     const Result<WalkSpace> space = make_walk_space(placed, WalkBody{});
@@ -620,7 +620,7 @@ TEST(RoomsOfIfc, have_their_goal_where_one_comes_to_from_the_base) {
 }
 
 // Some programs give parts national coordinates but leave the storeys at zero.
-TEST(StoreysOfIfc, are_as_high_as_the_parts_on_a_national_grid) {
+TEST(StoreysOfIfc, are_at_the_height_of_their_parts_on_a_national_grid) {
     for (const std::string kind : {"IFCBUILDINGELEMENTPROXY", "IFCWALL"})
         for (const double height_m : {0.0, 71.0, -3.0, 2412.5})
             for (const bool storeys_too : {false, true}) {
@@ -642,7 +642,7 @@ TEST(StoreysOfIfc, are_as_high_as_the_parts_on_a_national_grid) {
 
 // Rooms of a house with half-storeys, side by side, and a sunken part of a storey that the file does not state as a
 // storey.
-TEST(RoomsOfIfc, on_half_storeys_are_on_storeys_of_their_own) {
+TEST(RoomsOfIfc, on_half_storeys_get_separate_storeys) {
     for (const bool stated : {true, false}) {
         SCOPED_TRACE(stated);
         Hut hut;
@@ -666,7 +666,7 @@ TEST(RoomsOfIfc, on_half_storeys_are_on_storeys_of_their_own) {
     }
 }
 
-TEST(RoomsOfIfc, are_on_storeys_as_high_as_their_elevation_if_all_are_placed_alike) {
+TEST(RoomsOfIfc, are_on_storeys_at_their_elevation_if_all_storeys_are_placed_alike) {
     for (const bool placed : {true, false}) {
         SCOPED_TRACE(placed);
         Hut hut;
@@ -685,7 +685,7 @@ TEST(RoomsOfIfc, are_on_storeys_as_high_as_their_elevation_if_all_are_placed_ali
     }
 }
 
-TEST(DoorsOfIfc, without_names_are_told_in_whole_sentences) {
+TEST(DoorsOfIfc, without_names_are_described_in_whole_sentences) {
     for (const std::string name : {"", "Entrance"}) {
         Hut hut;
         hut.part("IFCSLAB", "Floor", hut.block({0.0, -3.0, -0.2}, {6.0, 3.0, 0.0}), ",$");
@@ -710,7 +710,7 @@ TEST(DoorsOfIfc, without_names_are_told_in_whole_sentences) {
 }
 
 // An open skin is compared by its faces, and faces that cannot be read are counted.
-TEST(MissingParts, of_open_skins_and_lost_faces_are_named) {
+TEST(MissingParts, are_reported_for_open_skins_and_lost_faces) {
     for (const bool damaged : {false, true}) {
         SCOPED_TRACE(damaged);
         Hut hut;
@@ -730,7 +730,7 @@ TEST(MissingParts, of_open_skins_and_lost_faces_are_named) {
 }
 
 // Revolved and swept solids have the volume that follows from their outlines and lengths.
-TEST(MissingParts, know_what_turned_and_swept_solids_hold) {
+TEST(MissingParts, are_compared_with_the_volumes_of_turned_and_swept_solids) {
     for (const double inner : {0.0, 0.1}) {
         Hut hut;
         hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {6.0, 6.0, 0.0}), ",$");
@@ -758,7 +758,7 @@ TEST(MissingParts, know_what_turned_and_swept_solids_hold) {
     EXPECT_NEAR(volume_within_m3(bend, {{0.0, 0.0, 2.0}, {6.0, 6.0, 8.0}}), 0.5 * kPi * 0.16, 0.01);
 }
 
-TEST(PartsOfIfc, stand_with_slanted_outlines) {
+TEST(PartsOfIfc, keep_slanted_outlines) {
     Hut hut;
     const auto slab = [&](const Ring& outline) {
         std::vector<int> points;

@@ -36,7 +36,7 @@ const Feature* called(const Scene& scene, const std::string& name) {
     return found == scene.features.end() ? nullptr : &*found;
 }
 
-TEST(IfcPrefabs, stand_where_a_file_gives_a_kind_and_a_place_but_no_form) {
+TEST(IfcPrefabs, appear_if_a_file_gives_a_kind_and_a_place_but_no_shape) {
     const Scene scene = scene_of(
         placed(1000, 2.0, 2.0) + "#1003=IFCSANITARYTERMINAL('p1',$,'fixture 12',$,$,#1002,$,$,.TOILETPAN.);\n" +
         placed(1010, 5.0, 1.0) +
@@ -68,7 +68,7 @@ TEST(IfcPrefabs, stand_where_a_file_gives_a_kind_and_a_place_but_no_form) {
     EXPECT_EQ(lift->rooms.size(), 1U) << "how far up it goes is not known";
 }
 
-TEST(IfcPrefabs, are_left_out_without_a_place_or_a_kind_and_where_the_file_gives_a_form) {
+TEST(IfcPrefabs, are_omitted_without_a_place_or_a_kind_and_if_the_file_gives_a_shape) {
     const Scene plain = scene_of("");
     const Scene scene =
         scene_of("#1003=IFCFURNISHINGELEMENT('p1',$,'a chair of no place',$,$,$,$,$);\n" + placed(1010, 5.0, 1.0) +
@@ -81,7 +81,7 @@ TEST(IfcPrefabs, are_left_out_without_a_place_or_a_kind_and_where_the_file_gives
     EXPECT_TRUE(called(plain, "Table") != nullptr) << "which has a form of its own";
 }
 
-TEST(IfcPrefabs, are_known_by_words_of_two_languages) {
+TEST(IfcPrefabs, are_recognised_by_words_of_two_languages) {
     const auto kind = [](const std::vector<std::string>& words) {
         const Prefab* prefab = prefab_for(words);
         return prefab ? std::string(prefab->name) : std::string();

@@ -21,7 +21,7 @@ std::string rooms_of(const Scene& scene, const StatedPortal& portal) {
     return numbers;
 }
 
-TEST(Duplex, is_what_its_makers_say_it_is) {
+TEST(Duplex, matches_the_description_of_its_authors) {
     const auto path = test::real_world("duplex-apartment.ifc");
     if (!path) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
     const Result<Scene> scene = read_world(*path);
@@ -66,7 +66,7 @@ TEST(Duplex, is_what_its_makers_say_it_is) {
         EXPECT_EQ(room.holds_stairs, room.number == "A105" || room.number == "B105") << room.number;
 }
 
-TEST(Office, is_what_was_written_and_walked_from_the_front_door_to_every_room) {
+TEST(Office, is_read_as_generated_and_every_room_can_be_walked_to_from_the_front_door) {
     const test::OfficeIfc office = test::office_ifc({2, 1, 3});
     const Result<Scene> scene = read_ifc(office.text, "office.ifc");
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
@@ -86,7 +86,7 @@ TEST(Office, is_what_was_written_and_walked_from_the_front_door_to_every_room) {
         EXPECT_TRUE((*navigation)->reachable(scene->starts[0].feet_m, room.at_m)) << room.name << room.number;
 }
 
-TEST(Duplex, is_walked_from_the_front_door_to_the_bedrooms) {
+TEST(Duplex, can_be_walked_from_the_front_door_to_the_bedrooms) {
     const auto path = test::real_world("duplex-apartment.ifc");
     if (!path) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
     const Result<Scene> scene = read_world(*path);
@@ -104,7 +104,7 @@ TEST(Duplex, is_walked_from_the_front_door_to_the_bedrooms) {
     EXPECT_EQ(reached, 4);
 }
 
-TEST(RealIfc, houses_of_ifc_4_and_4x3_come_out_whole) {
+TEST(RealIfc, houses_of_ifc_4_and_4x3_are_read_completely) {
     const auto house = test::real_world("fzk-haus.ifc"), parts = test::real_world("wall-door-column-ifc4x3.ifc");
     if (!house) GTEST_SKIP() << test::needs_real_world("fzk-haus.ifc");
     if (!parts) GTEST_SKIP() << test::needs_real_world("wall-door-column-ifc4x3.ifc");

@@ -39,7 +39,7 @@ double volume(const ConvexSolid& solid) {
     return six / 6.0;
 }
 
-TEST(ConvexParts, hold_a_point_once_where_the_outline_holds_it) {
+TEST(ConvexParts, contain_each_point_of_the_outline_exactly_once) {
     std::mt19937 random(20261123);
     std::uniform_real_distribution<double> place(-10.0, 10.0);
     for (int round = 0; round < 200; ++round) {
@@ -62,7 +62,7 @@ TEST(ConvexParts, hold_a_point_once_where_the_outline_holds_it) {
     }
 }
 
-TEST(ConvexParts, leave_a_convex_outline_whole_and_cut_an_l_in_two) {
+TEST(ConvexParts, leave_a_convex_outline_whole_and_cut_an_l_shape_in_two) {
     EXPECT_EQ(convex_parts({{{0, 0}, {0, 2}, {2, 2}, {2, 1}, {2, 0}}}).size(), 1U);
     EXPECT_EQ(convex_parts({{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}}).size(), 2U);
     EXPECT_EQ(convex_parts({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {3, 1}, {3, 3}, {1, 3}}}).size(), 4U);
@@ -116,7 +116,7 @@ TEST(Prism, keeps_the_area_of_any_outline) {
     }
 }
 
-TEST(CutAway, takes_what_both_hold_and_nothing_else) {
+TEST(CutAway, removes_exactly_the_intersection_of_both_solids) {
     std::mt19937 random(20261124);
     std::uniform_real_distribution<double> place(-2.0, 2.0), size(0.2, 2.0), turn(0.0, 2.0 * kPi);
     for (int round = 0; round < 100; ++round) {
@@ -160,7 +160,7 @@ std::vector<FlatFace> l_shell() {
     return faces;
 }
 
-TEST(BodyOfFaces, is_solid_where_shells_are_prisms_and_sheets_where_they_are_open) {
+TEST(BodyOfFaces, is_solid_if_its_shells_are_prisms_and_a_sheet_if_they_are_open) {
     const Body whole = body_of_faces(l_shell());
     EXPECT_TRUE(whole.sheets.empty());
     ASSERT_EQ(whole.solids.size(), 2U);
@@ -171,7 +171,7 @@ TEST(BodyOfFaces, is_solid_where_shells_are_prisms_and_sheets_where_they_are_ope
     EXPECT_FALSE(body_of_faces(open).sheets.empty());
 }
 
-TEST(Profiles, of_every_kind_have_their_area) {
+TEST(Profiles, of_every_kind_have_the_correct_area) {
     struct Row {
         const char* profile;
         double area_m2;

@@ -57,7 +57,7 @@ TEST(SmallHouse, has_the_rooms_doors_and_storeys_that_the_file_states) {
     }
 }
 
-TEST(SmallHouse, is_not_called_by_the_path_of_a_file) {
+TEST(SmallHouse, is_not_named_by_a_file_path) {
     const std::string text = test::small_house(), named = R"('H\X2\00E4\X0\uschen')";
     const std::size_t at = text.find(named);
     ASSERT_NE(at, std::string::npos);
@@ -67,7 +67,7 @@ TEST(SmallHouse, is_not_called_by_the_path_of_a_file) {
         EXPECT_EQ(scene_of(std::string(text).replace(at, named.size(), path)).name, name) << path;
 }
 
-TEST(SmallHouse, is_solid_where_walls_are_and_free_where_doors_were_cut) {
+TEST(SmallHouse, is_solid_in_walls_and_free_in_door_openings) {
     const Scene scene = scene_of(test::small_house());
     EXPECT_TRUE(test::in_a_solid(scene, {0.5, -0.1, 1.0})) << "south wall";
     EXPECT_FALSE(test::in_a_solid(scene, {1.5, -0.1, 1.0})) << "front door";
@@ -82,7 +82,7 @@ TEST(SmallHouse, is_solid_where_walls_are_and_free_where_doors_were_cut) {
     EXPECT_TRUE(test::in_a_solid(scene, {-3.0, -3.0, -0.1})) << "ground outside";
 }
 
-TEST(SmallHouse, has_leaves_that_swing_as_ifc_says) {
+TEST(SmallHouse, has_leaves_that_swing_as_ifc_defines) {
     const Scene scene = scene_of(test::small_house());
     ASSERT_EQ(scene.movers.size(), 2U);
     // The front door's x axis points east. The door opens to the north about its west edge, so counter-clockwise.
@@ -93,7 +93,7 @@ TEST(SmallHouse, has_leaves_that_swing_as_ifc_says) {
     EXPECT_EQ(scene.features[scene.movers[0].feature.value].kind, FeatureKind::Door);
 }
 
-TEST(SmallHouse, is_walked_through_by_the_rooms_of_its_file) {
+TEST(SmallHouse, can_be_walked_through_by_the_rooms_of_its_file) {
     const Scene scene = scene_of(test::small_house());
     const auto navigation = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(navigation.has_value()) << navigation.error().sentence();
@@ -150,7 +150,7 @@ FoundInIt found_in(const Scene& scene, const Vec3& shift_m) {
 // The same house as another program writes it: IFC 4 in feet, a site elsewhere, and walls by their middle lines.
 // Openings are in the coordinates of their walls, a table is a mapped tessellation, and spaces are shells with
 // boundaries. Everything is in another order.
-TEST(SmallHouse, written_by_another_program_has_the_same_rooms_doors_joins_and_ways) {
+TEST(SmallHouse, exported_by_another_program_has_the_same_rooms_doors_joins_and_routes) {
     constexpr double kSame_m = 0.05;
     const Scene one = scene_of(test::small_house()),
                 other = scene_of(test::small_house("small_house_other_program.ifc"));
@@ -202,7 +202,7 @@ TEST(SmallHouse, written_by_another_program_has_the_same_rooms_doors_joins_and_w
     }
 }
 
-TEST(SmallHouse, joins_rooms_between_which_the_file_has_a_border_but_no_wall) {
+TEST(SmallHouse, joins_rooms_with_a_border_but_no_wall_in_the_file) {
     // Both rooms reach to the middle of the wall between them, with or without that wall. Also a virtual border.
     std::string walled = test::small_house();
     for (const char* corner : {"#159=IFCCARTESIANPOINT((3.95,0.))", "#160=IFCCARTESIANPOINT((3.95,4.))",
@@ -240,7 +240,7 @@ TEST(SmallHouse, joins_rooms_between_which_the_file_has_a_border_but_no_wall) {
 }
 
 // Many files have walls and doors but state no rooms.
-TEST(SmallHouse, without_rooms_is_begun_before_a_door_and_without_doors_on_the_ground) {
+TEST(SmallHouse, without_rooms_starts_in_front_of_a_door_and_without_doors_on_the_ground) {
     const auto without = [](std::string text, const std::string& kind) {
         for (std::size_t at = text.find(kind); at != std::string::npos; at = text.find(kind)) {
             const std::size_t line = text.rfind('\n', at) + 1;
@@ -268,7 +268,7 @@ TEST(SmallHouse, without_rooms_is_begun_before_a_door_and_without_doors_on_the_g
     }
 }
 
-TEST(SmallHouse, guesses_what_walls_are_made_of_and_says_so) {
+TEST(SmallHouse, gets_assumed_wall_materials_which_are_reported) {
     const Scene scene = scene_of(test::small_house());
     EXPECT_TRUE(std::any_of(scene.materials.begin(), scene.materials.end(),
                             [](const Material& m) { return m.name == "brick" && m.guessed; }));
@@ -276,7 +276,7 @@ TEST(SmallHouse, guesses_what_walls_are_made_of_and_says_so) {
     EXPECT_THAT(scene.report.guessed[0], HasSubstr("Ziegel"));
 }
 
-TEST(SmallHouse, stands_where_it_is_when_its_site_lies_thousands_of_kilometres_away) {
+TEST(SmallHouse, keeps_its_place_if_its_site_is_thousands_of_kilometres_away) {
     const std::string text = test::small_house();
     // The one placement below the site: its point becomes one near Karlsruhe in Gauss-Krueger metres.
     const std::size_t line = text.find("=IFCLOCALPLACEMENT($,#");
@@ -296,7 +296,7 @@ TEST(SmallHouse, stands_where_it_is_when_its_site_lies_thousands_of_kilometres_a
             << "solid " << i;
 }
 
-TEST(SmallHouse, opens_a_door_by_a_box_where_something_stands_in_it_and_names_both) {
+TEST(SmallHouse, gets_a_blocked_door_cut_open_with_a_box_and_names_door_and_obstacle) {
     // A beam with the place and shape of the wall between the rooms, without an opening.
     const std::string text = test::small_house();
     const std::size_t at = text.find("'middle'");
@@ -319,7 +319,7 @@ TEST(SmallHouse, opens_a_door_by_a_box_where_something_stands_in_it_and_names_bo
 }
 
 // Its own openings are cut, whichever copy comes first.
-TEST(SmallHouse, is_felt_once_where_a_wall_stands_in_its_file_many_times) {
+TEST(SmallHouse, is_felt_once_if_its_file_contains_a_wall_many_times) {
     const std::string house = test::small_house();
     const Result<Scene> once = read_ifc(house, "once.ifc");
     ASSERT_TRUE(once.has_value());

@@ -19,7 +19,7 @@ std::string sentence_for(const std::string& bytes) {
     return scene ? "" : scene.error().sentence();
 }
 
-TEST(StepText, says_names_in_any_script) {
+TEST(StepText, decodes_names_in_any_script) {
     EXPECT_EQ(decoded("K\\X2\\00FC\\X0\\che"), "Küche");
     EXPECT_EQ(decoded("B\\S\\|ro"), "Büro");
     EXPECT_EQ(decoded("\\X\\DCbung"), "Übung");
@@ -34,7 +34,7 @@ TEST(StepText, says_names_in_any_script) {
     EXPECT_EQ(decoded("\\X2\\00"), "00") << "cut in the middle";
 }
 
-TEST(StepFile, finds_instances_with_their_lines_over_comments_and_strings) {
+TEST(StepFile, finds_instances_with_their_lines_between_comments_and_strings) {
     const std::string text = step("#1=A('a;b''c',/* x;\n */(1.,-2.E-1,$),.T.,#7,IFCLABEL('x'));\n#7 = B ( ) ;");
     const Result<StepFile> file = StepFile::read(text, "a.ifc");
     ASSERT_TRUE(file.has_value()) << file.error().sentence();
@@ -53,7 +53,7 @@ TEST(StepFile, finds_instances_with_their_lines_over_comments_and_strings) {
     EXPECT_EQ(values[4].text, "x");
 }
 
-TEST(StepFile, says_what_is_wrong_in_one_sentence_with_its_line) {
+TEST(StepFile, reports_an_error_in_one_sentence_with_its_line) {
     EXPECT_THAT(sentence_for(step("#1=A(1);\n#1=B(2);")), AllOf(HasSubstr("line 7"), HasSubstr("second time")));
     EXPECT_THAT(sentence_for(step("#1=A(1;")), AllOf(HasSubstr("line 6"), HasSubstr("damaged")));
     EXPECT_THAT(sentence_for(step("", "AUTOMOTIVE_DESIGN")), HasSubstr("AUTOMOTIVE_DESIGN"));
@@ -65,7 +65,7 @@ TEST(StepFile, says_what_is_wrong_in_one_sentence_with_its_line) {
     EXPECT_THAT(sentence_for("hello"), HasSubstr("ISO-10303-21"));
 }
 
-TEST(StepFile, never_goes_deeper_than_its_own_bound) {
+TEST(StepFile, never_exceeds_its_recursion_limit) {
     const std::string text = step("#1=A(" + std::string(200'000, '(') + std::string(200'000, ')') + ");");
     const Result<StepFile> file = StepFile::read(text, "deep.ifc");
     ASSERT_TRUE(file.has_value());

@@ -13,7 +13,7 @@ namespace torture_test {
 
 using ::testing::HasSubstr;
 
-TEST(IfcTorture, cut_anywhere_is_told_with_its_line) {
+TEST(IfcTorture, a_file_cut_anywhere_is_reported_with_its_line) {
     const std::string whole = test::small_house();
     for (std::size_t at = 30; at < whole.size() - 20; at += 97) {
         const Result<Scene> scene = read_ifc(whole.substr(0, at), "cut.ifc");
@@ -22,7 +22,7 @@ TEST(IfcTorture, cut_anywhere_is_told_with_its_line) {
     }
 }
 
-TEST(IfcTorture, whole_buildings_cut_anywhere_are_told) {
+TEST(IfcTorture, whole_buildings_cut_anywhere_are_reported) {
     std::vector<std::string> buildings{test::office_ifc({2, 1, 8, 240}).text};
     for (const auto& path : test::with_real_worlds({}, {"duplex-apartment.ifc"}))
         buildings.push_back(test::content_of(path));
@@ -33,7 +33,7 @@ TEST(IfcTorture, whole_buildings_cut_anywhere_are_told) {
         }
 }
 
-TEST(IfcTorture, placements_in_a_circle_end_and_are_counted) {
+TEST(IfcTorture, circular_placements_terminate_and_are_counted) {
     const std::string text = test::small_house();
     const std::size_t at = text.find("=IFCLOCALPLACEMENT($,");
     const std::string own = text.substr(text.rfind('#', at), at - text.rfind('#', at));
@@ -43,7 +43,7 @@ TEST(IfcTorture, placements_in_a_circle_end_and_are_counted) {
     EXPECT_THAT(scene->report.left_out, ::testing::Contains(HasSubstr("refers to itself")));
 }
 
-TEST(IfcTorture, numbers_beyond_all_bounds_leave_the_part_out) {
+TEST(IfcTorture, huge_numbers_only_remove_their_part) {
     for (const char* number : {"1.E308", "-1.E308", "1.E9999", "1.E30"}) {
         const Result<Scene> scene =
             read_ifc(test::replaced(test::small_house(), "((8.2,", std::string("((") + number + ","), "far.ifc");
@@ -57,7 +57,7 @@ TEST(IfcTorture, numbers_beyond_all_bounds_leave_the_part_out) {
     }
 }
 
-TEST(IfcTorture, shapes_that_hold_themselves_end) {
+TEST(IfcTorture, shapes_that_contain_themselves_terminate) {
     std::string text = test::small_house();
     const std::size_t at = text.find("=IFCEXTRUDEDAREASOLID(");
     const std::string own = text.substr(text.rfind('#', at), at - text.rfind('#', at));
@@ -93,7 +93,7 @@ std::string mutated(const std::string& text, std::mt19937& random) {
     return other;
 }
 
-TEST(IfcTorture, mutated_files_become_a_whole_scene_or_a_sentence) {
+TEST(IfcTorture, mutated_files_become_a_complete_scene_or_an_error_sentence) {
     std::mt19937 random(20261123);
     int read = 0;
     for (const char* file : {"small_house.ifc", "small_house_millimetres.ifc"}) {
@@ -112,7 +112,7 @@ TEST(IfcTorture, mutated_files_become_a_whole_scene_or_a_sentence) {
     EXPECT_GT(read, 50) << "most become a world";
 }
 
-TEST(IfcTorture, many_rooms_cost_no_more_than_their_number) {
+TEST(IfcTorture, the_cost_of_many_rooms_grows_only_with_their_number) {
     std::string text = test::small_house(), more;
     const std::size_t at = text.find("=IFCSPACE(");
     const std::string space = text.substr(at, text.find(';', at) + 1 - at) + "\n";

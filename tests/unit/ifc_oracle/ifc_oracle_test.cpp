@@ -118,7 +118,7 @@ Compared compared(std::string_view bytes, const std::string& name) {
     return all;
 }
 
-TEST(PackagedIfc, reads_our_own_houses_as_we_do) {
+TEST(PackagedIfc, agrees_with_us_on_our_sample_houses) {
     for (const char* name : {"small_house.ifc", "small_house_millimetres.ifc", "small_house_other_program.ifc"}) {
         const Compared all = compared(test::content_of(test::project_root() / "tests/unit/ifc/worlds" / name), name);
         EXPECT_GE(all.places, 10) << name;
@@ -134,7 +134,7 @@ struct Known {
     int most_elsewhere, least_volumes, most_less;
 };
 
-TEST(PackagedIfc, has_the_same_parts_of_real_buildings_in_the_same_places) {
+TEST(PackagedIfc, agrees_with_us_on_the_places_of_parts_of_real_buildings) {
     bool any = false;
     for (const Known& known :
          {// The library leaves the openings of the corner windows upstairs uncut.

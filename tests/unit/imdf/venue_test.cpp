@@ -103,7 +103,7 @@ std::vector<std::string> names_of(const Scene& scene) {
     return names;
 }
 
-TEST(ImdfVenue, units_openings_and_levels_become_rooms_and_doors) {
+TEST(ImdfVenue, turns_units_openings_and_levels_into_rooms_and_doors) {
     const Scene scene = read(venue(), "Old wing");
     EXPECT_EQ(scene.name, "Old wing");
     EXPECT_THAT(names_of(scene), UnorderedElementsAre("Walkway, Ground floor", "Walkway, Level 1", "Passports",
@@ -127,7 +127,7 @@ TEST(ImdfVenue, units_openings_and_levels_become_rooms_and_doors) {
         }
 }
 
-TEST(ImdfVenue, all_buildings_of_a_venue_are_read_unless_one_is_asked_for) {
+TEST(ImdfVenue, includes_all_buildings_unless_one_is_requested) {
     const Scene all = read(venue());
     EXPECT_EQ(all.name, "Town hall");
     EXPECT_THAT(names_of(all), Contains("Shed"));
@@ -139,13 +139,13 @@ TEST(ImdfVenue, all_buildings_of_a_venue_are_read_unless_one_is_asked_for) {
     EXPECT_THAT(none.error().sentence(), HasSubstr("1 Old wing, 2 Annex"));
 }
 
-TEST(ImdfVenue, a_folder_around_the_files_and_other_files_make_no_difference) {
+TEST(ImdfVenue, is_read_the_same_in_a_folder_and_among_other_files) {
     std::map<std::string, std::string> wrapped{{"town/readme.txt", "hello"}, {"__MACOSX/._x", "junk"}};
     for (const auto& [name, content] : venue()) wrapped["town/" + name] = content;
     EXPECT_EQ(names_of(read(wrapped)), names_of(read(venue())));
 }
 
-TEST(ImdfVenue, without_openings_rooms_beside_a_walkway_get_guessed_doorways) {
+TEST(ImdfVenue, without_openings_gets_assumed_doorways_from_a_walkway_into_its_rooms) {
     std::map<std::string, std::string> files = venue();
     files.erase("opening.geojson");
     const Scene scene = read(files, "Old wing");
@@ -167,7 +167,7 @@ TEST(ImdfVenue, without_openings_rooms_beside_a_walkway_get_guessed_doorways) {
     EXPECT_TRUE((*ways)->reachable(room("Walkway, Level 1"), room("Acme brewery room")));
 }
 
-TEST(ImdfVenue, a_room_behind_another_gets_a_doorway_to_it) {
+TEST(ImdfVenue, gives_a_room_behind_another_a_doorway_to_it) {
     std::map<std::string, std::string> files;
     files["level.geojson"] = collection({feature("l0", box(0, 0, 20, 10), R"("ordinal":0,"name":null)")});
     files["unit.geojson"] = collection({unit("a", box(0, 8, 4, 12), "l0", "storage", R"({"en":"Behind both"})"),
@@ -205,7 +205,7 @@ std::map<std::string, std::string> with_annex(int hall_ordinal, int annex_ordina
     return files;
 }
 
-TEST(ImdfVenue, floors_of_two_buildings_meet_at_the_doors_they_share_else_on_the_ground) {
+TEST(ImdfVenue, aligns_the_floors_of_two_buildings_at_shared_doors_or_else_on_the_ground) {
     for (const int hall : {0, 1, -1})
         for (const int annex : {-1, 0, 1, 2, 4}) {
             SCOPED_TRACE(fmt::format("hall {}, annex {}", hall, annex));
@@ -227,7 +227,7 @@ TEST(ImdfVenue, floors_of_two_buildings_meet_at_the_doors_they_share_else_on_the
     EXPECT_NEAR(below.stated->rooms.back().floor_m, -3.0, 1e-6) << "a cellar stays one";
 }
 
-TEST(ImdfVenue, one_name_of_unit_and_occupant_is_said_once) {
+TEST(ImdfVenue, speaks_a_name_shared_by_unit_and_occupant_once) {
     for (const auto& [occupant, said] : {std::pair("Passports", "Passports"), std::pair("PASSPORTS", "PASSPORTS"),
                                          std::pair("Café", "Passports, Café")}) {
         std::map<std::string, std::string> files = venue();
@@ -239,7 +239,7 @@ TEST(ImdfVenue, one_name_of_unit_and_occupant_is_said_once) {
     }
 }
 
-TEST(ImdfVenue, damage_is_one_sentence) {
+TEST(ImdfVenue, that_is_damaged_gives_one_sentence) {
     const auto said = [](const std::string& bytes) {
         const Result<Scene> scene = read_imdf(bytes, "town.imdf.zip");
         return scene ? std::string("read") : scene.error().sentence();
@@ -261,7 +261,7 @@ TEST(ImdfVenue, damage_is_one_sentence) {
     EXPECT_THAT(said(swollen), HasSubstr("damaged"));
 }
 
-TEST(ImdfVenue, cut_at_any_byte_it_is_told) {
+TEST(ImdfVenue, cut_at_any_byte_is_reported) {
     for (const bool deflated : {false, true}) {
         const std::string whole = test::zipped(venue(), deflated);
         for (std::size_t at = 0; at < whole.size(); ++at) {
@@ -272,7 +272,7 @@ TEST(ImdfVenue, cut_at_any_byte_it_is_told) {
     }
 }
 
-TEST(ImdfVenue, numbers_beyond_all_bounds_leave_the_shape_out) {
+TEST(ImdfVenue, with_huge_numbers_loses_only_that_shape) {
     for (const char* number : {"1e308", "-1e308", "1e999", "180.0", "\"x\"", "null"}) {
         std::map<std::string, std::string> files = venue();
         std::string& units = files["unit.geojson"];
@@ -288,7 +288,7 @@ TEST(ImdfVenue, numbers_beyond_all_bounds_leave_the_shape_out) {
     }
 }
 
-TEST(ImdfRealFiles, the_smallest_venue_opens) {
+TEST(ImdfRealFiles, of_the_smallest_venue_can_be_opened) {
     const auto path = test::real_world("minimal.imdf.zip");
     if (!path) GTEST_SKIP() << test::needs_real_world("minimal.imdf.zip");
     const Result<Scene> scene = read_world(*path);

@@ -43,7 +43,7 @@ std::vector<fs::path> kept_in(const fs::path& cache) {
     return files;
 }
 
-TEST(ImportedWorld, is_the_same_bit_for_bit_as_one_read_here_or_kept) {
+TEST(ImportedWorld, is_bit_identical_whether_read_in_this_process_or_from_the_cache) {
     const test::TemporaryFolder folder;
     const fs::path path = folder.write("house.ifc", large_house()), cache = folder.path() / "cache";
     ASSERT_GE(fs::file_size(path), kLeastKept_bytes);
@@ -61,7 +61,7 @@ TEST(ImportedWorld, is_the_same_bit_for_bit_as_one_read_here_or_kept) {
     }
 }
 
-TEST(ImportedWorld, of_a_map_is_kept_if_reading_it_takes_long) {
+TEST(ImportedWorld, of_a_map_is_cached_if_reading_it_takes_long) {
     const test::TemporaryFolder folder;
     const std::string house = read_whole_file(test::bundled_world("house.map")).value();
     std::string large = house;
@@ -80,7 +80,7 @@ TEST(ImportedWorld, of_a_map_is_kept_if_reading_it_takes_long) {
         }
 }
 
-TEST(ImportedWorld, is_read_anew_when_anything_it_was_made_of_has_changed) {
+TEST(ImportedWorld, is_read_again_if_any_of_its_sources_has_changed) {
     const test::TemporaryFolder folder;
     const fs::path path = folder.write("house.ifc", large_house());
     const ImportHow how{Cache(folder.path() / "cache"), find_reader_program(), {}};
@@ -117,7 +117,7 @@ std::string ramp_bytes(float far) {
     return {reinterpret_cast<const char*>(points), sizeof points};
 }
 
-TEST(ImportedWorld, looks_at_the_files_beside_it_too) {
+TEST(ImportedWorld, depends_on_the_files_that_it_references_too) {
     const test::TemporaryFolder folder;
     const auto write_bin = [&](float far) { folder.write("ramp.bin", ramp_bytes(far)); };
     write_bin(4.0F);
@@ -137,7 +137,7 @@ TEST(ImportedWorld, looks_at_the_files_beside_it_too) {
     EXPECT_NEAR(world->scene.bounds_m.size_m().x, 5.0, 1e-6);
 }
 
-TEST(ImportedWorld, is_read_anew_if_what_was_kept_is_damaged) {
+TEST(ImportedWorld, is_read_again_if_its_cache_entry_is_damaged) {
     const test::TemporaryFolder folder;
     const fs::path path = folder.write("house.ifc", large_house());
     const ImportHow how{Cache(folder.path() / "cache"), find_reader_program(), {}};
@@ -160,7 +160,7 @@ TEST(ImportedWorld, is_read_anew_if_what_was_kept_is_damaged) {
 }
 
 // Until November 2026 the cache was next to the file, and its header named the source file.
-TEST(ImportedWorld, takes_nothing_of_another_world_and_nothing_next_to_the_file) {
+TEST(ImportedWorld, uses_no_cache_entry_of_another_world_and_none_next_to_the_file) {
     const test::TemporaryFolder folder;
     const std::string another = test::replaced(large_house(), "a chair of no shape", "a table of no shape");
     const fs::path path = folder.write("house.ifc", large_house()), other = folder.write("other.ifc", another);
@@ -186,7 +186,7 @@ TEST(ImportedWorld, takes_nothing_of_another_world_and_nothing_next_to_the_file)
     EXPECT_EQ(test::content_of(diary), "mine");
 }
 
-TEST(KeptScene, cut_at_every_byte_is_damaged) {
+TEST(KeptScene, cut_at_every_byte_is_reported_as_damaged) {
     const Result<Scene> scene = read_ifc(test::small_house(), "house.ifc");
     ASSERT_TRUE(scene.has_value());
     Scene small = *scene;  // only a few of its solids, so that the test can change each byte
@@ -207,7 +207,7 @@ TEST(KeptScene, cut_at_every_byte_is_damaged) {
     EXPECT_FALSE(old->has_value());
 }
 
-TEST(KeptWays, are_unpacked_by_the_reader_process_or_not_at_all) {
+TEST(KeptWays, are_unpacked_only_by_the_reader_process) {
     const test::TemporaryFolder folder;
     const Result<Scene> scene = read_ifc(test::small_house(), "house.ifc");
     ASSERT_TRUE(scene.has_value());
@@ -234,7 +234,7 @@ TEST(KeptWays, are_unpacked_by_the_reader_process_or_not_at_all) {
     EXPECT_EQ(unpack_ways_apart({file.get(), name}, folder.path() / "no program"), "");
 }
 
-TEST(ImportedWorld, that_cannot_be_kept_is_read_all_the_same) {
+TEST(ImportedWorld, that_cannot_be_cached_is_read_all_the_same) {
     const test::TemporaryFolder folder;
     const fs::path path = folder.write("house.ifc", large_house());
     const ImportHow how{Cache("/proc/no/such/folder"), find_reader_program(), {}};
@@ -243,7 +243,7 @@ TEST(ImportedWorld, that_cannot_be_kept_is_read_all_the_same) {
     EXPECT_FALSE(world->kept);
 }
 
-TEST(ReaderProcess, tells_how_far_it_is_and_what_it_is_at) {
+TEST(ReaderProcess, reports_its_progress_and_its_current_stage) {
     const test::TemporaryFolder folder;
     std::vector<double> fractions;
     std::vector<std::string> stages;
@@ -259,7 +259,7 @@ TEST(ReaderProcess, tells_how_far_it_is_and_what_it_is_at) {
     for (const std::string& stage : stages) EXPECT_NE(phrase(stage), stage);
 }
 
-TEST(ReaderProcess, says_what_the_reader_said_with_its_line) {
+TEST(ReaderProcess, passes_on_the_error_of_the_reader_with_its_line) {
     const test::TemporaryFolder folder;
     const std::string text = large_house();
     const fs::path path = folder.write("cut.ifc", text.substr(0, text.size() / 2));
@@ -281,7 +281,7 @@ fs::path stand_in(const test::TemporaryFolder& folder, const std::string& script
     return program;
 }
 
-TEST(ReaderProcess, that_ends_in_any_way_is_one_sentence) {
+TEST(ReaderProcess, gives_one_sentence_for_every_way_to_end) {
     const test::TemporaryFolder folder;
     const fs::path path = folder.write("house.ifc", test::small_house());
     const auto told = [&](const std::string& script) {
@@ -304,7 +304,7 @@ TEST(ReaderProcess, that_ends_in_any_way_is_one_sentence) {
     EXPECT_THAT(none.error().sentence(), HasSubstr("cannot be started"));
 }
 
-TEST(ReaderProcess, that_works_is_not_given_up_by_the_clock) {
+TEST(ReaderProcess, is_not_timed_out_while_it_works) {
     const test::TemporaryFolder folder;
     const fs::path path = folder.write("house.ifc", test::small_house());
     // The reader works four times as long as a process may be idle.
@@ -314,7 +314,7 @@ TEST(ReaderProcess, that_works_is_not_given_up_by_the_clock) {
     EXPECT_THAT(read.error().sentence(), HasSubstr("exit status 77"));
 }
 
-TEST(ReaderProcess, is_bounded_in_memory) {
+TEST(ReaderProcess, has_limited_memory) {
 #if defined(HANDRAIL_SANITIZED)
     GTEST_SKIP() << "sanitizers need all the address space there is";
 #endif
@@ -335,7 +335,7 @@ TEST(ReaderProcess, is_bounded_in_memory) {
     EXPECT_THAT(larger.error().sentence(), HasSubstr("gigabytes of memory"));
 }
 
-TEST(ReaderProcess, ends_at_once_when_it_is_not_wanted_any_more) {
+TEST(ReaderProcess, ends_at_once_when_it_is_cancelled) {
     const test::TemporaryFolder folder;
     const fs::path path = folder.write("house.ifc", test::small_house());
     std::stop_source stop;
@@ -375,7 +375,7 @@ TEST(ReaderProcess, is_confined_and_has_no_environment) {
     EXPECT_EQ(status.find("Seccomp:\t2") != std::string::npos, confinement_offered().seccomp) << status;
 }
 
-TEST(ReaderProcess, gets_files_of_the_worlds_folder_alone_whatever_a_world_names) {
+TEST(ReaderProcess, receives_only_files_in_the_folder_of_the_world) {
     const test::TemporaryFolder outside, folder;
     const fs::path secret = outside.write("secret.bin", ramp_bytes(4.0F));
     fs::create_directories(folder.path() / "world" / "parts");
@@ -401,7 +401,7 @@ TEST(ReaderProcess, gets_files_of_the_worlds_folder_alone_whatever_a_world_names
     EXPECT_THAT(link.error().sentence(), HasSubstr("link"));
 }
 
-TEST(RequestedFiles, are_opened_for_a_reader_that_was_taken_over_only_where_the_world_is) {
+TEST(RequestedFiles, of_a_compromised_reader_are_opened_only_in_the_folder_of_the_world) {
     const test::TemporaryFolder folder;
     fs::create_directories(folder.path() / "world");
     const fs::path world = folder.write("world/house.map", "the world");
@@ -435,7 +435,7 @@ TEST(RequestedFiles, are_opened_for_a_reader_that_was_taken_over_only_where_the_
 }
 
 // A reader that sends requests but never takes the answers must not block the program.
-TEST(RequestedFiles, do_not_hold_up_the_program_where_a_reader_takes_no_answer) {
+TEST(RequestedFiles, never_block_the_program_if_a_reader_fetches_no_answer) {
     const test::TemporaryFolder folder;
     const fs::path world = folder.write("house.map", "the world");
     std::array<int, 2> ends{-1, -1};
@@ -451,7 +451,7 @@ TEST(RequestedFiles, do_not_hold_up_the_program_where_a_reader_takes_no_answer) 
 
 // The file is not copied, so truncating it removes data that the reader has yet to read. The reader may finish before
 // the test stops it; then the test tries again.
-TEST(ReaderProcess, says_so_where_the_file_is_cut_short_meanwhile) {
+TEST(ReaderProcess, reports_a_file_that_is_truncated_during_reading) {
     const test::TemporaryFolder folder;
     bool said = false;
     for (int attempt = 0; attempt < 50 && !said; ++attempt) {
@@ -482,7 +482,7 @@ bool is_dead(pid_t process) {
     return after == std::string::npos || stat.substr(after + 2, 1) == "Z";
 }
 
-TEST(ReaderProcess, dies_with_the_program_even_where_that_is_killed) {
+TEST(ReaderProcess, dies_with_the_program_even_if_that_is_killed) {
     const test::TemporaryFolder folder;
     const fs::path path = folder.write("house.ifc", large_house());
     const fs::path told = folder.path() / "reader";

@@ -65,7 +65,7 @@ TomlValue table_with(const std::string& key, TomlValue value) {
     return table;
 }
 
-TEST_F(TomlApartTest, gives_the_values_and_faults_that_are_found_in_this_process) {
+TEST_F(TomlApartTest, returns_the_same_values_and_faults_as_parsing_in_this_process) {
     const TomlApart apart(find_reader_program());
     for (const std::string& text :
          {std::string(), kMarks, std::string("a = 1\n[b]\nc = [nan, -0.0]\nd = 07:32:00\n")}) {
@@ -83,13 +83,13 @@ TEST_F(TomlApartTest, gives_the_values_and_faults_that_are_found_in_this_process
     }
 }
 
-TEST_F(TomlApartTest, outlives_a_text_that_ends_the_parser) {
+TEST_F(TomlApartTest, survives_a_text_that_crashes_the_parser) {
     const TomlApart apart(find_reader_program());
     EXPECT_EQ(sentence_of(apart(test::deadly_toml())), kFailed);
     EXPECT_TRUE(apart(kMarks)) << "and reads the next one";
 }
 
-TEST_F(TomlApartTest, is_one_sentence_however_the_reader_ends) {
+TEST_F(TomlApartTest, returns_one_sentence_for_any_end_of_the_reader) {
     for (const char* script :
          {"kill -SEGV $$", "kill -KILL $$", "exit 3", "exit 0", "printf nonsense >&3", "head -c 2000000 /dev/zero >&3"})
         EXPECT_EQ(sentence_of(by(script)(kMarks)), kFailed) << script;
@@ -102,7 +102,7 @@ TEST_F(TomlApartTest, is_one_sentence_however_the_reader_ends) {
 }
 
 // A text that hijacks the reader can make it answer anything.
-TEST_F(TomlApartTest, believes_no_answer_that_toml_cannot_give) {
+TEST_F(TomlApartTest, rejects_answers_that_toml_cannot_produce) {
     TomlValue text, moment, deep, wrong_line;
     text.value = std::string("a\xff");
     moment.value = TomlMoment{.has_date = true, .month = 13};
@@ -132,7 +132,7 @@ TEST_F(TomlApartTest, believes_no_answer_that_toml_cannot_give) {
     EXPECT_LE(fault.error().message.size(), 300U);
 }
 
-TEST_F(TomlApartTest, reads_the_same_bytes_once) {
+TEST_F(TomlApartTest, parses_identical_bytes_only_once) {
     const fs::path count = folder_.path() / "count";
     const TomlApart fails = by(fmt::format("echo x >> {}; exit 1", count.string())), copy = fails;
     for (int i = 0; i < 5; ++i) EXPECT_EQ(sentence_of((i % 2 ? copy : fails)(kMarks)), kFailed);
@@ -169,7 +169,7 @@ protected:
     fs::path world_, near_;
 };
 
-TEST_F(SideFileApart, is_saved_and_merged_with_another_sessions_as_before) {
+TEST_F(SideFileApart, is_saved_and_merged_with_the_changes_of_another_session) {
     folder_.write("house.map.handrail.toml", kMarks);
     SideFile one = opened(), other = opened();
     EXPECT_THAT(names_in(one), ElementsAre("door"));
@@ -185,7 +185,7 @@ TEST_F(SideFileApart, is_saved_and_merged_with_another_sessions_as_before) {
     EXPECT_THAT(test::content_of(near_), HasSubstr("2026-11-28"));
 }
 
-TEST_F(SideFileApart, that_ends_its_reader_stays_as_it_is_and_what_is_added_goes_elsewhere) {
+TEST_F(SideFileApart, that_crashes_its_reader_stays_unchanged_and_additions_go_to_another_file) {
     folder_.write("house.map.handrail.toml", test::deadly_toml());
     for (const char* name : {"first", "second"}) {
         SideFile file = opened();
@@ -206,7 +206,7 @@ TEST_F(SideFileApart, that_ends_its_reader_stays_as_it_is_and_what_is_added_goes
         EXPECT_EQ(entry.path().string().find("damaged"), std::string::npos) << entry.path();
 }
 
-TEST_F(SideFileApart, that_ends_its_reader_and_has_no_other_place_is_not_written_over) {
+TEST_F(SideFileApart, that_crashes_its_reader_and_has_no_alternative_place_is_not_overwritten) {
     folder_.write("house.map.handrail.toml", test::deadly_toml());
     SideFile file = SideFile::of_world(world_, {}, false, TomlApart(find_reader_program()));
     add(file, "lost otherwise");
@@ -220,7 +220,7 @@ TEST_F(SideFileApart, that_ends_its_reader_and_has_no_other_place_is_not_written
 }
 
 // Another program writes the file while this session runs.
-TEST_F(SideFileApart, that_came_meanwhile_and_ends_its_reader_is_not_written_over) {
+TEST_F(SideFileApart, that_changed_during_the_session_and_crashes_its_reader_is_not_overwritten) {
     SideFile file = opened();
     add(file, "here");
     ASSERT_TRUE(file.save());
@@ -234,7 +234,7 @@ TEST_F(SideFileApart, that_came_meanwhile_and_ends_its_reader_is_not_written_ove
 }
 
 // A file in this program's own format needs no reader process to be saved again.
-TEST_F(SideFileApart, is_saved_without_a_reader_where_nobody_else_wrote_it) {
+TEST_F(SideFileApart, is_saved_without_starting_a_reader_if_nobody_else_wrote_it) {
     const fs::path count = folder_.path() / "count";
     SideFile file = opened(by(fmt::format("echo x >> {}; exit 1", count.string())));
     for (const char* name : {"one", "two", "three"}) {

@@ -48,7 +48,7 @@ std::string in_utf16(const std::string& text) {
     return wide;
 }
 
-TEST(ImportTorture, every_way_to_harm_a_model_ends_in_a_world_or_a_sentence) {
+TEST(ImportTorture, every_way_to_corrupt_a_model_ends_in_a_world_or_an_error_sentence) {
     const test::TemporaryFolder folder;
     const std::string house = test::small_house();
     EXPECT_EQ(outcome(folder.write("whole.ifc", house)), "");
@@ -70,7 +70,7 @@ TEST(ImportTorture, every_way_to_harm_a_model_ends_in_a_world_or_a_sentence) {
     (void)outcome(folder.write("tree.ifc", test::with_instances(house, more)));
 }
 
-TEST(ImportTorture, rooms_doors_and_walls_without_end_are_read_or_refused) {
+TEST(ImportTorture, rooms_doors_and_walls_in_huge_numbers_are_read_or_refused) {
     const test::TemporaryFolder folder;
     const std::string house = test::small_house();
     const auto copies = [&](const char* kind, int otherwise) {
@@ -86,7 +86,7 @@ TEST(ImportTorture, rooms_doors_and_walls_without_end_are_read_or_refused) {
     (void)outcome(folder.write("walls.ifc", copies("=IFCWALL(", 100)));
 }
 
-TEST(ImportTorture, models_cut_anywhere_are_told_and_never_half_a_building) {
+TEST(ImportTorture, models_cut_anywhere_are_reported_and_never_become_half_a_building) {
     const fs::path ours = test::project_root() / "tests/unit/ifc/worlds/small_house.ifc";
     for (const fs::path& path :
          test::with_real_worlds({ours}, {"duplex-apartment.ifc", "fzk-haus.ifc", "wall-door-column-ifc4x3.ifc"})) {

@@ -37,7 +37,7 @@ const std::string kMap = test::entity("worldspawn", test::key("message", "A smal
                          test::entity("func_door", {}, test::box_brush(100, 192, 0, 132, 208, 64, "wood1")) +
                          test::entity("info_player_start", test::key("origin", "128 96 24"));
 
-TEST(InfoCommand, tells_which_forces_hang_in_space) {
+TEST(InfoCommand, lists_the_force_effects_in_space) {
     const std::string world = (test::project_root() / "tests/scenarios/worlds/every_property.map").string();
     EXPECT_THAT(
         info(world, false).out,
@@ -113,7 +113,7 @@ TEST(InfoCommand, prints_every_key_as_one_json_object) {
     EXPECT_EQ(nlohmann::json::parse(info(folder.path() / "room.map", true, 0.01).out)["scale_m_per_unit"], 0.01);
 }
 
-TEST(InfoCommand, tells_the_same_in_sentences) {
+TEST(InfoCommand, gives_the_same_facts_in_sentences) {
     const test::TemporaryFolder folder;
     const Outcome run = info(folder.write("room.map", kMap), false);
     EXPECT_EQ(run.status, 0);
@@ -128,7 +128,7 @@ TEST(InfoCommand, tells_the_same_in_sentences) {
         EXPECT_THAT(run.out, testing::HasSubstr(said));
 }
 
-TEST(InfoCommand, says_what_exploring_makes_of_a_mesh) {
+TEST(InfoCommand, reports_how_exploring_changes_a_mesh) {
     const test::TemporaryFolder folder;
     // A floor of four triangles, one of which is repeated, and a wall.
     const std::filesystem::path file = folder.write(
@@ -142,7 +142,7 @@ TEST(InfoCommand, says_what_exploring_makes_of_a_mesh) {
                               "out of plane (bound 0.01 millimetres)."}));
 }
 
-TEST(InfoCommand, counts_as_moving_only_what_can_go_somewhere) {
+TEST(InfoCommand, counts_as_moving_only_things_that_can_go_somewhere) {
     const test::TemporaryFolder folder;
     // A door of 64 units that slides by its width less the lip, and one whose lip is as wide as itself, so it would not
     // move.
@@ -162,12 +162,12 @@ TEST(InfoCommand, counts_as_moving_only_what_can_go_somewhere) {
         0);
 }
 
-TEST(InfoCommand, counts_sides_that_give_way) {
+TEST(InfoCommand, counts_soft_sides) {
     const std::filesystem::path world = test::project_root() / "tests/scenarios/worlds/every_property.map";
     EXPECT_GT(nlohmann::json::parse(info(world, true).out)["touch_model"]["soft_sides"], 0);
 }
 
-TEST(InfoCommand, says_which_edges_are_rounded_and_which_stay_sharp_and_why) {
+TEST(InfoCommand, reports_which_edges_are_rounded_and_which_stay_sharp_and_why) {
     const test::TemporaryFolder folder;
     // A block of a metre, a plate of a centimetre, and two blocks whose ends partly meet, so that neither covers the
     // other's end.
@@ -185,7 +185,7 @@ TEST(InfoCommand, says_which_edges_are_rounded_and_which_stay_sharp_and_why) {
                               "2 solids keep sharp edges: a groove would open where they join others (Left, Right)."}));
 }
 
-TEST(InfoCommand, lists_what_is_too_small_to_feel_at_a_scale_when_asked) {
+TEST(InfoCommand, lists_what_is_too_small_to_feel_at_a_scale_on_request) {
     const auto at = [](const std::string& scale) {
         InfoArguments arguments;
         arguments.world = test::project_root() / "worlds/maps/house.map";
@@ -213,7 +213,7 @@ TEST(InfoCommand, lists_what_is_too_small_to_feel_at_a_scale_when_asked) {
     }
 }
 
-TEST(InfoCommand, tells_of_rooms_that_nobody_comes_to_on_foot) {
+TEST(InfoCommand, reports_rooms_that_cannot_be_reached_on_foot) {
     const test::TemporaryFolder folder;
     // Next to the room there is another one without a door, which the map names. It is first empty; then it contains a
     // chest that a designer placed.
@@ -232,7 +232,7 @@ TEST(InfoCommand, tells_of_rooms_that_nobody_comes_to_on_foot) {
             << ours;
 }
 
-TEST(InfoCommand, fails_with_one_sentence_and_nothing_on_stdout) {
+TEST(InfoCommand, fails_with_one_sentence_and_an_empty_standard_output) {
     const test::TemporaryFolder folder;
     for (const bool json : {false, true}) {
         const Outcome missing = info(folder.path() / "none.map", json);
@@ -244,7 +244,7 @@ TEST(InfoCommand, fails_with_one_sentence_and_nothing_on_stdout) {
     EXPECT_EQ(info(folder.write("room.map", kMap), true, -1.0).status, 2);
 }
 
-TEST(InfoCommand, counts_the_real_maps_as_measured_by_an_independent_reader) {
+TEST(InfoCommand, gives_the_same_counts_for_the_real_maps_as_an_independent_reader) {
     struct Expected {
         const char* file;
         int brushes, polygons, triangles, doors;
@@ -268,7 +268,7 @@ TEST(InfoCommand, counts_the_real_maps_as_measured_by_an_independent_reader) {
     }
 }
 
-TEST(InfoCommand, tells_honestly_what_it_understood_of_an_office_of_ours) {
+TEST(InfoCommand, reports_honestly_what_it_understood_of_a_generated_office) {
     const test::TemporaryFolder folder;
     const test::OfficeIfc office = test::office_ifc({2, 1, 3});
     const nlohmann::json honesty =
@@ -285,7 +285,7 @@ TEST(InfoCommand, tells_honestly_what_it_understood_of_an_office_of_ours) {
     EXPECT_EQ(honesty["rooms_by_storey"][1]["rooms"], office.rooms / 2);
 }
 
-TEST(InfoCommand, tells_honestly_what_it_understood_of_an_architects_model) {
+TEST(InfoCommand, reports_honestly_what_it_understood_of_an_architects_model) {
     const auto duplex = test::real_world("duplex-apartment.ifc");
     if (!duplex) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
     const nlohmann::json honesty = nlohmann::json::parse(info(*duplex, true).out)["honesty"];
@@ -313,7 +313,7 @@ TEST(InfoCommand, tells_honestly_what_it_understood_of_an_architects_model) {
             "furniture and no landmarks. Check this first: Room B105 contains stairs"));
 }
 
-TEST(InfoCommand, says_the_height_of_a_storey_in_metres_where_the_file_counts_millimetres) {
+TEST(InfoCommand, gives_the_height_of_a_storey_in_metres_even_if_the_file_uses_millimetres) {
     const std::string worlds = (test::project_root() / "tests/unit/ifc/worlds/").string();
     const nlohmann::json metres = nlohmann::json::parse(info(worlds + "small_house.ifc", true).out)["honesty"],
                          millimetres =
@@ -327,7 +327,7 @@ TEST(InfoCommand, says_the_height_of_a_storey_in_metres_where_the_file_counts_mi
         << "a .map states no rooms";
 }
 
-TEST(InfoCommand, ends_with_status_1_and_names_the_pair_when_materials_cannot_be_told_apart) {
+TEST(InfoCommand, exits_with_status_1_and_names_both_materials_if_they_feel_the_same) {
     const test::TemporaryFolder folder;
     const auto lint = [&](const std::string& wood_stiffness) {
         InfoArguments arguments;

@@ -28,7 +28,7 @@ TEST(Learner, is_read_as_the_file_says) {
     EXPECT_FALSE(learner->consent(Purpose::Remember));
 }
 
-TEST(Learner, agrees_up_to_the_last_day_and_to_nothing_else) {
+TEST(Learner, consents_only_to_the_agreed_purposes_and_until_the_last_day) {
     const auto learner = read_learner(kWhole, "learner.toml");
     ASSERT_TRUE(learner);
     EXPECT_TRUE(learner->allows(Purpose::Record, "2027-11-24"));
@@ -37,7 +37,7 @@ TEST(Learner, agrees_up_to_the_last_day_and_to_nothing_else) {
     EXPECT_FALSE(learner->allows(Purpose::Share, "2026-11-24"));
 }
 
-TEST(Learner, is_written_with_everything_that_nobody_here_knows) {
+TEST(Learner, is_saved_with_all_unknown_keys) {
     auto learner = read_learner(kWhole, "learner.toml");
     ASSERT_TRUE(learner);
     learner->consent(Purpose::Record)->until = "2028-01-01";
@@ -52,7 +52,7 @@ TEST(Learner, is_written_with_everything_that_nobody_here_knows) {
     EXPECT_EQ(again->name, learner->name);
 }
 
-TEST(Learner, that_agrees_no_longer_leaves_no_trace_of_having_agreed) {
+TEST(Learner, withdrawal_of_consent_leaves_no_trace_of_it) {
     auto learner = read_learner(kWhole, "learner.toml");
     ASSERT_TRUE(learner);
     learner->consent(Purpose::Record).reset();
@@ -62,7 +62,7 @@ TEST(Learner, that_agrees_no_longer_leaves_no_trace_of_having_agreed) {
 }
 
 // Each row claims the line of the fault and a part of the message.
-TEST(Learner, that_is_damaged_is_refused_with_file_and_line) {
+TEST(Learner, file_that_is_damaged_is_refused_with_file_and_line) {
     struct Row {
         const char* text;
         int line;
@@ -81,7 +81,7 @@ TEST(Learner, that_is_damaged_is_refused_with_file_and_line) {
     }
 }
 
-TEST(Learner, cut_at_every_byte_is_refused_or_one_that_agreed_to_no_more) {
+TEST(Learner, cut_at_every_byte_is_refused_or_consents_to_no_more_than_before) {
     for (std::size_t length = 0; length < kWhole.size(); ++length) {
         const auto learner = read_learner(kWhole.substr(0, length), "learner.toml");
         if (!learner) {
@@ -94,14 +94,14 @@ TEST(Learner, cut_at_every_byte_is_refused_or_one_that_agreed_to_no_more) {
     }
 }
 
-TEST(Learner, days_are_those_of_the_calendar) {
+TEST(Learner, dates_are_those_of_the_calendar) {
     EXPECT_TRUE(is_day("2028-02-29"));
     for (const char* none : {"2026-02-29", "2026-13-01", "2026-1-01", "26-01-01", "2026-01-01T", "", "2026/01/01"})
         EXPECT_FALSE(is_day(none)) << none;
     EXPECT_TRUE(is_day(today()));
 }
 
-TEST(Learner, names_that_are_offered_are_64_times_64_in_each_language_and_never_taken_for_real_ones) {
+TEST(Learner, suggestions_are_4096_names_per_language_that_never_look_like_real_names) {
     for (const char* language : {"en", "de"}) {
         const test::InLanguage spoken(language);
         std::set<std::string> names;

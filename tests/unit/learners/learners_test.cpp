@@ -21,7 +21,7 @@ namespace learners_test {
 namespace fs = std::filesystem;
 using test::TemporaryFolder;
 
-TEST(Learners, are_made_and_found_by_name_or_folder) {
+TEST(Learners, are_created_and_found_by_name_or_folder) {
     const TemporaryFolder data;
     const Learners learners(data.path());
     EXPECT_TRUE(learners.all().learners.empty());
@@ -40,7 +40,7 @@ TEST(Learners, are_made_and_found_by_name_or_folder) {
     EXPECT_NE(other.error().message.find("Maple Heron"), std::string::npos) << "the nearest is named";
 }
 
-TEST(Learners, are_for_nobody_but_the_person) {
+TEST(Learners, are_readable_only_by_the_person) {
     const TemporaryFolder data;
     const Learners learners(data.path());
     const auto made = learners.make("Oak Owl", "");
@@ -52,7 +52,7 @@ TEST(Learners, are_for_nobody_but_the_person) {
         EXPECT_EQ(file.status().permissions(), perms::owner_read | perms::owner_write) << file.path();
 }
 
-TEST(Learners, one_damaged_file_hides_nobody_else_and_is_left_as_it_is) {
+TEST(Learners, in_one_damaged_file_hide_nobody_else_and_the_file_stays_unchanged) {
     const TemporaryFolder data;
     const Learners learners(data.path());
     const auto first = learners.make("Oak Owl", ""), second = learners.make("Fig Finch", "");
@@ -70,7 +70,7 @@ TEST(Learners, one_damaged_file_hides_nobody_else_and_is_left_as_it_is) {
     EXPECT_EQ(learners.id_of(first->id), first->id) << "can still be deleted";
 }
 
-TEST(Exported, is_known_as_long_as_it_is_as_it_was_written) {
+TEST(Exported, file_is_recognised_until_it_changes) {
     const TemporaryFolder data, elsewhere;
     const fs::path page = elsewhere.write("page.html", "<p>One"), table = elsewhere.write("table.csv", "a,b");
     ASSERT_TRUE(note_exported(data.path(), page, "<p>One"));
@@ -87,7 +87,7 @@ TEST(Exported, is_known_as_long_as_it_is_as_it_was_written) {
     EXPECT_EQ(holdings.exported_other, std::vector{table});
 }
 
-TEST(Exported, list_cut_at_every_byte_tells_the_line_and_keeps_those_before) {
+TEST(Exported, list_cut_at_every_byte_reports_the_line_and_keeps_earlier_entries) {
     const TemporaryFolder data, elsewhere;
     ASSERT_TRUE(note_exported(data.path(), elsewhere.path() / "a", "1"));
     ASSERT_TRUE(note_exported(data.path(), elsewhere.path() / "b", "2"));
@@ -106,7 +106,7 @@ TEST(Exported, list_cut_at_every_byte_tells_the_line_and_keeps_those_before) {
     }
 }
 
-TEST(WayOut, knows_whose_data_it_is_by_its_folder_links_followed) {
+TEST(WayOut, identifies_the_owner_of_data_by_its_folder_after_resolving_links) {
     const TemporaryFolder data, elsewhere;
     const Learners learners(data.path());
     const auto owl = learners.make("Oak Owl", ""), finch = learners.make("Fig Finch", "");
@@ -134,7 +134,7 @@ TEST(WayOut, knows_whose_data_it_is_by_its_folder_links_followed) {
     EXPECT_FALSE(WayOut::of(learners, link)) << "nobody knows what was agreed to";
 }
 
-TEST(WayOut, writes_nothing_that_it_cannot_note) {
+TEST(WayOut, writes_no_file_that_it_cannot_note) {
     const TemporaryFolder data, elsewhere;
     const Learners learners(data.path());
     const auto owl = learners.make("Oak Owl", "");
@@ -146,7 +146,7 @@ TEST(WayOut, writes_nothing_that_it_cannot_note) {
     EXPECT_FALSE(fs::exists(out));
 }
 
-TEST(Search, finds_words_in_names_in_texts_and_in_what_is_packed) {
+TEST(Search, finds_words_in_file_names_in_texts_and_in_compressed_files) {
     const TemporaryFolder data;
     fs::create_directories(data.path() / "a/b");
     const fs::path plain = data.write("a/plain.txt", "said to Oak Owl, twice"),
@@ -186,7 +186,7 @@ protected:
         config_{"XDG_CONFIG_HOME", (home_.path() / "config").c_str()};
 };
 
-TEST_F(LearnerCommand, offers_a_name_makes_and_lists) {
+TEST_F(LearnerCommand, suggests_a_name_and_creates_and_lists_learners) {
     EXPECT_NE(run({}).out.find("no learners yet"), std::string::npos);
     const Said offered = run({.action = "new"});
     EXPECT_EQ(offered.status, 0);
@@ -196,14 +196,14 @@ TEST_F(LearnerCommand, offers_a_name_makes_and_lists) {
     EXPECT_EQ(listed.out, "Maple Heron: has agreed to nothing. No recordings.\n");
 }
 
-TEST_F(LearnerCommand, asks_before_it_takes_what_may_be_a_real_name) {
+TEST_F(LearnerCommand, asks_before_it_accepts_a_possible_real_name) {
     EXPECT_EQ(run({.action = "new", .name = "Anna Schmidt"}).status, 1) << "nobody answered";
     EXPECT_EQ(run({.action = "new", .name = "Anna Schmidt"}, "no\n").status, 1);
     EXPECT_FALSE(fs::exists(data() / "learners"));
     EXPECT_EQ(run({.action = "new", .name = "Anna Schmidt"}, "Yes\n").status, 0);
 }
 
-TEST_F(LearnerCommand, makes_somebody_who_agrees_at_once_and_nobody_where_a_purpose_is_none) {
+TEST_F(LearnerCommand, creates_a_consenting_learner_at_once_and_none_for_an_unknown_purpose) {
     EXPECT_EQ(run({.action = "new", .name = "Maple Heron", .give = "remmeber"}).status, 2);
     EXPECT_NE(run({}).out.find("no learners yet"), std::string::npos);
     const Said made = run({.action = "new", .name = "Maple Heron", .give = "remember"});
@@ -212,7 +212,7 @@ TEST_F(LearnerCommand, makes_somebody_who_agrees_at_once_and_nobody_where_a_purp
     EXPECT_NE(made.out.find("Nobody has agreed that Maple Heron is recorded"), std::string::npos) << made.out;
 }
 
-TEST_F(LearnerCommand, takes_and_withdraws_consent_by_purpose) {
+TEST_F(LearnerCommand, gives_and_withdraws_consent_by_purpose) {
     ASSERT_EQ(run({.action = "new", .name = "Oak Owl"}).status, 0);
     const Said given = run(
         {.action = "consent", .name = "Oak Owl", .give = "remember,record", .by = "her father", .until = "2999-01-31"});
@@ -236,7 +236,7 @@ TEST_F(LearnerCommand, takes_and_withdraws_consent_by_purpose) {
 
 // The learner has some data of every kind: recordings with the learner's name, additions, settings, unchanged exports
 // and exports that were changed since.
-TEST_F(LearnerCommand, deletes_asked_and_searches_and_finds_nothing) {
+TEST_F(LearnerCommand, deletes_after_confirmation_and_a_search_then_finds_nothing) {
     ASSERT_EQ(run({.action = "new", .name = "Oak Owl"}).status, 0);
     ASSERT_EQ(run({.action = "new", .name = "Fig Finch"}).status, 0);
     const Learners learners(data());
@@ -260,7 +260,7 @@ TEST_F(LearnerCommand, deletes_asked_and_searches_and_finds_nothing) {
     EXPECT_TRUE(learners.find("Fig Finch"));
 }
 
-TEST_F(LearnerCommand, tells_where_something_of_a_deleted_learner_is_left) {
+TEST_F(LearnerCommand, lists_files_where_traces_of_a_deleted_learner_remain) {
     ASSERT_EQ(run({.action = "new", .name = "Oak Owl"}).status, 0);
     const fs::path left = data() / "recordings/two/events.jsonl.gz";
     ASSERT_TRUE(write_file_atomically(left, gzip_piece("said: Oak Owl, well done")));

@@ -69,7 +69,7 @@ TEST(Friction, a_creeping_press_of_ten_newtons_does_not_chatter) {  // closed lo
         }
 }
 
-TEST(Friction, of_a_hand_led_along_trembling_is_steady) {  // open loop
+TEST(Friction, of_a_trembling_guided_hand_is_steady) {  // open loop
     for (const std::uint32_t seed : {1U, 2U, 3U, 4U}) {
         const TiltedWall wall(seed);
         TouchTuning tuning = rubbing(0.4, 0.4);
@@ -96,7 +96,7 @@ TEST(Friction, of_a_hand_led_along_trembling_is_steady) {  // open loop
     }
 }
 
-TEST(Friction, holds_against_a_steady_pull_and_tremor_for_a_minute) {  // drift
+TEST(Friction, holds_against_a_steady_pull_with_tremor_for_a_minute) {  // drift
     for (const std::uint32_t seed : {7U, 8U}) {
         const TiltedWall wall(seed);
         const TouchTuning tuning = rubbing(0.4, 0.4);
@@ -130,7 +130,7 @@ TEST(Friction, holds_against_a_steady_pull_and_tremor_for_a_minute) {  // drift
     }
 }
 
-TEST(LightTouch, answers_the_smallest_movement_and_adds_nothing_to_noise) {
+TEST(LightTouch, responds_to_the_smallest_movement_and_does_not_amplify_noise) {
     std::uint32_t seed = 20;
     for (const double mu : {0.3, 0.4, 0.8}) {
         ++seed;

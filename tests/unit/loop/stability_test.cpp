@@ -6,7 +6,7 @@
 namespace handrail::test {
 namespace stability_test {
 
-TEST(Stability, a_hand_that_presses_six_newtons_comes_to_rest_at_the_stiffness_of_the_rule) {
+TEST(Stability, a_hand_that_presses_six_newtons_comes_to_rest_at_the_recommended_stiffness) {
     std::uint32_t seed = 0;
     for (const double mass_kg : {0.1, 0.3, 0.5})
         for (const double grip : {1.0, 3.0, 10.0})
@@ -47,7 +47,7 @@ TEST(Stability, a_hand_that_presses_six_newtons_comes_to_rest_at_the_stiffness_o
             }
 }
 
-TEST(Stability, holds_with_twice_the_stiffness_of_the_rule_and_is_lost_with_ten_times) {
+TEST(Stability, holds_at_twice_the_recommended_stiffness_and_is_lost_at_ten_times) {
     for (const double delay_s : {0.0, 1e-3, 2e-3}) {
         LoopSettings settings;
         settings.hand.mass_kg = 0.4;
@@ -71,7 +71,7 @@ TEST(Stability, holds_with_twice_the_stiffness_of_the_rule_and_is_lost_with_ten_
     }
 }
 
-TEST(PassivityGuard, lets_an_undamped_wall_be_stiffer_and_never_steps) {
+TEST(PassivityGuard, lets_an_undamped_wall_be_stiffer_without_force_jumps) {
     const TiltedWall wall(0);
     LoopSettings settings;
     settings.hand.damping_ns_per_m = 1.2;
@@ -110,7 +110,7 @@ TEST(PassivityGuard, lets_an_undamped_wall_be_stiffer_and_never_steps) {
     }
 }
 
-TEST(PassivityGuard, leaves_damped_surfaces_alone_to_the_last_bit) {
+TEST(PassivityGuard, leaves_damped_surfaces_bit_identical) {
     const TiltedWall wall(5);
     LoopSettings settings;
     settings.hand.damping_ns_per_m = 1.2;

@@ -62,7 +62,7 @@ Sweep sweep(const TiltedWall& wall, double stall_s, bool silent, std::uint32_t s
     return seen;
 }
 
-TEST(Stalls, neither_throw_the_hand_nor_feed_it) {
+TEST(Stalls, neither_jerk_the_hand_nor_add_energy) {
     for (const std::uint32_t seed : {0U, 41U, 42U}) {
         const TiltedWall wall(seed);
         const Sweep undisturbed = sweep(wall, 0.0, false, seed);

@@ -8,7 +8,7 @@
 namespace handrail {
 namespace closed_mesh_walk_test {
 
-TEST(WalkSpace, has_no_place_within_a_closed_mesh_of_any_form) {
+TEST(WalkSpace, contains_no_place_inside_a_closed_mesh_of_any_form) {
     // A court of 12 by 12 m with a horseshoe of rocks, 2 m thick and 3 m high, around a yard of 3 by 4 m.
     const test::BlockMesh floor =
         test::block_mesh({{0, 0, 0}}, [](const Vec3& p) { return Vec3(0, 0, -0.5) + p * Vec3(12, 12, 0.5); });

@@ -72,7 +72,7 @@ std::vector<std::string> out_of_reach(const Scene& scene) {
     return unreachable_rooms(scene, *space, make_rooms(scene, *space));
 }
 
-TEST(ClosedRooms, are_counted_named_or_not_with_a_ceiling_or_without) {
+TEST(ClosedRooms, are_counted_with_or_without_a_name_or_a_ceiling) {
     for (const Vec3& at : {Vec3(0.0), Vec3(-3'000'000.0, 5'000'000.0, 120.0)})
         for (const bool ceiling : {true, false}) {
             const Rows rows{2, 1, {}, ceiling, at};
@@ -84,7 +84,7 @@ TEST(ClosedRooms, are_counted_named_or_not_with_a_ceiling_or_without) {
         }
 }
 
-TEST(ClosedRooms, are_no_roofs_tops_of_things_or_shafts) {
+TEST(ClosedRooms, do_not_include_roofs_tops_of_things_or_shafts) {
     test::SceneBuilder b = Rows{1, 1, {}, true, Vec3(0.0)}.build();
     // A parapet around the roof, a high cupboard with room above it, and a shaft of a square metre.
     for (const auto& [from, to] :
@@ -103,7 +103,7 @@ TEST(ClosedRooms, are_no_roofs_tops_of_things_or_shafts) {
 }
 
 // A walker can stand in every room, and can reach the rooms that doorways join with the first.
-TEST(ClosedRooms, agree_with_the_doorways_of_random_rows) {
+TEST(ClosedRooms, match_the_doorways_of_random_rows_of_rooms) {
     std::mt19937_64 random(test::seed_of_run());
     const auto chance = [&](double part) { return std::uniform_real_distribution(0.0, 1.0)(random) < part; };
     int closed = 0;

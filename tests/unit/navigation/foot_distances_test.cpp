@@ -53,7 +53,7 @@ double shortest_m(const RoomGraph& graph, std::uint32_t from, const Vec3& from_m
     return d[1];
 }
 
-TEST(FootDistances, are_those_of_all_pairs_of_doorways_in_random_buildings) {
+TEST(FootDistances, are_correct_for_all_pairs_of_doorways_in_random_buildings) {
     std::random_device seeds;
     const unsigned seed = seeds();
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -78,7 +78,7 @@ TEST(FootDistances, are_those_of_all_pairs_of_doorways_in_random_buildings) {
     EXPECT_GT(not_reached, 10);
 }
 
-TEST(FootDistances, from_nowhere_reach_nothing) {
+TEST(FootDistances, from_an_unreachable_start_reach_nothing) {
     RoomGraph graph;
     graph.rooms.resize(2);
     graph.portals.push_back({.rooms = {0, 1}});

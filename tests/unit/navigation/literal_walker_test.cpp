@@ -272,7 +272,7 @@ Counted count(const Building& in, int seeds, std::uint32_t every = 1) {
     return counted;
 }
 
-TEST(LiteralWalker, comes_from_each_room_of_the_house_to_each_other) {
+TEST(LiteralWalker, gets_from_each_room_of_the_house_to_each_other) {
     const Building house("house.map");
     const Counted counted = count(house, 5, test::every(11, 41));
     EXPECT_GT(counted.routes, 1);
@@ -280,7 +280,7 @@ TEST(LiteralWalker, comes_from_each_room_of_the_house_to_each_other) {
     EXPECT_TRUE(test::enough(counted.with_errors, counted.runs, 95));
 }
 
-TEST(LiteralWalker, comes_from_each_room_of_the_school_to_each_other) {
+TEST(LiteralWalker, gets_from_each_room_of_the_school_to_each_other) {
     const Building school("school.map");
     const Counted counted = count(school, 5, test::every(97, 211));
     EXPECT_GT(counted.routes, 1);

@@ -11,13 +11,13 @@
 namespace handrail {
 namespace office_world_test {
 
-TEST(OfficeWorld, is_the_same_text_for_the_same_size_and_seed_only) {
+TEST(OfficeWorld, gives_the_same_text_only_for_the_same_size_and_seed) {
     const std::string once = test::office_world(test::office_size(1'000, 7)).map;
     EXPECT_EQ(once, test::office_world(test::office_size(1'000, 7)).map);
     EXPECT_NE(once, test::office_world(test::office_size(1'000, 8)).map);
 }
 
-TEST(OfficeWorld, has_the_brushes_asked_for_and_a_square_metre_for_each) {
+TEST(OfficeWorld, has_the_requested_number_of_brushes_and_a_square_metre_for_each) {
     for (const int brushes : {1'000, 3'000, 10'000, 50'000}) {
         if (brushes > 3'000 && test::kSanitizerScale < 1.0) continue;
         const test::OfficeWorld office = test::office_world(test::office_size(brushes));
@@ -31,7 +31,7 @@ TEST(OfficeWorld, has_the_brushes_asked_for_and_a_square_metre_for_each) {
     EXPECT_EQ(test::office_size(50'000).storeys, 5);
 }
 
-TEST(OfficeWorld, is_read_without_a_warning_and_each_of_its_rooms_can_be_walked_to_through_its_own_door) {
+TEST(OfficeWorld, is_read_without_a_warning_and_each_room_can_be_entered_through_its_own_door) {
     test::OfficeSize size;
     size.storeys = 2;
     size.corridors = 1;
@@ -65,7 +65,7 @@ TEST(OfficeWorld, is_read_without_a_warning_and_each_of_its_rooms_can_be_walked_
     EXPECT_GE(graph.rooms.size(), 11U);  // 8 rooms, a floor outside them on each storey, and the stairs
 }
 
-TEST(Rooms, are_not_found_any_further_once_they_are_given_up) {
+TEST(Rooms, are_not_searched_further_after_cancellation) {
     const Result<Scene> scene = read_quake_map(test::office_world(test::office_size(300)).map, "office.map");
     ASSERT_TRUE(scene);
     const auto space = make_walk_space(*scene, WalkBody{});
@@ -76,7 +76,7 @@ TEST(Rooms, are_not_found_any_further_once_they_are_given_up) {
     EXPECT_TRUE(make_rooms(*scene, *space, stop.get_token()).rooms.empty());
 }
 
-TEST(Rooms, are_known_where_floors_are_more_than_one_tile_of_the_mesh_takes) {
+TEST(Rooms, are_found_even_if_the_floors_need_several_mesh_tiles) {
     test::SceneBuilder islands;
     Scene scene;
     constexpr int kAlong = 176;

@@ -38,7 +38,7 @@ OpenLeaf leaf(const Vec3& hinge_m, double turned_rad, double long_m = 0.9) {
     return {{{0, -0.025, 0}, {long_m, 0.025, 2.0}}, {hinge_m, rotation_about({0, 0, 1}, turned_rad), 1.0}};
 }
 
-TEST(OpenLeaves, take_the_places_at_which_a_body_overlaps_them) {
+TEST(OpenLeaves, occupy_exactly_the_places_where_a_body_would_overlap_them) {
     std::mt19937 random(test::seed_of_run());
     RecordProperty("seed", static_cast<int>(test::seed_of_run()));
     const auto part = [&] { return static_cast<double>(random() % 10001) / 10000.0; };
@@ -89,7 +89,7 @@ TEST(OpenLeaves, take_the_places_at_which_a_body_overlaps_them) {
     EXPECT_TRUE(mark_leaves(corridor(2.0)->space(), std::vector{leaf({500, 1, 0}, 0.0)}).empty());
 }
 
-TEST(OpenLeaves, are_gone_round_where_there_is_room_and_through_where_there_is_none) {
+TEST(OpenLeaves, are_avoided_if_there_is_room_and_otherwise_crossed) {
     for (const RouteWish wish : {RouteWish::Safest, RouteWish::Shortest})
         for (const Vec3& at : {Vec3(0.0), Vec3(3000.0, -2000.0, 40.0)}) {
             const auto wide = corridor(2.4, at), narrow = corridor(1.2, at);

@@ -87,7 +87,7 @@ void is_sound(const Floor& floor) {
     }
 }
 
-TEST(RoomOutlines, of_a_room_with_a_pillar_is_one_square_a_bodys_radius_inside_the_walls) {
+TEST(RoomOutlines, of_a_room_with_a_pillar_are_one_square_inset_by_the_body_radius) {
     for (const Vec3& at : {Vec3(0.0), Vec3(-812.3, 655.1, 4.0)}) {
         test::SceneBuilder b;
         b.box(at + Vec3(-1, -1, -0.2), at + Vec3(7, 5, 0), "floor", SolidRole::Solid, {}, FeatureKind::Floor);
@@ -108,7 +108,7 @@ TEST(RoomOutlines, of_a_room_with_a_pillar_is_one_square_a_bodys_radius_inside_t
     }
 }
 
-TEST(RoomOutlines, hold_each_place_of_their_room_among_random_blocks) {
+TEST(RoomOutlines, contain_each_place_of_their_room_among_random_blocks) {
     std::mt19937 random(test::seed_of_run());
     const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
     for (int run = 0; run < 12; ++run) {
@@ -125,7 +125,7 @@ TEST(RoomOutlines, hold_each_place_of_their_room_among_random_blocks) {
     }
 }
 
-TEST(RoomOutlines, are_sound_in_the_house_with_its_storeys) {
+TEST(RoomOutlines, are_valid_in_the_house_with_its_storeys) {
     const auto scene = read_world(test::project_root() / "worlds" / "maps" / "house.map");
     ASSERT_TRUE(scene);
     const Floor floor(*scene);

@@ -122,7 +122,7 @@ TEST(Rooms, of_our_house_are_all_found_and_named_and_every_door_joins_two) {
 }
 
 // The same answer as a grid search for every pair of rooms, with lengths within 5 % and a square.
-TEST(Rooms, are_joined_by_routes_as_a_grid_search_finds_them_in_every_bundled_world) {
+TEST(Rooms, are_connected_in_every_bundled_world_as_a_grid_search_finds) {
     for (const auto& entry : std::filesystem::directory_iterator(test::project_root() / "worlds" / "maps")) {
         if (entry.path().extension() != ".map") continue;
         SCOPED_TRACE(entry.path().filename().string());
@@ -155,7 +155,7 @@ TEST(Rooms, are_joined_by_routes_as_a_grid_search_finds_them_in_every_bundled_wo
     }
 }
 
-TEST(Rooms, of_whole_maps_are_many_and_joined_through_their_doors) {
+TEST(Rooms, of_complete_maps_are_many_and_connected_through_their_doors) {
     struct Expected {
         std::filesystem::path file;
         std::size_t least_rooms, most_rooms, least_doors;
@@ -202,7 +202,7 @@ RoomGraph rooms_of(const std::string& map, Scene* keep = nullptr, WalkSpace* spa
     return graph;
 }
 
-TEST(Rooms, part_where_walls_come_together_and_not_where_furniture_does) {
+TEST(Rooms, are_separated_by_converging_walls_but_not_by_furniture) {
     const RoomGraph two = rooms_of(two_rooms(32.0));  // 1 m
     EXPECT_EQ(two.rooms.size(), 2U) << described(two);
     ASSERT_EQ(two.portals.size(), 1U);
@@ -235,7 +235,7 @@ TEST(Rooms, are_the_straight_stretches_of_corridors_that_turn_and_branch) {
     EXPECT_EQ(hall.rooms.size(), 1U) << described(hall);
 }
 
-TEST(Rooms, are_named_by_the_map_the_person_what_is_in_them_or_size_and_place) {
+TEST(Rooms, are_named_by_the_map_the_person_their_contents_or_size_and_place) {
     const std::string names =
         test::entity("info_room", test::key("name", "Workshop") + test::key("origin", "60 80 16"));
     const std::string stove = test::entity("thing", test::key("name", "Stove") + test::key("landmark", "1"),
@@ -264,7 +264,7 @@ TEST(Rooms, are_named_by_the_map_the_person_what_is_in_them_or_size_and_place) {
 }
 
 // A hall of 20 by 10 m. Along its north wall, eight rooms of 2.5 by 2 m open onto it with gaps of 0.9 m.
-TEST(Rooms, of_one_look_and_side_are_told_apart_as_the_second_and_the_third) {
+TEST(Rooms, that_look_alike_on_the_same_side_are_called_second_and_third) {
     using test::box_brush;
     std::string walls = test::room_brushes(0, 0, 0, 640, 400, 96);
     for (int i = 0; i < 8; ++i) {
@@ -286,7 +286,7 @@ TEST(Rooms, of_one_look_and_side_are_told_apart_as_the_second_and_the_third) {
     EXPECT_THAT(names(), IsSupersetOf({"kleiner Raum, Norden", "kleiner Raum, Norden, Nummer 2"}));
 }
 
-TEST(Rooms, of_one_name_are_counted_as_a_person_counts) {
+TEST(Rooms, with_the_same_name_are_numbered_as_a_person_would) {
     const std::vector<std::pair<int, std::string>> ordinals{{2, "second"},  {7, "7th"},    {11, "11th"}, {12, "12th"},
                                                             {13, "13th"},   {21, "21st"},  {22, "22nd"}, {63, "63rd"},
                                                             {111, "111th"}, {152, "152nd"}};
@@ -294,7 +294,7 @@ TEST(Rooms, of_one_name_are_counted_as_a_person_counts) {
         EXPECT_EQ(phrase("room_name.another", {{"room", "lobby"}, {"number", number}}), ordinal + " lobby");
 }
 
-TEST(Rooms, names_follow_the_language_and_given_ones_stay) {
+TEST(Rooms, names_follow_the_language_except_those_given_by_the_person) {
     const std::string stove =
         test::entity("thing", test::key("name", "Stove") + test::key("name_de", "Ofen") + test::key("landmark", "1"),
                      test::box_brush(360, 60, 0, 400, 100, 40));
@@ -337,7 +337,7 @@ TEST(Rooms, names_of_the_map_follow_the_language_too) {
     EXPECT_TRUE(names().contains("Workshop"));
 }
 
-TEST(Rooms, tell_their_exits_clockwise) {
+TEST(Rooms, list_their_exits_clockwise) {
     RoomGraph graph;
     graph.rooms.resize(5);
     const Vec3 places[] = {{0, 5, 0}, {-5, 0, 0}, {5, 0, 0}, {0, -5, 0}};

@@ -171,7 +171,7 @@ TEST(Routes, agree_with_a_grid_search_in_random_worlds_of_boxes_and_walls) {
 }
 
 // The walker's own body moves along every stretch of a route, and nothing solid is in its way.
-TEST(Routes, can_be_walked_by_the_body_that_walks) {
+TEST(Routes, can_be_walked_by_a_simulated_walker) {
     const Scene scene = bundled("house.map");
     const auto navigation = navigate(scene);
     ASSERT_TRUE(navigation);
@@ -201,7 +201,7 @@ TEST(Routes, can_be_walked_by_the_body_that_walks) {
     EXPECT_GE(walked, 24);
 }
 
-TEST(Routes, keep_away_from_walls_where_there_is_room_and_are_hardly_longer) {
+TEST(Routes, keep_away_from_walls_if_there_is_room_and_are_hardly_longer) {
     const Scene scene = bundled("house.map");
     const auto navigation = navigate(scene);
     ASSERT_TRUE(navigation);
@@ -236,7 +236,7 @@ TEST(Routes, keep_away_from_walls_where_there_is_room_and_are_hardly_longer) {
     EXPECT_LT(safest_long, 1.12 * shortest_long);
 }
 
-TEST(Routes, tell_the_doors_and_stairs_on_the_way_in_order) {
+TEST(Routes, list_the_doors_and_stairs_along_the_way_in_order) {
     const Scene scene = bundled("house.map");
     const auto navigation = navigate(scene);
     ASSERT_TRUE(navigation);
@@ -280,7 +280,7 @@ void say_where_the_way_ends(const Scene& scene) {
 }
 
 // Two rooms of 8 by 4 m, separated by a wall without a door.
-TEST(Routes, say_where_the_way_ends_when_a_room_has_no_door) {
+TEST(Routes, report_where_the_connection_ends_if_a_room_has_no_door) {
     using test::entity;
     using test::key;
     const auto start = [](const char* at) { return entity("info_player_deathmatch", key("origin", at)); };
@@ -292,7 +292,7 @@ TEST(Routes, say_where_the_way_ends_when_a_room_has_no_door) {
     say_where_the_way_ends(*scene);
 }
 
-TEST(Routes, say_where_the_way_ends_in_real_maps) {
+TEST(Routes, report_where_the_connection_ends_in_real_maps) {
     for (const char* name : {"quake-e1m1.map", "quake-start.map"}) {
         SCOPED_TRACE(name);
         const auto path = test::real_world(name);
@@ -303,7 +303,7 @@ TEST(Routes, say_where_the_way_ends_in_real_maps) {
     }
 }
 
-TEST(Routes, take_lifts_both_ways_and_teleporters_and_drops_one_way) {
+TEST(Routes, use_lifts_in_both_directions_and_teleporters_and_drops_in_one) {
     using test::box_brush;
     using test::entity;
     using test::key;
@@ -346,7 +346,7 @@ TEST(Routes, take_lifts_both_ways_and_teleporters_and_drops_one_way) {
     EXPECT_FALSE(navigation->plan(low, high, RouteWish::OnFoot).reaches) << "there are no stairs";
 }
 
-TEST(Routes, on_foot_take_the_stairs_where_a_lift_is_nearer) {
+TEST(Routes, on_foot_use_the_stairs_even_if_a_lift_is_nearer) {
     const auto scene = read_world(test::project_root() / "worlds" / "maps" / "school.map");
     ASSERT_TRUE(scene);
     const auto navigation = navigate(*scene);
@@ -366,7 +366,7 @@ TEST(Routes, on_foot_take_the_stairs_where_a_lift_is_nearer) {
     EXPECT_GT(foot.length_m, near.length_m);
 }
 
-TEST(Routes, round_a_blocked_door_lead_back_from_right_before_it_and_never_through_it) {
+TEST(Routes, around_a_blocked_door_lead_back_from_the_door_and_never_through_it) {
     const Scene scene = bundled("school.map");
     const auto navigation = navigate(scene);
     const RoomGraph graph = make_rooms(scene, navigation->space());
@@ -452,7 +452,7 @@ TEST(Routes, of_worlds_without_floor_are_refused_in_one_sentence) {
     EXPECT_NEAR(beyond.short_of_m, 45.8, 0.2);
 }
 
-TEST(Routes, in_a_huge_world_use_larger_cells_and_say_so) {
+TEST(Routes, in_a_huge_world_use_larger_cells_and_report_it) {
     SceneBuilder field;
     field.box({-80, -80, -1}, {80, 80, 0}, "field", SolidRole::Solid, {}, FeatureKind::Floor);
     field.start({0, 0, 0}, 0.0);
@@ -476,7 +476,7 @@ TEST(Routes, in_a_huge_world_use_larger_cells_and_say_so) {
     EXPECT_LT((*small)->space().spans.size(), 50'000U);
 }
 
-TEST(Routes, in_an_endless_world_lead_round_the_start_and_that_is_said) {
+TEST(Routes, in_an_endless_world_cover_the_surroundings_of_the_start_and_report_it) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "too large for a sanitizer";
     SceneBuilder endless;
     endless.box({-4e4, -4e4, -1}, {4e4, 4e4, 0}, "desert", SolidRole::Solid, {}, FeatureKind::Floor);
@@ -494,7 +494,7 @@ TEST(Routes, in_an_endless_world_lead_round_the_start_and_that_is_said) {
     EXPECT_FALSE((*made)->plan({3e3, -2e3, 0}, {-3e4, 0, 0}).reaches);
 }
 
-TEST(Routes, can_be_given_up_while_they_are_prepared) {
+TEST(Routes, can_be_cancelled_during_preparation) {
     const Scene scene = bundled("house.map");
     std::stop_source stop;
     stop.request_stop();

@@ -96,7 +96,7 @@ bool walks_up(const WalkSpace& space, const Vec3& by) {
     return walks(space, by + Vec3(1, 2, 0), by + Vec3(9, 2, kUp_m));
 }
 
-TEST(StatedStairs, that_one_walks_on_are_no_link) {
+TEST(StatedStairs, that_can_be_walked_make_no_link) {
     House house;
     house.state(house.flight(15, 0.28));
     const Result<WalkSpace> space = house.space();
@@ -107,7 +107,7 @@ TEST(StatedStairs, that_one_walks_on_are_no_link) {
 
 // Walkable although the back of a body half a metre wide is still under the floor above when its toes are two risers
 // up.
-TEST(StatedStairs, of_each_form_are_walked_up_and_down) {
+TEST(StatedStairs, of_each_form_can_be_walked_up_and_down) {
     for (const test::StairForm form : test::kStairForms) {
         const test::StairHouse house(form);
         const auto scene = house.share();
@@ -121,7 +121,7 @@ TEST(StatedStairs, of_each_form_are_walked_up_and_down) {
 
 // If no stairs are stated, the same treads carry nobody of that width and height. Architects' models have walls in
 // pieces, one on top of the other. A foot that passes the upper piece must find no ledge on the lower one.
-TEST(StatedStairs, next_to_walls_in_pieces_are_as_next_to_whole_walls) {
+TEST(StatedStairs, next_to_walls_in_pieces_work_like_next_to_whole_walls) {
     std::mt19937 random(20261129);
     const int rounds = test::kSanitizerScale < 1.0 ? 1 : 3;
     for (const test::StairForm form : test::kStairForms)
@@ -140,7 +140,7 @@ TEST(StatedStairs, next_to_walls_in_pieces_are_as_next_to_whole_walls) {
         }
 }
 
-TEST(StatedStairs, alone_are_met_by_a_narrow_body) {
+TEST(StatedStairs, are_necessary_to_climb_the_stairs_of_the_test_houses) {
     for (const test::StairForm form : test::kStairForms) {
         const test::StairHouse house(form);
         Scene unstated = *house.share();
@@ -151,7 +151,7 @@ TEST(StatedStairs, alone_are_met_by_a_narrow_body) {
     }
 }
 
-TEST(StatedStairs, too_steep_to_walk_on_are_taken_in_one_go_from_their_foot_to_their_head) {
+TEST(StatedStairs, too_steep_to_walk_are_taken_in_one_go_from_bottom_to_top) {
     House house;
     const FeatureId stairs = house.flight(5, 0.3);
     house.state(stairs);
@@ -189,7 +189,7 @@ TEST(StatedStairs, too_steep_to_walk_on_are_taken_in_one_go_from_their_foot_to_t
     EXPECT_TRUE(rooms_out_of_reach(*scene, *space, graph).empty());
 }
 
-TEST(StatedStairs, of_which_nothing_was_built_lead_from_the_middle_of_one_room_to_that_of_the_other) {
+TEST(StatedStairs, without_geometry_lead_from_the_middle_of_one_room_to_the_middle_of_the_other) {
     House house;
     house.state(kNoFeature);
     const Result<WalkSpace> space = house.space();
@@ -201,7 +201,7 @@ TEST(StatedStairs, of_which_nothing_was_built_lead_from_the_middle_of_one_room_t
     EXPECT_NEAR(glm::length(space->place_m(links[0].to) - house.stated.rooms[1].at_m), 0.0, 0.1);
 }
 
-TEST(StatedStairs, that_join_nothing_or_lead_to_where_nobody_stands_are_no_link) {
+TEST(StatedStairs, that_join_nothing_or_lead_to_an_unreachable_place_make_no_link) {
     House level;
     level.stated.rooms[1].floor_m = 0.1;
     level.state(kNoFeature);
@@ -229,7 +229,7 @@ TEST(StatedStairs, that_join_nothing_or_lead_to_where_nobody_stands_are_no_link)
 
 // Whether a walker gets up is found by walking. There must be a link exactly where it does not, both near the origin
 // and far off.
-TEST(StatedStairs, of_any_steps_are_a_link_exactly_where_nobody_walks_up) {
+TEST(StatedStairs, of_any_step_size_become_a_link_exactly_if_nobody_can_walk_up) {
     std::mt19937 random(17);
     int walked = 0, taken = 0;
     const int runs = test::scaled(60);

@@ -29,7 +29,7 @@ double length_of(const std::vector<Vec3>& points) {
 }
 
 // A floor of 400 by 8 m with a wall every 20 m and a gap of 1.5 m at alternate ends of the walls.
-TEST(TiledMesh, the_shortest_route_in_a_slalom_of_400_m_is_found) {
+TEST(TiledMesh, finds_the_shortest_route_in_a_slalom_of_400_m) {
     for (const bool along_x : {true, false}) {
         const auto turned = [&](double along, double across, double z) {
             return along_x ? Vec3(along, across, z) : Vec3(across, along, z);
@@ -57,7 +57,7 @@ TEST(TiledMesh, the_shortest_route_in_a_slalom_of_400_m_is_found) {
 }
 
 // The floor begins at 0, so tiles meet at 64 m.
-TEST(TiledMesh, a_drop_leads_across_the_border_of_two_tiles) {
+TEST(TiledMesh, allows_a_drop_across_the_border_of_two_tiles) {
     for (double edge_m = 62.0; edge_m <= 66.0; edge_m += 0.25) {
         SceneBuilder ledge;
         ledge.box({0, 0, -1}, {edge_m, 6, 0.8}, "ledge", SolidRole::Solid, {}, FeatureKind::Floor);
@@ -86,7 +86,7 @@ Scene with_teleporter(double length_m) {
     return builder.scene();
 }
 
-TEST(TiledMesh, a_teleporter_to_the_same_or_the_next_tile_is_taken_and_one_beyond_is_reported) {
+TEST(TiledMesh, accepts_a_teleporter_to_the_same_or_the_next_tile_and_reports_a_farther_one) {
     for (const double length_m : {20.0, 60.0, 100.0}) {
         const auto ways = navigate(with_teleporter(length_m));
         ASSERT_TRUE(ways);

@@ -27,7 +27,7 @@ WayPlace by_looking_everywhere(const std::vector<Vec3>& points_m, const Vec3& fr
     return nearest;
 }
 
-TEST(NearestOnWay, agrees_with_a_twin_that_looks_everywhere_on_random_ways) {
+TEST(NearestOnWay, agrees_with_an_exhaustive_search_on_random_paths) {
     const std::uint32_t seed = test::seed_of_run();
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> place(-5.0, 5.0);
@@ -48,7 +48,7 @@ TEST(NearestOnWay, agrees_with_a_twin_that_looks_everywhere_on_random_ways) {
     }
 }
 
-TEST(NearestOnWay, takes_the_first_of_places_as_near_and_a_way_of_one_point) {
+TEST(NearestOnWay, prefers_the_first_of_equally_near_places_and_accepts_a_path_of_one_point) {
     const std::vector<Vec3> there_and_back{{0, 0, 0}, {4, 0, 0}, {0, 0, 0}};
     EXPECT_EQ(nearest_on_way(there_and_back, {1, 1, 0}).along_m, 1.0);
     EXPECT_EQ(nearest_on_way(there_and_back, {1, 1, 0}).leg, 0U);
@@ -60,7 +60,7 @@ TEST(NearestOnWay, takes_the_first_of_places_as_near_and_a_way_of_one_point) {
     EXPECT_EQ(place_along(there_and_back, 99.0), Vec3(0, 0, 0));
 }
 
-TEST(NearOnWay, stays_where_one_was_on_a_way_that_passes_near_itself) {
+TEST(NearOnWay, keeps_its_place_on_a_path_that_passes_close_to_itself) {
     const std::vector<Vec3> way{{0, 0, 0}, {10, 0, 0}, {10, 1, 0}, {0, 1, 0}};
     EXPECT_NEAR(near_on_way(way, {2, 0.5, 0}, 2.0).along_m, 2.0, 1e-12);
     EXPECT_NEAR(near_on_way(way, {2, 0.5, 0}, 18.0).along_m, 19.0, 1e-12);
@@ -70,7 +70,7 @@ TEST(NearOnWay, stays_where_one_was_on_a_way_that_passes_near_itself) {
 }
 
 // A wall is between the two long legs. The nearer leg is no short cut for a walker who cannot see it.
-TEST(NearOnWay, takes_no_short_cut_through_what_one_does_not_see_through) {
+TEST(NearOnWay, takes_no_short_cut_through_an_opaque_wall) {
     const std::vector<Vec3> way{{0, 0, 0}, {10, 0, 0}, {10, 2, 0}, {0, 2, 0}};
     const Vec3 at(4, 0.9, 0);
     const auto before_wall = [&](const Vec3& place) { return place.y < 1.0; };

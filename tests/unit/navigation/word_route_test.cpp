@@ -97,7 +97,7 @@ TEST(BlindGround, stops_a_body_where_the_walker_stops_and_slides_it_where_the_wa
     }
 }
 
-TEST(BlindGround, slides_a_body_into_the_doorway_whose_frame_it_has_met_and_into_no_other_gap) {
+TEST(BlindGround, slides_a_body_into_the_doorway_whose_frame_it_met_and_into_no_other_gap) {
     std::mt19937 random(test::seed_of_run());
     RecordProperty("seed", static_cast<int>(test::seed_of_run()));
     const auto part = [&] { return static_cast<double>(random() % 10001) / 10000.0; };
@@ -188,7 +188,7 @@ struct PlainStrides {
     }
 };
 
-TEST(BlindGround, lines_up_bit_for_bit_as_strides_do_that_look_at_all_and_go_all_their_way) {
+TEST(BlindGround, lines_up_bit_identically_to_a_full_length_search_that_checks_every_stride) {
     std::mt19937 random(test::seed_of_run());
     RecordProperty("seed", static_cast<int>(test::seed_of_run()));
     const auto part = [&] { return static_cast<double>(random() % 10001) / 10000.0; };
@@ -222,7 +222,7 @@ TEST(BlindGround, lines_up_bit_for_bit_as_strides_do_that_look_at_all_and_go_all
     EXPECT_GT(edges, 20);
 }
 
-TEST(BlindGround, mirrored_is_mirrored) {
+TEST(BlindGround, gives_mirrored_answers_for_a_mirrored_room) {
     SceneBuilder b = two_rooms(4.0), mirrored = two_rooms(6.0);
     const Room one = room_of(b), other = room_of(mirrored);
     for (const double off_m : {-0.8, -0.6, -0.5, -0.4, -0.3, 0.0, 0.3, 0.4, 0.5, 0.6, 0.8}) {
@@ -235,7 +235,7 @@ TEST(BlindGround, mirrored_is_mirrored) {
     }
 }
 
-TEST(WordRoute, comes_through_a_doorway_with_errors_in_a_few_legs) {
+TEST(WordRoute, passes_a_doorway_with_walking_errors_in_a_few_legs) {
     std::mt19937 random(test::seed_of_run());
     RecordProperty("seed", static_cast<int>(test::seed_of_run()));
     const auto part = [&] { return static_cast<double>(random() % 10001) / 10000.0; };
@@ -260,7 +260,7 @@ TEST(WordRoute, comes_through_a_doorway_with_errors_in_a_few_legs) {
 }
 
 // A doorway between two rooms belongs to neither outline, whichever room its floor is counted in.
-TEST(WordRoute, ends_within_the_outline_that_the_file_states_of_a_room) {
+TEST(WordRoute, ends_within_the_outline_that_the_file_states_for_a_room) {
     SceneBuilder b = two_rooms(5.0);
     const Room room = room_of(b);
     const WalkSpace& space = room.navigation->space();
@@ -293,7 +293,7 @@ TEST(WordRoute, ends_within_the_outline_that_the_file_states_of_a_room) {
     EXPECT_FALSE(stands_inside(graph, space, scene, {5.0, 6.1, 0.0}, 0)) << "a hand's breadth inside";
 }
 
-TEST(WordRoute, there_is_none_to_where_nobody_comes_and_none_once_it_is_stopped) {
+TEST(WordRoute, does_not_exist_to_an_unreachable_place_or_after_cancellation) {
     SceneBuilder b = two_rooms(5.0, 0.3);  // too narrow for the body
     b.start({2, 8, 0}, 0.0);
     const Room room = room_of(b);
@@ -314,7 +314,7 @@ TEST(WordRoute, there_is_none_to_where_nobody_comes_and_none_once_it_is_stopped)
 }
 
 // A platform with a drop of half a metre on two sides.
-TEST(WordRoute, never_leads_a_body_with_errors_over_an_edge) {
+TEST(WordRoute, never_leads_a_body_with_walking_errors_over_an_edge) {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {3, 12, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
     b.box({3, 0, -1.2}, {10, 9, -1.0}, "pit", SolidRole::Solid, "wood", FeatureKind::Floor);

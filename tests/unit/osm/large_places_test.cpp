@@ -25,7 +25,7 @@ std::shared_ptr<Navigation> ways_of(const Scene& scene) {
     return made ? *made : nullptr;
 }
 
-TEST(OsmLargePlaces, two_stops_600_m_apart_are_joined_by_a_route) {
+TEST(OsmLargePlaces, have_a_route_between_two_stops_600_m_apart) {
     Drawing drawing;
     const int west = drawing.node(20, 3), east = drawing.node(600, 597);
     drawing.box(0, 0, 40, 6, {{"railway", "platform"}, {"ref", "1"}});
@@ -51,7 +51,7 @@ std::size_t floors_at(const WalkSpace& space, const Vec2& at) {
     return floors;
 }
 
-TEST(OsmLargePlaces, ground_far_from_everything_is_left_out_and_that_is_said) {
+TEST(OsmLargePlaces, omit_ground_far_from_everything_and_report_it) {
     Drawing drawing;
     for (const double at_m : {0.0, 700.0}) {
         drawing.box(at_m, at_m, at_m + 40, at_m + 6,
@@ -101,7 +101,7 @@ Drawing station() {
     return drawing;
 }
 
-TEST(OsmLargePlaces, a_station_of_20_platforms_and_1300_rooms_is_walked) {
+TEST(OsmLargePlaces, can_be_walked_in_a_station_of_20_platforms_and_1300_rooms) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "too large for a sanitizer";
     const Scene scene = station().scene();
     ASSERT_TRUE(scene.stated);
@@ -141,7 +141,7 @@ Drawing two_buildings() {
     return drawing;
 }
 
-TEST(OsmLargePlaces, of_two_buildings_one_is_read_with_its_surroundings_and_the_rest_is_reported) {
+TEST(OsmLargePlaces, with_two_buildings_read_one_with_its_surroundings_and_report_the_rest) {
     for (const std::string mine : {"Old", "New"}) {
         const std::string other = mine == "Old" ? "New" : "Old";
         ReadOptions options;
@@ -155,7 +155,7 @@ TEST(OsmLargePlaces, of_two_buildings_one_is_read_with_its_surroundings_and_the_
     }
 }
 
-TEST(OsmWaysOutside, of_a_building_with_doors_can_be_walked_and_those_inside_add_nothing) {
+TEST(OsmWaysOutside, of_a_building_with_doors_can_be_walked_and_indoor_ones_add_nothing) {
     Drawing drawing;
     drawing.box(0, 0, 10, 6, {{"indoor", "room"}, {"level", "0"}, {"name", "Hall"}});
     drawing.box(10, 0, 20, 6, {{"indoor", "room"}, {"level", "0"}, {"name", "Office"}});
@@ -172,7 +172,7 @@ TEST(OsmWaysOutside, of_a_building_with_doors_can_be_walked_and_those_inside_add
     EXPECT_TRUE(scene.report.warnings.empty()) << scene.report.warnings[0].sentence();
 }
 
-TEST(OsmWaysOutside, on_the_ground_without_a_footway_to_them_are_not_closed) {
+TEST(OsmWaysOutside, on_the_ground_without_a_footway_are_not_reported_as_closed) {
     Drawing drawing;
     drawing.box(0, 0, 40, 4, {{"railway", "platform"}, {"ref", "1"}});
     drawing.box(0, 8, 40, 12, {{"railway", "platform"}, {"ref", "2"}});
@@ -181,7 +181,7 @@ TEST(OsmWaysOutside, on_the_ground_without_a_footway_to_them_are_not_closed) {
     EXPECT_THAT(honest_report(scene).check, IsEmpty());
 }
 
-TEST(OsmWaysOutside, a_relation_that_says_indoor_but_is_no_room_is_walked) {
+TEST(OsmWaysOutside, may_be_a_relation_tagged_indoor_that_is_not_a_room) {
     for (const Drawing::Tags& tags : {Drawing::Tags{{"indoor", "yes"}}, Drawing::Tags{}}) {
         Drawing drawing;
         const int first = drawing.node(0, 0);
@@ -193,7 +193,7 @@ TEST(OsmWaysOutside, a_relation_that_says_indoor_but_is_no_room_is_walked) {
     }
 }
 
-TEST(OsmLevelsOfWays, a_footway_that_only_slopes_up_to_a_level_makes_no_storey) {
+TEST(OsmLevelsOfWays, do_not_count_a_footway_that_only_slopes_up_to_a_level_as_a_storey) {
     Drawing drawing;
     const int a = drawing.node(0, 0), b = drawing.node(20, 0), c = drawing.node(40, 0);
     drawing.way({a, b}, {{"highway", "footway"}, {"level", "0"}, {"name", "Lower"}});
@@ -207,7 +207,7 @@ TEST(OsmLevelsOfWays, a_footway_that_only_slopes_up_to_a_level_makes_no_storey) 
 }
 
 // Stairs and a lift between corridors, each drawn separately on every level.
-TEST(OsmStacks, stairs_and_lifts_drawn_on_each_level_are_one_and_join_the_levels) {
+TEST(OsmStacks, of_stairs_or_lifts_drawn_on_each_level_join_the_levels) {
     for (const std::string kind : {"stairs", "elevator"}) {
         Drawing drawing;
         for (const char* level : {"-1", "0", "1"}) {
@@ -230,7 +230,7 @@ TEST(OsmStacks, stairs_and_lifts_drawn_on_each_level_are_one_and_join_the_levels
     }
 }
 
-TEST(OsmRealFiles, the_rooms_of_aachen_are_joined_across_storeys) {
+TEST(OsmRealFiles, join_the_rooms_of_aachen_across_storeys) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "too large for a sanitizer";
     const auto path = test::real_world("aachen-university.osm");
     if (!path) GTEST_SKIP() << test::needs_real_world("aachen-university.osm");
@@ -240,7 +240,7 @@ TEST(OsmRealFiles, the_rooms_of_aachen_are_joined_across_storeys) {
     EXPECT_GT(10 * report.largest_connected, 9 * report.rooms) << report.largest_connected << " of " << report.rooms;
 }
 
-TEST(OsmRealFiles, large_stations_are_walked) {
+TEST(OsmRealFiles, of_large_stations_can_be_walked) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "too large for a sanitizer";
     for (const char* name : {"frankfurt-hauptwache.osm", "cologne-central.osm", "london-waterloo.osm.pbf"}) {
         const auto path = test::real_world(name);

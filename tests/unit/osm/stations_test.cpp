@@ -18,7 +18,7 @@ using ::testing::UnorderedElementsAre;
 
 using test::Drawing;
 
-TEST(OsmDoors, up_to_0_3_m_beside_outlines_they_join_the_rooms_there) {
+TEST(OsmDoors, within_0_3_m_of_an_outline_join_the_rooms_there) {
     for (const double beside_m : {-0.29, -0.1, -0.004, 0.0, 0.01, 0.2, 0.29, -0.5, 0.5}) {
         Drawing drawing;
         for (const char* level : {"0", "1"}) {
@@ -33,7 +33,7 @@ TEST(OsmDoors, up_to_0_3_m_beside_outlines_they_join_the_rooms_there) {
     }
 }
 
-TEST(OsmDoors, a_node_of_one_level_serves_the_outline_beside_it_on_the_other) {
+TEST(OsmDoors, a_door_node_on_one_level_also_serves_the_outline_next_to_it_on_another) {
     Drawing drawing;
     const int door = drawing.node(6, 2, {{"door", "yes"}, {"level", "0;1"}});
     const int first = drawing.node(0, 0);
@@ -46,7 +46,7 @@ TEST(OsmDoors, a_node_of_one_level_serves_the_outline_beside_it_on_the_other) {
                 UnorderedElementsAre("West 0 | East 0", "West 1 | East 1"));
 }
 
-TEST(OsmDoors, next_to_a_corner_leave_the_room_behind_the_corner_alone) {
+TEST(OsmDoors, near_a_corner_do_not_join_the_room_behind_the_corner) {
     Drawing drawing;
     drawing.box(0, 0, 6, 4, {{"indoor", "room"}, {"level", "0"}, {"name", "West"}});
     drawing.box(6, 0, 12, 4, {{"indoor", "room"}, {"level", "0"}, {"name", "East"}});
@@ -61,7 +61,7 @@ std::vector<std::string> names_of_rooms(const Scene& scene) {
     return names;
 }
 
-TEST(OsmPlatforms, however_they_are_tagged_they_can_be_walked) {
+TEST(OsmPlatforms, can_be_walked_with_every_kind_of_tagging) {
     for (const Drawing::Tags& tags : std::vector<Drawing::Tags>{{{"railway", "platform"}},
                                                                 {{"public_transport", "platform"}},
                                                                 {{"highway", "platform"}},
@@ -79,7 +79,7 @@ TEST(OsmPlatforms, however_they_are_tagged_they_can_be_walked) {
     }
 }
 
-TEST(OsmPlatforms, a_relation_with_a_hole_is_a_platform_round_it) {
+TEST(OsmPlatforms, may_be_a_relation_with_a_hole) {
     Drawing drawing;
     const auto ring = [&](double west, double south, double east, double north) {
         const int first = drawing.node(west, south);
@@ -100,7 +100,7 @@ TEST(OsmPlatforms, a_relation_with_a_hole_is_a_platform_round_it) {
         << "joined with each other and with the ground";
 }
 
-TEST(OsmPlatforms, a_footway_that_ends_on_the_edge_joins_them_and_is_named_so) {
+TEST(OsmPlatforms, are_joined_by_a_footway_that_ends_on_their_edge_and_is_named_after_them) {
     for (const double into_m : {-0.2, 0.0, 0.3, 1.5}) {
         Drawing drawing;
         drawing.box(0, 0, 40, 5, {{"railway", "platform"}, {"ref", "1"}});
@@ -115,7 +115,7 @@ TEST(OsmPlatforms, a_footway_that_ends_on_the_edge_joins_them_and_is_named_so) {
     }
 }
 
-TEST(OsmWays, are_named_by_what_they_lead_to_and_never_numbered) {
+TEST(OsmWays, are_named_by_their_destinations_and_never_numbered) {
     Drawing drawing;
     drawing.box(0, 0, 40, 5, {{"railway", "platform"}, {"ref", "1"}, {"level", "0"}});
     const int edge = drawing.node(20, 5), bend = drawing.node(20, 12), far = drawing.node(20, 28),
@@ -138,7 +138,7 @@ TEST(OsmWays, are_named_by_what_they_lead_to_and_never_numbered) {
         << "two are alike, which is better than a number";
 }
 
-TEST(OsmWays, of_one_name_are_not_numbered_among_rooms_either) {
+TEST(OsmWays, with_the_same_name_are_not_numbered_in_the_list_of_rooms_either) {
     Drawing drawing;
     int from = drawing.node(0, 0);
     for (int k = 1; k <= 5; ++k) {
@@ -155,7 +155,7 @@ TEST(OsmWays, of_one_name_are_not_numbered_among_rooms_either) {
     EXPECT_THAT(names, UnorderedElementsAre("Deck, west", "Deck, west", "Deck, middle", "Deck, east", "Deck, east"));
 }
 
-TEST(OsmWays, on_the_ground_are_joined_by_it) {
+TEST(OsmWays, on_the_ground_are_joined_by_the_ground) {
     Drawing drawing;
     for (const int n : {1, 2, 3})
         drawing.box(0, 10.0 * n, 40, 10.0 * n + 4,
@@ -164,7 +164,7 @@ TEST(OsmWays, on_the_ground_are_joined_by_it) {
     EXPECT_EQ(honest_report(scene).largest_connected, 2) << "one lies below";
 }
 
-TEST(OsmWays, that_end_on_the_floor_of_another_are_joined_with_it) {
+TEST(OsmWays, that_end_on_the_floor_of_another_are_joined_to_it) {
     for (const double off_m : {0.0, 0.9, 1.5}) {
         Drawing drawing;
         drawing.way({drawing.node(0, 0), drawing.node(40, 0)},
@@ -179,14 +179,14 @@ TEST(OsmWays, that_end_on_the_floor_of_another_are_joined_with_it) {
     }
 }
 
-TEST(OsmWays, that_the_file_joins_with_nothing_are_not_called_closed) {
+TEST(OsmWays, without_connections_in_the_file_are_not_reported_as_closed) {
     Drawing drawing;
     drawing.box(0, 0, 40, 5, {{"railway", "platform"}, {"ref", "1"}, {"level", "-1"}});
     drawing.box(0, 9, 40, 14, {{"railway", "platform"}, {"ref", "2"}, {"level", "-1"}});
     EXPECT_THAT(drawing.scene().report.warnings, IsEmpty());
 }
 
-TEST(OsmLevelNames, are_those_of_the_file_everywhere) {
+TEST(OsmLevelNames, match_the_file_everywhere) {
     Drawing drawing;
     const int high = drawing.box(0, 0, 8, 6, {{"buildingpart", "room"}, {"name", "High"}});
     drawing.relation("<member type='way' ref='" + std::to_string(high) + "' role='buildingpart'/>",
@@ -208,7 +208,7 @@ TEST(OsmLevelNames, are_those_of_the_file_everywhere) {
         }
 }
 
-TEST(OsmLevelsOfWays, levels_that_only_ways_reach_are_storeys) {
+TEST(OsmLevelsOfWays, make_storeys_of_levels_that_only_footways_reach) {
     Drawing drawing;
     drawing.box(0, 4, 6, 9, {{"indoor", "room"}, {"level", "1"}, {"name", "Shop"}});
     drawing.box(6, 4, 12, 9, {{"indoor", "room"}, {"level", "1"}, {"name", "Kiosk"}});
@@ -230,7 +230,7 @@ TEST(OsmLevelsOfWays, levels_that_only_ways_reach_are_storeys) {
     EXPECT_THAT(test::joins_of(scene, StatedPortalKind::Stairs), ElementsAre("Concourse | Platform 1"));
 }
 
-TEST(OsmLifts, a_node_in_the_rooms_of_several_levels_is_a_lift_with_doors) {
+TEST(OsmLifts, are_recognised_from_a_node_in_the_rooms_of_several_levels_and_get_doors) {
     for (const Vec2& at : {Vec2(10, 3), Vec2(10, 0.9), Vec2(1.1, 5)}) {
         Drawing drawing;
         for (const char* level : {"0", "1", "2"})
@@ -252,7 +252,7 @@ TEST(OsmLifts, a_node_in_the_rooms_of_several_levels_is_a_lift_with_doors) {
     }
 }
 
-TEST(OsmLifts, a_node_without_space_for_a_cabin_is_reported) {
+TEST(OsmLifts, without_space_for_a_cabin_are_reported) {
     Drawing drawing;
     for (const char* level : {"0", "1"})
         drawing.box(0, 0, 1.5, 6, {{"indoor", "corridor"}, {"level", level}, {"name", "Narrow"}});
@@ -261,7 +261,7 @@ TEST(OsmLifts, a_node_without_space_for_a_cabin_is_reported) {
     EXPECT_THAT(scene.report.left_out, Contains(HasSubstr("One lift was left out")));
 }
 
-TEST(OsmLifts, the_outline_of_one_alone_is_no_building_and_hides_no_ways) {
+TEST(OsmLifts, with_only_an_outline_are_not_a_building_and_hide_no_footways) {
     Drawing drawing;
     drawing.box(0, 4, 2, 6, {{"highway", "elevator"}, {"level", "0;1"}, {"building", "yes"}});
     const int foot = drawing.node(10, 0), top = drawing.node(16, 0);
@@ -273,7 +273,7 @@ TEST(OsmLifts, the_outline_of_one_alone_is_no_building_and_hides_no_ways) {
     EXPECT_THAT(test::joins_of(scene, StatedPortalKind::Stairs), ElementsAre("Below | Above"));
 }
 
-TEST(OsmThings, columns_and_furniture_drawn_as_areas_are_things) {
+TEST(OsmThings, include_columns_and_furniture_drawn_as_areas) {
     for (const auto& [tags, name] : std::vector<std::pair<Drawing::Tags, std::string>>{
              {{{"indoor", "column"}}, "pillar"},
              {{{"indoor", "pillar"}}, "pillar"},
@@ -293,7 +293,7 @@ TEST(OsmThings, columns_and_furniture_drawn_as_areas_are_things) {
     }
 }
 
-TEST(OsmIndoorRelations, rooms_lie_on_the_level_of_their_relation) {
+TEST(OsmIndoorRelations, place_rooms_on_their_level) {
     Drawing drawing;
     const int low = drawing.box(0, 0, 8, 6, {{"buildingpart", "room"}, {"name", "Low"}}),
               high = drawing.box(0, 0, 8, 6, {{"buildingpart", "room"}, {"name", "High"}});
@@ -307,7 +307,7 @@ TEST(OsmIndoorRelations, rooms_lie_on_the_level_of_their_relation) {
     EXPECT_THAT(scene.report.guessed, Not(Contains(HasSubstr("without a level"))));
 }
 
-TEST(OsmIndoorRelations, columns_and_ways_lie_on_the_level_of_their_relation) {
+TEST(OsmIndoorRelations, place_columns_and_footways_on_their_level) {
     Drawing drawing;
     drawing.box(0, 0, 8, 6, {{"indoor", "room"}, {"level", "0"}, {"name", "Low"}});
     const int high = drawing.box(0, 0, 8, 6, {{"buildingpart", "room"}, {"name", "High"}}),

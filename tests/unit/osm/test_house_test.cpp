@@ -30,7 +30,7 @@ Scene read_house(const std::string& text = test::test_house(), const std::string
     return std::move(*scene);
 }
 
-TEST(OsmLevels, lists_ranges_negatives_and_halves_are_understood) {
+TEST(OsmLevels, may_be_lists_ranges_negative_numbers_and_halves) {
     EXPECT_THAT(levels_of("0;1;2").levels, ElementsAre(0, 1, 2));
     EXPECT_THAT(levels_of("0-3").levels, ElementsAre(0, 1, 2, 3));
     EXPECT_THAT(levels_of("-1-3").levels, ElementsAre(-1, 0, 1, 2, 3));
@@ -45,7 +45,7 @@ TEST(OsmLevels, lists_ranges_negatives_and_halves_are_understood) {
     EXPECT_LE(levels_of("0-300;-100-300").levels.size(), 401U);
 }
 
-TEST(OsmHouse, rooms_doors_and_levels_are_as_the_file_has_them) {
+TEST(OsmHouse, rooms_doors_and_levels_match_the_file) {
     const Scene scene = read_house();
     EXPECT_EQ(scene.name, "Test House");
     std::vector<std::string> names;
@@ -69,7 +69,7 @@ TEST(OsmHouse, rooms_doors_and_levels_are_as_the_file_has_them) {
     EXPECT_NEAR(test::room_named(scene, "102")->area_m2, 16.0, 0.1);
 }
 
-TEST(OsmHouse, one_walks_from_the_main_entrance_to_every_room_that_has_a_door) {
+TEST(OsmHouse, can_be_walked_from_the_main_entrance_to_every_room_with_a_door) {
     const Scene scene = read_house();
     ASSERT_FALSE(scene.starts.empty());
     EXPECT_TRUE(scene.starts[0].base);
@@ -82,7 +82,7 @@ TEST(OsmHouse, one_walks_from_the_main_entrance_to_every_room_that_has_a_door) {
     }
 }
 
-TEST(OsmHouse, what_is_guessed_missing_and_left_out_is_told) {
+TEST(OsmHouse, reports_what_was_assumed_missing_or_omitted) {
     const Scene scene = read_house();
     EXPECT_THAT(scene.report.guessed, Contains(HasSubstr("3.5 metres high")));
     EXPECT_THAT(scene.report.guessed, Contains(HasSubstr("90 centimetres")));
@@ -99,7 +99,7 @@ TEST(OsmHouse, what_is_guessed_missing_and_left_out_is_told) {
     EXPECT_EQ(report.stairs, 1);
 }
 
-TEST(OsmHouse, tags_that_blind_people_want_to_know_are_said_on_entering) {
+TEST(OsmHouse, announces_tags_that_matter_to_blind_people_on_entering) {
     const Scene scene = read_house();
     std::vector<std::string> said;
     for (const Solid& solid : scene.solids)
@@ -113,7 +113,7 @@ TEST(OsmHouse, tags_that_blind_people_want_to_know_are_said_on_entering) {
     EXPECT_EQ(machine->message, "It takes coins only.");
 }
 
-TEST(OsmHouse, of_several_buildings_one_is_chosen_by_name_or_number) {
+TEST(OsmHouse, of_several_buildings_is_chosen_by_name_or_number) {
     for (const char* wish : {"Annex", "annex", "2"}) {
         const Scene scene = read_house(test::test_house(), wish);
         EXPECT_EQ(scene.name, "Annex");
@@ -128,7 +128,7 @@ TEST(OsmHouse, of_several_buildings_one_is_chosen_by_name_or_number) {
     EXPECT_THAT(none.error().sentence(), HasSubstr("1 Test House, 2 Annex"));
 }
 
-TEST(OsmHouse, the_same_compressed_is_the_same) {
+TEST(OsmHouse, is_the_same_if_compressed) {
     std::string text = test::test_house();
     std::string packed(text.size() + 10'000, '\0');
     auto size = static_cast<unsigned>(packed.size());
@@ -145,7 +145,7 @@ TEST(OsmHouse, the_same_compressed_is_the_same) {
     EXPECT_THAT(cut.error().sentence(), HasSubstr("damaged or cut short"));
 }
 
-TEST(OsmHouse, the_same_as_pbf_is_the_same_and_cut_it_is_told) {
+TEST(OsmHouse, in_pbf_form_is_the_same_and_a_truncated_file_is_reported) {
     const std::string packed = test::content_of(test::project_root() / "tests/unit/osm/worlds/test_house.osm.pbf");
     const Result<Scene> scene = read_osm(packed, "house.osm.pbf");
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
@@ -158,7 +158,7 @@ TEST(OsmHouse, the_same_as_pbf_is_the_same_and_cut_it_is_told) {
     }
 }
 
-TEST(OsmHouse, the_same_bytes_give_the_same_scene) {
+TEST(OsmHouse, gives_the_same_scene_for_the_same_bytes) {
     const Scene a = read_house(), b = read_house();
     ASSERT_EQ(a.solids.size(), b.solids.size());
     for (std::size_t i = 0; i < a.solids.size(); ++i) {
@@ -168,7 +168,7 @@ TEST(OsmHouse, the_same_bytes_give_the_same_scene) {
     EXPECT_EQ(a.features.size(), b.features.size());
 }
 
-TEST(OsmRealFiles, the_university_has_its_rooms_and_ways_across_storeys) {
+TEST(OsmRealFiles, include_the_rooms_and_footways_of_the_university_across_storeys) {
     const auto path = test::real_world("apb-tu-dresden.osm");
     if (!path) GTEST_SKIP() << test::needs_real_world("apb-tu-dresden.osm");
     const Result<Scene> scene = read_world(*path);
@@ -195,7 +195,7 @@ TEST(OsmRealFiles, the_university_has_its_rooms_and_ways_across_storeys) {
     }
 }
 
-TEST(OsmRealFiles, a_station_without_rooms_is_walked_along_its_ways) {
+TEST(OsmRealFiles, of_a_station_without_rooms_can_be_walked_along_footways) {
     const auto path = test::real_world("delft-station.osm");
     if (!path) GTEST_SKIP() << test::needs_real_world("delft-station.osm");
     const Result<Scene> scene = read_world(*path);

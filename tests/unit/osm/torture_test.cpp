@@ -17,7 +17,7 @@ std::string small_plan() {
            "<tag k='level' v='0'/><tag k='name' v='Hall'/></way>\n</osm>\n";
 }
 
-TEST(OsmTorture, cut_at_any_byte_it_is_told) {
+TEST(OsmTorture, files_cut_at_any_byte_are_reported) {
     const std::string whole = small_plan();
     ASSERT_TRUE(read_osm(whole, "small.osm").has_value());
     for (std::size_t at = 0; at + 2 < whole.size(); ++at) {
@@ -28,7 +28,7 @@ TEST(OsmTorture, cut_at_any_byte_it_is_told) {
     EXPECT_THAT(read_osm(whole.substr(0, 200), "cut.osm").error().sentence(), HasSubstr("line 6"));
 }
 
-TEST(OsmTorture, coordinates_with_any_power_of_ten_become_a_place_or_a_sentence) {
+TEST(OsmTorture, coordinates_with_any_power_of_ten_become_a_place_or_an_error_sentence) {
     for (const char* power : {"e0", "e-7", "e2", "e9", "e11", "e18", "e19", "e63", "e64", "e139", "e13964", "e99999"}) {
         std::string plan = small_plan();
         plan.replace(plan.find("13.0001"), 7, std::string("13.0001") + power);
@@ -70,7 +70,7 @@ std::string mutated(const std::string& text, std::mt19937& random) {
     return other;
 }
 
-TEST(OsmTorture, mutated_files_become_a_whole_scene_or_a_sentence) {
+TEST(OsmTorture, mutated_files_become_a_complete_scene_or_an_error_sentence) {
     std::mt19937 random(20261124);
     const std::string text = test::test_house();
     int read = 0;
@@ -87,7 +87,7 @@ TEST(OsmTorture, mutated_files_become_a_whole_scene_or_a_sentence) {
     EXPECT_GT(read, 50) << "most become a world";
 }
 
-TEST(OsmTorture, outlines_that_cross_themselves_and_relations_in_a_circle_end) {
+TEST(OsmTorture, self_crossing_outlines_and_circular_relations_terminate) {
     const std::string crossing =
         "<osm version='0.6'><node id='1' lat='51.0' lon='13.0'/><node id='2' lat='51.0001' lon='13.0001'/>"
         "<node id='3' lat='51.0' lon='13.0001'/><node id='4' lat='51.0001' lon='13.0'/>"
@@ -101,7 +101,7 @@ TEST(OsmTorture, outlines_that_cross_themselves_and_relations_in_a_circle_end) {
     EXPECT_TRUE(validate(*scene).has_value());
 }
 
-TEST(OsmTorture, what_is_no_such_file_is_told) {
+TEST(OsmTorture, files_of_another_kind_are_reported) {
     for (const std::string text :
          {"", "<osm/>", "<osm version='0.6'></osm>", "<html></html>", "\0\0\0\x0c", "BZh9junk"}) {
         const Result<Scene> scene = read_osm(text, "odd.osm");
@@ -110,7 +110,7 @@ TEST(OsmTorture, what_is_no_such_file_is_told) {
     }
 }
 
-TEST(OsmTorture, entities_that_grow_are_refused) {
+TEST(OsmTorture, recursively_growing_entities_are_refused) {
     const Result<Scene> scene = read_osm(
         "<?xml version='1.0'?><!DOCTYPE osm [<!ENTITY a 'aaaa'><!ENTITY b '&a;&a;&a;'>]><osm version='0.6'>"
         "<node id='1' lat='0' lon='0'><tag k='name' v='&b;'/></node></osm>",

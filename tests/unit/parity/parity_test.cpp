@@ -268,7 +268,7 @@ const std::vector<Row>& rows() {
     return kRows;
 }
 
-TEST(ParityWithTheOriginal, every_line_of_the_list_is_called_here_and_names_a_file_that_exists) {
+TEST(ParityWithTheOriginal, every_line_of_the_list_has_a_test_here_and_names_an_existing_file) {
     // Such as "- `start()`: `ServoLoop::start` (`haptic/servo/servo_loop.h`)".
     static const std::regex kLine(R"re(- (.+?): .* \(`([^`]+)`\))re");
     std::vector<std::string> listed, called;

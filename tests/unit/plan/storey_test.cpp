@@ -103,7 +103,7 @@ TEST(StoreyPlan, closes_windows_and_leaves_doors_open) {
     EXPECT_NEAR(storey.base->place_m.x, 4.0, 1e-9);
 }
 
-TEST(StoreyPlan, takes_a_front_of_glass_without_walls_beside_it_as_closed) {
+TEST(StoreyPlan, treats_a_glass_front_without_adjoining_walls_as_closed) {
     TwoRooms world;
     // Glass in the middle of the western room without walls next to it, a banister, which is not glass, and a rail that
     // is too low.
@@ -172,7 +172,7 @@ TEST(StoreyPlan, of_floors_above_each_other_has_two_parts) {
 }
 
 // The roof comes down beyond the walkable area. A head meets it, but nothing is near at the height of a hand.
-TEST(StoreyPlan, is_closed_where_a_roof_comes_down_too_low_for_a_body) {
+TEST(StoreyPlan, is_closed_where_a_roof_is_too_low_for_a_body) {
     SceneBuilder build;
     const auto wall = [&](double x0, double y0, double x1, double y1) {
         build.box({x0, y0, 0.0}, {x1, y1, 2.5}, "wall", SolidRole::Solid, {}, FeatureKind::Wall);
@@ -189,7 +189,7 @@ TEST(StoreyPlan, is_closed_where_a_roof_comes_down_too_low_for_a_body) {
     EXPECT_FALSE(walled(plans.storeys[0], {3.0, 1.0}));
 }
 
-TEST(StoreyPlan, has_no_room_on_a_ledge_outside_that_nothing_leads_to) {
+TEST(StoreyPlan, contains_no_unreachable_room_on_an_outside_ledge) {
     TwoRooms world;
     world.build.box({3.5, 4.2, -0.2}, {5.5, 5.0, 0.0}, "ledge", SolidRole::Solid, {}, FeatureKind::Floor);
     const Plans plans = plans_of(std::move(world.build.scene()));
@@ -222,7 +222,7 @@ Scene hall_with_wide_steps(double first_step_m) {
     return std::move(build.scene());
 }
 
-TEST(StoreyPlan, has_no_wall_across_wide_steps_that_lead_up_through_the_cut) {
+TEST(StoreyPlan, has_no_wall_across_wide_steps_that_rise_through_the_section_plane) {
     const auto wall_on_steps = [](const Plans& plans) {
         const Storey& storey = plans.storeys.at(0);
         for (double x = 6.1; x < 15.0; x += 0.1)
@@ -258,7 +258,7 @@ void is_sound(const Plans& plans, const std::string& world) {
     }
 }
 
-TEST(StoreyPlan, of_our_house_and_school_has_doors_where_rooms_are_joined) {
+TEST(StoreyPlan, of_our_house_and_school_has_doors_between_connected_rooms) {
     const Plans house = plans_of(bundled("house.map"));
     ASSERT_EQ(house.storeys.size(), 2U);
     is_sound(house, "house");
@@ -269,7 +269,7 @@ TEST(StoreyPlan, of_our_house_and_school_has_doors_where_rooms_are_joined) {
     is_sound(school, "school");
 }
 
-TEST(StoreyPlan, of_architects_buildings_is_not_made_large_by_the_ground_around_them) {
+TEST(StoreyPlan, of_architects_buildings_is_not_enlarged_by_the_ground_around_them) {
     const TemporaryFolder folder;
     const auto office = folder.write("office.ifc", office_ifc({2, 1, 3}).text);
     for (const auto& path : with_real_worlds({office}, {"duplex-apartment.ifc"})) {
@@ -285,7 +285,7 @@ TEST(StoreyPlan, of_architects_buildings_is_not_made_large_by_the_ground_around_
     }
 }
 
-TEST(BoxAround, finds_the_smallest_box_of_something_askew) {
+TEST(BoxAround, finds_the_smallest_box_around_a_slanted_shape) {
     const double turn = 0.4;
     const Vec2 x(std::cos(turn), std::sin(turn)), y(-std::sin(turn), std::cos(turn));
     const PlanBox found = box_around(convex_hull({x * 3.0, x * 3.0 + y, y, Vec2(0.0), x + y * 0.5}));

@@ -33,7 +33,7 @@ TEST(DoomMaps, are_read_with_their_version_and_planes) {
     EXPECT_EQ(reading.scene.solids[0].shape.bounds_m.max_m, Vec3(10.0, 10.0, 0.0));
 }
 
-TEST(DoomMaps, put_forms_around_the_origin_of_their_entity) {
+TEST(DoomMaps, place_shapes_relative_to_the_origin_of_their_entity) {
     for (const auto& [version, x_m] :
          {std::pair{"", 0.0}, std::pair{"Version 1\n", 0.0}, std::pair{"Version 2\n", 4.0}}) {
         const test::Reading reading = reading_of(
@@ -57,7 +57,7 @@ TEST(DoomMaps, lose_the_brush_whose_plane_has_no_direction) {
 }
 
 // A sine with many control points is not made finer than the reader's limit, whatever the file requests.
-TEST(DoomMaps, bound_how_fine_a_patch_becomes) {
+TEST(DoomMaps, limit_how_fine_a_patch_becomes) {
     std::string patch = "{\npatchDef3\n{\n\"textures/a/b\"\n( 3 3 9999 9999 0 0 0 )\n(\n";
     for (int row = 0; row < 3; ++row) {
         patch += "(";

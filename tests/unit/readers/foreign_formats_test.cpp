@@ -24,7 +24,7 @@ std::string archive_with(const std::string& name) {
     return std::string("PK\x03\x04") + std::string(26, '\0') + list + name + std::string(8, '\0');
 }
 
-TEST(ForeignFormats, are_named_by_their_ending_with_what_to_export_instead) {
+TEST(ForeignFormats, are_recognised_by_their_extension_and_get_advice_on_what_to_export) {
     for (const auto& [ending, program, instead] :
          {std::tuple{".sh3d", "Sweet Home 3D", ".obj"}, std::tuple{".usdz", "RoomPlan", ".glb"},
           std::tuple{".3mf", "PrusaSlicer", ".stl"}, std::tuple{".dae", "SketchUp", ".glb"},
@@ -39,7 +39,7 @@ TEST(ForeignFormats, are_named_by_their_ending_with_what_to_export_instead) {
     }
 }
 
-TEST(ForeignFormats, are_named_by_what_is_in_them_whatever_they_are_called) {
+TEST(ForeignFormats, are_recognised_by_their_content_under_any_name) {
     const std::string xml = "<?xml version=\"1.0\"?>\n";
     for (const auto& [bytes, format] :
          {std::pair{archive_with("Home"), ".sh3d"}, std::pair{archive_with("scan.usdc"), ".usdz"},
@@ -56,7 +56,7 @@ TEST(ForeignFormats, are_named_by_what_is_in_them_whatever_they_are_called) {
     EXPECT_THAT(said_of("a.xml", xml + "<note>"), HasSubstr("XML file"));
 }
 
-TEST(ForeignFormats, survive_archives_and_texts_that_are_cut_anywhere) {
+TEST(ForeignFormats, cut_at_any_byte_are_survived) {
     const std::string whole = archive_with("3D/3dmodel.model");
     for (std::size_t n = 1; n < whole.size(); ++n)
         EXPECT_FALSE(foreign_by_content(whole.substr(0, n)).empty() && n > 4);

@@ -8,7 +8,7 @@ namespace german_test {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-TEST(ReadersInGerman, tell_what_is_wrong_with_a_key_and_what_is_done_about_it) {
+TEST(ReadersInGerman, report_what_is_wrong_with_a_key_and_how_it_is_handled) {
     const InLanguage german("de");
     const Reading reading = reading_of(read_quake_map(
         entity("worldspawn", {}, box_brush(0, 0, -8, 320, 320, 0)) +
@@ -22,7 +22,7 @@ TEST(ReadersInGerman, tell_what_is_wrong_with_a_key_and_what_is_done_about_it) {
                 HasSubstr("Warnung: Das Material „wod“ gibt es nicht. Am ähnlichsten ist wood. Es gilt die Vorgabe."));
 }
 
-TEST(ReadersInGerman, tell_where_the_file_ends_too_early) {
+TEST(ReadersInGerman, report_where_a_file_ends_too_early) {
     const InLanguage german("de");
     const Result<Scene> scene = read_quake_map("{\n\"classname\" \"worldspawn\"\n{\n( 0 0 0 ) ( 1 0 ", "haus.map", {});
     ASSERT_FALSE(scene);
@@ -32,7 +32,7 @@ TEST(ReadersInGerman, tell_where_the_file_ends_too_early) {
               "Punkt 2; gefunden: das Ende der Datei.");
 }
 
-TEST(ReadersInGerman, tell_of_meshes_and_of_files_that_are_no_worlds) {
+TEST(ReadersInGerman, report_on_meshes_and_on_files_that_are_not_worlds) {
     const InLanguage german("de");
     const Reading reading = reading_of(read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n", "lampe.obj", {}));
     EXPECT_THAT(reading.said, ElementsAre("lampe.obj, Zeile 5, Spalte 7: Warnung: Punkt 9 gibt es nicht; bisher wurden "
@@ -43,7 +43,7 @@ TEST(ReadersInGerman, tell_of_meshes_and_of_files_that_are_no_worlds) {
     EXPECT_EQ(none.error().sentence(), "lampe.obj: In diesem Netz ist nichts zu berühren. Es enthält keine Flächen.");
 }
 
-TEST(EffectNames, stand_in_every_language_and_for_no_other_effect) {
+TEST(EffectNames, exist_in_every_language_and_for_no_other_effect) {
     for (const LanguageName& language : bundled_languages()) {
         const InLanguage spoken(language.code);
         for (const EffectSpec& row : effect_table())

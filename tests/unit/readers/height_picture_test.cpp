@@ -123,7 +123,7 @@ void expect_shown(const std::string& bytes, int bits, const char* what) {
                 << what << " " << x << " " << y;
 }
 
-TEST(HeightPicture, reads_grey_of_every_depth_of_bits_straight_and_interlaced) {
+TEST(HeightPicture, reads_grey_of_every_bit_depth_plain_and_interlaced) {
     for (const bool interlaced : {false, true})
         for (const int bits : {1, 2, 4, 8, 16}) {
             const Samples sample = [&](int x, int y, int) {
@@ -134,7 +134,7 @@ TEST(HeightPicture, reads_grey_of_every_depth_of_bits_straight_and_interlaced) {
         }
 }
 
-TEST(HeightPicture, takes_the_blue_of_colours_and_palettes) {  // S81
+TEST(HeightPicture, uses_the_blue_channel_of_colour_and_palette_images) {  // S81
     for (const bool interlaced : {false, true})
         for (const int bits : {8, 16}) {
             const Samples sample = [&](int x, int y, int channel) {
@@ -154,7 +154,7 @@ TEST(HeightPicture, takes_the_blue_of_colours_and_palettes) {  // S81
     }
 }
 
-TEST(HeightPicture, takes_transparent_for_plain) {
+TEST(HeightPicture, uses_the_opacity_of_images_with_an_alpha_channel) {
     for (const int bits : {8, 16})
         for (const int channels : {2, 4}) {
             const std::uint32_t full = (1U << bits) - 1;
@@ -207,7 +207,7 @@ TEST(HeightPicture, survives_random_damage) {
     }
 }
 
-TEST(HeightPicture, refuses_what_is_too_large_or_no_png_by_name) {
+TEST(HeightPicture, names_the_reason_for_refusing_a_file_that_is_too_large_or_not_a_png) {
     const auto message = [](const std::string& bytes) {
         const auto picture = read_height_picture(bytes, "p.png");
         return picture ? std::string("read") : picture.error().message;
@@ -261,7 +261,7 @@ TEST(TextureKeys, are_read_with_their_units_and_defaults) {
     EXPECT_FALSE(material_of_panel(*plain).friction_static.has_value());
 }
 
-TEST(TextureKeys, out_of_range_or_unknown_are_told_and_the_nearest_taken) {
+TEST(TextureKeys, that_are_out_of_range_or_unknown_are_reported_and_the_nearest_value_is_used) {
     struct Wrong {
         std::string keys, part;
     };
@@ -282,7 +282,7 @@ TEST(TextureKeys, out_of_range_or_unknown_are_told_and_the_nearest_taken) {
     }
 }
 
-TEST(TextureKeys, a_picture_lies_beside_the_map_and_one_that_cannot_be_used_leaves_the_surface_plain) {
+TEST(TextureKeys, load_a_picture_next_to_the_map_and_leave_the_surface_plain_if_it_is_unusable) {
     const test::TemporaryFolder folder;
     folder.write("good.png", small_png());
     folder.write("bad.png", small_png().substr(0, 100));

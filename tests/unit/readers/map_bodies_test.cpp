@@ -25,7 +25,7 @@ Reading thing(const std::string& keys, const std::string& brushes = kCube) {
     return read(entity("thing", key("name", "Crate") + keys, brushes));
 }
 
-TEST(MapBodies, the_originals_three_kinds_are_free_and_weigh_what_wood_does) {
+TEST(MapBodies, of_the_original_programs_three_kinds_are_free_and_weigh_as_much_as_wood) {
     for (const char* kind : {"dynamic_box", "dynamic_sphere", "dynamic_cylinder"}) {
         const Reading reading = thing(key("cs_name", kind));
         EXPECT_THAT(reading.said, IsEmpty());
@@ -41,7 +41,7 @@ TEST(MapBodies, the_originals_three_kinds_are_free_and_weigh_what_wood_does) {
     }
 }
 
-TEST(MapBodies, any_thing_with_free_is_one_body_of_all_its_brushes) {
+TEST(MapBodies, an_entity_with_the_key_free_becomes_one_body_of_all_its_brushes) {
     const Reading reading = thing(key("free", "1") + key("density", "100"), kCube + box_brush(0, 0, 32, 32, 32, 64));
     EXPECT_THAT(reading.said, IsEmpty());
     ASSERT_EQ(reading.scene.bodies.size(), 1U);
@@ -58,7 +58,7 @@ TEST(MapBodies, any_thing_with_free_is_one_body_of_all_its_brushes) {
     EXPECT_THAT(thing_of_body, ElementsAre(-1));
 }
 
-TEST(MapBodies, its_keys_say_mass_friction_elasticity_and_rolling) {
+TEST(MapBodies, keys_set_mass_friction_elasticity_and_rolling) {
     const Reading reading = thing(key("free", "1") + key("mass", "4") + key("friction", "0.5") +
                                   key("friction_static", "0.6") + key("elasticity", "0.6") + key("rolling", "0.02"));
     EXPECT_THAT(reading.said, IsEmpty());
@@ -73,7 +73,7 @@ TEST(MapBodies, its_keys_say_mass_friction_elasticity_and_rolling) {
     EXPECT_EQ(thing(key("free", "1")).scene.bodies.at(0).friction_static, 0.5) << "a quarter more than while it slides";
 }
 
-TEST(MapBodies, bad_numbers_are_told_with_file_and_line_and_the_rest_loads) {
+TEST(MapBodies, bad_numbers_are_reported_with_file_and_line_and_the_rest_loads) {
     for (const auto& [keys, words, kg] :
          {std::tuple(key("mass", "0"), "of the key mass is out of range", 0.01),
           std::tuple(key("mass", "-3"), "of the key mass is out of range", 0.01),
@@ -90,7 +90,7 @@ TEST(MapBodies, bad_numbers_are_told_with_file_and_line_and_the_rest_loads) {
     }
 }
 
-TEST(MapBodies, a_rubber_string_is_tied_to_a_named_point_wherever_it_stands_in_the_file) {
+TEST(MapBodies, a_rubber_string_is_tied_to_a_named_point_at_any_place_in_the_file) {
     const std::string point = entity("info_null", key("origin", "32 64 96") + key("targetname", "hook"));
     const std::string tied = key("free", "1") + key("mass", "1") + key("string", " hook ");
     for (const bool first : {false, true}) {
@@ -116,7 +116,7 @@ TEST(MapBodies, a_rubber_string_is_tied_to_a_named_point_wherever_it_stands_in_t
     }
 }
 
-TEST(MapBodies, what_cannot_be_free_stays_where_it_is_and_says_so) {
+TEST(MapBodies, that_cannot_be_free_stay_in_place_and_are_reported) {
     const auto stays = [](const std::string& text, const char* words) {
         const Reading reading = test::reading_of(read_quake_map(text, "test.map"));
         EXPECT_THAT(reading.said, testing::Contains(testing::AllOf(HasSubstr("test.map, line "), HasSubstr(words),
@@ -139,7 +139,7 @@ TEST(MapBodies, what_cannot_be_free_stays_where_it_is_and_says_so) {
           "none of its brushes gives it a volume");
 }
 
-TEST(MapBodies, of_five_thousand_the_first_are_free_and_the_rest_stay) {
+TEST(MapBodies, beyond_the_maximum_number_stay_fixed) {
     std::string things;
     for (int i = 0; i < 5000; ++i) {
         const double x = 4.0 * (i % 100), y = 4.0 * (i / 100);

@@ -27,7 +27,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text;
 }
 
-TEST(MapEdgeCases, comments_of_both_kinds_are_skipped_but_a_semicolon_in_a_texture_is_a_letter) {
+TEST(MapEdgeCases, both_kinds_of_comments_are_skipped_but_a_semicolon_in_a_texture_name_is_not_a_comment) {
     const std::string text = "// first\n; QuArK\n" + replaced(entity("worldspawn", "// between } {\n",
                                                                      box_brush(0, 0, 0, 64, 64, 64, "odd;name")),
                                                               "1 1\n", "1 1 //TX1\n; note\n");
@@ -38,7 +38,7 @@ TEST(MapEdgeCases, comments_of_both_kinds_are_skipped_but_a_semicolon_in_a_textu
     EXPECT_EQ(parse_map(text, diagnostics).entities.at(0).brushes.at(0).faces.at(0).texture, "odd;name");
 }
 
-TEST(MapEdgeCases, all_line_endings_tabs_and_a_byte_order_mark_count_lines_rightly) {
+TEST(MapEdgeCases, any_line_endings_tabs_and_byte_order_marks_leave_line_numbers_correct) {
     const std::string text = replaced(entity("worldspawn", key("a", "1") + key("a", "2"), kCube), " ", "\t");
     for (const std::string end : {"\n", "\r\n", "\r"})
         for (const std::string mark : {"", "\xEF\xBB\xBF"}) {
@@ -52,7 +52,7 @@ TEST(MapEdgeCases, all_line_endings_tabs_and_a_byte_order_mark_count_lines_right
 }
 
 // Cutting takes the square of the number of faces: one brush with 12,000 faces delayed the program's end by 18 s.
-TEST(MapEdgeCases, a_brush_of_more_than_a_thousand_faces_is_left_out_and_said) {
+TEST(MapEdgeCases, a_brush_of_more_than_a_thousand_faces_is_omitted_and_reported) {
     const auto with_faces = [](int count) {
         std::string brush = kOther.substr(0, kOther.rfind('}'));
         for (int face = 6; face < count; ++face)
@@ -76,7 +76,7 @@ TEST(MapEdgeCases, textures_may_have_any_name_up_to_white_space_or_in_quotes) {
     }
 }
 
-TEST(MapEdgeCases, escaped_quotes_and_trailing_backslashes_are_told_apart) {
+TEST(MapEdgeCases, escaped_quotes_and_trailing_backslashes_are_distinguished) {
     Diagnostics diagnostics("test.map");
     const MapFile file = parse_map(
         "{\n\"a\" \"say \\\"hi\\\"!\"\n\"wad\" \"c:\\a\\\"\n\"b\" "
@@ -91,7 +91,7 @@ TEST(MapEdgeCases, escaped_quotes_and_trailing_backslashes_are_told_apart) {
     EXPECT_EQ(only.value("e"), "f");
 }
 
-TEST(MapEdgeCases, bytes_above_127_become_utf8_and_a_line_break_a_pause) {
+TEST(MapEdgeCases, bytes_above_127_become_utf8_and_line_breaks_become_pauses) {
     EXPECT_EQ(read(entity("worldspawn", key("message", "Caf\xE9\\nB\xFCro"), kCube)).scene.name,
               "Caf\xC3\xA9, B\xC3\xBCro");
     EXPECT_EQ(read(entity("worldspawn", key("message", "Caf\xC3\xA9.\\n\\nOpen"), kCube)).scene.name,
@@ -120,7 +120,7 @@ TEST(MapEdgeCases, numbers_may_have_signs_decimals_exponents_and_trailing_dots) 
     }
 }
 
-TEST(MapEdgeCases, a_face_whose_points_lie_on_a_line_costs_only_that_face) {
+TEST(MapEdgeCases, a_face_with_collinear_points_costs_only_that_face) {
     const std::string line = "( 0 0 0 ) ( 1 1 1 ) ( 2 2 2 ) plain 0 0 0 1 1\n",
                       point = "( 5 5 5 ) ( 5 5 5 ) ( 5 5 5 ) plain 0 0 0 1 1\n";
     for (const std::string& bad : {line, point}) {
@@ -132,7 +132,7 @@ TEST(MapEdgeCases, a_face_whose_points_lie_on_a_line_costs_only_that_face) {
     }
 }
 
-TEST(MapEdgeCases, open_empty_and_inside_out_brushes_are_named_by_line_and_the_rest_loads) {
+TEST(MapEdgeCases, open_empty_and_inside_out_brushes_are_reported_by_line_and_the_rest_loads) {
     std::string missing = kCube;
     missing.erase(missing.find("( 64 "), missing.find('\n', missing.find("( 64 ")) - missing.find("( 64 ") + 1);
     EXPECT_THAT(read(entity("worldspawn", {}, kCube + missing)).said,
@@ -160,7 +160,7 @@ TEST(MapEdgeCases, open_empty_and_inside_out_brushes_are_named_by_line_and_the_r
     EXPECT_EQ(inside_out.scene.bounds_m.max_m, Vec3(2, 2, 2));
 }
 
-TEST(MapEdgeCases, faces_that_lose_their_area_are_dropped_quietly_and_counted) {
+TEST(MapEdgeCases, faces_that_lose_their_area_are_dropped_and_counted_without_a_warning) {
     const std::string beyond = "( 0 0 90 ) ( 0 64 90 ) ( 64 0 90 ) plain 0 0 0 1 1\n";
     const Reading reading = read(entity("worldspawn", {}, replaced(kCube, "}\n", beyond + "}\n")));
     EXPECT_THAT(reading.said, IsEmpty());
@@ -171,7 +171,7 @@ TEST(MapEdgeCases, faces_that_lose_their_area_are_dropped_quietly_and_counted) {
         << "nearly flat";
 }
 
-TEST(MapEdgeCases, damaged_forms_of_other_games_are_skipped_to_their_brace_with_a_warning) {
+TEST(MapEdgeCases, damaged_patches_of_other_games_are_skipped_to_their_brace_with_a_warning) {
     const std::string patch =
         "{\npatchDef2\n{\ncommon/{odd\n( 3 3 0 0 0 )\n(\n( "
         "( 0 0 0 0 0 ) ( 1 0 0 0 0 ) )\n)\n}\n}\n";
@@ -187,7 +187,7 @@ TEST(MapEdgeCases, damaged_forms_of_other_games_are_skipped_to_their_brace_with_
     EXPECT_EQ(reading.scene.report.left_out.size(), 2U);
 }
 
-TEST(MapEdgeCases, standard_and_valve_faces_mix_and_extra_numbers_are_no_error) {
+TEST(MapEdgeCases, standard_and_valve_faces_may_be_mixed_and_extra_numbers_are_not_errors) {
     std::string brush = kCube;
     brush.replace(brush.find("plain 0 0 0 1 1"), 15, "plain [ 0 1 0 -16 ] [ 0 0 -1 8.5e0 ] 45 1 1");
     brush.replace(brush.rfind("plain 0 0 0 1 1"), 15, "plain 0 0 0 1 1 134217728 0 0");
@@ -196,7 +196,7 @@ TEST(MapEdgeCases, standard_and_valve_faces_mix_and_extra_numbers_are_no_error) 
     EXPECT_EQ(reading.scene.solids.size(), 2U);
 }
 
-TEST(MapEdgeCases, what_misses_a_class_a_world_or_an_entity_is_taken_and_said) {
+TEST(MapEdgeCases, content_without_a_class_a_world_or_an_entity_is_accepted_and_reported) {
     EXPECT_THAT(read("{\n\"a\" \"b\"\n" + kCube + "}\n" + entity("worldspawn")).said,
                 ElementsAre(HasSubstr("line 1, column 1: warning: this entity has no "
                                       "classname. Its brushes became part")));
@@ -208,7 +208,7 @@ TEST(MapEdgeCases, what_misses_a_class_a_world_or_an_entity_is_taken_and_said) {
                                                        "made part of the building itself.")));
 }
 
-TEST(MapEdgeCases, content_of_other_files_is_said_to_be_missing) {
+TEST(MapEdgeCases, content_in_external_files_is_reported_as_missing) {
     EXPECT_THAT(read(entity("worldspawn", {}, kCube) + entity("misc_external_map", key("_external_map", "a.map"))).said,
                 ElementsAre(HasSubstr("this entity stands for the contents of another "
                                       "file. That part is missing here.")));
@@ -227,7 +227,7 @@ TEST(MapEdgeCases, a_missing_brace_costs_at_most_one_brush) {
                                                     "closing brace. It was assumed to end here.")));
 }
 
-TEST(MapEdgeCases, lists_twenty_warnings_and_counts_all) {
+TEST(MapEdgeCases, the_report_lists_twenty_warnings_and_counts_all) {
     std::string brushes = kCube;
     for (int i = 0; i < 50; ++i) brushes += "{\n}\n";
     const Reading reading = read(entity("worldspawn", {}, brushes));
@@ -235,7 +235,7 @@ TEST(MapEdgeCases, lists_twenty_warnings_and_counts_all) {
     EXPECT_EQ(reading.scene.report.warnings_in_all, 50);
 }
 
-TEST(MapEdgeCases, unknown_keys_are_data_and_odd_values_of_known_ones_are_moved_to_the_nearest_legal) {
+TEST(MapEdgeCases, unknown_keys_are_kept_as_data_and_odd_values_are_moved_to_the_nearest_legal_one) {
     const auto with = [](const std::string& keys) {
         return read(entity("worldspawn", {}, kCube) + entity("thing", keys, kCube));
     };
@@ -267,7 +267,7 @@ TEST(MapEdgeCases, liquids_keep_their_viscosity_and_sounds_their_place) {
     EXPECT_EQ(reading.scene.sounds[1].sound, "clock_tick");
 }
 
-TEST(MapEdgeCases, texts_may_stand_in_several_languages) {
+TEST(MapEdgeCases, texts_may_be_given_in_several_languages) {
     const Reading reading =
         read(entity("worldspawn", key("message", "Barn") + key("message_de", "Scheune"), kCube) +
              entity("thing",
@@ -312,7 +312,7 @@ TEST(MapEdgeCases, texts_may_stand_in_several_languages) {
     }
 }
 
-TEST(MapEdgeCases, particles_and_other_games_sounds_are_heard_at_their_place) {
+TEST(MapEdgeCases, particles_and_sounds_of_other_games_are_heard_at_their_place) {
     const Reading reading = read(
         entity("worldspawn", {}, kCube) + entity("particle_fountain", key("origin", "32 0 0") + key("volume", "0.5")) +
         entity("light_torch_small_walltorch", key("origin", "64 0 0")) +
@@ -329,7 +329,7 @@ TEST(MapEdgeCases, particles_and_other_games_sounds_are_heard_at_their_place) {
     EXPECT_THAT(reading.said, ElementsAre(HasSubstr("volume")));
 }
 
-TEST(MapEdgeCases, guessing_can_be_switched_off_without_changing_the_walls) {
+TEST(MapEdgeCases, guessing_of_materials_can_be_switched_off_without_changing_the_walls) {
     const std::string text = entity(
         "worldspawn", {}, box_brush(0, 0, 0, 128, 16, 96, "brick1") + box_brush(128, 0, 0, 256, 16, 96, "wood1"));
     ReadOptions plain;
@@ -342,7 +342,7 @@ TEST(MapEdgeCases, guessing_can_be_switched_off_without_changing_the_walls) {
     EXPECT_TRUE(unguessed->report.guessed.empty());
 }
 
-TEST(MapEdgeCases, feels_brushes_once_that_are_drawn_in_one_place_again_and_says_so) {
+TEST(MapEdgeCases, coincident_duplicate_brushes_are_felt_once_and_reported) {
     const std::string wall = box_brush(0, 0, 0, 128, 16, 96, "brick1"),
                       other = box_brush(0, 0, 0, 128, 16, 97, "brick1");
     std::string turned = wall;  // the same faces in another order and with another texture
@@ -366,7 +366,7 @@ TEST(MapEdgeCases, feels_brushes_once_that_are_drawn_in_one_place_again_and_says
     EXPECT_EQ(once->surfaces.size(), often->surfaces.size());
 }
 
-TEST(MapEdgeCases, fails_only_when_nothing_is_left_and_says_the_first_reason) {
+TEST(MapEdgeCases, reading_fails_only_if_nothing_is_left_and_then_gives_the_first_reason) {
     const auto sentence = [](const std::string& text) {
         const Result<Scene> scene = read_quake_map(text, "test.map");
         return scene ? std::string("read") : scene.error().sentence();

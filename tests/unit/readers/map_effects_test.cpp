@@ -22,7 +22,7 @@ std::string effect_entity(const std::string& kind, const std::string& keys = {},
     return entity("haptic_effect", key("effect", kind) + keys, brushes);
 }
 
-TEST(MapEffects, take_their_defaults_from_the_table) {
+TEST(MapEffects, take_their_defaults_from_the_effect_table) {
     for (const EffectSpec& spec : effect_table()) {
         const Reading reading = read(effect_entity(std::string(spec.name)));
         EXPECT_THAT(reading.said, IsEmpty()) << spec.name;
@@ -39,7 +39,7 @@ TEST(MapEffects, take_their_defaults_from_the_table) {
     }
 }
 
-TEST(MapEffects, take_every_key) {
+TEST(MapEffects, accept_every_key) {
     const Reading reading =
         read(entity("func_wall", key("name", "Pillar"), box_brush(0, 0, 0, 16, 16, 64)) +
              effect_entity("Magnet", key("strength", "-1.5") + key("width", "0.02") + key("edge", "0.005") +
@@ -68,7 +68,7 @@ TEST(MapEffects, take_every_key) {
     EXPECT_EQ(effects[5].kind, EffectKind::FlyPaper);
 }
 
-TEST(MapEffects, refuse_by_name_what_has_no_size_and_load_the_rest) {
+TEST(MapEffects, without_size_are_refused_by_name_and_the_rest_loads) {
     std::string open = box_brush(32, 32, 32, 64, 64, 64);
     const std::size_t last_face = open.rfind("( ", open.rfind("plain"));
     const std::size_t line = open.rfind('\n', last_face);
@@ -95,7 +95,7 @@ TEST(MapEffects, refuse_by_name_what_has_no_size_and_load_the_rest) {
     }
 }
 
-TEST(MapEffects, tell_the_nearest_name_and_take_the_nearest_value) {
+TEST(MapEffects, suggest_the_nearest_name_and_use_the_nearest_legal_value) {
     const Reading unknown = read(effect_entity("magnett"));
     EXPECT_THAT(unknown.said, ElementsAre(HasSubstr("there is no effect \"magnett\". The nearest name is magnet.")));
     EXPECT_THAT(unknown.scene.effects, IsEmpty());
@@ -120,7 +120,7 @@ TEST(MapEffects, tell_the_nearest_name_and_take_the_nearest_value) {
                                        HasSubstr("mass"), HasSubstr("nearest name is Pillar")));
 }
 
-TEST(MapEffects, liquids_have_buoyancy_film_and_flow) {
+TEST(MapEffects, give_liquids_buoyancy_film_and_flow) {
     const auto pool = [](const std::string& keys) {
         return read(
             entity("thing", key("cs_name", "liquid") + key("name", "Pool") + keys, box_brush(0, 0, 0, 64, 64, 32)));
@@ -140,7 +140,7 @@ TEST(MapEffects, liquids_have_buoyancy_film_and_flow) {
     EXPECT_THAT(pool(key("flow", "0.1 0 0")).said, ElementsAre(HasSubstr("this liquid has none")));
 }
 
-TEST(MapSoft, sides_give_way_as_written) {
+TEST(MapSoft, sides_yield_as_written) {
     const auto thing = [](const std::string& keys) {
         return read(entity("func_wall", key("name", "Seat") + keys, box_brush(0, 0, 0, 32, 32, 16)));
     };

@@ -32,7 +32,7 @@ Reading read(const std::string& brushes, const std::string& keys = {}) {
     return reading_of(read_quake_map(entity("worldspawn", keys, kFloor + brushes), "p.map"));
 }
 
-TEST(MapPatches, are_touched_from_the_side_that_their_thing_names) {  // S28
+TEST(MapPatches, can_be_touched_on_the_side_that_their_entity_names) {  // S28
     const auto side_of = [](const std::string& value, std::vector<std::string>* said = nullptr) {
         Reading reading =
             reading_of(read_quake_map(entity("worldspawn", {}, kFloor) +
@@ -56,7 +56,7 @@ TEST(MapPatches, are_touched_from_the_side_that_their_thing_names) {  // S28
     EXPECT_NE(solid.said[0].find("without curved patches"), std::string::npos) << solid.said[0];
 }
 
-TEST(MapPatches, become_triangles_within_a_millimetre_and_are_told_with_their_error) {
+TEST(MapPatches, become_triangles_within_a_millimetre_and_their_error_is_reported) {
     const Reading reading = read(patch());
     EXPECT_TRUE(reading.said.empty());
     EXPECT_EQ(reading.scene.report.patches, 1);
@@ -86,7 +86,7 @@ TEST(MapPatches, become_triangles_within_a_millimetre_and_are_told_with_their_er
     EXPECT_EQ(alone.scene.triangles.size(), reading.scene.triangles.size()) << "a map of curves alone";
 }
 
-TEST(MapPatches, of_a_named_thing_belong_to_it_and_those_that_cannot_be_touched_are_counted) {
+TEST(MapPatches, of_a_named_entity_belong_to_it_and_untouchable_ones_are_counted) {
     const auto with = [](const std::string& class_name, const std::string& texture) {
         return reading_of(
             read_quake_map(entity("worldspawn", {}, kFloor) +
@@ -105,7 +105,7 @@ TEST(MapPatches, of_a_named_thing_belong_to_it_and_those_that_cannot_be_touched_
     }
 }
 
-TEST(MapPatches, damaged_ones_cost_themselves_alone) {
+TEST(MapPatches, that_are_damaged_cost_only_themselves) {
     const std::string good = patch();
     const auto broken = [&](const std::string& from, const std::string& to) {
         std::string text = good;
@@ -136,7 +136,7 @@ TEST(MapPatches, damaged_ones_cost_themselves_alone) {
     }
 }
 
-TEST(MapPatches, cut_at_every_byte_keep_what_was_complete) {
+TEST(MapPatches, cut_at_every_byte_keep_all_complete_parts) {
     const std::string whole =
         entity("worldspawn", {}, kFloor + patch() + patch("patchDef3", "3 3 1 1 0 0 0")) +
         entity("func_wall", key("shape", "cone") + key("axis", "-x"), box_brush(0, 0, 0, 64, 16, 16));
@@ -153,7 +153,7 @@ TEST(MapPatches, cut_at_every_byte_keep_what_was_complete) {
     EXPECT_GT(most, 20U);
 }
 
-TEST(MapPatches, brushes_written_as_brushDef_are_those_of_the_plain_form) {
+TEST(MapPatches, in_brushDef_notation_give_the_same_brushes_as_the_plain_notation) {
     std::string def = "{\nbrushDef\n{\n";
     const std::string plain = box_brush(64, 64, 0, 96, 96, 32, "wood");
     for (std::size_t at = plain.find('('); at != std::string::npos; at = plain.find("( ", plain.find('\n', at))) {

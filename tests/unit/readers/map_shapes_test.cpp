@@ -24,7 +24,7 @@ bool heard(const Reading& reading, const std::string& part) {
 const std::string kCube = box_brush(64, 64, 0, 96, 96, 32);     // 1 m, from (2, 2, 0)
 const std::string kPillar = box_brush(64, 64, 0, 96, 96, 128);  // 1 by 1 by 4 m
 
-TEST(MapShapes, dynamic_things_take_their_sizes_from_the_box_around_them) {
+TEST(MapShapes, dynamic_things_take_their_sizes_from_their_bounding_box) {
     const Reading ball = read(key("cs_name", "dynamic_sphere"), kCube, "thing");
     const auto* sphere = std::get_if<SphereShape>(&ball.scene.solids.at(1).round);
     ASSERT_TRUE(sphere);
@@ -51,7 +51,7 @@ TEST(MapShapes, dynamic_things_take_their_sizes_from_the_box_around_them) {
         EXPECT_EQ(read(key("cs_name", name), two, "thing").scene.solids.size(), 2U) << name;
 }
 
-TEST(MapShapes, sides_that_disagree_by_more_than_5_percent_are_told_with_file_and_line) {
+TEST(MapShapes, sides_that_differ_by_more_than_5_percent_are_reported_with_file_and_line) {
     for (const auto& [side, told] : {std::pair{33.0, false}, {33.5, false}, {34.0, true}, {64.0, true}}) {
         const Reading ball = read(key("cs_name", "dynamic_sphere"), box_brush(64, 64, 0, 64 + side, 96, 32), "thing");
         EXPECT_EQ(heard(ball, "box around this sphere"), told) << side;
@@ -67,7 +67,7 @@ TEST(MapShapes, sides_that_disagree_by_more_than_5_percent_are_told_with_file_an
         << "a cylinder may be higher than wide";
 }
 
-TEST(MapShapes, the_key_shape_makes_any_thing_exact_along_any_axis) {
+TEST(MapShapes, the_key_shape_makes_any_entity_exact_along_any_axis) {
     const Reading cone = read(key("shape", "Cone") + key("axis", "-z"), kPillar);
     const auto* shape = std::get_if<ConeShape>(&cone.scene.solids.at(1).round);
     ASSERT_TRUE(shape);
@@ -93,7 +93,7 @@ TEST(MapShapes, the_key_shape_makes_any_thing_exact_along_any_axis) {
         read(key("shape", "cylinder"), kPillar, "func_door").scene.solids.at(1).round));
 }
 
-TEST(MapShapes, a_shape_that_makes_no_sense_is_told_and_the_brushes_stay) {
+TEST(MapShapes, an_impossible_shape_is_reported_and_the_brushes_remain) {
     const Reading unknown = read(key("shape", "spere"), kCube);
     EXPECT_TRUE(heard(unknown, "The nearest name is sphere"));
     EXPECT_TRUE(std::holds_alternative<std::monostate>(unknown.scene.solids.at(1).round));
@@ -108,7 +108,7 @@ TEST(MapShapes, a_shape_that_makes_no_sense_is_told_and_the_brushes_stay) {
     EXPECT_NEAR(std::get<CapsuleShape>(flat.scene.solids.at(1).round).radius_m, 0.125, 1e-12);
 }
 
-TEST(MapShapes, what_is_drawn_of_a_shape_goes_by_its_name) {
+TEST(MapShapes, the_drawn_surface_of_a_shape_has_its_name) {
     const Reading ball = read(key("name", "Globe") + key("shape", "sphere"), kCube);
     const FeatureId globe = ball.scene.solids.at(1).feature;
     std::size_t drawn = 0;

@@ -44,7 +44,7 @@ struct Sheets {
     }
 };
 
-TEST(MeshStart, is_on_the_floor_of_a_room_of_sheets_and_not_on_its_roof) {
+TEST(MeshStart, is_on_the_floor_of_a_room_of_sheets_rather_than_on_its_roof) {
     Sheets room;
     room.level({0, 0}, {6, 5}, 0.0);
     room.level({0, 0}, {6, 5}, 2.6);
@@ -59,7 +59,7 @@ TEST(MeshStart, is_on_the_floor_of_a_room_of_sheets_and_not_on_its_roof) {
     EXPECT_FALSE(scene.report.guessed.empty());
 }
 
-TEST(MeshStart, is_beside_the_table_that_stands_in_the_middle) {
+TEST(MeshStart, is_next_to_the_table_in_the_middle) {
     Sheets room;
     room.level({0, 0}, {6, 5}, 0.0);
     room.level({0, 0}, {6, 5}, 2.6);
@@ -72,7 +72,7 @@ TEST(MeshStart, is_beside_the_table_that_stands_in_the_middle) {
     EXPECT_TRUE(feet.x < 1.7 || feet.x > 4.3 || feet.y < 1.2 || feet.y > 3.8) << feet.x << " " << feet.y;
 }
 
-TEST(MeshStart, is_on_open_ground_where_there_is_no_roof) {
+TEST(MeshStart, is_on_open_ground_if_there_is_no_roof) {
     Sheets ground;
     ground.level({-20, -20}, {20, 20}, -3.0);
     const Scene scene = ground.scene();
@@ -80,7 +80,7 @@ TEST(MeshStart, is_on_open_ground_where_there_is_no_roof) {
     EXPECT_NEAR(scene.starts[0].feet_m.z, -3.0, 1e-6);
 }
 
-TEST(MeshStart, is_nowhere_on_a_table_alone_or_on_walls_without_a_floor) {
+TEST(MeshStart, does_not_exist_on_a_single_table_or_on_walls_without_a_floor) {
     Sheets table;
     table.level({0, 0}, {1.6, 0.8}, 0.75);
     table.upright({0.1, 0.1}, {0.1, 0.2}, 0.0, 0.75);
@@ -92,7 +92,7 @@ TEST(MeshStart, is_nowhere_on_a_table_alone_or_on_walls_without_a_floor) {
 }
 
 // The walker's box contains no point of any sheet, tested with many points of each.
-TEST(MeshStart, of_random_rooms_has_room_for_a_body_near_the_origin_and_far_off) {
+TEST(MeshStart, of_random_rooms_has_room_for_a_body_near_and_far_from_the_origin) {
     std::mt19937 random(3);
     const auto real = [&](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random);

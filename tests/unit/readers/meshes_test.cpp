@@ -17,7 +17,7 @@ std::string seed(const std::string& path) {
     return test::content_of((test::project_root() / "tests/fuzz/inputs/").string() + path);
 }
 
-TEST(ReadGltf, turns_y_up_to_z_up_and_places_things_as_the_file_says) {
+TEST(ReadGltf, turns_y_up_into_z_up_and_places_things_as_the_file_says) {
     // A cube of 1 m, twice as wide, moved 1 m east and 2 m along the file's z, which points south.
     const Result<Scene> scene = read_gltf(seed("gltf/seeds/table.glb"), "table.glb");
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
@@ -34,7 +34,7 @@ TEST(ReadGltf, turns_y_up_to_z_up_and_places_things_as_the_file_says) {
     EXPECT_TRUE(validate(*scene).has_value());
 }
 
-TEST(ReadGltf, reads_a_description_with_its_numbers_in_it_or_beside_it) {
+TEST(ReadGltf, reads_files_with_embedded_or_external_buffers) {
     const std::string within = seed("gltf/seeds/table.gltf");
     const Result<Scene> scene = read_gltf(within, "table.gltf");
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
@@ -92,7 +92,7 @@ std::string triangle_gltf(int type, T unit, bool normalized, const std::string& 
            R"(,"uri":"data:application/octet-stream;base64,)" + base64(bytes) + "\"}]}";
 }
 
-TEST(ReadGltf, reads_points_in_every_kind_of_number) {
+TEST(ReadGltf, reads_points_in_every_number_format) {
     const std::string name = "\"KHR_mesh_quantization\"", scaled = ",\"scale\":[0.5,0.5,0.5]";
     const auto size_of = [](const std::string& file) {
         const Result<Scene> scene = read_gltf(file, "triangle.gltf");
@@ -109,7 +109,7 @@ TEST(ReadGltf, reads_points_in_every_kind_of_number) {
                 5.0 * 32766.0 / 32767.0, 1e-9);
 }
 
-TEST(ReadGltf, puts_copies_where_instances_stand) {
+TEST(ReadGltf, places_copies_at_instances) {
     std::string shifts;
     for (const float x : {0.0F, 10.0F, 20.0F})
         for (const float value : {x, 0.0F, 0.0F}) shifts.append(reinterpret_cast<const char*>(&value), sizeof(value));
@@ -123,7 +123,7 @@ TEST(ReadGltf, puts_copies_where_instances_stand) {
     EXPECT_NEAR(scene->bounds_m.size_m().x, 22.0, 1e-6);
 }
 
-TEST(ReadGltf, names_an_extension_without_which_it_cannot_read_a_file) {
+TEST(ReadGltf, names_a_required_extension_that_it_cannot_read) {
     const Result<Scene> other =
         read_gltf(triangle_gltf<float>(5126, 1.0F, false, "", "\"VENDOR_other_shapes\""), "a.gltf");
     ASSERT_FALSE(other.has_value());
@@ -132,7 +132,7 @@ TEST(ReadGltf, names_an_extension_without_which_it_cannot_read_a_file) {
         read_gltf(triangle_gltf<float>(5126, 1.0F, false, "", "\"KHR_materials_unlit\""), "a.gltf").has_value());
 }
 
-TEST(ReadStl, takes_its_words_in_any_case) {
+TEST(ReadStl, accepts_keywords_in_any_letter_case) {
     for (const bool upper : {false, true}) {
         std::string text =
             "solid Roof\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 4 0 0\nvertex 0 4 0\nendloop\n"
@@ -169,7 +169,7 @@ std::string block(const std::string& name, double low, double high) {
     return text + "endsolid\n";
 }
 
-TEST(ReadStl, makes_solids_of_closed_convex_meshes_and_sheets_of_what_holds_others) {
+TEST(ReadStl, makes_solids_of_closed_convex_meshes_and_sheets_of_meshes_that_contain_others) {
     const Result<Scene> scene = read_stl(block("room", 0.0, 10.0) + block("table", 2.0, 3.0), "room.stl");
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
     ASSERT_EQ(scene->solids.size(), 1U) << "the table; the room holds it";
@@ -222,7 +222,7 @@ struct Furnished {
     }
 };
 
-TEST(Meshes, that_are_closed_are_solid_where_a_ray_says_they_are_inside_whatever_their_form) {
+TEST(Meshes, that_are_closed_are_solid_exactly_at_points_that_ray_casts_call_inside) {
     const Furnished furnished;
     for (const bool as_obj : {false, true}) {
         SCOPED_TRACE(as_obj ? "obj" : "stl");
@@ -270,7 +270,7 @@ TEST(Meshes, that_are_closed_are_solid_where_a_ray_says_they_are_inside_whatever
     EXPECT_TRUE(as_filed->solids.empty()) << "a replay touches the file's triangles";
 }
 
-TEST(ReadStl, finds_the_things_in_one_mesh_and_the_start_in_a_house_with_walls) {
+TEST(ReadStl, separates_the_things_in_one_mesh_and_finds_a_start_between_thick_walls) {
     // Walls 0.5 m thick around 6 by 4 m, with an exit, as one closed mesh: the start is between them, not inside one.
     std::set<test::Block> blocks;
     for (int x = 0; x < 14; ++x)
@@ -298,7 +298,7 @@ TEST(ReadStl, finds_the_things_in_one_mesh_and_the_start_in_a_house_with_walls) 
     EXPECT_LT(feet.x, 6.5);
 }
 
-TEST(Meshes, too_fine_to_be_filled_are_felt_from_outside_only) {
+TEST(Meshes, that_are_too_fine_to_be_filled_are_felt_from_outside_only) {
     std::string text = block("table", 2.0, 3.0);
     test::BlockMesh ball;
     constexpr int kSides = 40;
@@ -327,7 +327,7 @@ TEST(Meshes, too_fine_to_be_filled_are_felt_from_outside_only) {
     EXPECT_THAT(scene->report.simplified, testing::Contains(HasSubstr("felt from the outside only")));
 }
 
-TEST(ReadStl, reads_binary_files_and_takes_the_unit_that_a_person_says) {
+TEST(ReadStl, reads_binary_files_and_uses_the_unit_that_the_person_chose) {
     ReadOptions millimetres;
     millimetres.obj_metres_per_unit = 0.001;
     const Result<Scene> scene = read_stl(seed("stl/seeds/table.stl"), "table.stl", millimetres);
@@ -339,7 +339,7 @@ TEST(ReadStl, reads_binary_files_and_takes_the_unit_that_a_person_says) {
     EXPECT_THAT(cut.error().message, HasSubstr("cut short"));
 }
 
-TEST(ReadWorld, asks_for_the_unit_of_a_mesh_that_states_none_where_it_is_very_wide) {
+TEST(ReadWorld, warns_about_the_unit_of_a_very_wide_mesh_that_states_none) {
     const test::TemporaryFolder folder;
     const Result<Scene> scene = read_world(folder.write("house.stl", block("house", 0.0, 9000.0)));
     ASSERT_TRUE(scene.has_value());
@@ -347,7 +347,7 @@ TEST(ReadWorld, asks_for_the_unit_of_a_mesh_that_states_none_where_it_is_very_wi
     EXPECT_THAT(scene->report.warnings.front().sentence(), HasSubstr("millimetres"));
 }
 
-TEST(ReadPly, reads_words_and_both_byte_orders) {
+TEST(ReadPly, reads_text_and_both_byte_orders) {
     const Result<Scene> words = read_ply(seed("ply/seeds/table.ply"), "table.ply");
     ASSERT_TRUE(words.has_value()) << words.error().sentence();
     EXPECT_EQ(words->triangles.size(), 12U);
@@ -361,7 +361,7 @@ TEST(ReadPly, reads_words_and_both_byte_orders) {
     EXPECT_EQ(head.error().line, 3);
 }
 
-TEST(Meshes, cut_at_every_byte_end_in_a_world_or_one_sentence) {
+TEST(Meshes, cut_at_every_byte_become_a_world_or_one_error_sentence) {
     for (const char* path : {"gltf/seeds/table.glb", "gltf/seeds/table.gltf", "ply/seeds/table.ply",
                              "ply/seeds/sheet.ply", "stl/seeds/table.stl", "stl/seeds/words.stl"}) {
         const std::string whole = seed(path);

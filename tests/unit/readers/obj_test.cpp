@@ -24,7 +24,7 @@ double area(const Scene& scene) {
 
 const std::string kSquare = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\n";
 
-TEST(ReadObj, splits_polygons_keeps_coordinates_and_counts) {
+TEST(ReadObj, splits_polygons_keeps_coordinates_and_counts_faces) {
     const Reading reading = read(kSquare + "f 1 2 3 4\nf 1/1 2/2/2 3//3\n");
     EXPECT_THAT(reading.said, IsEmpty());
     EXPECT_EQ(reading.scene.triangles.size(), 3U);
@@ -35,7 +35,7 @@ TEST(ReadObj, splits_polygons_keeps_coordinates_and_counts) {
     EXPECT_EQ(reading.scene.features.at(0).name, "test") << "without names the file's";
 }
 
-TEST(ReadObj, takes_the_side_from_which_faces_are_touched_from_a_comment) {  // S28
+TEST(ReadObj, reads_the_touchable_side_of_faces_from_a_comment) {  // S28
     const Reading reading = read(kSquare +
                                  "f 1 2 3\n#touch_side front\nf 1 3 4\n# touch_side back\nf 1 2 4\n#touch_side "
                                  "back\r\nf 2 3 4\n#touch_side BOTH\nf 1 2 3 4\n#touch_side up\n");
@@ -47,14 +47,14 @@ TEST(ReadObj, takes_the_side_from_which_faces_are_touched_from_a_comment) {  // 
     EXPECT_THAT(reading.said[0], HasSubstr("\"up\" is not one of these: both, front, back"));
 }
 
-TEST(ReadObj, cuts_concave_polygons_into_ears) {
+TEST(ReadObj, cuts_concave_polygons_into_triangles_by_ear_clipping) {
     // An arrow head with an area of 3 units; no triangle may cover the notch around (1, 0.5).
     const Reading reading = read("v 0 0 0\nv 1 1 0\nv 2 0 0\nv 1 4 0\nf 1 2 3 4\n");
     EXPECT_EQ(reading.scene.triangles.size(), 2U);
     EXPECT_DOUBLE_EQ(area(reading.scene), 3.0);
 }
 
-TEST(ReadObj, covers_random_star_shaped_polygons_exactly_whichever_way_they_run) {
+TEST(ReadObj, covers_random_star_shaped_polygons_exactly_in_both_orientations) {
     for (int seed = 0; seed < test::scaled(200); ++seed) {
         SCOPED_TRACE(seed);
         std::mt19937 random(static_cast<unsigned>(seed));
@@ -81,7 +81,7 @@ TEST(ReadObj, covers_random_star_shaped_polygons_exactly_whichever_way_they_run)
     }
 }
 
-TEST(ReadObj, takes_negative_indices_line_endings_and_continued_lines) {
+TEST(ReadObj, accepts_negative_indices_all_line_endings_and_continued_lines) {
     for (const std::string end : {"\n", "\r\n", "\r"}) {
         std::string text =
             "v 0 0 0" + end + "v 1 0 0" + end + "v 0 1 0 # corner" + end + "f -3 \\" + end + "-2 -1" + end + "f 1 2 9";
@@ -92,7 +92,7 @@ TEST(ReadObj, takes_negative_indices_line_endings_and_continued_lines) {
     }
 }
 
-TEST(ReadObj, warns_by_line_of_bad_indices_and_numbers_and_loads_the_rest) {
+TEST(ReadObj, reports_bad_indices_and_numbers_by_line_and_loads_the_rest) {
     const Reading reading = read(kSquare +
                                  "v nan 0 0\nv 1 2\nv 1e7 0 0\nf 1 2 3\nf 1 2 5\nf 0 1 2\nf 1 2 "
                                  "-9\nf 1 2\nf 1 x 3\nf 1 2 99999999999999999999\nf 1 3 4\n");
@@ -139,7 +139,7 @@ void expect_whole(const Result<Scene>& scene) {
     EXPECT_TRUE(scene ? validate(*scene).has_value() : !scene.error().message.empty());
 }
 
-TEST(ReadObj, survives_damage_anywhere) {
+TEST(ReadObj, survives_damage_at_any_place) {
     const std::string whole = kSquare + "o A\nusemtl wood\nf 1 2 3 4\nf -1 -2 \\\n-3\n";
     for (std::size_t length = 0; length <= whole.size(); ++length)
         expect_whole(read_obj(std::string_view(whole).substr(0, length), "cut.obj"));

@@ -40,7 +40,7 @@ std::vector<Solid> solids_of(const Scene& scene, const Feature& feature) {
     return own;
 }
 
-TEST(Prefabs, stand_where_they_are_put_facing_where_they_are_turned_each_of_its_parts_in_its_material) {
+TEST(Prefabs, are_placed_and_turned_as_written_with_each_part_in_its_material) {
     for (const Prefab& prefab : prefabs()) {
         SCOPED_TRACE(prefab.name);
         for (const double angle_deg : {0.0, 90.0, 180.0, 270.0, 37.0}) {
@@ -75,7 +75,7 @@ TEST(Prefabs, stand_where_they_are_put_facing_where_they_are_turned_each_of_its_
     }
 }
 
-TEST(Prefabs, take_a_name_a_material_and_a_landmark_as_any_thing_and_may_be_free_to_move) {
+TEST(Prefabs, accept_a_name_a_material_and_a_landmark_and_may_be_free_bodies) {
     const Scene scene =
         room_with(piece("Chair", key("name", "Grandfather's chair") + key("landmark", "1") + key("material", "metal")) +
                   piece("table", key("free", "1") + key("mass", "12")));
@@ -90,7 +90,7 @@ TEST(Prefabs, take_a_name_a_material_and_a_landmark_as_any_thing_and_may_be_free
     EXPECT_NE(called(scene, "Tisch"), nullptr);
 }
 
-TEST(Prefabs, that_cannot_be_placed_are_told_with_their_line_and_the_nearest_name) {
+TEST(Prefabs, that_cannot_be_placed_are_reported_with_their_line_and_the_nearest_name) {
     const auto warned = [](const std::string& furniture) {
         const Scene scene = room_with(furniture);
         return scene.report.warnings.empty() ? std::string() : scene.report.warnings.front().message;
@@ -104,7 +104,7 @@ TEST(Prefabs, that_cannot_be_placed_are_told_with_their_line_and_the_nearest_nam
     EXPECT_EQ(find_prefab("Chair"), nullptr) << "names are in lower case";
 }
 
-TEST(Prefabs, stand_in_the_authors_guide_with_their_sizes) {
+TEST(Prefabs, are_listed_in_the_authors_guide_with_their_sizes) {
     std::ifstream file((test::project_root() / "docs/map-authors-guide/furniture.md").string());
     std::stringstream guide;
     guide << file.rdbuf();

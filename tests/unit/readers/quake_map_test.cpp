@@ -17,7 +17,7 @@ Scene read(const std::string& text, const ReadOptions& options = {}) {
 
 const std::string kCube = box_brush(0, 0, 0, 64, 64, 64);
 
-TEST(ReadQuakeMap, turns_units_into_metres_and_counts_brushes_polygons_and_triangles) {
+TEST(ReadQuakeMap, converts_units_to_metres_and_counts_brushes_polygons_and_triangles) {
     const Scene scene = read(entity("worldspawn", {}, box_brush(32, 64, -32, 96, 128, 32)));
     ASSERT_EQ(scene.solids.size(), 1U);
     EXPECT_EQ(scene.bounds_m.min_m, Vec3(1, 2, -1));
@@ -31,7 +31,7 @@ TEST(ReadQuakeMap, turns_units_into_metres_and_counts_brushes_polygons_and_trian
     EXPECT_NEAR(read(entity("worldspawn", {}, kCube), centimetres).bounds_m.max_m.x, 0.64, 1e-12);
 }
 
-TEST(ReadQuakeMap, tells_roles_apart_by_class_and_by_texture) {
+TEST(ReadQuakeMap, distinguishes_roles_by_class_and_by_texture) {
     struct Case {
         std::string class_name, keys, texture;
         SolidRole role;
@@ -68,14 +68,14 @@ TEST(ReadQuakeMap, tells_roles_apart_by_class_and_by_texture) {
     }
 }
 
-TEST(ReadQuakeMap, takes_a_brush_as_special_only_when_every_face_is) {
+TEST(ReadQuakeMap, treats_a_brush_as_special_only_if_all_its_faces_are) {
     std::string brush = box_brush(0, 0, 0, 64, 64, 64, "clip");
     EXPECT_EQ(read(entity("worldspawn", {}, brush)).solids.at(0).role, SolidRole::BodyClip);
     brush.replace(brush.find("clip"), 4, "wood");
     EXPECT_EQ(read(entity("worldspawn", {}, brush)).solids.at(0).role, SolidRole::Solid);
 }
 
-TEST(ReadQuakeMap, leaves_out_the_cursor_and_the_helper_brushes_but_counts_them) {
+TEST(ReadQuakeMap, omits_the_cursor_and_the_helper_brushes_but_counts_them) {
     const Scene scene = read(entity("worldspawn", {}, kCube + box_brush(0, 0, 64, 64, 64, 96, "hint")) +
                              entity("thing", key("cs_name", "PHANTOM"), kCube));
     EXPECT_EQ(scene.solids.size(), 1U);
@@ -84,7 +84,7 @@ TEST(ReadQuakeMap, leaves_out_the_cursor_and_the_helper_brushes_but_counts_them)
     EXPECT_EQ(scene.report.left_out.size(), 2U);
 }
 
-TEST(ReadQuakeMap, puts_starts_on_their_feet_facing_their_heading_and_chooses_one_base) {
+TEST(ReadQuakeMap, puts_starts_on_the_ground_with_their_heading_and_chooses_one_base) {
     const Scene scene =
         read(entity("worldspawn", {}, kCube) + entity("info_player_deathmatch", key("origin", "0 0 24")) +
              entity("info_player_start", key("origin", "32 64 56") + key("angle", "0")) +
@@ -98,7 +98,7 @@ TEST(ReadQuakeMap, puts_starts_on_their_feet_facing_their_heading_and_chooses_on
                 1e-12);  // angle 0 faces east
 }
 
-TEST(ReadQuakeMap, knows_a_game_map_from_a_building) {
+TEST(ReadQuakeMap, distinguishes_a_game_map_from_a_building) {
     EXPECT_FALSE(read(entity("worldspawn", {}, kCube)).game_map);
     EXPECT_TRUE(read(entity("worldspawn", key("wad", "base.wad"), kCube)).game_map);
     EXPECT_TRUE(read(entity("worldspawn", {}, kCube) + entity("monster_ogre")).game_map);
@@ -108,7 +108,7 @@ TEST(ReadQuakeMap, knows_a_game_map_from_a_building) {
             .game_map);
 }
 
-TEST(ReadQuakeMap, takes_the_nearest_legal_value_and_says_where) {
+TEST(ReadQuakeMap, uses_the_nearest_legal_value_and_reports_the_line) {
     const Scene scene = read(entity("worldspawn", {}, kCube) +
                              "{\n\"classname\" \"thing\"\n\"stiffness\" \"1.5\"\n\"friction\" "
                              "\"much\"\n\"material\" \"plastre\"\n" +
@@ -127,7 +127,7 @@ TEST(ReadQuakeMap, takes_the_nearest_legal_value_and_says_where) {
     EXPECT_FALSE(material.friction_mu.has_value());
 }
 
-TEST(ReadWorld, reads_every_whole_map_without_a_warning) {
+TEST(ReadWorld, reads_every_complete_map_without_a_warning) {
     const auto maps = test::project_root() / "worlds/maps";
     std::vector<std::filesystem::path> ours;
     for (const auto& entry : std::filesystem::directory_iterator(maps))

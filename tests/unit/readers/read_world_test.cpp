@@ -25,7 +25,7 @@ std::string sentence_for(const std::string& name, std::string_view bytes) {
     return scene ? "read as " + scene->report.format : scene.error().sentence();
 }
 
-TEST(ReadWorld, chooses_the_reader_by_the_files_ending) {
+TEST(ReadWorld, chooses_the_reader_by_the_file_extension) {
     EXPECT_EQ(sentence_for("a.map", test::entity("worldspawn", {}, test::box_brush(0, 0, 0, 64, 64, 64))),
               "read as map");
     EXPECT_EQ(sentence_for("A.MAP", test::entity("worldspawn", {}, test::box_brush(0, 0, 0, 64, 64, 64))),
@@ -37,7 +37,7 @@ TEST(ReadWorld, chooses_the_reader_by_the_files_ending) {
         "The name of this file ends differently.");
 }
 
-TEST(ReadWorld, recognises_files_given_by_mistake_and_says_what_to_do) {
+TEST(ReadWorld, recognises_files_of_other_kinds_and_gives_advice) {
     EXPECT_THAT(sentence_for("a.map", "version https://git-lfs.github.com/spec/v1\noid sha256:00\n"),
                 HasSubstr("git lfs pull"));
     EXPECT_THAT(sentence_for("a.map", std::string("\x1D\0\0\0rest", 8)), HasSubstr("compiled Quake level"));
@@ -61,7 +61,7 @@ std::string endless_faces() {
     return text;
 }
 
-TEST(ReadWorld, can_be_stopped_while_a_face_is_cut) {
+TEST(ReadWorld, can_be_cancelled_while_a_face_is_cut) {
     std::stop_source stop;
     const std::string bytes = endless_faces();
     std::atomic<bool> begun{false};
@@ -78,7 +78,7 @@ TEST(ReadWorld, can_be_stopped_while_a_face_is_cut) {
     EXPECT_THAT(reading.get().error().sentence(), HasSubstr("was cancelled"));
 }
 
-TEST(ReadWorld, of_a_map_ends_at_each_step_where_it_is_stopped) {
+TEST(ReadWorld, can_be_cancelled_at_each_step_of_a_map) {
     std::string brushes;
     for (int x = 0; x < 20; ++x)
         for (int y = 0; y < 20; ++y) brushes += test::box_brush(64 * x, 64 * y, 0, 64 * x + 80, 64 * y + 48, 64);
@@ -106,7 +106,7 @@ TEST(ReadWorld, of_a_map_ends_at_each_step_where_it_is_stopped) {
     }
 }
 
-TEST(ReadWorld, says_why_a_file_cannot_be_read) {
+TEST(ReadWorld, gives_the_reason_if_a_file_cannot_be_read) {
     const test::TemporaryFolder folder;
     const Result<Scene> missing = read_world(folder.path() / "none.map");
     ASSERT_FALSE(missing.has_value());

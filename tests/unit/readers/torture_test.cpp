@@ -37,7 +37,7 @@ const std::string kSmall = "// small\n" +
                            entity("func_door", "\"name\" \"D\"\n", box_brush(0, 64, 0, 64, 80, 64, "\"q r\"")) +
                            entity("info_player_start", "\"origin\" \"1 2 3\"\n");
 
-TEST(Torture, a_map_cut_at_every_byte) {
+TEST(Torture, a_map_cut_at_every_byte_is_survived) {
     std::size_t most = 0;
     for (std::size_t length = 0; length <= kSmall.size(); ++length) {
         const std::size_t solids = survive(std::string_view(kSmall).substr(0, length));
@@ -47,7 +47,7 @@ TEST(Torture, a_map_cut_at_every_byte) {
     EXPECT_EQ(most, 3U);
 }
 
-TEST(Torture, whole_maps_cut_at_every_97th_byte) {
+TEST(Torture, complete_maps_cut_at_every_97th_byte_are_survived) {
     // Cuts the small map at every place, and the larger ones at places spread over the file. Cutting at every place
     // takes minutes of processor time, shared among the processors; HANDRAIL_EVERY_CUT=1 requests that.
     const bool every = std::getenv("HANDRAIL_EVERY_CUT") != nullptr;
@@ -76,7 +76,7 @@ TEST(Torture, whole_maps_cut_at_every_97th_byte) {
     }
 }
 
-TEST(Torture, two_hundred_thousand_braces) {
+TEST(Torture, two_hundred_thousand_braces_are_survived) {
     EXPECT_EQ(survive(std::string(200000, '{')), 0U);
     EXPECT_EQ(survive(std::string(200000, '}')), 0U);
     std::string pairs;
@@ -85,7 +85,7 @@ TEST(Torture, two_hundred_thousand_braces) {
     EXPECT_EQ(survive(entity("worldspawn", {}, box_brush(0, 0, 0, 64, 64, 64)) + std::string(200000, '{')), 1U);
 }
 
-TEST(Torture, lines_of_a_hundred_megabytes) {
+TEST(Torture, lines_of_a_hundred_megabytes_are_survived) {
     const std::size_t length = static_cast<std::size_t>(100e6 * test::kSanitizerScale * test::kSanitizerScale);
     EXPECT_EQ(survive(std::string(length, 'x')), 0U);
     EXPECT_EQ(survive("{\n\"a\" \"" + std::string(length / 4, 'x')), 0U);
@@ -94,7 +94,7 @@ TEST(Torture, lines_of_a_hundred_megabytes) {
               1U);
 }
 
-TEST(Torture, random_bytes_and_random_tokens) {
+TEST(Torture, random_bytes_and_random_tokens_are_survived) {
     std::mt19937 random(1);
     for (int round = 0; round < test::scaled(300); ++round) {
         std::string bytes(random() % 4000, '\0');
@@ -133,7 +133,7 @@ TEST(Torture, random_bytes_and_random_tokens) {
     }
 }
 
-TEST(Torture, random_planes_through_a_small_grid) {
+TEST(Torture, random_planes_through_a_small_grid_are_survived) {
     // Thousands of needles, wedges, repeated and opposite planes, and empty and open brushes, on top of each other.
     std::mt19937 random(2);
     for (int round = 0; round < test::scaled(60); ++round) {
@@ -151,7 +151,7 @@ TEST(Torture, random_planes_through_a_small_grid) {
     }
 }
 
-TEST(Torture, far_and_tiny_coordinates) {
+TEST(Torture, far_and_tiny_coordinates_are_survived) {
     for (const double far : {1e4, 1e6, 3e7, 1e9, 1e150, 1e300})
         for (const double size : {1e-6, 1e-3, 1.0, 1e4})
             survive(

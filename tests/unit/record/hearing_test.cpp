@@ -34,7 +34,7 @@ std::vector<std::string> heard(Hearing& hearing, double for_s, double voice_s) {
     return all;
 }
 
-TEST(Hearing, gives_each_line_at_its_time_and_faster_or_slower) {
+TEST(Hearing, plays_each_line_at_its_time_and_at_other_speeds) {
     const Recording recording = recording_of(said(493, "One") + said(1493, "Two") + said(2993, "Three"));
     Hearing plain(recording, 1.0), fast(recording, 4.0), slow(recording, 0.5);
     EXPECT_EQ(heard(plain, 4.0, 0.1), (std::vector<std::string>{"50 One", "150 Two", "300 Three"}));
@@ -43,14 +43,14 @@ TEST(Hearing, gives_each_line_at_its_time_and_faster_or_slower) {
     EXPECT_EQ(heard(slow, 7.0, 0.1), (std::vector<std::string>{"99 One", "299 Two", "599 Three"}));
 }
 
-TEST(Hearing, waits_for_a_voice_that_needs_longer_than_there_was_and_not_for_what_was_only_written) {
+TEST(Hearing, waits_for_a_voice_that_needs_longer_but_not_for_text_that_was_only_written) {
     const Recording recording = recording_of(said(493, "One") + said(593, "Written", false) + said(993, "Two"));
     Hearing hearing(recording, 1.0);
     EXPECT_EQ(heard(hearing, 4.0, 1.995), (std::vector<std::string>{"50 One", "60 Written", "250 Two"}));
     EXPECT_NEAR(hearing.length_s(), 0.993, 1e-9);
 }
 
-TEST(Hearing, stops_and_goes_to_and_fro) {
+TEST(Hearing, can_pause_and_move_back_and_forth) {
     std::string lines;
     for (int i = 0; i < 30; ++i) lines += said(i * 1000 + 993, "Line " + std::to_string(i));
     const Recording recording = recording_of(lines);
@@ -72,7 +72,7 @@ TEST(Hearing, stops_and_goes_to_and_fro) {
     EXPECT_TRUE(hearing.over());
 }
 
-TEST(Hearing, of_knocks_and_places_follows_the_recording) {
+TEST(Hearing, plays_knocks_and_places_as_recorded) {
     Recording recording = recording_of(R"({"t":200,"is":"contact","at_m":[1,2,3],"force_mn":640})"
                                        "\n"
                                        R"({"t":300,"is":"contact","at_m":"nowhere"})"

@@ -177,7 +177,7 @@ Seen computed(const World& world, const Recording& recording, bool& failed) {
     return seen;
 }
 
-TEST(PlayedBodies, do_to_the_bit_what_was_recorded_of_an_engine_that_stalls) {
+TEST(PlayedBodies, repeat_bit_identically_the_recording_of_a_stalling_engine) {
     const World world = crates();
     Recording recording;
     const Seen was = recorded(world, recording);
@@ -212,7 +212,7 @@ TEST(PlayedBodies, do_to_the_bit_what_was_recorded_of_an_engine_that_stalls) {
     for (std::size_t i = 0; i < was.events.size(); ++i) ASSERT_EQ(again.events[i].at_m, was.events[i].at_m) << i;
 }
 
-TEST(PlayedBodies, that_lack_a_step_or_a_tick_fail_and_never_hang) {
+TEST(PlayedBodies, with_a_missing_step_or_tick_fail_and_never_hang) {
     const World world = crates();
     Recording whole;
     (void)recorded(world, whole);

@@ -38,7 +38,7 @@ std::vector<ToolState> stepped(int ticks, HandRing* ring, std::vector<HandRow>* 
     return states;
 }
 
-TEST(RecordedServo, hands_over_each_tick_from_which_it_is_computed_again_to_the_bit) {
+TEST(RecordedServo, stores_each_tick_so_that_it_can_be_recomputed_bit_identically) {
     auto ring = std::make_unique<HandRing>();
     std::vector<HandRow> rows;
     const std::vector<ToolState> states = stepped(3000, ring.get(), &rows);
@@ -57,7 +57,7 @@ TEST(RecordedServo, hands_over_each_tick_from_which_it_is_computed_again_to_the_
     }
 }
 
-TEST(RecordedServo, that_nobody_records_sees_its_device_as_it_is) {
+TEST(RecordedServo, without_a_recording_passes_its_device_through_unchanged) {
     const std::vector<ToolState> states = stepped(3000, nullptr, nullptr);
     // Encoder steps of 55 micrometres are not whole micrometres in binary. Without rounding they remain the device's
     // own values.

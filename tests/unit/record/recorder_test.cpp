@@ -85,7 +85,7 @@ TEST(Recorder, that_is_killed_at_any_moment_loses_no_more_than_half_a_second) {
     EXPECT_LT(worst_events_s, 2.0);
 }
 
-TEST(Recorder, whose_disk_is_full_at_any_write_says_one_sentence_and_lets_everything_go_on) {
+TEST(Recorder, with_a_full_disk_at_any_write_reports_one_sentence_and_the_session_continues) {
     for (const long at : {1L, 2L, 3L, 4L, 5L, 7L}) {
         const TemporaryFolder folder;
         auto recorder = Recorder::begin(folder.path(), head_now(10.0));
@@ -120,7 +120,7 @@ TEST(Recorder, whose_disk_is_full_at_any_write_says_one_sentence_and_lets_everyt
     }
 }
 
-TEST(Recorder, that_cannot_begin_says_why_and_leaves_nothing) {
+TEST(Recorder, that_cannot_start_gives_the_reason_and_leaves_no_files) {
     const TemporaryFolder folder;
     fs::create_directory(folder.path() / "file");
     const fs::path no_folder = folder.write("text", "x");
@@ -129,7 +129,7 @@ TEST(Recorder, that_cannot_begin_says_why_and_leaves_nothing) {
     EXPECT_NE(refused.error().message.find("Nothing is recorded."), std::string::npos) << refused.error().message;
 }
 
-TEST(Recorder, tells_how_many_ticks_found_no_room) {
+TEST(Recorder, reports_how_many_ticks_did_not_fit) {
     const TemporaryFolder folder;
     auto recorder = Recorder::begin(folder.path(), head_now(0.0));
     ASSERT_TRUE(recorder);

@@ -100,7 +100,7 @@ Made make_recording(const fs::path& in) {
     return made;
 }
 
-TEST(Recording, is_read_as_it_was_written) {
+TEST(Recording, is_read_back_unchanged) {
     const TemporaryFolder folder;
     const Made made = make_recording(folder.path() / "recordings");
     const auto read = read_recording(made.folder);
@@ -132,7 +132,7 @@ TEST(Recording, is_read_as_it_was_written) {
     EXPECT_NEAR(said[1].t_s, 0.1, 1e-9);
 }
 
-TEST(Recording, is_for_nobody_but_the_person) {
+TEST(Recording, is_readable_only_by_the_person) {
     const TemporaryFolder folder;
     const Made made = make_recording(folder.path() / "recordings");
     using fs::perms;
@@ -146,7 +146,7 @@ TEST(Recording, is_for_nobody_but_the_person) {
     EXPECT_EQ(files, 5);
 }
 
-TEST(Recording, cut_at_every_byte_is_read_to_its_last_whole_line) {
+TEST(Recording, cut_at_every_byte_is_read_up_to_its_last_complete_line) {
     const TemporaryFolder folder;
     const Made made = make_recording(folder.path() / "recordings");
     const std::string text = *read_whole_file(made.folder / "events.jsonl");
@@ -178,7 +178,7 @@ TEST(Recording, cut_at_every_byte_is_read_to_its_last_whole_line) {
     EXPECT_GT(rows, 1000U);
 }
 
-TEST(Recording, that_is_damaged_anywhere_gives_sentences_and_no_crash) {
+TEST(Recording, that_is_damaged_anywhere_gives_error_sentences_and_no_crash) {
     const TemporaryFolder folder;
     const Made made = make_recording(folder.path() / "recordings");
     const std::string text = *read_whole_file(made.folder / "events.jsonl");
@@ -205,7 +205,7 @@ TEST(Recording, that_is_damaged_anywhere_gives_sentences_and_no_crash) {
     }
 }
 
-TEST(Recording, of_another_kind_or_of_a_newer_form_is_refused_with_file_and_line) {
+TEST(Recording, of_another_kind_or_a_newer_version_is_refused_with_file_and_line) {
     const TemporaryFolder folder;
     EXPECT_EQ(read_recording(folder.path()).error().message,
               "This is not a recording: it contains no file events.jsonl.");
@@ -234,7 +234,7 @@ TEST(Recording, of_another_kind_or_of_a_newer_form_is_refused_with_file_and_line
     EXPECT_NE(newer.error().message.find("newer version"), std::string::npos);
 }
 
-TEST(RecordingRows, that_are_none_are_told_with_file_and_line) {
+TEST(RecordingRows, that_are_invalid_are_reported_with_file_and_line) {
     const std::string header = std::string(cue_header()) + "\n";
     const auto problem = [&](const std::string& rows) {
         const auto table = read_rows<kCueColumns>(header + rows, cue_header(), "cues.csv.gz");
@@ -257,7 +257,7 @@ TEST(RecordingRows, that_are_none_are_told_with_file_and_line) {
     EXPECT_EQ(read_rows<kCueColumns>("t_s\n", cue_header(), "cues.csv.gz").problem->line, 1);
 }
 
-TEST(RecordedInput, of_every_kind_is_read_as_it_was) {
+TEST(RecordedInput, of_every_kind_is_read_back_unchanged) {
     Settings settings;
     settings.walk.step_length_m = 0.65;
     settings.haptic.device = "falcon";
@@ -376,7 +376,7 @@ TEST(RecordingRows, of_fifteen_minutes_with_force_need_at_most_four_megabytes) {
     }
 }
 
-TEST(RoundingOfSamples, gives_whole_micrometres_that_are_the_same_read_back) {
+TEST(RoundingOfSamples, gives_whole_micrometres_that_are_read_back_unchanged) {
     std::mt19937_64 draw(3);
     std::uniform_real_distribution<double> place(-0.3, 0.3);
     for (int i = 0; i < 10000; ++i) {

@@ -55,17 +55,17 @@ std::string scenario_with(const std::string& between) {
     return made ? with_expectations(*made) : "";
 }
 
-TEST(ScenarioOfRecording, expects_nothing_that_was_answered_before_the_rooms_were_found) {
+TEST(ScenarioOfRecording, expects_no_answer_from_before_the_rooms_were_found) {
     const std::string early = scenario_with(line_at(1500, "room_entered", {{"room", 1}, {"name", "Hall"}}));
     EXPECT_THAT(early, HasSubstr("say_in_order = \"Hall, at the door.\""));
     EXPECT_THAT(early, HasSubstr("press = \"where\""));
 }
 
-TEST(ScenarioOfRecording, expects_all_answers_where_no_room_is_ever_entered) {
+TEST(ScenarioOfRecording, expects_all_answers_if_no_room_is_ever_entered) {
     EXPECT_THAT(scenario_with(""), HasSubstr("say_in_order = \"At the door. | Hall, at the door.\""));
 }
 
-TEST(ScenarioOfRecording, types_lines_as_lines_and_counts_as_one) {
+TEST(ScenarioOfRecording, keeps_typed_lines_as_lines_and_counted_commands_as_one_action) {
     const std::string toml = scenario_with(line_at(1500, "line", {{"line", "enter"}}) +
                                            line_at(1600, "command_down", {{"command", "forward"}, {"times", 3}}) +
                                            line_at(1600, "command_up", {{"command", "forward"}}));
@@ -73,12 +73,12 @@ TEST(ScenarioOfRecording, types_lines_as_lines_and_counts_as_one) {
     EXPECT_THAT(toml, HasSubstr("press = \"forward\"\nfor_s = 0.000\ntimes = 3\n"));
 }
 
-TEST(ScenarioOfRecording, speaks_of_keys_as_the_session_did) {
+TEST(ScenarioOfRecording, uses_the_same_input_mode_as_the_session) {
     EXPECT_THAT(scenario_with(""), HasSubstr("acts_by = \"window-keys\"\n"));
 }
 
 // What the scenario cannot do or says differently is left out and counted; the remaining expectations are met.
-TEST(ScenarioOfRecording, is_written_as_it_runs) {
+TEST(ScenarioOfRecording, omits_lines_and_expectations_that_fail_in_a_trial_run) {
     ScenarioText text;
     text.toml =
         "title = \"t\"\nworld = \"house.map\"\n\n[[do]]\nat_s = 0.5\nline = \"nobody asked\"\n\n[[do]]\nat_s = "
@@ -105,7 +105,7 @@ TEST(ScenarioOfRecording, is_written_as_it_runs) {
     EXPECT_THAT(made->toml, HasSubstr("press = \"where\""));
 }
 
-TEST(ScenarioOfRecording, keeps_as_many_answers_as_both_have_in_one_order) {
+TEST(ScenarioOfRecording, keeps_the_longest_common_subsequence_of_answers) {
     using Texts = std::vector<std::string>;
     EXPECT_EQ(said_by_both({"a", "b", "c", "d"}, {"d", "b", "x", "c", "d"}), (Texts{"b", "c", "d"}));
     EXPECT_EQ(said_by_both({}, {"a"}), Texts{});

@@ -42,7 +42,7 @@ std::shared_ptr<const HapticScene> one_of_each(const Vec3& at) {
     return builder.build();
 }
 
-TEST(HapticScene, knows_place_and_surface_of_every_kind_near_and_far) {
+TEST(HapticScene, gives_place_and_surface_of_every_kind_of_obstacle_near_and_far) {
     for (const Vec3& at : {Vec3(0.0), Vec3(4e5, -7e5, 3e4)}) {
         const auto scene = one_of_each(at);
         ASSERT_EQ(scene->obstacles.size(), kObstacleKinds);
@@ -84,7 +84,7 @@ TEST(HapticScene, knows_place_and_surface_of_every_kind_near_and_far) {
     }
 }
 
-TEST(HapticScene, holds_a_ball_at_every_kind_with_the_label_of_the_face) {
+TEST(HapticScene, stops_a_ball_at_every_kind_of_obstacle_with_the_label_of_the_face) {
     for (const Vec3& at : {Vec3(0.0), Vec3(4e5, -7e5, 3e4)}) {
         const auto scene = one_of_each(at);
         for (const auto& [x, feature] :
@@ -101,7 +101,7 @@ TEST(HapticScene, holds_a_ball_at_every_kind_with_the_label_of_the_face) {
 }
 
 // Sliding over round solids takes one or two rounds, not dozens, even if the hand is deeper than the proxy's radius.
-TEST(HapticScene, round_solids_are_slid_over_in_few_rounds) {
+TEST(HapticScene, slides_over_round_solids_in_few_solver_rounds) {
     TouchWorld sphere, capsule, cylinder, cone;
     sphere.sphere({0, 0, 0}, .05);
     capsule.capsule({0, -.1, 0}, {0, .1, 0}, .05);

@@ -43,7 +43,7 @@ std::vector<Relief> reliefs_of_every_kind(std::mt19937& random) {
     return all;
 }
 
-TEST(Relief, is_nowhere_steeper_or_more_curved_than_a_hand_can_take) {
+TEST(Relief, is_never_steeper_or_more_curved_than_a_hand_can_follow) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> place(-1.0, 1.0);
     const ReliefAxes axes = relief_axes({0, 0, 1});
@@ -67,7 +67,7 @@ TEST(Relief, is_nowhere_steeper_or_more_curved_than_a_hand_can_take) {
         }
 }
 
-TEST(Relief, lays_its_axes_to_the_right_and_up_as_one_looks_at_a_wall) {
+TEST(Relief, has_axes_pointing_right_and_up_for_a_person_facing_the_wall) {
     EXPECT_EQ(relief_axes({0, -1, 0}).u, Vec3(1, 0, 0));  // for a wall that faces south, right is east
     EXPECT_EQ(relief_axes({0, -1, 0}).v, Vec3(0, 0, 1));
     EXPECT_EQ(relief_axes({1, 0, 0}).u, Vec3(0, 1, 0));
@@ -84,7 +84,7 @@ TEST(Relief, lays_its_axes_to_the_right_and_up_as_one_looks_at_a_wall) {
     }
 }
 
-TEST(Relief, keeps_a_pictures_rows_downwards_and_its_width_while_it_grows_coarser) {
+TEST(Relief, keeps_the_row_order_and_width_of_a_picture_when_coarsened) {
     // One picture with a white row at the top, the other with a white column on the left.
     std::vector<float> rows(64 * 48, 0.0F), columns(64 * 48, 0.0F);
     for (std::size_t x = 0; x < 64; ++x)
@@ -165,7 +165,7 @@ TEST(Relief, lets_the_hand_sink_to_white_and_changes_nothing_over_black) {
     }
 }
 
-TEST(Relief, runs_out_towards_open_edges_and_goes_on_under_covered_ones) {
+TEST(Relief, fades_out_towards_open_edges_and_continues_under_covered_ones) {
     Relief relief;
     relief.kind = ReliefKind::Picture;
     relief.depth_hand_m = 0.002;
@@ -194,7 +194,7 @@ TEST(Relief, runs_out_towards_open_edges_and_goes_on_under_covered_ones) {
     EXPECT_NEAR(press(state, *scene, tuning, -0.0999, 0.004).force_n.z, 0.004 * 800.0, 0.01);
 }
 
-TEST(Relief, is_felt_as_ridges_of_its_period_in_the_hand_at_every_scale) {
+TEST(Relief, is_felt_at_every_scale_as_ridges_with_its_period_in_hand_space) {
     for (const double scale : {1.0, 15.0, 60.0}) {
         Relief relief;
         relief.kind = ReliefKind::Sine;
@@ -220,7 +220,7 @@ TEST(Relief, is_felt_as_ridges_of_its_period_in_the_hand_at_every_scale) {
     }
 }
 
-TEST(Relief, fades_while_the_hand_is_too_fast_for_its_waves_and_comes_back) {
+TEST(Relief, fades_while_the_hand_is_too_fast_for_its_waves_and_returns) {
     Relief relief;
     relief.kind = ReliefKind::Sine;
     relief.depth_hand_m = 4e-4;
@@ -247,7 +247,7 @@ TEST(Relief, fades_while_the_hand_is_too_fast_for_its_waves_and_comes_back) {
     EXPECT_NEAR(swing_at(0.05, 1000), slow, 0.05 * slow);
 }
 
-TEST(Relief, varies_friction_by_its_share_along_the_way) {
+TEST(Relief, varies_friction_along_the_surface_by_its_share) {
     Relief relief;
     relief.kind = ReliefKind::Level;
     relief.period_hand_m = 0.01;

@@ -34,7 +34,7 @@ void expect_same_bits(const HapticScene& scene, const TouchTuning& tuning, const
     }
 }
 
-TEST(TickFeatures, leaving_out_what_is_not_there_changes_no_bit) {
+TEST(TickFeatures, skipping_absent_features_changes_no_bit) {
     for (const TouchCase& c : hard_cases()) {
         const auto scene = c.world.scene();
         ASSERT_TRUE(scene->plain) << c.name;
@@ -45,7 +45,7 @@ TEST(TickFeatures, leaving_out_what_is_not_there_changes_no_bit) {
 }
 
 // With damping at which the guard is idle (the default), at its limit, and active.
-TEST(TickFeatures, the_passivity_guard_takes_the_plain_path_too_and_changes_no_bit) {
+TEST(TickFeatures, the_passivity_guard_runs_on_the_plain_path_too_and_changes_no_bit) {
     for (const TouchCase& c : hard_cases()) {
         const auto scene = c.world.scene();
         for (const double damping : {0.0, 2.0, 5.0}) {
@@ -99,7 +99,7 @@ TEST(TickFeatures, liquids_drag_the_same_wherever_the_hand_comes_from) {
     EXPECT_GT(dragged[1], 100);
 }
 
-TEST(TickFeatures, a_scene_with_anything_optional_gets_the_tick_that_knows_it) {
+TEST(TickFeatures, a_scene_with_any_optional_content_uses_the_full_tick) {
     const auto plain_with = [](const auto& add) {
         HapticSceneBuilder builder;
         builder.add_box({{-1, -1, -1}, {1, 1, 0}});

@@ -34,7 +34,7 @@ TouchResult press_floor(TouchState& state, const HapticScene& scene, const Touch
     return hold(state, scene, tuning, {0, 0, -depth_m}, 200);
 }
 
-TEST(TouchTick, gives_stiffness_times_depth_per_metre_of_hand_travel) {
+TEST(TouchTick, gives_stiffness_times_depth_per_metre_of_hand_movement) {
     const auto scene = floor_and_wall();
     for (const double scale : {1.0, 10.0, 60.0}) {
         TouchTuning tuning;
@@ -53,7 +53,7 @@ TEST(TouchTick, gives_stiffness_times_depth_per_metre_of_hand_travel) {
     }
 }
 
-TEST(TouchTick, names_the_surface_that_is_pressed_hardest) {
+TEST(TouchTick, names_the_surface_with_the_strongest_contact) {
     const auto scene = floor_and_wall();
     TouchState state;
     TouchTuning tuning;
@@ -67,7 +67,7 @@ TEST(TouchTick, names_the_surface_that_is_pressed_hardest) {
     EXPECT_NEAR(r.proxy_m.z, 0.005, 1e-9);
 }
 
-TEST(TouchTick, prefers_faces_that_are_not_hidden_for_the_name) {
+TEST(TouchTick, names_a_contact_by_its_visible_faces_first) {
     HapticSceneBuilder builder;
     std::array<SurfaceLabel, 6> labels;
     for (std::uint32_t i = 0; i < 6; ++i) labels[i].feature = FeatureId{i};
@@ -94,7 +94,7 @@ TEST(TouchTick, blends_materials_by_how_hard_they_are_pressed) {
     EXPECT_NEAR(r.force_n.x, -1.5, 1e-6);
 }
 
-TEST(TouchTick, obeys_overrides_before_materials_before_defaults) {
+TEST(TouchTick, applies_overrides_before_materials_and_materials_before_defaults) {
     const auto scene = floor_and_wall({HapticMaterial{0.5, -1, -1}});
     TouchState state;
     TouchTuning tuning;
@@ -132,7 +132,7 @@ TEST(TouchTick, sticks_inside_the_friction_cone_and_slides_on_it) {  // I12 (tes
     }
 }
 
-TEST(TouchTick, weakens_static_friction_over_the_way_slid_and_heals_at_rest) {
+TEST(TouchTick, weakens_static_friction_with_the_slid_distance_and_restores_it_at_rest) {
     const auto scene = floor_and_wall();
     TouchState state;
     TouchTuning tuning;
@@ -161,7 +161,7 @@ TEST(TouchTick, weakens_static_friction_over_the_way_slid_and_heals_at_rest) {
     EXPECT_NEAR(largest, 0.5, 0.01);
 }
 
-TEST(TouchTick, damps_along_the_normal_only_and_never_pulls) {
+TEST(TouchTick, damps_only_along_the_normal_and_never_pulls) {
     const auto scene = floor_and_wall();
     TouchState state;
     TouchTuning tuning;
@@ -181,7 +181,7 @@ TEST(TouchTick, damps_along_the_normal_only_and_never_pulls) {
     EXPECT_EQ(r.force_n, Vec3(0.0));
 }
 
-TEST(TouchTick, caps_the_slide_but_lets_a_fast_hand_through_the_air) {
+TEST(TouchTick, limits_sliding_speed_but_not_a_fast_hand_in_the_air) {
     const auto scene = floor_and_wall();
     TouchState state;
     TouchTuning tuning;
@@ -192,7 +192,7 @@ TEST(TouchTick, caps_the_slide_but_lets_a_fast_hand_through_the_air) {
     }
 }
 
-TEST(TouchTick, makes_ghosts_of_all_solids_around_the_start_until_the_hand_has_left_them) {
+TEST(TouchTick, ignores_all_solids_around_the_start_until_the_hand_has_left_them) {
     HapticSceneBuilder builder;
     builder.add_box({{-1, -1, -1}, {1, 1, 0}}, SurfaceLabel{kFloor});
     builder.add_box({{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.3}}, SurfaceLabel{kWall});
@@ -216,7 +216,7 @@ TEST(TouchTick, makes_ghosts_of_all_solids_around_the_start_until_the_hand_has_l
 }
 
 // Formerly a solid in which the hand had started let it back in while the hand was out by less than 1 mm.
-TEST(TouchTick, never_comes_back_into_a_solid_that_all_of_the_ball_has_left) {
+TEST(TouchTick, never_reenters_a_solid_that_the_whole_ball_has_left) {
     HapticSceneBuilder builder;
     builder.add_box({{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.3}}, SurfaceLabel{kWall});
     const auto scene = builder.build();
@@ -238,7 +238,7 @@ TEST(TouchTick, never_comes_back_into_a_solid_that_all_of_the_ball_has_left) {
 }
 
 // A ramp lifts the proxy out of the solid, while the hand always stays below the solid's top.
-TEST(TouchTick, never_comes_back_into_a_solid_that_the_ball_has_left_and_the_hand_has_not) {
+TEST(TouchTick, never_reenters_a_solid_that_the_ball_but_not_the_hand_has_left) {
     HapticSceneBuilder builder;
     builder.add_box({{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.3}}, SurfaceLabel{kFloor});
     const std::vector<Vec3> ramp{{-0.1, -0.5, 0.39}, {0.1, -0.5, 0.19}, {0.1, 0.5, 0.19}, {-0.1, 0.5, 0.39}};
@@ -266,7 +266,7 @@ TEST(TouchTick, never_comes_back_into_a_solid_that_the_ball_has_left_and_the_han
 }
 
 // Case T20, as in tests/property/bodies_test.cpp.
-TEST(TouchTick, starts_small_in_a_tight_place_and_grows_without_a_jump) {
+TEST(TouchTick, starts_with_a_small_ball_in_a_tight_place_and_grows_it_smoothly) {
     const auto scene = floor_and_wall();
     TouchState state;
     TouchTuning tuning;
@@ -284,7 +284,7 @@ TEST(TouchTick, starts_small_in_a_tight_place_and_grows_without_a_jump) {
     EXPECT_NEAR(r.force_n.z, 3.0, 1e-9);
 }
 
-TEST(TouchTick, runs_a_radius_of_zero_as_a_hundredth_of_a_millimetre) {
+TEST(TouchTick, treats_a_radius_of_zero_as_a_hundredth_of_a_millimetre) {
     const auto scene = floor_and_wall();
     TouchState state;
     TouchTuning tuning;
@@ -293,7 +293,7 @@ TEST(TouchTick, runs_a_radius_of_zero_as_a_hundredth_of_a_millimetre) {
     EXPECT_NEAR(r.proxy_m.z, 1e-5, 1e-12);
 }
 
-TEST(TouchTick, meets_a_new_scene_around_the_old_proxy) {
+TEST(TouchTick, keeps_the_old_proxy_when_a_new_scene_arrives) {
     const auto scene = floor_and_wall();
     HapticSceneBuilder builder;
     builder.add_box({{-1, -1, -1}, {1, 1, 0.004}});  // the floor rises 4 mm
@@ -308,7 +308,7 @@ TEST(TouchTick, meets_a_new_scene_around_the_old_proxy) {
     EXPECT_NEAR(r.proxy_m.z, 0.009, 1e-9);
 }
 
-TEST(TouchTick, keeps_its_contact_when_only_filters_are_reset) {
+TEST(TouchTick, keeps_its_contact_if_only_filters_are_reset) {
     const auto scene = floor_and_wall();
     TouchState state;
     TouchTuning tuning;
@@ -396,7 +396,7 @@ TEST(TouchTick, never_gives_energy_in_a_liquid) {
     EXPECT_LT(energy, 0.0);
 }
 
-TEST(TouchTick, keeps_the_nearest_when_there_are_too_many_candidates) {
+TEST(TouchTick, keeps_the_nearest_if_there_are_too_many_candidates) {
     // 3000 sheets in one place: the proxy passes none of them, and the result reports that there were too many.
     HapticSceneBuilder builder;
     for (int i = 0; i < 3000; ++i) builder.add_triangle({-1, -1, -1e-7 * i}, {1, -1, -1e-7 * i}, {0, 2, -1e-7 * i});
@@ -429,7 +429,7 @@ TEST(TouchTick, survives_every_finite_input) {  // I1 (tests/property/invariants
             }
 }
 
-TEST(TouchTick, a_start_among_countless_triangles_looks_at_a_bounded_number_of_them) {
+TEST(TouchTick, examines_a_limited_number_of_triangles_at_a_start_among_thousands) {
     // A spherical room of 20,480 triangles that is smaller than the proxy. From its centre all of them are equally
     // near.
     HapticSceneBuilder builder;

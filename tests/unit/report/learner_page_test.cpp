@@ -40,7 +40,7 @@ std::vector<SessionReport> three_sessions() {
     return reports;
 }
 
-TEST(LearnerWords, tell_what_became_of_each_way) {
+TEST(LearnerWords, describe_the_outcome_of_each_route) {
     EXPECT_THAT(
         learner_words(three_sessions()),
         ElementsAre("There were 3 sessions, 27 minutes in all.", "You set out for Library 3 times.",
@@ -68,7 +68,7 @@ TEST(LearnerWords, are_easy_to_read_in_both_languages) {
     }
 }
 
-TEST(LearnerPage, keeps_every_rule_in_both_languages_and_with_nothing_at_all) {
+TEST(LearnerPage, keeps_every_rule_in_both_languages_and_without_any_session) {
     for (const char* language : {"en", "de"}) {
         const InLanguage spoken(language);
         const std::vector<SessionReport> reports = three_sessions();
@@ -78,7 +78,7 @@ TEST(LearnerPage, keeps_every_rule_in_both_languages_and_with_nothing_at_all) {
     }
 }
 
-TEST(LearnerPage, is_read_in_its_order) {
+TEST(LearnerPage, is_read_in_the_intended_order) {
     const std::string text = spoken_text(learner_page(three_sessions()));
     std::size_t at = 0;
     for (const char* line :

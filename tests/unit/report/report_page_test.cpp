@@ -107,7 +107,7 @@ TEST(ReportWords, are_easy_to_read_in_both_languages) {
     EXPECT_LT(lix_of("The cat sat. It ate."), 10.0);
 }
 
-TEST(ReportWords, tell_what_happened_and_nothing_that_was_not_measured) {
+TEST(ReportWords, describe_what_happened_and_nothing_that_was_not_measured) {
     const std::string text = in_a_row(report_words(sample()));
     for (const char* sentence :
          {"You were in School for 13 minutes.", "You reached Library.", "It took 95 seconds.",
@@ -130,7 +130,7 @@ TEST(ReportWords, tell_what_happened_and_nothing_that_was_not_measured) {
     EXPECT_EQ(report_words(bare), std::vector<std::string>{"There is nothing to report yet."});
 }
 
-TEST(ReportWords, tell_the_way_through_the_rooms) {
+TEST(ReportWords, describe_the_route_through_the_rooms) {
     EXPECT_EQ(
         in_a_row(plan_words(sample())),
         "The plan shows School, storey 1 of 1. North is up.\nYou walked 7 metres.\nYour route led through: Entrance "
@@ -143,7 +143,7 @@ TEST(ReportWords, tell_the_way_through_the_rooms) {
 }
 
 // Small rooms next to each other and above each other, with long names, and objects that were touched at one place.
-TEST(ReportPage, writes_no_name_over_another_on_the_plan) {
+TEST(ReportPage, does_not_overlap_names_on_the_plan) {
     SessionReport report = sample();
     for (int i = 0; i < 30; ++i) {
         StoreyRoom room;
@@ -184,7 +184,7 @@ TEST(MeasuresPage, explains_every_measure_and_every_column) {
         EXPECT_NE(page.find("\n| `" + column + "` | "), std::string::npos) << column;
 }
 
-TEST(ReportPage, keeps_every_rule_in_both_languages_and_with_anything_missing) {
+TEST(ReportPage, keeps_every_rule_in_both_languages_and_with_missing_parts) {
     for (const char* language : {"en", "de"}) {
         const InLanguage spoken(language);
         SessionReport report = sample();
@@ -201,7 +201,7 @@ TEST(ReportPage, keeps_every_rule_in_both_languages_and_with_anything_missing) {
     }
 }
 
-TEST(ReportPage, is_read_in_its_order_without_the_texts_of_the_picture) {
+TEST(ReportPage, is_read_in_the_intended_order_without_the_texts_of_the_picture) {
     const std::string text = spoken_text(report_page(sample()));
     std::size_t at = 0;
     for (const char* line :
@@ -236,7 +236,7 @@ TEST(ReportPage, is_read_in_its_order_without_the_texts_of_the_picture) {
     EXPECT_EQ(text.find("text:"), std::string::npos) << "names of rooms in the middle of the page";
 }
 
-TEST(PageRules, find_each_fault_that_is_put_into_a_page) {
+TEST(PageRules, detect_each_fault_that_is_planted_into_a_page) {
     const std::string page = report_page(sample());
     ASSERT_THAT(page_faults(page), testing::IsEmpty());
     const auto broken = [&](const std::string& what, const std::string& by) {
@@ -281,7 +281,7 @@ TEST(PageRules, find_each_fault_that_is_put_into_a_page) {
     EXPECT_GE(page_faults(worst).size(), 6U);
 }
 
-TEST(Results, read_back_equal_bit_for_bit_from_both_tables) {
+TEST(Results, are_bit_identical_when_read_back_from_both_tables) {
     std::mt19937_64 random(11);
     std::vector<SessionReport> reports(3, sample());
     reports[1].session = "Second, \"quoted\"\nover two lines";
@@ -311,7 +311,7 @@ TEST(Results, are_described_column_by_column) {
     EXPECT_EQ(text.find("report.csv_"), std::string::npos) << "every column has its words";
 }
 
-TEST(Results, cut_anywhere_or_damaged_are_told_with_their_line_or_read) {
+TEST(Results, cut_anywhere_or_damaged_are_read_or_reported_with_their_line) {
     const std::vector<ResultRow> rows = result_rows(std::vector{sample()});
     const std::string csv = results_csv(rows), json = results_json(rows);
     for (std::size_t cut = 0; cut < csv.size(); ++cut) {
@@ -330,7 +330,7 @@ TEST(Results, cut_anywhere_or_damaged_are_told_with_their_line_or_read) {
     EXPECT_FALSE(read_results_json("{\"schema\":1,\"results\":[{\"learner\":3}]}", "r.json"));
 }
 
-TEST(ReportMeasures, have_words_for_what_they_are_and_mean_in_both_languages) {
+TEST(ReportMeasures, are_named_and_explained_in_both_languages) {
     for (const char* language : {"en", "de"}) {
         const InLanguage spoken(language);
         for (const ReportMeasureInfo& info : report_measures()) {

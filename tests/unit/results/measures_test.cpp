@@ -26,7 +26,7 @@ std::vector<WayPoint> walk_along(const std::vector<Vec3>& corners) {
     return walk;
 }
 
-TEST(WayWalked, counts_places_a_quarter_of_a_metre_apart_and_leaves_leaps_and_swaying_out) {
+TEST(WayWalked, counts_places_a_quarter_of_a_metre_apart_without_leaps_and_swaying) {
     EXPECT_NEAR(way_walked_m(walk_along({{0, 0, 0}, {3, 0, 0}, {3, 4, 0}})), 7.0, 0.3);
     std::vector<WayPoint> sways;
     for (int i = 0; i < 100; ++i) sways.push_back({i * 0.1, {i % 2 == 0 ? 0.0 : 0.2, 0.0, 0.0}});
@@ -36,13 +36,13 @@ TEST(WayWalked, counts_places_a_quarter_of_a_metre_apart_and_leaves_leaps_and_sw
     EXPECT_EQ(way_walked_m({}), 0.0);
 }
 
-TEST(PathRatio, is_none_for_a_short_way_or_a_goal_that_was_not_reached) {
+TEST(PathRatio, does_not_exist_for_a_short_path_or_an_unreached_goal) {
     EXPECT_DOUBLE_EQ(*path_ratio(15.0, 10.0, true), 1.5);
     EXPECT_FALSE(path_ratio(15.0, 0.9, true));
     EXPECT_FALSE(path_ratio(15.0, 10.0, false));
 }
 
-TEST(Hesitations, are_pauses_of_over_two_seconds_but_for_those_that_have_a_reason) {
+TEST(Hesitations, are_pauses_of_over_two_seconds_without_a_known_reason) {
     std::vector<WayPoint> walk = walk_along({{0, 0, 0}, {2, 0, 0}});
     const auto stand = [&walk](double seconds) {
         for (const double until_s = walk.back().t_s + seconds; walk.back().t_s < until_s - 0.05;)
@@ -65,20 +65,20 @@ TEST(Hesitations, are_pauses_of_over_two_seconds_but_for_those_that_have_a_reaso
     EXPECT_EQ(hesitations(walk, std::span(&long_answer, 1)).count, 1);
 }
 
-TEST(FreeTime, is_what_no_busy_time_covers) {
+TEST(FreeTime, is_time_that_no_busy_interval_covers) {
     const std::vector<Span> busy{{6.0, 8.0}, {-1.0, 1.0}, {2.0, 4.0}, {3.0, 3.5}, {9.5, 20.0}};
     EXPECT_DOUBLE_EQ(free_s({0.0, 10.0}, busy), 1.0 + 2.0 + 1.5);
     EXPECT_DOUBLE_EQ(free_s({0.0, 10.0}, {}), 10.0);
     EXPECT_DOUBLE_EQ(free_s({2.5, 3.0}, busy), 0.0);
 }
 
-TEST(ContactEpisodes, join_touches_of_one_thing_within_two_seconds) {
+TEST(ContactEpisodes, join_touches_of_one_thing_that_are_within_two_seconds) {
     const std::vector<Touch> touches = {{0.0, 1}, {1.9, 1}, {3.8, 1}, {4.0, 2}, {6.0, 1}, {6.1, 2}, {8.5, 2}};
     EXPECT_EQ(contact_episodes(touches), 5);
     EXPECT_EQ(contact_episodes({}), 0);
 }
 
-TEST(Pointing, is_circular_and_calls_a_bias_only_what_agrees) {
+TEST(Pointing, uses_circular_statistics_and_reports_a_bias_only_for_consistent_errors) {
     EXPECT_NEAR(pointing_error_rad(350 * kDegree, 10 * kDegree), -20 * kDegree, 1e-12);
     EXPECT_NEAR(pointing_error_rad(10 * kDegree, 350 * kDegree), 20 * kDegree, 1e-12);
     EXPECT_NEAR(pointing_error_rad(180 * kDegree, 0.0), 180 * kDegree, 1e-12);
@@ -108,7 +108,7 @@ TEST(DistanceRatio, is_the_geometric_mean) {
     EXPECT_FALSE(distance_ratio({}));
 }
 
-TEST(OrderTau, is_one_for_the_right_order_and_follows_the_swaps_that_mend_it) {
+TEST(OrderTau, is_one_for_the_right_order_and_falls_with_the_swaps_that_would_correct_it) {
     EXPECT_DOUBLE_EQ(*order_tau(std::vector<std::size_t>{0, 1, 2, 3}), 1.0);
     EXPECT_DOUBLE_EQ(*order_tau(std::vector<std::size_t>{3, 2, 1, 0}), -1.0);
     EXPECT_DOUBLE_EQ(*order_tau(std::vector<std::size_t>{0, 2, 1, 3}), 1.0 - 2.0 / 6.0);
@@ -133,7 +133,7 @@ TEST(OrderTau, is_one_for_the_right_order_and_follows_the_swaps_that_mend_it) {
 
 const std::vector<Vec3> kRoute = {{0, 0, 0}, {0, 10, 0}, {8, 10, 0}, {8, 20, 0}};
 
-TEST(TurnsMet, of_a_walk_along_the_route_are_all_met) {
+TEST(TurnsMet, of_a_walk_along_the_route_are_all_counted_as_taken) {
     const TurnsMet met = turns_met(kRoute, walk_along(kRoute));
     EXPECT_EQ(met.turns, 2);
     EXPECT_EQ(met.missed, 0);
@@ -146,7 +146,7 @@ TEST(TurnsMet, of_a_walk_along_the_route_are_all_met) {
     EXPECT_EQ(turns_met(std::vector<Vec3>{{0, 0, 0}, {0, 5, 0}, {1, 9, 0}}, walk_along(kRoute)).turns, 0);
 }
 
-TEST(TurnsMet, that_are_walked_past_are_missed_and_that_are_taken_too_soon_are_early) {
+TEST(TurnsMet, count_as_missed_when_passed_and_as_early_when_taken_too_soon) {
     const TurnsMet past = turns_met(kRoute, walk_along({{0, 0, 0}, {0, 13, 0}, {0, 10, 0}, {8, 10, 0}, {8, 20, 0}}));
     EXPECT_EQ(past.missed, 1);
     EXPECT_EQ(past.early, 0);

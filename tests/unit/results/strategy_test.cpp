@@ -112,7 +112,7 @@ std::vector<WalkSample> made_by(Strategy strategy, const Hall& hall, std::uint64
     return person.walk();
 }
 
-TEST(Strategies, of_walks_with_a_sway_of_five_centimetres_are_right_in_nine_of_ten_windows) {
+TEST(Strategies, of_walks_with_five_centimetres_of_sway_are_classified_correctly_in_nine_of_ten_windows) {
     const int walks = test::scaled(8);
     for (const Strategy strategy :
          {Strategy::Perimeter, Strategy::Grid, Strategy::ObjectToObject, Strategy::BackToBase}) {
@@ -131,7 +131,7 @@ TEST(Strategies, of_walks_with_a_sway_of_five_centimetres_are_right_in_nine_of_t
     }
 }
 
-TEST(Strategies, of_who_stands_is_none_and_of_nothing_there_are_no_windows) {
+TEST(Strategies, are_undefined_for_a_standing_walker_and_have_no_windows_without_data) {
     std::vector<WalkSample> stands;
     for (int i = 0; i < 600; ++i) stands.push_back({i * 0.1, {1.0, 1.0, 0.0}});
     const auto windows = strategy_windows(stands, Vec3(0.0));
@@ -140,7 +140,7 @@ TEST(Strategies, of_who_stands_is_none_and_of_nothing_there_are_no_windows) {
     EXPECT_TRUE(strategy_windows({}, Vec3(0.0)).empty());
 }
 
-TEST(Strategies, name_a_window_by_half_of_its_way_and_share_all_of_it) {
+TEST(Strategies, name_a_window_by_at_least_half_of_its_path_and_shares_sum_to_one) {
     const auto walk = made_by(Strategy::Perimeter, kHalls[1], 3);
     for (const StrategyWindow& window : strategy_windows(walk, base_of(kHalls[1]))) {
         double sum = 0.0;
@@ -153,7 +153,7 @@ TEST(Strategies, name_a_window_by_half_of_its_way_and_share_all_of_it) {
     }
 }
 
-TEST(Legs, are_cut_at_bends_and_visits_and_joined_where_the_way_is_straight) {
+TEST(Legs, are_cut_at_bends_and_visits_and_merged_on_straight_stretches) {
     std::vector<WalkSample> walk;
     const auto go = [&walk](const Vec3& from, const Vec3& to, int thing) {
         for (int i = 0; i <= 40; ++i)

@@ -61,7 +61,7 @@ constexpr bool kSmall = test::kSanitizerScale < 1.0;
 constexpr int kBrushes = kSmall ? 500 : 2'000;
 constexpr double kMost_bytes = kSmall ? 300.0 : 150.0;
 
-TEST(SpanMemory, is_at_most_150_bytes_for_each_place_to_stand_at_the_peak) {
+TEST(SpanMemory, peaks_at_150_bytes_or_less_for_each_place_to_stand) {
     const Result<Scene> scene = read_quake_map(test::office_world(test::office_size(kBrushes)).map, "office.map");
     ASSERT_TRUE(scene);
     const BodySize size = body_size(*scene, 0.25);
@@ -82,7 +82,7 @@ TEST(SpanMemory, is_at_most_150_bytes_for_each_place_to_stand_at_the_peak) {
 }
 
 // A flat exported in millimetres and read in metres: 60 by 40 km of floor.
-TEST(SpanMemory, is_bounded_in_a_world_that_is_too_large_to_be_looked_at_whole) {
+TEST(SpanMemory, is_limited_in_a_world_too_large_to_be_examined_completely) {
     if (kSmall) GTEST_SKIP() << "too large for a sanitizer";
     (void)phrase("direction.ahead");  // loads the texts of the language before counting begins
     std::string mesh;
@@ -111,7 +111,7 @@ TEST(SpanMemory, is_bounded_in_a_world_that_is_too_large_to_be_looked_at_whole) 
     EXPECT_LT(most_held - before, std::size_t{700} << 20);
 }
 
-TEST(SpanMemory, that_is_not_there_is_said_and_nothing_worse_happens) {
+TEST(SpanMemory, exhaustion_is_reported_and_does_no_further_harm) {
     const auto scene =
         std::make_shared<const Scene>(*read_quake_map(test::office_world(test::office_size(300)).map, "office.map"));
     for (const Executor* executor : {&at_once(), &on_threads()})

@@ -40,7 +40,7 @@ ExportArguments exports_to(const fs::path& folder) {
     return arguments;
 }
 
-TEST(ExportFaults, each_file_of_a_world_is_the_old_one_or_whole_and_no_other_is_told) {
+TEST(ExportFaults, each_file_of_a_world_is_the_old_one_or_complete_and_only_complete_ones_are_reported) {
     const TemporaryFolder home;
     const test::WithEnvironment cache("XDG_CACHE_HOME", (home.path() / "cache").c_str()),
         data("XDG_DATA_HOME", (home.path() / "data").c_str());
@@ -87,7 +87,7 @@ TEST(ExportFaults, each_file_of_a_world_is_the_old_one_or_whole_and_no_other_is_
     }
 }
 
-TEST(ExportFaults, what_leaves_the_data_of_a_learner_is_noted_whenever_it_is_there) {
+TEST(ExportFaults, exported_files_of_a_learner_are_always_noted_if_they_exist) {
     for (const WriteFault fault : {WriteFault::Error, WriteFault::ShortThenError}) {
         long step = 0;
         for (bool struck = true; struck; ++step) {

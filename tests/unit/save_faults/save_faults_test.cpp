@@ -162,7 +162,7 @@ bool expect_whole(const Kept& kept, const Home& home, const std::map<std::string
     return !old;
 }
 
-TEST(SaveFaults, disk_that_fails_at_any_step_leaves_the_old_file_and_is_told) {
+TEST(SaveFaults, a_disk_error_at_any_step_leaves_the_old_file_and_is_reported) {
     for (const Kept& kept : all_kept()) {
         const std::string after = saved(kept);
         for (const int error : {ENOSPC, EIO, EDQUOT, EROFS}) {
@@ -189,7 +189,7 @@ TEST(SaveFaults, disk_that_fails_at_any_step_leaves_the_old_file_and_is_told) {
     }
 }
 
-TEST(SaveFaults, failure_is_told_with_its_reason_and_saving_again_works) {
+TEST(SaveFaults, a_failure_is_reported_with_its_reason_and_saving_again_works) {
     const Home home;
     SettingsStore store;
     store.load_file(home.folder.path() / "settings.toml", SettingSource::UserFile);
@@ -206,7 +206,7 @@ TEST(SaveFaults, failure_is_told_with_its_reason_and_saving_again_works) {
                 testing::AllOf(testing::HasSubstr("scale = 17"), testing::HasSubstr("# as I like it")));
 }
 
-TEST(SaveFaults, writes_that_take_only_a_part_or_are_interrupted_are_gone_on_with) {
+TEST(SaveFaults, partial_or_interrupted_writes_are_continued) {
     for (const Kept& kept : all_kept()) {
         const std::string after = saved(kept);
         for (const auto& [fault, error] : {std::pair{WriteFault::Short, 0}, std::pair{WriteFault::Error, EINTR}}) {
@@ -223,7 +223,7 @@ TEST(SaveFaults, writes_that_take_only_a_part_or_are_interrupted_are_gone_on_wit
     }
 }
 
-TEST(SaveFaults, disk_that_runs_full_in_the_middle_leaves_the_old_file) {
+TEST(SaveFaults, a_disk_that_fills_up_during_a_write_leaves_the_old_file) {
     for (const Kept& kept : all_kept()) {
         const Home home;
         const auto before = home.all();
@@ -271,7 +271,7 @@ End in_child(const std::function<bool()>& act, long step, bool all_after, bool& 
     return static_cast<End>(WEXITSTATUS(status) % 10);
 }
 
-TEST(SaveFaults, memory_that_ends_at_any_allocation_leaves_the_old_file_or_the_new_one) {
+TEST(SaveFaults, running_out_of_memory_at_any_allocation_leaves_the_old_or_the_new_file) {
     for (const Kept& kept : all_kept()) {
         const std::string after = saved(kept);
         int ends[4] = {};
@@ -296,7 +296,7 @@ TEST(SaveFaults, memory_that_ends_at_any_allocation_leaves_the_old_file_or_the_n
     }
 }
 
-TEST(SaveFaults, what_memory_did_not_suffice_for_is_saved_the_next_time) {
+TEST(SaveFaults, changes_that_failed_for_lack_of_memory_are_saved_the_next_time) {
     const Home home;
     const auto before = home.all();
     const Kept kept = all_kept()[1];
@@ -337,7 +337,7 @@ struct Begun {
 constexpr std::array kAllBegun{Begun{"a learner", "learners", makes_learner},
                                Begun{"a recording", "recordings", begins_recording}};
 
-TEST(SaveFaults, what_has_a_folder_of_its_own_leaves_no_empty_one_on_a_disk_that_fails) {
+TEST(SaveFaults, no_empty_folder_remains_after_a_disk_error) {
     for (const Begun& one : kAllBegun)
         for (const WriteFault fault : {WriteFault::Error, WriteFault::ShortThenError}) {
             long step = 0;
@@ -359,7 +359,7 @@ TEST(SaveFaults, what_has_a_folder_of_its_own_leaves_no_empty_one_on_a_disk_that
         }
 }
 
-TEST(SaveFaults, what_has_a_folder_of_its_own_leaves_no_empty_one_if_an_allocation_fails) {
+TEST(SaveFaults, no_empty_folder_remains_after_a_failed_allocation) {
     for (const Begun& one : kAllBegun) {
         int ends[4] = {};
         long step = 0;
@@ -380,7 +380,7 @@ TEST(SaveFaults, what_has_a_folder_of_its_own_leaves_no_empty_one_if_an_allocati
 }
 
 // A consent that was given or withdrawn is in the file, or the caller gets an error.
-TEST(SaveFaults, learner_who_is_changed_is_the_old_one_or_the_new_one) {
+TEST(SaveFaults, a_changed_learner_file_is_the_old_or_the_new_one) {
     const TemporaryFolder folder;
     const Learners learners(folder.path());
     const auto made = learners.make("Rook", "");
@@ -421,7 +421,7 @@ std::string told(const Result<Scene>& scene) {
                        scene->report.warnings_in_all);
 }
 
-TEST(LoadFaults, memory_that_ends_at_any_allocation_changes_no_file_and_reading_works_afterwards) {
+TEST(LoadFaults, running_out_of_memory_at_any_allocation_changes_no_file_and_a_later_read_works) {
     const Home home;
     const fs::path folder = home.folder.path();
     fs::copy_file(test::project_root() / "worlds/maps/first_room.map", folder / "room.map");

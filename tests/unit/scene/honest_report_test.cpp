@@ -76,7 +76,7 @@ TEST(HonestReport, counts_what_the_file_states_and_finds_nothing_to_check_in_a_s
                                "Openings cut out of walls, floors and roofs: 6 of 7."}));
 }
 
-TEST(HonestReport, finds_each_kind_of_fault_where_it_was_planted) {
+TEST(HonestReport, finds_each_kind_of_planted_fault_at_its_place) {
     struct Planted {
         ToCheck what;
         const char* words;
@@ -110,7 +110,7 @@ TEST(HonestReport, finds_each_kind_of_fault_where_it_was_planted) {
     }
 }
 
-TEST(HonestReport, tells_the_gravest_first_and_how_many_follow) {
+TEST(HonestReport, names_the_gravest_fault_first_and_the_number_of_further_ones) {
     StatedBuilding stated = three_rooms();
     stated.rooms.push_back(room("Attic", "4", 50));  // no portal leads to it
     stated.rooms[2].name = "Room";
@@ -123,7 +123,7 @@ TEST(HonestReport, tells_the_gravest_first_and_how_many_follow) {
                 HasSubstr("Check this first: nobody can get through the door Kitchen door; then check 2 more."));
 }
 
-TEST(HonestReport, calls_no_name_odd_that_speaks_of_stairs) {
+TEST(HonestReport, accepts_unusual_room_names_that_mention_stairs) {
     StatedRoom room;
     room.holds_stairs = true;
     for (const char* name : {"Stair", "staircase", "Treppenhaus", "Nottreppe"}) {

@@ -26,7 +26,7 @@ std::string panel(int place, const std::string& material, const std::string& key
                   box_brush(x, 0, 0, x + 20, 4, 20));
 }
 
-TEST(MaterialLibrary, every_two_can_be_told_apart_by_touch) {
+TEST(MaterialLibrary, any_two_can_be_distinguished_by_touch) {
     const auto library = material_library();
     for (std::size_t a = 0; a < library.size(); ++a)
         for (std::size_t b = 0; b < a; ++b)
@@ -34,7 +34,7 @@ TEST(MaterialLibrary, every_two_can_be_told_apart_by_touch) {
                 << library[a].name << " and " << library[b].name;
 }
 
-TEST(MaterialLibrary, has_four_steps_of_stiffness_a_sound_for_each_and_no_stick_slip) {
+TEST(MaterialLibrary, has_four_steps_of_stiffness_with_one_sound_each_and_no_stick_slip) {
     std::set<double> steps;
     std::set<SoundClass> sounds;
     for (const MaterialSpec& spec : material_library()) {
@@ -58,14 +58,14 @@ TEST(MaterialLibrary, has_four_steps_of_stiffness_a_sound_for_each_and_no_stick_
         EXPECT_NE(find_material(name), nullptr) << name;
 }
 
-TEST(Lint, is_content_with_five_materials_of_the_library) {
+TEST(Lint, accepts_five_materials_of_the_library) {
     const LintReport report = lint_materials(read(panel(0, "concrete") + panel(1, "wood") + panel(2, "carpet") +
                                                   panel(3, "rubber") + panel(4, "steel grille")));
     EXPECT_TRUE(report.problems.empty()) << report.problems.front();
     EXPECT_TRUE(report.warnings.empty());
 }
 
-TEST(Lint, names_the_pair_that_a_changed_stiffness_makes_alike) {
+TEST(Lint, names_the_pair_of_materials_that_a_changed_stiffness_makes_alike) {
     // Rubber has 0.3, and 0.32 is within 10 % of that.
     const LintReport report = lint_materials(read(panel(0, "concrete") + panel(1, "wood", key("stiffness", "0.32")) +
                                                   panel(2, "carpet") + panel(3, "rubber")));
@@ -83,7 +83,7 @@ TEST(Lint, names_the_pair_that_a_changed_stiffness_makes_alike) {
             .problems.empty());
 }
 
-TEST(Lint, takes_no_notice_of_what_no_hand_reaches_or_no_name_names) {
+TEST(Lint, ignores_materials_of_intangible_or_unnamed_things) {
     EXPECT_TRUE(lint_materials(read(panel(0, "rubber") + entity("func_illusionary",
                                                                 key("material", "wood") + key("stiffness", "0.3"),
                                                                 box_brush(50, 0, 0, 60, 9, 9))))
@@ -97,7 +97,7 @@ TEST(Lint, takes_no_notice_of_what_no_hand_reaches_or_no_name_names) {
     EXPECT_TRUE(lint_materials(nothing).problems.empty());
 }
 
-TEST(Lint, warns_above_five_materials_in_one_view_and_not_when_they_lie_apart) {
+TEST(Lint, warns_above_five_materials_in_one_view_but_not_if_they_are_far_apart) {
     const std::vector<std::string> six{"concrete", "wood", "carpet", "rubber", "steel grille", "glass"};
     std::string near, apart;
     for (int i = 0; i < 6; ++i) {

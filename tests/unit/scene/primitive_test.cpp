@@ -15,7 +15,7 @@ Rotation some_rotation(std::mt19937& random) {
     return normalized({w, x, y, z});
 }
 
-TEST(Primitive, refuses_sizes_that_are_none_and_stretches_into_another_shape_with_a_sentence) {
+TEST(Primitive, refuses_invalid_sizes_and_shape_changing_stretches_with_a_sentence) {
     const auto refused = [](PrimitiveKind kind, const Vec3& size, const Vec3& stretch = Vec3(1.0), double scale = 1.0) {
         const Result<Solid> solid = make_solid({kind, size, stretch, {{1, 2, 3}, {}, scale}});
         EXPECT_TRUE(solid || solid.error().message.ends_with('.')) << solid.error().message;
@@ -39,7 +39,7 @@ TEST(Primitive, refuses_sizes_that_are_none_and_stretches_into_another_shape_wit
     }
 }
 
-TEST(Primitive, stands_within_the_flat_faces_that_are_drawn_around_it_and_fills_them) {
+TEST(Primitive, is_inside_its_drawn_flat_faces_and_fills_them) {
     constexpr std::uint32_t kSeed = 11;
     std::mt19937 random(kSeed);
     for (int round = 0; round < test::scaled(60); ++round) {
@@ -79,7 +79,7 @@ TEST(Primitive, stands_within_the_flat_faces_that_are_drawn_around_it_and_fills_
     }
 }
 
-TEST(Primitive, makes_a_model_that_can_be_set_down) {
+TEST(Primitive, makes_a_model_that_can_be_placed) {
     for (int k = 0; k < 5; ++k) {
         const auto model = primitive_model({static_cast<PrimitiveKind>(k), Vec3(1.0), Vec3(1.0), {}});
         ASSERT_TRUE(model) << k;

@@ -26,7 +26,7 @@ std::set<std::string> keys_in(const std::string& section) {
     return keys;
 }
 
-TEST(SpokenNames, are_there_for_every_material_and_effect_and_for_no_other) {
+TEST(SpokenNames, exist_for_every_material_and_effect_and_for_no_other) {
     std::set<std::string> materials, effects;
     for (const MaterialSpec& spec : material_library()) {
         materials.insert(key_of("material.", spec.name));
@@ -38,7 +38,7 @@ TEST(SpokenNames, are_there_for_every_material_and_effect_and_for_no_other) {
     for (const EffectSpec& spec : effect_table()) EXPECT_TRUE(effect_meaning(spec).ends_with('.'));
 }
 
-TEST(SpokenNames, of_kinds_stand_under_the_name_that_files_know_them_by) {
+TEST(SpokenNames, of_kinds_are_keyed_by_their_names_in_files) {
     for (const auto& [key, text] : bundled_texts("en")) {
         const bool name = key.starts_with("kind.") && key != "kind.with_material" && key != "kind.stairs";
         EXPECT_TRUE(!name || key == key_of("kind.", text)) << key;
@@ -56,7 +56,7 @@ TEST(SpokenNames, of_kinds_stand_under_the_name_that_files_know_them_by) {
     for (const std::string_view name : kPrimitiveNames) EXPECT_TRUE(has_phrase(key_of("kind.", name))) << name;
 }
 
-TEST(SpokenNames, are_there_for_everything_that_the_readers_name_in_the_worlds_here) {
+TEST(SpokenNames, exist_for_everything_that_the_readers_name_in_the_bundled_worlds) {
     const std::filesystem::path root(test::project_root());
     std::size_t made = 0;
     for (const char* folder : {"worlds/maps", "tests/scenarios/worlds"})
@@ -73,7 +73,7 @@ TEST(SpokenNames, are_there_for_everything_that_the_readers_name_in_the_worlds_h
     EXPECT_GT(made, 100U);
 }
 
-TEST(SpokenNames, are_german_in_german_but_stay_what_they_are_in_files) {
+TEST(SpokenNames, are_german_in_german_but_unchanged_in_files) {
     test::SceneBuilder b;
     const FeatureId wall =
         b.box({0, 0, 0}, {4, 0.2, 3}, "north-east wall", SolidRole::Solid, "steel grille", FeatureKind::Wall);
@@ -90,7 +90,7 @@ TEST(SpokenNames, are_german_in_german_but_stay_what_they_are_in_files) {
     EXPECT_EQ(compass_point(kPi / 4.0), "north-east");
 }
 
-TEST(SpokenNames, are_in_german_sentences_about_what_is_wrong) {
+TEST(SpokenNames, appear_in_german_error_sentences) {
     const test::InLanguage german("de");
     Primitive ball;
     ball.kind = PrimitiveKind::Sphere;

@@ -66,7 +66,7 @@ std::string met(const Scene& scene, const Vec3& from_m, const Vec3& to_m) {
 
 const std::string kRoom = test::room_brushes(0, 0, 0, 256, 192, 96);  // 8 x 6 x 3 m
 
-TEST(Surfaces, a_closed_room_is_four_walls_floor_and_ceiling_inside_and_outside) {
+TEST(Surfaces, of_a_closed_room_are_four_walls_floor_and_ceiling_inside_and_outside) {
     const Scene scene = building(kRoom);
     EXPECT_THAT(names(scene),
                 UnorderedElementsAre("north wall", "east wall", "south wall", "west wall", "floor", "ceiling"));
@@ -83,7 +83,7 @@ TEST(Surfaces, a_closed_room_is_four_walls_floor_and_ceiling_inside_and_outside)
 }
 
 // An L-shaped room has six walls, a floor and a ceiling.
-TEST(Surfaces, an_l_shaped_room_has_six_walls) {
+TEST(Surfaces, of_an_l_shaped_room_include_six_walls) {
     const Scene scene = building(box_brush(-16, -16, -16, 272, 272, 0) + box_brush(-16, -16, 96, 272, 272, 112) +
                                  box_brush(-16, -16, 0, 0, 272, 96) + box_brush(0, -16, 0, 272, 0, 96) +
                                  box_brush(256, 0, 0, 272, 144, 96) + box_brush(128, 128, 0, 256, 144, 96) +
@@ -94,7 +94,7 @@ TEST(Surfaces, an_l_shaped_room_has_six_walls) {
     EXPECT_EQ(met(scene, {2, 6, 1}, {20, 6, 1}), "east wall");
 }
 
-TEST(Surfaces, a_wall_made_of_five_brushes_is_one_wall) {
+TEST(Surfaces, of_a_wall_made_of_five_brushes_form_one_wall) {
     std::string pieces;
     for (int i = 0; i < 4; ++i) pieces += box_brush(64 * i, 192, 0, 64 * i + 64, 208, i == 1 ? 32 : 96);
     pieces += box_brush(64, 192, 32, 128, 208, 96);  // meets the other pieces in T-junctions
@@ -106,7 +106,7 @@ TEST(Surfaces, a_wall_made_of_five_brushes_is_one_wall) {
     EXPECT_NEAR(feature(scene, "north wall").area_m2, 24.0, 1e-9);
 }
 
-TEST(Surfaces, neighbours_of_another_material_are_another_wall) {
+TEST(Surfaces, of_another_material_form_a_separate_wall) {
     const std::string half = box_brush(0, 192, 0, 128, 208, 96, "brick1") +
                              box_brush(128, 192, 0, 256, 208, 96, "brick2") +
                              box_brush(256, 192, 0, 384, 208, 96, "wood1");
@@ -117,7 +117,7 @@ TEST(Surfaces, neighbours_of_another_material_are_another_wall) {
                 testing::Contains("The material brick was guessed from the texture names brick1, brick2."));
 }
 
-TEST(Surfaces, what_stands_free_and_is_small_is_a_thing) {
+TEST(Surfaces, of_small_free_standing_brushes_form_a_thing) {
     const Scene scene = building(kRoom + box_brush(112, 80, 0, 128, 96, 96) + box_brush(32, 32, 0, 64, 64, 16) +
                                  box_brush(192, 96, 0, 224, 128, 30));
     EXPECT_THAT(names(scene), UnorderedElementsAre("north wall", "east wall", "south wall", "west wall", "floor",
@@ -130,7 +130,7 @@ TEST(Surfaces, what_stands_free_and_is_small_is_a_thing) {
 
 // A wall across the room with a doorway next to its end. The short rest of the wall and the piece above the doorway
 // show three sides.
-TEST(Surfaces, short_pieces_next_to_a_doorway_are_part_of_their_wall) {
+TEST(Surfaces, of_short_pieces_next_to_a_doorway_belong_to_their_wall) {
     const std::string wall = box_brush(128, 64, 0, 136, 192, 96) + box_brush(128, 32, 70, 136, 64, 96);
     for (const std::string& piece : {std::string(), box_brush(128, 20, 0, 136, 32, 96)}) {
         const Scene scene = building(kRoom + wall + piece);
@@ -140,7 +140,7 @@ TEST(Surfaces, short_pieces_next_to_a_doorway_are_part_of_their_wall) {
     }
 }
 
-TEST(Surfaces, treads_and_risers_are_steps) {
+TEST(Surfaces, of_treads_and_risers_are_called_steps) {
     std::string stairs;
     for (int i = 0; i < 3; ++i)
         // 0.3 m deep, 0.19 m high; the last step is a platform.
@@ -152,7 +152,7 @@ TEST(Surfaces, treads_and_risers_are_steps) {
     EXPECT_EQ(met(scene, {2.2, 3, 2}, {2.2, 3, -1}), "step");
 }
 
-TEST(Surfaces, slanted_walls_and_slopes_are_named_by_their_side) {
+TEST(Surfaces, of_slanted_walls_and_slopes_are_named_by_their_side) {
     // A wall across the north-east corner, and a ramp that rises to the north.
     const std::string corner =
         "{\n( 256 128 0 ) ( 192 192 0 ) ( 256 128 96 ) plain 0 0 0 1 1\n( 256 0 0 ) ( 256 0 96 ) ( 256 192 0 ) plain 0 "
@@ -176,7 +176,7 @@ TEST(Surfaces, slanted_walls_and_slopes_are_named_by_their_side) {
     EXPECT_EQ(compass_word(radians_from_degrees(360.0 * 5 + 180.0)), "south");
 }
 
-TEST(Surfaces, the_brushes_of_one_entity_are_one_named_thing) {
+TEST(Surfaces, of_the_brushes_of_one_entity_form_one_named_thing) {
     const std::string table =
         box_brush(96, 80, 0, 100, 84, 24) + box_brush(140, 80, 0, 144, 84, 24) + box_brush(92, 76, 24, 148, 100, 28);
     const Scene scene =
@@ -191,7 +191,7 @@ TEST(Surfaces, the_brushes_of_one_entity_are_one_named_thing) {
     EXPECT_TRUE(scene.report.guessed.empty()) << "the map said it is wood";
 }
 
-TEST(Surfaces, touching_liquid_brushes_are_one_pool) {
+TEST(Surfaces, of_touching_liquid_brushes_form_one_pool) {
     const Scene scene =
         building(kRoom + box_brush(0, 0, 0, 64, 192, 16, "*water1") + box_brush(64, 0, 0, 128, 192, 16, "*water1") +
                  box_brush(192, 0, 0, 256, 192, 16, "*lava1"));
@@ -201,14 +201,14 @@ TEST(Surfaces, touching_liquid_brushes_are_one_pool) {
     EXPECT_EQ(scene.report.liquids, 3);
 }
 
-TEST(Surfaces, seams_and_hidden_faces_have_the_name_of_what_covers_them) {
+TEST(Surfaces, in_seams_and_hidden_faces_have_the_name_of_what_covers_them) {
     const Scene scene = building(kRoom + box_brush(0, 192, 0, 64, 208, 96));  // duplicates part of the north wall
     EXPECT_EQ(scene.features.size(), 6U);
     for (const Solid& solid : scene.solids)
         for (const FeatureId id : solid.face_features) EXPECT_TRUE(static_cast<bool>(id));
 }
 
-TEST(Surfaces, the_order_of_brushes_and_faces_changes_nothing) {
+TEST(Surfaces, do_not_depend_on_the_order_of_brushes_and_faces) {
     std::vector<std::string> brushes;
     for (std::size_t at = 0; at < kRoom.size();) {
         const std::size_t end = kRoom.find("}\n", at) + 2;
@@ -243,7 +243,7 @@ TEST(Surfaces, the_order_of_brushes_and_faces_changes_nothing) {
     }
 }
 
-TEST(Surfaces, nothing_in_a_game_level_is_named_by_a_number_or_a_texture) {
+TEST(Surfaces, in_a_game_level_are_never_named_by_a_number_or_a_texture) {
     const auto ours = test::project_root() / "tests/scenarios/worlds/game_step.map";
     for (const auto& path : test::with_real_worlds(
              {ours}, {"quake-e1m1.map", "quake-start.map", "quake-dm3.map", "office.map", "house.map"})) {
@@ -258,7 +258,7 @@ TEST(Surfaces, nothing_in_a_game_level_is_named_by_a_number_or_a_texture) {
     }
 }
 
-TEST(SpokenName, puts_the_material_behind_and_is_empty_for_nothing) {
+TEST(SpokenName, puts_the_material_last_and_is_empty_for_unnamed_things) {
     Scene scene;
     scene.materials.resize(2);
     scene.materials[1].name = "plaster";
@@ -271,7 +271,7 @@ TEST(SpokenName, puts_the_material_behind_and_is_empty_for_nothing) {
     EXPECT_EQ(spoken_name(scene, kNoFeature), "");
 }
 
-TEST(Validate, finds_what_is_wrong_in_a_scene) {
+TEST(Validate, finds_faults_in_a_scene) {
     const Scene good = building(kRoom);
     const auto broken = [&](const std::function<void(Scene&)>& damage) {
         Scene scene = good;

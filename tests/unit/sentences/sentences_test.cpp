@@ -22,7 +22,7 @@ namespace sentences_test {
 using test::AppSession;
 using test::faults_of;
 
-TEST(SentenceRules, find_what_they_are_for) {
+TEST(SentenceRules, detect_each_fault_and_accept_correct_sentences) {
     const auto fails = [](const char* text, const char* language = "en") { return !faults_of(text, language).empty(); };
     for (const char* good :
          {"Kitchen, facing north. Door to hall: 3 steps, half left.", "Up to 4 things.", "An edge. A one-way door.",

@@ -213,7 +213,7 @@ std::vector<std::string> too_long(const std::string& key, const std::string& pat
     return faults;
 }
 
-TEST(SpokenLength, of_every_text_is_what_one_can_listen_to) {
+TEST(SpokenLength, of_every_text_is_within_its_limit) {
     for (const LanguageName& language : bundled_languages()) {
         std::map<std::string, int> seen;
         for (const auto& [key, pattern] : bundled_texts(language.code)) {
@@ -225,7 +225,7 @@ TEST(SpokenLength, of_every_text_is_what_one_can_listen_to) {
     }
 }
 
-TEST(SpokenLength, finds_what_it_is_for) {
+TEST(SpokenLength, detects_texts_that_are_too_long) {
     const std::string word = "banana ";
     const auto words = [&](int count) {
         std::string text;
@@ -241,7 +241,7 @@ TEST(SpokenLength, finds_what_it_is_for) {
     EXPECT_EQ(too_long("rooms.nowhere", "{n, plural, one {short} other {" + words(14) + "}}", "en").size(), 1U);
 }
 
-TEST(SpokenLength, says_patterns_as_they_are_said_at_their_longest) {
+TEST(SpokenLength, uses_the_longest_spoken_form_of_a_pattern) {
     EXPECT_EQ(said("{steps, plural, one {# step} other {# steps}} to {name}"), "12 steps to Kitchen");
     EXPECT_EQ(said("{x, number, ::.0} {y, select, yes {a {b} c} other {}}"), "12 a Kitchen c");
     const auto count = [](const char* text, bool german) { return syllables(plain_letters(text), german); };
@@ -264,7 +264,7 @@ int count_samples(short*, int count, espeak_EVENT*) {
 
 // The model must be right on average over all texts, though not for each. Checked on an eighth of them, spoken by
 // espeak-ng.
-TEST(SpokenLength, is_what_the_built_in_voice_takes) {
+TEST(SpokenLength, matches_the_duration_of_the_built_in_voice) {
     const int rate = espeak_Initialize(AUDIO_OUTPUT_SYNCHRONOUS, 0, nullptr, espeakINITIALIZE_DONT_EXIT);
     if (rate <= 0) GTEST_SKIP() << "espeak-ng has no voices here";
     espeak_SetSynthCallback(count_samples);

@@ -111,7 +111,7 @@ std::string document() {
     return text;
 }
 
-TEST(Transcripts, are_as_the_document_shows_them) {
+TEST(Transcripts, match_the_document) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the document is the same under a sanitizer";
     const std::filesystem::path file = test::project_root() / "docs" / "transcripts.md";
     const std::string played = document();
@@ -124,7 +124,7 @@ TEST(Transcripts, are_as_the_document_shows_them) {
     EXPECT_EQ(played, page) << "HANDRAIL_WRITE_TRANSCRIPTS=1 writes the document again; read what has changed";
 }
 
-TEST(Transcripts, keep_the_rules_of_what_is_said) {
+TEST(Transcripts, follow_the_rules_for_spoken_text) {
     for (const Script& script : scripts())
         for (const Turn& turn : play(script))
             for (const std::string& said : turn.said)

@@ -20,7 +20,7 @@ void push(BodyFrame& frame, const HapticScene& scene, double south_face_y, doubl
     frame.push(scene.generation, time_s, {BodyPose{{Vec3(0.0, south_face_y + 0.25, 0.0), {}, 1.0}, true}});
 }
 
-TEST(BodyPlayback, a_crate_pushed_sixty_times_a_second_meets_the_hand_without_a_staircase) {
+TEST(BodyPlayback, a_crate_pushed_sixty_times_a_second_moves_smoothly_against_the_hand) {
     ServoRig rig;
     rig.tuning.force_ceiling_n = 100.0;
     rig.scene = crate_scene(0.02);
@@ -49,7 +49,7 @@ TEST(BodyPlayback, a_crate_pushed_sixty_times_a_second_meets_the_hand_without_a_
     EXPECT_EQ(rig.tool().contacts.contacts[0].feature, FeatureId{4});
 }
 
-TEST(BodyPlayback, plays_exactly_what_was_given_once_it_stands_still) {
+TEST(BodyPlayback, plays_the_exact_pose_once_the_body_rests) {
     const auto scene = crate_scene(0.5);
     BodyPlayback playback;
     BodyFrame frame;
@@ -65,7 +65,7 @@ TEST(BodyPlayback, plays_exactly_what_was_given_once_it_stands_still) {
     EXPECT_EQ(playback.at(frame, *scene, 2.1).number, there.number) << "nothing moves any more";
 }
 
-TEST(BodyPlayback, a_thing_that_stood_long_starts_from_where_it_stood) {
+TEST(BodyPlayback, a_thing_that_rested_long_starts_from_where_it_rested) {
     const auto scene = crate_scene(0.5);
     BodyPlayback playback;
     BodyFrame frame;
@@ -75,7 +75,7 @@ TEST(BodyPlayback, a_thing_that_stood_long_starts_from_where_it_stood) {
     EXPECT_NEAR(playback.at(frame, *scene, 5.02 - 0.5 * kFrame_s).at(0).at.position_m.y, 0.745, 1e-12);
 }
 
-TEST(BodyPlayback, frames_of_another_scene_are_not_mistaken_for_this_one) {
+TEST(BodyPlayback, frames_of_another_scene_are_ignored) {
     const auto first = crate_scene(0.5), second = crate_scene(0.3);
     BodyPlayback playback;
     BodyFrame frame;
@@ -86,7 +86,7 @@ TEST(BodyPlayback, frames_of_another_scene_are_not_mistaken_for_this_one) {
     EXPECT_EQ(playback.at(frame, *second, 1.2).at(0).at.position_m.y, 0.55);
 }
 
-TEST(BodyPlayback, names_who_moves_on_the_ways_that_follow_those_before) {
+TEST(BodyPlayback, reports_the_moving_bodies_with_numbered_paths_that_continue_the_previous_ones) {
     HapticSceneBuilder crate;
     crate.add_box({Vec3(-0.25), Vec3(0.25)});
     const auto shape = crate.build();
@@ -118,7 +118,7 @@ TEST(BodyPlayback, names_who_moves_on_the_ways_that_follow_those_before) {
     EXPECT_EQ(playback.at(frame, *scene, 1.06).ways->number, second.number) << "at rest at the end of its ways";
 }
 
-TEST(BodyPlayback, an_edit_of_the_same_world_does_not_take_the_force_away) {
+TEST(BodyPlayback, editing_the_world_keeps_the_force) {
     ServoRig rig;
     rig.press({0.0, 0.03, 0.0});
     const double pressed = glm::length(rig.last.force_n);

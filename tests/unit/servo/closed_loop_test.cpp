@@ -48,7 +48,7 @@ struct ClosedLoop {
     }
 };
 
-TEST(ClosedLoop, pressing_three_millimetres_into_plaster_on_the_simulated_touch_gives_0_9_newtons_without_overshoot) {
+TEST(ClosedLoop, pressing_3_mm_into_plaster_on_the_simulated_touch_gives_0_9_newtons_without_overshoot) {
     ClosedLoop bench("sim-t", 60.0);
     bench.hand->command.publish({HandMode::Move, Vec3(0, 0.023, 0), 0.1, Vec3(0.0), 0});
     double peak = 0.0;
@@ -87,7 +87,7 @@ TEST(ClosedLoop, a_hand_leaning_on_the_stiffest_wall_comes_to_rest) {
             }
 }
 
-TEST(ClosedLoop, follows_the_mouse_to_the_wall_and_stays_before_it) {
+TEST(ClosedLoop, follows_the_mouse_to_the_wall_and_stays_in_front_of_it) {
     ClosedLoop bench("sim-t", 60.0);
     bench.hand->command.publish({HandMode::Follow, Vec3(0, 0.03, 0), 0.0, Vec3(0.0), 0});
     bench.run(2.0);

@@ -38,7 +38,7 @@ struct Bench {
     }
 };
 
-TEST(ContactTracker, tells_begin_with_the_speed_of_approach_and_end_20_ms_after_leaving) {
+TEST(ContactTracker, reports_the_start_with_the_approach_speed_and_the_end_20_ms_after_leaving) {
     Bench bench;
     bench.tick(touching({}), Vec3(0.3, 0, -0.1));
     EXPECT_TRUE(bench.seen.empty());
@@ -57,14 +57,14 @@ TEST(ContactTracker, tells_begin_with_the_speed_of_approach_and_end_20_ms_after_
     EXPECT_NEAR(bench.seen[1].time_s - left_s, ContactTracker::kLetGoS, 1.5 * kTick);
 }
 
-TEST(ContactTracker, trembling_at_a_surface_is_one_contact) {
+TEST(ContactTracker, reports_trembling_at_a_surface_as_one_contact) {
     Bench bench;
     for (int i = 0; i < 2000; ++i) bench.tick(i % 15 < 3 ? touching({kWall}) : touching({}));
     EXPECT_EQ(bench.count(ContactEventKind::Begin, kWall), 1);
     EXPECT_EQ(bench.count(ContactEventKind::End, kWall), 0);
 }
 
-TEST(ContactTracker, tells_sliding_every_10_ms_with_hand_speed_and_once_that_it_stopped) {
+TEST(ContactTracker, reports_sliding_every_10_ms_with_hand_speed_and_its_end_once) {
     Bench bench;
     const double scale = 60.0;
     // The hand's 5 cm/s are 3 m/s in the world, so 3 mm per tick. Motion along the normal is not sliding.
@@ -90,7 +90,7 @@ TEST(ContactTracker, follows_several_surfaces_at_once) {
     EXPECT_EQ(bench.count(ContactEventKind::End, kWall), 0);
 }
 
-TEST(ContactTracker, more_surfaces_than_it_can_hold_still_pair_begin_and_end) {
+TEST(ContactTracker, begin_and_end_stay_paired_with_more_surfaces_than_it_can_hold) {
     Bench bench;
     for (std::uint32_t i = 0; i < 40; ++i) bench.tick(touching({FeatureId{100 + i}}));
     for (int i = 0; i < 40; ++i) bench.tick(touching({}));
@@ -100,7 +100,7 @@ TEST(ContactTracker, more_surfaces_than_it_can_hold_still_pair_begin_and_end) {
     }
 }
 
-TEST(ContactTracker, enters_and_leaves_liquids_and_does_not_stutter_at_their_surface) {
+TEST(ContactTracker, reports_entering_and_leaving_liquids_without_stuttering_at_the_surface) {
     Bench bench;
     TouchResult wet;
     wet.liquid = kPool;
@@ -111,7 +111,7 @@ TEST(ContactTracker, enters_and_leaves_liquids_and_does_not_stutter_at_their_sur
     EXPECT_EQ(bench.count(ContactEventKind::LeaveLiquid, kPool), 1);
 }
 
-TEST(ContactTracker, meets_what_gives_way_like_what_does_not) {
+TEST(ContactTracker, treats_yielding_surfaces_like_rigid_ones) {
     Bench bench;
     TouchResult soft;
     soft.soft = kFloor;

@@ -18,7 +18,7 @@ ForceLimiter ramped_in() {
     return limiter;
 }
 
-TEST(ForceLimiter, turns_not_a_number_into_zero_and_reports_a_fault) {
+TEST(ForceLimiter, turns_nan_into_zero_force_and_reports_a_fault) {
     for (const double bad : {kNan, kInf, -kInf})
         for (int axis = 0; axis < 3; ++axis) {
             ForceLimiter limiter = ramped_in();
@@ -32,7 +32,7 @@ TEST(ForceLimiter, turns_not_a_number_into_zero_and_reports_a_fault) {
         }
 }
 
-TEST(ForceLimiter, passes_a_force_below_the_ceiling_bit_for_bit) {
+TEST(ForceLimiter, passes_a_force_below_the_ceiling_bit_identically) {
     ForceLimiter limiter = ramped_in();
     const Vec3 force(0.1234567890123, -1.1, 0.7);
     EXPECT_EQ(limiter.limit(force, 2.5, ForceFlow::Run, kTick), force);
@@ -56,14 +56,14 @@ TEST(ForceLimiter, scales_the_vector_to_the_ceiling_and_keeps_its_direction) {
     EXPECT_TRUE(is_finite(limiter.limit(huge, kInf, ForceFlow::Run, kTick)));
 }
 
-TEST(ForceLimiter, gives_nothing_under_a_ceiling_that_is_no_ceiling) {
+TEST(ForceLimiter, gives_no_force_under_an_invalid_ceiling) {
     for (const double ceiling : {0.0, -1.0, kNan}) {
         ForceLimiter limiter = ramped_in();
         EXPECT_EQ(limiter.limit(Vec3(1, 2, 3), ceiling, ForceFlow::Run, kTick), Vec3(0.0));
     }
 }
 
-TEST(ForceLimiter, ramps_in_over_one_second_and_never_ahead_of_time) {
+TEST(ForceLimiter, ramps_in_over_one_second_and_never_early) {
     ForceLimiter limiter;
     double last = 0.0;
     for (int i = 1; i <= 1000; ++i) {
@@ -77,7 +77,7 @@ TEST(ForceLimiter, ramps_in_over_one_second_and_never_ahead_of_time) {
     EXPECT_NEAR(glm::length(limiter.limit(Vec3(0, 2, 0), 2.5, ForceFlow::Run, 0.01)), 0.02, 1e-12);
 }
 
-TEST(ForceLimiter, cuts_on_the_same_tick_and_fades_within_75_ms) {
+TEST(ForceLimiter, cuts_the_force_on_the_same_tick_and_fades_it_within_75_ms) {
     ForceLimiter limiter = ramped_in();
     EXPECT_EQ(limiter.limit(Vec3(0, 2, 0), 2.5, ForceFlow::Cut, kTick), Vec3(0.0));
     limiter = ramped_in();
@@ -92,7 +92,7 @@ TEST(ForceLimiter, cuts_on_the_same_tick_and_fades_within_75_ms) {
     EXPECT_EQ(limiter.limit(Vec3(0, 2, 0), 2.5, ForceFlow::Fade, kTick), Vec3(0.0));
 }
 
-TEST(ForceLimiter, comes_back_over_20_ms_after_a_drop_out_without_a_new_ramp) {
+TEST(ForceLimiter, recovers_over_20_ms_after_a_dropout_without_a_new_ramp) {
     ForceLimiter limiter = ramped_in();
     limiter.drop_out();
     EXPECT_EQ(limiter.limit(Vec3(2, 0, 0), 2.5, ForceFlow::Run, kTick), Vec3(0.0));

@@ -37,7 +37,7 @@ struct Led {
     GuidancePhase phase() const { return guidance.state().phase; }
 };
 
-TEST(Guidance, ramps_in_over_half_a_second_from_nothing) {
+TEST(Guidance, ramps_in_from_zero_over_half_a_second) {
     Led led(pull_to({0.1, 0.0, 0.0}));
     led.tick();
     EXPECT_LT(glm::length(led.force_n), 1e-4);
@@ -52,7 +52,7 @@ TEST(Guidance, ramps_in_over_half_a_second_from_nothing) {
     EXPECT_EQ(led.phase(), GuidancePhase::Acts);
 }
 
-TEST(Guidance, is_at_most_08_n_and_a_quarter_of_the_device_and_as_strong_as_asked) {
+TEST(Guidance, is_at_most_08_n_and_a_quarter_of_the_device_and_scales_with_the_requested_strength) {
     for (const double peak_n : {1.0, 2.0, 3.3, 8.0, 40.0})
         for (const double strength : {1.0, 0.6, 0.3, 0.0}) {
             Guidance guidance;
@@ -67,7 +67,7 @@ TEST(Guidance, is_at_most_08_n_and_a_quarter_of_the_device_and_as_strong_as_aske
         }
 }
 
-TEST(Guidance, lets_go_of_a_hand_that_holds_more_than_12_n_against_it_for_03_s_and_not_of_one_that_does_not) {
+TEST(Guidance, releases_a_hand_that_resists_with_more_than_12_n_for_03_s_and_no_weaker_one) {
     const auto held_at = [](double away_m, double for_s) {
         Led led(pull_to({0.1, 0.0, 0.0}));
         led.run(1.0);
@@ -93,7 +93,7 @@ TEST(Guidance, lets_go_of_a_hand_that_holds_more_than_12_n_against_it_for_03_s_a
     EXPECT_EQ(led.phase(), GuidancePhase::Acts);
 }
 
-TEST(Guidance, never_holds_back_a_hand_that_goes_ahead_on_the_way) {
+TEST(Guidance, never_holds_back_a_hand_that_moves_ahead_on_the_path) {
     Led led(pull_to({0.1, 0.0, 0.0}));
     led.run(1.0);
     for (int i = 0; i < 300; ++i) {
@@ -106,7 +106,7 @@ TEST(Guidance, never_holds_back_a_hand_that_goes_ahead_on_the_way) {
     EXPECT_EQ(led.phase(), GuidancePhase::Arrived);
 }
 
-TEST(Guidance, ends_where_force_may_not_act_and_takes_one_wish_after_the_other) {
+TEST(Guidance, ends_when_force_is_not_permitted_and_follows_one_request_after_the_other) {
     Led led(pull_to({0.1, 0.0, 0.0}));
     led.run(1.0);
     const double before_n = glm::length(led.force_n);
@@ -133,7 +133,7 @@ TEST(Guidance, ends_where_force_may_not_act_and_takes_one_wish_after_the_other) 
     EXPECT_EQ(led.phase(), GuidancePhase::Ended);
 }
 
-TEST(Guidance, takes_no_nonsense) {
+TEST(Guidance, rejects_invalid_paths) {
     for (const Vec3& bad : {Vec3(NAN, 0, 0), Vec3(INFINITY, 0, 0)}) {
         Led led(pull_to(bad));
         led.run(1.0);
@@ -152,7 +152,7 @@ TEST(Guidance, takes_no_nonsense) {
     EXPECT_EQ(points.phase(), GuidancePhase::Arrived);
 }
 
-TEST(Guidance, follows_a_way_with_corners) {
+TEST(Guidance, follows_a_path_with_corners) {
     Led led;
     led.path.number = 1;
     for (const Vec3& p : {Vec3(0.02, 0, 0), Vec3(0.02, 0.03, 0), Vec3(0.02, 0.03, 0), Vec3(-0.01, 0.03, 0.02)})
@@ -180,7 +180,7 @@ TEST(Guidance, follows_a_way_with_corners) {
     EXPECT_LT(ticks, 4000);  // 91 mm at 40 mm/s takes a little less
 }
 
-TEST(CrossLines, are_the_slope_of_a_potential_and_never_more_than_their_limits) {
+TEST(CrossLines, equal_the_slope_of_a_potential_and_never_exceed_their_limits) {
     std::mt19937 random(test::seed_of_run());
     std::uniform_real_distribution<double> place(-0.01, 0.01);
     GuidancePath path;
@@ -279,14 +279,14 @@ void expect_the_slope_of_the_potential(GuidanceKind kind) {
     EXPECT_GT(inside, 40);
 }
 
-TEST(Grooves, are_the_slope_of_the_potential_that_a_twin_finds_by_looking_everywhere) {
+TEST(Grooves, equal_the_slope_of_a_potential_found_by_exhaustive_search) {
     expect_the_slope_of_the_potential(GuidanceKind::Grooves);
 }
-TEST(WayLines, are_the_slope_of_the_potential_that_a_twin_finds_by_looking_everywhere) {
+TEST(WayLines, equal_the_slope_of_a_potential_found_by_exhaustive_search) {
     expect_the_slope_of_the_potential(GuidanceKind::WayLines);
 }
 
-TEST(WayLines, hold_a_hand_from_all_sides_let_it_go_along_and_are_never_more_than_their_limit) {
+TEST(WayLines, hold_a_hand_from_all_sides_let_it_slide_along_and_never_exceed_their_limit) {
     std::mt19937 random(test::seed_of_run());
     std::uniform_real_distribution<double> place(-0.025, 0.025);
     Felt felt(GuidanceKind::WayLines);
@@ -311,7 +311,7 @@ TEST(WayLines, hold_a_hand_from_all_sides_let_it_go_along_and_are_never_more_tha
     }
 }
 
-TEST(Grooves, hold_a_hand_on_the_way_let_it_go_along_and_are_never_more_than_their_limit) {
+TEST(Grooves, hold_a_hand_on_the_route_let_it_slide_along_and_never_exceed_their_limit) {
     std::mt19937 random(test::seed_of_run());
     std::uniform_real_distribution<double> place(-0.025, 0.025);
     Felt felt;
@@ -344,7 +344,7 @@ TEST(Grooves, hold_a_hand_on_the_way_let_it_go_along_and_are_never_more_than_the
     }
 }
 
-TEST(Grooves, give_no_energy_on_closed_ways_and_come_and_go_without_a_step) {
+TEST(Grooves, give_no_energy_on_closed_paths_and_appear_and_vanish_without_a_jump) {
     std::mt19937 random(test::seed_of_run());
     std::uniform_real_distribution<double> place(-0.02, 0.02);
     Felt felt;

@@ -16,25 +16,25 @@ double seconds_until_warm(double force_n, double sustained_n, double most_s) {
     return most_s;
 }
 
-TEST(HeatBudget, is_never_used_up_by_what_the_motors_bear) {
+TEST(HeatBudget, is_never_used_up_by_a_force_that_the_motors_can_sustain) {
     EXPECT_EQ(seconds_until_warm(2.64, 2.64, 600.0), 600.0);
     EXPECT_EQ(seconds_until_warm(100.0, std::numeric_limits<double>::infinity(), 60.0), 60.0);
 }
 
 // The mean square reaches the limit after -T ln(1 - (sustained / force)^2).
-TEST(HeatBudget, lasts_the_shorter_the_stronger_the_force_by_its_square) {
+TEST(HeatBudget, lasts_shorter_with_the_square_of_the_force) {
     EXPECT_NEAR(seconds_until_warm(3.3, 2.64, 600.0), -10.0 * std::log(1.0 - 0.64), 0.01);
     EXPECT_NEAR(seconds_until_warm(5.28, 2.64, 600.0), -10.0 * std::log(1.0 - 0.25), 0.01);
 }
 
-TEST(HeatBudget, counts_time_and_not_ticks) {
+TEST(HeatBudget, counts_time_rather_than_ticks) {
     HeatBudget fine, coarse;
     for (int i = 0; i < 4000; ++i) fine.add(2.0, 3.0, 1e-3);
     for (int i = 0; i < 400; ++i) coarse.add(2.0, 3.0, 1e-2);
     EXPECT_NEAR(fine.warmth(), coarse.warmth(), 1e-3);
 }
 
-TEST(HeatBudget, once_too_warm_stays_so_until_half_the_heat_is_gone) {
+TEST(HeatBudget, stays_exceeded_until_half_the_heat_is_gone) {
     HeatBudget heat;
     while (!heat.too_warm()) heat.add(3.3, 2.64, 1e-3);
     double rested_s = 0.0;

@@ -24,19 +24,19 @@ TEST(RateWatch, notices_a_rate_below_the_limit_after_20_ms) {
     EXPECT_NEAR(time_to_notice(1.0 / 250, 300.0), 0.020, 0.004);
 }
 
-TEST(RateWatch, is_content_at_and_above_the_limit) {
+TEST(RateWatch, accepts_rates_at_and_above_the_limit) {
     EXPECT_EQ(time_to_notice(1.0 / 600, 600.0), -1.0);
     EXPECT_EQ(time_to_notice(1e-3, 600.0), -1.0);
     EXPECT_EQ(time_to_notice(1.0 / 350, 300.0), -1.0);
     EXPECT_EQ(time_to_notice(0.1, 0.0), -1.0);
 }
 
-TEST(RateWatch, one_good_period_starts_the_count_again) {
+TEST(RateWatch, restarts_its_count_after_one_good_period) {
     RateWatch watch;
     for (int i = 0; i < 1000; ++i) ASSERT_FALSE(too_slow(watch, i % 9 == 8 ? 1e-3 : 2e-3, 600.0));
 }
 
-TEST(RateWatch, a_single_gap_is_no_slow_rate_but_two_are) {
+TEST(RateWatch, reports_two_gaps_but_not_one_as_a_slow_rate) {
     RateWatch watch;
     EXPECT_FALSE(too_slow(watch, 0.024, 600.0));
     RateWatch after_one = watch;
@@ -46,7 +46,7 @@ TEST(RateWatch, a_single_gap_is_no_slow_rate_but_two_are) {
     EXPECT_NEAR(watch.elapsed_s, 0.048, 1e-12);
 }
 
-TEST(PeriodHistogram, counts_every_period_in_the_bucket_that_holds_it) {
+TEST(PeriodHistogram, counts_every_period_in_the_matching_bucket) {
     PeriodHistogram histogram;
     for (int i = 0; i < 99; ++i) histogram.add(0.001);
     histogram.add(0.0042);

@@ -48,7 +48,7 @@ TEST(ServoTick, ramps_in_over_one_second_and_then_presses_with_the_walls_stiffne
     EXPECT_EQ(rig.tool().contacts.count, 1);
 }
 
-TEST(ServoTick, one_or_two_bad_samples_give_zero_at_once_and_the_force_back_over_20_ms) {
+TEST(ServoTick, one_or_two_bad_samples_give_zero_at_once_and_the_force_returns_over_20_ms) {
     const Vec3 jump = kPressed + Vec3(0.06, 0, 0);
     for (const Vec3& bad : {Vec3(kNan, 0, 0), Vec3(0, kInf, 0), Vec3(0, 0, -kInf), Vec3(1e30), jump,
                             Vec3(kPressed.x, kPressed.y - 0.021, 0)})
@@ -67,7 +67,7 @@ TEST(ServoTick, one_or_two_bad_samples_give_zero_at_once_and_the_force_back_over
         }
 }
 
-TEST(ServoTick, three_bad_samples_in_a_row_latch_until_confirmed_and_then_ramp) {
+TEST(ServoTick, three_bad_samples_in_a_row_latch_until_confirmation_and_then_ramp) {
     struct Case {
         Vec3 bad;
         Fault fault;
@@ -94,7 +94,7 @@ TEST(ServoTick, three_bad_samples_in_a_row_latch_until_confirmed_and_then_ramp) 
     }
 }
 
-TEST(ServoTick, a_tool_that_jumped_and_stays_there_is_a_jump) {
+TEST(ServoTick, a_tool_position_that_jumps_and_stays_is_a_jump_fault) {
     ServoRig rig;
     rig.press(kPressed);
     const Vec3 elsewhere = kPressed + Vec3(0.05, 0, 0);
@@ -103,7 +103,7 @@ TEST(ServoTick, a_tool_that_jumped_and_stays_there_is_a_jump) {
     EXPECT_EQ(rig.state.counters().bad_samples, 3u);  // from then on it is checked relative to its new place
 }
 
-TEST(ServoTick, a_fast_hand_is_no_jump) {
+TEST(ServoTick, a_fast_hand_does_not_count_as_a_jump) {
     ServoRig rig;
     rig.arm();
     for (int i = 0; i < 200; ++i) rig.tick(Vec3(i % 2 ? 0.0095 : -0.0095, 0, 0));
@@ -129,7 +129,7 @@ TEST(ServoTick, holds_the_force_while_the_device_is_silent_and_resumes_without_a
     EXPECT_EQ(rig.count(ContactEventKind::FaultRaised), 0);
 }
 
-TEST(ServoTick, a_device_silent_for_more_than_25_ms_gives_zero_and_ramps_when_it_answers) {
+TEST(ServoTick, a_device_silent_for_more_than_25_ms_gives_zero_force_and_ramps_when_it_answers) {
     ServoRig rig;
     rig.press(kPressed);
     for (int i = 1; i <= 40; ++i) {
@@ -162,7 +162,7 @@ TEST(ServoTick, a_gap_between_ticks_up_to_25_ms_resumes_from_the_held_force) {
     EXPECT_NEAR(rig.last.force_n.y, -kPressN - 0.8, 1e-3);
 }
 
-TEST(ServoTick, a_longer_gap_gives_zero_is_spoken_and_ramps_by_itself) {
+TEST(ServoTick, a_longer_gap_gives_zero_force_is_announced_and_ramps_automatically) {
     ServoRig rig;
     rig.press(kPressed);
     EXPECT_EQ(rig.tick(kPressed, 0.030).force_n, Vec3(0.0));
@@ -200,7 +200,7 @@ TEST(ServoTick, a_rate_too_slow_for_20_ms_fades_to_zero_within_100_ms_of_its_ons
     }
 }
 
-TEST(ServoTick, a_rate_above_the_devices_minimum_keeps_the_force) {
+TEST(ServoTick, a_rate_above_the_minimum_of_the_device_keeps_the_force) {
     ServoRig rig;
     rig.press(kPressed);
     for (int i = 0; i < 200; ++i) rig.tick(kPressed, 1.0 / 610);
@@ -208,7 +208,7 @@ TEST(ServoTick, a_rate_above_the_devices_minimum_keeps_the_force) {
     EXPECT_EQ(rig.tool().force_gain, 1.0);
 }
 
-TEST(ServoTick, unhomed_device_gets_no_force_and_moves_first_once_it_knows_its_place) {
+TEST(ServoTick, an_unhomed_device_gets_no_force_and_moves_only_once_its_position_is_known) {
     ServoRig rig;
     rig.press(Vec3(0.0, 0.03, 0.0));
     ASSERT_GT(glm::length(rig.last.force_n), 1.0);
@@ -229,7 +229,7 @@ TEST(ServoTick, unhomed_device_gets_no_force_and_moves_first_once_it_knows_its_p
     EXPECT_GT(glm::length(rig.last.force_n), 1.0);
 }
 
-TEST(ServoTick, tells_of_a_device_that_nobody_holds_whether_it_may_push_whatever_was_latched_before) {
+TEST(ServoTick, reports_whether_an_unheld_device_may_push_regardless_of_earlier_latched_faults) {
     ServoRig rig;
     rig.press(kPressed);
     rig.sample.hot = true;
@@ -246,7 +246,7 @@ TEST(ServoTick, tells_of_a_device_that_nobody_holds_whether_it_may_push_whatever
     EXPECT_EQ(rig.count(ContactEventKind::FaultRaised), 3);
 }
 
-TEST(ServoTick, unplugging_gives_zero_on_that_tick_and_only_a_confirmation_and_a_ramp_bring_it_back) {
+TEST(ServoTick, unplugging_gives_zero_on_that_tick_and_the_force_returns_only_by_confirmation_and_ramp) {
     ServoRig rig;
     rig.press(kPressed);
     const Vec3 proxy = rig.tool().proxy_m;
@@ -266,7 +266,7 @@ TEST(ServoTick, unplugging_gives_zero_on_that_tick_and_only_a_confirmation_and_a
     EXPECT_LE(rig.tool().force_gain, 1e-3 + 1e-9);
 }
 
-TEST(ServoTick, panic_is_zero_on_this_very_tick_and_back_by_the_ramp) {
+TEST(ServoTick, panic_gives_zero_on_the_same_tick_and_the_force_returns_with_the_ramp) {
     ServoRig rig;
     rig.press(kPressed);
     rig.tuning.panic = true;
@@ -287,7 +287,7 @@ void expect_fade_to_zero(ServoRig& rig, double from_n) {
     ASSERT_EQ(rig.tick(kPressed).force_n, Vec3(0.0));
 }
 
-TEST(ServoTick, motors_that_report_heat_lose_their_force_within_100_ms_and_are_confirmed_when_cool) {
+TEST(ServoTick, motors_that_report_heat_lose_their_force_within_100_ms_and_need_confirmation_when_cool) {
     ServoRig rig;
     rig.press(kPressed);
     rig.sample.hot = true;
@@ -305,7 +305,7 @@ TEST(ServoTick, motors_that_report_heat_lose_their_force_within_100_ms_and_are_c
     EXPECT_EQ(rig.tool().fault, Fault::None);
 }
 
-TEST(ServoTick, motors_that_report_nothing_are_spared_by_the_heat_budget) {
+TEST(ServoTick, motors_without_heat_reports_are_protected_by_the_heat_budget) {
     ServoRig rig;  // the peak is 3.3 N, of which 80 % may be held
     rig.tuning.force_ceiling_n = 100.0;
     rig.press(kPressed);
@@ -327,7 +327,7 @@ TEST(ServoTick, motors_that_report_nothing_are_spared_by_the_heat_budget) {
     EXPECT_EQ(rig.tool().fault, Fault::None);
 }
 
-TEST(ServoTick, an_error_of_the_driver_is_zero_on_that_tick_and_latched) {
+TEST(ServoTick, a_driver_error_gives_zero_force_on_that_tick_and_latches) {
     ServoRig rig;
     rig.press(kPressed);
     rig.sample.failed = true;
@@ -339,7 +339,7 @@ TEST(ServoTick, an_error_of_the_driver_is_zero_on_that_tick_and_latched) {
     EXPECT_NEAR(rig.tick(kPressed).force_n.y, -kPressN * 1e-3, 1e-9);
 }
 
-TEST(ServoTick, a_driver_that_lets_a_hot_device_go_says_hot_and_not_unplugged) {
+TEST(ServoTick, an_overheated_device_that_disconnects_is_reported_as_hot_rather_than_unplugged) {
     ServoRig rig;
     rig.press(kPressed);
     rig.sample.hot = true;
@@ -354,7 +354,7 @@ TEST(ServoTick, a_driver_that_lets_a_hot_device_go_says_hot_and_not_unplugged) {
     EXPECT_FALSE(rig.tool().fault_lasts);
 }
 
-TEST(ServoTick, in_dead_man_mode_force_needs_a_held_button_and_is_gone_100_ms_after_it) {
+TEST(ServoTick, in_dead_man_mode_force_needs_a_held_button_and_ends_100_ms_after_its_release) {
     ServoRig rig;
     rig.tuning.button_to_feel = true;
     rig.press(kPressed);
@@ -374,7 +374,7 @@ TEST(ServoTick, in_dead_man_mode_force_needs_a_held_button_and_is_gone_100_ms_af
     EXPECT_EQ(rig.count(ContactEventKind::FaultCleared), 1);
 }
 
-TEST(ServoTick, without_the_keyboard_the_force_fades_and_comes_back_with_it_by_the_ramp_alone) {
+TEST(ServoTick, without_the_keyboard_the_force_fades_and_returns_with_it_only_by_the_ramp) {
     ServoRig rig;
     rig.press(kPressed);
     rig.tuning.focused = false;
@@ -385,7 +385,7 @@ TEST(ServoTick, without_the_keyboard_the_force_fades_and_comes_back_with_it_by_t
     for (int i = 1; i <= 1000; ++i) ASSERT_NEAR(rig.tick(kPressed).force_n.y, -kPressN * std::min(1.0, i * 1e-3), 1e-6);
 }
 
-TEST(ServoSwitches, only_take_force_away_and_a_stop_after_the_one_let_go_counts) {
+TEST(ServoSwitches, only_remove_force_and_respect_a_stop_that_follows_a_released_one) {
     ServoSwitches switches;
     ServoTuning tuning;
     EXPECT_FALSE(with_switches(tuning, switches).panic);
@@ -405,7 +405,7 @@ TEST(ServoSwitches, only_take_force_away_and_a_stop_after_the_one_let_go_counts)
     EXPECT_FALSE(with_switches(tuning, switches).focused);
 }
 
-TEST(ServoTick, forces_off_fades_over_75_ms_and_on_ramps_over_a_second) {
+TEST(ServoTick, switching_forces_off_fades_over_75_ms_and_on_ramps_over_a_second) {
     ServoRig rig;
     rig.press(kPressed);
     rig.tuning.forces_on = false;
@@ -443,7 +443,7 @@ TEST(ServoTick, without_a_scene_there_is_no_force_and_no_contact) {
     EXPECT_EQ(rig.tool().proxy_m, rig.tool().hip_m);
 }
 
-TEST(ServoTick, keeps_to_the_persons_ceiling_and_the_devices_peak) {
+TEST(ServoTick, respects_the_persons_ceiling_and_the_devices_peak) {
     const Vec3 deep(0.0, ServoRig::kWallY - 0.005 + 0.019, 0.0);
     for (const auto& [ceiling, expected] :
          {std::pair{1.2, 1.2}, std::pair{2.5, 2.5}, std::pair{100.0, 3.3}, std::pair{kInf, 3.3}}) {
@@ -456,7 +456,7 @@ TEST(ServoTick, keeps_to_the_persons_ceiling_and_the_devices_peak) {
     }
 }
 
-TEST(ServoTick, softens_walls_to_what_the_device_holds_at_the_measured_rate) {
+TEST(ServoTick, softens_walls_to_the_stiffness_that_the_device_supports_at_the_measured_rate) {
     DeviceSpec spec = *find_device_spec("sim-f");
     const auto stiffness = [&](double rate_hz) {
         ServoRig rig(spec);
@@ -483,7 +483,7 @@ TEST(ServoTick, in_walk_frame_the_wall_pushes_along_the_hands_own_axes) {
     EXPECT_NEAR(glm::length(rig.tool().hip_m - kPressed), 0.0, 1e-12);
 }
 
-TEST(ServoTick, tells_touch_slide_and_end_with_feature_and_time) {
+TEST(ServoTick, reports_touch_slide_and_end_with_feature_and_time) {
     ServoRig rig;
     rig.press(kPressed);
     ASSERT_EQ(rig.count(ContactEventKind::Begin), 1);

@@ -19,7 +19,7 @@ DeviceSpec unlimited() {
 
 // A frame that drifts into a wall and is reported at 60 Hz must not be felt as steps. Applied as it arrives, it would
 // step by 0.333 N per frame.
-TEST(Walking, a_frame_drifting_into_a_wall_is_felt_in_steps_of_at_most_25_mn) {
+TEST(Walking, a_frame_that_drifts_into_a_wall_is_felt_in_steps_of_at_most_25_mn) {
     for (const double heading_deg : {0.0, 37.0, 180.0}) {
         ServoRig rig(unlimited());
         rig.tuning.touch.default_stiffness_fraction = 1.0;  // 1000 N/m
@@ -120,7 +120,7 @@ Walk walk_into_wall(bool jitter) {
     return walk;
 }
 
-TEST(Walking, the_measure_of_a_60_hz_line_sees_a_staircase) {
+TEST(Walking, the_measure_of_a_60_hz_line_detects_a_staircase) {
     std::vector<double> staircase, slope;
     for (int i = 0; i < 300; ++i) {
         // 5 N/s in steps of 83 mN, so the amplitude is 0.083 / pi.
@@ -131,7 +131,7 @@ TEST(Walking, the_measure_of_a_60_hz_line_sees_a_staircase) {
     EXPECT_LT(amplitude_at(slope, 60.0, kTick), 1e-6);
 }
 
-TEST(Walking, into_a_wall_with_the_hand_ahead_rises_evenly_without_a_60_hz_staircase) {
+TEST(Walking, into_a_wall_with_the_hand_ahead_raises_the_force_evenly_without_a_60_hz_staircase) {
     for (const bool jitter : {false, true}) {
         const Walk walk = walk_into_wall(jitter);
         // 3.75 + 0.6 - 4 + 0.12 m of proxy radius = 0.47 m, divided by 60 and times 300 N/m.

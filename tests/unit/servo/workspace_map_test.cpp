@@ -11,7 +11,7 @@ namespace workspace_map_test {
 constexpr double kTick = 1e-3;
 constexpr double kFrame = 1.0 / 60.0;
 
-TEST(SinCosOfHeading, agrees_with_the_library_in_every_quarter_and_far_out) {
+TEST(SinCosOfHeading, agrees_with_the_standard_library_in_every_quarter_and_for_large_angles) {
     std::mt19937_64 random(3);
     for (const double range : {1.0, 10.0, 1e3, 1e6}) {
         std::uniform_real_distribution<double> heading(-range, range);
@@ -80,7 +80,7 @@ Step walk(double seconds, const FrameTimes& frame_time, const Late& late) {
     return step;
 }
 
-TEST(PosePlayback, makes_even_frames_one_smooth_movement) {
+TEST(PosePlayback, turns_even_frames_into_one_smooth_movement) {
     const Step step = walk(
         3.0, [](int i) { return i * kFrame; }, [](int) { return 1e-4; });
     EXPECT_NEAR(step.largest_m, 1e-3, 1e-5);
@@ -103,7 +103,7 @@ TEST(PosePlayback, stays_smooth_when_frames_jitter) {
     EXPECT_GE(step.smallest_m, 0.9e-3);
 }
 
-TEST(PosePlayback, waits_for_a_late_frame_and_goes_on_without_a_step) {
+TEST(PosePlayback, waits_for_a_late_frame_and_continues_without_a_jump) {
     const auto late = [](int i) { return i % 60 == 30 ? 0.03 : 1e-4; };
     const Step step = walk(
         4.0, [](int i) { return i * kFrame; }, late);
@@ -111,7 +111,7 @@ TEST(PosePlayback, waits_for_a_late_frame_and_goes_on_without_a_step) {
     EXPECT_LE(step.largest_m, 1.1e-3 + 1e-12);
 }
 
-TEST(PosePlayback, a_body_that_stood_sets_off_without_a_step) {
+TEST(PosePlayback, lets_a_resting_body_set_off_without_a_jump) {
     PosePlayback playback;
     WorkspacePose pose;
     pose.time_s = 1.0;
@@ -135,7 +135,7 @@ TEST(PosePlayback, a_body_that_stood_sets_off_without_a_step) {
     EXPECT_GT(last, 0.9);
 }
 
-TEST(PosePlayback, jumps_only_when_told_and_says_so) {
+TEST(PosePlayback, jumps_only_on_request_and_reports_it) {
     PosePlayback playback;
     WorkspacePose pose;
     EXPECT_TRUE(playback.give(pose, pose.time_s));
@@ -159,7 +159,7 @@ TEST(PosePlayback, turns_the_shorter_way_across_north) {
                 1e-12);
 }
 
-TEST(PosePlayback, ignores_poses_that_are_no_numbers_or_from_the_past) {
+TEST(PosePlayback, ignores_invalid_poses_and_poses_from_the_past) {
     PosePlayback playback;
     WorkspacePose pose;
     pose.time_s = 1.0;

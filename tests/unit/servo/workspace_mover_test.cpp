@@ -19,7 +19,7 @@ ServoRig rig_with_rim() {
     return rig;
 }
 
-TEST(Rim, is_a_ridge_and_a_nearly_free_zone_and_never_a_step) {
+TEST(Rim, consists_of_a_ridge_and_a_nearly_free_zone_without_a_jump_in_force) {
     for (const DeviceSpec& spec : device_specs()) {
         const Rim rim = rim_of(spec);
         SCOPED_TRACE(spec.name);
@@ -38,7 +38,7 @@ TEST(Rim, is_a_ridge_and_a_nearly_free_zone_and_never_a_step) {
     }
 }
 
-TEST(WorkspaceMover, scrolls_the_faster_the_deeper_past_the_rim_and_stops_on_the_way_back) {
+TEST(WorkspaceMover, scrolls_faster_deeper_past_the_rim_and_stops_on_the_way_back) {
     ServoRig rig = rig_with_rim();
     rig.go({0.0, 0.92 * kReach, 0.0});
     EXPECT_EQ(rig.tool().workspace_motion, WorkspaceMotion::Scrolled);
@@ -59,7 +59,7 @@ TEST(WorkspaceMover, scrolls_the_faster_the_deeper_past_the_rim_and_stops_on_the
     EXPECT_EQ(way_in(0.8), Vec3(0.0));
 }
 
-TEST(WorkspaceMover, scrolls_any_way_on_the_sphere_and_only_where_it_is_switched_on) {
+TEST(WorkspaceMover, scrolls_in_any_direction_on_the_rim_and_only_if_switched_on) {
     for (const Vec3& way : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0.6, 0.0, -0.8)}) {
         ServoRig rig = rig_with_rim();
         rig.go(way * (0.97 * kReach));
@@ -93,7 +93,7 @@ TEST(WorkspaceMover, does_not_scroll_into_a_wall_but_along_it) {
     EXPECT_GT(rig.tool().workspace_shift_m.x, 0.03) << "and went on along it";
 }
 
-TEST(WorkspaceMover, never_leaves_its_limits_and_says_so) {
+TEST(WorkspaceMover, never_exceeds_its_limits_and_reports_reaching_them) {
     ServoRig rig = rig_with_rim();
     rig.tuning.workspace.limits_m = {Vec3(-0.05), Vec3(0.05)};
     rig.go({0.99 * kReach, 0.0, 0.0});
@@ -112,7 +112,7 @@ TEST(WorkspaceMover, never_leaves_its_limits_and_says_so) {
     EXPECT_LT(rig.tool().workspace_shift_m.x, 0.0);
 }
 
-TEST(WorkspaceMover, a_grabbed_world_goes_along_with_the_hand_exactly) {
+TEST(WorkspaceMover, a_grabbed_world_moves_exactly_with_the_hand) {
     ServoRig rig = rig_with_rim();
     rig.tuning.workspace.grab_buttons = 1;
     rig.go({0.01, 0.02, 0.0});
@@ -128,7 +128,7 @@ TEST(WorkspaceMover, a_grabbed_world_goes_along_with_the_hand_exactly) {
     EXPECT_NEAR(glm::length(rig.tool().hip_m - place - Vec3(0.04, 0.04, -0.01)), 0.0, 1e-12);
 }
 
-TEST(WorkspaceMover, a_pressed_wall_lets_go_within_75_ms_before_the_world_moves_and_is_as_hard_as_before_afterwards) {
+TEST(WorkspaceMover, a_pressed_wall_fades_within_75_ms_before_the_world_moves_and_is_as_hard_as_before) {
     ServoRig rig;
     rig.tuning.workspace.grab_buttons = 2;
     rig.press({0.0, 0.0275, 0.0});  // 2.5 mm deep, which gives 2 N
@@ -151,7 +151,7 @@ TEST(WorkspaceMover, a_pressed_wall_lets_go_within_75_ms_before_the_world_moves_
     EXPECT_NEAR(-rig.last.force_n.y - rests_n, 0.8, 0.008) << "a millimetre deeper at 800 N/m";
 }
 
-TEST(WorkspaceMover, keys_push_the_workspace_and_a_jump_brings_it_back) {
+TEST(WorkspaceMover, keys_move_the_workspace_and_a_jump_resets_it) {
     ServoRig rig = rig_with_rim();
     rig.tuning.workspace.push_hand_m_per_s = {0.0, 0.03, 0.0};
     for (int i = 0; i < 1000; ++i) rig.tick(Vec3(0.0));

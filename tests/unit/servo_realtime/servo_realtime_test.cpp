@@ -114,7 +114,7 @@ protected:
     }
 };
 
-TEST_F(ServoRealtime, the_counters_see_allocations_locks_and_clocks) {
+TEST_F(ServoRealtime, the_counters_detect_allocations_locks_and_clocks) {
     static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
     const Counts counts = count([] {
         const std::vector<int> some(static_cast<std::size_t>(std::rand() % 5 + 1));
@@ -144,7 +144,7 @@ std::shared_ptr<const HapticScene> crowded_scene(unsigned seed) {
     return builder.build();
 }
 
-TEST_F(ServoRealtime, a_tick_does_not_allocate_lock_or_read_a_clock_whatever_happens) {
+TEST_F(ServoRealtime, a_tick_never_allocates_locks_or_reads_a_clock) {
     const std::vector<std::shared_ptr<const HapticScene>> scenes{crowded_scene(1), crowded_scene(2),
                                                                  test::wall_scene(0.03)};
     ServoState state(*find_device_spec("sim-t"));
@@ -193,7 +193,7 @@ TEST_F(ServoRealtime, a_tick_does_not_allocate_lock_or_read_a_clock_whatever_hap
     EXPECT_GT(touching, static_cast<std::uint64_t>(ticks) / 20);
 }
 
-TEST_F(ServoRealtime, the_loop_around_it_allocates_and_frees_nothing_either) {
+TEST_F(ServoRealtime, the_surrounding_loop_never_allocates_or_frees) {
     VirtualClock clock;
     auto hand = std::make_shared<SimulatedHand>();
     ServoLoop loop(std::make_unique<SimulatedDevice>(*find_device_spec("sim-f"), hand), clock);
@@ -219,7 +219,7 @@ TEST_F(ServoRealtime, the_loop_around_it_allocates_and_frees_nothing_either) {
 }
 
 // A guarded device, which the servo uses in place of a real one. A separate guard process is at the other end.
-TEST_F(ServoRealtime, a_guarded_device_is_read_and_written_without_allocating_locking_or_a_clock) {
+TEST_F(ServoRealtime, a_guarded_device_is_exchanged_without_allocation_lock_or_clock) {
     GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"echo"});
     const auto opened = device.open();
     ASSERT_TRUE(opened) << opened.error().sentence();

@@ -37,7 +37,7 @@ std::set<std::string> made_keys() {
     return keys;
 }
 
-TEST(SettingTexts, are_there_for_every_row_of_the_tables_and_for_nothing_else) {
+TEST(SettingTexts, exist_for_every_row_of_the_tables_and_for_nothing_else) {
     const std::set<std::string> wanted = made_keys();
     for (const LanguageName& language : bundled_languages()) {
         std::set<std::string> found;
@@ -49,7 +49,7 @@ TEST(SettingTexts, are_there_for_every_row_of_the_tables_and_for_nothing_else) {
     }
 }
 
-TEST(SettingTexts, are_said_in_german_while_what_is_typed_stays) {
+TEST(SettingTexts, are_spoken_in_german_while_typed_words_stay_unchanged) {
     const test::InLanguage german("de");
     Settings settings;
     const SettingLine ceiling = setting_line("haptic.ceiling", settings);

@@ -41,7 +41,7 @@ std::string shown(const SettingsStore& store) {
     return text;
 }
 
-TEST(Settings, start_with_the_defaults_of_the_struct_each_within_its_own_range) {
+TEST(Settings, start_with_the_defaults_of_the_struct_each_within_its_range) {
     const SettingsStore store;
     const Settings plain;
     EXPECT_EQ(store.values().workspace.scale, plain.workspace.scale);
@@ -54,7 +54,7 @@ TEST(Settings, start_with_the_defaults_of_the_struct_each_within_its_own_range) 
     EXPECT_EQ(shown(store), shown(again));
 }
 
-TEST(Settings, say_where_each_value_comes_from_with_file_and_line) {
+TEST(Settings, report_the_source_of_each_value_with_file_and_line) {
     const TemporaryFolder folder;
     const fs::path file = folder.write("settings.toml", "# mine\n[workspace]\nscale = 30\nhand_height_m = 1.2\n");
     SettingsStore store;
@@ -68,7 +68,7 @@ TEST(Settings, say_where_each_value_comes_from_with_file_and_line) {
     EXPECT_EQ(row_of(store, "walk.speed_m_per_s").source, SettingSource::Default);
 }
 
-TEST(Settings, let_the_stronger_source_win_whatever_the_order_of_loading) {
+TEST(Settings, let_the_stronger_source_win_in_any_loading_order) {
     SettingsStore store;
     ASSERT_TRUE(store.set("workspace.scale", "10", SettingSource::CommandLine));
     ASSERT_TRUE(store.set("workspace.scale", "20", SettingSource::World));
@@ -82,7 +82,7 @@ TEST(Settings, let_the_stronger_source_win_whatever_the_order_of_loading) {
     EXPECT_EQ(store.values().workspace.scale, 60.0);
 }
 
-TEST(Settings, name_the_nearest_key_when_one_is_unknown_and_apply_the_rest) {
+TEST(Settings, suggest_the_nearest_key_for_an_unknown_one_and_apply_the_rest) {
     const TemporaryFolder folder;
     SettingsStore store;
     const auto problems = store.load_file(
@@ -93,7 +93,7 @@ TEST(Settings, name_the_nearest_key_when_one_is_unknown_and_apply_the_rest) {
     EXPECT_EQ(store.values().workspace.hand_height_m, 1.5);
 }
 
-TEST(Settings, name_the_nearest_key_of_the_same_table_before_nearer_ones_elsewhere) {
+TEST(Settings, suggest_the_nearest_key_of_the_same_table_before_nearer_ones_elsewhere) {
     const TemporaryFolder folder;
     SettingsStore store;
     // "walk.scale" is nearest to the workspace's key; "speech.speed_m_per_s" exists word for word in another table.
@@ -109,7 +109,7 @@ TEST(Settings, name_the_nearest_key_of_the_same_table_before_nearer_ones_elsewhe
     EXPECT_THAT(store.set("walk.sound", "1", SettingSource::Live).error().message, HasSubstr("walk."));
 }
 
-TEST(Settings, say_the_legal_range_and_ignore_the_value_when_it_is_outside_or_of_the_wrong_kind) {
+TEST(Settings, report_the_legal_range_and_ignore_values_outside_it_or_of_the_wrong_type) {
     const TemporaryFolder folder;
     SettingsStore store;
     const auto problems = store.load_file(
@@ -135,7 +135,7 @@ TEST(Settings, say_the_legal_range_and_ignore_the_value_when_it_is_outside_or_of
     EXPECT_EQ(shown(store), shown(SettingsStore{}));
 }
 
-TEST(Settings, tell_in_german_what_is_wrong_with_a_file) {
+TEST(Settings, report_errors_of_a_file_in_german) {
     const test::InLanguage german("de");
     const TemporaryFolder folder;
     SettingsStore store;
@@ -150,7 +150,7 @@ TEST(Settings, tell_in_german_what_is_wrong_with_a_file) {
     EXPECT_EQ(source_name(SettingSource::UserFile), "eigene Einstellungsdatei");
 }
 
-TEST(Settings, refuse_from_a_world_every_force_speech_and_sound_setting_and_every_key) {
+TEST(Settings, refuse_every_force_speech_and_sound_setting_and_every_key_from_a_world) {
     for (const SettingRow& row : SettingsStore{}.explain()) {
         const bool personal = row.key.starts_with("speech.") || row.key.starts_with("sound.") ||
                               row.key == "haptic.ceiling" || row.key == "haptic.stiffness_fraction" ||
@@ -173,7 +173,7 @@ TEST(Settings, refuse_from_a_world_every_force_speech_and_sound_setting_and_ever
     EXPECT_EQ(store.values().workspace.scale, 20.0);
 }
 
-TEST(Settings, keep_overrides_by_device_name_and_keys_by_command) {
+TEST(Settings, store_overrides_by_device_name_and_keys_by_command) {
     const TemporaryFolder folder;
     SettingsStore store({"where", "repeat"});
     const auto problems = store.load_file(
@@ -195,7 +195,7 @@ TEST(Settings, keep_overrides_by_device_name_and_keys_by_command) {
 }
 
 // Formerly such a command had no key at all, without any message.
-TEST(Settings, refuse_keys_that_nobody_can_press_with_their_line) {
+TEST(Settings, refuse_key_names_that_nobody_can_press_and_report_their_line) {
     const TemporaryFolder folder;
     SettingsStore store({"where", "home", "look", "use", "again", "quit"});
     const auto problems = store.load_file(
@@ -217,7 +217,7 @@ TEST(Settings, refuse_keys_that_nobody_can_press_with_their_line) {
     EXPECT_EQ(store.values().keys.at("where"), "F9");
 }
 
-TEST(Profiles, are_kept_by_device_and_serial_number_and_say_where_they_come_from) {
+TEST(Profiles, are_saved_by_device_and_serial_number_with_their_origin) {
     const TemporaryFolder folder;
     const fs::path file = folder.write(
         "settings.toml", "[profile.\"Falcon A9.1\"]\nceiling_n = 2\nhand = \"Left\"\nscael = 1\nfuture = [1]\n");
@@ -245,7 +245,7 @@ TEST(Profiles, are_kept_by_device_and_serial_number_and_say_where_they_come_from
 }
 
 // A labyrinth that fixes its scale has that scale on every device, including devices with their own scale.
-TEST(SettingsStore, lets_a_world_decide_for_devices_that_have_a_value_of_their_own) {
+TEST(SettingsStore, lets_a_world_override_devices_with_individual_values) {
     const test::TemporaryFolder folder;
     SettingsStore store;
     ASSERT_THAT(store.load_file(folder.write("settings.toml",
@@ -266,7 +266,7 @@ TEST(SettingsStore, lets_a_world_decide_for_devices_that_have_a_value_of_their_o
     EXPECT_THAT(scales(), testing::ElementsAre(50.0, 40.0, 0.02)) << "leaving the world gives them back";
 }
 
-TEST(Profiles, damaged_in_one_value_are_set_aside_whole_with_one_sentence_until_measured_anew) {
+TEST(Profiles, with_one_damaged_value_are_ignored_with_one_sentence_until_the_next_calibration) {
     const TemporaryFolder folder;
     const fs::path file = folder.write("settings.toml",
                                        "[profile.falcon]\nceiling_n = 2.0\nscale = -7\nhand = "
@@ -285,7 +285,7 @@ TEST(Profiles, damaged_in_one_value_are_set_aside_whole_with_one_sentence_until_
     EXPECT_EQ(store.values().profiles.at("falcon").ceiling_n, 1.1);
 }
 
-TEST(SaveSettings, keeps_comments_unknown_keys_and_everything_else_the_person_wrote) {
+TEST(SaveSettings, keeps_comments_unknown_keys_and_everything_else_that_the_person_wrote) {
     const TemporaryFolder folder;
     const fs::path file = folder.write("settings.toml",
                                        "# \xC3\xA9 mine\n[workspace]\nscale = 30 # small\nfuture = { a = 1, b = [2, 3] "
@@ -304,7 +304,7 @@ TEST(SaveSettings, keeps_comments_unknown_keys_and_everything_else_the_person_wr
               "[haptic]\nceiling = \"light\"\n\n[workspace.device.\"falcon\"]\nscale = 41.0\n");
 }
 
-TEST(SaveSettings, keeps_the_meaning_of_a_file_written_in_an_unusual_way) {
+TEST(SaveSettings, keeps_the_meaning_of_a_file_with_unusual_syntax) {
     const TemporaryFolder folder;
     const fs::path file =
         folder.write("settings.toml", "workspace.scale = 30\nspeech = { rate_wpm = 200, other = 'x' }\nhaptic = 3\n");
@@ -321,7 +321,7 @@ TEST(SaveSettings, keeps_the_meaning_of_a_file_written_in_an_unusual_way) {
     EXPECT_THAT(content_of(file), HasSubstr("other"));
 }
 
-TEST(SaveSettings, writes_nothing_when_nothing_was_changed) {
+TEST(SaveSettings, writes_nothing_if_nothing_was_changed) {
     const TemporaryFolder folder;
     const fs::path file = folder.path() / "deep" / "settings.toml";
     SettingsStore store;
@@ -334,7 +334,7 @@ TEST(SaveSettings, writes_nothing_when_nothing_was_changed) {
     EXPECT_EQ(content_of(file), "[workspace]\nscale = 43.0\n");
 }
 
-TEST(SaveSettings, never_replaces_a_damaged_file_and_says_so) {
+TEST(SaveSettings, never_replaces_a_damaged_file_and_reports_it) {
     const TemporaryFolder folder;
     const std::string damaged = "[workspace\nscale = 30\n";
     const fs::path file = folder.write("settings.toml", damaged);
@@ -351,7 +351,7 @@ TEST(SaveSettings, never_replaces_a_damaged_file_and_says_so) {
     EXPECT_EQ(content_of(file), damaged);
 }
 
-TEST(SaveSettings, never_replaces_what_cannot_be_read) {
+TEST(SaveSettings, never_replaces_an_unreadable_file) {
     const TemporaryFolder folder;
     SettingsStore store;
     const auto problems = store.load_file(folder.path(), SettingSource::UserFile);  // a folder instead of a file
@@ -368,7 +368,7 @@ TEST(SaveSettings, never_replaces_what_cannot_be_read) {
 }
 
 // The file size limit of the process simulates a full disk: writing stops half way with an error.
-TEST(SaveSettings, leaves_the_old_file_whole_when_the_disk_is_full) {
+TEST(SaveSettings, leaves_the_old_file_complete_if_the_disk_is_full) {
     const TemporaryFolder folder;
     const std::string old = "[workspace]\nscale = 30\n# " + std::string(5000, 'x') + "\n";
     const fs::path file = folder.write("settings.toml", old);
@@ -392,7 +392,7 @@ TEST(SaveSettings, leaves_the_old_file_whole_when_the_disk_is_full) {
     EXPECT_THAT(content_of(file), HasSubstr("scale = 42.0"));
 }
 
-TEST(LoadSettings, survives_a_file_cut_at_every_byte_and_every_byte_replaced) {
+TEST(LoadSettings, survives_files_cut_at_every_byte_or_with_every_byte_replaced) {
     const TemporaryFolder folder;
     const std::string whole =
         "[workspace]\nscale = 30 # \xC3\xA9\n[workspace.device.\"a.b\"]\nscale = 4e1\n[keys]\nwhere = "

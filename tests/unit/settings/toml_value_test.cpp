@@ -32,7 +32,7 @@ name = "first"
 [[list]]
 )";
 
-TEST(TomlValue, of_a_file_is_every_value_with_its_line) {
+TEST(TomlValue, of_a_file_contains_every_value_with_its_line) {
     const auto read = toml_of(kAllKinds);
     ASSERT_TRUE(read) << read.error().sentence();
     const TomlValue& root = *read;
@@ -58,7 +58,7 @@ TEST(TomlValue, of_a_file_is_every_value_with_its_line) {
     EXPECT_EQ(root.find("flag")->find("of no table"), nullptr);
 }
 
-TEST(TomlValue, is_read_again_as_it_was_written) {
+TEST(TomlValue, is_read_back_as_it_was_written) {
     const TomlValue read = toml_of(kAllKinds).value();
     const std::string text = written_toml(read);
     const auto again = toml_of(text);
@@ -75,7 +75,7 @@ TEST(TomlValue, is_read_again_as_it_was_written) {
     EXPECT_FALSE(other == read);
 }
 
-TEST(TomlValue, of_a_damaged_file_is_its_fault_with_the_place) {
+TEST(TomlValue, of_a_damaged_file_is_an_error_with_its_place) {
     const auto damaged = toml_of("a = 1\nb = = 2\n");
     ASSERT_FALSE(damaged);
     EXPECT_EQ(damaged.error().line, 2);
@@ -84,7 +84,7 @@ TEST(TomlValue, of_a_damaged_file_is_its_fault_with_the_place) {
 }
 
 // toml++ limits the depth of brackets, but not the number of names in a dotted key.
-TEST(TomlValue, is_refused_where_tables_are_too_deep_in_each_other) {
+TEST(TomlValue, with_too_deeply_nested_tables_is_refused) {
     std::string key = "\n[a";
     for (int i = 1; i < 2000; ++i) key += ".a";
     const auto deep = toml_of(key + "]\nx = 1\n");

@@ -66,7 +66,7 @@ struct Ears {
     std::unique_ptr<AudioThread> loop;
 };
 
-TEST(AudioThread, what_the_hand_meets_is_heard_and_its_name_comes_back_to_the_app_once) {
+TEST(AudioThread, a_touched_thing_is_heard_and_its_name_returns_to_the_app_once) {
     Ears ears;
     ears.ring.push(begin(0, 0.0));
     ears.run(0.1);
@@ -75,7 +75,7 @@ TEST(AudioThread, what_the_hand_meets_is_heard_and_its_name_comes_back_to_the_ap
     EXPECT_TRUE(ears.loop->take_spoken().empty());
 }
 
-TEST(AudioThread, listener_and_settings_reach_the_sinks) {
+TEST(AudioThread, listener_position_and_settings_reach_the_audio_sinks) {
     Ears ears;
     ears.loop->set_listener({.ears_m = {1.0, 2.0, 3.0}, .heading_rad = 0.5});
     Settings quiet;
@@ -87,7 +87,7 @@ TEST(AudioThread, listener_and_settings_reach_the_sinks) {
     EXPECT_TRUE(ears.loop->take_spoken().empty());
 }
 
-TEST(AudioThread, every_line_comes_back_although_the_planner_keeps_only_500) {
+TEST(AudioThread, every_line_reaches_the_app_although_the_planner_keeps_only_500) {
     Ears ears;
     std::size_t lines = 0;
     for (int i = 0; i < 300; ++i) {
@@ -98,7 +98,7 @@ TEST(AudioThread, every_line_comes_back_although_the_planner_keeps_only_500) {
     EXPECT_EQ(lines, 1200U);
 }
 
-TEST(AudioThread, stopping_writes_what_could_not_be_said_and_silences_everything) {
+TEST(AudioThread, stopping_writes_unspoken_text_and_silences_everything) {
     Ears ears(120.0);
     for (const char* words : {"One", "Two", "Three"}) ears.loop->post(answer(words));
     ears.loop->stop();
@@ -109,7 +109,7 @@ TEST(AudioThread, stopping_writes_what_could_not_be_said_and_silences_everything
     EXPECT_THAT(texts(ears.loop->take_spoken()), ElementsAre("One", "Two", "Three"));
 }
 
-TEST(AudioThread, stopping_lets_the_voice_finish_when_asked_to) {
+TEST(AudioThread, stopping_lets_the_voice_finish_on_request) {
     Ears ears(120.0);
     for (const char* words : {"One", "Two", "Three"}) ears.loop->post(answer(words));
     ears.loop->stop(10.0);
@@ -118,7 +118,7 @@ TEST(AudioThread, stopping_lets_the_voice_finish_when_asked_to) {
     EXPECT_NEAR(ears.clock.now_s(), 3 * 0.6, 0.1) << "and no longer than it needs";
 }
 
-TEST(AudioThread, runs_beside_servo_and_app_and_joins) {
+TEST(AudioThread, runs_in_parallel_with_servo_and_app_and_joins) {
     // Uses real threads, and real sinks if the machine has them; the thread sanitizer then shows a race.
     SteadyClock clock;
     AudioThread::ContactRing ring;

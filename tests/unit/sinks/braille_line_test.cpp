@@ -13,7 +13,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 
 std::string narrow(const std::u32string& cells) { return {cells.begin(), cells.end()}; }
 
-TEST(HeadingCells, are_a_direction_or_degrees_and_never_more_than_three) {
+TEST(HeadingCells, show_a_direction_or_degrees_in_at_most_three_cells) {
     EXPECT_EQ(heading_cells(0.0), "N");
     EXPECT_EQ(heading_cells(45.0 * kDegree), "NE");
     EXPECT_EQ(heading_cells(-90.0 * kDegree), "W");
@@ -33,7 +33,7 @@ TEST(BrailleLine, begins_with_the_heading_and_fills_every_cell) {
     EXPECT_EQ(narrow(line.cells()), "225North wall       ");
 }
 
-TEST(BrailleLine, a_narrow_display_is_all_message) {
+TEST(BrailleLine, on_a_narrow_display_shows_only_the_message) {
     BrailleLine line;
     line.set_width(8);
     line.set_heading("N");
@@ -43,7 +43,7 @@ TEST(BrailleLine, a_narrow_display_is_all_message) {
     EXPECT_EQ(narrow(line.cells()), "wall    ");
 }
 
-TEST(BrailleLine, counts_letters_and_not_bytes) {
+TEST(BrailleLine, counts_letters_rather_than_bytes) {
     BrailleLine line;
     line.set_width(12);
     line.set_heading("S");
@@ -51,7 +51,7 @@ TEST(BrailleLine, counts_letters_and_not_bytes) {
     EXPECT_EQ(line.cells(), U"S  T\u00FCr zu \u20AC ");
 }
 
-TEST(BrailleLine, of_a_list_shows_the_item_with_its_place_and_panning_its_neighbours) {
+TEST(BrailleLine, of_a_list_shows_the_item_with_its_position_and_pans_to_its_neighbours) {
     BrailleLine line;
     line.set_width(20);
     line.set_heading("N");
@@ -73,7 +73,7 @@ TEST(BrailleLine, of_a_list_shows_the_item_with_its_place_and_panning_its_neighb
     EXPECT_FALSE(line.pan_left() || line.pan_right()) << "of the list nothing is left";
 }
 
-TEST(BrailleLine, a_new_message_begins_at_its_first_word) {
+TEST(BrailleLine, starts_each_new_message_at_its_first_word) {
     BrailleLine line;
     line.set_width(12);
     line.set_heading("N");
@@ -83,7 +83,7 @@ TEST(BrailleLine, a_new_message_begins_at_its_first_word) {
     EXPECT_EQ(narrow(line.cells()), "N  six seven");
 }
 
-TEST(BrailleLine, without_a_display_it_has_no_cells) {
+TEST(BrailleLine, has_no_cells_without_a_display) {
     BrailleLine line;
     line.show("one");
     EXPECT_TRUE(line.cells().empty());

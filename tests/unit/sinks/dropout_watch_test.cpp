@@ -22,11 +22,11 @@ bool dropped(double seconds, double stops_every_s) {
     return false;
 }
 
-TEST(DropoutWatch, says_nothing_of_a_device_that_keeps_up_however_late_its_watcher_is) {
+TEST(DropoutWatch, stays_silent_about_a_device_that_keeps_up_even_if_its_watcher_is_late) {
     EXPECT_FALSE(dropped(600.0, 0.0));
 }
 
-TEST(DropoutWatch, tells_three_dropouts_within_a_minute_and_not_one_in_a_minute) {
+TEST(DropoutWatch, reports_three_dropouts_within_a_minute_but_not_a_single_one) {
     EXPECT_TRUE(dropped(60.0, 10.0));
     EXPECT_TRUE(dropped(10.0, 1.5));
     EXPECT_FALSE(dropped(600.0, 60.0));

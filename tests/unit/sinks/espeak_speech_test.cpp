@@ -48,7 +48,7 @@ protected:
     std::unique_ptr<EspeakSpeech> speech;
 };
 
-TEST_F(EspeakSpeechTest, turns_a_sentence_into_sound_of_a_spoken_length) {
+TEST_F(EspeakSpeechTest, turns_a_sentence_into_sound_of_plausible_length) {
     const auto before = std::chrono::steady_clock::now();
     const Listening heard = hear("North wall, plaster, two metres ahead");
     const double spent_ms =
@@ -62,7 +62,7 @@ TEST_F(EspeakSpeechTest, turns_a_sentence_into_sound_of_a_spoken_length) {
     std::cout << "    " << heard.length_s() << " s of speech in " << spent_ms << " ms\n";
 }
 
-TEST_F(EspeakSpeechTest, speaks_from_say_until_the_last_sample_was_played) {
+TEST_F(EspeakSpeechTest, counts_as_speaking_from_say_until_the_last_sample_was_played) {
     EXPECT_FALSE(speech->speaking());
     speech->say({.text = "Door"});
     EXPECT_TRUE(speech->speaking());
@@ -70,7 +70,7 @@ TEST_F(EspeakSpeechTest, speaks_from_say_until_the_last_sample_was_played) {
     EXPECT_FALSE(speech->speaking());
 }
 
-TEST_F(EspeakSpeechTest, stop_is_silent_at_once_and_the_next_text_is_whole) {
+TEST_F(EspeakSpeechTest, stop_silences_at_once_and_the_next_text_is_complete) {
     const double whole_s = hear("Facing north").length_s();
     std::string novel;
     for (int i = 0; i < 2000; ++i) novel += "The corridor continues to the right. ";
@@ -82,7 +82,7 @@ TEST_F(EspeakSpeechTest, stop_is_silent_at_once_and_the_next_text_is_whole) {
     EXPECT_NEAR(hear("Facing north").length_s(), whole_s, 0.1);
 }
 
-TEST_F(EspeakSpeechTest, newer_text_cuts_an_older_one) {
+TEST_F(EspeakSpeechTest, a_newer_text_interrupts_an_older_one) {
     const double door_s = hear("Door").length_s();
     std::string novel;
     for (int i = 0; i < 2000; ++i) novel += "The corridor continues to the right. ";
@@ -108,7 +108,7 @@ TEST_F(EspeakSpeechTest, rate_and_voice_follow_the_settings) {
     EXPECT_EQ(speech->news(), std::nullopt);
 }
 
-TEST_F(EspeakSpeechTest, there_is_one_voice_at_a_time) {
+TEST_F(EspeakSpeechTest, only_one_voice_speaks_at_a_time) {
     const auto second = EspeakSpeech::open(channel, {});
     ASSERT_FALSE(second);
     EXPECT_EQ(second.error().message, "The built-in voice is already in use.");
@@ -116,7 +116,7 @@ TEST_F(EspeakSpeechTest, there_is_one_voice_at_a_time) {
     EXPECT_TRUE(EspeakSpeech::open(channel, {}));
 }
 
-TEST_F(EspeakSpeechTest, empty_and_odd_texts_come_to_an_end) {
+TEST_F(EspeakSpeechTest, empty_and_odd_texts_finish) {
     for (const char* text : {"", " ", "...", "<speak>x", "[[h@l'oU]]", "東京", "\xf0\x9f\x9a\xaa"}) {
         speech->say({.text = text});
         listen_to_the_end(*channel);
@@ -149,7 +149,7 @@ TEST_F(EspeakSpeechTest, is_heard_through_the_sound_sink_within_50_ms_of_stream_
     EXPECT_NEAR(now_s, spoken.length_s(), 0.03);
 }
 
-TEST_F(EspeakSpeechTest, without_a_voice_there_are_beeps_and_the_reason) {
+TEST_F(EspeakSpeechTest, without_a_voice_it_beeps_and_gives_the_reason) {
     const auto other = std::make_shared<VoiceChannel>();
     const auto fallback = open_voice(other, {});  // the only voice is in use
     EXPECT_EQ(fallback->news(), "The built-in voice is already in use. Beeps mean that there is text to read.");
@@ -158,7 +158,7 @@ TEST_F(EspeakSpeechTest, without_a_voice_there_are_beeps_and_the_reason) {
     EXPECT_FALSE(other->take().samples.empty());
 }
 
-TEST(BeepSpeech, every_class_has_its_own_rhythm) {
+TEST(BeepSpeech, each_class_of_message_has_its_own_rhythm) {
     const auto channel = std::make_shared<VoiceChannel>();
     BeepSpeech speech(channel, "There is no voice.");
     EXPECT_EQ(speech.news(), "There is no voice.");

@@ -90,13 +90,13 @@ protected:
     std::vector<float> left, right;
 };
 
-TEST_F(OpenALSinkTest, silence_is_silent) {
+TEST_F(OpenALSinkTest, no_cue_gives_no_sound) {
     run(0.05);
     EXPECT_EQ(rms(left), 0.0);
     EXPECT_EQ(rms(right), 0.0);
 }
 
-TEST_F(OpenALSinkTest, first_sample_of_a_contact_comes_within_15_ms_of_the_touch_in_stream_time) {
+TEST_F(OpenALSinkTest, the_first_sample_of_a_contact_comes_within_15_ms_of_the_touch_in_stream_time) {
     // The whole chain: 200 audio ticks and 187.5 mixing periods a second, each at its own time, with touches at
     // unrelated times.
     CuePlanner planner{Settings{}};
@@ -139,7 +139,7 @@ TEST_F(OpenALSinkTest, first_sample_of_a_contact_comes_within_15_ms_of_the_touch
     std::cout << "    worst contact latency in stream time " << 1e3 * worst_s << " ms\n";
 }
 
-TEST_F(OpenALSinkTest, sound_in_the_east_reaches_the_right_ear_first_when_facing_north) {
+TEST_F(OpenALSinkTest, a_sound_in_the_east_reaches_the_right_ear_first_when_facing_north) {
     sink->set_loop(cue(SoundKind::WallTone, {2.0, 0.0, 0.0}));
     run(0.1);
     forget();
@@ -162,7 +162,7 @@ TEST_F(OpenALSinkTest, swapped_sides_exchange_the_ears_at_once) {
     }
 }
 
-TEST_F(OpenALSinkTest, turning_round_changes_the_ear_and_the_middle_has_no_lead) {
+TEST_F(OpenALSinkTest, turning_round_swaps_the_ears_and_a_centred_sound_leads_in_neither) {
     sink->set_loop(cue(SoundKind::WallTone, {2.0, 0.0, 0.0}));
     sink->set_listener({.ears_m = {0.0, 0.0, 0.0}, .heading_rad = kPi});
     run(0.1);
@@ -176,7 +176,7 @@ TEST_F(OpenALSinkTest, turning_round_changes_the_ear_and_the_middle_has_no_lead)
     EXPECT_NEAR(right_leads_s(), 0.0, 25e-6);
 }
 
-TEST_F(OpenALSinkTest, listener_far_from_the_origin_hears_the_same_directions) {
+TEST_F(OpenALSinkTest, a_listener_far_from_the_origin_hears_the_same_directions) {
     const Vec3 far_m{90'000.0, -40'000.0, 12.0};
     sink->set_listener({.ears_m = far_m, .heading_rad = 0.0});
     sink->set_loop(cue(SoundKind::WallTone, far_m + Vec3{-2.0, 0.0, 0.0}));
@@ -186,7 +186,7 @@ TEST_F(OpenALSinkTest, listener_far_from_the_origin_hears_the_same_directions) {
     EXPECT_LT(right_leads_s(), -300e-6);
 }
 
-TEST_F(OpenALSinkTest, nearer_sound_is_louder_but_a_far_one_is_still_heard) {
+TEST_F(OpenALSinkTest, a_nearer_sound_is_louder_but_a_far_one_is_still_heard) {
     sink->set_loop(cue(SoundKind::WallTone, {0.0, 1.0, 0.0}));
     run(0.1);
     const double near = rms(listen(0.2));
@@ -218,7 +218,7 @@ TEST_F(OpenALSinkTest, stop_all_fades_without_a_click_and_is_silent_within_25_ms
     EXPECT_EQ(sink->sounds_playing(), 0);
 }
 
-TEST_F(OpenALSinkTest, hard_stop_would_have_clicked) {
+TEST_F(OpenALSinkTest, an_abrupt_stop_would_click) {
     // Shows that the test above can fail: the same sound, cut between two samples, has far more curvature.
     sink->set_loop(cue(SoundKind::WallTone, {0.5, 1.0, 0.0}));
     std::vector<float> x = listen(0.1);
@@ -228,7 +228,7 @@ TEST_F(OpenALSinkTest, hard_stop_would_have_clicked) {
     EXPECT_GT(cut, 1.5F * most);
 }
 
-TEST_F(OpenALSinkTest, at_most_three_sounds_play_and_the_least_important_gives_way) {
+TEST_F(OpenALSinkTest, plays_at_most_three_sounds_and_drops_the_least_important) {
     for (int i = 0; i < 6; ++i) {
         sink->play(cue(SoundKind::Footstep, {0.0, 1.0 + i, 0.0}));
         period();
@@ -247,7 +247,7 @@ TEST_F(OpenALSinkTest, at_most_three_sounds_play_and_the_least_important_gives_w
     EXPECT_EQ(sink->sounds_playing(), 3);
 }
 
-TEST_F(OpenALSinkTest, loop_that_had_to_give_way_comes_back) {
+TEST_F(OpenALSinkTest, a_loop_that_had_to_give_way_comes_back) {
     sink->set_loop(cue(SoundKind::WallTone, {1.0, 0.0, 0.0}));
     run(0.1);
     const double alone = rms(listen(0.1));
@@ -283,7 +283,7 @@ double band_db(std::span<const float> x, double from_hz, double to_hz) {
     return 10.0 * std::log10(sum + 1e-30);
 }
 
-TEST_F(OpenALSinkTest, closed_door_takes_at_least_12_db_and_more_of_the_high_tones) {
+TEST_F(OpenALSinkTest, a_closed_door_takes_at_least_12_db_and_more_of_the_high_tones) {
     SoundCue rain = cue(SoundKind::Rain, {0.0, 3.0, 0.0});  // broadband, and steady over seconds
     sink->set_loop(rain);
     run(1.0);
@@ -306,7 +306,7 @@ TEST_F(OpenALSinkTest, closed_door_takes_at_least_12_db_and_more_of_the_high_ton
     EXPECT_NEAR(20.0 * std::log10(rms(listen(4.0)) / rms(open)), 0.0, 0.5) << "the door is open again";
 }
 
-TEST_F(OpenALSinkTest, sounds_of_the_world_give_way_to_what_one_does_without_pumping) {
+TEST_F(OpenALSinkTest, world_sounds_give_way_to_the_walkers_own_sounds_without_pumping) {
     for (std::uint32_t i = 0; i < 3; ++i) {
         SoundCue lamp = cue(SoundKind::Buzz, {2.0 + i, 0.0, 0.0});
         lamp.source = i;
@@ -332,7 +332,7 @@ TEST_F(OpenALSinkTest, sounds_of_the_world_give_way_to_what_one_does_without_pum
     EXPECT_EQ(sink->sounds_playing(), 3) << "it comes back when there is room for longer";
 }
 
-TEST_F(OpenALSinkTest, leaving_world_sounds_fade_and_make_room_for_others) {
+TEST_F(OpenALSinkTest, world_sounds_that_are_left_fade_and_make_room_for_others) {
     for (std::uint32_t round = 0; round < 12; ++round) {
         SoundCue fire = cue(SoundKind::Fire, {2.0, 0.0, 0.0});
         fire.source = round;
@@ -380,7 +380,7 @@ std::string hrtf_name() {
     return name != nullptr ? name : "";
 }
 
-TEST_F(OpenALSinkTest, time_between_the_ears_is_near_that_of_a_sphere_and_mirrored) {
+TEST_F(OpenALSinkTest, the_time_difference_between_the_ears_matches_a_sphere_and_is_mirrored) {
     // The data set of OpenAL Soft 1.19 (default-48000) follows a sphere. Version 1.24 has a different one (Default
     // HRTF), whose delays jump between directions 5 degrees apart: by 172 us at 35 degrees, 224 us at 80, 282 us at
     // 135.
@@ -412,7 +412,7 @@ TEST_F(OpenALSinkTest, time_between_the_ears_is_near_that_of_a_sphere_and_mirror
               << " us, from the mirror " << 1e6 * worst_mirror_s << " us\n";
 }
 
-TEST_F(OpenALSinkTest, room_reverberates_for_as_long_as_it_should_within_10_percent) {
+TEST_F(OpenALSinkTest, the_reverberation_time_of_a_room_is_correct_within_10_percent) {
     sink->set_sound({.reverberation = 1.0});
     for (const double wanted_s : {0.3, 0.6, 1.0, 2.0, 4.0}) {
         sink->set_listener({.ears_m = {0.0, 0.0, 0.0}, .heading_rad = 0.0, .reverberation_s = wanted_s});
@@ -449,7 +449,7 @@ TEST_F(OpenALSinkTest, room_reverberates_for_as_long_as_it_should_within_10_perc
     }
 }
 
-TEST_F(OpenALSinkTest, reverberation_is_weak_leaves_signals_dry_and_stops_with_everything) {
+TEST_F(OpenALSinkTest, reverberation_is_weak_leaves_earcons_dry_and_stops_with_everything) {
     const auto after_a_knock = [&](Settings::Sound settings, SoundKind kind) {
         sink->set_sound(settings);
         sink->set_listener({.ears_m = {0.0, 0.0, 0.0}, .heading_rad = 0.0, .reverberation_s = 2.0});
@@ -477,7 +477,7 @@ float largest_step(std::span<const float> x) {
     return most;
 }
 
-TEST_F(OpenALSinkTest, whatever_is_cut_short_makes_no_step_above_a_hundredth_of_full_scale) {
+TEST_F(OpenALSinkTest, cutting_any_sound_short_makes_no_step_above_a_hundredth_of_full_scale) {
     constexpr float kNoClick =
         0.002F;  // more than the sound's own largest step; a cut at a sample gives up to 0.15 here
     const auto quiet_after = [&](const char* what, auto begin, auto cut) {
@@ -529,7 +529,7 @@ TEST_F(OpenALSinkTest, whatever_is_cut_short_makes_no_step_above_a_hundredth_of_
         });
 }
 
-TEST_F(OpenALSinkTest, sound_behind_flutters_one_ahead_does_not_and_neither_when_switched_off) {
+TEST_F(OpenALSinkTest, a_sound_behind_flutters_but_not_one_ahead_or_with_the_option_off) {
     // The depth of the 9 Hz variation of the loudness in frames of 10 ms, relative to its mean.
     const auto flutter = [&](double y_m, bool on) {
         sink->set_sound({.reverberation = 0.0, .behind = on, .height = on});
@@ -552,7 +552,7 @@ TEST_F(OpenALSinkTest, sound_behind_flutters_one_ahead_does_not_and_neither_when
     EXPECT_LT(flutter(-3.0, false), 0.25 * behind);
 }
 
-TEST_F(OpenALSinkTest, in_mono_both_ears_hear_the_same_and_the_wall_tones_rhythm_tells_the_distance) {
+TEST_F(OpenALSinkTest, in_mono_both_ears_hear_the_same_and_the_wall_tone_gives_distance_by_rhythm) {
     sink->set_sound({.mono = true});
     SoundCue tone = cue(SoundKind::WallTone, {2.0, 0.0, 0.0});
     // The number of swells in two seconds: how often the loudness, in frames of 10 ms, rises through its middle.
@@ -577,7 +577,7 @@ TEST_F(OpenALSinkTest, in_mono_both_ears_hear_the_same_and_the_wall_tones_rhythm
     EXPECT_NEAR(swells(6.0), 12, 1);
 }
 
-TEST_F(OpenALSinkTest, sounds_step_back_for_a_voice_of_somebody_else_too) {
+TEST_F(OpenALSinkTest, sounds_also_become_quieter_for_an_external_voice) {
     sink->set_loop(cue(SoundKind::WallTone, {0.0, 1.0, 0.0}));
     run(0.1);
     const double before = rms(listen(1.0));
@@ -618,7 +618,7 @@ TEST_F(OpenALSinkTest, sounds_fall_by_9_db_while_the_voice_speaks_and_danger_doe
     EXPECT_NEAR(rms(listen(1.0)), before, 0.05 * before);
 }
 
-TEST_F(OpenALSinkTest, voice_is_heard_in_both_ears_alike_within_two_periods_and_reports_its_end) {
+TEST_F(OpenALSinkTest, the_voice_is_equal_in_both_ears_within_two_periods_and_reports_its_end) {
     std::vector<std::int16_t> tone(4410);
     for (std::size_t i = 0; i < tone.size(); ++i)
         tone[i] = static_cast<std::int16_t>(8000.0 * std::sin(2.0 * kPi * 500.0 * static_cast<double>(i) / 22050.0));
@@ -640,7 +640,7 @@ TEST_F(OpenALSinkTest, voice_is_heard_in_both_ears_alike_within_two_periods_and_
     EXPECT_FALSE(voice->playing());
 }
 
-TEST_F(OpenALSinkTest, new_utterance_cuts_the_old_one_and_stopping_is_silent_within_25_ms) {
+TEST_F(OpenALSinkTest, a_new_utterance_interrupts_the_old_one_and_stopping_is_silent_within_25_ms) {
     const std::vector<std::int16_t> loud(48000, 8000), pulse{30000, -30000, 30000, -30000};
     const auto first = voice->begin(48000, 1.0);
     voice->append(first, loud);
@@ -662,7 +662,7 @@ TEST_F(OpenALSinkTest, new_utterance_cuts_the_old_one_and_stopping_is_silent_wit
     EXPECT_LT(rms(listen(0.1)), 1e-5);
 }
 
-TEST_F(OpenALSinkTest, earcons_are_in_the_middle_wherever_the_body_stands) {
+TEST_F(OpenALSinkTest, earcons_are_in_the_middle_at_any_body_position) {
     sink->set_listener({.ears_m = {50.0, -20.0, 1.7}, .heading_rad = 1.0});
     sink->play(cue(SoundKind::Arrived, {}));
     run(0.3);
@@ -670,7 +670,7 @@ TEST_F(OpenALSinkTest, earcons_are_in_the_middle_wherever_the_body_stands) {
     EXPECT_GT(rms(left), 0.01);
 }
 
-TEST_F(OpenALSinkTest, same_cues_give_the_same_samples) {
+TEST_F(OpenALSinkTest, identical_cues_give_identical_samples) {
     const auto perform = [&] {
         sink->set_loop(cue(SoundKind::Slide, {1.0, 1.0, 0.0}, SoundClass::Wood));
         sink->play(cue(SoundKind::Contact, {-1.0, 1.0, 0.0}, SoundClass::Tile));
@@ -685,7 +685,7 @@ TEST_F(OpenALSinkTest, same_cues_give_the_same_samples) {
     EXPECT_EQ(perform(), once);
 }
 
-TEST(OpenALSinkDevice, without_a_sound_device_it_says_so_and_goes_on_at_the_pace_of_time) {
+TEST(OpenALSinkDevice, absence_is_reported_and_the_sink_continues_in_real_time) {
     const auto voice = std::make_shared<VoiceChannel>();
     auto opened = OpenALSink::open(voice, {.device = "a device that is not there"});
     ASSERT_TRUE(opened) << opened.error().sentence();
@@ -710,7 +710,7 @@ TEST(OpenALSinkDevice, without_a_sound_device_it_says_so_and_goes_on_at_the_pace
     EXPECT_NEAR(ended_s, 4.0, 0.05) << "a second of speech takes a second though nobody hears it";
 }
 
-TEST(OpenALSinkDevice, lost_device_is_replaced_and_loops_go_on) {
+TEST(OpenALSinkDevice, is_replaced_after_its_loss_and_loops_continue) {
     if (null_back_end != 0) GTEST_SKIP() << "the environment cannot be set here";
     bool plugged = true;
     const auto voice = std::make_shared<VoiceChannel>();
@@ -737,7 +737,7 @@ TEST(OpenALSinkDevice, lost_device_is_replaced_and_loops_go_on) {
     sink.stop_all();
 }
 
-TEST(OpenALSinkDevice, device_that_does_not_come_back_is_asked_for_every_5_s) {
+TEST(OpenALSinkDevice, is_requested_again_every_5_s_if_it_does_not_return) {
     bool plugged = true;
     const auto voice = std::make_shared<VoiceChannel>();
     auto opened = OpenALSink::open(voice, {.device = "No Output", .still_connected = [&] { return plugged; }});

@@ -13,14 +13,14 @@ struct ReaderVoiceTest : testing::Test {
     ReaderVoice voice{channel};
 };
 
-TEST_F(ReaderVoiceTest, is_gone_until_somebody_looks_for_a_reader) {
+TEST_F(ReaderVoiceTest, is_unavailable_until_a_screen_reader_is_found) {
     EXPECT_EQ(voice.state(), VoiceState::Gone);
     EXPECT_TRUE(channel->wanted());
     voice.want(false);
     EXPECT_FALSE(channel->wanted());
 }
 
-TEST_F(ReaderVoiceTest, hands_on_the_newest_message_only) {
+TEST_F(ReaderVoiceTest, passes_on_only_the_newest_message) {
     channel->set_state(VoiceState::Ready);
     int calls = 0;
     channel->on_change([&] { ++calls; });
@@ -32,14 +32,14 @@ TEST_F(ReaderVoiceTest, hands_on_the_newest_message_only) {
     channel->on_change({});
 }
 
-TEST_F(ReaderVoiceTest, an_alarm_that_was_not_read_yet_gives_way_to_alarms_only) {
+TEST_F(ReaderVoiceTest, an_unread_alarm_is_replaced_only_by_alarms) {
     channel->set_state(VoiceState::Ready);
     voice.say({.text = "The device is hot.", .speech_class = SpeechClass::Alarm});
     voice.say({.text = "door", .speech_class = SpeechClass::Contact});
     EXPECT_EQ(channel->take(), "The device is hot.");
 }
 
-TEST_F(ReaderVoiceTest, stop_takes_back_what_was_not_read) {
+TEST_F(ReaderVoiceTest, stop_withdraws_an_unread_message) {
     channel->set_state(VoiceState::Ready);
     voice.say({.text = "door"});
     EXPECT_TRUE(voice.speaking());
@@ -48,7 +48,7 @@ TEST_F(ReaderVoiceTest, stop_takes_back_what_was_not_read) {
     EXPECT_FALSE(channel->take());
 }
 
-TEST_F(ReaderVoiceTest, counts_as_speaking_for_as_long_as_its_letters_take) {
+TEST_F(ReaderVoiceTest, counts_as_speaking_for_a_time_proportional_to_its_letters) {
     channel->set_state(VoiceState::Ready);
     voice.tick(10.0);
     const std::string text = "The space around you is 6 by 4 metres.";
@@ -60,7 +60,7 @@ TEST_F(ReaderVoiceTest, counts_as_speaking_for_as_long_as_its_letters_take) {
     EXPECT_FALSE(voice.speaking());
 }
 
-TEST_F(ReaderVoiceTest, what_waits_is_lost_with_the_reader) {
+TEST_F(ReaderVoiceTest, an_unread_message_is_lost_when_the_reader_disappears) {
     channel->set_state(VoiceState::Ready);
     voice.say({.text = "door"});
     channel->set_state(VoiceState::Gone);

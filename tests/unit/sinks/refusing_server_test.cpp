@@ -98,7 +98,7 @@ private:
 double steady_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 // Earlier, such a server counted as gone: three attempts, then silence, and nobody knew why.
-TEST(SpeechServerThatRefuses, a_language_speaks_all_the_same_in_the_voice_it_has) {
+TEST(SpeechServerThatRefuses, a_language_still_speaks_with_the_current_voice) {
     const test::TemporaryFolder folder;
     RefusingServer server(folder.path() / "speech.sock", "LANGUAGE");
     ASSERT_TRUE(server.bound());

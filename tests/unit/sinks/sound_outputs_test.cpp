@@ -12,7 +12,7 @@
 namespace handrail {
 namespace sound_outputs_test {
 
-TEST(SoundOutputs, text_is_written_and_something_sounds_or_says_why_not) {
+TEST(SoundOutputs, write_text_and_play_sound_or_give_the_reason_for_silence) {
     std::array<int, 2> ends{};
     ASSERT_EQ(::pipe(ends.data()), 0);
     ::setenv("SPEECHD_ADDRESS", "unix_socket:/nonexistent", 1);

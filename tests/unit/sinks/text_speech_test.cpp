@@ -50,7 +50,7 @@ TEST(TextSpeech, writes_one_line_per_announcement_at_once_with_its_class) {
     EXPECT_FALSE(speech.speaking());
 }
 
-TEST(TextSpeech, goes_quiet_when_its_reader_has_gone_and_raises_no_sigpipe) {
+TEST(TextSpeech, stops_quietly_without_sigpipe_when_its_reader_is_gone) {
     // SIGPIPE has its default action here, so it would end the test program.
     ASSERT_EQ(::signal(SIGPIPE, SIG_DFL), SIG_DFL);
     Pipe pipe;
@@ -60,7 +60,7 @@ TEST(TextSpeech, goes_quiet_when_its_reader_has_gone_and_raises_no_sigpipe) {
     EXPECT_TRUE(speech.reader_gone());
 }
 
-TEST(TextSpeech, goes_quiet_when_its_descriptor_is_closed) {
+TEST(TextSpeech, stops_quietly_when_its_descriptor_is_closed) {
     const int closed = ::dup(1);
     ::close(closed);
     TextSpeech speech(closed);
@@ -68,7 +68,7 @@ TEST(TextSpeech, goes_quiet_when_its_descriptor_is_closed) {
     EXPECT_TRUE(speech.reader_gone());
 }
 
-TEST(TextSpeech, goes_quiet_when_the_disk_is_full) {
+TEST(TextSpeech, stops_quietly_when_the_disk_is_full) {
     const int full = ::open("/dev/full", O_WRONLY | O_CLOEXEC);
     if (full < 0) GTEST_SKIP() << "there is no /dev/full here";
     TextSpeech speech(full);
@@ -77,7 +77,7 @@ TEST(TextSpeech, goes_quiet_when_the_disk_is_full) {
     ::close(full);
 }
 
-TEST(TextSpeech, never_waits_for_a_slow_reader_and_hands_the_rest_over_later) {
+TEST(TextSpeech, never_waits_for_a_slow_reader_and_delivers_the_rest_later) {
     const Pipe pipe;
     TextSpeech speech(pipe.ends[1]);
     const std::string word(1000, 'x');
@@ -92,7 +92,7 @@ TEST(TextSpeech, never_waits_for_a_slow_reader_and_hands_the_rest_over_later) {
     EXPECT_EQ(all.size(), kLines * (word.size() + 6));  // plus "say: " and the line end
 }
 
-TEST(TextSpeech, keeps_a_bounded_backlog_of_whole_lines) {
+TEST(TextSpeech, keeps_a_limited_backlog_of_whole_lines) {
     const Pipe pipe;
     std::string all;
     {
@@ -123,7 +123,7 @@ private:
     std::optional<std::string> news_ = "The voice changed.";
 };
 
-TEST(TeeSpeech, gives_everything_to_each_sink) {
+TEST(TeeSpeech, passes_everything_on_to_each_sink) {
     auto first = std::make_unique<RecordingSpeech>(), second = std::make_unique<RecordingSpeech>();
     const RecordingSpeech &one = *first, &two = *second;
     std::vector<std::unique_ptr<SpeechSink>> sinks;

@@ -78,7 +78,7 @@ struct VoiceRouterTest : testing::Test {
     double now_s = 10.0;
 };
 
-TEST_F(VoiceRouterTest, only_the_best_voice_speaks_and_text_and_braille_have_it_too) {
+TEST_F(VoiceRouterTest, only_the_best_voice_speaks_while_text_and_braille_get_everything) {
     open();
     tick();
     router->say({.text = "Welcome"});
@@ -88,7 +88,7 @@ TEST_F(VoiceRouterTest, only_the_best_voice_speaks_and_text_and_braille_have_it_
     EXPECT_FALSE(router->news()) << "the first choice is no news";
 }
 
-TEST_F(VoiceRouterTest, a_screen_reader_has_speech_and_braille_to_itself) {
+TEST_F(VoiceRouterTest, a_screen_reader_gets_speech_and_braille_exclusively) {
     reader_at_first = VoiceState::Ready;
     open();
     tick();
@@ -97,7 +97,7 @@ TEST_F(VoiceRouterTest, a_screen_reader_has_speech_and_braille_to_itself) {
     EXPECT_FALSE(braille->wanted);
 }
 
-TEST_F(VoiceRouterTest, the_first_words_wait_a_second_for_a_voice_that_is_opening_and_then_go_to_the_next) {
+TEST_F(VoiceRouterTest, the_first_words_wait_a_second_for_an_opening_voice_and_then_go_to_the_next) {
     server_at_first = VoiceState::Opening;
     open();
     tick();
@@ -111,7 +111,7 @@ TEST_F(VoiceRouterTest, the_first_words_wait_a_second_for_a_voice_that_is_openin
     EXPECT_THAT(text->lines, ElementsAre("Welcome"));
 }
 
-TEST_F(VoiceRouterTest, what_a_lost_voice_left_is_said_by_the_next_after_a_sentence_about_it) {
+TEST_F(VoiceRouterTest, the_next_voice_explains_the_loss_and_speaks_what_the_lost_voice_left) {
     open();
     tick();
     router->say({.text = "You are at the base"});
@@ -129,7 +129,7 @@ TEST_F(VoiceRouterTest, what_a_lost_voice_left_is_said_by_the_next_after_a_sente
     EXPECT_THAT(text->lines, ElementsAre("You are at the base")) << "once";
 }
 
-TEST_F(VoiceRouterTest, what_was_finished_is_not_said_again_when_its_voice_goes) {
+TEST_F(VoiceRouterTest, a_finished_message_is_not_repeated_when_its_voice_is_lost) {
     open();
     tick();
     router->say({.text = "North"});
@@ -142,7 +142,7 @@ TEST_F(VoiceRouterTest, what_was_finished_is_not_said_again_when_its_voice_goes)
     EXPECT_THAT(embedded->said, IsEmpty());
 }
 
-TEST_F(VoiceRouterTest, with_no_voice_left_it_says_so_in_text_and_nobody_waits) {
+TEST_F(VoiceRouterTest, without_any_voice_it_reports_so_in_text_and_nobody_waits) {
     open();
     tick();
     router->say({.text = "North"});
@@ -155,7 +155,7 @@ TEST_F(VoiceRouterTest, with_no_voice_left_it_says_so_in_text_and_nobody_waits) 
     EXPECT_EQ(router->news(), "Speech now uses the speech server.");
 }
 
-TEST_F(VoiceRouterTest, a_better_voice_that_comes_takes_over_and_the_worse_one_is_silent) {
+TEST_F(VoiceRouterTest, a_better_voice_takes_over_on_arrival_and_the_worse_one_falls_silent) {
     open();
     tick();
     router->say({.text = "North"});
@@ -167,7 +167,7 @@ TEST_F(VoiceRouterTest, a_better_voice_that_comes_takes_over_and_the_worse_one_i
     EXPECT_THAT(reader->said, ElementsAre("North")) << "it was cut, so it is owed";
 }
 
-TEST_F(VoiceRouterTest, silence_drops_what_was_owed) {
+TEST_F(VoiceRouterTest, silence_drops_pending_messages) {
     open();
     tick();
     router->say({.text = "North"});
@@ -179,7 +179,7 @@ TEST_F(VoiceRouterTest, silence_drops_what_was_owed) {
     EXPECT_THAT(embedded->said, IsEmpty());
 }
 
-TEST_F(VoiceRouterTest, the_setting_chooses_and_can_be_changed_while_it_speaks) {
+TEST_F(VoiceRouterTest, the_setting_chooses_the_voice_and_can_be_changed_while_it_speaks) {
     reader_at_first = VoiceState::Ready;
     open(SpeechThrough::Embedded);
     tick();
@@ -200,7 +200,7 @@ TEST_F(VoiceRouterTest, the_setting_chooses_and_can_be_changed_while_it_speaks) 
     EXPECT_THAT(text->lines, ElementsAre("North", "South"));
 }
 
-TEST_F(VoiceRouterTest, who_asked_for_a_voice_that_is_not_there_is_told) {
+TEST_F(VoiceRouterTest, a_missing_voice_named_in_the_settings_is_reported) {
     server_at_first = VoiceState::Gone;
     open(SpeechThrough::SpeechDispatcher);
     tick();

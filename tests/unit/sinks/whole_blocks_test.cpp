@@ -13,7 +13,7 @@
 namespace handrail {
 namespace whole_blocks_test {
 
-TEST(WholeBlocks, gives_every_frame_once_and_in_order_whatever_is_asked_for_and_asks_for_multiples_of_64_alone) {
+TEST(WholeBlocks, delivers_every_frame_once_in_order_and_requests_only_multiples_of_64) {
     const std::uint32_t seed = test::seed_of_run();
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     std::mt19937 random(seed);
@@ -75,7 +75,7 @@ private:
 
 // The library itself is not instrumented. A write past its buffer shows as a damaged heap or a fault, and the sizes of
 // the requests show what leads to it.
-TEST(OpenALSinkLoopback, million_ticks_of_random_length_while_the_room_changes_ask_for_whole_blocks_alone) {
+TEST(OpenALSinkLoopback, requests_only_whole_blocks_in_a_million_random_ticks_with_a_changing_room) {
     const std::uint32_t seed = test::seed_of_run();
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     long asked = 0, broken = 0;
@@ -96,7 +96,7 @@ TEST(OpenALSinkLoopback, million_ticks_of_random_length_while_the_room_changes_a
     EXPECT_NEAR(static_cast<double>(asked), static_cast<double>(had) / 64.0, 1.0);
 }
 
-TEST(OpenALSinkLoopback, samples_that_nobody_hears_are_made_in_whole_blocks_and_none_are_lost) {
+TEST(OpenALSinkLoopback, renders_unheard_samples_in_whole_blocks_and_loses_none) {
     const std::uint32_t seed = test::seed_of_run();
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     long made = 0;

@@ -26,7 +26,7 @@ std::vector<fs::path> worlds() {
     return all;
 }
 
-TEST(StoredScene, comes_back_bit_for_bit) {
+TEST(StoredScene, is_bit_identical_after_loading) {
     int read = 0, movers = 0, bodies = 0, rooms = 0, triangles = 0;
     for (const fs::path& path : worlds()) {
         const Result<Scene> scene = read_world(path);
@@ -53,7 +53,7 @@ TEST(StoredScene, comes_back_bit_for_bit) {
     for (const int seen : {movers, bodies, rooms, triangles}) EXPECT_GT(seen, 0);
 }
 
-TEST(StoredScene, shares_what_was_shared) {
+TEST(StoredScene, shares_everything_that_was_shared_before) {
     const Result<Scene> house = read_world(test::project_root() / "worlds/maps/first_room.map");
     ASSERT_TRUE(house.has_value());
     Scene scene = *house;
@@ -91,7 +91,7 @@ TEST(StoredScene, shares_what_was_shared) {
     EXPECT_EQ(stored(*back->placed[0].model), stored(*house));
 }
 
-TEST(StoredScene, cut_or_changed_anywhere_is_a_whole_scene_or_a_sentence) {
+TEST(StoredScene, cut_or_changed_anywhere_is_a_complete_scene_or_an_error_sentence) {
     const Result<Scene> scene = read_world(test::project_root() / "tests/unit/ifc/worlds/small_house.ifc");
     ASSERT_TRUE(scene.has_value());
     const std::string whole = stored(*scene);

@@ -66,7 +66,7 @@ void expect_same(const FoundWays& kept, const WalkSpace& space, const RoomGraph&
     EXPECT_EQ(kept.graph.portals.size(), graph.portals.size());
 }
 
-TEST(StoredWays, come_back_bit_for_bit) {
+TEST(StoredWays, are_bit_identical_after_loading) {
     for (const char* file : {"worlds/maps/house.map", "tests/unit/ifc/worlds/small_house.ifc"}) {
         SCOPED_TRACE(file);
         const World world(file);
@@ -80,7 +80,7 @@ TEST(StoredWays, come_back_bit_for_bit) {
     }
 }
 
-TEST(StoredWays, have_a_key_of_the_same_scene_and_body_alone) {
+TEST(StoredWays, have_a_key_that_is_equal_only_for_the_same_scene_and_body) {
     const World world("tests/unit/ifc/worlds/small_house.ifc");
     const std::string key = ways_key(world.scene, world.body);
     EXPECT_EQ(key.size(), 64U);
@@ -99,7 +99,7 @@ TEST(StoredWays, have_a_key_of_the_same_scene_and_body_alone) {
     EXPECT_NE(ways_key(world.scene, wider), key);
 }
 
-TEST(StoredWays, of_another_body_or_a_smaller_scene_are_not_there) {
+TEST(StoredWays, of_another_body_or_a_smaller_scene_are_rejected) {
     const World world("tests/unit/ifc/worlds/small_house.ifc");
     const std::string plain = unpacked_ways(world.bytes());
     ASSERT_TRUE(ways_from(plain, world.body, world.scene).has_value());
@@ -109,7 +109,7 @@ TEST(StoredWays, of_another_body_or_a_smaller_scene_are_not_there) {
     EXPECT_FALSE(ways_from(plain, world.body, Scene{}).has_value()) << "they name things that are not in it";
 }
 
-TEST(StoredWays, are_named_in_the_language_that_is_spoken_now) {
+TEST(StoredWays, are_named_in_the_currently_spoken_language) {
     const World world("worlds/maps/house.map");
     const std::string bytes = world.bytes();
     const test::InLanguage german("de");
@@ -121,7 +121,7 @@ TEST(StoredWays, are_named_in_the_language_that_is_spoken_now) {
 }
 
 // The cache's digest detects changes (unit_cache). Truncation is also detected here.
-TEST(StoredWays, cut_anywhere_are_not_there) {
+TEST(StoredWays, cut_anywhere_are_rejected) {
     const World world("tests/unit/ifc/worlds/small_house.ifc");
     const std::string whole = world.bytes(), plain = unpacked_ways(whole);
     ASSERT_FALSE(plain.empty());
@@ -132,7 +132,7 @@ TEST(StoredWays, cut_anywhere_are_not_there) {
     EXPECT_FALSE(ways_from(plain + "x", world.body, world.scene));
 }
 
-TEST(StoredWays, that_say_to_be_larger_than_any_take_no_memory) {
+TEST(StoredWays, that_claim_an_impossible_size_allocate_no_memory) {
     const World world("tests/unit/ifc/worlds/small_house.ifc");
     std::string bytes = world.bytes();
     for (int byte = 0; byte < 8; ++byte) bytes[static_cast<std::size_t>(byte)] = '\x7f';
@@ -140,7 +140,7 @@ TEST(StoredWays, that_say_to_be_larger_than_any_take_no_memory) {
 }
 
 // Simulates an attacker who knows the format: changed values, correctly compressed.
-TEST(StoredWays, made_up_hold_together_or_are_not_there) {
+TEST(StoredWays, that_were_forged_are_consistent_or_rejected) {
     const World world("worlds/maps/first_room.map");
     const std::string values = unpacked_ways(world.bytes());
     // The size before compression, then the compressed bytes.
@@ -181,7 +181,7 @@ TEST(StoredWays, made_up_hold_together_or_are_not_there) {
     EXPECT_GT(refused, 50);
 }
 
-TEST(StoredWays, are_worth_keeping_where_there_is_much_to_find) {
+TEST(StoredWays, are_worth_storing_if_there_is_much_to_find) {
     const World house("worlds/maps/house.map"), room("worlds/maps/first_room.map");
     EXPECT_TRUE(worth_keeping(house.space, house.scene));
     EXPECT_FALSE(worth_keeping(room.space, room.scene)) << "a small room is found sooner";

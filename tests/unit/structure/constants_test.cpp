@@ -46,7 +46,7 @@ TEST(Constants, are_found_in_every_form_of_declaration) {
               (std::set<std::string>{"kOne_m", "kTwo_m", "kThree", "kFour", "kFive", "kSeven"}));
 }
 
-TEST(Constants, of_one_name_stand_in_one_file_of_a_folder) {
+TEST(Constants, with_the_same_name_are_in_only_one_file_of_a_folder) {
     std::map<std::string, std::string> first;
     for (const std::string& file : test::project_files()) {
         if (!is_of_the_program(file)) continue;
@@ -59,7 +59,7 @@ TEST(Constants, of_one_name_stand_in_one_file_of_a_folder) {
     EXPECT_GT(first.size(), 1000U);
 }
 
-TEST(Constants, that_measure_people_have_one_value) {
+TEST(Constants, that_describe_human_measures_have_one_value) {
     const std::string header = "worlds/base/human_measures.h";
     const std::set<std::string> measures = constants_of(test::content_of(test::project_root() / header), true);
     EXPECT_GE(measures.size(), 15U);

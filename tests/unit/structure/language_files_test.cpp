@@ -123,7 +123,7 @@ const std::map<std::string, std::vector<std::string>>& not_said() {
     return kNotSaid;
 }
 
-TEST(LanguageFiles, are_complete_and_ask_for_the_same_values) {
+TEST(LanguageFiles, are_complete_and_use_the_same_placeholders) {
     const auto english = texts_of("en");
     ASSERT_GT(english.size(), 10U);
     for (const LanguageName& language : bundled_languages()) {
@@ -194,7 +194,7 @@ const std::vector<std::string> kMadeOfNames{
     "side.",
 };
 
-TEST(LanguageFiles, have_every_key_that_the_code_names_and_no_other) {
+TEST(LanguageFiles, contain_every_key_that_the_code_uses_and_no_other) {
     static const std::regex kCall("\\bphrase\\(\\s*\"([^\"]*)\"\\s*[,)]");
     static const std::regex kKey("^[a-z_]+(\\.[a-z0-9_-]+)+$");
     const auto english = texts_of("en");
@@ -219,7 +219,7 @@ TEST(LanguageFiles, have_every_key_that_the_code_names_and_no_other) {
     }
 }
 
-TEST(LanguageFiles, name_the_sides_that_maps_can_name) {
+TEST(LanguageFiles, contain_exactly_the_sides_that_maps_can_name) {
     const std::string reader = test::content_of((test::project_root() / "worlds/readers/map_keys.cpp").string());
     std::size_t sides = 0;
     for (const auto& [key, pattern] : texts_of("en"))
@@ -230,7 +230,7 @@ TEST(LanguageFiles, name_the_sides_that_maps_can_name) {
     EXPECT_EQ(sides, 12U);
 }
 
-TEST(LanguageFiles, hold_every_text_that_a_person_hears) {
+TEST(LanguageFiles, contain_every_text_that_a_person_hears) {
     std::size_t looked_at = 0;
     for (const std::string& file : test::project_files()) {
         if (!is_program_source(file)) continue;
@@ -249,7 +249,7 @@ TEST(LanguageFiles, hold_every_text_that_a_person_hears) {
     EXPECT_GT(looked_at, 100U);
 }
 
-TEST(LanguageFiles, are_seen_to_be_passed_by_in_this_test) {
+TEST(LanguageFiles, violations_are_detected_by_this_test) {
     const auto found = literals_of(
         "// \"a comment\"\n#include \"x.h\"\nsay(\"Two words\"); f('\"', \"key.one\", 1'000); R\"(raw text)\";");
     ASSERT_EQ(found.size(), 3U);

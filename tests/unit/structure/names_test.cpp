@@ -43,7 +43,7 @@ TEST(Types, are_found_as_they_are_declared) {
         (std::vector<std::string>{"a::B", "a::C", "a::D", "a::F", "a::b::c::B", "a::G", "B"}));
 }
 
-TEST(Types, of_one_name_stand_in_one_file_only) {
+TEST(Types, with_the_same_name_are_in_only_one_file) {
     std::map<std::string, std::string> first;
     for (const std::string& file : test::project_files()) {
         if (!file.ends_with(".h") && !file.ends_with(".cpp")) continue;

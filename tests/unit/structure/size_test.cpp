@@ -153,7 +153,7 @@ ClassSizes classes_of(const std::string& source) {
     return found;
 }
 
-TEST(Classes, are_counted_as_they_are_declared) {
+TEST(Classes, are_found_as_they_are_declared) {
     const ClassSizes found = classes_of(R"(
 #define SOME class Nothing { int a; };
 class Ahead;

@@ -123,7 +123,7 @@ std::string refusal(const std::string& file, const std::string& included) {
     return reached.contains(to) ? "" : file + " includes " + included + ", but " + from + " may not know " + to;
 }
 
-TEST(IncludeDirection, holds_in_every_source_file_of_the_program) {
+TEST(IncludeDirection, is_respected_by_every_source_file_of_the_program) {
     std::size_t looked_at = 0;
     for (const std::string& file : test::project_files()) {
         if (!is_source(file) || !is_program(file)) continue;
@@ -136,7 +136,7 @@ TEST(IncludeDirection, holds_in_every_source_file_of_the_program) {
     EXPECT_GT(looked_at, 40U) << "the project's files were not found";
 }
 
-TEST(IncludeDirection, is_seen_to_be_broken_by_this_test) {
+TEST(IncludeDirection, violations_are_detected_by_this_test) {
     EXPECT_EQ(includes_of("#pragma once\n  #  include \"a/b.h\"\n#include <vector>\n// #include \"c.h\"\n"),
               std::vector<std::string>{"a/b.h"});
     EXPECT_NE(refusal("haptic/render/touch.cpp", "worlds/scene/scene.h"), "");
@@ -153,7 +153,7 @@ TEST(IncludeDirection, is_seen_to_be_broken_by_this_test) {
 
 // Checks handrail_library(NAME FOLDER LINK ... PRIVATE ...) in the CMake lists: no folder links a library of a folder
 // that it must not know.
-TEST(IncludeDirection, holds_in_the_link_lines_too) {
+TEST(IncludeDirection, is_respected_by_the_link_lines_too) {
     static const std::regex kLibrary(R"(handrail_library\(\s*(handrail_\w+)\s+([\w/-]+)([^)]*)\))");
     std::map<std::string, std::string> folder_by_library;
     std::vector<std::pair<std::string, std::string>> links;  // pairs of folder and library
@@ -174,7 +174,7 @@ TEST(IncludeDirection, holds_in_the_link_lines_too) {
     }
 }
 
-TEST(IncludeDirection, is_written_in_the_architecture_document_too) {
+TEST(IncludeDirection, is_listed_correctly_in_the_architecture_document) {
     std::istringstream lines(test::content_of(kRoot / "docs" / "architecture" / "folders.md"));
     std::set<std::string> items;
     std::string item;
@@ -191,7 +191,7 @@ TEST(IncludeDirection, is_written_in_the_architecture_document_too) {
 }
 
 // `docs/architecture_picture.py` makes the picture from the include lines alone.
-TEST(IncludeDirection, is_drawn_as_it_is_in_the_architecture_document) {
+TEST(IncludeDirection, is_drawn_correctly_in_the_architecture_document) {
     if (std::system("command -v python3 >/dev/null 2>&1") != 0) GTEST_SKIP() << "python3 is not installed";
     EXPECT_EQ(std::system(("python3 '" + (kRoot / "docs" / "architecture_picture.py").string() + "' --check").c_str()),
               0);
@@ -199,7 +199,7 @@ TEST(IncludeDirection, is_drawn_as_it_is_in_the_architecture_document) {
         << "the document does not show it";
 }
 
-TEST(TopLevel, holds_only_the_names_that_belong_there) {
+TEST(TopLevel, contains_only_the_names_that_belong_there) {
     const std::set<std::string> allowed{".ci",
                                         ".clang-format",
                                         ".clang-tidy",
@@ -231,7 +231,7 @@ const std::regex& machine_path() {
     return kPath;
 }
 
-TEST(Files, name_no_folder_of_one_machine) {
+TEST(Files, mention_no_absolute_folder_of_a_single_machine) {
     for (const std::string& file : test::project_files()) {
         std::error_code ec;
         if (!fs::is_regular_file(kRoot / file, ec) || fs::file_size(kRoot / file, ec) > 2'000'000 ||
@@ -251,7 +251,7 @@ TEST(Files, name_no_folder_of_one_machine) {
 }
 
 // A path from the user may be a pipe, a device or a folder. Only worlds/base/files knows how to open those.
-TEST(Files, that_persons_name_are_read_in_one_place_only) {
+TEST(Files, that_a_person_names_are_opened_in_only_one_place) {
     const std::regex by_itself(R"(\b(std::ifstream|std::fstream|fopen|parse_file)\b)");
     for (const std::string& file : test::project_files()) {
         const bool program = std::any_of(std::begin(kProgram), std::end(kProgram),
@@ -264,7 +264,7 @@ TEST(Files, that_persons_name_are_read_in_one_place_only) {
 }
 
 // A world may come from somebody else, so every command parses it in a confined process.
-TEST(Files, of_worlds_are_read_by_the_confined_process_only) {
+TEST(Files, of_worlds_are_read_only_by_the_confined_process) {
     const std::regex in_this_process(R"(\b(read_world|read_world_bytes)\(|\bread_requested\b)");
     for (const std::string& file : test::project_files()) {
         if (!is_source(file) || !file.starts_with("app/") || file.starts_with("app/import/") ||
@@ -277,7 +277,7 @@ TEST(Files, of_worlds_are_read_by_the_confined_process_only) {
 }
 
 // gtest's macros contain an if, so without braces g++ warns of an ambiguous else.
-TEST(Sources, brace_a_check_under_an_if_without_else) {
+TEST(Sources, use_braces_around_a_check_under_an_if_without_else) {
     const std::regex bare(R"(\n *if \([^\n]*\)\s+(EXPECT|ASSERT)_[^;]*;[^\n]*\n(?! *else\b))");
     for (const std::string& file : test::project_files()) {
         if (!is_source(file) || !file.starts_with("tests/")) continue;
@@ -290,7 +290,7 @@ TEST(Sources, brace_a_check_under_an_if_without_else) {
 }
 
 // The precompiled header includes fmt, but a build without precompiled headers does not have that.
-TEST(Sources, include_fmt_where_they_use_it) {
+TEST(Sources, include_fmt_if_they_use_it) {
     const auto lacks_it = [](const std::string& text) {
         return text.find("fmt::") != std::string::npos && text.find("#include <fmt/") == std::string::npos;
     };

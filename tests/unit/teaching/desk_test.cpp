@@ -19,7 +19,7 @@
 namespace handrail {
 namespace desk_test {
 
-TEST(Desk, carries_orders_in_and_lines_out_and_ends_with_the_session) {
+TEST(Desk, accepts_commands_shows_lines_and_ends_with_the_session) {
     const test::TemporaryFolder folder;
     std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
     auto desk = DeskServer::open(folder.path(), "Three rooms. Learner: Oak Owl.");
@@ -55,7 +55,7 @@ TEST(Desk, carries_orders_in_and_lines_out_and_ends_with_the_session) {
     EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-TEST(Desk, takes_the_place_of_one_left_behind_and_is_private) {
+TEST(Desk, replaces_a_stale_desk_socket_and_is_private) {
     const test::TemporaryFolder folder;
     std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
     folder.write(fmt::format("{}.sock", ::getpid()), "left behind");
@@ -106,7 +106,7 @@ private:
     std::thread serving_;
 };
 
-TEST(Desk, of_several_lessons_is_chosen_by_number) {
+TEST(Desk, lessons_can_be_chosen_by_number) {
     const test::TemporaryFolder folder;
     std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
     std::array<int, 2> typed{};

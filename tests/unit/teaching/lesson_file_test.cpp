@@ -36,7 +36,7 @@ private:
     test::TemporaryFolder folder_;
 };
 
-TEST(LessonFileRead, holds_all_that_the_file_says) {
+TEST(LessonFileRead, contains_everything_in_the_file) {
     const Given given;
     const auto lesson = given.read(given.seed());
     ASSERT_TRUE(lesson) << lesson.error().sentence();
@@ -66,7 +66,7 @@ TEST(LessonFileRead, holds_all_that_the_file_says) {
     EXPECT_EQ(lesson->pupils[0].measured.size(), 2U);
 }
 
-TEST(LessonFileRead, reads_back_the_same_from_the_text_it_makes) {
+TEST(LessonFileRead, reads_its_own_text_back_unchanged) {
     const Given given;
     auto lesson = given.read(given.seed());
     ASSERT_TRUE(lesson);
@@ -79,7 +79,7 @@ TEST(LessonFileRead, reads_back_the_same_from_the_text_it_makes) {
     EXPECT_EQ(again->sessions[1].steps[0].block, lesson->sessions[1].steps[0].block);
 }
 
-TEST(LessonFileRead, tells_each_mistake_with_its_line_and_what_was_meant) {
+TEST(LessonFileRead, reports_each_mistake_with_its_line_and_the_probable_meaning) {
     const Given given;
     const auto told = [&](const std::string& what, const std::string& by, const std::string& line,
                           const std::string& words) {
@@ -111,7 +111,7 @@ TEST(LessonFileRead, refuses_more_than_a_lesson_can_hold) {
     EXPECT_NE(many.error().sentence().find("at most 20"), std::string::npos) << many.error().sentence();
 }
 
-TEST(LessonFileRead, is_whole_or_refused_in_one_sentence_wherever_it_is_cut) {
+TEST(LessonFileRead, is_complete_or_refused_in_one_sentence_if_cut_anywhere) {
     const Given given;
     const std::string text = given.seed();
     std::size_t taken = 0;
@@ -124,7 +124,7 @@ TEST(LessonFileRead, is_whole_or_refused_in_one_sentence_wherever_it_is_cut) {
     EXPECT_LT(taken, text.size() / 2);
 }
 
-TEST(LessonFileRead, finds_its_world_by_name_or_beside_it_where_both_have_travelled) {
+TEST(LessonFileRead, finds_its_world_by_name_or_next_to_it_after_both_were_moved) {
     const Given given;
     for (const char* world : {"box", "../elsewhere/box.map", "box.map"}) {
         std::string text = given.seed();
@@ -138,7 +138,7 @@ TEST(LessonFileRead, finds_its_world_by_name_or_beside_it_where_both_have_travel
 }
 
 // A lesson that the program saves refers to its world relative to its own folder, so both can be moved together.
-TEST(LessonFileRead, made_by_the_program_names_its_world_from_its_own_folder) {
+TEST(LessonFileRead, created_by_the_program_names_its_world_relative_to_its_own_folder) {
     const test::TemporaryFolder home;
     const auto lessons = home.path() / "data/lessons", worlds = home.path() / "worlds";
     std::filesystem::create_directories(lessons);
@@ -159,7 +159,7 @@ TEST(LessonFileRead, made_by_the_program_names_its_world_from_its_own_folder) {
     EXPECT_TRUE(std::filesystem::equivalent(lesson->world, moved / "worlds/flat.map"));
 }
 
-TEST(LessonFileRead, makes_the_last_lap_free) {
+TEST(LessonFileRead, leaves_the_last_lap_without_help) {
     const Given given;
     std::string text = given.seed();
     const std::size_t at = text.find("help_percent = [100, 60, 30, 0]");
@@ -169,7 +169,7 @@ TEST(LessonFileRead, makes_the_last_lap_free) {
     EXPECT_EQ(lesson->sessions[1].steps[0].help_percent, (std::vector{100, 60, 60, 0}));
 }
 
-TEST(StepOrder, is_the_same_each_time_for_one_learner_and_not_for_all) {
+TEST(StepOrder, is_the_same_each_time_for_one_learner_but_differs_between_learners) {
     TaughtSession session;
     session.steps.resize(6);
     EXPECT_EQ(step_order(session, 0, 3), (std::vector<std::size_t>{0, 1, 2, 3, 4, 5}));

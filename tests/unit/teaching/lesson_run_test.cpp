@@ -123,7 +123,7 @@ private:
     double gone_m_ = 0.0;
 };
 
-TEST(LessonTaught, holds_what_its_pupils_expect_and_says_the_same_once_more) {
+TEST(LessonTaught, meets_the_expectations_of_its_pupils_and_speaks_the_same_words_a_second_time) {
     for (const LessonPupil& pupil : school()->lesson().pupils) {
         std::vector<std::vector<std::string>> said;
         for (int time = 0; time < 2; ++time) {
@@ -143,7 +143,7 @@ TEST(LessonTaught, holds_what_its_pupils_expect_and_says_the_same_once_more) {
     }
 }
 
-TEST(LessonTaught, fades_its_help_lap_by_lap_and_measures_the_way) {
+TEST(LessonTaught, reduces_its_help_lap_by_lap_and_measures_the_route) {
     Walker20 pupil(school(), 1);
     pupil.live(1.0);
     const Route way = school()->way(school()->base().stand_m, school()->stops_of(school()->lesson().routes[0]));
@@ -164,7 +164,7 @@ TEST(LessonTaught, fades_its_help_lap_by_lap_and_measures_the_way) {
     EXPECT_TRUE(pupil.run().over());
 }
 
-TEST(LessonTaught, blocks_a_door_and_finds_that_somebody_went_another_way) {
+TEST(LessonTaught, blocks_a_door_and_detects_that_the_learner_took_another_route) {
     Walker20 pupil(school(), 2);
     pupil.live(1.0);
     const TaughtPlace lift{"lift", {14.1, 9.8, 0.0}, {}};
@@ -221,7 +221,7 @@ double bearing_deg(const TaughtWorld& world, const char* name) {
     return degrees_from_radians(std::atan2(way.x, way.y));
 }
 
-TEST(Pointing, counts_within_the_degrees_of_the_lesson_which_is_said_and_measured) {
+TEST(Pointing, is_correct_within_the_degrees_of_the_lesson_which_are_announced_and_measured) {
     const auto world = pointing_lesson();
     Walker20 pupil(world, 0);
     pupil.live(1.0);
@@ -237,7 +237,7 @@ TEST(Pointing, counts_within_the_degrees_of_the_lesson_which_is_said_and_measure
     EXPECT_TRUE(pupil.run().finished()) << "nobody is held back";
 }
 
-TEST(Pointing, of_a_lesson_without_degrees_is_told_and_not_judged) {
+TEST(Pointing, in_a_lesson_without_degrees_is_reported_but_not_judged) {
     LessonFile lesson = pointing_lesson()->lesson();
     lesson.sessions[0].steps[0].pass_deg.reset();
     const auto world = *taught(lesson, school()->scene());
@@ -251,7 +251,7 @@ TEST(Pointing, of_a_lesson_without_degrees_is_told_and_not_judged) {
     EXPECT_FALSE(pupil.run().results()[0].measures.contains("pointing_passed"));
 }
 
-TEST(Pointing, is_by_the_devices_hand_where_it_went_and_else_by_facing) {
+TEST(Pointing, uses_the_device_hand_if_it_moved_and_otherwise_the_heading) {
     const auto world = pointing_lesson();
     Walker20 pupil(world, 0, HandFacts{true, true, *find_device_spec("sim-t")});
     pupil.live(1.0);
@@ -270,7 +270,7 @@ TEST(Pointing, is_by_the_devices_hand_where_it_went_and_else_by_facing) {
     EXPECT_LT(pupil.run().results()[0].measures.at("pointing_off"), 9.0);
 }
 
-TEST(Pointing, is_judged_from_where_one_was_put_for_the_question) {
+TEST(Pointing, is_judged_from_the_place_where_the_question_was_asked) {
     LessonFile lesson = pointing_lesson()->lesson();
     TaughtStep free;
     free.kind = StepKind::Free;
@@ -292,7 +292,7 @@ TEST(Pointing, is_judged_from_where_one_was_put_for_the_question) {
         << pupil.all();
 }
 
-TEST(Pointing, is_by_a_hand_that_is_known_only_after_the_question_too) {
+TEST(Pointing, also_works_with_a_hand_that_connects_after_the_question) {
     const auto world = pointing_lesson();
     Walker20 pupil(world, 0, {}, false);
     pupil.live(1.0);
@@ -306,7 +306,7 @@ TEST(Pointing, is_by_a_hand_that_is_known_only_after_the_question_too) {
 }
 
 // A lesson of one session in our school: getting to know the hall.
-TEST(Learning, that_is_done_at_once_is_stated_as_nothing_and_else_as_it_was_in_the_room) {
+TEST(Learning, that_ends_at_once_reports_no_progress_and_otherwise_the_progress_in_the_room) {
     LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
     TaughtStep learn;
     learn.kind = StepKind::Learn;
@@ -399,7 +399,7 @@ to = ["Stove"]
 }
 
 // A route with one stop, as "Prepare a lesson" writes it. The hand is near the stop from the start.
-TEST(LessonTaught, leads_to_a_stop_that_hand_or_feet_are_near_from_the_start) {
+TEST(LessonTaught, leads_to_a_stop_that_is_near_the_hand_or_feet_from_the_start) {
     LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
     const Vec3 base_m = school()->base().stand_m;
     lesson.base_feet_m = base_m;
@@ -439,7 +439,7 @@ TEST(LessonTaught, leads_to_a_stop_that_hand_or_feet_are_near_from_the_start) {
     }
 }
 
-TEST(WhoTeaches, hears_the_nearest_name_of_what_is_not_there) {
+TEST(WhoTeaches, gets_the_nearest_name_for_a_missing_thing) {
     Walker20 pupil(school(), 2);
     pupil.live(1.0);
     TeachingRun& run = pupil.run();
@@ -454,7 +454,7 @@ TEST(WhoTeaches, hears_the_nearest_name_of_what_is_not_there) {
     EXPECT_EQ(carry_out_order(run, "lead Room 4", 1.0), "The learner is being led to Room 4.");
 }
 
-TEST(WhoTeaches, blocks_a_door_on_the_way_as_the_lesson_does_and_never_the_last_way) {
+TEST(WhoTeaches, blocks_a_door_on_the_route_as_the_lesson_does_but_never_the_last_route) {
     LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
     lesson.sessions[2].steps[0].block.clear();
     const auto world = *taught(lesson, school()->scene());
@@ -471,7 +471,7 @@ TEST(WhoTeaches, blocks_a_door_on_the_way_as_the_lesson_does_and_never_the_last_
     EXPECT_NEAR(pupil.run().results()[0].measures.at("path_ratio"), 1.0, 0.06);
 }
 
-TEST(BlockedDoor, is_gone_round_by_ways_where_there_is_another_and_not_where_there_is_none) {
+TEST(BlockedDoor, is_avoided_if_another_route_exists_and_otherwise_stays_open) {
     LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
     lesson.base_feet_m = Vec3(-1.0, -3.0, 0.0);
     lesson.landmarks = {{"Hall", {}, "Hall", {}, 1}};
@@ -504,7 +504,7 @@ TEST(BlockedDoor, is_gone_round_by_ways_where_there_is_another_and_not_where_the
         << shut_in.error().sentence();
 }
 
-TEST(LessonInItsWorld, is_refused_where_it_names_what_is_not_there) {
+TEST(LessonInItsWorld, is_refused_if_it_names_things_that_do_not_exist) {
     const LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
     const auto refused = [&](LessonFile wrong) {
         const auto found = taught(std::move(wrong), school()->scene());
@@ -525,7 +525,7 @@ TEST(LessonInItsWorld, is_refused_where_it_names_what_is_not_there) {
     EXPECT_NE(refused(wrong).find("Trophy case"), std::string::npos) << refused(wrong);
 }
 
-TEST(LessonInItsWorld, may_ask_for_any_thing_of_it_and_for_nothing_that_is_under_the_learners_feet) {
+TEST(LessonInItsWorld, may_ask_for_any_thing_of_the_world_except_under_the_learners_feet) {
     LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
     lesson.sessions[0].steps[1].to = {"Lift door"};  // which is neither a landmark nor a stop
     const auto world = taught(lesson, school()->scene());
@@ -547,7 +547,7 @@ TEST(LessonInItsWorld, may_ask_for_any_thing_of_it_and_for_nothing_that_is_under
 }
 
 // The reader of a building adds ground around it. A base on that ground begins no session about walls.
-TEST(LessonInItsWorld, has_no_percent_of_walls_outside_and_prepares_no_learning_of_it) {
+TEST(LessonInItsWorld, has_no_wall_percentage_outdoors_and_prepares_no_learning_step_there) {
     const auto file = test::project_root() / "tests/fuzz/inputs/ifc/seeds/small_house.ifc";
     const auto scene = test::world_once(file);
     LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});

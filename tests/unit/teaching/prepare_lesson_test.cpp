@@ -52,7 +52,7 @@ private:
     int keys_ = 0;
 };
 
-TEST(PreparingALesson, takes_under_60_keys_and_5_minutes_in_our_school_and_the_file_can_be_taught) {
+TEST(PreparingALesson, takes_under_60_keys_and_5_minutes_in_our_school_and_gives_a_teachable_file) {
     const auto scene = test::world_once(kSchool);
     Instructor instructor(scene);
     // Plans a route: to the lower corridor, and from there to the library.
@@ -95,7 +95,7 @@ TEST(PreparingALesson, takes_under_60_keys_and_5_minutes_in_our_school_and_the_f
     ASSERT_TRUE(taught) << taught.error().sentence() << text;
 }
 
-TEST(PreparingALesson, saves_nothing_that_has_no_landmark_or_no_route) {
+TEST(PreparingALesson, saves_no_lesson_without_a_landmark_or_a_route) {
     const auto scene = test::world_once(kSchool);
     Instructor instructor(scene);
     instructor.key("Alt+F9");
@@ -117,7 +117,7 @@ TEST(PreparingALesson, saves_nothing_that_has_no_landmark_or_no_route) {
 
 // The question uses the order of the route, whatever the order in which landmarks were chosen. It never includes the
 // landmark at the learner's feet.
-TEST(PreparingALesson, asks_for_the_order_in_which_the_route_comes_to_landmarks) {
+TEST(PreparingALesson, asks_for_the_landmarks_in_the_order_of_the_route) {
     const auto scene = test::world_once(kSchool);
     const auto order_after = [&](const std::vector<const char*>& landmarks) {
         Instructor instructor(scene);
@@ -147,7 +147,7 @@ TEST(PreparingALesson, asks_for_the_order_in_which_the_route_comes_to_landmarks)
     EXPECT_EQ(there.back(), "Library door");
 }
 
-TEST(PreparingALesson, offers_nothing_as_a_landmark_that_is_under_the_base) {
+TEST(PreparingALesson, suggests_no_landmark_that_is_under_the_base) {
     auto standing = std::make_shared<Scene>(*test::world_once(kSchool));
     const auto stands = [&](const Feature& feature) { return feature.name == "Trophy case"; };
     const auto found = std::find_if(standing->features.begin(), standing->features.end(), stands);

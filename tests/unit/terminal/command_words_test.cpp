@@ -22,7 +22,7 @@ std::vector<std::string> words_in(const std::string& text) {
     return words;
 }
 
-TEST(CommandWords, are_there_for_every_command_in_every_language_and_no_two_commands_share_one) {
+TEST(CommandWords, exist_for_every_command_in_every_language_and_are_unique) {
     std::set<std::string> wanted;
     for (const CommandInfo& row : command_table()) wanted.insert("command_word." + std::string(row.word));
     for (const LanguageName& language : bundled_languages()) {
@@ -52,7 +52,7 @@ TEST(CommandWords, are_there_for_every_command_in_every_language_and_no_two_comm
     }
 }
 
-TEST(CommandWords, are_those_of_the_table_in_english_with_plain_ones_beside_them) {
+TEST(CommandWords, match_the_command_table_in_english_and_include_plain_synonyms) {
     for (const CommandInfo& row : command_table()) EXPECT_EQ(spoken_word(row.command), row.word);
     const std::map<std::string, Command> plain{
         {"up", Command::Forward}, {"down", Command::Back},   {"again", Command::Repeat}, {"tab", Command::Menu},
@@ -62,7 +62,7 @@ TEST(CommandWords, are_those_of_the_table_in_english_with_plain_ones_beside_them
     EXPECT_EQ(command_of_word(""), std::nullopt);
 }
 
-TEST(CommandWords, are_german_for_who_speaks_german_umlauts_written_out_or_not) {
+TEST(CommandWords, are_german_in_a_german_session_with_umlauts_written_out_or_not) {
     const test::InLanguage german("de");
     for (const char* word : {"vorwärts", "VORWÄRTS", "vorwaerts", "Vorwaerts", "vor", "forward"})
         EXPECT_EQ(command_of_word(word), Command::Forward) << word;
@@ -79,7 +79,7 @@ TEST(CommandWords, are_german_for_who_speaks_german_umlauts_written_out_or_not) 
 }
 
 // The words that texts tell a person to type are understood.
-TEST(CommandWords, that_german_texts_name_are_understood) {
+TEST(CommandWords, that_german_texts_mention_are_understood) {
     const test::InLanguage german("de");
     std::size_t seen = 0;
     for (const auto& [key, text] : bundled_texts("de")) {
@@ -97,7 +97,7 @@ TEST(CommandWords, that_german_texts_name_are_understood) {
     EXPECT_GT(seen, 40U);
 }
 
-TEST(ListWords, stand_for_the_keys_of_a_list_and_give_way_to_names) {
+TEST(ListWords, act_like_the_keys_of_a_list_and_give_way_to_item_names) {
     const test::InLanguage german("de");
     Dialogue dialogue;
     std::vector<std::size_t> chosen;

@@ -137,7 +137,7 @@ std::vector<Sequence> other_sequences() {
             {"\x1b", "Escape"}};
 }
 
-TEST(KeyDecoder, knows_every_sequence_by_the_windows_name) {
+TEST(KeyDecoder, recognises_every_sequence_under_the_key_name_of_the_window) {
     for (const auto& sequences : {xterm_sequences(), other_sequences()})
         for (const Sequence& sequence : sequences)
             EXPECT_THAT(decoded(sequence.bytes), ElementsAre(key(sequence.name)))
@@ -146,7 +146,7 @@ TEST(KeyDecoder, knows_every_sequence_by_the_windows_name) {
 }
 
 // However the bytes are split on their way, as long as nothing times out.
-TEST(KeyDecoder, tells_the_same_of_bytes_cut_anywhere) {
+TEST(KeyDecoder, gives_the_same_result_for_bytes_cut_anywhere) {
     std::string all;
     std::vector<TerminalInput> expected;
     for (const auto& sequences : {xterm_sequences(), other_sequences()})
@@ -170,7 +170,7 @@ TEST(KeyDecoder, tells_the_same_of_bytes_cut_anywhere) {
     EXPECT_EQ(decoded(all), expected) << "all in one piece";
 }
 
-TEST(KeyDecoder, takes_an_escape_for_a_key_once_nothing_follows_it) {
+TEST(KeyDecoder, treats_an_escape_byte_as_a_key_if_nothing_follows) {
     KeyDecoder decoder;
     EXPECT_THAT(decoder.take("\x1b"), IsEmpty());
     EXPECT_TRUE(decoder.waits());
@@ -181,7 +181,7 @@ TEST(KeyDecoder, takes_an_escape_for_a_key_once_nothing_follows_it) {
     EXPECT_THAT(decoded("\x1b\x1b\x1b"), ElementsAre(key("Escape"), key("Escape"), key("Escape")));
 }
 
-TEST(KeyDecoder, passes_over_what_nobody_knows_and_goes_on_behind_it) {
+TEST(KeyDecoder, skips_unknown_sequences_and_continues_after_them) {
     for (const char* unknown :
          {"\x1b[99~", "\x1b[1;1R", "\x1b[?1;2c", "\x1b[>0;276;0c", "\x1b[<0;3;4M", "\x1b[I", "\x1b[O", "\x1b[12;34x",
           "\x1bOz", "\x1b[[Z", "\x1b[57999u", "\x1b[1;5:3A", "\x1b\x1b[99~", "\x1b[?1;2$y", "\x1c", "\xff", "\xc3x"}) {
@@ -195,7 +195,7 @@ TEST(KeyDecoder, passes_over_what_nobody_knows_and_goes_on_behind_it) {
     EXPECT_THAT(decoded("\x1b[1;"), IsEmpty());
 }
 
-TEST(KeyDecoder, gives_letters_digits_and_signs_as_keys_with_what_they_type) {
+TEST(KeyDecoder, turns_letters_digits_and_signs_into_keys_with_their_text) {
     EXPECT_THAT(decoded("aA1 -/`~"),
                 ElementsAre(key("A", "a"), key("Shift+A", "A"), key("1", "1"), key("Space", " "), key("Minus", "-"),
                             key("Slash", "/"), key("Grave", "`"), key("Shift+Grave", "~")));
@@ -209,14 +209,14 @@ TEST(KeyDecoder, gives_letters_digits_and_signs_as_keys_with_what_they_type) {
     EXPECT_THAT(cut.take("\xac"), ElementsAre(key("", "€")));
 }
 
-TEST(KeyDecoder, asks_the_terminal_what_its_backspace_sends) {
+TEST(KeyDecoder, learns_from_the_terminal_which_code_its_backspace_sends) {
     EXPECT_THAT(decoded("\x08"), ElementsAre(key("Control+H")));
     EXPECT_THAT(decoded("\x08\x7f", terminal_keyboard("en", "xterm", '\x08')),
                 ElementsAre(key("Backspace"), key("Backspace")));
     EXPECT_THAT(decoded("\x1b[25~", terminal_keyboard("en", "rxvt-unicode", '\x7f')), ElementsAre(key("Shift+F3")));
 }
 
-TEST(KeyDecoder, gives_what_is_pasted_as_text_and_no_key_of_it) {
+TEST(KeyDecoder, passes_pasted_text_on_as_text_rather_than_keys) {
     const std::string paste = "\x1b[200~forward 3\rtür\x1b[201~k";
     KeyDecoder whole;
     EXPECT_THAT(whole.take(paste), ElementsAre(pasted("forward 3\rtür"), key("K", "k")));
@@ -237,7 +237,7 @@ TEST(KeyDecoder, gives_what_is_pasted_as_text_and_no_key_of_it) {
 }
 
 // The keys that help names at a terminal are exactly those that some bytes stand for.
-TEST(TerminalSends, exactly_the_keys_that_have_a_sequence) {
+TEST(TerminalSends, exactly_the_keys_that_have_an_escape_sequence) {
     std::set<std::string> sent;
     const auto note = [&](const std::string& bytes) {
         const auto inputs = decoded(bytes);
@@ -269,7 +269,7 @@ TEST(TerminalSends, exactly_the_keys_that_have_a_sequence) {
 }
 
 // Keys that Handrail suggests at a terminal can be pressed there. If no key can, it suggests the word.
-TEST(KeyMap, names_at_a_terminal_the_keys_that_it_sends_and_else_the_word) {
+TEST(KeyMap, names_keys_that_a_terminal_can_send_and_otherwise_the_typed_command) {
     const std::map<std::string, std::string> changes{{"where", "Keypad5 F2"}};
     const KeyMap keys(changes);
     EXPECT_EQ(keys.keys_of(Command::StopSpeech), "Control");

@@ -46,7 +46,7 @@ struct Typed {
     }
 };
 
-TEST(LineEditor, shows_what_is_typed_and_gives_the_line_at_enter) {
+TEST(LineEditor, displays_typed_text_and_returns_the_line_on_enter) {
     Typed typed;
     typed.put("forward 3");
     EXPECT_EQ(shown(typed.written), ":forward 3");
@@ -67,7 +67,7 @@ TEST(LineEditor, deletes_whole_characters_and_the_whole_line) {
     EXPECT_THAT(typed.lines, ElementsAre("wo"));
 }
 
-TEST(LineEditor, is_given_up_by_escape_and_leaves_other_keys_alone) {
+TEST(LineEditor, is_closed_by_escape_and_ignores_other_keys) {
     Typed typed;
     typed.put("where\x1b");
     EXPECT_TRUE(typed.left);
@@ -79,7 +79,7 @@ TEST(LineEditor, is_given_up_by_escape_and_leaves_other_keys_alone) {
     EXPECT_TRUE(other.editor.is_open());
 }
 
-TEST(LineEditor, takes_each_line_of_what_is_pasted) {
+TEST(LineEditor, accepts_each_line_of_a_pasted_text) {
     Typed typed;
     typed.put("\x1b[200~forward 3\r\nwhere\nri\x1b[201~");
     EXPECT_THAT(typed.lines, ElementsAre("forward 3", "where"));
@@ -91,7 +91,7 @@ TEST(LineEditor, takes_each_line_of_what_is_pasted) {
     EXPECT_FALSE(whole.editor.is_open());
 }
 
-TEST(LineEditor, of_a_line_without_end_keeps_a_part_and_shows_no_more) {
+TEST(LineEditor, truncates_an_endless_line_and_displays_only_a_part) {
     Typed typed;
     typed.put(std::string(100'000, 'a'));
     typed.put("\r");

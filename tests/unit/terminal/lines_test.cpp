@@ -13,7 +13,7 @@
 namespace handrail {
 namespace terminal_test {
 
-TEST(ParseTerminalLine, takes_every_command_of_the_table_with_an_optional_count_or_what_is_chosen_of_its_list) {
+TEST(ParseTerminalLine, accepts_every_command_of_the_table_with_an_optional_count_or_list_choice) {
     int choose = 0;
     for (const CommandInfo& row : command_table()) {
         const auto line = parse_terminal_line(std::string(row.word) + " 3\r");
@@ -28,13 +28,13 @@ TEST(ParseTerminalLine, takes_every_command_of_the_table_with_an_optional_count_
     EXPECT_FALSE(parse_terminal_line("  ")->command);
 }
 
-TEST(ParseTerminalLine, names_the_nearest_command_for_an_unknown_word) {
+TEST(ParseTerminalLine, suggests_the_nearest_command_for_an_unknown_word) {
     const auto line = parse_terminal_line("wheer");
     ASSERT_FALSE(line);
     EXPECT_THAT(line.error().message, testing::HasSubstr("Did you mean \"where\"?"));
 }
 
-TEST(ParseTerminalLine, leaves_at_once_by_quit_alone_and_never_offers_it) {
+TEST(ParseTerminalLine, exits_immediately_only_on_quit_and_never_suggests_it) {
     EXPECT_EQ(parse_terminal_line("exit")->command, Command::Leave) << "which asks first";
     EXPECT_FALSE(parse_terminal_line("exit")->leave);
     for (const char* nearly : {"quti", "qit", "quitt", "exti", "q", "quiz"}) {
@@ -45,13 +45,13 @@ TEST(ParseTerminalLine, leaves_at_once_by_quit_alone_and_never_offers_it) {
     }
 }
 
-TEST(ParseTerminalLine, refuses_counts_that_make_no_sense) {
+TEST(ParseTerminalLine, refuses_impossible_counts) {
     for (const char* bad :
          {"forward 0", "forward -1", "forward 1001", "forward many", "forward 2 3", "forward 99999999999999"})
         EXPECT_FALSE(parse_terminal_line(bad)) << bad;
 }
 
-TEST(LineInput, never_blocks_and_keeps_the_last_line_without_an_end) {
+TEST(LineInput, never_blocks_and_keeps_a_last_line_without_a_line_break) {
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
     LineInput input(ends[0]);
@@ -66,7 +66,7 @@ TEST(LineInput, never_blocks_and_keeps_the_last_line_without_an_end) {
 }
 
 // The watch's own thread sees a line that must not wait, although nobody takes lines.
-TEST(LineWatch, a_line_that_must_not_wait_is_seen_at_once_and_empties_what_came_before) {
+TEST(LineWatch, recognises_an_urgent_line_at_once_and_drops_the_lines_before_it) {
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
     {
@@ -118,7 +118,7 @@ std::size_t bytes_taken(int end) {
     return taken;
 }
 
-TEST(LineWatch, of_a_flood_takes_no_more_than_it_may_hold_and_loses_no_line_of_it) {
+TEST(LineWatch, limits_memory_during_a_flood_of_piped_lines_and_loses_none) {
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
     {
@@ -141,7 +141,7 @@ TEST(LineWatch, of_a_flood_takes_no_more_than_it_may_hold_and_loses_no_line_of_i
     ::close(ends[0]);
 }
 
-TEST(LineWatch, of_a_flood_that_is_typed_loses_what_it_cannot_hold_and_still_sees_the_line_that_must_not_wait) {
+TEST(LineWatch, drops_lines_during_a_flood_of_typed_lines_but_still_recognises_the_urgent_one) {
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
     {
@@ -169,7 +169,7 @@ TEST(LineWatch, of_a_flood_that_is_typed_loses_what_it_cannot_hold_and_still_see
     ::close(ends[0]);
 }
 
-TEST(LineWatch, ends_while_it_waits) {
+TEST(LineWatch, can_be_stopped_while_it_waits) {
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
     {

@@ -36,7 +36,7 @@ std::unique_ptr<PtyJob> job_that(const std::function<void()>& then) {
     return job;
 }
 
-TEST(RawTerminal, gives_each_key_at_once_and_is_given_back_at_the_end) {
+TEST(RawTerminal, delivers_each_key_at_once_and_is_restored_at_the_end) {
     const auto job = job_that([] {});
     EXPECT_TRUE(job->gives_keys());
     EXPECT_FALSE(job->as_before());
@@ -47,7 +47,7 @@ TEST(RawTerminal, gives_each_key_at_once_and_is_given_back_at_the_end) {
     EXPECT_TRUE(job->says("\x1b[?2004l")) << "pastes are not marked any more";
 }
 
-TEST(RawTerminal, is_given_back_by_exit_by_an_exception_nobody_catches_and_by_a_failed_promise) {
+TEST(RawTerminal, is_restored_by_exit_by_an_uncaught_exception_and_by_a_failed_precondition) {
     struct Way {
         const char* name;
         std::function<void()> then;
@@ -68,7 +68,7 @@ TEST(RawTerminal, is_given_back_by_exit_by_an_exception_nobody_catches_and_by_a_
     }
 }
 
-TEST(RawTerminal, is_given_back_by_each_signal_that_ends_the_program_which_still_ends_it) {
+TEST(RawTerminal, is_restored_by_each_fatal_signal_which_still_ends_the_program) {
     for (const int number :
          {SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGUSR1, SIGALRM, SIGPIPE}) {
         const auto job = job_that([] {});
@@ -87,7 +87,7 @@ int deeper(volatile int* depth) {
     return *depth < 0 ? 0 : deeper(depth) + room[0];
 }
 
-TEST(RawTerminal, is_given_back_by_a_crash_and_by_a_stack_that_overflows) {
+TEST(RawTerminal, is_restored_after_a_crash_and_after_a_stack_overflow) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "a sanitizer ends such a program itself, before there is a signal";
     const auto crash = job_that([] { *static_cast<volatile int*>(nullptr) = 1; });
     crash->type("\r");
@@ -111,7 +111,7 @@ TEST(RawTerminal, ctrl_c_and_ctrl_backslash_still_end_the_program) {
     }
 }
 
-TEST(RawTerminal, is_given_back_while_stopped_by_ctrl_z_and_taken_again_in_the_foreground_as_often_as_one_likes) {
+TEST(RawTerminal, is_restored_while_stopped_by_ctrl_z_and_resumed_in_the_foreground_any_number_of_times) {
     const auto job = job_that([] {});
     for (int round = 0; round < 3; ++round) {
         job->type("\x1a");
@@ -125,7 +125,7 @@ TEST(RawTerminal, is_given_back_while_stopped_by_ctrl_z_and_taken_again_in_the_f
     EXPECT_TRUE(job->as_before());
 }
 
-TEST(RawTerminal, of_a_job_that_goes_on_in_the_background_is_left_to_the_shell) {
+TEST(RawTerminal, of_a_background_job_is_left_to_the_shell) {
     const auto job = job_that([] {});
     job->type("\x1a");
     ASSERT_TRUE(job->stops());
@@ -139,7 +139,7 @@ TEST(RawTerminal, of_a_job_that_goes_on_in_the_background_is_left_to_the_shell) 
     EXPECT_TRUE(job->as_before());
 }
 
-TEST(RawTerminal, keys_typed_ahead_are_none_of_the_shell) {
+TEST(RawTerminal, passes_no_pending_keys_on_to_the_shell) {
     const auto job = job_that([] { ::usleep(300'000); });
     job->type("\r");
     job->type("\x1b[A\r");
@@ -150,7 +150,7 @@ TEST(RawTerminal, keys_typed_ahead_are_none_of_the_shell) {
     EXPECT_EQ(job->waiting_bytes(), 0);
 }
 
-TEST(RawTerminal, is_refused_where_there_is_none_and_a_second_time) {
+TEST(RawTerminal, is_refused_without_a_terminal_and_for_a_second_time) {
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
     EXPECT_FALSE(RawTerminal::take(ends[0], ends[1]));

@@ -33,7 +33,7 @@ std::vector<std::string> names(TerminalKeys& keys, std::size_t count) {
     return all;
 }
 
-TEST(TerminalKeys, come_in_their_order_and_an_escape_after_its_time) {
+TEST(TerminalKeys, arrive_in_order_and_an_escape_after_its_waiting_time) {
     Keyboard board;
     TerminalKeys keys(board.ends[0], {}, board.clock, [](const std::string&) { return false; });
     board.type("\x1b[A");
@@ -48,7 +48,7 @@ TEST(TerminalKeys, come_in_their_order_and_an_escape_after_its_time) {
 }
 
 // The object's own thread sees a key that must not wait, although nobody takes keys.
-TEST(TerminalKeys, one_that_must_not_wait_is_seen_at_once_behind_a_flood_and_empties_what_came_before) {
+TEST(TerminalKeys, an_urgent_key_is_recognised_at_once_behind_a_flood_and_drops_earlier_ones) {
     Keyboard board;
     std::promise<void> seen;
     TerminalKeys keys(board.ends[0], {}, board.clock, [&](const std::string& key) {

@@ -142,7 +142,7 @@ TEST(TypedSentences, of_a_newcomer_are_understood_in_german) {
                        {"Auf Wiedersehen!", Command::Leave}});
 }
 
-TEST(TypedSentences, leave_the_words_of_commands_and_their_choices_as_they_are) {
+TEST(TypedSentences, leave_command_words_and_their_choices_unchanged) {
     expect_understood({{"forward 3", Command::Forward, 3},
                        {"describe the attic", Command::Describe, 1, "the attic"},
                        {"routes to the library", Command::Routes, 1, "to the library"},
@@ -151,7 +151,7 @@ TEST(TypedSentences, leave_the_words_of_commands_and_their_choices_as_they_are) 
     EXPECT_TRUE(parse_terminal_line("quit")->leave);
 }
 
-TEST(TypedSentences, that_are_none_are_said_to_be_none_and_not_to_lack_a_count) {
+TEST(TypedSentences, without_a_meaning_are_reported_as_unknown_rather_than_as_lacking_a_count) {
     const auto known_word = parse_terminal_line("where did the cat go");
     ASSERT_FALSE(known_word);
     EXPECT_THAT(known_word.error().message, HasSubstr("\"where did the cat go\" was not understood. Type only where"));
@@ -167,7 +167,7 @@ TEST(TypedSentences, that_are_none_are_said_to_be_none_and_not_to_lack_a_count) 
     EXPECT_FALSE(typed_sentence("?!"));
 }
 
-TEST(TypedSentences, choose_in_a_list_by_names_without_articles_and_with_umlauts_written_out) {
+TEST(TypedSentences, choose_from_a_list_by_names_without_articles_or_with_umlauts_written_out) {
     const test::InLanguage german("de");
     Dialogue dialogue;
     std::vector<std::size_t> chosen;

@@ -86,7 +86,7 @@ protected:
     }
 };
 
-TEST_F(TouchCommand, gives_one_row_per_row_and_exact_freedom_before_contact) {
+TEST_F(TouchCommand, writes_one_row_per_input_row_and_follows_exactly_before_contact) {
     const std::vector<Row> out = rows("t,x,y,z\r\n0,0,0,0.1\r\n\r\n0.001,1e-3,0.0,0.30000000000000004\r\n\n5,-0,0.5,1");
     ASSERT_EQ(out.size(), 3U);
     EXPECT_EQ(out[0].cells, (std::vector<std::string>{"0", "0", "0", "0.1", "0", "0", "0.1", "0", "0", "0", "0", "", "",
@@ -101,7 +101,7 @@ TEST_F(TouchCommand, gives_one_row_per_row_and_exact_freedom_before_contact) {
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\r'), 4) << "RFC 4180 ends lines with both";
 }
 
-TEST_F(TouchCommand, presses_back_with_800_newtons_per_metre_and_names_what_it_touches) {
+TEST_F(TouchCommand, presses_back_with_800_newtons_per_metre_and_names_the_touched_thing) {
     const Row last = rows(press(0.003)).back();
     EXPECT_NEAR(last.force().z, 800.0 * 0.008, 1e-9);
     EXPECT_NEAR(last.proxy().z, 0.005, 1e-9);
@@ -111,7 +111,7 @@ TEST_F(TouchCommand, presses_back_with_800_newtons_per_metre_and_names_what_it_t
 }
 
 // A crate of 1 kg, half a metre wide, on a floor. The hand moves 20 cm beyond the original place of its side.
-TEST_F(TouchCommand, pushes_what_is_free_to_move_in_virtual_time_with_the_same_bits_each_time) {
+TEST_F(TouchCommand, pushes_free_bodies_in_virtual_time_with_bit_identical_results) {
     const auto world = [](const std::string& free) {
         return entity("worldspawn", "", room_brushes(-128, -128, 0, 128, 128, 96)) +
                entity("info_player_start", key("origin", "-64 -64 24")) +
@@ -139,7 +139,7 @@ TEST_F(TouchCommand, pushes_what_is_free_to_move_in_virtual_time_with_the_same_b
 }
 
 // Rows far apart in time do not run for ever, and a pushed body has come to rest by then.
-TEST_F(TouchCommand, ends_with_rows_that_are_a_year_apart_where_things_move) {
+TEST_F(TouchCommand, terminates_for_rows_a_year_apart_with_moving_bodies) {
     arguments_.world =
         folder_.write("crate.map", entity("worldspawn", "", room_brushes(-128, -128, 0, 128, 128, 96)) +
                                        entity("info_player_start", key("origin", "-64 -64 24")) +
@@ -148,7 +148,7 @@ TEST_F(TouchCommand, ends_with_rows_that_are_a_year_apart_where_things_move) {
     EXPECT_EQ(rows("t,x,y,z\n0,-0.5,0,0.2\n0.001,-0.4,0,0.2\n31557600,-0.4,0,0.2\n").size(), 3U);
 }
 
-TEST_F(TouchCommand, takes_radius_stiffness_scale_and_map_scale) {
+TEST_F(TouchCommand, accepts_radius_stiffness_scale_and_map_scale) {
     arguments_.radius_m = 0.0;
     arguments_.stiffness_n_per_m = 500.0;
     EXPECT_NEAR(rows(press(0.002)).back().proxy().z, 1e-5, 1e-12);
@@ -162,7 +162,7 @@ TEST_F(TouchCommand, takes_radius_stiffness_scale_and_map_scale) {
     EXPECT_EQ(rows("t,x,y,z\n0,1.5,0,0.01\n0.001,1.5,0,0.009\n0.002,1.5,0,-0.1\n").back().force(), Vec3(0.0));
 }
 
-TEST_F(TouchCommand, rubs_with_the_friction_and_damping_it_is_given) {
+TEST_F(TouchCommand, rubs_with_the_given_friction_and_damping) {
     arguments_.friction_kinetic = 0.4;  // sets static friction too
     std::string csv = press(0.0);
     for (int i = 1; i <= 400; ++i) csv += fmt::format("{},{},0,0\n", 1.0 + i * 1e-3, i * 1e-4);
@@ -177,7 +177,7 @@ TEST_F(TouchCommand, rubs_with_the_friction_and_damping_it_is_given) {
                 1e-3);
 }
 
-TEST_F(TouchCommand, marks_bad_rows_and_takes_up_the_force_again) {
+TEST_F(TouchCommand, marks_bad_rows_and_resumes_the_force_afterwards) {
     std::string csv = press(0.003, 10);
     csv += "1,nan,0,0\n1.001,0,-inf,0\n1.002,0,0,2e6\n1.003,0,0,1e999\n1.004,0,0,-0.003\n";
     const std::vector<Row> out = rows(csv);
@@ -201,7 +201,7 @@ TEST_F(TouchCommand, marks_bad_rows_and_takes_up_the_force_again) {
     EXPECT_EQ(from_the_start[1].proxy(), Vec3(0, 0, 1));
 }
 
-TEST_F(TouchCommand, makes_a_ghost_of_a_solid_around_the_start_without_calling_it_a_fault) {
+TEST_F(TouchCommand, ignores_a_solid_around_the_start_without_reporting_a_fault) {
     const std::vector<Row> out = rows("t,x,y,z\n0,0,0,-0.5\n0.001,0.001,0,-0.5\n0.002,0.001,0,-0.499\n");
     for (const Row& row : out) {
         EXPECT_EQ(row.force(), Vec3(0.0));
@@ -210,7 +210,7 @@ TEST_F(TouchCommand, makes_a_ghost_of_a_solid_around_the_start_without_calling_i
     }
 }
 
-TEST_F(TouchCommand, applies_the_rating_peak_force_and_jump_check_of_a_device) {
+TEST_F(TouchCommand, applies_stiffness_rating_peak_force_and_jump_check_of_a_device) {
     const DeviceSpec* spec = find_device_spec("sim-t");
     ASSERT_NE(spec, nullptr);
     arguments_.device = "SIM-T";
@@ -236,14 +236,14 @@ TEST_F(TouchCommand, applies_the_rating_peak_force_and_jump_check_of_a_device) {
     }
 }
 
-TEST_F(TouchCommand, follows_a_far_leap_in_free_space_at_once) {
+TEST_F(TouchCommand, follows_a_long_jump_in_free_space_at_once) {
     const std::vector<Row> out = rows("t,x,y,z\n0,0,0,1\n1,500,-300,4000\n2,0,0,2\n");
     EXPECT_EQ(out[1].proxy(), Vec3(500, -300, 4000));
     EXPECT_EQ(out[2].proxy(), Vec3(0, 0, 2));
     EXPECT_EQ(out[2].force(), Vec3(0.0));
 }
 
-TEST_F(TouchCommand, refuses_an_unknown_device_with_the_list) {
+TEST_F(TouchCommand, refuses_an_unknown_device_and_lists_the_known_ones) {
     arguments_.device = "spoon";
     EXPECT_EQ(run("t,x,y,z\n0,0,0,0\n"), 2);
     EXPECT_THAT(error_, testing::HasSubstr("falcon"));
@@ -251,7 +251,7 @@ TEST_F(TouchCommand, refuses_an_unknown_device_with_the_list) {
     EXPECT_FALSE(std::filesystem::exists(arguments_.out_csv));
 }
 
-TEST_F(TouchCommand, refuses_bad_headers_cells_and_times_naming_the_line_and_writes_nothing) {
+TEST_F(TouchCommand, refuses_bad_headers_cells_and_times_by_line_and_writes_nothing) {
     const std::vector<std::pair<std::string, std::string>> bad{
         {"", "line 1"},
         {"x,y,z,t\n0,0,0,0\n", "line 1"},
@@ -273,7 +273,7 @@ TEST_F(TouchCommand, refuses_bad_headers_cells_and_times_naming_the_line_and_wri
     }
 }
 
-TEST_F(TouchCommand, leaves_an_older_result_alone_when_it_fails) {
+TEST_F(TouchCommand, keeps_an_older_result_if_it_fails) {
     folder_.write("out.csv", "kept");
     EXPECT_EQ(run("nonsense"), 1);
     EXPECT_EQ(content_of(arguments_.out_csv), "kept");
@@ -283,7 +283,7 @@ TEST_F(TouchCommand, leaves_an_older_result_alone_when_it_fails) {
     EXPECT_EQ(content_of(arguments_.out_csv), "kept");
 }
 
-TEST_F(TouchCommand, says_the_same_twice_but_for_the_time_it_took) {
+TEST_F(TouchCommand, gives_the_same_output_twice_except_for_the_elapsed_time) {
     const auto without_time = [](const std::vector<Row>& all) {
         std::vector<std::vector<std::string>> cells;
         for (const Row& row : all) cells.emplace_back(row.cells.begin(), row.cells.end() - 1);

@@ -32,7 +32,7 @@ SessionLog small_log() {
     return log;
 }
 
-TEST(Transcript, stands_in_the_order_of_time) {
+TEST(Transcript, is_in_chronological_order) {
     const std::string text = transcript(small_log());
     const auto at = [&](const char* words) { return text.find(words); };
     ASSERT_NE(at("0.050 say North wall, plaster\n"), std::string::npos) << text;
@@ -42,7 +42,7 @@ TEST(Transcript, stands_in_the_order_of_time) {
     EXPECT_EQ(transcript({}), "");
 }
 
-TEST(Transcript, differs_where_anything_differs_in_a_single_bit) {
+TEST(Transcript, differs_if_anything_differs_in_a_single_bit) {
     const std::string before = transcript(small_log());
     const auto next = [](double& value) { value = std::nextafter(value, 1e9); };
     const std::vector<std::function<void(SessionLog&)>> changes{
@@ -79,7 +79,7 @@ std::string transcript_of_a_wall(const fs::path& folder) {
     return content_of(folder / "03_first_wall_keyboard.txt");
 }
 
-TEST(Transcript, of_a_scenario_is_written_where_asked_and_is_the_same_each_time) {
+TEST(Transcript, of_a_scenario_is_written_on_request_and_is_the_same_each_time) {
     const TemporaryFolder folder;
     const std::string once = transcript_of_a_wall(folder.path() / "new" / "once");
     EXPECT_THAT(once, HasSubstr(" say "));
@@ -87,7 +87,7 @@ TEST(Transcript, of_a_scenario_is_written_where_asked_and_is_the_same_each_time)
     EXPECT_EQ(once, transcript_of_a_wall(folder.path() / "twice"));
 }
 
-TEST(Transcript, that_cannot_be_written_is_told_and_fails) {
+TEST(Transcript, that_cannot_be_written_is_reported_and_fails) {
     const TemporaryFolder folder;
     std::ofstream(folder.path() / "taken") << "a file";
     ScenarioArguments arguments;

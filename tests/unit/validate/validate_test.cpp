@@ -24,7 +24,7 @@ Scene world(const char* name) {
     return scene ? std::move(*scene) : Scene{};
 }
 
-TEST(Validate, finds_nothing_wrong_with_what_is_made_of_worlds) {
+TEST(Validate, finds_no_fault_in_scenes_made_from_worlds) {
     for (const char* name :
          {"worlds/maps/house.map", "worlds/maps/first_room.map", "tests/scenarios/worlds/every_property.map",
           "tests/scenarios/worlds/two_pools.map", "tests/scenarios/worlds/unit_box.obj"}) {
@@ -74,7 +74,7 @@ TEST(Validate, finds_every_kind_of_damage_in_a_haptic_scene) {
     }
 }
 
-TEST(Validate, finds_every_kind_of_damage_in_ways_and_rooms) {
+TEST(Validate, finds_every_kind_of_damage_in_routes_and_rooms) {
     const Scene scene = world("tests/scenarios/worlds/two_rooms_door.map");
     const BodySize size = body_size(scene, 0.25);
     const auto made = Navigation::make(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
@@ -120,7 +120,7 @@ TEST(Validate, finds_every_kind_of_damage_in_ways_and_rooms) {
 
 using ContractDeathTest = testing::Test;
 
-TEST(ContractDeathTest, what_no_caller_may_do_ends_the_program_and_names_the_place) {
+TEST(ContractDeathTest, a_broken_precondition_ends_the_program_and_names_the_place) {
     const Desk desk;
     EXPECT_DEATH((void)desk.words(0), "at desk.cpp line [0-9]+: control < controls_.size\\(\\) does not hold");
     EXPECT_DEATH(BodyWorld(nullptr), "at body_world.cpp line [0-9]+: scene != nullptr does not hold");

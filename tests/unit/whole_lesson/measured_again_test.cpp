@@ -494,7 +494,7 @@ class MeasuredAgain : public LessonHome, public testing::WithParamInterface<int>
 using JumpMeasured = LessonHome;
 
 // The lesson samples every sixth frame, before it gets the events of that frame.
-TEST_F(JumpMeasured, counts_as_no_walk_in_whichever_frame_it_comes) {
+TEST_F(JumpMeasured, is_not_counted_as_walking_in_any_frame) {
     constexpr int kFrames = 6;
     home_.write("library.rooms", kLibrary);
     const std::string text = kLesson;
@@ -530,7 +530,7 @@ TEST_F(JumpMeasured, counts_as_no_walk_in_whichever_frame_it_comes) {
 
 using ListInReport = LessonHome;
 
-TEST_F(ListInReport, is_quoted_by_what_was_said_of_it_first_and_by_none_of_its_items) {
+TEST_F(ListInReport, is_quoted_by_its_opening_sentence_and_not_by_its_items) {
     home_.write("library.rooms", kLibrary);
     home_.write("library.lesson.toml", kLesson);
     const Learner learner = pupil(kAgreed);
@@ -574,7 +574,7 @@ TEST_F(ListInReport, is_quoted_by_what_was_said_of_it_first_and_by_none_of_its_i
         << "what is said after the list stands in the course";
 }
 
-TEST_P(MeasuredAgain, from_the_recording_of_a_lesson_alone_everything_is_as_it_was_told) {
+TEST_P(MeasuredAgain, from_the_recording_of_a_lesson_all_results_match_what_was_announced) {
     home_.write("library.rooms", kLibrary);
     home_.write("library.lesson.toml", kLesson);
     const Learner learner = pupil(kAgreed);

@@ -394,15 +394,15 @@ Building our_school() {
             .not_by = "Lift door"};  // the stairs are as good a route as the lift, to which the learner is directed
 }
 
-TEST_F(WholeLesson, is_prepared_taught_measured_played_again_and_forgotten) { whole(our_school()); }
+TEST_F(WholeLesson, is_prepared_taught_measured_replayed_and_forgotten) { whole(our_school()); }
 
 // The shares of correct names are the same under a sanitizer, and the walks would take too long there.
-TEST_F(WholeLesson, calls_walks_of_three_kinds_by_their_names) {
+TEST_F(WholeLesson, recognises_three_kinds_of_walks) {
     if (kSanitizerScale == 1.0) expect_right_names(prepared(our_school()), our_school().world);
 }
 
 // The front door is blocked, so the route leads around the house and in through the terrace.
-TEST_F(WholeLesson, is_taught_in_a_house_that_architects_drew_from_its_making_to_the_last_trace_of_it) {
+TEST_F(WholeLesson, in_an_architects_house_works_from_preparation_to_complete_deletion) {
     if (kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the lesson in our school is enough";
     const auto file = test::real_world("duplex-apartment.ifc");
     if (!file) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
@@ -419,7 +419,7 @@ TEST_F(WholeLesson, is_taught_in_a_house_that_architects_drew_from_its_making_to
 }
 
 // Five storeys of a faculty, from its main entrance; another entrance is around the corner.
-TEST_F(WholeLesson, is_taught_in_a_faculty_of_498_rooms_that_was_mapped_by_volunteers) {
+TEST_F(WholeLesson, is_taught_in_a_faculty_of_498_rooms_mapped_by_volunteers) {
     if (kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the lesson in our school is enough";
     const auto file = test::real_world("apb-tu-dresden.osm");
     if (!file) GTEST_SKIP() << test::needs_real_world("apb-tu-dresden.osm");

@@ -76,7 +76,7 @@ TEST(WizardFromStartToEnd, with_a_simulated_touch_takes_a_brisk_person_less_than
     EXPECT_EQ(rig.force_n(), 0.0) << "nothing pushes when it is over";
 }
 
-TEST(WizardFromStartToEnd, with_a_falcon_wakes_and_homes_it_by_voice) {
+TEST(WizardFromStartToEnd, with_a_falcon_starts_and_homes_it_with_spoken_instructions) {
     VirtualClock clock;
     HeldFalcon held(clock);
     WizardRig rig("", &held, &clock);
@@ -97,7 +97,7 @@ TEST(WizardFromStartToEnd, with_a_falcon_wakes_and_homes_it_by_voice) {
     EXPECT_TRUE(rig.store.values().profiles.contains("falcon a9001"));
 }
 
-TEST(WizardFromStartToEnd, with_no_device_says_so_and_does_the_rest) {
+TEST(WizardFromStartToEnd, with_no_device_says_so_and_does_the_remaining_parts) {
     WizardRig rig;
     BriskPerson person(rig, nullptr);
     const double begun_s = rig.now_s();
@@ -111,7 +111,7 @@ TEST(WizardFromStartToEnd, with_no_device_says_so_and_does_the_rest) {
     EXPECT_TRUE(rig.store.values().profiles.empty());
 }
 
-TEST(WizardFromStartToEnd, by_lines_of_a_script) {
+TEST(WizardFromStartToEnd, can_be_driven_by_lines_of_a_script) {
     HeldSimulated held;
     WizardRig rig("", &held);
     for (const char* line : {"left",
@@ -155,7 +155,7 @@ TEST(WizardFromStartToEnd, by_lines_of_a_script) {
     EXPECT_FALSE(rig.store.values().workspace.rim) << "one \"down\" switched it off";
 }
 
-TEST(Wizard, waits_as_long_as_it_takes_and_space_says_the_question_again_word_for_word) {
+TEST(Wizard, waits_without_a_time_limit_and_repeats_the_question_on_space) {
     WizardRig rig("step");
     rig.run(3600.0);
     EXPECT_FALSE(rig.wizard().finished());
@@ -166,7 +166,7 @@ TEST(Wizard, waits_as_long_as_it_takes_and_space_says_the_question_again_word_fo
     EXPECT_THAT(rig.said(), ElementsAre(question, question));
 }
 
-TEST(Wizard, repairs_swapped_headphones_on_the_spot) {
+TEST(Wizard, corrects_swapped_headphones_at_once) {
     WizardRig rig("headphones");
     const auto side_of_last_bell = [&] {
         double side = 0.0;
@@ -188,7 +188,7 @@ TEST(Wizard, repairs_swapped_headphones_on_the_spot) {
     EXPECT_TRUE(rig.wizard().finished());
 }
 
-TEST(Wizard, without_sound_has_no_ears_to_tell_apart) {
+TEST(Wizard, skips_the_question_about_ears_without_sound) {
     WizardRig rig("headphones,step");
     rig.sense.audible = false;
     rig.run(0.1);
@@ -196,7 +196,7 @@ TEST(Wizard, without_sound_has_no_ears_to_tell_apart) {
     EXPECT_TRUE(rig.asks("Your step is"));
 }
 
-TEST(Wizard, escape_explains_and_takes_the_force_away_and_leaves_at_the_second_press) {
+TEST(Wizard, on_escape_explains_and_removes_the_force_and_ends_on_a_second_press) {
     HeldSimulated held;
     WizardRig rig("gentlest,step", &held);
     ASSERT_TRUE(rig.run_until([&] { return rig.asks("Move the grip a little. Then I will press"); }));
@@ -217,7 +217,7 @@ TEST(Wizard, escape_explains_and_takes_the_force_away_and_leaves_at_the_second_p
     EXPECT_TRUE(rig.store.values().profiles.empty());
 }
 
-TEST(Wizard, the_stop_key_takes_all_force_at_once) {
+TEST(Wizard, removes_all_force_at_once_on_the_stop_key) {
     HeldSimulated held;
     WizardRig rig("gentlest", &held);
     ASSERT_TRUE(rig.run_until([&] { return rig.asks("Move the grip a little"); }));
@@ -233,7 +233,7 @@ TEST(Wizard, the_stop_key_takes_all_force_at_once) {
     EXPECT_TRUE(rig.run_until([&] { return rig.force_n() > 0.1; }));
 }
 
-TEST(Wizard, presses_in_small_steps_never_above_one_newton_and_lets_go_when_nobody_answers) {
+TEST(Wizard, presses_in_small_steps_of_at_most_one_newton_and_releases_if_nobody_answers) {
     HeldSimulated held;
     WizardRig rig("gentlest", &held);
     ASSERT_TRUE(rig.run_until([&] { return rig.asks("Move the grip a little"); }));
@@ -251,7 +251,7 @@ TEST(Wizard, presses_in_small_steps_never_above_one_newton_and_lets_go_when_nobo
     EXPECT_EQ(rig.profile().gentlest_n, Wizard::kGentlestMost_n);
 }
 
-TEST(Wizard, an_answer_before_anything_can_be_felt_keeps_the_default) {
+TEST(Wizard, keeps_the_default_if_answered_before_anything_can_be_felt) {
     HeldSimulated held;
     WizardRig rig("gentlest", &held);
     ASSERT_TRUE(rig.run_until([&] { return rig.asks("Move the grip a little"); }));
@@ -260,7 +260,7 @@ TEST(Wizard, an_answer_before_anything_can_be_felt_keeps_the_default) {
     EXPECT_EQ(rig.profile().gentlest_n, 0.3);
 }
 
-TEST(Wizard, chooses_the_ceiling_in_three_steps_and_finely_and_raises_what_stands_in_its_way) {
+TEST(Wizard, chooses_the_ceiling_in_three_steps_or_finely_and_raises_limits_in_its_way) {
     HeldSimulated held;
     WizardRig rig("strongest", &held);
     ASSERT_TRUE(rig.run_until([&] { return rig.asks("Now you will feel a wall"); }));
@@ -277,7 +277,7 @@ TEST(Wizard, chooses_the_ceiling_in_three_steps_and_finely_and_raises_what_stand
     EXPECT_EQ(rig.store.values().haptic.ceiling, ForceCeiling::Full);
 }
 
-TEST(Wizard, goes_back_one_question_and_up_does_so_where_it_changes_nothing) {
+TEST(Wizard, goes_back_one_question_on_backspace_and_on_up_if_up_changes_nothing) {
     WizardRig rig("headphones,step");
     rig.run(0.1);
     rig.key("Backspace");
@@ -301,7 +301,7 @@ TEST(Wizard, goes_back_one_question_and_up_does_so_where_it_changes_nothing) {
     EXPECT_TRUE(rig.asks("Is the bell on your right now"));
 }
 
-TEST(Wizard, takes_a_step_in_metres_centimetres_or_as_ten_steps_and_refuses_what_is_none) {
+TEST(Wizard, accepts_a_step_in_metres_centimetres_or_as_ten_steps_and_refuses_invalid_ones) {
     for (const auto& [typed, length_m] :
          {std::pair{"0.65", 0.65}, {"65", 0.65}, {"6.5", 0.65}, {"1.5", 1.5}, {"15", 1.5}, {"20", 0.2}}) {
         WizardRig rig("step");
@@ -320,7 +320,7 @@ TEST(Wizard, takes_a_step_in_metres_centimetres_or_as_ten_steps_and_refuses_what
     }
 }
 
-TEST(Wizard, goes_on_without_a_device_that_is_unplugged_and_without_its_force) {
+TEST(Wizard, continues_without_an_unplugged_device_and_without_its_force) {
     HeldSimulated held;
     WizardRig rig("gentlest,strongest,step", &held);
     ASSERT_TRUE(rig.run_until([&] { return rig.asks("Move the grip a little"); }));
@@ -338,7 +338,7 @@ TEST(Wizard, goes_on_without_a_device_that_is_unplugged_and_without_its_force) {
 }
 
 // Either Enter or the force key confirms, because the message of some faults names the force key.
-TEST(Wizard, a_latched_fault_is_told_and_confirmed_with_enter_or_the_force_key) {
+TEST(Wizard, announces_a_latched_fault_which_enter_or_the_force_key_confirms) {
     for (const char* key : {"Enter", "F"}) {
         SCOPED_TRACE(key);
         HeldSimulated held;
@@ -360,7 +360,7 @@ TEST(Wizard, a_latched_fault_is_told_and_confirmed_with_enter_or_the_force_key) 
     }
 }
 
-TEST(Wizard, does_only_the_parts_that_are_asked_for_and_homes_only_what_does_not_know_its_place) {
+TEST(Wizard, does_only_the_requested_parts_and_homes_only_an_unhomed_device) {
     HeldSimulated held;
     WizardRig rig("reach,hand", &held);
     ASSERT_TRUE(rig.run_until([&] { return rig.wizard().waits_for_person() && !rig.wizard().question().empty(); }));
@@ -379,7 +379,7 @@ TEST(Wizard, does_only_the_parts_that_are_asked_for_and_homes_only_what_does_not
     EXPECT_TRUE(homing.has_said("Not yet: the device does not know its position. Legs ready so far: 0 of 3."));
 }
 
-TEST(WizardWords, know_their_parts_and_name_the_nearest) {
+TEST(WizardWords, are_recognised_as_names_of_parts_or_get_the_nearest_suggestion) {
     EXPECT_EQ(parse_wizard_parts("")->size(), wizard_parts().size());
     EXPECT_THAT(*parse_wizard_parts("reach,Headphones,reach"), ElementsAre(WizardPart::Headphones, WizardPart::Reach));
     const auto wrong = parse_wizard_parts("headphone");
@@ -393,7 +393,7 @@ TEST(WizardWords, know_their_parts_and_name_the_nearest) {
     EXPECT_NEAR(parse_wizard_line("HAND-left 4")->hand_by_m.x, -0.02, 1e-12);
 }
 
-TEST(WizardWords, have_an_explanation_of_every_part_in_every_language_and_of_nothing_else) {
+TEST(WizardWords, explain_every_part_in_every_language_and_nothing_else) {
     std::set<std::string> wanted;
     for (const WizardPartInfo& part : wizard_parts()) wanted.insert("wizard_part." + std::string(part.word));
     for (const LanguageName& language : bundled_languages()) {
@@ -404,7 +404,7 @@ TEST(WizardWords, have_an_explanation_of_every_part_in_every_language_and_of_not
     }
 }
 
-TEST(WizardWords, are_said_and_typed_in_german_or_as_ever) {
+TEST(WizardWords, are_spoken_and_typed_in_german_or_in_english_as_before) {
     const InLanguage german("de");
     WizardRig rig("step");
     rig.session.type("hoch");
@@ -424,7 +424,7 @@ TEST(WizardWords, are_said_and_typed_in_german_or_as_ever) {
 }
 
 // The program understands the words that the German texts ask a person to type.
-TEST(WizardWords, that_german_texts_name_are_understood) {
+TEST(WizardWords, that_german_texts_mention_are_understood) {
     const InLanguage german("de");
     int seen = 0;
     for (const auto& [key, text] : bundled_texts("de")) {
@@ -443,7 +443,7 @@ TEST(WizardWords, that_german_texts_name_are_understood) {
     }
 }
 
-TEST(WizardWords, the_end_of_input_leaves_and_keeps_what_was_set) {
+TEST(WizardWords, end_with_the_input_and_keep_what_was_set) {
     WizardRig rig("headphones,step");
     rig.session.type("right");
     rig.session.type("what");

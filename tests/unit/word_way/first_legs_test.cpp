@@ -30,7 +30,7 @@ bool same(const WordLeg& a, const WordLeg& b) {
     return a.turn_notches == b.turn_notches && a.steps == b.steps && a.end == b.end && a.door == b.door;
 }
 
-TEST(FirstLegs, are_those_that_the_whole_route_begins_with) {
+TEST(FirstLegs, are_the_same_as_the_beginning_of_the_whole_route) {
     const House house;
     const Vec3 from_m = base_of(*house.scene)->feet_m;
     const DoorsOpen shut = house.floor->ground.all_shut();
@@ -95,7 +95,7 @@ struct OnTheWay {
     }
 };
 
-TEST(FirstLegs, are_told_while_the_rest_is_still_planned) {
+TEST(FirstLegs, are_announced_while_the_rest_is_still_being_planned) {
     OnTheWay way;
     EXPECT_FALSE(way.first.empty());
     EXPECT_NE(way.first, phrase("leg.looks"));
@@ -107,7 +107,7 @@ TEST(FirstLegs, are_told_while_the_rest_is_still_planned) {
     EXPECT_EQ(way.executor.held(), 0U);
 }
 
-TEST(FirstLegs, are_followed_by_the_rest_for_whoever_requests_it_meanwhile) {
+TEST(FirstLegs, are_completed_by_the_rest_on_request_during_planning) {
     OnTheWay way;
     ASSERT_EQ(way.executor.held(), 1U);
     EXPECT_EQ(way.person.ask(Command::RestOfWay), phrase("leg.looks"));
@@ -119,7 +119,7 @@ TEST(FirstLegs, are_followed_by_the_rest_for_whoever_requests_it_meanwhile) {
     EXPECT_EQ(way.person.ask(Command::RestOfWay), rest);
 }
 
-TEST(FirstLegs, are_followed_by_the_next_one_as_soon_as_it_is_planned) {
+TEST(FirstLegs, continue_with_the_next_leg_as_soon_as_it_is_planned) {
     OnTheWay way;
     ASSERT_EQ(way.executor.held(), 1U);
     std::string leg = way.first;

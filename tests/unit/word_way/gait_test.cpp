@@ -24,20 +24,20 @@ std::optional<std::pair<Gait::Goes, double>> ends(double part, const std::option
     return std::nullopt;
 }
 
-TEST(Gait, is_stopped_at_once_by_what_is_met_head_on_and_soon_by_what_is_met_squarely) {
+TEST(Gait, stops_at_once_at_head_on_obstacles_and_soon_at_almost_square_ones) {
     EXPECT_EQ(ends(0.0)->first, Gait::Goes::Stopped);
     EXPECT_NEAR(ends(0.0)->second, kTick_m, 1e-9);
     EXPECT_EQ(ends(std::cos(67.5 * kPi / 180.0))->first, Gait::Goes::Stopped);
     EXPECT_NEAR(ends(std::cos(67.5 * kPi / 180.0))->second, kStoppedWindow_m, kTick_m);
 }
 
-TEST(Gait, goes_along_what_is_met_at_45_degrees_or_less) {
+TEST(Gait, slides_along_obstacles_met_at_45_degrees_or_less) {
     EXPECT_FALSE(ends(std::cos(45.0 * kPi / 180.0)));
     EXPECT_FALSE(ends(std::cos(22.5 * kPi / 180.0)));
     EXPECT_FALSE(ends(1.0));
 }
 
-TEST(Gait, slides_into_a_doorway_twice_at_most_and_not_where_it_is_straight_ahead) {
+TEST(Gait, slides_into_a_doorway_at_most_twice_and_never_if_it_is_straight_ahead) {
     EXPECT_EQ(ends(0.0, 0.3)->first, Gait::Goes::Aside);
     EXPECT_EQ(ends(0.0, 0.0)->first, Gait::Goes::Stopped);
     Gait gait;
@@ -85,7 +85,7 @@ struct TwoRooms : test::AppSession {
     }
 };
 
-TEST(WalkingInASession, slides_into_the_doorway_whose_frame_it_meets_and_names_the_shoulder) {
+TEST(WalkingInASession, slides_into_the_doorway_whose_frame_it_meets_and_reports_the_shoulder) {
     TwoRooms person;
     person.walk_from({5.4, 4.0, 0}, 0.0, Command::Forward, 3);
     EXPECT_GT(person.app.feet_m().y, 5.5);
@@ -107,7 +107,7 @@ TEST(WalkingInASession, is_stopped_by_a_wall_away_from_the_doorway) {
     EXPECT_EQ(person.bumped.size(), 1U);
 }
 
-TEST(WalkingInASession, goes_all_its_steps_along_a_wall_that_is_met_at_a_slant) {
+TEST(WalkingInASession, takes_all_its_steps_along_a_wall_met_at_a_slant) {
     TwoRooms person;
     person.walk_from({2.0, 9.6, 0}, 45.0, Command::Forward, 6);
     EXPECT_NEAR(person.app.feet_m().y, 9.75, 0.02);
@@ -116,7 +116,7 @@ TEST(WalkingInASession, goes_all_its_steps_along_a_wall_that_is_met_at_a_slant) 
     EXPECT_GT(person.count(SoundKind::Contact), 4) << "one hears the wall";
 }
 
-TEST(WalkingInASession, steps_to_either_side_and_faces_as_before) {
+TEST(WalkingInASession, steps_to_either_side_and_keeps_the_heading) {
     TwoRooms person;
     person.walk_from({5.0, 2.0, 0}, 0.0, Command::SideRight, 2);
     EXPECT_NEAR(person.app.feet_m().x, 6.4, 0.01);

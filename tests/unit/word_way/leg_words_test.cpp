@@ -19,7 +19,7 @@ SpokenLeg leg(int turn, int steps, PaceEnd end, const std::string& to) {
     return told;
 }
 
-TEST(LegWords, tell_what_to_do_first_then_how_far_then_to_what) {
+TEST(LegWords, give_the_action_first_then_the_distance_and_then_the_target) {
     EXPECT_EQ(leg_words(leg(0, 6, PaceEnd::Steps, ""), {}), "Straight on. 6 steps.");
     EXPECT_EQ(leg_words(leg(-4, 1, PaceEnd::Steps, "Kitchen"), {}), "Turn left. 1 step to Kitchen.");
     SpokenLeg door = leg(-4, 4, PaceEnd::Stopped, "Living room door, shut");
@@ -44,7 +44,7 @@ TEST(LegWords, tell_what_to_do_first_then_how_far_then_to_what) {
     EXPECT_EQ(leg_words(leg(2, 3, PaceEnd::Steps, ""), {false, 0.7, true}), "Turn half right. 2 metres.");
 }
 
-TEST(LegWords, tell_one_thing_to_do_at_a_time) {
+TEST(LegWords, give_one_instruction_at_a_time) {
     SpokenLeg leaf = leg(0, 2, PaceEnd::Stopped, "Toilet door, shut");
     leaf.leaf = "front door";
     for (const bool by_itself : {false, true}) {
@@ -69,7 +69,7 @@ TEST(LegWords, have_the_same_form_in_german) {
     EXPECT_EQ(leg_words(stairs, {}), "Scharf links abbiegen. 17 Stufen hinab, in 1 Schritt, bis zum Ende.");
 }
 
-TEST(LegWords, have_other_words_for_each_of_the_sixteen_turns) {
+TEST(LegWords, differ_for_each_of_the_sixteen_turns) {
     for (const char* language : {"en", "de"}) {
         const test::InLanguage spoken(language);
         std::set<std::string> all;
@@ -79,7 +79,7 @@ TEST(LegWords, have_other_words_for_each_of_the_sixteen_turns) {
 }
 
 // If rooms are found in a background task, so is the route: its length is said at once, its first leg later.
-TEST(LegWords, come_when_the_way_is_planned_while_everything_goes_on) {
+TEST(LegWords, arrive_from_the_background_while_the_session_continues) {
     test::AppSession person({}, {}, SessionOptions{.executor = on_threads()});
     person.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, person.now);
     const auto wait_for = [&](const std::function<bool()>& there) {

@@ -255,36 +255,36 @@ void expect_share(const Counted& counted, int percent) {
     EXPECT_TRUE(test::enough(counted.came, counted.routes, percent)) << counted.came << " of " << counted.routes;
 }
 
-TEST(LiteralSession, comes_from_each_room_of_the_house_to_each_other_with_exact_steps) {
+TEST(LiteralSession, gets_from_each_room_of_the_house_to_each_other_with_exact_steps) {
     expect_share(count(test::our_world("house.map"), english_legs(), every(8, 41), kExact, 0), 98);
 }
 
-TEST(LiteralSession, comes_from_each_room_of_the_house_to_each_other_with_errors) {
+TEST(LiteralSession, gets_from_each_room_of_the_house_to_each_other_with_walking_errors) {
     expect_share(count(test::our_world("house.map"), english_legs(), every(11, 47), kUsual, test::seed_of_run()), 95);
 }
 
-TEST(LiteralSession, comes_there_in_german_with_exact_steps) {
+TEST(LiteralSession, reaches_the_goal_in_german_with_exact_steps) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the walks with errors are enough";
     const test::InLanguage german_spoken("de");
     expect_share(count(test::our_world("house.map"), german_legs(), every(17, 53), kExact, 0), 98);
 }
 
-TEST(LiteralSession, comes_there_in_german_with_errors) {
+TEST(LiteralSession, reaches_the_goal_in_german_with_walking_errors) {
     const test::InLanguage german_spoken("de");
     expect_share(count(test::our_world("house.map"), german_legs(), every(19, 59), kUsual, test::seed_of_run()), 95);
 }
 
-TEST(LiteralSession, comes_from_room_to_room_of_the_school_with_exact_steps) {
+TEST(LiteralSession, gets_from_room_to_room_of_the_school_with_exact_steps) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the walks with errors are enough";
     expect_share(count(test::our_world("school.map"), english_legs(), every(97, 211), kExact, 0), 98);
 }
 
-TEST(LiteralSession, comes_from_room_to_room_of_the_school_with_errors) {
+TEST(LiteralSession, gets_from_room_to_room_of_the_school_with_walking_errors) {
     expect_share(count(test::our_world("school.map"), english_legs(), every(113, 223), kUsual, test::seed_of_run()),
                  95);
 }
 
-TEST(LiteralSession, comes_from_room_to_room_of_the_school_in_german) {
+TEST(LiteralSession, gets_from_room_to_room_of_the_school_in_german) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer German in the house is enough";
     const test::InLanguage german_spoken("de");
     expect_share(count(test::our_world("school.map"), german_legs(), every(211, 211), kExact, 0), 98);
@@ -301,15 +301,15 @@ void comes_from_the_base(const char* map, int percent_exact, int percent_with_er
     expect_share(Routes(world, form, kUsual, test::seed_of_run()).from_base(every(usual, usual)), percent_with_errors);
 }
 
-TEST(LiteralSession, comes_from_the_base_to_the_rooms_of_the_first_tutorial_map) {
+TEST(LiteralSession, gets_from_the_base_to_the_rooms_of_the_first_tutorial_map) {
     comes_from_the_base("agtut01.map", 98, 95);
 }
 
-TEST(LiteralSession, comes_from_the_base_to_the_rooms_of_the_third_tutorial_map) {
+TEST(LiteralSession, gets_from_the_base_to_the_rooms_of_the_third_tutorial_map) {
     comes_from_the_base("agtut03.map", 98, 95, 3);
 }
 
-TEST(LiteralSession, comes_from_the_base_to_rooms_of_the_melee) { comes_from_the_base("agdm01.map", 98, 95, 7); }
+TEST(LiteralSession, gets_from_the_base_to_rooms_of_the_melee) { comes_from_the_base("agdm01.map", 98, 95, 7); }
 
 }  // namespace word_way_test
 }  // namespace handrail

@@ -137,7 +137,7 @@ struct Walked {
 class WordsAlone : public testing::TestWithParam<Walked> {};
 
 // Prints a row: named rooms with a floor, those of them with a route, walks, arrivals, false arrivals, loops.
-TEST_P(WordsAlone, lead_by_name_to_each_room_and_back) {
+TEST_P(WordsAlone, lead_to_each_named_room_and_back) {
     const Walked& walked = GetParam();
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "takes minutes under a sanitizer";
     std::filesystem::path file = test::project_root() / "worlds" / "maps" / walked.file;

@@ -82,16 +82,16 @@ void expect_real_counts_come_back(const std::string& file) {
     expect_counts_come_back(*path);
 }
 
-TEST(CountsInWords, come_back_of_our_house) { expect_counts_come_back(test::project_root() / "worlds/maps/house.map"); }
-TEST(CountsInWords, come_back_of_our_school) {
+TEST(CountsInWords, are_kept_for_our_house) { expect_counts_come_back(test::project_root() / "worlds/maps/house.map"); }
+TEST(CountsInWords, are_kept_for_our_school) {
     expect_counts_come_back(test::project_root() / "worlds/maps/school.map");
 }
-TEST(CountsInWords, come_back_of_the_duplex) { expect_real_counts_come_back("duplex-apartment.ifc"); }
-TEST(CountsInWords, come_back_of_the_institute) { expect_real_counts_come_back("institute.ifczip"); }
-TEST(CountsInWords, come_back_of_the_fzk_house) { expect_real_counts_come_back("fzk-haus.ifc"); }
+TEST(CountsInWords, are_kept_for_the_duplex) { expect_real_counts_come_back("duplex-apartment.ifc"); }
+TEST(CountsInWords, are_kept_for_the_institute) { expect_real_counts_come_back("institute.ifczip"); }
+TEST(CountsInWords, are_kept_for_the_fzk_house) { expect_real_counts_come_back("fzk-haus.ifc"); }
 
 // Panes in a rectangle, and in an outline with more corners, keep their width, height and place.
-TEST(WindowsInWords, come_back_in_both_languages) {
+TEST(WindowsInWords, are_unchanged_after_export_and_import_in_both_languages) {
     const std::string text =
         "Building: House.\n\nRoom: Hall, 6 by 4 metres. Door outside in the south wall.\n"
         "Window in the west wall, 1.5 metres along, 0.8 metres wide, 1.4 metres high, 0.7 metres above the floor.\n"
@@ -116,7 +116,7 @@ TEST(WindowsInWords, come_back_in_both_languages) {
 }
 
 // Materials of each room's floor, of things, and of the walls, which all get the most frequent one.
-TEST(MaterialsInWords, come_back_in_both_languages) {
+TEST(MaterialsInWords, are_unchanged_after_export_and_import_in_both_languages) {
     const Scene scene = test::read_rooms(
         "Building: House.\nWalls: 0.2 metres thick, made of brick.\n\n"
         "Room: Hall, 6 by 4 metres, floor of stone. Door outside in the south wall. Table in the north-east corner, "

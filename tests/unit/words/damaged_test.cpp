@@ -26,7 +26,7 @@ void expect_world_or_sentence(const std::string& text, const std::string& what) 
     ASSERT_TRUE(valid.has_value()) << what << ": " << valid.error().sentence();
 }
 
-TEST(DamagedWords, cut_at_any_byte_they_are_a_world_or_a_sentence) {
+TEST(DamagedWords, cut_at_any_byte_become_a_world_or_an_error_sentence) {
     const std::vector<std::string> texts = seeds();
     ASSERT_GE(texts.size(), 3U);
     for (const std::string& text : texts)
@@ -34,7 +34,7 @@ TEST(DamagedWords, cut_at_any_byte_they_are_a_world_or_a_sentence) {
             ASSERT_NO_FATAL_FAILURE(expect_world_or_sentence(text.substr(0, at), "cut at " + std::to_string(at)));
 }
 
-TEST(DamagedWords, with_words_and_numbers_exchanged_they_are_a_world_or_a_sentence) {
+TEST(DamagedWords, with_swapped_words_and_numbers_become_a_world_or_an_error_sentence) {
     std::mt19937 random(20261124);
     const std::vector<std::string> texts = seeds();
     for (int round = 0; round < 400; ++round) {
@@ -50,7 +50,7 @@ TEST(DamagedWords, with_words_and_numbers_exchanged_they_are_a_world_or_a_senten
     }
 }
 
-TEST(DamagedWords, a_text_too_large_is_refused_in_a_sentence) {
+TEST(DamagedWords, an_oversized_text_is_refused_in_one_sentence) {
     std::string text = "Hall, 4 by 4 metres.\n";
     for (int i = 0; i < 4100; ++i) text += "Room: R" + std::to_string(i) + ", 4 by 4 metres.\n";
     const Result<Scene> scene = read_words(text, "large.rooms");

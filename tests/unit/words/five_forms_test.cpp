@@ -86,7 +86,7 @@ Vec2 least_corner(const std::vector<Vec2>& ring) {
     return least;
 }
 
-TEST(FiveForms, of_one_house_have_the_same_rooms_doors_ways_and_distances) {
+TEST(FiveForms, of_one_house_have_the_same_rooms_doors_routes_and_distances) {
     if (test::kThreadSanitizer) GTEST_SKIP() << "unit_osm starts the threads that read OpenStreetMap";
     const Scene ifc = world_of(read_ifc(ifc_text("small_house.ifc"), "house.ifc"));
     const WordsHouse house = test::to_the_middle_of_walls(stated_house(ifc, WordLanguage::English));

@@ -168,7 +168,7 @@ std::string bare_house() {
     return kept;
 }
 
-TEST(HouseForms, carry_what_each_can) {
+TEST(HouseForms, carry_exactly_what_each_format_supports) {
     if (test::kThreadSanitizer) GTEST_SKIP() << "unit_osm starts the threads that read OpenStreetMap";
     const Result<Scene> scene = read_quake_map(bare_house(), "house.map");
     ASSERT_TRUE(scene.has_value());
@@ -243,7 +243,7 @@ TEST(HouseForms, carry_what_each_can) {
 }
 
 // A house whose stairs are laid out as words and plans do it, so that each form can preserve all of it.
-TEST(HouseForms, of_a_house_with_two_storeys_are_equal_in_rooms_doors_and_ways_over_the_stairs) {
+TEST(HouseForms, of_a_two_storey_house_agree_in_rooms_doors_and_routes_over_the_stairs) {
     if (test::kThreadSanitizer) GTEST_SKIP() << "unit_osm starts the threads that read OpenStreetMap";
     const std::string text =
         "Building: House.\n"

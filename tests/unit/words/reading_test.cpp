@@ -36,7 +36,7 @@ Vec2 at_of(const Scene& scene, const std::string& join) {
     return Vec2(1e9);
 }
 
-TEST(RoomsInWords, rooms_are_laid_against_each_other_and_doors_where_they_are_said) {
+TEST(RoomsInWords, are_placed_next_to_each_other_with_doors_as_stated) {
     const Scene scene = test::read_rooms(kLibrary);
     EXPECT_EQ(scene.name, "Town library");
     EXPECT_EQ(scene.report.format, "rooms");
@@ -54,7 +54,7 @@ TEST(RoomsInWords, rooms_are_laid_against_each_other_and_doors_where_they_are_sa
     EXPECT_TRUE(scene.starts[0].base);
 }
 
-TEST(RoomsInWords, a_door_that_is_made_wider_than_it_is_said_is_told) {
+TEST(RoomsInWords, report_a_door_that_is_made_wider_than_stated) {
     const auto simplified = [](const char* wide) {
         return test::read_rooms(
                    std::string("Hall, 5 by 4 metres.\n\nDen, 4 by 4 metres, east of Hall.\nOpening to Hall, ") + wide +
@@ -65,14 +65,14 @@ TEST(RoomsInWords, a_door_that_is_made_wider_than_it_is_said_is_told) {
     EXPECT_THAT(simplified("0.7"), testing::Not(testing::Contains(HasSubstr("centimetres wide"))));
 }
 
-TEST(RoomsInWords, what_has_no_such_thing_beside_it_is_told_with_its_line) {
+TEST(RoomsInWords, report_the_line_of_a_thing_next_to_something_that_does_not_exist) {
     const Scene scene = test::read_rooms(kLibrary);
     ASSERT_EQ(scene.report.warnings.size(), 1U);
     EXPECT_EQ(scene.report.warnings[0].line, 8);
     EXPECT_THAT(scene.report.warnings[0].sentence(), HasSubstr("no window in Corridor"));
 }
 
-TEST(RoomsInWords, one_walks_from_room_to_room) {
+TEST(RoomsInWords, can_be_walked_from_room_to_room) {
     const Scene scene = test::read_rooms(kLibrary);
     const auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(ways.has_value()) << ways.error().sentence();
@@ -80,7 +80,7 @@ TEST(RoomsInWords, one_walks_from_room_to_room) {
         EXPECT_TRUE((*ways)->reachable(scene.starts[0].feet_m, room.at_m + Vec3(0.0, -1.0, 0.0))) << room.name;
 }
 
-TEST(RoomsInWords, a_thing_stands_by_its_window_wall_or_corner) {
+TEST(RoomsInWords, place_a_thing_by_its_window_wall_or_corner) {
     const Scene scene = test::read_rooms(
         "Kitchen, 5 by 4 metres. Door outside. Window in the east wall, 1 metre along.\nTable by the window, made of "
         "wood.\n"
@@ -107,7 +107,7 @@ TEST(RoomsInWords, a_thing_stands_by_its_window_wall_or_corner) {
     EXPECT_EQ(test::thing_of(scene, "Chair")->source.line, 4);
 }
 
-TEST(RoomsInWords, german_says_the_same_as_english) {
+TEST(RoomsInWords, have_the_same_meaning_in_german_and_english) {
     const Scene english = test::read_rooms(
         "Step: 50 cm.\nStorey: Below, 2.8 metres high.\n"
         "Hall, 8 by 6 metres, wooden floor. Door outside in the south wall, 1.2 metres wide.\n"
@@ -144,13 +144,13 @@ TEST(RoomsInWords, german_says_the_same_as_english) {
     EXPECT_NEAR(english.stated->storeys[1].floor_m, 2.8, 1e-9);
 }
 
-TEST(RoomsInWords, steps_are_as_long_as_the_text_says) {
+TEST(RoomsInWords, use_the_step_length_that_the_text_states) {
     const Scene scene = test::read_rooms("Step: 65 centimetres.\nHall, 10 by 8 steps.\n");
     EXPECT_NEAR(test::room_of(scene, "Hall")->area_m2, 6.5 * 5.2, 1e-9);
     EXPECT_THAT(scene.report.guessed, ::testing::Contains(HasSubstr("65 centimetres")));
 }
 
-TEST(RoomsInWords, stairs_and_lifts_join_the_storeys_between) {
+TEST(RoomsInWords, join_all_storeys_between_the_ends_of_stairs_and_lifts) {
     const Scene scene = test::read_rooms(
         "Storey: Ground.\nHall, 8 by 6 metres.\nLift, 2 by 2 metres, west of Hall, lift to Second. Door to Hall.\n"
         "Stairs, 3 by 6 metres, east of Hall, up to Second. Door to Hall.\n"
@@ -164,7 +164,7 @@ TEST(RoomsInWords, stairs_and_lifts_join_the_storeys_between) {
     EXPECT_TRUE((*ways)->reachable(test::room_of(scene, "Hall")->at_m, test::room_of(scene, "Attic")->at_m));
 }
 
-TEST(RoomsInWords, a_door_told_in_both_rooms_is_one_door) {
+TEST(RoomsInWords, treat_a_door_mentioned_in_both_rooms_as_one_door) {
     const Scene scene = test::read_rooms(
         "Hall, 8 by 6 metres. Door to Study, in the middle of the north wall.\nStudy, 4 by 4 metres, north of Hall. "
         "Door to Hall.\n");
@@ -176,7 +176,7 @@ struct Told {
     int line;
 };
 
-TEST(RoomsInWords, what_cannot_be_placed_is_told_by_line_with_what_was_assumed) {
+TEST(RoomsInWords, that_cannot_be_placed_are_reported_by_line_with_the_assumption_made) {
     const Told kTold[] = {
         {"Hall, 8 by 6 metres.\n\nStudy, 4 by 4 metres, north of Hal.\n", "nearest name is Hall", 3},
         {"Hall, 8 by 6 metres.\n\nStudy, 4 by 4 metres.\n", "put east of Hall", 3},
@@ -206,7 +206,7 @@ TEST(RoomsInWords, what_cannot_be_placed_is_told_by_line_with_what_was_assumed) 
     }
 }
 
-TEST(RoomsInWords, a_text_without_rooms_or_with_zeros_is_refused_in_one_sentence) {
+TEST(RoomsInWords, refuse_a_text_without_rooms_or_with_zero_sizes_in_one_sentence) {
     EXPECT_THAT(read_words("Dear friends.\n# Hall\n", "a.rooms").error().sentence(),
                 HasSubstr("does not name any rooms"));
     EXPECT_THAT(read_words(std::string("Hall, 8 by 6\0 metres.", 20), "a.rooms").error().sentence(),
@@ -214,7 +214,7 @@ TEST(RoomsInWords, a_text_without_rooms_or_with_zeros_is_refused_in_one_sentence
     EXPECT_FALSE(read_words("", "a.rooms").has_value());
 }
 
-TEST(RoomsInWords, cut_at_any_byte_it_is_a_world_or_a_sentence) {
+TEST(RoomsInWords, cut_at_any_byte_become_a_world_or_an_error_sentence) {
     const std::string whole = kLibrary;
     for (std::size_t at = 0; at < whole.size(); ++at) {
         const Result<Scene> scene = read_words(whole.substr(0, at), "cut.rooms");
@@ -223,7 +223,7 @@ TEST(RoomsInWords, cut_at_any_byte_it_is_a_world_or_a_sentence) {
     }
 }
 
-TEST(RoomsInWords, windows_editors_and_latin_letters_are_read) {
+TEST(RoomsInWords, are_read_from_windows_editors_and_in_latin_1) {
     const Scene scene = test::read_rooms(
         "\xEF\xBB\xBFHalle, 8 mal 6 Meter.\r\nK\xFC"
         "che, 4 mal 4 Meter, n\xF6rdlich der Halle.\r\n");
@@ -256,12 +256,12 @@ void expect_library(const std::string& example, const std::string& gallery) {
     EXPECT_TRUE((*ways)->reachable(scene.starts[0].feet_m, test::room_of(scene, gallery)->at_m));
 }
 
-TEST(RoomsInWords, the_example_of_the_authors_guide_is_understood_to_the_last_word) {
+TEST(RoomsInWords, in_the_example_of_the_authors_guide_are_completely_understood) {
     expect_library(example_of("map-authors-guide/words.md", "    Building: Town library.", "A sentence ends with"),
                    "Gallery");
 }
 
-TEST(RoomsInWords, the_example_of_the_german_guide_is_understood_to_the_last_word) {
+TEST(RoomsInWords, in_the_example_of_the_german_guide_are_completely_understood) {
     expect_library(
         example_of("de/autorenhandbuch/raeume-in-worten.md", "    Gebäude: Stadtbücherei.", "Ein Satz endet mit"),
         "Galerie");

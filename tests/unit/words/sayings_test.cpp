@@ -35,7 +35,7 @@ double before_door(const Scene& scene, const Aabb& thing) {
     return nearest;
 }
 
-TEST(SayingsInWords, german_genitives_name_rooms_and_things) {
+TEST(SayingsInWords, accept_german_genitives_as_names_of_rooms_and_things) {
     const Scene scene = test::read_rooms(
         "Gebäude: Haus.\n\nFlur, 8 mal 2 Meter. Tür nach draußen in der Westwand.\n\n"
         "Küche, 4 mal 4 Meter, nördlich des Flurs, bündig mit dem Westende. Tür zum Flur.\n\n"
@@ -51,7 +51,7 @@ TEST(SayingsInWords, german_genitives_name_rooms_and_things) {
 }
 
 // Each wall has a door in its middle, where a thing against that wall would otherwise be placed.
-TEST(SayingsInWords, things_without_a_place_keep_doors_free) {
+TEST(SayingsInWords, place_things_without_a_stated_place_clear_of_doors) {
     const Scene scene = test::read_rooms(
         "Building: House.\n\nHall, 7 by 5 metres. Door outside in the south wall. Door outside in the north wall.\n"
         "Door outside in the west wall. Door outside 0.6 metres along the east wall.\nWindow in the north wall.\n"
@@ -66,7 +66,7 @@ TEST(SayingsInWords, things_without_a_place_keep_doors_free) {
     EXPECT_NEAR(boxed(scene, 0).max_m.y, 4.94, 1e-6) << "still against its wall";
 }
 
-TEST(SayingsInWords, two_chairs_are_two) {
+TEST(SayingsInWords, turn_two_chairs_into_two_things) {
     for (const char* text :
          {"Building: House.\n\nHall, 6 by 5 metres. Door outside.\nTable in the middle. Two chairs next to the table. "
           "3 shelves against the north wall. Two armchairs 1 metre from the south wall.\n",
@@ -89,7 +89,7 @@ TEST(SayingsInWords, two_chairs_are_two) {
     EXPECT_EQ(warnings_of(graces), "");
 }
 
-TEST(SayingsInWords, a_railing_is_no_wall) {
+TEST(SayingsInWords, do_not_count_a_railing_as_a_wall) {
     for (const char* text : {"Building: House.\n\nHall, 4 by 4 metres. Door outside.\n\n"
                              "Balcony, 4 by 2 metres, north of Hall, railing 1 metre high. Door to Hall.\n\n"
                              "Terrace, 4 by 2 metres, east of Hall, with a 0.9 metre high railing. Door to Hall.\n",
@@ -107,7 +107,7 @@ TEST(SayingsInWords, a_railing_is_no_wall) {
     }
 }
 
-TEST(SayingsInWords, what_became_an_unknown_thing_is_reported) {
+TEST(SayingsInWords, about_an_unknown_thing_are_reported_with_the_chosen_meaning) {
     const Scene scene = test::read_rooms(
         "Building: House.\n\nHall, 4 by 4 metres. Door outside.\nWnidow in the north wall.\nStatue, 0.5 by 0.5 by 2 "
         "metres, in the north-east corner.\nThing: Obelisk, in the north-west corner.\n");
@@ -121,7 +121,7 @@ TEST(SayingsInWords, what_became_an_unknown_thing_is_reported) {
 }
 
 // Adjacent pieces of an outline make one room, without a wall between them.
-TEST(OutlinesInWords, of_pieces_side_by_side_are_one) {
+TEST(OutlinesInWords, of_adjoining_pieces_become_one_outline) {
     const Scene scene = test::read_rooms(
         "Building: House.\n\nRoom: Foyer, corners 0 0, 3 0, 3 6, 0 6, and corners 3 0, 5 0, 5 2, 3 2, hole 1 4, 2 4, 2 "
         "5, "
@@ -138,7 +138,7 @@ TEST(OutlinesInWords, of_pieces_side_by_side_are_one) {
 }
 
 // Up and down by stairs that are in no separate room, both straight and returning ones.
-TEST(StairsInWords, from_one_room_to_another_are_walked_and_written_again) {
+TEST(StairsInWords, from_one_room_to_another_are_walked_and_exported_again) {
     const char* texts[] = {
         "Building: House.\n\nStorey: Ground, 3 metres high.\n\nHall, 6 by 8 metres. Door outside in the south wall.\n"
         "Stairs from Hall to Gallery, at 4 metres east and 4 metres north, 1.2 by 4.5 metres, up to the north.\n\n"

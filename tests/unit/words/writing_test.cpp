@@ -114,7 +114,7 @@ void expect_same_building(const Scene& before, const Scene& after, const std::st
     EXPECT_EQ(after.stated->furnishings.size(), before.stated->furnishings.size()) << text;
 }
 
-TEST(WrittenInWords, random_buildings_come_back_with_the_same_rooms_and_doors_in_both_languages) {
+TEST(WrittenInWords, random_buildings_are_read_back_with_the_same_rooms_and_doors_in_both_languages) {
     std::mt19937 random(20261124);
     for (int round = 0; round < 40; ++round) {
         const std::string text = random_building(random);
@@ -173,7 +173,7 @@ void expect_map_comes_back(const std::string& map) {
 }
 
 // The drop and the lift that were read can be used: down the drop and not up again, and both ways by the platform.
-TEST(WrittenInWords, a_drop_and_a_lift_are_ways_in_both_languages) {
+TEST(WrittenInWords, a_drop_and_a_lift_can_be_used_after_reading_in_both_languages) {
     const char* texts[] = {
         "Building: Stage.\n\nStorey: Ground, 3 metres high.\n\n"
         "Room: Stage, 5 by 4 metres. Door outside in the south wall. "
@@ -237,7 +237,7 @@ TEST(WrittenInWords, a_drop_and_a_lift_are_ways_in_both_languages) {
     }
 }
 
-TEST(WrittenInWords, that_lead_nowhere_are_told_with_their_line) {
+TEST(WrittenInWords, lifts_and_drops_that_lead_nowhere_are_reported_with_their_line) {
     const Scene scene = test::read_rooms(
         "Building: One.\n\nRoom: Hall, 4 by 4 metres. Door outside.\nLift from Hall to Attic.\n"
         "Drop of 0.5 metres from Hall to Cellar.\n");
@@ -246,11 +246,11 @@ TEST(WrittenInWords, that_lead_nowhere_are_told_with_their_line) {
     EXPECT_TRUE(lines.contains(4) && lines.contains(5));
 }
 
-TEST(WrittenInWords, the_house_comes_back_with_the_same_rooms_and_doors) { expect_map_comes_back("house.map"); }
-TEST(WrittenInWords, the_school_comes_back_with_the_same_rooms_and_doors) { expect_map_comes_back("school.map"); }
-TEST(WrittenInWords, the_first_room_comes_back) { expect_map_comes_back("first_room.map"); }
+TEST(WrittenInWords, the_house_is_read_back_with_the_same_rooms_and_doors) { expect_map_comes_back("house.map"); }
+TEST(WrittenInWords, the_school_is_read_back_with_the_same_rooms_and_doors) { expect_map_comes_back("school.map"); }
+TEST(WrittenInWords, the_first_room_is_read_back) { expect_map_comes_back("first_room.map"); }
 
-TEST(WrittenInWords, a_building_from_openstreetmap_comes_back) {
+TEST(WrittenInWords, a_building_from_openstreetmap_is_read_back) {
     const std::string osm = test::content_of(test::project_root() / "tests/unit/osm/worlds/test_house.osm");
     const Result<Scene> scene = read_osm(osm, "house.osm");
     ASSERT_TRUE(scene.has_value());
