@@ -85,7 +85,7 @@ std::string stepped(std::string_view key, const Settings& settings, int by) {
         Overloaded{[&](const NumberField& f) {
                        const double step = round_step((f.most - f.least) / kSteps);
                        const double here = f.at(s) / step;
-                       // Goes to the next round number in this direction, wherever the value is now.
+                       // Course to the next round number in this direction, wherever the value is now.
                        const double next = by > 0 ? std::floor(here + 1e-6) + 1.0 : std::ceil(here - 1e-6) - 1.0;
                        const double value = std::clamp(next * step, f.least, f.most);
                        return fmt::format("{}", std::round(value * 1e9) / 1e9);

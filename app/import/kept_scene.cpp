@@ -5,7 +5,7 @@
 
 namespace handrail {
 
-std::string kept_scene(const std::vector<BesideFile>& beside, std::string_view scene) {
+std::string kept_scene(const std::vector<NeighbourFile>& beside, std::string_view scene) {
     Packer pack;
     pack(beside);
     std::string kept = pack.take();
@@ -14,9 +14,9 @@ std::string kept_scene(const std::vector<BesideFile>& beside, std::string_view s
 }
 
 Result<std::optional<Scene>> scene_in(std::string_view kept,
-                                      const std::function<bool(const std::vector<BesideFile>&)>& still_good) {
+                                      const std::function<bool(const std::vector<NeighbourFile>&)>& still_good) {
     Unpacker head(kept);
-    std::vector<BesideFile> beside;
+    std::vector<NeighbourFile> beside;
     head(beside);
     if (!head.good()) return fail(phrase("import.damaged"));
     if (!still_good(beside)) return std::optional<Scene>();

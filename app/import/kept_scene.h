@@ -9,10 +9,10 @@
 
 namespace handrail {
 
-std::string kept_scene(const std::vector<BesideFile>& beside, std::string_view scene);
+std::string kept_scene(const std::vector<NeighbourFile>& beside, std::string_view scene);
 // Calls `still_good` before it unpacks the Scene; returns nothing if that returns false. Fails if the bytes are
 // damaged.
 Result<std::optional<Scene>> scene_in(std::string_view kept,
-                                      const std::function<bool(const std::vector<BesideFile>&)>& still_good);
+                                      const std::function<bool(const std::vector<NeighbourFile>&)>& still_good);
 
 }  // namespace handrail

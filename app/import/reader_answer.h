@@ -20,7 +20,7 @@ inline constexpr std::size_t kMostHandedOver_bytes = std::size_t{1} << 30;
 struct ReaderAnswer {
     bool read = false, kept = false, kept_damaged = false;
     Error error;
-    std::vector<BesideFile> beside;
+    std::vector<NeighbourFile> beside;
 };
 
 template <class A, Is<Error> T>
@@ -28,7 +28,7 @@ void fields(A& a, T& v) {
     auto& [file, line, column, message] = v;
     a(file, line, column, message);
 }
-template <class A, Is<BesideFile> T>
+template <class A, Is<NeighbourFile> T>
 void fields(A& a, T& v) {
     auto& [name, sha256] = v;
     a(name, sha256);

@@ -72,7 +72,7 @@ int answer(const ReaderAnswer& told, std::string_view bytes) {
 
 Result<std::string> read_requested_beside(const std::string& name) {
     const Result<OpenFile> file = request_beside(kFilesFd, name);
-    return file ? read_whole_file(*file, kLargestBeside_bytes, {}) : tl::unexpected(file.error());
+    return file ? read_whole_file(*file, kLargestNeighbour_bytes, {}) : tl::unexpected(file.error());
 }
 
 Result<Scene> read_requested(const std::string& name, const ReadOptions& options) {
@@ -83,8 +83,8 @@ Result<Scene> read_requested(const std::string& name, const ReadOptions& options
 }
 
 // Returns true if the files needed next to the world are unchanged, and those that were missing still are.
-bool same_beside(const std::vector<BesideFile>& beside) {
-    return std::all_of(beside.begin(), beside.end(), [](const BesideFile& file) {
+bool same_beside(const std::vector<NeighbourFile>& beside) {
+    return std::all_of(beside.begin(), beside.end(), [](const NeighbourFile& file) {
         const Result<std::string> bytes = read_requested_beside(file.name);
         return (bytes ? sha256_of(*bytes) : std::string()) == file.sha256;
     });

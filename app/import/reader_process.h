@@ -23,16 +23,16 @@ struct ReaderLimits {
 };
 
 // A file that was needed next to the world's, and its SHA-256 in hex; empty if it could not be read.
-struct BesideFile {
+struct NeighbourFile {
     std::string name;
     std::string sha256;
-    bool operator==(const BesideFile&) const = default;
+    bool operator==(const NeighbourFile&) const = default;
 };
 
 struct ReadApart {
     std::string scene;  // as bytes, for scene_from(scene)
     bool kept = false, kept_damaged = false;
-    std::vector<BesideFile> beside;
+    std::vector<NeighbourFile> beside;
 };
 
 // A cached file (worlds/cache), which the process checks and unpacks; -1: none.

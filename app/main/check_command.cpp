@@ -73,7 +73,7 @@ int run_check(const CheckArguments& arguments, std::ostream& out, std::ostream& 
     }
     const auto scene = std::make_shared<const Scene>(std::move(*read));
     progress.at(phrase("progress.rooms"));
-    const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
+    const WalkerSize size = body_size(*scene, Settings{}.walk.body_radius_m);
     RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once());
     const bool found = rooms.ready() && rooms.found();
     progress.at(phrase("progress.faults"));

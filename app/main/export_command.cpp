@@ -231,7 +231,7 @@ void add_stl(const fs::path& path, const Storey& storey, const StoreyPlate& plat
         simplified.push_back(phrase("export.of_plate", {{"sentence", sentence}}));
 }
 
-Result<void> add_card(const fs::path& path, const std::vector<CardWay>& ways, BrailleTable table,
+Result<void> add_card(const fs::path& path, const std::vector<CardRoute>& ways, BrailleTable table,
                       std::vector<MadeFile>& files) {
     const Result<std::string> text = ending_of(path) == ".brf" ? card_brf(ways, table) : card_text(ways);
     if (!text) return tl::unexpected(text.error());
@@ -274,7 +274,7 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
     if (!read) return failed(read.error(), 1);
     const auto scene = std::make_shared<const Scene>(std::move(*read));
     progress.at(phrase("progress.rooms"));
-    const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
+    const WalkerSize size = body_size(*scene, Settings{}.walk.body_radius_m);
     RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once());
     if (!rooms.ready() || !rooms.found())
         return failed({world.string(), 0, 0, rooms.problem().empty() ? phrase("export.no_rooms") : rooms.problem()}, 1);
@@ -304,7 +304,7 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
     if (plate) add_stl(*arguments.stl, *storey, *plate, files, simplified);
     if (arguments.route_card) {
         progress.at(phrase("progress.ways"));
-        const Result<CardWays> ways = card_ways(scene, rooms.graph(), rooms.navigation(), *storey,
+        const Result<CardRoutes> ways = card_ways(scene, rooms.graph(), rooms.navigation(), *storey,
                                                 {arguments.from, arguments.to, arguments.settings});
         if (!ways) return failed(ways.error(), 1);
         if (const Result<void> made = add_card(*arguments.route_card, ways->ways, wishes->table, files); !made)

@@ -286,7 +286,7 @@ void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::os
 // sentence about the rooms that cannot be reached on foot, or stays empty.
 RoomGraph rooms_of(const std::shared_ptr<const Scene>& scene, std::string& unreachable,
                    std::vector<std::string>& left_out) {
-    const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
+    const WalkerSize size = body_size(*scene, Settings{}.walk.body_radius_m);
     RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once(),
                        ways_in_cache());
     if (!rooms.ready() || !rooms.found()) {
@@ -363,7 +363,7 @@ int tell_as_words(const Scene& scene, const std::string& wish, const LongWork& p
         return 0;
     }
     progress.at(phrase("progress.rooms"));
-    const BodySize size = body_size(scene, Settings{}.walk.body_radius_m);
+    const WalkerSize size = body_size(scene, Settings{}.walk.body_radius_m);
     const Result<WalkSpace> space =
         make_walk_space(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
     if (!space) {

@@ -73,7 +73,7 @@ private:
     double now_s_ = 0.0;
 };
 
-std::optional<CardWay> way_between(AtStart& at_start, Navigation& navigation, const CardPlace& from,
+std::optional<CardRoute> way_between(AtStart& at_start, Navigation& navigation, const CardPlace& from,
                                    const CardPlace& to) {
     const Vec3 start_m = navigation.nearest_place(from.at_m).value_or(from.at_m);
     double heading_rad = from.heading_rad.value_or(0.0);
@@ -87,7 +87,7 @@ std::optional<CardWay> way_between(AtStart& at_start, Navigation& navigation, co
     heading_rad = notch_heading_rad(nearest_notch(heading_rad));  // rounded to a direction that the card can name
     const std::vector<std::string> legs = at_start.legs(start_m, heading_rad, to);
     if (legs.empty()) return std::nullopt;
-    CardWay way{phrase("export.card_title", {{"from", from.name}, {"to", to.name}}),
+    CardRoute way{phrase("export.card_title", {{"from", from.name}, {"to", to.name}}),
                 phrase("export.card_face", {{"direction", fine_compass_word(heading_rad)}})};
     way.insert(way.end(), legs.begin(), legs.end());
     return way;
@@ -95,7 +95,7 @@ std::optional<CardWay> way_between(AtStart& at_start, Navigation& navigation, co
 
 }  // namespace
 
-Result<CardWays> card_ways(const std::shared_ptr<const Scene>& scene, const RoomGraph& graph, Navigation& navigation,
+Result<CardRoutes> card_ways(const std::shared_ptr<const Scene>& scene, const RoomGraph& graph, Navigation& navigation,
                            const Storey& storey, const CardWish& wish) {
     const std::vector<CardPlace> places = places_of(*scene, graph);
     const Result<CardPlace> from = wish.from ? place_named(places, *wish.from) : base_of(*scene);
@@ -116,7 +116,7 @@ Result<CardWays> card_ways(const std::shared_ptr<const Scene>& scene, const Room
         std::sort(goals.begin(), goals.end(), [](const CardPlace& a, const CardPlace& b) { return a.name < b.name; });
     }
     AtStart at_start(scene, wish.settings);
-    CardWays made;
+    CardRoutes made;
     for (const CardPlace& to : goals) {
         if (auto way = way_between(at_start, navigation, *from, to)) made.ways.push_back(std::move(*way));
         else made.unreached.push_back(to.name);

@@ -22,15 +22,15 @@ struct CardWish {
     Settings settings;
 };
 
-struct CardWays {
-    std::vector<CardWay> ways;
+struct CardRoutes {
+    std::vector<CardRoute> ways;
     std::vector<std::string> unreached;  // rooms of the storey that no route reaches
 };
 
 // Directions from one place to the other, or to every room of the storey in the order of their names. Each leg is a
 // sentence, the same that a session with these settings announces to a person who stands there. Fails with one sentence
 // if the name is unknown (and gives the nearest), or if there is no base or no route at all.
-Result<CardWays> card_ways(const std::shared_ptr<const Scene>& scene, const RoomGraph& graph, Navigation& navigation,
+Result<CardRoutes> card_ways(const std::shared_ptr<const Scene>& scene, const RoomGraph& graph, Navigation& navigation,
                            const Storey& storey, const CardWish& wish);
 
 }  // namespace handrail

@@ -57,7 +57,7 @@ bool any_near(std::span<const double> times_s, double t_s) {
 
 std::vector<WalkSample> samples_of(std::span<const WayPoint> walk, const RecordedEvents& events,
                                    const std::shared_ptr<const Scene>& scene) {
-    const BodyWorld solids(scene);
+    const WalkerWorld solids(scene);
     std::vector<WalkSample> samples;
     std::size_t contact = 0, visit = 0;
     for (const WayPoint& point : walk) {
@@ -133,7 +133,7 @@ void add_pauses(ReportTask& task, std::span<const WayPoint> walk, const Recorded
     task.measures.push_back({"pause_time", pauses.sum_s});
 }
 
-ReportTask task_of(const RecordedWay& way, double to_s, std::span<const WayPoint> all, const RecordedEvents& events,
+ReportTask task_of(const RecordedRoute& way, double to_s, std::span<const WayPoint> all, const RecordedEvents& events,
                    Navigation& navigation) {
     ReportTask task{.kind = ReportTaskKind::Go, .name = way.goal, .reached = way.arrived_s.has_value(), .measures = {}};
     const double end_s = way.arrived_s.value_or(to_s);
@@ -221,8 +221,8 @@ ReportTask whole(const RecordedEvents& events, std::span<const WayPoint> walk) {
 
 Result<SessionReport> report_of(const Recording& recording, const RecordedEvents& events,
                                 const std::shared_ptr<const Scene>& scene, RoomsKept* rooms_kept) {
-    const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
-    RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once(), WaysKeeper{},
+    const WalkerSize size = body_size(*scene, Settings{}.walk.body_radius_m);
+    RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once(), RoutesKeeper{},
                        rooms_kept);
     if (!rooms.ready() || !rooms.found())
         return fail(rooms.problem().empty() ? phrase("export.no_rooms") : rooms.problem(), scene->source_file);

@@ -19,7 +19,7 @@
 #include "haptic/device/device_spec.h"
 #include "haptic/dynamics/dynamics.h"
 #include "haptic/render/touch.h"
-#include "haptic/servo/hand_bodies.h"
+#include "haptic/servo/bodies_in_reach.h"
 #include "settings/settings.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
@@ -141,7 +141,7 @@ private:
     std::shared_ptr<const DynamicsScene> scene_;
     Dynamics engine_;
     BodyFeel feel_;
-    HandBodies bodies_{0};
+    BodiesInReach bodies_{0};
     HandPushRing pushes_;
     std::vector<BodyPose> poses_;
     std::uint64_t number_ = 1;

@@ -102,7 +102,7 @@ const TomlReader& toml_beside_worlds() {
     return reader;
 }
 
-WaysKeeper ways_in_cache() {
+RoutesKeeper ways_in_cache() {
     const Cache cache(user_cache_folder());
     const fs::path program = find_reader_program();
     if (!cache || program.empty()) return {};

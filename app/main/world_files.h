@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/kept/ways_keeper.h"
+#include "app/core/kept/routes_keeper.h"
 #include "app/core/kept/world_request.h"
 #include "app/import/import_world.h"
 #include "settings/toml_value.h"
@@ -40,7 +40,7 @@ Result<Scene> imported_scene(const WorldRequest& request);
 const TomlReader& toml_beside_worlds();
 // Keeps routes and rooms in the person's cache. Does nothing without a cache, or without handrail-reader, which unpacks
 // them.
-WaysKeeper ways_in_cache();
+RoutesKeeper ways_in_cache();
 // Adds the unit that a person has stated for this world before, if the request has none. See keep_unit. Any thread.
 WorldRequest with_kept_unit(WorldRequest request, const CommonArguments& common);
 // Adds the doors that a person has marked as missing. They come from the data folder of `common`, be it the user's or a

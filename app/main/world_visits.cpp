@@ -165,7 +165,7 @@ void WorldVisits::begin_reading(WorldRequest request) {
     next_ = std::make_unique<WorldLoading>(asked_, arguments_.common);
 }
 
-// Goes to the last place. If that is in another world, this world is read first.
+// Course to the last place. If that is in another world, this world is read first.
 void WorldVisits::go_on_at(LastPlace last, double now_s) {
     std::error_code ec;
     if (std::filesystem::equivalent(last.world.file, here_.file, ec) && last.world.building == here_.building)

@@ -1,6 +1,6 @@
 # The core as a library: for C++ static libraries and headers, found by find_package(handrail); for C libhandrail.so with
 # one header. docs/library.md describes both.
-foreach(name base geometry scene settings ifc drawn osm imdf words readers render compile dynamics device servo)
+foreach(name base geometry scene settings ifc floorplan osm imdf words readers render compile dynamics device servo)
   list(APPEND core handrail_${name})
   get_target_property(folder handrail_${name} HANDRAIL_FOLDER)
   list(APPEND core_folders ${folder})

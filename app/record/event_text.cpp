@@ -51,7 +51,7 @@ std::string event_line(const SessionEvent& event, const Scene* scene, double beg
             [](const LessonWished& e) {
                 return Json{{"is", "lesson_wished"}, {"wish", kWishes.at(static_cast<std::size_t>(e.wish))}};
             },
-            [](const HelpAsked& e) {
+            [](const HelpRequested& e) {
                 return Json{{"is", "help_asked"}, {"command", std::string(info(e.command).word)}};
             },
             [&](const DoorUsed& e) { return of_feature("door_used", e.feature, scene); },

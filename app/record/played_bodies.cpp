@@ -232,7 +232,7 @@ bool PlayedBodies::before_tick(std::size_t which, const HandRow& row) {
     return true;
 }
 
-void PlayedBodies::after_tick(std::size_t which, const HandRow& row, HandEngine* engine) {
+void PlayedBodies::after_tick(std::size_t which, const HandRow& row, HandBodyServo* engine) {
     if (!engine || row.bodies.engine == 0 || !recorded()) return;
     Book& of = book(row.bodies.engine);
     HandChannel& channel = engine->channel();

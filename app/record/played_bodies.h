@@ -12,7 +12,7 @@
 
 #include "app/record/recording.h"
 #include "haptic/dynamics/body_engine.h"
-#include "haptic/servo/hand_engine.h"
+#include "haptic/servo/hand_body_servo.h"
 
 namespace handrail {
 
@@ -32,7 +32,7 @@ public:
     void session_reads(const FrameRow& row);
     // Call before and after a tick of a hand's servo. Returns false if what the tick read cannot be computed.
     bool before_tick(std::size_t which, const HandRow& row);
-    void after_tick(std::size_t which, const HandRow& row, HandEngine* engine);
+    void after_tick(std::size_t which, const HandRow& row, HandBodyServo* engine);
 
     // Returns true if something could not be computed.
     bool failed() const { return failed_; }

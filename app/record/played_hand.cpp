@@ -11,7 +11,7 @@ constexpr double kAsWritten_n = 0.501e-3;  // tolerance, because forces are writ
 
 }  // namespace
 
-void PlayedServo::set_scene(std::shared_ptr<const HapticScene> scene, std::shared_ptr<HandEngine> engine) {
+void PlayedServo::set_scene(std::shared_ptr<const HapticScene> scene, std::shared_ptr<HandBodyServo> engine) {
     given_.scene = std::move(scene);
     given_.engine = std::move(engine);
     scenes_.give(given_);

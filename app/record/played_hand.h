@@ -42,7 +42,7 @@ class PlayedServo final : public ServoInbox {
 public:
     explicit PlayedServo(const DeviceSpec& spec) : state_(std::make_unique<ServoState>(spec)) {}
 
-    void set_scene(std::shared_ptr<const HapticScene> scene, std::shared_ptr<HandEngine> engine) override;
+    void set_scene(std::shared_ptr<const HapticScene> scene, std::shared_ptr<HandBodyServo> engine) override;
     void set_desk(std::shared_ptr<const HapticScene> desk) override;
     void set_tuning(const ServoTuning& tuning) override { tunings_.give(tuning); }
     void set_pose(const WorkspacePose& pose) override { poses_.give(pose); }
@@ -53,13 +53,13 @@ public:
     // Returns the force.
     ForceCommand tick(const HandRow& row);
     // The hand's side of the engine of free bodies at the last tick; null: none.
-    HandEngine* engine() const { return engine_; }
+    HandBodyServo* engine() const { return engine_; }
     const ServoState& state() const { return *state_; }
 
 private:
     struct Scenes {
         std::shared_ptr<const HapticScene> scene, desk;
-        std::shared_ptr<HandEngine> engine;
+        std::shared_ptr<HandBodyServo> engine;
     };
     std::unique_ptr<ServoState> state_;
     NumberedValues<Scenes> scenes_;
@@ -68,7 +68,7 @@ private:
     NumberedValues<BodyFrame> bodies_;
     NumberedValues<GuidancePath> guidances_;
     Scenes given_;  // the latest values
-    HandEngine* engine_ = nullptr;
+    HandBodyServo* engine_ = nullptr;
 };
 
 class PlayedHand {

@@ -23,7 +23,7 @@ struct RecordedVisit {
     std::uint32_t feature = kNoFeature.value;
 };
 // Guidance to a goal: when it began, and when the walker arrived.
-struct RecordedWay {
+struct RecordedRoute {
     std::string goal;
     double from_s = 0.0;
     std::optional<double> arrived_s;  // nothing: the walker never arrived
@@ -56,7 +56,7 @@ struct RecordedEvents {
     bool more_worlds = false;         // another world was entered later
     std::vector<RecordedContact> contacts;
     std::vector<RecordedVisit> visits;
-    std::vector<RecordedWay> ways;
+    std::vector<RecordedRoute> ways;
     // Help requested; back to the base by its key; put somewhere else.
     std::vector<double> help_s, home_s, leaps_s;
     std::vector<RecordedNote> notes;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/core/kept/ways.h"
+#include "app/core/kept/saved_routes.h"
 #include "app/core/wayfinding/finding.h"
 #include "app/core/world/walker.h"
 #include "settings/settings.h"
@@ -221,9 +221,9 @@ Result<std::shared_ptr<TaughtWorld>> TaughtWorld::find(LessonFile lesson, const 
                                                        const std::string& checksum, RoomsKept* rooms_kept) {
     std::shared_ptr<TaughtWorld> world(new TaughtWorld);
     world->scene_ = scene;
-    const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
+    const WalkerSize size = body_size(*scene, Settings{}.walk.body_radius_m);
     world->rooms_ = std::make_unique<RoomsOfWorld>(
-        scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once(), WaysKeeper{}, rooms_kept);
+        scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once(), RoutesKeeper{}, rooms_kept);
     if (!world->rooms_->ready() || !world->rooms_->found())
         return fail(world->rooms_->problem(), lesson.file.filename().string());
     if (!lesson.world_checksum.empty() && !checksum.empty() && checksum != lesson.world_checksum)

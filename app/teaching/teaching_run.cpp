@@ -96,7 +96,7 @@ void TeachingRun::see(const SessionEvent& event) {
                        if (feature->kind == FeatureKind::Wall) whole_.wall_touched_s = event.time_s;
                    },
                    [&](const ThingVisited& e) { whole_.visited = static_cast<int>(e.feature.value); },
-                   [&](const HelpAsked&) {
+                   [&](const HelpRequested&) {
                        ++task_.help;
                        whole_.helped_s = event.time_s;
                    },

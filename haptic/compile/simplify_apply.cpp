@@ -182,11 +182,11 @@ Scene simplified(const Scene& scene, const Simplification& plan) {
                                   [](FeatureId a, FeatureId b) { return a.value < b.value; });
     };
 
-    struct Gone {
+    struct Removal {
         std::vector<Plane> planes;
         Aabb box;
     };
-    std::vector<Gone> gone;
+    std::vector<Removal> gone;
     std::vector<std::pair<std::vector<Plane>, Aabb>> cuts;
     for (const NarrowOpening& opening : plan.openings)
         if (opening.widened()) {
@@ -237,7 +237,7 @@ Scene simplified(const Scene& scene, const Simplification& plan) {
         for (Solid& piece : pieces) felt.solids.push_back(std::move(piece));
     }
     std::vector<Aabb> gone_boxes;
-    for (const Gone& one : gone) gone_boxes.push_back(grown(one.box, 1e-4));
+    for (const Removal& one : gone) gone_boxes.push_back(grown(one.box, 1e-4));
     const BoxIndex gone_index(gone_boxes);
     for (Solid& solid : felt.solids) {
         gone_index.find(solid.shape.bounds_m, near);

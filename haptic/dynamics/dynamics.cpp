@@ -743,7 +743,7 @@ void Dynamics::Impl::tell_near(DynamicsFrame& out, unsigned hand) {
         const std::uint32_t i = order[k].second;
         const Body& body = world->bodies[i];
         const DynamicsBody& is = scene->bodies[i];
-        BodyWord& word = out.near[hand][k];
+        RigidBodyState& word = out.near[hand][k];
         word = {};
         word.body = i;
         word.time_s = out.time_s;
@@ -770,7 +770,7 @@ void Dynamics::Impl::tell_near(DynamicsFrame& out, unsigned hand) {
 
 // Adds the contacts of the reported bodies. If there are too many, the deepest stay.
 void Dynamics::Impl::add_planes(DynamicsFrame& out) {
-    const auto gap = [](const BodyWord& word, const ContactPlane& plane) {
+    const auto gap = [](const RigidBodyState& word, const ContactPlane& plane) {
         return glm::dot(plane.normal, PlacedFrame(word.at).to_world(plane.own_m)) - plane.offset_m;
     };
     for (int m = 0; m < world->dispatcher.getNumManifolds(); ++m) {
@@ -783,7 +783,7 @@ void Dynamics::Impl::add_planes(DynamicsFrame& out) {
             const DynamicsBody& is = scene->bodies[index];
             for (unsigned hand = 0; hand < 2; ++hand)
                 for (std::size_t w = 0; w < out.near_count[hand]; ++w) {
-                    BodyWord& word = out.near[hand][w];
+                    RigidBodyState& word = out.near[hand][w];
                     if (word.body != index) continue;
                     for (int k = 0; k < manifold.getNumContacts(); ++k) {
                         const btManifoldPoint& p = manifold.getContactPoint(k);
@@ -802,7 +802,7 @@ void Dynamics::Impl::add_planes(DynamicsFrame& out) {
                                 ours(moving->getVelocityInLocalPoint(there - moving->getWorldTransform().getOrigin()));
                         plane.round = is.ball;
                         plane.radius_m = is.ball ? is.half_width_m : 0.0;
-                        if (word.count < BodyWord::kMostPlanes) {
+                        if (word.count < RigidBodyState::kMostPlanes) {
                             word.planes[word.count++] = plane;
                             continue;
                         }

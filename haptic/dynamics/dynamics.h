@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "haptic/render/body_word.h"
+#include "haptic/render/rigid_body_state.h"
 
 namespace handrail {
 

@@ -2,7 +2,7 @@
 // consumer, and neither side waits, allocates or fails. Both sides own it, so either may end first.
 #pragma once
 
-#include "haptic/render/body_word.h"
+#include "haptic/render/rigid_body_state.h"
 #include "worlds/base/latest_value.h"
 #include "worlds/base/spsc_ring.h"
 

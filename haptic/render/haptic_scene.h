@@ -144,7 +144,7 @@ struct MovingBody {
 
 // The movement of bodies from their poses to others. A pose in between is computed only when it is queried, and no code
 // queries the poses of far bodies.
-struct BodyWays {
+struct BodyPaths {
     std::uint64_t number = 0;         // number of this movement
     std::uint64_t number_before = 0;  // number of the movement that ended where this one begins; 0: unknown
     std::span<const BodyPose> to{};   // the target poses; empty: nothing moves
@@ -159,7 +159,7 @@ struct BodyPoses {
     // Changes whenever a pose changes, so that a tick in which nothing moves need not look at the poses.
     std::uint64_t number = 0;
     // Null: `poses` are the current poses, and with a new number any body may have moved.
-    const BodyWays* ways = nullptr;
+    const BodyPaths* ways = nullptr;
 
     std::uint64_t ways_number() const noexcept { return ways ? ways->number : number; }
     bool know(std::size_t body) const noexcept { return body < poses.size(); }

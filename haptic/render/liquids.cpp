@@ -54,11 +54,11 @@ Vec3 LiquidState::drag_n(const HapticScene& scene, const HandMotion& hand, const
     // Among overlapping volumes the one listed last counts first. Where it thins out towards its own surface, the next
     // takes the rest, so neighbouring volumes form one pool.
     constexpr std::size_t kMost = 8;
-    struct Wet {
+    struct WetVolume {
         std::uint32_t volume;
         double share;
     };
-    std::array<Wet, kMost> wet;
+    std::array<WetVolume, kMost> wet;
     std::size_t count = 0;
     std::uint32_t inside_of = 0;
     bool inside_any = false;

@@ -46,7 +46,7 @@ double ProxySolver::least_distance_m(const HapticScene& scene, const Request& re
     if (!request.bodies || !request.bodies->know(body))
         return b.present ? glm::length(b.start.position_m - origin) - b.reach_m * b.start.scale : kNever;
     const BodyPose& from = request.bodies->poses[body];
-    const BodyWays* const ways = request.bodies->ways;
+    const BodyPaths* const ways = request.bodies->ways;
     const BodyPose& to = ways && body < ways->to.size() ? ways->to[body] : from;
     if (!from.present && !to.present) return kNever;
     const Vec3 begin = from.at.position_m - origin;
@@ -135,7 +135,7 @@ void ProxySolver::watch_bodies(const HapticScene& scene, const Request& request,
     const Vec3 way = local_m() - tracks_.far_from_m;
     const bool went = glm::dot(way, way) > tracks_.far_enough_m2 || near_m > tracks_.near_m;
     if (number == tracks_.ways && !went) return;
-    const BodyWays* const ways = request.bodies ? request.bodies->ways : nullptr;
+    const BodyPaths* const ways = request.bodies ? request.bodies->ways : nullptr;
     const bool follows = ways && ways->number_before != 0 && ways->number_before == tracks_.ways;
     if (went || (number != tracks_.ways && !follows)) {
         // With a margin, so that a hand that gets only a little faster needs no new look.

@@ -80,7 +80,7 @@ private:
     std::uint64_t frame_ = 0;
     double from_s_ = 0.0, until_s_ = 0.0, long_s_ = 0.0;  // long_s_: until_s_ - from_s_
     std::span<const BodyPose> poses_{};
-    BodyWays ways_;
+    BodyPaths ways_;
 };
 
 }  // namespace handrail

@@ -27,7 +27,7 @@ struct ServoReads {
 struct EngineReads {
     std::uint32_t engine = 0;   // HandChannel::engine; 0: there is none
     std::uint64_t frame = 0;    // DynamicsFrame::number of the newest frame that the tick knew; 0: none yet
-    std::uint32_t refused = 0;  // HandBodies::take_refused
+    std::uint32_t refused = 0;  // BodiesInReach::take_refused
     bool operator==(const EngineReads&) const = default;
 };
 

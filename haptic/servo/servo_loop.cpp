@@ -103,7 +103,7 @@ void ServoLoop::publish_report() noexcept {
 }
 
 void ServoLoop::hand_over(std::shared_ptr<const HapticScene> scene, std::shared_ptr<const HapticScene> desk,
-                          std::shared_ptr<HandEngine> engine) {
+                          std::shared_ptr<HandBodyServo> engine) {
     free_scenes();
     world_ = std::move(scene);
     desk_ = std::move(desk);

@@ -63,7 +63,7 @@ public:
     // App thread: see ServoInbox.
     void set_scene(std::shared_ptr<const HapticScene> scene) { set_scene(std::move(scene), engine_); }
     void set_desk(std::shared_ptr<const HapticScene> desk) override { hand_over(world_, std::move(desk), engine_); }
-    void set_scene(std::shared_ptr<const HapticScene> scene, std::shared_ptr<HandEngine> engine) override {
+    void set_scene(std::shared_ptr<const HapticScene> scene, std::shared_ptr<HandBodyServo> engine) override {
         hand_over(std::move(scene), desk_, std::move(engine));
     }
     void set_tuning(const ServoTuning& tuning) override { tuning_.publish({tuning, ++given_.tuning}); }
@@ -89,7 +89,7 @@ private:
     struct SceneHandle {
         const HapticScene* scene = nullptr;
         const HapticScene* desk = nullptr;
-        HandEngine* engine = nullptr;
+        HandBodyServo* engine = nullptr;
         std::uint64_t number = 0;  // rises; the servo reports the number that it has reached
     };
     template <class T>
@@ -100,11 +100,11 @@ private:
     struct KeptScene {
         std::uint64_t number;
         std::shared_ptr<const HapticScene> scene, desk;
-        std::shared_ptr<HandEngine> engine;
+        std::shared_ptr<HandBodyServo> engine;
     };
 
     void hand_over(std::shared_ptr<const HapticScene> scene, std::shared_ptr<const HapticScene> desk,
-                   std::shared_ptr<HandEngine> engine);
+                   std::shared_ptr<HandBodyServo> engine);
     void run() noexcept;
     void close() noexcept;
     void publish_report() noexcept;
@@ -126,7 +126,7 @@ private:
 
     std::vector<KeptScene> kept_;                      // app thread only
     std::shared_ptr<const HapticScene> world_, desk_;  // the scenes that were handed over last
-    std::shared_ptr<HandEngine> engine_;               // the engine that was handed over last
+    std::shared_ptr<HandBodyServo> engine_;               // the engine that was handed over last
     std::uint64_t last_scene_ = 0;
     std::atomic<std::uint64_t> scene_in_use_{0};
 

@@ -367,7 +367,7 @@ void ServoState::touch_desk(const HapticScene& desk, const ServoTuning& tuning, 
 
 template <bool kFree>
 void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame,
-                       const Vec3& goal_m, double dt_s, const BodyPoses& bodies, HandEngine* engine) noexcept {
+                       const Vec3& goal_m, double dt_s, const BodyPoses& bodies, HandBodyServo* engine) noexcept {
     const TouchTuning touch = tuned(tuning);
     const double scale = touch.world_m_per_hand_m;
     Vec3 carried_m{0.0};
@@ -423,7 +423,7 @@ BodyFeel ServoState::body_feel(const ServoTuning& tuning, const TouchTuning& tou
 
 // Moves the free bodies by the part of the force that the limiter let through. A device that is silent for a moment
 // changes nothing.
-void ServoState::move_bodies(HandEngine& engine, bool met, bool silent, const Vec3& force_n, double dt_s) noexcept {
+void ServoState::move_bodies(HandBodyServo& engine, bool met, bool silent, const Vec3& force_n, double dt_s) noexcept {
     if (met) {
         const double wanted_n = length(wanted_n_);
         engine.react(wanted_n > 0.0 ? std::min(1.0, length(force_n) / wanted_n) : 0.0, tool_.time_s, dt_s);

@@ -11,7 +11,7 @@
 #include "haptic/servo/body_playback.h"
 #include "haptic/servo/contact_tracker.h"
 #include "haptic/servo/guidance.h"
-#include "haptic/servo/hand_engine.h"
+#include "haptic/servo/hand_body_servo.h"
 #include "haptic/servo/heat_budget.h"
 #include "haptic/servo/personal_space.h"
 #include "haptic/servo/rate_watch.h"
@@ -122,7 +122,7 @@ struct TickInputs {
     const BodyFrame* bodies = nullptr;       // the newest known frame; null: the bodies stand where the scene has them
     const HapticScene* desk = nullptr;       // behind the wall of ServoTuning::personal_space, device frame; null: none
     const GuidancePath* guidance = nullptr;  // the newest known path; null or number 0: no guidance
-    HandEngine* engine = nullptr;            // this hand's side of the scene's free bodies; null: there are none
+    HandBodyServo* engine = nullptr;            // this hand's side of the scene's free bodies; null: there are none
 };
 
 // All state that lasts from tick to tick. Allocates when created; after that one thread owns it.
@@ -161,8 +161,8 @@ private:
     // Two instances, so that a world without free bodies pays nothing.
     template <bool kFree>
     void touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame, const Vec3& goal_m,
-               double dt_s, const BodyPoses& bodies, HandEngine* engine) noexcept;
-    void move_bodies(HandEngine& engine, bool met, bool silent, const Vec3& force_n, double dt_s) noexcept;
+               double dt_s, const BodyPoses& bodies, HandBodyServo* engine) noexcept;
+    void move_bodies(HandBodyServo& engine, bool met, bool silent, const Vec3& force_n, double dt_s) noexcept;
     BodyFeel body_feel(const ServoTuning& tuning, const TouchTuning& touch) const noexcept;
     double ceiling_n(const ServoTuning& tuning) const noexcept;
     TouchTuning tuned(const ServoTuning& tuning) const noexcept;

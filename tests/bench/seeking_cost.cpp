@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "app/core/wayfinding/hand_way.h"
-#include "app/core/wayfinding/sought_way.h"
+#include "app/core/wayfinding/sought_route.h"
 #include "tests/support/project_root.h"
-#include "worlds/navigation/way_place.h"
+#include "worlds/navigation/route_place.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail {
@@ -37,7 +37,7 @@ struct House {
                         kMostPoints);
     }
     std::shared_ptr<const Scene> scene;
-    BodyWorld world;
+    WalkerWorld world;
     std::shared_ptr<Navigation> navigation;
     Vec3 feet_m;
 };
@@ -69,7 +69,7 @@ void look_where_on_it(benchmark::State& state) {
     state.SetLabel(name);
     const FeatureId id = house().thing(name);
     const std::vector<Vec3> points = house().by_hand(id);
-    SoughtWay way;
+    SoughtRoute way;
     way.plan(points, {}, 0.0, points.front(), 0.0);
     double along_m = 0.0;
     const double length_m = way.left_m();

@@ -41,7 +41,7 @@ int measure(const char* file) {
     // A .map is read again each time, so for a .map only the walkable area is cached.
     const bool scene_is_kept = std::filesystem::path(file).extension() != ".map";
     const double kept_s = cpu_s([&] {
-        const auto again = scene_in(kept, [](const std::vector<BesideFile>&) { return true; });
+        const auto again = scene_in(kept, [](const std::vector<NeighbourFile>&) { return true; });
         whole = again && *again;
     });
     if (!whole) return std::fprintf(stderr, "%s cannot be kept\n", file), 1;

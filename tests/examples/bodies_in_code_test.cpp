@@ -3,7 +3,7 @@
 
 #include "haptic/dynamics/dynamics.h"
 #include "haptic/render/touch.h"
-#include "haptic/servo/hand_bodies.h"
+#include "haptic/servo/bodies_in_reach.h"
 
 namespace handrail {
 namespace bodies_in_code_test {
@@ -43,7 +43,7 @@ double push_east(const CrateWorld& world, Dynamics& engine) {
     feel.world_m_per_hand_m = tuning.world_m_per_hand_m;
     feel.ball_m = tuning.radius_m;
 
-    HandBodies bodies(0);  // hand 0 of two
+    BodiesInReach bodies(0);  // hand 0 of two
     bodies.enter(world.moves.get());
     HandPushRing pushes;
     std::vector<BodyPose> poses{{world.felt->bodies[0].start, true}};

@@ -127,11 +127,11 @@ std::string imdf_fault(std::string_view bytes) {
 // Edits of a cached world, such as an attacker could make who can forge the cache's digest: of the whole entry, and of
 // the scene in it.
 std::string kept_fault(std::string_view bytes) {
-    const std::vector<BesideFile> beside{{"beside.png", std::string(64, 'a')}};
+    const std::vector<NeighbourFile> beside{{"beside.png", std::string(64, 'a')}};
     const std::string whole = kept_scene(beside, kept_scene_bytes());
     for (const std::string& kept : {edited(whole, bytes), kept_scene(beside, edited(kept_scene_bytes(), bytes))}) {
         for (const bool good : {true, false}) {
-            const auto scene = scene_in(kept, [&](const std::vector<BesideFile>&) { return good; });
+            const auto scene = scene_in(kept, [&](const std::vector<NeighbourFile>&) { return good; });
             if (!scene) {
                 if (std::string fault = words_fault(scene.error().sentence()); !fault.empty()) return fault;
                 continue;

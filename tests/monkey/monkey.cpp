@@ -365,12 +365,12 @@ void Monkey::check_places() {
     }
     if (walls_of_ != app().scene()) {
         walls_of_ = app().scene();
-        walls_ = walls_of_ ? std::make_unique<BodyWorld>(still_part(*walls_of_)) : nullptr;
+        walls_ = walls_of_ ? std::make_unique<WalkerWorld>(still_part(*walls_of_)) : nullptr;
         body_free_m_ = 0.0;
     }
     if (!walls_) return;
     least_radius_m_ = std::min(least_radius_m_, app().settings().walk.body_radius_m);
-    const BodySize size = body_size(*walls_of_, least_radius_m_);
+    const WalkerSize size = body_size(*walls_of_, least_radius_m_);
     const Vec3 feet = app().feet_m();
     const bool blocked = walls_->blocked(feet, {size.radius_m, size.height_m});
     if (blocked && body_free_m_ == size.radius_m)

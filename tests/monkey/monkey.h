@@ -103,7 +103,7 @@ private:
     };
     Free ball_free_[2];
     std::shared_ptr<const Scene> walls_of_;
-    std::unique_ptr<BodyWorld> walls_;
+    std::unique_ptr<WalkerWorld> walls_;
     double least_radius_m_ = 1.0;  // least value of the setting: a walker takes this size when it enters a world
     double body_free_m_ = 0.0;  // radius with which the walker's place was free at the last check; 0: it was not free
 };

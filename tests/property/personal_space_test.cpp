@@ -161,7 +161,7 @@ TEST(PersonalSpace, a_thousand_crossings_give_no_energy_never_knock_and_lead_bac
             rig.go(random.across(reach, random.uniform(-0.5, -0.1) * reach), at_once ? std::min(in, 0.3) : 0.3);
             EXPECT_EQ(rig.tool().proxy_m, place_m) << "the world did not wait";
             rig.go(random.across(reach, -at + 0.006), 0.3);
-            // Goes through the wall and is back in the world on the very next tick.
+            // Course through the wall and is back in the world on the very next tick.
             const Vec3 through = random.across(reach, -at - depth - 0.002);
             rig.command(HandMode::Move, through, out);
             while (rig.left == left) rig.tick();
@@ -295,7 +295,7 @@ TEST(PersonalSpace, a_wall_behind_the_person_lets_a_sustained_pull_through_to_th
                 EXPECT_LT(glm::length(rig.force_n()), 1e-3) << "nothing is left of the wall";
                 EXPECT_LE(rig.jump_n(), 0.2);
                 EXPECT_LE(rig.given_j(), 1e-6);
-                // Goes back through the desk's own wall.
+                // Course back through the desk's own wall.
                 rig.go(Vec3(0.0, -rig.wall().at_m + 0.008, 0.0), 0.1);
                 rig.go(Vec3(0.0, -rig.wall().at_m - 1.1 * rig.wall().depth_m, 0.0), 0.05);
                 rig.rest(0.3);

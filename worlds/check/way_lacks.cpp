@@ -62,7 +62,7 @@ std::uint32_t place_in(const WalkSpace& space, const Vec3& at_m) { return space.
 // handles the places that have no answer yet.
 class Search {
 public:
-    Search(const Scene& scene, const WalkBody& body, const Vec3& from_m, std::span<const Vec3> places_m,
+    Search(const Scene& scene, const WalkerMeasures& body, const Vec3& from_m, std::span<const Vec3> places_m,
            std::optional<WalkTrial::Stretch> within, std::stop_token stop)
         : scene_(scene),
           body_(body),
@@ -73,7 +73,7 @@ public:
           found_(places_m.size()) {}
 
     std::vector<WayLacks> find(std::span<const Lack> kinds) {
-        WalkBody any = low();
+        WalkerMeasures any = low();
         any.radius_m = thin().radius_m;
         any.step_up_m = climbing().step_up_m;
         // If even a body that is low, thin and climbs high cannot get there, walls are the reason, and this is the only
@@ -84,24 +84,24 @@ public:
     }
 
 private:
-    WalkBody low() const {
-        WalkBody body = body_;
+    WalkerMeasures low() const {
+        WalkerMeasures body = body_;
         body.height_m *= kTallEnough;
         return body;
     }
-    WalkBody thin() const {
-        WalkBody body = body_;
+    WalkerMeasures thin() const {
+        WalkerMeasures body = body_;
         body.radius_m *= kThinEnough;
         return body;
     }
-    WalkBody climbing() const {
-        WalkBody body = body_;
+    WalkerMeasures climbing() const {
+        WalkerMeasures body = body_;
         body.step_up_m += kHigher_m;
         return body;
     }
 
     // True if such a body reaches any of the places.
-    bool comes_to_any(const WalkBody& body) const {
+    bool comes_to_any(const WalkerMeasures& body) const {
         const Result<WalkSpace> space = make_trial_space(scene_, body, {false, within_}, stop_);
         const std::uint32_t first = space ? place_in(*space, from_m_) : kNothing;
         if (first == kNothing) return false;
@@ -141,7 +141,7 @@ private:
     }
 
     template <class Worth>
-    void look(Lack lack, const WalkBody& body, double least, const Worth& worth_in) {
+    void look(Lack lack, const WalkerMeasures& body, double least, const Worth& worth_in) {
         if (std::all_of(found_.begin(), found_.end(), [](const WayLacks& f) { return f.lack != Lack::Nothing; }))
             return;
         const Result<WalkSpace> space = make_trial_space(scene_, body, {lack == Lack::Width, within_}, stop_);
@@ -158,7 +158,7 @@ private:
     }
 
     const Scene& scene_;
-    WalkBody body_;
+    WalkerMeasures body_;
     Vec3 from_m_;
     std::span<const Vec3> places_m_;
     std::optional<WalkTrial::Stretch> within_;

@@ -6,9 +6,9 @@
 
 namespace handrail {
 
-std::string card_text(const std::vector<CardWay>& ways) {
+std::string card_text(const std::vector<CardRoute>& ways) {
     std::string text;
-    for (const CardWay& way : ways) {
+    for (const CardRoute& way : ways) {
         if (!text.empty()) text += "\n";
         for (const std::string& sentence : way) {
             std::istringstream words(sentence);
@@ -31,9 +31,9 @@ std::string card_text(const std::vector<CardWay>& ways) {
     return text;
 }
 
-Result<std::string> card_brf(const std::vector<CardWay>& ways, BrailleTable table) {
+Result<std::string> card_brf(const std::vector<CardRoute>& ways, BrailleTable table) {
     std::string text;
-    for (const CardWay& way : ways) {
+    for (const CardRoute& way : ways) {
         if (!text.empty()) text += '\f';
         std::size_t line = 0;
         for (const std::string& sentence : way) {

@@ -52,7 +52,7 @@ struct IfcRelations {
         open_at;  // space with a border that is not a wall, to the first such boundary
     std::map<std::string, int, std::less<>> skipped;  // classes that are not part of a building, with their counts
 
-    // Goes up the aggregates to the first instance of that class; 0 if there is none.
+    // Course up the aggregates to the first instance of that class; 0 if there is none.
     std::uint64_t whole_named(const IfcModel& model, std::uint64_t part, std::string_view name) const;
 };
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <numeric>
 
-#include "worlds/drawn/upright.h"
+#include "worlds/floorplan/upright.h"
 #include "worlds/geometry/box_index.h"
 #include "worlds/geometry/clip.h"
 

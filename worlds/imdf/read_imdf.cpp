@@ -9,9 +9,9 @@
 #include "worlds/base/human_measures.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
-#include "worlds/drawn/guess_doorways.h"
-#include "worlds/drawn/local_plane.h"
-#include "worlds/drawn/upright.h"
+#include "worlds/floorplan/guess_doorways.h"
+#include "worlds/floorplan/local_plane.h"
+#include "worlds/floorplan/upright.h"
 #include "worlds/imdf/meet_buildings.h"
 #include "worlds/imdf/zip_archive.h"
 

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "worlds/drawn/plan_scene.h"
+#include "worlds/floorplan/plan_scene.h"
 
 namespace handrail {
 

@@ -49,8 +49,8 @@ void visit_leaf(const WalkSpace& space, const Aabb& own_m, const Placement& at, 
 
 }  // namespace
 
-std::vector<WordDoor> word_doors(const Scene& scene, std::span<const int> thing_of_mover) {
-    std::vector<WordDoor> doors;
+std::vector<DirectionsDoor> word_doors(const Scene& scene, std::span<const int> thing_of_mover) {
+    std::vector<DirectionsDoor> doors;
     for (std::uint32_t i = 0; i < scene.movers.size(); ++i) {
         const Mover& mover = scene.movers[i];
         const Feature* feature = scene.find(mover.feature);
@@ -58,7 +58,7 @@ std::vector<WordDoor> word_doors(const Scene& scene, std::span<const int> thing_
         if (i >= thing_of_mover.size() || thing_of_mover[i] < 0) continue;
         const Aabb& own = scene.placed[static_cast<std::size_t>(thing_of_mover[i])].model->bounds_m;
         if (own.empty() || own.size_m().z < std::min(own.size_m().x, own.size_m().y)) continue;  // a bridge, not a door
-        auto door = std::find_if(doors.begin(), doors.end(), [&](const WordDoor& d) { return d.group == mover.group; });
+        auto door = std::find_if(doors.begin(), doors.end(), [&](const DirectionsDoor& d) { return d.group == mover.group; });
         if (door == doors.end()) {
             doors.push_back({i, mover.feature, mover.group, {}, false});
             door = doors.end() - 1;
@@ -71,7 +71,7 @@ std::vector<WordDoor> word_doors(const Scene& scene, std::span<const int> thing_
     return doors;
 }
 
-BlindGround::BlindGround(const WalkSpace& space, std::vector<WordDoor> doors)
+BlindGround::BlindGround(const WalkSpace& space, std::vector<DirectionsDoor> doors)
     : space_(space), doors_(std::move(doors)) {
     contract_pre(doors_.size() < 0xfffe);
     const std::size_t count = space_.spans.size();
@@ -87,7 +87,7 @@ BlindGround::BlindGround(const WalkSpace& space, std::vector<WordDoor> doors)
     const double radius_m = space_.body.radius_m;
     std::vector<std::uint32_t> wave;
     for (std::uint32_t d = 0; d < doors_.size(); ++d)
-        for (const WordDoor::Leaf& leaf : doors_[d].leaves) {
+        for (const DirectionsDoor::Leaf& leaf : doors_[d].leaves) {
             visit_leaf(space_, leaf.own_m, leaf.shut, radius_m, [&](std::uint32_t s) {
                 shut_leaf_[s] = static_cast<std::uint16_t>(d + 1);
                 if (near_door_[s] == kNothing) wave.push_back(s);
@@ -140,11 +140,11 @@ void BlindGround::find_free() {
 }
 
 // A walker with the column and row of the current cell and its borders. Most strides read these and few change them.
-struct BlindGround::OnCell : BlindBody {
+struct BlindGround::OnCell : BlindWalker {
     double low_m[2], high_m[2];
     std::uint32_t at_cell[2];
 
-    OnCell(const WalkSpace& space, const BlindBody& body) : BlindBody(body) {
+    OnCell(const WalkSpace& space, const BlindWalker& body) : BlindWalker(body) {
         const std::uint32_t cell = space.spans[span].cell;
         at_cell[0] = cell % space.width;
         at_cell[1] = cell / space.width;
@@ -172,7 +172,7 @@ bool BlindGround::leap(OnCell& body, const Vec2& ahead, double by_m) const {
     return false;
 }
 
-BlindBody BlindGround::body_at(const Vec3& feet_m) const {
+BlindWalker BlindGround::body_at(const Vec3& feet_m) const {
     const std::uint32_t span = space_.nearest(feet_m, 1.0, 0.6, 3.0);
     if (span == kNothing) return {};
     const Vec3 place = space_.place_m(span);
@@ -237,8 +237,8 @@ bool BlindGround::advance(OnCell& body, const Stride& by, const DoorsOpen& open,
     return moved;
 }
 
-Paced BlindGround::walk(BlindBody& walks, double heading_rad, double most_m, PaceEnd end, const DoorsOpen& open,
-                        const std::function<bool(const BlindBody&)>& each_step, double step_m) const {
+Paced BlindGround::walk(BlindWalker& walks, double heading_rad, double most_m, PaceEnd end, const DoorsOpen& open,
+                        const std::function<bool(const BlindWalker&)>& each_step, double step_m) const {
     Paced paced;
     if (walks.span == kNothing) {
         paced.stopped = true;
@@ -309,7 +309,7 @@ Paced BlindGround::walk(BlindBody& walks, double heading_rad, double most_m, Pac
     return paced;
 }
 
-std::optional<double> BlindGround::line_up_m(const BlindBody& body, double heading_rad, const DoorsOpen& open) const {
+std::optional<double> BlindGround::line_up_m(const BlindWalker& body, double heading_rad, const DoorsOpen& open) const {
     const double stride_m = kPartOfCell * space_.cell_m;
     const Vec2 ahead{std::sin(heading_rad), std::cos(heading_rad)}, right{ahead.y, -ahead.x};
     const auto goes_m = [&](OnCell& from, const Vec2& way, double most_m, bool through_doors, double least_m = 0.0) {

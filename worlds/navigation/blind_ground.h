@@ -17,7 +17,7 @@
 namespace handrail {
 
 // A door as people use it: all leaves of one group move together.
-struct WordDoor {
+struct DirectionsDoor {
     std::uint32_t mover = 0;  // index of the first leaf in Scene::movers
     FeatureId feature = kNoFeature;
     std::uint32_t group = 0;
@@ -31,13 +31,13 @@ struct WordDoor {
 
 // All doors that people walk through, in the order of their movers. The movers of the scene must be separate things:
 // see with_movers_apart().
-std::vector<WordDoor> word_doors(const Scene& scene, std::span<const int> thing_of_mover);
+std::vector<DirectionsDoor> word_doors(const Scene& scene, std::span<const int> thing_of_mover);
 
-// Which doors are open, by index of the WordDoor.
+// Which doors are open, by index of the DirectionsDoor.
 using DoorsOpen = std::vector<bool>;
 
 // Position of a walker on the ground.
-struct BlindBody {
+struct BlindWalker {
     Vec2 at_m{0.0};
     std::uint32_t span = kNothing;
 };
@@ -70,21 +70,21 @@ inline constexpr double kLineUp_m = 0.5, kLineUpDeep_m = 0.35, kDoorway_m = 1.4;
 class BlindGround {
 public:
     // `space` must outlive this object. Costs a search around each leaf and a few bytes for each span.
-    BlindGround(const WalkSpace& space, std::vector<WordDoor> doors);
+    BlindGround(const WalkSpace& space, std::vector<DirectionsDoor> doors);
 
     const WalkSpace& space() const { return space_; }
-    const std::vector<WordDoor>& doors() const { return doors_; }
+    const std::vector<DirectionsDoor>& doors() const { return doors_; }
     DoorsOpen all_shut() const { return DoorsOpen(doors_.size(), false); }
 
     // A walker at that place; `span` is kNothing if nobody can stand there.
-    BlindBody body_at(const Vec3& feet_m) const;
-    Vec3 feet_m(const BlindBody& body) const { return {body.at_m.x, body.at_m.y, space_.place_m(body.span).z}; }
+    BlindWalker body_at(const Vec3& feet_m) const;
+    Vec3 feet_m(const BlindWalker& body) const { return {body.at_m.x, body.at_m.y, space_.place_m(body.span).z}; }
     // Walks on until `end` applies, something stops the walker, or `most_m` is covered.
-    Paced walk(BlindBody& body, double heading_rad, double most_m, PaceEnd end, const DoorsOpen& open,
-               const std::function<bool(const BlindBody&)>& each_step = {}, double step_m = 0.7) const;
+    Paced walk(BlindWalker& body, double heading_rad, double most_m, PaceEnd end, const DoorsOpen& open,
+               const std::function<bool(const BlindWalker&)>& each_step = {}, double step_m = 0.7) const;
     // How far to the right a stopped walker must slide to go on through a doorway in the same direction. Negative: to
     // the left. 0: the doorway is straight ahead, perhaps with a shut door. Nothing: no doorway within kLineUp_m.
-    std::optional<double> line_up_m(const BlindBody& body, double heading_rad, const DoorsOpen& open) const;
+    std::optional<double> line_up_m(const BlindWalker& body, double heading_rad, const DoorsOpen& open) const;
     // Index in doors() of the door within reach at that span; kNothing if there is none.
     std::uint32_t door_at(std::uint32_t span) const { return near_door_.empty() ? kNothing : near_door_[span]; }
 
@@ -97,7 +97,7 @@ private:
     bool advance(OnCell& body, const Stride& by, const DoorsOpen& open, bool through_doors, bool& edge) const;
 
     const WalkSpace& space_;
-    std::vector<WordDoor> doors_;
+    std::vector<DirectionsDoor> doors_;
     // For each span: 1 + index of the door whose leaf is there; 0: none.
     std::vector<std::uint16_t> shut_leaf_, open_leaf_;
     std::vector<bool> shut_middle_;  // for each span: the walker's centre would be in a shut leaf

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "worlds/base/language.h"
-#include "worlds/navigation/way_place.h"
+#include "worlds/navigation/route_place.h"
 
 namespace handrail {
 namespace {
@@ -26,8 +26,8 @@ constexpr double kMostGameDrop_m = 20.0, kMostPlannedDrop_m = 1.0;
 
 }  // namespace
 
-WalkBody walk_body(const Scene& scene, double radius_m, double height_m, double step_up_m) {
-    WalkBody body;
+WalkerMeasures walk_body(const Scene& scene, double radius_m, double height_m, double step_up_m) {
+    WalkerMeasures body;
     body.radius_m = radius_m;
     body.height_m = height_m;
     body.step_up_m = step_up_m;
@@ -36,7 +36,7 @@ WalkBody walk_body(const Scene& scene, double radius_m, double height_m, double 
     return body;
 }
 
-Result<std::shared_ptr<Navigation>> Navigation::make(const Scene& scene, const WalkBody& body,
+Result<std::shared_ptr<Navigation>> Navigation::make(const Scene& scene, const WalkerMeasures& body,
                                                      const std::stop_token& stop) {
     Result<WalkSpace> space = make_walk_space(scene, body, stop);
     if (!space) return tl::unexpected(space.error());

@@ -17,14 +17,14 @@
 namespace handrail {
 
 // The body of a person in a building or of a player in a game map, by the kind of scene, with a suitable cell size.
-WalkBody walk_body(const Scene& scene, double radius_m, double height_m, double step_up_m);
+WalkerMeasures walk_body(const Scene& scene, double radius_m, double height_m, double step_up_m);
 
 class Navigation {
 public:
     // Fails with one sentence if there is no floor or the request was stopped. If the floor gives no mesh, or memory
     // does not suffice for one, routes are planned from cell to cell. That takes longer, and such routes never use
     // drops, lifts and teleporters.
-    static Result<std::shared_ptr<Navigation>> make(const Scene& scene, const WalkBody& body,
+    static Result<std::shared_ptr<Navigation>> make(const Scene& scene, const WalkerMeasures& body,
                                                     const std::stop_token& stop = {});
     // Uses a walkable space that make_walk_space made of this scene before. Fails if it is stopped.
     static Result<std::shared_ptr<Navigation>> over(const Scene& scene, WalkSpace space,

@@ -12,7 +12,7 @@ constexpr int kSampledColumns = 8'192;
 
 }  // namespace
 
-double standable_m2(const Obstacles& obstacles, const WalkBody& body, const NearGround& ground,
+double standable_m2(const Obstacles& obstacles, const WalkerMeasures& body, const NearGround& ground,
                     double exact_enough_m2) {
     // The floor cannot exceed the tops of all obstacles together.
     std::vector<double> so_far;

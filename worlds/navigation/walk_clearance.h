@@ -71,6 +71,6 @@ void free_stretches(std::span<const ColumnInterval> intervals, std::span<const C
 // Estimates the area of floor to stand on in the whole scene, reached or not, without ground that is left out. It
 // decides how fine the columns can be. The error is a few percent: if there are many obstacles, a fixed number of
 // columns is sampled.
-double standable_m2(const Obstacles& obstacles, const WalkBody& body, const NearGround& ground, double exact_enough_m2);
+double standable_m2(const Obstacles& obstacles, const WalkerMeasures& body, const NearGround& ground, double exact_enough_m2);
 
 }  // namespace handrail

@@ -23,7 +23,7 @@ bool wades(const std::vector<const Solid*>& liquids, const std::vector<std::uint
 
 }  // namespace
 
-Flood::Flood(const Scene& scene, const WalkBody& body, const Obstacles& obstacles, const NearGround& ground,
+Flood::Flood(const Scene& scene, const WalkerMeasures& body, const Obstacles& obstacles, const NearGround& ground,
              bool partly, const std::stop_token& stop, const WalkTrial* trial)
     : scene_(scene),
       body_(body),

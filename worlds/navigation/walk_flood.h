@@ -23,7 +23,7 @@ public:
     // `partly`: if there is too much floor, the flood ends with what it has reached by then.
     // `trial`: see make_trial_space; null: everything is made.
     // All arguments must outlive this object.
-    Flood(const Scene& scene, const WalkBody& body, const Obstacles& obstacles, const NearGround& ground, bool partly,
+    Flood(const Scene& scene, const WalkerMeasures& body, const Obstacles& obstacles, const NearGround& ground, bool partly,
           const std::stop_token& stop, const WalkTrial* trial = nullptr);
 
     // TooLarge: too much floor, or too large a grid. Only returned if `partly` is false.
@@ -83,7 +83,7 @@ private:
     bool stopped() { return (++asked_ & 0xfff) == 0 && stop_.stop_requested(); }
 
     const Scene& scene_;
-    WalkBody body_;
+    WalkerMeasures body_;
     const Obstacles& obstacles_;
     std::stop_token stop_;
     const WalkTrial* trial_;

@@ -55,7 +55,7 @@ private:
 
 }  // namespace
 
-Obstacles::Obstacles(const Scene& scene, const WalkBody& body, const Aabb* within)
+Obstacles::Obstacles(const Scene& scene, const WalkerMeasures& body, const Aabb* within)
     : body_(body), within_(within), stairs_(scene) {
     std::vector<int> mover_of_feature(scene.features.size(), -1);
     for (std::size_t m = 0; m < scene.movers.size(); ++m)

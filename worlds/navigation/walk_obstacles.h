@@ -29,7 +29,7 @@ struct PassingFloor {
 class Obstacles {
 public:
     // Includes everything that touches `within`, grown by the walker's body; null: everything.
-    Obstacles(const Scene& scene, const WalkBody& body, const Aabb* within = nullptr);
+    Obstacles(const Scene& scene, const WalkerMeasures& body, const Aabb* within = nullptr);
 
     // The heights above one place that an obstacle denies to the soles. Returns false if it denies none. `steep`:
     // nobody can stand on its top there.
@@ -49,7 +49,7 @@ private:
     bool passes(const Scene& scene, std::uint32_t mover, const Solid& solid);
     bool is_looked_at(const Aabb& box) const;
 
-    WalkBody body_;
+    WalkerMeasures body_;
     const Aabb* within_;
     StairRule stairs_;
     std::vector<Plane> planes_;  // pushed outwards by the walker's body

@@ -290,7 +290,7 @@ bool WalkSpace::straight(const Vec3& from_m, const Vec3& to_m,
     return std::abs(place_m(here).z - to_m.z) <= 1.5 * body.step_up_m + 0.1;
 }
 
-std::vector<std::string> said_of(const WalkSpace& space, const WalkBody& asked) {
+std::vector<std::string> said_of(const WalkSpace& space, const WalkerMeasures& asked) {
     std::vector<std::string> said;
     if (space.body.cell_m > asked.cell_m)
         said.push_back(phrase("navigation.coarse", {{"centimetres", std::lround(space.body.cell_m * 100.0)}}));
@@ -317,7 +317,7 @@ struct Flooded {
     std::unique_ptr<Flood> flood;
     bool stopped = false;
 };
-Flooded flood_as_fine_as_can_be(const Scene& scene, WalkBody& body, const Obstacles& obstacles,
+Flooded flood_as_fine_as_can_be(const Scene& scene, WalkerMeasures& body, const Obstacles& obstacles,
                                 const std::stop_token& stop, const WalkTrial* trial) {
     std::vector<Fineness> tried;
     for (const Fineness& each : kFineness)
@@ -348,7 +348,7 @@ void note_what_is_out(const Flooded& flooded, WalkSpace& space) {
 
 }  // namespace
 
-Result<WalkSpace> make_trial_space(const Scene& scene, const WalkBody& body, const WalkTrial& trial,
+Result<WalkSpace> make_trial_space(const Scene& scene, const WalkerMeasures& body, const WalkTrial& trial,
                                    const std::stop_token& stop) {
     WalkSpace space;
     space.body = body;
@@ -366,7 +366,7 @@ Result<WalkSpace> make_trial_space(const Scene& scene, const WalkBody& body, con
     return space;
 }
 
-Result<WalkSpace> make_walk_space(const Scene& scene, const WalkBody& body, const std::stop_token& stop) {
+Result<WalkSpace> make_walk_space(const Scene& scene, const WalkerMeasures& body, const std::stop_token& stop) {
     const auto given_up = [&] { return fail(phrase("navigation.given_up"), scene.source_file); };
     WalkSpace space;
     space.body = body;

@@ -19,13 +19,13 @@
 
 namespace handrail {
 
-struct WalkBody {
+struct WalkerMeasures {
     double radius_m = 0.25;
     double height_m = 1.8;
     double step_up_m = 0.25;
     double most_drop_m = 1.0;  // nobody is led farther down
     double cell_m = 0.05;      // width of the columns; larger if there is too much floor
-    bool operator==(const WalkBody&) const = default;
+    bool operator==(const WalkerMeasures&) const = default;
 };
 
 // The index that means no span, no obstacle or no room.
@@ -86,7 +86,7 @@ extern template struct SpanGrid<WalkSpan>;
 extern template struct SpanGrid<WallSpan>;
 
 struct WalkSpace : SpanGrid<WalkSpan> {
-    WalkBody body;
+    WalkerMeasures body;
     std::vector<WalkLink> links;
     std::vector<FeatureId> obstacle_features;  // for each obstacle its feature; kNoFeature: the building itself
     std::vector<std::string> said;             // sentences about what was simplified or left out
@@ -106,7 +106,7 @@ struct WalkSpace : SpanGrid<WalkSpan> {
 
 // What to announce about a space that was requested with this body: that its columns are coarser, and what was left
 // out.
-std::vector<std::string> said_of(const WalkSpace& space, const WalkBody& asked);
+std::vector<std::string> said_of(const WalkSpace& space, const WalkerMeasures& asked);
 
 // What to make of a space for a body that is only tried: what it can reach, its drops and lifts, and stairs taken in
 // one go. The space has no floor without furniture, no closed rooms, no marks of stairs, and nothing about what is
@@ -122,13 +122,13 @@ struct WalkTrial {
     std::optional<Stretch> within;
 };
 // Fails as make_walk_space does. Costs about a third of it; a stretch costs a small part.
-Result<WalkSpace> make_trial_space(const Scene& scene, const WalkBody& body, const WalkTrial& trial,
+Result<WalkSpace> make_trial_space(const Scene& scene, const WalkerMeasures& body, const WalkTrial& trial,
                                    const std::stop_token& stop = {});
 
 // Fails with a sentence if there is nothing to walk on, or if `stop` ends it, which is queried every few milliseconds.
 // If there is much floor, the columns are coarser and ground far from everything else is left out. If there is still
 // too much, the space ends with what is nearest to the start. One flood gives both the space and its walls. Needs at
 // most 150 bytes for each span during the work.
-Result<WalkSpace> make_walk_space(const Scene& scene, const WalkBody& body, const std::stop_token& stop = {});
+Result<WalkSpace> make_walk_space(const Scene& scene, const WalkerMeasures& body, const std::stop_token& stop = {});
 
 }  // namespace handrail

@@ -12,7 +12,7 @@ constexpr std::size_t kMostInColumn = 60;  // spans; Recast counts at most 62
 
 }  // namespace
 
-WalkTiles::WalkTiles(const Scene& scene, const WalkBody& body, const Obstacles& obstacles, const NearGround& ground)
+WalkTiles::WalkTiles(const Scene& scene, const WalkerMeasures& body, const Obstacles& obstacles, const NearGround& ground)
     : scene_(scene),
       body_(body),
       obstacles_(obstacles),

@@ -64,7 +64,7 @@ public:
     };
 
     // The arguments must outlive this object.
-    WalkTiles(const Scene& scene, const WalkBody& body, const Obstacles& obstacles, const NearGround& ground);
+    WalkTiles(const Scene& scene, const WalkerMeasures& body, const Obstacles& obstacles, const NearGround& ground);
 
     // The reference stays valid: tiles do not move.
     Tile& operator[](std::uint32_t tile) { return *tiles_[tile]; }
@@ -127,7 +127,7 @@ private:
     void keep(std::uint32_t tile);
 
     const Scene& scene_;
-    WalkBody body_;
+    WalkerMeasures body_;
     const Obstacles& obstacles_;
     const NearGround& ground_;
     BoxIndex index_, passing_index_;

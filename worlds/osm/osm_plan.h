@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include "worlds/drawn/local_plane.h"
+#include "worlds/floorplan/local_plane.h"
 #include "worlds/osm/read_osm.h"
 
 namespace handrail {

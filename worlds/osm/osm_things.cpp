@@ -4,7 +4,7 @@
 
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
-#include "worlds/drawn/upright.h"
+#include "worlds/floorplan/upright.h"
 #include "worlds/osm/osm_levels.h"
 #include "worlds/osm/osm_plan.h"
 #include "worlds/osm/osm_words.h"

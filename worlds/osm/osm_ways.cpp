@@ -7,7 +7,7 @@
 
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
-#include "worlds/drawn/upright.h"
+#include "worlds/floorplan/upright.h"
 #include "worlds/geometry/box_index.h"
 #include "worlds/geometry/clip.h"
 #include "worlds/osm/osm_levels.h"

@@ -3,7 +3,7 @@
 // call.
 #pragma once
 
-#include "worlds/drawn/plan_scene.h"
+#include "worlds/floorplan/plan_scene.h"
 #include "worlds/osm/osm_data.h"
 
 namespace handrail {

@@ -75,7 +75,7 @@ Result<OpenFile> open_file_beside(const fs::path& world, const std::string& othe
 
 Result<std::string> read_file_beside(const fs::path& world, const std::string& other, const std::stop_token& stop) {
     const Result<OpenFile> file = open_file_beside(world, other);
-    return file ? read_whole_file(*file, kLargestBeside_bytes, stop) : tl::unexpected(file.error());
+    return file ? read_whole_file(*file, kLargestNeighbour_bytes, stop) : tl::unexpected(file.error());
 }
 
 Result<Scene> read_world(const fs::path& path, const ReadOptions& options) {

@@ -126,7 +126,7 @@ Result<Scene> read_world(const std::filesystem::path& path, const ReadOptions& o
 Result<Scene> read_world_bytes(const std::filesystem::path& path, std::string_view bytes, const ReadOptions& options);
 
 inline constexpr std::size_t kLargestWorld_bytes = std::size_t{1} << 30;
-inline constexpr std::size_t kLargestBeside_bytes = std::size_t{1} << 27;
+inline constexpr std::size_t kLargestNeighbour_bytes = std::size_t{1} << 27;
 
 // Opens a file that belongs to a world, by its name relative to the world's own. Only files in the world's folder or
 // below it are allowed. Links are refused, because they could lead anywhere.

@@ -47,7 +47,7 @@ StairRule::StairRule(const Scene& scene) {
     find_walls(scene);
 }
 
-// Goes through the pieces from the lowest up, so that each piece of a wall finds those below it.
+// Course through the pieces from the lowest up, so that each piece of a wall finds those below it.
 void StairRule::find_walls(const Scene& scene) {
     for (Flight& flight : flights_) {
         const Aabb around = beside(flight.box_m);

@@ -18,7 +18,7 @@ inline constexpr int kLastOf<RoomKind> = static_cast<int>(RoomKind::Niche);
 template <>
 inline constexpr int kLastOf<RoomLook> = static_cast<int>(RoomLook::Hall);
 
-template <class A, Is<WalkBody> T>
+template <class A, Is<WalkerMeasures> T>
 void fields(A& a, T& v) {
     auto& [radius, height, step_up, most_drop, cell] = v;
     a(radius, height, step_up, most_drop, cell);
@@ -218,9 +218,9 @@ std::optional<FoundWays> whole_ways(std::string_view plain) {
 }
 
 // Checks what needs the scene, and that the space can belong to a body of this size.
-bool belong_to(const Scene& scene, const WalkBody& asked, const WalkSpace& space, const RoomGraph& graph) {
+bool belong_to(const Scene& scene, const WalkerMeasures& asked, const WalkSpace& space, const RoomGraph& graph) {
     const auto known = [&](FeatureId id) { return !id || id.value < scene.features.size(); };
-    WalkBody body = space.body;
+    WalkerMeasures body = space.body;
     if (space.cell_m != body.cell_m || !(body.cell_m >= asked.cell_m) || !(body.cell_m <= 1.0)) return false;
     body.cell_m = asked.cell_m;
     return body == asked && std::all_of(space.obstacle_features.begin(), space.obstacle_features.end(), known) &&
@@ -236,7 +236,7 @@ bool belong_to(const Scene& scene, const WalkBody& asked, const WalkSpace& space
 
 }  // namespace
 
-std::string ways_key(const Scene& scene, const WalkBody& body) {
+std::string ways_key(const Scene& scene, const WalkerMeasures& body) {
     Packer pack;
     archive::count(pack, kWorldsVersion);
     pack(body);
@@ -266,7 +266,7 @@ std::string unpacked_ways(std::string_view packed) {
     return found ? plain_ways(found->space, found->graph) : std::string();
 }
 
-std::optional<FoundWays> ways_from(std::string_view plain, const WalkBody& body, const Scene& scene) {
+std::optional<FoundWays> ways_from(std::string_view plain, const WalkerMeasures& body, const Scene& scene) {
     std::optional<FoundWays> found = whole_ways(plain);
     if (!found || !belong_to(scene, body, found->space, found->graph)) return std::nullopt;
     found->space.said = said_of(found->space, body);

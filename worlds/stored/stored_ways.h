@@ -16,7 +16,7 @@
 namespace handrail {
 
 // SHA-256, in hex, of everything that the result depends on: the scene, the body as requested, and kWorldsVersion.
-std::string ways_key(const Scene& scene, const WalkBody& body);
+std::string ways_key(const Scene& scene, const WalkerMeasures& body);
 
 struct FoundWays {
     WalkSpace space;  // without its walls, which are needed only to find rooms
@@ -31,7 +31,7 @@ std::string stored_ways(const WalkSpace& space, const RoomGraph& graph, const st
 std::string unpacked_ways(std::string_view packed);
 // Reads the result of unpacked_ways, for the scene and body of its key; empty if it does not fit them. Names are in the
 // spoken language.
-std::optional<FoundWays> ways_from(std::string_view plain, const WalkBody& body, const Scene& scene);
+std::optional<FoundWays> ways_from(std::string_view plain, const WalkerMeasures& body, const Scene& scene);
 
 // With fewer spans, and fewer solids and triangles, the search is faster than the cache.
 inline constexpr std::size_t kLeastKeptSpans = 50'000, kLeastKeptShapes = 2'000;

@@ -1,7 +1,7 @@
 // Turns a building described in English or German sentences into a Scene. Any thread.
 #pragma once
 
-#include "worlds/drawn/plan_scene.h"
+#include "worlds/floorplan/plan_scene.h"
 
 namespace handrail {
 

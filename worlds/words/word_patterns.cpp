@@ -20,125 +20,125 @@ constexpr std::size_t kMostWords = 120, kMostNumbers = 4000, kMostOfName = 12;
 // a name {name}. `kinds` lists the kinds of sentence that it applies to: r room, d door or opening, l lift, drop or
 // stairs between rooms, w window, t thing, s start, h heads of storeys and buildings.
 struct Pattern {
-    Says says;
+    Statement says;
     std::string_view kinds, words;
 };
 
 constexpr Pattern kEnglish[] = {
-    {Says::Size3, "t", "{n} {u}? by|x|times {n} {u}? by|x|times {n} {u}?"},
-    {Says::Size2, "rtl", "{n} {u}? by|x|times {n} {u}?"},
-    {Says::High, "rtwh", "{n} {u}? high|tall"},
-    {Says::Wide, "dwtl", "{n} {u}? wide"},
-    {Says::Thick, "h", "{n} {u}? thick"},
-    {Says::AboveFloor, "twh", "{n} {u}? above|over the? floor|ground"},
-    {Says::SideOf, "r", "{n} {u}? to? the? {c} of {name}"},
-    {Says::SideOf, "r", "to|on? the? {c} of {name}"},
-    {Says::SideOf, "r", "{n} {u}? behind|beyond|before {name}"},
-    {Says::SideOf, "r", "in? behind|beyond|front|before of? {name}"},
-    {Says::Above, "r", "above|over|below|under|underneath {name}"},
-    {Says::Further, "r", "{n} {u}? further|farther|more to? the? {c}"},
-    {Says::Flush, "r", "flush|aligned with|at|to|in? the|its? {c} end|wall|side|edge?"},
-    {Says::Flush, "r", "flush|aligned with|at|to|in? {w}"},
-    {Says::CornerAt, "r", "its|the|south-west|southwest? corner at {n} {u}? {c} and? {n} {u}? {c}"},
-    {Says::At, "dwtsl", "at {n} {u}? {c} and? {n} {u}? {c}"},
-    {Says::Offset, "ts", "{n} {u}? {c} and? {n} {u}? {c}"},
-    {Says::CornerList, "r", "with? corners|corner at|are?"},
-    {Says::Hole, "r", "with? a? hole|courtyard at?"},
-    {Says::FromWall, "dwts", "and? {n} {u}? from|off {w}"},
-    {Says::Along, "dwts", "{n} {u}? along|down|on {w}"},
-    {Says::Along, "dwts", "{n} {u}? along"},
-    {Says::MiddleOf, "dwts", "in|at the? middle|centre|center of {w}"},
-    {Says::Middle, "dwts", "in|at the? middle|centre|center"},
-    {Says::InCorner, "ts", "in|at|into {k}"},
-    {Says::InWall, "dwts", "in|on|at|along|against|by {w}"},
-    {Says::ByWindow, "ts", "by|at|under|below|beside|near|in|before the|its? window"},
-    {Says::ByDoor, "ts", "by|at|beside|near|next to? the|its? door to the? {name}"},
-    {Says::ByDoor, "ts", "by|at|beside|near|next to? the|its? door"},
-    {Says::NextTo, "ts", "next to {name}"},
-    {Says::NextTo, "ts", "beside|near|by {name}"},
-    {Says::Outside, "d", "to? the? outside|outdoors|street"},
-    {Says::To, "dl", "to|into {name}"},
-    {Says::DropOf, "l", "of {n} {u}?"},
-    {Says::FromRoom, "l", "from {name}"},
-    {Says::UpSide, "l", "up to? the? {c}"},
-    {Says::UpAndBack, "l", "up to? the? {c} and? back"},
-    {Says::Railing, "r", "with? a? railing|balustrade|parapet|banister of? {n} {u}? high|tall?"},
-    {Says::Railing, "r", "with? a? {n} {u}? high|tall? railing|balustrade|parapet|banister"},
-    {Says::Raised, "r", "raised by {n} {u}?"},
-    {Says::Sunk, "r", "sunk|lowered by {n} {u}?"},
-    {Says::Stairs, "r", "stairs|staircase|steps up? to {name}"},
-    {Says::Lift, "r", "lift|elevator up? to {name}"},
-    {Says::UpTo, "r", "up to {name}"},
-    {Says::Landmark, "tw", "a? landmark"},
-    {Says::Clue, "tw", "a? clue"},
-    {Says::Called, "dwtsl", "called|named {name}"},
-    {Says::Floor, "r", "a? {m} floor"},
-    {Says::Floor, "r", "with? a? floor is|of {m}"},
-    {Says::MadeOf, "t", "made? of {m}"},
-    {Says::Walls, "h", "made? of {m}"},
-    {Says::Facing, "s", "facing|looking {c}"},
-    {Says::ByItself, "d", "opens|opening by itself"},
-    {Says::ByItself, "d", "automatic"},
-    {Says::In, "s", "in|here {name}"},
+    {Statement::Size3, "t", "{n} {u}? by|x|times {n} {u}? by|x|times {n} {u}?"},
+    {Statement::Size2, "rtl", "{n} {u}? by|x|times {n} {u}?"},
+    {Statement::High, "rtwh", "{n} {u}? high|tall"},
+    {Statement::Wide, "dwtl", "{n} {u}? wide"},
+    {Statement::Thick, "h", "{n} {u}? thick"},
+    {Statement::AboveFloor, "twh", "{n} {u}? above|over the? floor|ground"},
+    {Statement::SideOf, "r", "{n} {u}? to? the? {c} of {name}"},
+    {Statement::SideOf, "r", "to|on? the? {c} of {name}"},
+    {Statement::SideOf, "r", "{n} {u}? behind|beyond|before {name}"},
+    {Statement::SideOf, "r", "in? behind|beyond|front|before of? {name}"},
+    {Statement::Above, "r", "above|over|below|under|underneath {name}"},
+    {Statement::Further, "r", "{n} {u}? further|farther|more to? the? {c}"},
+    {Statement::Flush, "r", "flush|aligned with|at|to|in? the|its? {c} end|wall|side|edge?"},
+    {Statement::Flush, "r", "flush|aligned with|at|to|in? {w}"},
+    {Statement::CornerAt, "r", "its|the|south-west|southwest? corner at {n} {u}? {c} and? {n} {u}? {c}"},
+    {Statement::At, "dwtsl", "at {n} {u}? {c} and? {n} {u}? {c}"},
+    {Statement::Offset, "ts", "{n} {u}? {c} and? {n} {u}? {c}"},
+    {Statement::CornerList, "r", "with? corners|corner at|are?"},
+    {Statement::Hole, "r", "with? a? hole|courtyard at?"},
+    {Statement::FromWall, "dwts", "and? {n} {u}? from|off {w}"},
+    {Statement::Along, "dwts", "{n} {u}? along|down|on {w}"},
+    {Statement::Along, "dwts", "{n} {u}? along"},
+    {Statement::MiddleOf, "dwts", "in|at the? middle|centre|center of {w}"},
+    {Statement::Middle, "dwts", "in|at the? middle|centre|center"},
+    {Statement::InCorner, "ts", "in|at|into {k}"},
+    {Statement::InWall, "dwts", "in|on|at|along|against|by {w}"},
+    {Statement::ByWindow, "ts", "by|at|under|below|beside|near|in|before the|its? window"},
+    {Statement::ByDoor, "ts", "by|at|beside|near|next to? the|its? door to the? {name}"},
+    {Statement::ByDoor, "ts", "by|at|beside|near|next to? the|its? door"},
+    {Statement::NextTo, "ts", "next to {name}"},
+    {Statement::NextTo, "ts", "beside|near|by {name}"},
+    {Statement::Outside, "d", "to? the? outside|outdoors|street"},
+    {Statement::To, "dl", "to|into {name}"},
+    {Statement::DropOf, "l", "of {n} {u}?"},
+    {Statement::FromRoom, "l", "from {name}"},
+    {Statement::UpSide, "l", "up to? the? {c}"},
+    {Statement::UpAndBack, "l", "up to? the? {c} and? back"},
+    {Statement::Railing, "r", "with? a? railing|balustrade|parapet|banister of? {n} {u}? high|tall?"},
+    {Statement::Railing, "r", "with? a? {n} {u}? high|tall? railing|balustrade|parapet|banister"},
+    {Statement::Raised, "r", "raised by {n} {u}?"},
+    {Statement::Sunk, "r", "sunk|lowered by {n} {u}?"},
+    {Statement::Stairs, "r", "stairs|staircase|steps up? to {name}"},
+    {Statement::Lift, "r", "lift|elevator up? to {name}"},
+    {Statement::UpTo, "r", "up to {name}"},
+    {Statement::Landmark, "tw", "a? landmark"},
+    {Statement::Clue, "tw", "a? clue"},
+    {Statement::Called, "dwtsl", "called|named {name}"},
+    {Statement::Floor, "r", "a? {m} floor"},
+    {Statement::Floor, "r", "with? a? floor is|of {m}"},
+    {Statement::MadeOf, "t", "made? of {m}"},
+    {Statement::Walls, "h", "made? of {m}"},
+    {Statement::Facing, "s", "facing|looking {c}"},
+    {Statement::ByItself, "d", "opens|opening by itself"},
+    {Statement::ByItself, "d", "automatic"},
+    {Statement::In, "s", "in|here {name}"},
 };
 
 constexpr Pattern kGerman[] = {
-    {Says::Size3, "t", "{n} {u}? mal|x|auf {n} {u}? mal|x|auf {n} {u}?"},
-    {Says::Size2, "rtl", "{n} {u}? mal|x|auf {n} {u}?"},
-    {Says::High, "rtwh", "{n} {u}? hoch|hohe|hoher|hohes"},
-    {Says::Wide, "dwtl", "{n} {u}? breit|breite|breiter|breites"},
-    {Says::Thick, "h", "{n} {u}? dick|stark"},
-    {Says::AboveFloor, "twh", "{n} {u}? über|ueber dem? boden|fußboden|fussboden|grund|erdboden"},
-    {Says::SideOf, "r", "{n} {u}? {c} von|vom|der|des|zu {name}"},
-    {Says::SideOf, "r", "im? {c} von|vom|der|des|zu {name}"},
-    {Says::SideOf, "r", "links|rechts von|vom|der|neben? {name}"},
-    {Says::SideOf, "r", "{n} {u}? hinter|vor {name}"},
-    {Says::SideOf, "r", "hinter|vor {name}"},
-    {Says::Above, "r", "über|ueber|oberhalb|unter|unterhalb von|vom? {name}"},
-    {Says::Further, "r", "{n} {u}? weiter|versetzt nach|im? {c}"},
-    {Says::Flush, "r", "bündig|buendig am|mit|an|im? der|dem? {c} ende|wand|seite|rand?"},
-    {Says::Flush, "r", "bündig|buendig am|mit|an|im? {w}"},
-    {Says::CornerAt, "r", "südwestecke|suedwestecke|ecke bei|an {n} {u}? nach? {c} und? {n} {u}? nach? {c}"},
-    {Says::At, "dwtsl", "bei|an {n} {u}? nach? {c} und? {n} {u}? nach? {c}"},
-    {Says::Offset, "ts", "{n} {u}? nach? {c} und? {n} {u}? nach? {c}"},
-    {Says::CornerList, "r", "mit? ecken|ecke bei|an?"},
-    {Says::Hole, "r", "mit? loch|aussparung|innenhof bei|an?"},
-    {Says::FromWall, "dwts", "und? {n} {u}? von|vom|ab|aus {w}"},
-    {Says::Along, "dwts", "{n} {u}? entlang|an|längs|laengs|auf {w}"},
-    {Says::Along, "dwts", "{n} {u}? entlang"},
-    {Says::MiddleOf, "dwts", "in der? mitte von? {w}"},
-    {Says::MiddleOf, "dwts", "mitten in|an {w}"},
-    {Says::Middle, "dwts", "in der? mitte"},
-    {Says::InCorner, "ts", "in|an {k}"},
-    {Says::InWall, "dwts", "in|an|bei|entlang|auf {w}"},
-    {Says::ByWindow, "ts", "am|beim|unter|an|neben|vor|im dem|das? fenster"},
-    {Says::ByDoor, "ts", "neben|an|bei|hinter der? tür|tuer zu|zum|zur|nach|in|ins {name}"},
-    {Says::ByDoor, "ts", "neben|an|bei|hinter der? tür|tuer"},
-    {Says::NextTo, "ts", "neben|bei|beim|am {name}"},
-    {Says::Outside, "d", "nach|ins draußen|draussen|außen|aussen|freie"},
-    {Says::To, "dl", "zu|zum|zur|nach|in|ins {name}"},
-    {Says::DropOf, "l", "von {n} {u}?"},
-    {Says::FromRoom, "l", "von|vom {name}"},
-    {Says::UpSide, "l", "hinauf nach {c}"},
-    {Says::UpAndBack, "l", "hinauf nach {c} und? zurück|zurueck"},
-    {Says::Railing, "r", "mit? einem|einer? geländer|gelaender|brüstung|bruestung von? {n} {u}? hoch|höhe?"},
-    {Says::Railing, "r",
+    {Statement::Size3, "t", "{n} {u}? mal|x|auf {n} {u}? mal|x|auf {n} {u}?"},
+    {Statement::Size2, "rtl", "{n} {u}? mal|x|auf {n} {u}?"},
+    {Statement::High, "rtwh", "{n} {u}? hoch|hohe|hoher|hohes"},
+    {Statement::Wide, "dwtl", "{n} {u}? breit|breite|breiter|breites"},
+    {Statement::Thick, "h", "{n} {u}? dick|stark"},
+    {Statement::AboveFloor, "twh", "{n} {u}? über|ueber dem? boden|fußboden|fussboden|grund|erdboden"},
+    {Statement::SideOf, "r", "{n} {u}? {c} von|vom|der|des|zu {name}"},
+    {Statement::SideOf, "r", "im? {c} von|vom|der|des|zu {name}"},
+    {Statement::SideOf, "r", "links|rechts von|vom|der|neben? {name}"},
+    {Statement::SideOf, "r", "{n} {u}? hinter|vor {name}"},
+    {Statement::SideOf, "r", "hinter|vor {name}"},
+    {Statement::Above, "r", "über|ueber|oberhalb|unter|unterhalb von|vom? {name}"},
+    {Statement::Further, "r", "{n} {u}? weiter|versetzt nach|im? {c}"},
+    {Statement::Flush, "r", "bündig|buendig am|mit|an|im? der|dem? {c} ende|wand|seite|rand?"},
+    {Statement::Flush, "r", "bündig|buendig am|mit|an|im? {w}"},
+    {Statement::CornerAt, "r", "südwestecke|suedwestecke|ecke bei|an {n} {u}? nach? {c} und? {n} {u}? nach? {c}"},
+    {Statement::At, "dwtsl", "bei|an {n} {u}? nach? {c} und? {n} {u}? nach? {c}"},
+    {Statement::Offset, "ts", "{n} {u}? nach? {c} und? {n} {u}? nach? {c}"},
+    {Statement::CornerList, "r", "mit? ecken|ecke bei|an?"},
+    {Statement::Hole, "r", "mit? loch|aussparung|innenhof bei|an?"},
+    {Statement::FromWall, "dwts", "und? {n} {u}? von|vom|ab|aus {w}"},
+    {Statement::Along, "dwts", "{n} {u}? entlang|an|längs|laengs|auf {w}"},
+    {Statement::Along, "dwts", "{n} {u}? entlang"},
+    {Statement::MiddleOf, "dwts", "in der? mitte von? {w}"},
+    {Statement::MiddleOf, "dwts", "mitten in|an {w}"},
+    {Statement::Middle, "dwts", "in der? mitte"},
+    {Statement::InCorner, "ts", "in|an {k}"},
+    {Statement::InWall, "dwts", "in|an|bei|entlang|auf {w}"},
+    {Statement::ByWindow, "ts", "am|beim|unter|an|neben|vor|im dem|das? fenster"},
+    {Statement::ByDoor, "ts", "neben|an|bei|hinter der? tür|tuer zu|zum|zur|nach|in|ins {name}"},
+    {Statement::ByDoor, "ts", "neben|an|bei|hinter der? tür|tuer"},
+    {Statement::NextTo, "ts", "neben|bei|beim|am {name}"},
+    {Statement::Outside, "d", "nach|ins draußen|draussen|außen|aussen|freie"},
+    {Statement::To, "dl", "zu|zum|zur|nach|in|ins {name}"},
+    {Statement::DropOf, "l", "von {n} {u}?"},
+    {Statement::FromRoom, "l", "von|vom {name}"},
+    {Statement::UpSide, "l", "hinauf nach {c}"},
+    {Statement::UpAndBack, "l", "hinauf nach {c} und? zurück|zurueck"},
+    {Statement::Railing, "r", "mit? einem|einer? geländer|gelaender|brüstung|bruestung von? {n} {u}? hoch|höhe?"},
+    {Statement::Railing, "r",
      "mit? einem|einer? {n} {u}? hohes|hohen|hohem|hoher|hohe? geländer|gelaender|brüstung|bruestung"},
-    {Says::Raised, "r", "um? {n} {u}? erhöht|erhoeht|höher|hoeher"},
-    {Says::Sunk, "r", "um? {n} {u}? vertieft|tiefer"},
-    {Says::Stairs, "r", "treppe|stufen hinauf? zu|zum|zur|nach|in|ins {name}"},
-    {Says::Lift, "r", "aufzug|fahrstuhl|lift hinauf? zu|zum|zur|nach|in|ins {name}"},
-    {Says::UpTo, "r", "hinauf|hoch zu|zum|zur|nach|in|ins|bis {name}"},
-    {Says::Landmark, "tw", "eine? landmarke|wegmarke|merkmal|orientierungspunkt"},
-    {Says::Clue, "tw", "ein? hinweis"},
-    {Says::Called, "dwtsl", "genannt|namens|heißt|heisst {name}"},
-    {Says::Floor, "r", "mit? boden|fußboden|fussboden aus {m}"},
-    {Says::MadeOf, "t", "aus {m}"},
-    {Says::Walls, "h", "aus {m}"},
-    {Says::Facing, "s", "mit? blick|blickrichtung|schaut nach|richtung? {c}"},
-    {Says::ByItself, "d", "öffnet|oeffnet sich|von? selbst"},
-    {Says::ByItself, "d", "automatisch|selbsttätig"},
-    {Says::In, "s", "in|im|hier {name}"},
+    {Statement::Raised, "r", "um? {n} {u}? erhöht|erhoeht|höher|hoeher"},
+    {Statement::Sunk, "r", "um? {n} {u}? vertieft|tiefer"},
+    {Statement::Stairs, "r", "treppe|stufen hinauf? zu|zum|zur|nach|in|ins {name}"},
+    {Statement::Lift, "r", "aufzug|fahrstuhl|lift hinauf? zu|zum|zur|nach|in|ins {name}"},
+    {Statement::UpTo, "r", "hinauf|hoch zu|zum|zur|nach|in|ins|bis {name}"},
+    {Statement::Landmark, "tw", "eine? landmarke|wegmarke|merkmal|orientierungspunkt"},
+    {Statement::Clue, "tw", "ein? hinweis"},
+    {Statement::Called, "dwtsl", "genannt|namens|heißt|heisst {name}"},
+    {Statement::Floor, "r", "mit? boden|fußboden|fussboden aus {m}"},
+    {Statement::MadeOf, "t", "aus {m}"},
+    {Statement::Walls, "h", "aus {m}"},
+    {Statement::Facing, "s", "mit? blick|blickrichtung|schaut nach|richtung? {c}"},
+    {Statement::ByItself, "d", "öffnet|oeffnet sich|von? selbst"},
+    {Statement::ByItself, "d", "automatisch|selbsttätig"},
+    {Statement::In, "s", "in|im|hier {name}"},
 };
 
 struct KindWord {
@@ -374,7 +374,7 @@ private:
             }
             if (!fits && !may_miss) return false;
         }
-        if (part.says == Says::CornerList || part.says == Says::Hole) return corners(at, part);
+        if (part.says == Statement::CornerList || part.says == Statement::Hole) return corners(at, part);
         in_steps_ |= steps && !within_name;
         return true;
     }
@@ -390,7 +390,7 @@ private:
 
     // Words such as "behind" and "links" belong to a pattern and are a direction at the same time.
     static void side_word(std::string_view word, SaidPart& part) {
-        if (part.says == Says::SideOf && part.sides.empty()) {
+        if (part.says == Statement::SideOf && part.sides.empty()) {
             if (word == "behind" || word == "beyond" || word == "hinter") part.sides.push_back(kBackSide);
             if (word == "front" || word == "before" || word == "vor") part.sides.push_back(kFrontSide);
             if (word == "links") part.sides.push_back(kLeftSide);
@@ -461,7 +461,7 @@ private:
             return !part.name.empty();
         }
         // A new name after "called", which may begin like the name of a room.
-        const bool own = part.says == Says::Called;
+        const bool own = part.says == Statement::Called;
         if (!own && known_name(at, part)) return true;
         std::size_t here = at;
         if (article(here) && token(here + 1) && token(here + 1)->kind != WordToken::Kind::Comma) {
@@ -600,7 +600,7 @@ std::string joined(std::span<const WordToken> tokens) {
 
 }  // namespace
 
-const SaidPart* SaidSentence::find(Says says) const {
+const SaidPart* SaidSentence::find(Statement says) const {
     for (const SaidPart& part : parts)
         if (part.says == says) return &part;
     return nullptr;
@@ -659,7 +659,7 @@ std::size_t kind_of(const WordSentence& sentence, WordLanguage language, SaidSen
         for (const KindWord& head : heads_of(language))
             if (plain && text == head.word) {
                 said.kind = head.kind;
-                if (text.starts_with("automat")) said.parts.push_back({Says::ByItself, {}, {}, {}});
+                if (text.starts_with("automat")) said.parts.push_back({Statement::ByItself, {}, {}, {}});
                 // Skips only the first word of such a head, because "from" or "of" already begins the description.
                 return is_from_room(said.kind) ? from + 1 : from + words;
             }
@@ -668,8 +668,8 @@ std::size_t kind_of(const WordSentence& sentence, WordLanguage language, SaidSen
 }
 
 // The patterns that match in a sentence if it is of this kind.
-std::set<Says> said_as(const WordSentence& sentence, const SpeakersOf& speaker, SentenceKind kind, std::size_t from) {
-    std::set<Says> says;
+std::set<Statement> said_as(const WordSentence& sentence, const SpeakersOf& speaker, SentenceKind kind, std::size_t from) {
+    std::set<Statement> says;
     Matcher matcher(sentence, speaker, kind);
     for (std::size_t i = from; i < std::min(sentence.tokens.size(), kMostWords); ++i)
         if (const auto part = matcher.at(i)) {
@@ -681,20 +681,20 @@ std::set<Says> said_as(const WordSentence& sentence, const SpeakersOf& speaker, 
 
 // Decides between a room and a thing by what the sentence says about it.
 bool is_room(const WordSentence& sentence, const SpeakersOf& speaker, std::size_t from) {
-    const std::set<Says> as_room = said_as(sentence, speaker, SentenceKind::Room, from);
-    const auto any = [](const std::set<Says>& says, std::initializer_list<Says> of) {
-        return std::any_of(of.begin(), of.end(), [&](Says one) { return says.contains(one); });
+    const std::set<Statement> as_room = said_as(sentence, speaker, SentenceKind::Room, from);
+    const auto any = [](const std::set<Statement>& says, std::initializer_list<Statement> of) {
+        return std::any_of(of.begin(), of.end(), [&](Statement one) { return says.contains(one); });
     };
-    const std::set<Says> as_thing = said_as(sentence, speaker, SentenceKind::Thing, from);
-    if (any(as_thing, {Says::Size3, Says::AboveFloor})) return false;
-    if (any(as_room, {Says::SideOf, Says::Above, Says::Flush, Says::Further, Says::CornerAt, Says::CornerList,
-                      Says::Stairs, Says::Lift, Says::Floor, Says::Raised, Says::Sunk}))
+    const std::set<Statement> as_thing = said_as(sentence, speaker, SentenceKind::Thing, from);
+    if (any(as_thing, {Statement::Size3, Statement::AboveFloor})) return false;
+    if (any(as_room, {Statement::SideOf, Statement::Above, Statement::Flush, Statement::Further, Statement::CornerAt, Statement::CornerList,
+                      Statement::Stairs, Statement::Lift, Statement::Floor, Statement::Raised, Statement::Sunk}))
         return true;
-    if (any(as_thing, {Says::Size3, Says::At, Says::Offset, Says::Along, Says::FromWall, Says::InWall, Says::MiddleOf,
-                       Says::Middle, Says::InCorner, Says::ByWindow, Says::ByDoor, Says::NextTo, Says::Landmark,
-                       Says::Clue, Says::MadeOf}))
+    if (any(as_thing, {Statement::Size3, Statement::At, Statement::Offset, Statement::Along, Statement::FromWall, Statement::InWall, Statement::MiddleOf,
+                       Statement::Middle, Statement::InCorner, Statement::ByWindow, Statement::ByDoor, Statement::NextTo, Statement::Landmark,
+                       Statement::Clue, Statement::MadeOf}))
         return false;
-    return as_room.contains(Says::Size2);
+    return as_room.contains(Statement::Size2);
 }
 
 }  // namespace
@@ -723,7 +723,7 @@ void note_count(const WordToken& first, const std::string& names, SaidSentence& 
     said.count = static_cast<int>(count);
 }
 
-// Goes through a sentence: first its subject, then what it says about the subject. Collects what was not understood.
+// Course through a sentence: first its subject, then what it says about the subject. Collects what was not understood.
 class SentenceReader {
 public:
     SentenceReader(const WordSentence& sentence, const SpeakersOf& speaker)
@@ -799,7 +799,7 @@ private:
         auto part = matcher_.at(at_);
         if (!part) return false;
         const bool names = begins_subject();
-        if (names && part->first.says != Says::Stairs && part->first.says != Says::Lift) return false;
+        if (names && part->first.says != Statement::Stairs && part->first.says != Statement::Lift) return false;
         if (subject_end_ == kOpen) subject_end_ = names ? at_ + 1 : at_;
         lose(at_);
         said_.parts.push_back(std::move(part->first));

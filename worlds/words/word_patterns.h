@@ -13,7 +13,7 @@ namespace handrail {
 enum class WordLanguage { English, German };
 
 // What a part of a sentence says. All numbers are in metres already.
-enum class Says {
+enum class Statement {
     Size2,       // numbers: west to east, south to north
     Size3,       // the same and height
     High,        // numbers[0] is the height
@@ -66,7 +66,7 @@ enum class Says {
 inline constexpr int kLeftSide = 8, kRightSide = 9, kFrontSide = 10, kBackSide = 11;
 
 struct SaidPart {
-    Says says = Says::Size2;
+    Statement says = Statement::Size2;
     std::vector<double> numbers;
     std::vector<int> sides;
     std::string name;  // as written in the text
@@ -101,7 +101,7 @@ struct SaidSentence {
     std::vector<std::string> not_understood;  // words as written
     bool in_steps = false;
 
-    const SaidPart* find(Says says) const;
+    const SaidPart* find(Statement says) const;
 };
 
 // The language that most of the words belong to.

@@ -57,11 +57,11 @@ void WordsPlan::set_box(WordRoom& room, const Vec2& least) {
 void WordsPlan::set_sizes() {
     for (WordRoom& room : rooms_) {
         const int line = room.said.line;
-        if (const SaidPart* corners = room.said.words.find(Says::CornerList)) {
+        if (const SaidPart* corners = room.said.words.find(Statement::CornerList)) {
             std::vector<Ring> rings;
             bool damaged = false;
             for (const SaidPart& part : room.said.words.parts) {
-                if (part.says != Says::CornerList && part.says != Says::Hole) continue;
+                if (part.says != Statement::CornerList && part.says != Statement::Hole) continue;
                 std::optional<Ring> ring = ring_of(part.numbers);
                 damaged |= !ring;
                 if (ring) rings.push_back(std::move(*ring));
@@ -79,7 +79,7 @@ void WordsPlan::set_sizes() {
                  phrase("rooms_text.then_size"));
             continue;
         }
-        const SaidPart* size = room.said.words.find(Says::Size2);
+        const SaidPart* size = room.said.words.find(Statement::Size2);
         if (!size) {
             warn(line, phrase("rooms_text.no_size", {{"name", room_words(room)}}), phrase("rooms_text.then_size"));
             continue;
@@ -94,11 +94,11 @@ void WordsPlan::set_sizes() {
 
 bool WordsPlan::place_against(WordRoom& room, const SaidPart& where, const WordRoom& other) {
     if (other.rings.empty()) return false;
-    const Vec2 way = where.says == Says::Above || where.sides.empty() ? Vec2(0.0) : side_direction(where.sides[0]);
+    const Vec2 way = where.says == Statement::Above || where.sides.empty() ? Vec2(0.0) : side_direction(where.sides[0]);
     const double gap = where.numbers.empty() ? 0.0 : where.numbers[0];
     const Vec2 middle = 0.5 * (other.least + other.most), half = 0.5 * room.size_m;
     Vec2 least{0.0};
-    const SaidPart* flush = room.said.words.find(Says::Flush);
+    const SaidPart* flush = room.said.words.find(Statement::Flush);
     for (int axis = 0; axis < 2; ++axis) {
         const double to = way[axis];
         double from = middle[axis] - half[axis];
@@ -109,7 +109,7 @@ bool WordsPlan::place_against(WordRoom& room, const SaidPart& where, const WordR
         least[axis] = from;
     }
     for (const SaidPart& part : room.said.words.parts)
-        if (part.says == Says::Further) least += side_direction(part.sides[0]) * part.numbers[0];
+        if (part.says == Statement::Further) least += side_direction(part.sides[0]) * part.numbers[0];
     set_box(room, least);
     return true;
 }
@@ -125,7 +125,7 @@ void WordsPlan::place_by_assumption(std::size_t r) {
         if (rooms_[i].storey == room.storey && !rooms_[i].rings.empty()) before = &rooms_[i];
     if (before) {
         SaidPart east;
-        east.says = Says::SideOf;
+        east.says = Statement::SideOf;
         east.sides = {2};
         warn(room.said.line, phrase("rooms_text.no_place", {{"name", room_words(room)}}),
              phrase("rooms_text.then_east", {{"name", room_words(*before)}}));
@@ -148,16 +148,16 @@ void WordsPlan::place_rooms() {
     for (std::size_t r = 0; r < rooms_.size(); ++r) {
         WordRoom& room = rooms_[r];
         if (!room.rings.empty()) continue;
-        if (const SaidPart* corner = room.said.words.find(Says::CornerAt)) {
+        if (const SaidPart* corner = room.said.words.find(Statement::CornerAt)) {
             set_box(room, offset_of(*corner));
             continue;
         }
-        const SaidPart* where = room.said.words.find(Says::SideOf);
-        if (!where) where = room.said.words.find(Says::Above);
+        const SaidPart* where = room.said.words.find(Statement::SideOf);
+        if (!where) where = room.said.words.find(Statement::Above);
         if (!where) continue;
         // If the sentence says above or below, the other room must be on another storey.
         std::size_t other = room_named(where->name, r);
-        if (where->says == Says::Above)
+        if (where->says == Statement::Above)
             if (const auto same = by_name_.find(name_key(where->name, speaker_.language)); same != by_name_.end())
                 for (const std::size_t o : same->second)
                     if (rooms_[o].storey != room.storey) other = o;
@@ -272,7 +272,7 @@ std::optional<WordsPlan::Border> WordsPlan::shared(const WordRoom& a, const Word
 
 // The room in which a lift, drop or flight begins: the room that the sentence names, else the paragraph's room.
 std::size_t WordsPlan::room_from(std::size_t room, const Said& said) const {
-    const SaidPart* from = said.words.find(Says::FromRoom);
+    const SaidPart* from = said.words.find(Statement::FromRoom);
     if (!from || name_key(from->name, speaker_.language) == name_key(rooms_[room].said.words.name, speaker_.language))
         return room;
     const std::size_t named = room_named(from->name);
@@ -284,7 +284,7 @@ std::size_t WordsPlan::room_from(std::size_t room, const Said& said) const {
 void WordsPlan::set_raises() {
     constexpr double kMostRaise_m = 1.5;
     for (WordRoom& room : rooms_) {
-        const SaidPart *raised = room.said.words.find(Says::Raised), *sunk = room.said.words.find(Says::Sunk);
+        const SaidPart *raised = room.said.words.find(Statement::Raised), *sunk = room.said.words.find(Statement::Sunk);
         if (!raised && !sunk) continue;
         const double wish_m = raised ? raised->numbers[0] : -sunk->numbers[0];
         room.raised_m = std::clamp(wish_m, -kMostRaise_m, kMostRaise_m);
@@ -294,7 +294,7 @@ void WordsPlan::set_raises() {
     }
     for (std::size_t r = 0; r < rooms_.size(); ++r)
         for (const Said& said : rooms_[r].doors) {
-            const SaidPart *drop = said.words.find(Says::DropOf), *to = said.words.find(Says::To);
+            const SaidPart *drop = said.words.find(Statement::DropOf), *to = said.words.find(Statement::To);
             if (said.words.kind != SentenceKind::Drop || !drop || !to) continue;
             const std::size_t from = room_from(r, said), other = room_named(to->name, from);
             if (other == kNoRoom || rooms_[other].storey != rooms_[from].storey || rooms_[other].raised_m) continue;
@@ -308,8 +308,8 @@ void WordsPlan::add_spaces() {
         WordRoom& room = rooms_[r];
         const std::size_t own = level_of_[room.storey];
         room.levels = {own};
-        const SaidPart *stairs = room.said.words.find(Says::Stairs), *lift = room.said.words.find(Says::Lift),
-                       *up = room.said.words.find(Says::UpTo);
+        const SaidPart *stairs = room.said.words.find(Statement::Stairs), *lift = room.said.words.find(Statement::Lift),
+                       *up = room.said.words.find(Statement::UpTo);
         PlanSpace space;
         space.name = one_line(room.said.words.name.substr(0, 200));
         space.id = phrase("rooms_text.line", {{"line", room.said.line}});
@@ -339,12 +339,12 @@ void WordsPlan::add_spaces() {
         }
         space.levels = room.levels;
         if (room.levels.size() == 1) space.raised_m = room.raised_m.value_or(0.0);
-        if (const SaidPart* railing = room.said.words.find(Says::Railing))
+        if (const SaidPart* railing = room.said.words.find(Statement::Railing))
             warn(room.said.line,
                  phrase("rooms_text.railing", {{"height", railing->numbers[0]}, {"name", room_words(room)}}),
                  phrase("rooms_text.then_walls"));
-        if (const SaidPart* high = room.said.words.find(Says::High)) space.height_m = high->numbers[0];
-        if (const SaidPart* floor = room.said.words.find(Says::Floor)) space.floor_material = floor->name;
+        if (const SaidPart* high = room.said.words.find(Statement::High)) space.height_m = high->numbers[0];
+        if (const SaidPart* floor = room.said.words.find(Statement::Floor)) space.floor_material = floor->name;
         plan_.spaces.push_back(std::move(space));
     }
 }

@@ -99,7 +99,7 @@ void WordsPlan::take(SaidSentence said, int line) {
     for (const std::string& words : read_before ? std::vector<std::string>() : said.not_understood)
         warn(line, phrase("rooms_text.not_understood", {{"words", one_line(words.substr(0, 120))}}),
              phrase("rooms_text.then_rest_counts"));
-    const SaidPart *high = said.find(Says::High), *thick = said.find(Says::Thick), *walls = said.find(Says::Walls);
+    const SaidPart *high = said.find(Statement::High), *thick = said.find(Statement::Thick), *walls = said.find(Statement::Walls);
     const auto needs_room = [&] {
         if (!rooms_.empty()) return false;
         warn(line, phrase("rooms_text.before_rooms"), phrase("rooms_text.then_left_out"));
@@ -117,7 +117,7 @@ void WordsPlan::take(SaidSentence said, int line) {
                     warn(line, phrase("rooms_text.odd_height", {{"height", high->numbers[0]}}),
                          phrase("rooms_text.then_height", {{"height", *storey.height_m}}));
             }
-            if (const SaidPart* above = said.find(Says::AboveFloor))
+            if (const SaidPart* above = said.find(Statement::AboveFloor))
                 storey.floor_m = std::clamp(above->numbers[0], -200.0, 1000.0);
             storeys_.push_back(std::move(storey));
             break;

@@ -7,7 +7,7 @@
 
 #include "worlds/base/language.h"
 #include "worlds/base/result.h"
-#include "worlds/drawn/floor_plan.h"
+#include "worlds/floorplan/floor_plan.h"
 #include "worlds/words/word_patterns.h"
 
 namespace handrail {

@@ -90,8 +90,8 @@ std::size_t WordsPlan::beside(std::size_t r, const std::string& name, const Said
 }
 
 double WordsPlan::along_wall(const Said& said, const WordRoom& room, const Border& wall, bool& placed) {
-    const SaidPart *along = said.words.find(Says::Along), *from = said.words.find(Says::FromWall);
-    placed = along || from || said.words.find(Says::MiddleOf) || said.words.find(Says::Middle);
+    const SaidPart *along = said.words.find(Statement::Along), *from = said.words.find(Statement::FromWall);
+    placed = along || from || said.words.find(Statement::MiddleOf) || said.words.find(Statement::Middle);
     double at = 0.5 * wall.length();
     if (along) {
         at = along->numbers[0];
@@ -146,9 +146,9 @@ void WordsPlan::add_flight(std::size_t paragraph, const Said& said) {
     constexpr double kFlight_m = 1.0, kLeastFlight_m = 0.6, kMostFlight_m = 30.0, kEasySlope = 1.5;
     const std::size_t r = room_from(paragraph, said);
     const WordRoom& room = rooms_[r];
-    const SaidPart *to = said.words.find(Says::To), *at = said.words.find(Says::At),
-                   *size = said.words.find(Says::Size2), *up = said.words.find(Says::UpSide),
-                   *back = said.words.find(Says::UpAndBack), *called = said.words.find(Says::Called);
+    const SaidPart *to = said.words.find(Statement::To), *at = said.words.find(Statement::At),
+                   *size = said.words.find(Statement::Size2), *up = said.words.find(Statement::UpSide),
+                   *back = said.words.find(Statement::UpAndBack), *called = said.words.find(Statement::Called);
     const Vec2 place = at ? offset_of(*at) : 0.5 * (room.least + room.most);
     const std::size_t other = to ? room_over(r, to->name, place) : kNoRoom;
     if (other == kNoRoom) {
@@ -185,8 +185,8 @@ void WordsPlan::add_lift(std::size_t paragraph, const Said& said) {
     constexpr double kPlatform_m = 1.4, kLeastPlatform_m = 0.8, kMostPlatform_m = 20.0;
     const std::size_t r = room_from(paragraph, said);
     const WordRoom& room = rooms_[r];
-    const SaidPart *to = said.words.find(Says::To), *at = said.words.find(Says::At),
-                   *size = said.words.find(Says::Size2), *called = said.words.find(Says::Called);
+    const SaidPart *to = said.words.find(Statement::To), *at = said.words.find(Statement::At),
+                   *size = said.words.find(Statement::Size2), *called = said.words.find(Statement::Called);
     const Vec2 place = at ? offset_of(*at) : 0.5 * (room.least + room.most);
     const std::size_t other = to ? room_over(r, to->name, place) : kNoRoom;
     if (other == kNoRoom || room.levels.size() != 1 || rooms_[other].levels.size() != 1) {
@@ -209,21 +209,21 @@ void WordsPlan::add_lift(std::size_t paragraph, const Said& said) {
 
 void WordsPlan::add_door(std::size_t r, const Said& said) {
     const WordRoom& room = rooms_[r];
-    const SaidPart *to = said.words.find(Says::To), *wide = said.words.find(Says::Wide);
+    const SaidPart *to = said.words.find(Statement::To), *wide = said.words.find(Statement::Wide);
     const SaidPart* wall_said = nullptr;
-    for (const Says says : {Says::InWall, Says::MiddleOf, Says::Along})
+    for (const Statement says : {Statement::InWall, Statement::MiddleOf, Statement::Along})
         if (const SaidPart* part = said.words.find(says); part && !part->sides.empty()) wall_said = part;
     if (wall_said && wall_said->sides[0] >= 8) left_and_right_ = true;
-    const SaidPart* at = said.words.find(Says::At);
+    const SaidPart* at = said.words.find(Statement::At);
     PlanDoor door;
     door.kind = said.words.kind == SentenceKind::Opening || said.words.kind == SentenceKind::Drop
                     ? PlanDoorKind::Opening
                 : said.words.kind == SentenceKind::SlidingDoor ? PlanDoorKind::Sliding
                                                                : PlanDoorKind::Hinged;
-    door.by_itself = said.words.find(Says::ByItself) != nullptr;
+    door.by_itself = said.words.find(Statement::ByItself) != nullptr;
     door.line = said.line;
     door.id = phrase("rooms_text.line", {{"line", said.line}});
-    if (const SaidPart* called = said.words.find(Says::Called)) door.name = one_line(called->name.substr(0, 200));
+    if (const SaidPart* called = said.words.find(Statement::Called)) door.name = one_line(called->name.substr(0, 200));
     if (wide) door.width_m = std::clamp(wide->numbers[0], 0.1, 100.0);
     Border border;
     std::size_t other = kNoRoom;
@@ -282,7 +282,7 @@ void WordsPlan::add_door(std::size_t r, const Said& said) {
                 lost(phrase("rooms_text.no_outer_wall", {{"name", room_words(room)}}));
                 return;
             }
-        } else if (said.words.find(Says::Along) || said.words.find(Says::FromWall)) {
+        } else if (said.words.find(Statement::Along) || said.words.find(Statement::FromWall)) {
             // The position is measured along the whole wall that the other room touches.
             const Border whole = wall_of(room, side_of_border(border.from, border.to, room.least, room.most));
             const auto off = [&](const Vec2& p) {
@@ -326,7 +326,7 @@ void WordsPlan::add_door(std::size_t r, const Said& said) {
 // The wall of a window and the position along it: as the sentence states, or on the side of the outline nearest to a
 // given place.
 WordsPlan::InWall WordsPlan::place_of_window(const Said& said, const WordRoom& room) {
-    if (const SaidPart* at = said.words.find(Says::At)) {
+    if (const SaidPart* at = said.words.find(Statement::At)) {
         const Vec2 place = offset_of(*at);
         std::pair<Vec2, Vec2> found;
         away_from(room.rings, place, &found);
@@ -335,7 +335,7 @@ WordsPlan::InWall WordsPlan::place_of_window(const Said& said, const WordRoom& r
         return {wall, side_of_border(place, place, room.least, room.most), along};
     }
     int side = -1;
-    for (const Says says : {Says::InWall, Says::MiddleOf, Says::Along, Says::FromWall})
+    for (const Statement says : {Statement::InWall, Statement::MiddleOf, Statement::Along, Statement::FromWall})
         if (const SaidPart* part = said.words.find(says); part && !part->sides.empty() && side < 0) {
             left_and_right_ |= part->sides[0] >= 8;
             side = wall_side(room, part->sides[0]);
@@ -355,11 +355,11 @@ void WordsPlan::add_windows(std::size_t r) {
     for (const Said& said : room.windows) {
         if (plan_.things.size() >= kMostThings) return;
         const auto [wall, side, along] = place_of_window(said, room);
-        const SaidPart *wide = said.words.find(Says::Wide), *high = said.words.find(Says::High),
-                       *sill = said.words.find(Says::AboveFloor);
+        const SaidPart *wide = said.words.find(Statement::Wide), *high = said.words.find(Statement::High),
+                       *sill = said.words.find(Statement::AboveFloor);
         const double width = std::clamp(wide ? wide->numbers[0] : kWindow_m, 0.2, std::max(wall.length() - 0.1, 0.2));
         PlanThing window;
-        const SaidPart* called = said.words.find(Says::Called);
+        const SaidPart* called = said.words.find(Statement::Called);
         window.name = called ? one_line(called->name.substr(0, 200)) : phrase("rooms_text.window");
         window.window = true;
         window.material = "glass";
@@ -367,8 +367,8 @@ void WordsPlan::add_windows(std::size_t r) {
         window.from_m = std::clamp(sill ? sill->numbers[0] : kSill_m, 0.0, 20.0) + room.raised_m.value_or(0.0);
         window.height_m = std::clamp(high ? high->numbers[0] : kWindowHigh_m, 0.1, 20.0);
         window.line = said.line;
-        window.landmark = said.words.find(Says::Landmark) != nullptr;
-        window.clue = said.words.find(Says::Clue) != nullptr;
+        window.landmark = said.words.find(Statement::Landmark) != nullptr;
+        window.clue = said.words.find(Statement::Clue) != nullptr;
         const double at = std::clamp(along, std::min(0.5 * width, 0.5 * wall.length()),
                                      std::max(wall.length() - 0.5 * width, 0.5 * wall.length()));
         const Vec2 way = (wall.to - wall.from) / std::max(wall.length(), 1e-9),
@@ -489,9 +489,9 @@ Vec2 WordsPlan::place_of_thing(const Said& said, const WordRoom& room, Vec3& siz
                 if (const Vec2 at = first + way * (to * kSlide_m * slide); stands_free(room, at, half)) return at;
         return first;
     };
-    if (const SaidPart* at = said.words.find(Says::At)) return offset_of(*at);
-    if (const SaidPart* offset = said.words.find(Says::Offset)) return room.least + offset_of(*offset);
-    if (const SaidPart* corner = said.words.find(Says::InCorner)) {
+    if (const SaidPart* at = said.words.find(Statement::At)) return offset_of(*at);
+    if (const SaidPart* offset = said.words.find(Statement::Offset)) return room.least + offset_of(*offset);
+    if (const SaidPart* corner = said.words.find(Statement::InCorner)) {
         const int side = std::min(corner->sides[0], 7);
         const bool north = side == 7 || side == 0 || side == 1, east = side >= 1 && side <= 3;
         turn_to(north ? 0 : 4);
@@ -502,12 +502,12 @@ Vec2 WordsPlan::place_of_thing(const Said& said, const WordRoom& room, Vec3& siz
         warn(said.line, message, phrase("rooms_text.then_corner"));
         return free_corner(room, size_m);
     };
-    if (said.words.find(Says::ByWindow)) {
+    if (said.words.find(Statement::ByWindow)) {
         if (windows_here_.empty()) return no_such(phrase("rooms_text.no_window", {{"name", room_words(room)}}));
         const Opening& window = windows_here_.front();
         return against_free(window.side, along_of(window.side, window.at));
     }
-    if (const SaidPart* by_door = said.words.find(Says::ByDoor)) {
+    if (const SaidPart* by_door = said.words.find(Statement::ByDoor)) {
         const Opening* door = nullptr;
         const std::string key = name_key(by_door->name, speaker_.language);
         for (const Opening& opening : doors_here_)
@@ -520,7 +520,7 @@ Vec2 WordsPlan::place_of_thing(const Said& said, const WordRoom& room, Vec3& siz
         const double end = (level ? most.x : most.y) - 0.5 * (level ? size_m.x : size_m.y);
         return against(door->side, at + away <= end ? at + away : at - away);
     }
-    if (const SaidPart* next = said.words.find(Says::NextTo)) {
+    if (const SaidPart* next = said.words.find(Statement::NextTo)) {
         const auto found = placed_things_.find(name_key(next->name, speaker_.language));
         if (found == placed_things_.end())
             return no_such(phrase("rooms_text.no_thing",
@@ -528,7 +528,7 @@ Vec2 WordsPlan::place_of_thing(const Said& said, const WordRoom& room, Vec3& siz
         return place_next_to(found->second, room, Vec2(0.5 * size_m.x, 0.5 * size_m.y));
     }
     int side = -1;
-    for (const Says says : {Says::InWall, Says::MiddleOf, Says::Along})
+    for (const Statement says : {Statement::InWall, Statement::MiddleOf, Statement::Along})
         if (const SaidPart* part = said.words.find(says); part && !part->sides.empty() && side < 0) {
             left_and_right_ |= part->sides[0] >= 8;
             side = wall_side(room, part->sides[0]);
@@ -540,9 +540,9 @@ Vec2 WordsPlan::place_of_thing(const Said& said, const WordRoom& room, Vec3& siz
         return placed ? against(side, along) : against_free(side, along);
     }
     Vec2 place = middle;
-    bool placed = said.words.find(Says::Middle) != nullptr;
+    bool placed = said.words.find(Statement::Middle) != nullptr;
     for (const SaidPart& part : said.words.parts) {
-        if (part.says != Says::FromWall) continue;
+        if (part.says != Statement::FromWall) continue;
         placed = true;
         const double away = part.numbers[0];
         switch (wall_side(room, part.sides[0])) {
@@ -581,8 +581,8 @@ void WordsPlan::add_things(std::size_t r) {
 
 // `first`: this is the first of the several things that the sentence mentions.
 void WordsPlan::add_thing(const WordRoom& room, const Said& said, bool first) {
-    const SaidPart *size3 = said.words.find(Says::Size3), *size2 = said.words.find(Says::Size2),
-                   *high = said.words.find(Says::High), *sill = said.words.find(Says::AboveFloor);
+    const SaidPart *size3 = said.words.find(Statement::Size3), *size2 = said.words.find(Statement::Size2),
+                   *high = said.words.find(Statement::High), *sill = said.words.find(Statement::AboveFloor);
     Vec3 size = usual_size_m(said.words.name);
     const SaidPart* flat = size3 ? size3 : size2;
     if (flat) size = Vec3(flat->numbers[0], flat->numbers[1], size.z);
@@ -599,7 +599,7 @@ void WordsPlan::add_thing(const WordRoom& room, const Said& said, bool first) {
     const Vec2 half(0.5 * size.x, 0.5 * size.y), least = room.least + inside_m + half,
                                                  most = room.most - inside_m - half;
     const Vec2 within = glm::min(glm::max(at, least), glm::max(most, least));
-    if (glm::length(within - at) > 0.01 && !said.words.find(Says::At)) {
+    if (glm::length(within - at) > 0.01 && !said.words.find(Statement::At)) {
         warn(said.line,
              phrase("rooms_text.does_not_fit",
                     {{"thing", one_line(said.words.name.substr(0, 100))}, {"name", room_words(room)}}),
@@ -612,9 +612,9 @@ void WordsPlan::add_thing(const WordRoom& room, const Said& said, bool first) {
     thing.height_m = size.z;
     thing.from_m = (sill ? std::clamp(sill->numbers[0], 0.0, 20.0) : 0.0) + room.raised_m.value_or(0.0);
     thing.fixture = said.words.fixture;
-    thing.landmark = said.words.find(Says::Landmark) != nullptr;
-    thing.clue = said.words.find(Says::Clue) != nullptr;
-    if (const SaidPart* made = said.words.find(Says::MadeOf)) thing.material = made->name;
+    thing.landmark = said.words.find(Statement::Landmark) != nullptr;
+    thing.clue = said.words.find(Statement::Clue) != nullptr;
+    if (const SaidPart* made = said.words.find(Statement::MadeOf)) thing.material = made->name;
     thing.line = said.line;
     thing.parts = {{at - half, {at.x + half.x, at.y - half.y}, at + half, {at.x - half.x, at.y + half.y}}};
     placed_here_.push_back({at - half, at + half});
@@ -624,7 +624,7 @@ void WordsPlan::add_thing(const WordRoom& room, const Said& said, bool first) {
 
 void WordsPlan::add_start(const Said& said) {
     std::size_t r = start_rooms_[static_cast<std::size_t>(&said - starts_.data())];
-    if (const SaidPart* in = said.words.find(Says::In)) {
+    if (const SaidPart* in = said.words.find(Statement::In)) {
         const std::size_t named = room_named(in->name);
         if (named == kNoRoom)
             warn(said.line,
@@ -638,7 +638,7 @@ void WordsPlan::add_start(const Said& said) {
     start.level = level_of_[room.storey];
     start.raised_m = room.raised_m.value_or(0.0);
     start.line = said.line;
-    const SaidPart *called = said.words.find(Says::Called), *facing = said.words.find(Says::Facing);
+    const SaidPart *called = said.words.find(Statement::Called), *facing = said.words.find(Statement::Facing);
     start.name = called ? one_line(called->name.substr(0, 200)) : room_words(room);
     if (facing) start.heading_rad = wall_side(room, facing->sides[0]) * 0.25 * kPi;
     if (facing && facing->sides[0] < 8) start.heading_rad = facing->sides[0] * 0.25 * kPi;

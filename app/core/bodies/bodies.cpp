@@ -64,7 +64,7 @@ void Bodies::enter_world(std::shared_ptr<const DynamicsScene> scene, double now_
     read_.engine = engine_->hand(0)->engine;
     for (unsigned which = 0; which < hand_engines_.size(); ++which)
         hand_engines_[which] =
-            std::make_shared<HandEngine>(scene_, engine_->hand(which), which, world_.scene->placed.size());
+            std::make_shared<HandBodyServo>(scene_, engine_->hand(which), which, world_.scene->placed.size());
     walker_m_ = Vec3(std::numeric_limits<double>::infinity());
     tell_engine();
     if (own && how_.clock) own->start(*how_.clock);
@@ -164,7 +164,7 @@ void Bodies::tell_engine() {
     const bool lifted = !context_.body.walker->state().on_ground || body_of(context_.body.ground) != kNoBody;
     const Vec3 feet = context_.body.feet_m();
     if (feet == walker_m_ && lifted == walker_lifted_) return;
-    const BodySize& size = context_.body.walker->size();
+    const WalkerSize& size = context_.body.walker->size();
     const double into_m = lifted ? 0.0 : size.radius_m;
     BodyEngine::Order order;
     order.kind = BodyEngine::Order::Kind::Walker;
@@ -257,7 +257,7 @@ void Bodies::shove(std::uint32_t body, const Vec3& speed_m_per_s) {
 std::uint32_t Bodies::keep_apart(Vec3& wish_m_per_s) {
     std::uint32_t met = kNoBody;
     const Vec3 feet = context_.body.feet_m();
-    const BodyShape shape = context_.body.walker->shape();
+    const WalkerShape shape = context_.body.walker->shape();
     for (std::uint32_t i = 0; i < scene_->bodies.size(); ++i) {
         const Aabb& box = world_.solids->box_of_placed(scene_->bodies[i].haptic);
         const Vec3 nearest = glm::clamp(feet, box.min_m, box.max_m);

@@ -12,13 +12,13 @@
 #include <vector>
 
 #include "app/core/bodies/body_engines.h"
-#include "app/core/bodies/body_grip.h"
+#include "app/core/bodies/keyboard_grip.h"
 #include "app/core/bodies/body_sounds.h"
-#include "app/core/bodies/hand_grip.h"
+#include "app/core/bodies/device_grip.h"
 #include "app/core/context/session_part.h"
 #include "app/core/context/view.h"
 #include "haptic/dynamics/dynamics_loop.h"
-#include "haptic/servo/hand_engine.h"
+#include "haptic/servo/hand_body_servo.h"
 
 namespace handrail {
 
@@ -71,7 +71,7 @@ public:
     };
     const EngineRead& read_of_engine() const { return read_; }
     // For the servo of a hand: 0 is the only or right hand, 1 the left. Null: nothing in this world is movable.
-    const std::shared_ptr<HandEngine>& hand_engine(std::size_t which) const { return hand_engines_[which]; }
+    const std::shared_ptr<HandBodyServo>& hand_engine(std::size_t which) const { return hand_engines_[which]; }
     // What a hand holds; kNoFeature: nothing.
     FeatureId held_by_hand(std::size_t which) const {
         return hand_grip_.held(which) == kNoBody ? kNoFeature : scene_->bodies[hand_grip_.held(which)].feature;
@@ -99,10 +99,10 @@ private:
     std::unique_ptr<BodyEngine> engine_;
     DynamicsLoop* stepped_ = nullptr;  // the same engine if this class steps it; otherwise null
     EngineRead read_;
-    BodyGrip grip_{context_};
+    KeyboardGrip grip_{context_};
     BodySounds sounds_{context_};
-    HandGrip hand_grip_;
-    std::array<std::shared_ptr<HandEngine>, 2> hand_engines_;
+    DeviceGrip hand_grip_;
+    std::array<std::shared_ptr<HandBodyServo>, 2> hand_engines_;
     std::vector<Placement> driven_;  // as last sent to the engine
     Vec3 walker_m_{0.0};             // as last sent to the engine
     bool walker_lifted_ = false;

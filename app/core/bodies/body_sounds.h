@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/core/context/session_part.h"
-#include "haptic/render/body_word.h"
+#include "haptic/render/rigid_body_state.h"
 
 namespace handrail {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/world/body_state.h"
+#include "app/core/world/walker_state.h"
 #include "audio-cues/plan/cue_planner.h"
 
 namespace handrail {
@@ -18,7 +18,7 @@ CueRequest sound_at(SoundKind kind, const Vec3& place_m, double now_s);
 class Cues {
 public:
     // body: its ears are the place of sounds that have no place themselves.
-    explicit Cues(const BodyState& body) : body_(body) {}
+    explicit Cues(const WalkerState& body) : body_(body) {}
 
     void say(std::string text, SpeechClass speech_class, double now_s);
     // A line about this topic, with the class that belongs to it. anew: it was cut, so that it was said before does not
@@ -43,7 +43,7 @@ public:
     std::vector<CueRequest> waiting;  // not taken yet
 
 private:
-    const BodyState& body_;
+    const WalkerState& body_;
 };
 
 }  // namespace handrail

@@ -15,7 +15,7 @@
 #include "app/core/context/person.h"
 #include "app/core/context/session_event.h"
 #include "app/core/kept/side_file.h"
-#include "app/core/world/body_state.h"
+#include "app/core/world/walker_state.h"
 #include "app/core/world/world_state.h"
 #include "worlds/base/arrivals.h"
 #include "worlds/base/contract.h"
@@ -28,7 +28,7 @@ namespace handrail {
 class RoomsKept;
 
 // What takes more than one feature, so that the session alone can do it; it sets them all.
-struct SessionAsks {
+struct SessionRequests {
     // Saves what the person added to the world. If another session has changed the same file, everybody reads it again.
     // Returns false if the file could not be written; that is announced, and saving is tried again later.
     std::function<bool(double now_s)> save_additions;
@@ -47,7 +47,7 @@ struct SessionContext {
     const Settings& settings;
     const KeyMap& keys;
     const WorldState& world;
-    const BodyState& body;
+    const WalkerState& body;
     const HandsState& hands;
     Cues& cues;
     Lists& lists;
@@ -57,7 +57,7 @@ struct SessionContext {
     const Executor& executor;  // of background tasks
     Arrivals* arrivals;        // when their results are there; may be null
     RoomsKept* rooms_kept;     // of other sessions in the same world; may be null
-    SessionAsks asks = {};
+    SessionRequests asks = {};
     double tick_s = -1.0;  // time of the last tick; what a list or question triggers happens at this time
 
     void say(std::string text, SpeechClass speech_class, double now_s) const {

@@ -43,7 +43,7 @@ struct WallDone {
     std::uint32_t room = 0;
 };
 // The person asked where they are, what is around, or which exits there are.
-struct HelpAsked {
+struct HelpRequested {
     Command command;
 };
 // The person opened or closed a door, pressed a button or called a lift.
@@ -95,7 +95,7 @@ struct LessonWished {
     LessonWish wish = LessonWish::Done;
 };
 
-using Happening = std::variant<Touched, RoomEntered, ThingVisited, Answered, WallDone, HelpAsked, DoorUsed, Teleported,
+using Happening = std::variant<Touched, RoomEntered, ThingVisited, Answered, WallDone, HelpRequested, DoorUsed, Teleported,
                                Led, LeftRoute, StopPassed, Arrived, Leading, ListShown, LessonWished>;
 
 struct SessionEvent {

@@ -22,7 +22,7 @@ struct SessionState {
     Person person;
     HandsState hands;
     WorldState world;
-    BodyState body;
+    WalkerState body;
     Cues cues{body};
     Lists lists{cues};
     SideFile additions;

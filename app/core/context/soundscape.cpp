@@ -29,7 +29,7 @@ double loss_of(const Scene& scene, const Crossing& crossing) {
     return kWallMuffles_db;
 }
 
-double along_line_db(const BodyWorld& world, const Vec3& from_m, const Vec3& to_m) {
+double along_line_db(const WalkerWorld& world, const Vec3& from_m, const Vec3& to_m) {
     std::vector<Crossing> crossings = world.crossings(from_m, to_m);
     std::sort(crossings.begin(), crossings.end(),
               [](const Crossing& a, const Crossing& b) { return a.enter_m < b.enter_m; });
@@ -75,7 +75,7 @@ double decibels(double gain) { return gain > 0.0 ? 20.0 * std::log10(gain) : -1e
 
 }  // namespace
 
-double muffling_db(const BodyWorld& world, const Vec3& ears_m, const Vec3& source_m) {
+double muffling_db(const WalkerWorld& world, const Vec3& ears_m, const Vec3& source_m) {
     contract_pre(is_finite(ears_m) && is_finite(source_m));
     const Vec3 way = source_m - ears_m;
     const Vec3 across = glm::cross(way, Vec3(0.0, 0.0, 1.0));
@@ -87,7 +87,7 @@ double muffling_db(const BodyWorld& world, const Vec3& ears_m, const Vec3& sourc
     return -10.0 * std::log10(energy / 3.0);
 }
 
-double reverberation_s(const BodyWorld& world, const Vec3& ears_m) {
+double reverberation_s(const WalkerWorld& world, const Vec3& ears_m) {
     contract_pre(is_finite(ears_m));
     constexpr int kRays = 48;
     constexpr double kOpen_m = 30.0;
@@ -97,7 +97,7 @@ double reverberation_s(const BodyWorld& world, const Vec3& ears_m) {
         bool hit;
     };
     const auto meet = [&](const Vec3& way) {
-        const TraceHit hit = world.trace(ears_m, ears_m + way * kOpen_m, BodyShape{}, true);
+        const TraceHit hit = world.trace(ears_m, ears_m + way * kOpen_m, WalkerShape{}, true);
         return Met{hit.end_m, hit.hit ? absorption_of(world.scene().material(hit.material).sound) : 1.0, hit.hit};
     };
     const Met up = meet({0.0, 0.0, 1.0}), down = meet({0.0, 0.0, -1.0});
@@ -145,7 +145,7 @@ void Soundscape::add(const std::vector<AddedSound>& sounds) {
     }
 }
 
-void Soundscape::tick(const BodyWorld& world, const Vec3& ears_m, double now_s, std::vector<CueRequest>& cues) {
+void Soundscape::tick(const WalkerWorld& world, const Vec3& ears_m, double now_s, std::vector<CueRequest>& cues) {
     contract_pre(is_finite(ears_m) && std::isfinite(now_s));
     // 1. Compute the level of each source at the ears, and the muffling of some of them.
     std::size_t followed = 0;

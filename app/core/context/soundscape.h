@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "app/core/world/body_world.h"
+#include "app/core/world/walker_world.h"
 #include "audio-cues/plan/cue_planner.h"
 
 namespace handrail {
@@ -15,7 +15,7 @@ namespace handrail {
 // How many dB doors, walls and things between two places take from a sound, at high frequencies. Several lines around
 // the head are averaged, not a single one, so a sound half behind an edge is half as audible. Whatever contains one of
 // the two places does not count.
-double muffling_db(const BodyWorld& world, const Vec3& ears_m, const Vec3& source_m);
+double muffling_db(const WalkerWorld& world, const Vec3& ears_m, const Vec3& source_m);
 
 inline constexpr double kDoorMuffles_db = 14.0, kWallMuffles_db = 24.0, kThingMuffles_db = 3.0;
 inline constexpr double kUnheard_db = 45.0;  // above this a sound is silent
@@ -23,7 +23,7 @@ inline constexpr double kUnheard_db = 45.0;  // above this a sound is silent
 // Reverberation time of the room around the ears, in seconds until a sound has decayed by 60 dB, by Sabine (0.161 V /
 // A). Rays in all directions give volume and surface, the materials they hit give the absorption, and openings absorb
 // everything. 0 outdoors. The error is within 10 % anywhere in an upright room with a convex outline.
-double reverberation_s(const BodyWorld& world, const Vec3& ears_m);
+double reverberation_s(const WalkerWorld& world, const Vec3& ears_m);
 
 // A sound that a feature adds at a place.
 struct AddedSound {
@@ -47,7 +47,7 @@ public:
     void add(const std::vector<AddedSound>& sounds);
     double reverberation_s() const { return reverberation_s_; }  // of the room around; measured twice a second
     // Follows the ears; adds what has changed since the last tick to `cues`.
-    void tick(const BodyWorld& world, const Vec3& ears_m, double now_s, std::vector<CueRequest>& cues);
+    void tick(const WalkerWorld& world, const Vec3& ears_m, double now_s, std::vector<CueRequest>& cues);
 
 private:
     struct Source {

@@ -23,7 +23,7 @@ struct KnownOpenings {
 class TouchView : SessionPart {
 public:
     // Tunes `hands`. Rebuilds the solids for walking in `world` together with the rendered surfaces.
-    TouchView(const SessionContext& context, WorldState& world, BodyState& body, HandsState& hands)
+    TouchView(const SessionContext& context, WorldState& world, WalkerState& body, HandsState& hands)
         : SessionPart(context), world_(world), body_(body), hands_(hands) {}
 
     // True while a scene is being made in the background. Until it is done the hand feels the previous one, at first
@@ -72,7 +72,7 @@ private:
     Vec3 out_of_solids_m(const Vec3& hand_m) const;
 
     WorldState& world_;
-    BodyState& body_;
+    WalkerState& body_;
     HandsState& hands_;
     std::shared_ptr<const HapticScene> haptic_;
     double rounded_m_ = 0.0;            // edges in it

@@ -270,10 +270,10 @@ bool Workspace::goes_with_body() const {
 // as in a doorway that is rendered wider than it is.
 bool Workspace::body_sees(const Vec3& place_m) const {
     const Vec3 feet = context_.body.feet_m();
-    const BodySize& body = context_.body.walker->size();
+    const WalkerSize& body = context_.body.walker->size();
     for (const double height_m : {std::clamp(place_m.z - feet.z, kLowestLook_m, body.height_m), kLookHeight_m}) {
         const Vec3 eye = feet + Vec3(0.0, 0.0, height_m);
-        const TraceHit hit = context_.world.solids->trace(eye, place_m, BodyShape{}, true);
+        const TraceHit hit = context_.world.solids->trace(eye, place_m, WalkerShape{}, true);
         if (!hit.hit || glm::length(place_m - hit.end_m) <= hands_.tuning.touch.radius_m) return true;
     }
     return in_room_of_body && in_room_of_body(place_m);

@@ -178,7 +178,7 @@ std::vector<CellStrip> largest_strips(std::vector<bool> free, int width, int dep
 
 Result<std::vector<Corridor>> corridors_of(const Scene& scene, const Vec3& ball_m, double radius_m) {
     const Vec3 feet_m = ball_m - Vec3(0.0, 0.0, radius_m);
-    WalkBody ball;
+    WalkerMeasures ball;
     ball.radius_m = radius_m;
     ball.height_m = 2.0 * radius_m;
     ball.step_up_m = 0.3 * radius_m;

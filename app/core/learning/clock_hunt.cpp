@@ -50,7 +50,7 @@ void ClockHunt::hide(double now_s) {
         const Feature* feature = context_.world.scene->find(thing.feature);
         return feature && feature->kind == FeatureKind::Door;
     });
-    auto world = std::make_unique<BodyWorld>(*context_.world.solids, std::make_shared<const Scene>(std::move(open)));
+    auto world = std::make_unique<WalkerWorld>(*context_.world.solids, std::make_shared<const Scene>(std::move(open)));
     HuntGround ground(*world, context_.body.feet_m(), context_.body.walker->size());
     if (ground.size() < 30) return context_.answer(phrase("hunt.no_space"), now_s);
     const Vec3 clock = ground.hiding_place(static_cast<std::uint64_t>(now_s * 1e3) + 7919U * ++hunts_, kHide_m);
@@ -84,7 +84,7 @@ std::string ClockHunt::hint_words() const {
     const double bearing = std::atan2(to.x, to.y), straight_m = std::hypot(to.x, to.y);
     std::string text = phrase("hunt.go", {{"where", where_words(context_, straight_m, bearing)},
                                           {"distance", distance_words(*way, distances(context_))}});
-    const TraceHit hit = context_.world.solids->trace(feet_m + kAbove_m, *next + kAbove_m, BodyShape{}, true);
+    const TraceHit hit = context_.world.solids->trace(feet_m + kAbove_m, *next + kAbove_m, WalkerShape{}, true);
     if (hit.hit)
         if (const Feature* feature = context_.world.scene->find(hit.feature);
             feature && feature->kind == FeatureKind::Door)

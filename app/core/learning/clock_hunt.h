@@ -33,7 +33,7 @@ public:
 private:
     struct Hidden {
         HuntGround ground;
-        std::unique_ptr<BodyWorld> open_world;  // the world without its doors
+        std::unique_ptr<WalkerWorld> open_world;  // the world without its doors
         Vec3 clock_m{0.0};                      // where a person at the clock would stand
         double began_s = 0.0;
         int hints = 0;

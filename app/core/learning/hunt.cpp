@@ -18,11 +18,11 @@ constexpr double kFound_m = 1.0;
 constexpr double kClockHeight_m = 1.0;
 
 // Walks straight from one place to the other; no value if anything blocks it or there is no ground.
-std::optional<Vec3> walks(const BodyWorld& world, const Vec3& from_m, const Vec3& to_m, const BodySize& body) {
+std::optional<Vec3> walks(const WalkerWorld& world, const Vec3& from_m, const Vec3& to_m, const WalkerSize& body) {
     const Vec3 way(to_m.x - from_m.x, to_m.y - from_m.y, 0.0);
     const double length = glm::length(way);
     const int pieces = std::max(1, static_cast<int>(std::ceil(length / kCell_m)));
-    const BodyShape shape{body.radius_m, body.height_m - body.step_up_m};
+    const WalkerShape shape{body.radius_m, body.height_m - body.step_up_m};
     Vec3 at = from_m;
     for (int i = 1; i <= pieces; ++i) {
         const Vec3 up(0.0, 0.0, body.step_up_m + 0.005);
@@ -37,7 +37,7 @@ std::optional<Vec3> walks(const BodyWorld& world, const Vec3& from_m, const Vec3
 
 }  // namespace
 
-HuntGround::HuntGround(const BodyWorld& doors_open, const Vec3& feet_m, const BodySize& body) {
+HuntGround::HuntGround(const WalkerWorld& doors_open, const Vec3& feet_m, const WalkerSize& body) {
     contract_pre(is_finite(feet_m));
     contract_pre(body.radius_m > 0.0 && body.height_m > 0.0);
     std::map<std::tuple<int, int, int>, std::uint32_t> known;
@@ -131,7 +131,7 @@ std::optional<double> HuntGround::way_m(const Vec3& feet_m) const {
     return nodes_[*at].way_m;
 }
 
-std::optional<Vec3> HuntGround::next_m(const BodyWorld& doors_open, const Vec3& feet_m, const BodySize& body) const {
+std::optional<Vec3> HuntGround::next_m(const WalkerWorld& doors_open, const Vec3& feet_m, const WalkerSize& body) const {
     auto at = nearest(feet_m);
     if (!at || nodes_[*at].way_m < 0.0) return std::nullopt;
     Vec3 best = nodes_[*at].feet_m;
@@ -151,11 +151,11 @@ std::optional<Vec3> HuntGround::next_m(const BodyWorld& doors_open, const Vec3& 
     return best;
 }
 
-bool finds(const BodyWorld& world, const Vec3& feet_m, const Vec3& clock_feet_m) {
+bool finds(const WalkerWorld& world, const Vec3& feet_m, const Vec3& clock_feet_m) {
     const Vec3 way = clock_feet_m - feet_m;
     if (std::hypot(way.x, way.y) > kFound_m || std::abs(way.z) > 0.6) return false;
     const Vec3 up(0.0, 0.0, kClockHeight_m);
-    return glm::length(way) < 0.1 || !world.trace(feet_m + up, clock_feet_m + up, BodyShape{}).hit;
+    return glm::length(way) < 0.1 || !world.trace(feet_m + up, clock_feet_m + up, WalkerShape{}).hit;
 }
 
 }  // namespace handrail

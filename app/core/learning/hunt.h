@@ -15,7 +15,7 @@ namespace handrail {
 class HuntGround {
 public:
     // doors_open: the world without doors, so that places behind them count.
-    HuntGround(const BodyWorld& doors_open, const Vec3& feet_m, const BodySize& body);
+    HuntGround(const WalkerWorld& doors_open, const Vec3& feet_m, const WalkerSize& body);
     // One of the places, at least `least_m` on foot from the start if possible; otherwise the farthest. The same number
     // gives the same place.
     Vec3 hiding_place(std::uint64_t number, double least_m) const;
@@ -25,7 +25,7 @@ public:
     std::optional<double> way_m(const Vec3& feet_m) const;
     // The farthest place on the route to the aim to which a straight walk is possible from there; no value: no route is
     // known.
-    std::optional<Vec3> next_m(const BodyWorld& doors_open, const Vec3& feet_m, const BodySize& body) const;
+    std::optional<Vec3> next_m(const WalkerWorld& doors_open, const Vec3& feet_m, const WalkerSize& body) const;
     std::size_t size() const { return nodes_.size(); }
 
 private:
@@ -41,6 +41,6 @@ private:
 };
 
 // True if a walker or a hand at that place has found the clock: within a step, with nothing in between.
-bool finds(const BodyWorld& world, const Vec3& feet_m, const Vec3& clock_feet_m);
+bool finds(const WalkerWorld& world, const Vec3& feet_m, const Vec3& clock_feet_m);
 
 }  // namespace handrail

@@ -76,7 +76,7 @@ struct Place {
 // A room as a place to learn. Its boundary is doors, open or shut, other rooms, drops and steps too high to climb.
 // Free-standing objects are not walls. Its exits are the portals of the room and doors that lead nowhere; edges with a
 // drop are not exits.
-Place place_of_room(const BodyWorld& world, const WalkSpace& space, const RoomGraph& graph, std::uint32_t room);
+Place place_of_room(const WalkerWorld& world, const WalkSpace& space, const RoomGraph& graph, std::uint32_t room);
 
 // A place and what is known of it.
 class Learnt {

@@ -74,7 +74,7 @@ std::vector<PlaceExit> exits_of_place(const Scene& scene, const RoomGraph& graph
 // Makes the place of a room; place_of_room() calls the steps in this order.
 class PlaceMaker {
 public:
-    PlaceMaker(const BodyWorld& world, const WalkSpace& space, const RoomGraph& graph, std::uint32_t room)
+    PlaceMaker(const WalkerWorld& world, const WalkSpace& space, const RoomGraph& graph, std::uint32_t room)
         : world_(world), space_(space), graph_(graph), room_(room) {}
 
     // Makes the cells: those of the walk space, divided if they are coarse, with a rim that the room does not reach.
@@ -113,12 +113,12 @@ private:
     bool floor_goes_on(const Doors& doors, std::size_t here, int cx, int cy, int dx, int dy);
     std::optional<WallSample> wall_beside(int x, int y, int dx, int dy, const Doors& doors) const;
 
-    const BodyWorld& world_;
+    const WalkerWorld& world_;
     const WalkSpace& space_;
     const RoomGraph& graph_;
     const std::uint32_t room_;
-    const WalkBody& body_ = space_.body;
-    const BodyShape column_{0.0, body_.height_m - body_.step_up_m - 0.1};
+    const WalkerMeasures& body_ = space_.body;
+    const WalkerShape column_{0.0, body_.height_m - body_.step_up_m - 0.1};
     const Vec3 up_{0.0, 0.0, body_.step_up_m + 0.02};
     const double reach_m_ = 1.5 * body_.radius_m;  // from the nearest place for the walker's centre into a corner
     bool doorway_ = true;
@@ -229,7 +229,7 @@ bool PlaceMaker::floor_goes_on(const Doors& doors, std::size_t here, int cx, int
         return false;
     }
     if (world_.trace(from + up_, to + up_, column_).hit) return false;
-    const TraceHit ground = world_.trace(to + up_, to - Vec3(0.0, 0.0, body_.step_up_m + 0.05), BodyShape{});
+    const TraceHit ground = world_.trace(to + up_, to - Vec3(0.0, 0.0, body_.step_up_m + 0.05), WalkerShape{});
     if (!ground.hit || ground.normal.z < 0.7) return false;
     owner_[there] = owner_[here];
     seed_[there] = seed_[here];
@@ -283,7 +283,7 @@ std::optional<WallSample> PlaceMaker::wall_beside(int x, int y, int dx, int dy, 
 
 }  // namespace
 
-Place place_of_room(const BodyWorld& world, const WalkSpace& space, const RoomGraph& graph, std::uint32_t room) {
+Place place_of_room(const WalkerWorld& world, const WalkSpace& space, const RoomGraph& graph, std::uint32_t room) {
     contract_pre(room < graph.rooms.size());
     contract_pre(graph.room_of_span.size() == space.spans.size());
     PlaceMaker maker(world, space, graph, room);

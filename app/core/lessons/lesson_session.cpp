@@ -16,7 +16,7 @@ constexpr double kAfterName_s = 1.5;  // delay, so that a name that is being spo
 
 }  // namespace
 
-LessonSession::LessonSession(const SessionContext& context, AskedToLeave& asked_to_leave)
+LessonSession::LessonSession(const SessionContext& context, LeaveRequested& asked_to_leave)
     : SessionPart(context), asked_to_leave_(asked_to_leave), who_speaks_(phrase("session.your_voice")) {}
 
 bool LessonSession::hand() const { return context_.hands.right.present && !context_.hands.keys_alone; }

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/context/asked_to_leave.h"
+#include "app/core/context/leave_requested.h"
 #include "app/core/context/session_part.h"
 #include "app/core/lessons/lesson.h"
 
@@ -18,7 +18,7 @@ namespace handrail {
 class LessonSession : SessionPart {
 public:
     // asked_to_leave: shared with the session, so that a confirmation given before the lesson began counts.
-    LessonSession(const SessionContext& context, AskedToLeave& asked_to_leave);
+    LessonSession(const SessionContext& context, LeaveRequested& asked_to_leave);
 
     // Begins the first minutes, before a world is entered or in one, at the step where they were left. who_speaks:
     // "speech-dispatcher". owner_sets_up: the owner runs the set-up by voice when requested; otherwise that part is
@@ -65,7 +65,7 @@ private:
     void choose_what_next(double now_s);
     void open_list(double now_s);
 
-    AskedToLeave& asked_to_leave_;
+    LeaveRequested& asked_to_leave_;
     std::optional<LessonRun> run_;
     std::vector<Command> did_;       // since the last tick
     std::vector<FeatureId> bumped_;  // also since the last tick

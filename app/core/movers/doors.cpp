@@ -31,7 +31,7 @@ bool overlap(const Aabb& a, const Aabb& b) {
            a.min_m.z < b.max_m.z && b.min_m.z < a.max_m.z;
 }
 
-Aabb body_box(const Vec3& feet_m, const BodyShape& body) {
+Aabb body_box(const Vec3& feet_m, const WalkerShape& body) {
     Aabb box;
     box.include(feet_m - Vec3(body.radius_m, body.radius_m, 0.0));
     box.include(feet_m + Vec3(body.radius_m, body.radius_m, body.height_m));
@@ -45,7 +45,7 @@ Aabb grown(Aabb box, double by_m) {
 }
 
 // How a walker stands on a thing of the scene, if it does.
-Riding rides(const PlacedModel& thing, const Placement& at, const Vec3& feet_m, const BodyShape& body) {
+Riding rides(const PlacedModel& thing, const Placement& at, const Vec3& feet_m, const WalkerShape& body) {
     if (!overlap(grown(placed_bounds(thing.model->bounds_m, at), kNearThing_m), body_box(feet_m, body)))
         return Riding::Not;
     return riding(thing.model, at, feet_m, body);
@@ -54,7 +54,7 @@ Riding rides(const PlacedModel& thing, const Placement& at, const Vec3& feet_m, 
 // A leaf that opens never blocks a walker. A leaf that shuts meets only a walker who stands where it comes to rest;
 // anyone else in its swing steps round it.
 bool passes_body(const Feature& feature, const PlacedModel& leaf, const std::optional<Placement>& comes_to_rest,
-                 const Vec3& feet_m, const BodyShape& body) {
+                 const Vec3& feet_m, const WalkerShape& body) {
     if (feature.kind != FeatureKind::Door) return false;
     return !comes_to_rest || !overlap(placed_bounds(leaf.model->bounds_m, *comes_to_rest), body_box(feet_m, body)) ||
            !meets_body(leaf.model, *comes_to_rest, feet_m, body);
@@ -97,7 +97,7 @@ std::string stops_words(const Mover& mover, const std::string& storey, double z_
 
 }  // namespace
 
-Doors::Doors(const SessionContext& context, WorldState& world, BodyState& body)
+Doors::Doors(const SessionContext& context, WorldState& world, WalkerState& body)
     : SessionPart(context), world_(world), body_(body) {}
 
 bool Doors::act(Command command, double now_s) {
@@ -276,7 +276,7 @@ Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement&
     const PlacedModel& own = world_.scene->placed[thing(mover)];
     const bool door = world_.scene->features[own.feature.value].kind == FeatureKind::Door;
     const bool goes_shut = door ? world_.movers.goes_shut(mover) : world_.movers.goes_to_rest(mover);
-    const BodyShape body = body_.walker->shape();
+    const WalkerShape body = body_.walker->shape();
     const Aabb there = placed_bounds(own.model->bounds_m, to);
 
     const Riding ride = body_.walker->state().on_ground ? rides(own, from, body_.feet_m(), body) : Riding::Not;
@@ -319,7 +319,7 @@ Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement&
     }
 
     if (goes_along) {
-        WalkerState stood = body_.walker->state();
+        WalkerMotion stood = body_.walker->state();
         stood.feet_m = feet;
         body_.walker->resume(stood);
         if (!(from.rotation == to.rotation)) {

@@ -15,7 +15,7 @@ namespace handrail {
 class Doors : SessionPart {
 public:
     // Moves the things of `world`, and in `body` the walker if it stands on one.
-    Doors(const SessionContext& context, WorldState& world, BodyState& body);
+    Doors(const SessionContext& context, WorldState& world, WalkerState& body);
 
     // Handles Use. Returns false for other commands.
     bool act(Command command, double now_s);
@@ -52,7 +52,7 @@ private:
     void tell_endless(const MoverEvent& event, const Aabb& box_m, double now_s);
 
     WorldState& world_;
-    BodyState& body_;
+    WalkerState& body_;
     std::vector<FeatureId> told_;  // announced shut doors on the route
     bool arrived_ = false;
 };

@@ -10,7 +10,7 @@
 #include "app/core/wayfinding/stops.h"
 #include "app/core/world/surroundings.h"
 #include "worlds/base/language.h"
-#include "worlds/navigation/way_place.h"
+#include "worlds/navigation/route_place.h"
 
 namespace handrail {
 namespace {
@@ -135,7 +135,7 @@ std::vector<std::string> PrepareLesson::on_route(const std::vector<LessonDraft::
         Vec3 foot = landmark.box_m.centre_m();
         foot.z = landmark.box_m.min_m.z;
         if (route.points_m.empty()) break;
-        const WayPlace at = nearest_on_way(route.points_m, foot);
+        const RoutePlace at = nearest_on_way(route.points_m, foot);
         const Vec3 there = place_along(route.points_m, at.along_m), near = nearest_place(landmark.box_m, there);
         if (std::hypot(near.x - there.x, near.y - there.y) < kComesTo_m && std::abs(near.z - there.z) < kSameStorey_m)
             met.emplace_back(at.along_m, landmark.name);

@@ -9,7 +9,7 @@
 
 #include "app/core/context/lesson_draft.h"
 #include "app/core/context/session_context.h"
-#include "app/core/kept/ways.h"
+#include "app/core/kept/saved_routes.h"
 #include "app/core/whereabouts/rooms.h"
 
 namespace handrail {

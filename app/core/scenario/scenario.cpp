@@ -126,7 +126,7 @@ ScenarioAction read_action(const TomlValue& table, const ScenarioFolders& folder
     if (is("button")) action.step = DeviceButton{fields.flag("button")};
     if (is("focus")) action.step = KeyboardFocus{fields.flag("focus")};
     if (is("place"))
-        action.step = PlaceBody{fields.vector("place"),
+        action.step = PlaceWalker{fields.vector("place"),
                                 radians_from_degrees(fields.number_or("heading_deg", 0.0, -360.0, 360.0))};
     if (is("set")) {
         const std::string pair = fields.text("set");

@@ -69,7 +69,7 @@ struct DeviceButton {
 struct KeyboardFocus {
     bool here;
 };  // focus = false: the window loses the keyboard
-struct PlaceBody {
+struct PlaceWalker {
     Vec3 feet_m;
     double heading_rad;
 };  // place, heading_deg: moves the walker there
@@ -95,7 +95,7 @@ struct SendThing {
 };  // send = "crate": slides there in a straight line while the scenario continues
 
 using ScenarioStep = std::variant<TapCommand, HoldCommand, TapKey, TypeText, TypeLine, Wait, MoveHand, MoveInDevice,
-                                  PushHand, RestHand, ScenarioTrouble, DeviceButton, KeyboardFocus, PlaceBody,
+                                  PushHand, RestHand, ScenarioTrouble, DeviceButton, KeyboardFocus, PlaceWalker,
                                   ChangeSetting, AddThing, RemoveThing, SendThing>;
 
 struct ScenarioAction {

@@ -188,7 +188,7 @@ private:
             command_hand(hand_command_[left], left);
         }
         if (const auto* focus = std::get_if<KeyboardFocus>(&action.step)) session_.set_focus(focus->here);
-        if (const auto* place = std::get_if<PlaceBody>(&action.step))
+        if (const auto* place = std::get_if<PlaceWalker>(&action.step))
             session_.app().apply(Placed{place->feet_m, place->heading_rad}, now);
         if (const auto* change = std::get_if<ChangeSetting>(&action.step)) {
             if (const auto set = settings_.set(change->key, change->value, SettingSource::Live); !set)

@@ -13,7 +13,7 @@ struct HandOutput {
     ServoTuning tuning;
     const GuidancePath* guidance = nullptr;  // null: this hand is never guided
     Vec3 target_m{0.0};                      // for the simulated hand, device frame
-    std::shared_ptr<HandEngine> engine;      // its access to the movable things; null: nothing is movable
+    std::shared_ptr<HandBodyServo> engine;      // its access to the movable things; null: nothing is movable
 };
 
 }  // namespace handrail

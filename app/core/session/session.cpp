@@ -44,7 +44,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     // A background task frees the world that was left.
     std::shared_ptr<RoomsOfWorld> rooms_left = where_.rooms.enter_world(std::move(world.file), std::move(world.ways));
     auto left = std::make_shared<
-        std::tuple<std::shared_ptr<RoomsOfWorld>, std::shared_ptr<const Scene>, std::shared_ptr<const BodyWorld>>>(
+        std::tuple<std::shared_ptr<RoomsOfWorld>, std::shared_ptr<const Scene>, std::shared_ptr<const WalkerWorld>>>(
         std::move(rooms_left), std::move(state_.world.scene), std::move(state_.world.solids));
     settled_.begin([left = std::move(left)](const std::stop_token&) { return std::shared_ptr<const Scene>(); });
     state_.world.scene = std::move(world.scene);
@@ -357,7 +357,7 @@ void Session::set_left_hand(const HandFacts& hand, double now_s) {
 
 HandOutput Session::hand(std::size_t which) const {
     const Workspace& workspace = hand_.workspace;
-    const std::shared_ptr<HandEngine>& engine = bodies_.hand_engine(which);
+    const std::shared_ptr<HandBodyServo>& engine = bodies_.hand_engine(which);
     if (which == 1) return {workspace.left_pose(), hand_.touch_view.left_tuning(), nullptr, Vec3(0.0), engine};
     return {workspace.pose(), state_.hands.tuning, &guide_.path(), workspace.hand_target_m(), engine};
 }

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "app/core/bodies/bodies.h"
-#include "app/core/context/asked_to_leave.h"
+#include "app/core/context/leave_requested.h"
 #include "app/core/context/session_state.h"
 #include "app/core/context/soundscape.h"
 #include "app/core/context/touch_events.h"
@@ -196,7 +196,7 @@ private:
     WalkingFeatures walk_{state_};
     HandFeatures hand_{state_, walk_.keys_held};
     DeskVisit desk_visit_{state_.context};
-    AskedToLeave asked_to_leave_;
+    LeaveRequested asked_to_leave_;
     LessonSession lesson_session_{state_.context, asked_to_leave_};
     Menu menu_{state_.context};
     SimplifiedList simplified_list_{state_.context, where_.rooms};

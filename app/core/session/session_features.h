@@ -10,15 +10,15 @@
 #include "app/core/hand/workspace.h"
 #include "app/core/learning/clock_hunt.h"
 #include "app/core/learning/place_learning.h"
-#include "app/core/learning/way_memory.h"
+#include "app/core/learning/route_memory.h"
 #include "app/core/lessons/exercise.h"
 #include "app/core/movers/doors.h"
 #include "app/core/movers/triggers.h"
 #include "app/core/places/fault_list.h"
-#include "app/core/places/kept_ways.h"
+#include "app/core/places/kept_routes.h"
 #include "app/core/places/mark_list.h"
 #include "app/core/places/prepare_lesson.h"
-#include "app/core/places/why_no_way.h"
+#include "app/core/places/no_route_reason.h"
 #include "app/core/walking/by_ear.h"
 #include "app/core/walking/footing.h"
 #include "app/core/walking/walking.h"
@@ -86,9 +86,9 @@ struct PlacesFeatures {
           why_no_way(state.context, rooms),
           lesson(state.context, rooms) {}
     MarkList marks;
-    KeptWays ways;
+    KeptRoutes ways;
     FaultList faults;
-    WhyNoWay why_no_way;
+    NoRouteReason why_no_way;
     PrepareLesson lesson;
 };
 
@@ -107,7 +107,7 @@ struct LearningFeatures {
           hunt(state.context, rooms, soundscape),
           teaching(state) {}
     PlaceLearning place;
-    WayMemory ways;
+    RouteMemory ways;
     ClockHunt hunt;
     TeachingFeatures teaching;
 };

@@ -38,7 +38,7 @@ void Session::wire() {
     };
     places_.lesson.routes = [this] {
         std::vector<PrepareLesson::Offer> routes;
-        for (KeptWays::Offer& offer : places_.ways.offers())
+        for (KeptRoutes::Offer& offer : places_.ways.offers())
             routes.push_back({std::move(offer.name), std::move(offer.stops)});
         return routes;
     };

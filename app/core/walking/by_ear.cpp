@@ -28,7 +28,7 @@ constexpr double kLevelAgain_m = 1.5;            // after this much level ground
 
 }  // namespace
 
-ByEar::ByEar(const SessionContext& context, BodyState& body, const HeldKeys& keys)
+ByEar::ByEar(const SessionContext& context, WalkerState& body, const HeldKeys& keys)
     : SessionPart(context), body_(body), keys_(keys) {}
 
 void ByEar::enter_world() {
@@ -213,7 +213,7 @@ bool ByEar::waits_at_stairs(double heading_rad, double now_s) {
     if (stairs_.held || stairs_.climbs) return stairs_.held;
     if (glm::length(body_.feet_m() - stairs_.looked_m) < kStairsLookedForEvery_m) return false;
     stairs_.looked_m = body_.feet_m();
-    const BodySize size = body_.walker->size();
+    const WalkerSize size = body_.walker->size();
     const GroundAhead ahead = ground_ahead(*context_.world.solids, body_.feet_m(), heading_rad,
                                            ground_rules(*context_.world.scene, size), kStairsSeen_m);
     if (!ahead.stairs || ahead.stairs->distance_m > size.radius_m + kBeforeStairs_m) return false;

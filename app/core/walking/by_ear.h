@@ -19,7 +19,7 @@ namespace handrail {
 class ByEar : SessionPart {
 public:
     // Turns `body`, and lays and takes up the trail of points for the way back.
-    ByEar(const SessionContext& context, BodyState& body, const HeldKeys& keys);
+    ByEar(const SessionContext& context, WalkerState& body, const HeldKeys& keys);
 
     void enter_world();
     // Call it after the walker was placed elsewhere in the same world.
@@ -55,7 +55,7 @@ private:
     std::optional<Vec3> retrace(double now_s, double dt_s);
     void square_up(double now_s);
 
-    BodyState& body_;
+    WalkerState& body_;
     const HeldKeys& keys_;
     Trail trail_;
     double trail_left_m_ = 0.0;    // remaining distance of taps

@@ -54,7 +54,7 @@ void Footing::notice(Command command, double now_s) {
     }
 }
 
-bool Footing::held_at_edge(const WalkerState& before, Paces& paces, double now_s) {
+bool Footing::held_at_edge(const WalkerMotion& before, Paces& paces, double now_s) {
     if (!context_.settings.walk.stop_at_drops || !before.on_ground) return false;
     const Vec3 moved = body_.feet_m() - before.feet_m;
     if (moved.x * moved.x + moved.y * moved.y < 1e-12) return false;

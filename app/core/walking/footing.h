@@ -14,7 +14,7 @@ namespace handrail {
 class Footing : SessionPart {
 public:
     // Holds `body` back at edges.
-    Footing(const SessionContext& context, BodyState& body) : SessionPart(context), body_(body) {}
+    Footing(const SessionContext& context, WalkerState& body) : SessionPart(context), body_(body) {}
 
     void enter_world();
     // Call it after the walker was placed elsewhere in the same world. What was announced lately is not repeated.
@@ -23,7 +23,7 @@ public:
     void notice(Command command, double now_s);
     // Moves the walker back to `before` if it is over a drop that was not confirmed, and returns true. The steps to the
     // edge are announced with it.
-    bool held_at_edge(const WalkerState& before, Paces& paces, double now_s);
+    bool held_at_edge(const WalkerMotion& before, Paces& paces, double now_s);
     // Call it each tick while the walker stands: announces changes of the ground. before_m: its place in the last tick.
     void tick(const Vec3& before_m, const WalkResult& walked, double now_s);
     // Pitch of footsteps: higher uphill.
@@ -61,7 +61,7 @@ private:
         bool drop = false;
     };
 
-    BodyState& body_;
+    WalkerState& body_;
     Looked looked_;
     Edge edge_;
     Underfoot underfoot_;

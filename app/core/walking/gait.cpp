@@ -20,20 +20,20 @@ void Gait::went_aside(double wished_m, double made_m) {
     if (left_m == 0.0) aside_m_ = 0.0;
 }
 
-Gait::Goes Gait::went(double wished_m, double made_m, bool met,
+Gait::Course Gait::went(double wished_m, double made_m, bool met,
                       const std::function<std::optional<double>()>& line_up_m) {
     wished_m_ += wished_m;
     made_m_ += made_m;
     const bool held = met && made_m < kHeadOn * wished_m;
-    if (!held && wished_m_ < kStoppedWindow_m) return met ? Goes::Along : Goes::On;
+    if (!held && wished_m_ < kStoppedWindow_m) return met ? Course::Along : Course::On;
     const bool slow = made_m_ < kStoppedBelow * wished_m_;
     wished_m_ = made_m_ = 0.0;
-    if (!held && !slow) return met ? Goes::Along : Goes::On;
+    if (!held && !slow) return met ? Course::Along : Course::On;
     const std::optional<double> aside_m = lined_up_ < kMostLineUps && line_up_m ? line_up_m() : std::nullopt;
-    if (!aside_m || std::abs(*aside_m) < kStraightIn_m) return Goes::Stopped;
+    if (!aside_m || std::abs(*aside_m) < kStraightIn_m) return Course::Stopped;
     ++lined_up_;
     aside_m_ = *aside_m;
-    return Goes::Aside;
+    return Course::Aside;
 }
 
 }  // namespace handrail

@@ -23,10 +23,10 @@ public:
     // there.
     void went_aside(double wished_m, double made_m);
 
-    enum class Goes { On, Along, Aside, Stopped };
+    enum class Course { On, Along, Aside, Stopped };
     // Reports a tick of the walk itself; `met`: against something. line_up_m: see BlindGround::line_up_m, called once
     // the walk is held; may be null.
-    Goes went(double wished_m, double made_m, bool met, const std::function<std::optional<double>()>& line_up_m);
+    Course went(double wished_m, double made_m, bool met, const std::function<std::optional<double>()>& line_up_m);
 
 private:
     double wished_m_ = 0.0, made_m_ = 0.0;  // since the last decision

@@ -79,7 +79,7 @@ std::vector<Leaping::Target> Leaping::targets() const {
         if (away_m < 0.5 * context_.settings.walk.step_length_m || away_m > kSightRange_m ||
             std::abs(mark_m.z - eye.z) > kMarkHeight_m)
             continue;
-        if (context_.world.solids->trace(eye, Vec3(mark_m.x, mark_m.y, eye.z), BodyShape{}, true).hit) continue;
+        if (context_.world.solids->trace(eye, Vec3(mark_m.x, mark_m.y, eye.z), WalkerShape{}, true).hit) continue;
         all.push_back({static_cast<std::uint32_t>(context_.world.scene->features.size() + i), bearing(mark_m), away_m,
                        true, std::nullopt});
     }
@@ -91,7 +91,7 @@ std::vector<Leaping::Target> Leaping::targets() const {
 // A place before the target if there is room; directly on a mark if that is free.
 std::optional<Leaping::Place> Leaping::place_at(const Target& target) const {
     if (target.before) return target.before;
-    const BodyShape shape = body_.walker->shape();
+    const WalkerShape shape = body_.walker->shape();
     const Vec3 way = forward_of_heading(target.bearing_rad);
     for (double before = target.mark ? 0.0 : shape.radius_m + 0.15; before < shape.radius_m + 1.0; before += 0.1) {
         if (before > target.distance_m) break;

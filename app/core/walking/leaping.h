@@ -22,7 +22,7 @@ class Leaping : SessionPart {
 public:
     // where_am_i: the answer to that question. doors: of the present room, none if rooms are not known. Both may be set
     // later, and outlive this object.
-    Leaping(const SessionContext& context, const BodyState& body, const std::function<std::string()>& where_am_i,
+    Leaping(const SessionContext& context, const WalkerState& body, const std::function<std::string()>& where_am_i,
             const std::function<std::vector<LeapDoor>()>& doors)
         : SessionPart(context), body_(body), where_am_i_(where_am_i), doors_(doors) {}
 
@@ -59,7 +59,7 @@ private:
     void leap_to(const Leapt& to, double now_s);
     void undo(double now_s);
 
-    const BodyState& body_;
+    const WalkerState& body_;
     const std::function<std::string()>& where_am_i_;
     const std::function<std::vector<LeapDoor>()>& doors_;
     std::vector<Place> undo_;   // newest last

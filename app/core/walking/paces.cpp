@@ -16,10 +16,10 @@ constexpr double kShoulder_m = 0.08;  // how far ahead a shoulder is examined, a
 
 // Whether only a shoulder was met, so that the middle of the body would have passed: 1 right, -1 left, 0 neither.
 int shoulder_met(const SessionContext& context, double way_rad) {
-    const BodyWorld& solids = *context.world.solids;
-    const BodySize& size = context.body.walker->size();
+    const WalkerWorld& solids = *context.world.solids;
+    const WalkerSize& size = context.body.walker->size();
     const Vec3 feet = context.body.feet_m() + Vec3(0.0, 0.0, size.step_up_m);
-    const BodyShape part{kShoulder_m / 2.0, size.height_m - size.step_up_m};
+    const WalkerShape part{kShoulder_m / 2.0, size.height_m - size.step_up_m};
     const Vec3 ahead = forward_of_heading(way_rad) * (size.radius_m + kShoulder_m);
     const auto meets = [&](double side_m) {
         const Vec3 from = feet + right_of_heading(way_rad) * side_m;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/core/context/session_context.h"
-#include "app/core/world/body_world.h"
+#include "app/core/world/walker_world.h"
 
 namespace handrail {
 

@@ -67,7 +67,7 @@ void Walking::go_home(double now_s) {
 }
 
 std::string Walking::bring_out(double now_s) {
-    const BodyWorld& solids = *context_.world.solids;
+    const WalkerWorld& solids = *context_.world.solids;
     if (!solids.blocked(body_.feet_m(), body_.walker->shape())) return {};
     const auto free = nearest_free_feet(solids, body_.feet_m(), body_.walker->shape());
     if (!free) return phrase("session.no_place_to_stand");
@@ -250,7 +250,7 @@ void Walking::walk(double now_s, double dt_s) {
         way = glm::length(wish) * dt_s;
     }
     const bool gives_way = push_ahead && push_ahead(wish, now_s);
-    const WalkerState stood = body_.walker->state();
+    const WalkerMotion stood = body_.walker->state();
     WalkResult walked = body_.walker->tick(wish, dt_s);
     const bool at_edge = footing_.held_at_edge(stood, paces_, now_s);
     if (at_edge) {
@@ -329,16 +329,16 @@ bool Walking::go_on(const WalkResult& walked, const Vec3& wish, double way_m, do
         return line_up_m(body_.feet_m(), way_rad);
     };
     switch (gait_.went(way_m, walked.walked_m, walked.met.has_value(), line_up)) {
-        case Gait::Goes::On:
+        case Gait::Course::On:
             brushed_.slid_m = 0.0;
             return true;
-        case Gait::Goes::Along:
+        case Gait::Course::Along:
             tell_slide(*walked.met, walked.walked_m, now_s);
             return true;
-        case Gait::Goes::Aside:
+        case Gait::Course::Aside:
             tell_frame(now_s);
             return true;
-        case Gait::Goes::Stopped:
+        case Gait::Course::Stopped:
             break;
     }
     return false;
@@ -368,7 +368,7 @@ void Walking::tell_slide(const TraceHit& met, double way_m, double now_s) {
     context_.cues.cue(std::move(brush));
 }
 
-void Walking::tell_step(const WalkerState& before, const WalkResult& walked, double now_s) {
+void Walking::tell_step(const WalkerMotion& before, const WalkResult& walked, double now_s) {
     const double step_m = context_.settings.walk.step_length_m;
     since_footstep_m_ += walked.walked_m;
     // Each riser counts as a step, up and down.

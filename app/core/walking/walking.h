@@ -18,7 +18,7 @@ namespace handrail {
 
 class Walking : SessionPart {
 public:
-    Walking(const SessionContext& context, BodyState& body, const HeldKeys& keys, ByEar& by_ear, Footing& footing)
+    Walking(const SessionContext& context, WalkerState& body, const HeldKeys& keys, ByEar& by_ear, Footing& footing)
         : SessionPart(context), body_(body), keys_(keys), by_ear_(by_ear), footing_(footing) {}
 
     // Call it after the walker was placed in the world, at its base.
@@ -82,12 +82,12 @@ private:
     bool go_on(const WalkResult& walked, const Vec3& wish, double way_m, double now_s);
     void tell_frame(double now_s);
     void tell_slide(const TraceHit& met, double way_m, double now_s);
-    void tell_step(const WalkerState& before, const WalkResult& walked, double now_s);
+    void tell_step(const WalkerMotion& before, const WalkResult& walked, double now_s);
     void tell_heading(double now_s);
     void tell_rest(bool goes, double now_s);
     void tell_bump(const TraceHit& met, double way_rad, double now_s);
 
-    BodyState& body_;
+    WalkerState& body_;
     const HeldKeys& keys_;
     ByEar& by_ear_;
     Footing& footing_;

@@ -11,7 +11,7 @@ constexpr double kAgain_s = 1.0;  // shortest time until ended grooves are made 
 
 }  // namespace
 
-FloorGrooves::FloorGrooves(const SessionContext& context, Rooms& rooms, const WayPlans& plans)
+FloorGrooves::FloorGrooves(const SessionContext& context, Rooms& rooms, const RoutePlans& plans)
     : SessionPart(context), rooms_(rooms), plans_(plans) {}
 
 void FloorGrooves::enter_world() { laid_ = {}; }

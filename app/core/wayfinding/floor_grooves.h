@@ -8,13 +8,13 @@
 
 #include "app/core/context/session_part.h"
 #include "app/core/wayfinding/grooves.h"
-#include "app/core/wayfinding/way_plans.h"
+#include "app/core/wayfinding/route_plans.h"
 
 namespace handrail {
 
 class FloorGrooves : SessionPart {
 public:
-    FloorGrooves(const SessionContext& context, Rooms& rooms, const WayPlans& plans);
+    FloorGrooves(const SessionContext& context, Rooms& rooms, const RoutePlans& plans);
 
     void enter_world();
     // True if the person wants them, and a hand in the world can feel them.
@@ -26,12 +26,12 @@ public:
 
 private:
     Rooms& rooms_;
-    const WayPlans& plans_;
+    const RoutePlans& plans_;
     struct Laid {
         std::vector<GrooveLeg> doorways;  // of this world
         bool doorways_known = false;
         bool ended = false;  // by the servo, since they were made
-        unsigned way = 0;    // WayPlans::changes() at that time
+        unsigned way = 0;    // RoutePlans::changes() at that time
         Vec3 near_m{0.0};    // place of the hand
         double good_within_m = 0.0;
         double scale = 0.0;

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "worlds/base/contract.h"
-#include "worlds/navigation/way_place.h"
+#include "worlds/navigation/route_place.h"
 
 namespace handrail {
 namespace {

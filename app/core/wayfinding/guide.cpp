@@ -33,7 +33,7 @@ bool is_surface(FeatureKind kind) {
 }
 
 // Adds the doors and stairs on the route, if any.
-std::string with_passages(const std::string& words, const WayForHand& way) {
+std::string with_passages(const std::string& words, const HandRoute& way) {
     if (way.passes.empty()) return words;
     return beside(words, phrase("lead.by_way_of", {{"passages", fmt::format("{}", fmt::join(way.passes, ", "))}}));
 }
@@ -373,7 +373,7 @@ void Guide::lead_to(const Goal& goal, const std::string& first, double now_s) {
     goal_ = goal;
     if (!hand_.may_lead()) return lead_by_ear(goal, first, now_s);
     if (const std::string why = hand_.why_no_force(); !why.empty()) return lead_by_ear(goal, beside(first, why), now_s);
-    const WayForHand way = plans_.for_hand(goal, GuidancePath::kMostPoints);
+    const HandRoute way = plans_.for_hand(goal, GuidancePath::kMostPoints);
     if (way.points_m.empty()) return lead_by_ear(goal, beside(first, way.problem), now_s);
     // The number tells things with the same name apart.
     laps_.begin(fmt::format("{} {}", goal.name, goal.feature.value));
@@ -400,7 +400,7 @@ void Guide::lead_by_ear(const Goal& goal, const std::string& first, double now_s
         plans_.go_on_by_ear();
         return go_on(first, now_s);
     }
-    const BodyWorld& solids = *context_.world.solids;
+    const WalkerWorld& solids = *context_.world.solids;
     const Vec3& feet_m = context_.body.feet_m();
     const Vec3 waist_m = feet_m + Vec3(0.0, 0.0, kWaist_m);
     const bool in_sight = free_line(solids, waist_m, place_on(goal.box_m, waist_m), goal.feature);
@@ -425,7 +425,7 @@ void Guide::cross_lines(const Goal& goal, double now_s) {
     if (const std::string why = hand_.why_no_force(); !why.empty()) return context_.answer(why, now_s);
     std::string why = phrase("lead.straight");
     if (context_.settings.guidance.along_way) {
-        const WayForHand way = plans_.for_hand(goal, HandLead::kMostLinePoints);
+        const HandRoute way = plans_.for_hand(goal, HandLead::kMostLinePoints);
         if (way.reaches && way.points_m.size() >= 2) {
             const std::string where = where_words(context_, told_box(rooms_, goal));
             context_.events.tell(Led{goal.name, LedBy::Lines}, now_s);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/core/context/session_part.h"
-#include "app/core/wayfinding/ear_way.h"
+#include "app/core/wayfinding/spoken_route.h"
 #include "app/core/wayfinding/finding.h"
 #include "app/core/wayfinding/hand_lead.h"
 #include "app/core/wayfinding/seek.h"
@@ -126,9 +126,9 @@ private:
     PlannedStops planned_;
     Laps laps_;
     std::optional<double> help_limit_;
-    WayPlans plans_;
-    WordGround ground_;
-    EarWay ear_;
+    RoutePlans plans_;
+    DirectionsGround ground_;
+    SpokenRoute ear_;
     HandLead hand_;
     Seek seek_;
 };

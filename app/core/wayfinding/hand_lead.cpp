@@ -5,9 +5,9 @@
 
 #include "app/core/context/telling.h"
 #include "app/core/dialogue/words.h"
-#include "app/core/wayfinding/sought_way.h"
+#include "app/core/wayfinding/sought_route.h"
 #include "worlds/base/language.h"
-#include "worlds/navigation/way_place.h"
+#include "worlds/navigation/route_place.h"
 
 namespace handrail {
 namespace {
@@ -71,14 +71,14 @@ bool HandLead::lines_at_work() const {
     return (led_.acts && are_lines(led_.path.kind)) || (led_.announced && are_lines(led_.announced->kind));
 }
 
-void HandLead::pull(const WayForHand& way, double strength, std::string words, double now_s) {
+void HandLead::pull(const HandRoute& way, double strength, std::string words, double now_s) {
     GuidancePath path = pull_along(way.points_m);
     path.strength = strength;
     announce(path, std::move(words), now_s);
     led_.to_nearest = !way.reaches;
 }
 
-void HandLead::lines(const WayForHand& way, std::string words, double now_s) {
+void HandLead::lines(const HandRoute& way, std::string words, double now_s) {
     GuidancePath path = lines_along(way.points_m);
     path.strength = context_.settings.guidance.strength;
     announce(path, std::move(words), now_s);
@@ -226,7 +226,7 @@ void HandLead::watch_way(const std::optional<Goal>& goal, double now_s) {
         // Something has moved since the path was planned, such as a door leaf. The same guidance silently continues
         // along a new path.
         led_.planned_in = context_.world.scene;
-        const WayForHand way = plans_.for_hand(*goal, GuidancePath::kMostPoints);
+        const HandRoute way = plans_.for_hand(*goal, GuidancePath::kMostPoints);
         if (!way.points_m.empty()) go_on_along(pull_along(way.points_m));
         return;
     }
@@ -249,7 +249,7 @@ void HandLead::watch_lines(const std::optional<Goal>& goal, double now_s) {
         led_.off_since_s = now_s;
     const bool ended = tool.guidance.phase != GuidancePhase::Acts;
     if ((ended || led_.planned_in != context_.world.scene || now_s - led_.off_since_s > kLeft_s) &&
-        now_s - led_.lines_laid_s > SoughtWay::kAgain_s && goal)
+        now_s - led_.lines_laid_s > SoughtRoute::kAgain_s && goal)
         lay_lines(*goal, now_s);
 }
 
@@ -258,7 +258,7 @@ void HandLead::lay_lines(const Goal& goal, double now_s) {
     led_.lines_laid_s = now_s;
     led_.planned_in = context_.world.scene;
     led_.off_since_s = now_s;
-    const WayForHand way = plans_.for_hand(goal, kMostLinePoints);
+    const HandRoute way = plans_.for_hand(goal, kMostLinePoints);
     if (!way.reaches || way.points_m.size() < 2) return;
     go_on_along(lines_along(way.points_m));
 }

@@ -11,7 +11,7 @@
 #include "app/core/context/session_part.h"
 #include "app/core/movers/doors.h"
 #include "app/core/wayfinding/floor_grooves.h"
-#include "app/core/wayfinding/way_plans.h"
+#include "app/core/wayfinding/route_plans.h"
 #include "haptic/servo/guidance.h"
 
 namespace handrail {
@@ -20,7 +20,7 @@ class HandLead : SessionPart {
 public:
     static constexpr std::size_t kMostLinePoints = GuidancePath::kMostPoints / 2 + 1;
 
-    HandLead(const SessionContext& context, Rooms& rooms, WayPlans& plans, Doors& doors)
+    HandLead(const SessionContext& context, Rooms& rooms, RoutePlans& plans, Doors& doors)
         : SessionPart(context), plans_(plans), doors_(doors), grooves_(context, rooms, plans) {}
 
     void enter_world();
@@ -35,8 +35,8 @@ public:
     bool lines_at_work() const;
 
     // Each announces the words and begins to act a second later.
-    void pull(const WayForHand& way, double strength, std::string words, double now_s);
-    void lines(const WayForHand& way, std::string words, double now_s);
+    void pull(const HandRoute& way, double strength, std::string words, double now_s);
+    void lines(const HandRoute& way, std::string words, double now_s);
     void cross_lines(const Vec3& at_m, std::string words, double now_s);
     // Ends the pull; the force fades out.
     void end();
@@ -76,7 +76,7 @@ private:
     void watch_lines(const std::optional<Goal>& goal, double now_s);
     void lay_grooves(double now_s);
 
-    WayPlans& plans_;
+    RoutePlans& plans_;
     Doors& doors_;
     FloorGrooves grooves_;
     std::uint32_t last_number_ = 0;  // of all paths in all worlds, because the servo recognises paths by it

@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-#include "worlds/navigation/way_place.h"
+#include "worlds/navigation/route_place.h"
 
 namespace handrail {
 namespace {
@@ -18,13 +18,13 @@ constexpr double kBefore_m = 0.3;                      // from a thing's face to
 constexpr double kInside_m = 0.05;
 constexpr double kBallRoom_m = 0.3;  // distance at which a hand goes round the leaf of an open door
 
-constexpr BodyShape kBall{0.13, 0.26};  // proxy of 4 mm at scale 60
+constexpr WalkerShape kBall{0.13, 0.26};  // proxy of 4 mm at scale 60
 
 Vec3 nearest_in(const Aabb& box, const Vec3& to_m) { return glm::clamp(to_m, box.min_m, box.max_m); }
 
 // The end of a hand's path: straight to the thing, or via a point before one of its sides or above it. Prefers a path
 // free for a proxy to one free for a line. Empty if there is none.
-std::vector<Vec3> last_points(const BodyWorld& world, const Vec3& from_m, const Aabb& thing_m, FeatureId thing) {
+std::vector<Vec3> last_points(const WalkerWorld& world, const Vec3& from_m, const Aabb& thing_m, FeatureId thing) {
     const Vec3 centre = thing_m.centre_m(), half = 0.5 * thing_m.size_m() + Vec3(kBefore_m);
     std::vector<std::vector<Vec3>> ways{{place_on(thing_m, from_m)}};
     for (const Vec3& side : {Vec3(0, 0, 1), Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0, 1, 0)}) {
@@ -42,7 +42,7 @@ std::vector<Vec3> last_points(const BodyWorld& world, const Vec3& from_m, const 
     return {};
 }
 
-bool within_reach(const BodyWorld& world, const Vec3& stand_m, const Aabb& thing_m, FeatureId thing) {
+bool within_reach(const WalkerWorld& world, const Vec3& stand_m, const Aabb& thing_m, FeatureId thing) {
     return std::any_of(std::begin(kReach_height_m), std::end(kReach_height_m), [&](double height_m) {
         return !last_points(world, stand_m + Vec3(0.0, 0.0, height_m), thing_m, thing).empty();
     });
@@ -51,7 +51,7 @@ bool within_reach(const BodyWorld& world, const Vec3& stand_m, const Aabb& thing
 // A route leads round the leaves of open doors if that is not far, otherwise through one. A hand may also meet or be
 // caught by a leaf that a walker would pass. This finds a path round the end of the leaf that is free for a proxy, or
 // at least for a line if not even a line goes straight.
-std::vector<Vec3> round_leaves(const BodyWorld& world, const Vec3& from_m, const Vec3& to_m) {
+std::vector<Vec3> round_leaves(const WalkerWorld& world, const Vec3& from_m, const Vec3& to_m) {
     const Vec3 half(0.0, 0.0, 0.5 * kBall.height_m);
     const auto door = [&](FeatureId feature) {
         const Feature* leaf = world.scene().find(feature);
@@ -113,7 +113,7 @@ std::vector<Vec3> round_leaves(const BodyWorld& world, const Vec3& from_m, const
 
 }  // namespace
 
-bool ball_passes(const BodyWorld& world, const Vec3& from_m, const Vec3& to_m, FeatureId thing) {
+bool ball_passes(const WalkerWorld& world, const Vec3& from_m, const Vec3& to_m, FeatureId thing) {
     const Vec3 half(0.0, 0.0, 0.5 * kBall.height_m);
     if (world.blocked(from_m - half, kBall)) return false;
     const TraceHit met = world.trace(from_m - half, to_m - half, kBall, true);
@@ -125,13 +125,13 @@ Vec3 place_on(const Aabb& thing_m, const Vec3& from_m) {
     return glm::clamp(from_m, thing_m.min_m + in, thing_m.max_m - in);
 }
 
-bool free_line(const BodyWorld& world, const Vec3& from_m, const Vec3& to_m, FeatureId thing) {
+bool free_line(const WalkerWorld& world, const Vec3& from_m, const Vec3& to_m, FeatureId thing) {
     const std::vector<Crossing> crossings = world.crossings(from_m, to_m);
     return std::all_of(crossings.begin(), crossings.end(),
                        [&](const Crossing& crossing) { return thing && crossing.feature == thing; });
 }
 
-Route walk_to_thing(Navigation& navigation, const BodyWorld& world, const Vec3& from_m, const Aabb& thing_m,
+Route walk_to_thing(Navigation& navigation, const WalkerWorld& world, const Vec3& from_m, const Aabb& thing_m,
                     FeatureId thing) {
     const Vec3 middle = thing_m.centre_m(), low = thing_m.min_m, high = thing_m.max_m;
     std::vector<Vec3> stands, within;
@@ -163,7 +163,7 @@ bool hand_can_follow(const Route& route) {
     });
 }
 
-std::vector<Vec3> hand_way(const Route& route, const Vec3& hand_m, double height_m, const BodyWorld& world,
+std::vector<Vec3> hand_way(const Route& route, const Vec3& hand_m, double height_m, const WalkerWorld& world,
                            const Aabb& thing_m, FeatureId thing, std::size_t most) {
     std::vector<Vec3> points{hand_m};
     for (const Vec3& soles : route.points_m) {

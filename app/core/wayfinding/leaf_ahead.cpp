@@ -45,7 +45,7 @@ bool meets_face(const WorldState& world, std::uint32_t mover, const Aabb& leaf_m
 
 }  // namespace
 
-std::optional<std::uint32_t> leaf_across(const WorldState& world, const BodySize& size, std::span<const Vec3> path_m) {
+std::optional<std::uint32_t> leaf_across(const WorldState& world, const WalkerSize& size, std::span<const Vec3> path_m) {
     for (std::size_t i = 1; i < path_m.size(); ++i) {
         const Vec3 &from_m = path_m[i - 1], &to_m = path_m[i];
         const Vec3 way = to_m - from_m;

@@ -16,7 +16,7 @@ namespace handrail {
 // The door, an index in Scene::movers, whose leaf blocks a walker on the straight stretches of the path, at floor
 // level. No value if none does, if the door is not shut by hand, or if the path leads through that door and reaches the
 // doorway before the leaf's face.
-std::optional<std::uint32_t> leaf_across(const WorldState& world, const BodySize& size, std::span<const Vec3> path_m);
+std::optional<std::uint32_t> leaf_across(const WorldState& world, const WalkerSize& size, std::span<const Vec3> path_m);
 // Its name; empty: none.
 std::string leaf_ahead(const SessionContext& context, std::span<const Vec3> path_m);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "worlds/navigation/way_place.h"
+#include "worlds/navigation/route_place.h"
 
 namespace handrail {
 

@@ -29,9 +29,9 @@ struct Line {
     double aside(const Vec3& place) const { return glm::dot(place - from_m, right); }
 };
 
-std::string doors_clue(const WordFloor& floor, const Line& line, std::uint32_t except) {
+std::string doors_clue(const DirectionsFloor& floor, const Line& line, std::uint32_t except) {
     int left = 0, right = 0;
-    const std::vector<WordDoor>& doors = floor.ground.doors();
+    const std::vector<DirectionsDoor>& doors = floor.ground.doors();
     for (std::uint32_t d = 0; d < doors.size(); ++d) {
         const Vec3 at = placed_bounds(doors[d].leaves.front().own_m, doors[d].leaves.front().shut).centre_m();
         const double along_m = line.along(at), aside_m = line.aside(at);
@@ -48,7 +48,7 @@ std::string doors_clue(const WordFloor& floor, const Line& line, std::uint32_t e
 
 MaterialId underfoot(const SessionContext& context, const Vec3& feet_m) {
     const TraceHit hit =
-        context.world.solids->trace(feet_m + Vec3(0.0, 0.0, 0.1), feet_m - Vec3(0.0, 0.0, 0.1), BodyShape{}, true);
+        context.world.solids->trace(feet_m + Vec3(0.0, 0.0, 0.1), feet_m - Vec3(0.0, 0.0, 0.1), WalkerShape{}, true);
     return hit.hit ? hit.material : kDefaultMaterial;
 }
 
@@ -85,7 +85,7 @@ std::string wall_clue(const SessionContext& context, const Line& line) {
         for (double at_m = 0.0; at_m <= line.length_m && all; at_m += kLookedEvery_m) {
             const Vec3 from = line.from_m + line.ahead * at_m + Vec3(0.0, 0.0, kWaist_m);
             const TraceHit hit =
-                context.world.solids->trace(from, from + line.right * (side * kWallBeside_m), BodyShape{}, true);
+                context.world.solids->trace(from, from + line.right * (side * kWallBeside_m), WalkerShape{}, true);
             const Feature* met = hit.hit ? context.world.scene->find(hit.feature) : nullptr;
             all = met && met->kind == FeatureKind::Wall;
         }
@@ -96,7 +96,7 @@ std::string wall_clue(const SessionContext& context, const Line& line) {
 
 }  // namespace
 
-std::string leg_clue(const SessionContext& context, const WordFloor& floor, const Vec3& from_m, const Vec3& to_m,
+std::string leg_clue(const SessionContext& context, const DirectionsFloor& floor, const Vec3& from_m, const Vec3& to_m,
                      int notch, std::uint32_t door) {
     Line line{from_m, forward_of_heading(notch_heading_rad(notch)), right_of_heading(notch_heading_rad(notch)), 0.0};
     line.length_m = line.along(to_m);

@@ -12,7 +12,7 @@ namespace handrail {
 // One sentence with the most reliable clue; empty: there is none. The leg leads from `from_m` straight to `to_m`, at
 // floor level, in the direction of that notch. `door`: the one to which the leg leads, among the doors of the floor;
 // kNothing: none.
-std::string leg_clue(const SessionContext& context, const WordFloor& floor, const Vec3& from_m, const Vec3& to_m,
+std::string leg_clue(const SessionContext& context, const DirectionsFloor& floor, const Vec3& from_m, const Vec3& to_m,
                      int notch, std::uint32_t door);
 
 }  // namespace handrail

@@ -42,19 +42,19 @@ double along_m(int notch, const Vec3& from_m, const Vec3& to_m) {
 }
 
 // Counted steps from the present place: as planned, corrected by how far ahead or behind the person is.
-double counted_left(const WordFloor& floor, const LegAt& at) {
+double counted_left(const DirectionsFloor& floor, const LegAt& at) {
     const double aside_m = along_m(at.notch, at.planned_from_m, at.from_m);
     return at.leg.steps - aside_m / floor.step_m;
 }
 
 struct Walked {
     Paced paced;
-    BlindBody body;
+    BlindWalker body;
     int risers = 0;
     double to_stairs_m = 0.0;
     std::vector<Vec3> path_m;  // from the present place, every kPathEvery_m
 };
-Walked walk(const WordFloor& floor, const LegAt& at, const DoorsOpen& open, double most_m = kFarthest_m) {
+Walked walk(const DirectionsFloor& floor, const LegAt& at, const DoorsOpen& open, double most_m = kFarthest_m) {
     Walked walked;
     walked.body = floor.ground.body_at(at.from_m);
     if (walked.body.span == kNothing) return walked;
@@ -62,7 +62,7 @@ Walked walk(const WordFloor& floor, const LegAt& at, const DoorsOpen& open, doub
     double z = floor.ground.feet_m(walked.body).z, way_m = 0.0, kept_m = 0.0;
     walked.paced = floor.ground.walk(
         walked.body, notch_heading_rad(at.notch), most_m, at.leg.end, open,
-        [&](const BlindBody& body) {
+        [&](const BlindWalker& body) {
             way_m += kFine_m;
             const double here = floor.ground.feet_m(body).z;
             if (std::abs(here - z) > kRiser_m) {
@@ -85,14 +85,14 @@ Walked walk(const WordFloor& floor, const LegAt& at, const DoorsOpen& open, doub
 }
 
 // Adds a flight that the leg crosses.
-void tell_flight(SpokenLeg& told, const WordFloor& floor, const Walked& walked) {
+void tell_flight(SpokenLeg& told, const DirectionsFloor& floor, const Walked& walked) {
     if (walked.risers < 2) return;
     told.risers = walked.risers;
     told.up = walked.paced.rise_m > 0.0;
     told.to_stairs = static_cast<int>(std::lround(walked.to_stairs_m / floor.step_m));
 }
 
-std::string door_words(const SessionContext& context, const WordDoor& door, bool shut) {
+std::string door_words(const SessionContext& context, const DirectionsDoor& door, bool shut) {
     const std::string name = passage_name(context, PassageKind::Door, door.feature, 0.0);
     return shut ? joined(name, phrase("questions.shut")) : name;
 }
@@ -131,13 +131,13 @@ std::string leg_words(const SpokenLeg& leg, const DistanceWords& how) {
     return text;
 }
 
-SpokenLeg spoken_leg(const SessionContext& context, const WordFloor& floor, const LegAt& at, const DoorsOpen& open) {
+SpokenLeg spoken_leg(const SessionContext& context, const DirectionsFloor& floor, const LegAt& at, const DoorsOpen& open) {
     SpokenLeg told;
     told.end = at.leg.end;
     const int turn = ((at.notch - at.from_notch) % kNotches + kNotches) % kNotches;
     told.turn_notches = turn > kNotches / 2 ? turn - kNotches : turn;
     told.to = at.goal;
-    const WordDoor* door = at.leg.door == kNothing ? nullptr : &floor.ground.doors()[at.leg.door];
+    const DirectionsDoor* door = at.leg.door == kNothing ? nullptr : &floor.ground.doors()[at.leg.door];
     if (door) {
         const bool shut = !open[at.leg.door];
         told.to = door_words(context, *door, shut);
@@ -170,7 +170,7 @@ SpokenLeg spoken_leg(const SessionContext& context, const WordFloor& floor, cons
     return told;
 }
 
-bool leg_is_over(const WordFloor& floor, const LegAt& at, const DoorsOpen& open) {
+bool leg_is_over(const DirectionsFloor& floor, const LegAt& at, const DoorsOpen& open) {
     if (at.leg.end == PaceEnd::Steps) return counted_left(floor, at) < kLeft_part;
     const Walked walked = walk(floor, at, open);
     if (at.leg.end == PaceEnd::Stairs) return !walked.paced.climbed;

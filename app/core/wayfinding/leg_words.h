@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/core/context/session_context.h"
-#include "app/core/wayfinding/word_ground.h"
+#include "app/core/wayfinding/directions_ground.h"
 
 namespace handrail {
 
@@ -28,15 +28,15 @@ std::string leg_words(const SpokenLeg& leg, const DistanceWords& how);
 // A leg as walked from the person's present place. `planned_from_m`: where it was planned from. `notch`: its direction.
 // `goal`: name of its end, if it is the last leg.
 struct LegAt {
-    const WordLeg& leg;
+    const DirectionsLeg& leg;
     int notch = 0;
     Vec3 planned_from_m{0.0};
     std::string goal;
     Vec3 from_m{0.0};
     int from_notch = 0;
 };
-SpokenLeg spoken_leg(const SessionContext& context, const WordFloor& floor, const LegAt& at, const DoorsOpen& open);
+SpokenLeg spoken_leg(const SessionContext& context, const DirectionsFloor& floor, const LegAt& at, const DoorsOpen& open);
 // True if nothing of the leg remains to be walked from there.
-bool leg_is_over(const WordFloor& floor, const LegAt& at, const DoorsOpen& open);
+bool leg_is_over(const DirectionsFloor& floor, const LegAt& at, const DoorsOpen& open);
 
 }  // namespace handrail

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "worlds/base/language.h"
-#include "worlds/navigation/way_place.h"
+#include "worlds/navigation/route_place.h"
 
 namespace handrail {
 namespace {
@@ -99,7 +99,7 @@ std::vector<Vec3> RouteFollower::ahead_m() const {
 RouteFollower::Said RouteFollower::tick(const Vec3& feet_m, const DistanceWords& how, const There& there) {
     Said said;
     if (!following()) return said;
-    const WayPlace place = near_on_way(route_.points_m, feet_m, along_m_);
+    const RoutePlace place = near_on_way(route_.points_m, feet_m, along_m_);
     const double nearest = place.distance_m + kFartherForEachMetreAlong_m * std::abs(place.along_m - along_m_);
     along_m_ = place.along_m;
     if (there(glm::length(feet_m - goal_m()) < kThere_m || (left_m() < kThere_m && nearest < kThere_m))) {

@@ -9,7 +9,7 @@
 #include "app/core/world/body_heights.h"
 #include "app/core/world/surroundings.h"
 #include "worlds/base/language.h"
-#include "worlds/navigation/way_place.h"
+#include "worlds/navigation/route_place.h"
 
 namespace handrail {
 namespace {
@@ -27,7 +27,7 @@ constexpr double kPast = 0.1;                // changes as small as this count a
 constexpr double kPitch = 0.5;               // raises the pitch by a fifth when moving straight to it
 constexpr double kBody_m_per_hand_m = 60.0;  // the walker counts as near as a hand would be at the scale of a room
 
-std::string along_way_words(const SoughtWay& way, const DistanceWords& how) {
+std::string along_way_words(const SoughtRoute& way, const DistanceWords& how) {
     return phrase("lead.along_way", {{"distance", distance_words(way.left_m(), how)}});
 }
 
@@ -53,13 +53,13 @@ void Seek::start_warmer(const Goal& goal) {
 }
 
 // Plans from the present place. A later plan uses the same place next to the thing, which saves searching for one.
-void Seek::plan(AlongWay& along, const Sought& sought, bool hand, double now_s) {
-    SoughtWay& way = along.way;
+void Seek::plan(AlongRoute& along, const Sought& sought, bool hand, double now_s) {
+    SoughtRoute& way = along.way;
     along.planned_in = context_.world.scene;
     along.jump = context_.hands.pose.jump;
     const Goal goal{sought.name(), sought.thing_m(), sought.feature()};
     if (hand) {
-        const WayForHand lead = plans_.for_hand(goal, GuidancePath::kMostPoints);
+        const HandRoute lead = plans_.for_hand(goal, GuidancePath::kMostPoints);
         if (!lead.reaches || lead.points_m.size() < 2) return way.no_way(now_s);
         return way.plan(lead.points_m, {}, 0.0, finding_place_m(context_), now_s);
     }
@@ -75,9 +75,9 @@ void Seek::plan(AlongWay& along, const Sought& sought, bool hand, double now_s) 
 }
 
 // Follows the route, and plans it if necessary. Returns true if it is known and the person wants it.
-bool Seek::keep(AlongWay& along, const Sought& sought, bool hand, double now_s) {
+bool Seek::keep(AlongRoute& along, const Sought& sought, bool hand, double now_s) {
     if (!context_.settings.guidance.along_way) return false;
-    SoughtWay& way = along.way;
+    SoughtRoute& way = along.way;
     const Vec3 at = hand ? finding_place_m(context_) : context_.body.feet_m(), up(0.0, 0.0, hand ? 0.0 : kWaist_m);
     way.follow(at, hand ? 1.0 : kHeightCountsForWalkers, [&](const Vec3& place) {
         return free_line(*context_.world.solids, at + up, place + up, sought.feature());
@@ -94,7 +94,7 @@ Vec3 Seek::from_m(bool hand) const {
 
 // True if nothing is in between and the route is hardly longer than the straight line. A thing on the storey above,
 // seen over the banister, does not count.
-bool Seek::straight_before(const SoughtWay& way, const Sought& sought, bool hand) const {
+bool Seek::straight_before(const SoughtRoute& way, const Sought& sought, bool hand) const {
     const Vec3 from = from_m(hand), place = place_on(sought.thing_m(), from);
     return way.left_m() <= kHardlyLonger * glm::length(place - from) + kAllowance_m &&
            free_line(*context_.world.solids, from, place, sought.feature()) && (hand || body_gets_to(sought));
@@ -104,7 +104,7 @@ bool Seek::straight_before(const SoughtWay& way, const Sought& sought, bool hand
 TraceHit Seek::met_on_way(const Vec3& soles_m) const {
     const Vec3 over(0.0, 0.0, kOverSteps_m);
     return context_.world.solids->trace(context_.body.feet_m() + over, soles_m + over,
-                                        BodyShape{kNarrow_m, kNarrowHeight_m});
+                                        WalkerShape{kNarrow_m, kNarrowHeight_m});
 }
 
 // True if a person who walks straight to its middle reaches it, and does not hit the side of a doorway through which it
@@ -116,8 +116,8 @@ bool Seek::body_gets_to(const Sought& sought) const {
     return glm::length(nearest_place(sought.thing_m(), met.end_m) - met.end_m) <= Beacon::kArrived_m;
 }
 
-std::string Seek::words(AlongWay& along, const Sought& sought, bool hand, double now_s) {
-    const SoughtWay& way = along.way;
+std::string Seek::words(AlongRoute& along, const Sought& sought, bool hand, double now_s) {
+    const SoughtRoute& way = along.way;
     if (keep(along, sought, hand, now_s))
         return straight_before(way, sought, hand) ? std::string() : along_way_words(way, distances(context_));
     const Vec3 from = from_m(hand);
@@ -126,7 +126,7 @@ std::string Seek::words(AlongWay& along, const Sought& sought, bool hand, double
     return way.tried() ? phrase("lead.no_way") : plans_.why_none() + " " + phrase("lead.straight");
 }
 
-void Seek::tell_way(const AlongWay& along, double now_s) {
+void Seek::tell_way(const AlongRoute& along, double now_s) {
     context_.tell(SpeechTopic::Summary, along_way_words(along.way, distances(context_)), now_s);
 }
 
@@ -142,7 +142,7 @@ void Seek::tell_anew(double now_s) {
 
 // The place from which the beacon calls while the person must go there first; no value: it calls from the thing.
 std::optional<Vec3> Seek::beacon_turning(double now_s) {
-    AlongWay& along = beacon_along_;
+    AlongRoute& along = beacon_along_;
     const bool tried = along.way.tried();
     if (!keep(along, beacon_, false, now_s)) return std::nullopt;
     if (!tried && !straight_before(along.way, beacon_, false)) tell_way(along, now_s);
@@ -173,7 +173,7 @@ bool Seek::tick_beacon(double now_s) {
 
 void Seek::tick_warmer(double now_s) {
     if (!warmer_.on()) return;
-    AlongWay& along = warmer_along_;
+    AlongRoute& along = warmer_along_;
     const bool hand = context_.hands.known(), tried = along.way.tried();
     const Vec3 place = finding_place_m(context_), thing = nearest_place(warmer_.thing_m(), place);
     const bool known = keep(along, warmer_, hand, now_s);

@@ -9,14 +9,14 @@
 #include "app/core/context/session_part.h"
 #include "app/core/movers/doors.h"
 #include "app/core/wayfinding/finding.h"
-#include "app/core/wayfinding/sought_way.h"
-#include "app/core/wayfinding/way_plans.h"
+#include "app/core/wayfinding/sought_route.h"
+#include "app/core/wayfinding/route_plans.h"
 
 namespace handrail {
 
 // The route along which a tool guides.
-struct AlongWay {
-    SoughtWay way;
+struct AlongRoute {
+    SoughtRoute way;
     std::shared_ptr<const Scene> planned_in;  // the scene at that time
     std::uint32_t jump = 0;                   // of the workspace, at that time
     double looked_s = -1e9;                   // last check for obstacles and shut doors
@@ -24,7 +24,7 @@ struct AlongWay {
 
 class Seek : SessionPart {
 public:
-    Seek(const SessionContext& context, Rooms& rooms, WayPlans& plans, Doors& doors)
+    Seek(const SessionContext& context, Rooms& rooms, RoutePlans& plans, Doors& doors)
         : SessionPart(context), rooms_(rooms), plans_(plans), doors_(doors) {}
 
     void enter_world();
@@ -46,26 +46,26 @@ public:
 
     const Beacon& beacon() const { return beacon_; }
     const Warmer& warmer() const { return warmer_; }
-    const AlongWay& beacon_along() const { return beacon_along_; }
-    const AlongWay& warmer_along() const { return warmer_along_; }
+    const AlongRoute& beacon_along() const { return beacon_along_; }
+    const AlongRoute& warmer_along() const { return warmer_along_; }
 
 private:
-    void plan(AlongWay& along, const Sought& sought, bool hand, double now_s);
-    bool keep(AlongWay& along, const Sought& sought, bool hand, double now_s);
+    void plan(AlongRoute& along, const Sought& sought, bool hand, double now_s);
+    bool keep(AlongRoute& along, const Sought& sought, bool hand, double now_s);
     Vec3 from_m(bool hand) const;
-    bool straight_before(const SoughtWay& way, const Sought& sought, bool hand) const;
+    bool straight_before(const SoughtRoute& way, const Sought& sought, bool hand) const;
     bool body_gets_to(const Sought& sought) const;
     TraceHit met_on_way(const Vec3& soles_m) const;
-    std::string words(AlongWay& along, const Sought& sought, bool hand, double now_s);
-    void tell_way(const AlongWay& along, double now_s);
+    std::string words(AlongRoute& along, const Sought& sought, bool hand, double now_s);
+    void tell_way(const AlongRoute& along, double now_s);
     std::optional<Vec3> beacon_turning(double now_s);
 
     Rooms& rooms_;
-    WayPlans& plans_;
+    RoutePlans& plans_;
     Doors& doors_;
     Beacon beacon_;
     Warmer warmer_;
-    AlongWay beacon_along_, warmer_along_;  // for the walker; for the hand if there is one
+    AlongRoute beacon_along_, warmer_along_;  // for the walker; for the hand if there is one
     // For a route that is walked by ear:
     bool turning_first_ = false;  // the beacon calls from a turning
     Vec3 turning_m_{0.0};         // which one, at floor level

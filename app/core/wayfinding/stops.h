@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/core/context/session_part.h"
-#include "app/core/kept/ways.h"
+#include "app/core/kept/saved_routes.h"
 #include "app/core/whereabouts/rooms.h"
 
 namespace handrail {

@@ -55,7 +55,7 @@ std::string overview_words(const SessionContext& context, const Rooms& rooms, co
 
 std::string whole_way_words(const SessionContext& context, const Rooms& rooms, const std::string& name,
                             std::span<const Stop> stops) {
-    WayRun along{{stops.begin(), stops.end()}, 1, false, {}, 0};
+    RouteRun along{{stops.begin(), stops.end()}, 1, false, {}, 0};
     Vec3 from = stops.front().place_m;
     double heading_rad = context.body.heading_rad, all_m = 0.0;
     // A person who stands elsewhere cannot know what left and right would be.

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/core/context/session_context.h"
-#include "app/core/kept/ways.h"
+#include "app/core/kept/saved_routes.h"
 #include "app/core/wayfinding/route_words.h"
 #include "app/core/whereabouts/rooms.h"
 

@@ -26,7 +26,7 @@ constexpr double kOpen = 0.95, kShut = 0.05;
 
 bool Asking::act(Command command, double now_s) {
     if (!answer(command, now_s)) return false;
-    context_.events.tell(HelpAsked{command}, now_s);
+    context_.events.tell(HelpRequested{command}, now_s);
     return true;
 }
 

@@ -20,7 +20,7 @@ constexpr std::size_t kMostKnown = 32;
 
 }  // namespace
 
-FarPlaces::FarPlaces(const SessionContext& context, BodyState& body, Rooms& rooms)
+FarPlaces::FarPlaces(const SessionContext& context, WalkerState& body, Rooms& rooms)
     : SessionPart(context), body_(body), rooms_(rooms) {}
 
 void FarPlaces::enter_world() {

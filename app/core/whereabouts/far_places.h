@@ -13,7 +13,7 @@ namespace handrail {
 class FarPlaces : SessionPart {
 public:
     // `body`: turned by "I am lost".
-    FarPlaces(const SessionContext& context, BodyState& body, Rooms& rooms);
+    FarPlaces(const SessionContext& context, WalkerState& body, Rooms& rooms);
 
     void enter_world();
     // Handles the three questions. Returns false for other commands.
@@ -38,7 +38,7 @@ private:
     void choose_room(double now_s);
     void tell_building(double now_s);
 
-    BodyState& body_;
+    WalkerState& body_;
     Rooms& rooms_;
     std::deque<Known> known_;  // newest last
     std::uint32_t room_ = kNothing;

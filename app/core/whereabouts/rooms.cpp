@@ -15,11 +15,11 @@
 
 namespace handrail {
 
-std::shared_ptr<RoomsOfWorld> Rooms::enter_world(std::shared_ptr<const Scene> scene, WaysKeeper keeper) {
-    const BodySize size = body_size(*scene, context_.settings.walk.body_radius_m);
+std::shared_ptr<RoomsOfWorld> Rooms::enter_world(std::shared_ptr<const Scene> scene, RoutesKeeper keeper) {
+    const WalkerSize size = body_size(*scene, context_.settings.walk.body_radius_m);
     std::shared_ptr<RoomsOfWorld> left = std::move(of_world_);
     if (left) left->give_up();  // before the next search begins
-    const WalkBody body = walk_body(*scene, size.radius_m, size.height_m, size.step_up_m);
+    const WalkerMeasures body = walk_body(*scene, size.radius_m, size.height_m, size.step_up_m);
     of_world_ = std::make_shared<RoomsOfWorld>(std::move(scene), body, context_.executor, std::move(keeper),
                                                context_.rooms_kept, context_.arrivals);
     leaves_of_.reset();
@@ -36,7 +36,7 @@ bool Rooms::act(Command command, double now_s) {
     switch (command) {
         case Command::Exits:
         case Command::UnvisitedExits:
-            context_.events.tell(HelpAsked{command}, now_s);
+            context_.events.tell(HelpRequested{command}, now_s);
             tell_exits(command == Command::UnvisitedExits, now_s);
             return true;
         case Command::NameRoom:

@@ -23,7 +23,7 @@ public:
 
     // scene: as in its file. keeper: see RoomsOfWorld. Returns the rooms of the previous world, to be freed in a
     // background task, because that may wait for a thread and for a disk.
-    std::shared_ptr<RoomsOfWorld> enter_world(std::shared_ptr<const Scene> scene, WaysKeeper keeper = {});
+    std::shared_ptr<RoomsOfWorld> enter_world(std::shared_ptr<const Scene> scene, RoutesKeeper keeper = {});
     // Handles exits, unvisited exits, and naming a room. Returns false for other commands.
     bool act(Command command, double now_s);
     void tick(double now_s);

@@ -7,7 +7,7 @@
 
 namespace handrail {
 
-const RoomsKept::Found* RoomsKept::of(const std::shared_ptr<const Scene>& scene, const WalkBody& body) const {
+const RoomsKept::Found* RoomsKept::of(const std::shared_ptr<const Scene>& scene, const WalkerMeasures& body) const {
     const std::string language = spoken_language();
     const auto found = std::find_if(found_.begin(), found_.end(), [&](const Found& one) {
         return one.scene == scene && one.body == body && one.language == language;

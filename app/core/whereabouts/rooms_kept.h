@@ -20,7 +20,7 @@ class RoomsKept {
 public:
     struct Found {
         std::shared_ptr<const Scene> scene;
-        WalkBody body;
+        WalkerMeasures body;
         std::string language;  // of messages about it and of the rooms' names
         WalkSpace space;       // without its walls
         RoomGraph graph;
@@ -33,7 +33,7 @@ public:
     RoomsKept& operator=(const RoomsKept&) = delete;
 
     // Null: not found yet. Valid until the next keep().
-    const Found* of(const std::shared_ptr<const Scene>& scene, const WalkBody& body) const;
+    const Found* of(const std::shared_ptr<const Scene>& scene, const WalkerMeasures& body) const;
     void keep(Found found);
 
 private:

@@ -11,8 +11,8 @@
 
 namespace handrail {
 
-RoomsOfWorld::RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkBody& body, const Executor& executor,
-                           WaysKeeper keeper, RoomsKept* shared, Arrivals* arrivals)
+RoomsOfWorld::RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkerMeasures& body, const Executor& executor,
+                           RoutesKeeper keeper, RoomsKept* shared, Arrivals* arrivals)
     : scene_(std::move(scene)), body_(body), keeper_(std::move(keeper)), arrivals_(arrivals) {
     contract_pre(scene_ != nullptr);
     contract_pre(body.radius_m > 0.0 && body.height_m > 0.0);

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/core/kept/ways_keeper.h"
+#include "app/core/kept/routes_keeper.h"
 #include "worlds/base/arrivals.h"
 #include "worlds/base/executor.h"
 #include "worlds/navigation/navigation.h"
@@ -23,8 +23,8 @@ class RoomsOfWorld {
 public:
     // keeper: takes what was kept for this scene and body, and keeps what was found again, after ready(). Without one
     // `shared` does so, unless it is null. arrivals: decide when ready() is true; null: as soon as it is done.
-    RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkBody& body, const Executor& executor,
-                 WaysKeeper keeper = {}, RoomsKept* shared = nullptr, Arrivals* arrivals = nullptr);
+    RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkerMeasures& body, const Executor& executor,
+                 RoutesKeeper keeper = {}, RoomsKept* shared = nullptr, Arrivals* arrivals = nullptr);
     ~RoomsOfWorld();  // gives up what is not done yet, and waits for that
     RoomsOfWorld(const RoomsOfWorld&) = delete;
     RoomsOfWorld& operator=(const RoomsOfWorld&) = delete;
@@ -51,9 +51,9 @@ private:
     void find_or_take(const std::string& key, const std::stop_token& stop);
 
     std::shared_ptr<const Scene> scene_;
-    WalkBody body_;
+    WalkerMeasures body_;
     bool kept_ = false;
-    WaysKeeper keeper_;
+    RoutesKeeper keeper_;
     Arrivals* arrivals_;
     std::shared_ptr<Navigation> navigation_;
     RoomGraph graph_;

@@ -9,7 +9,7 @@
 namespace handrail {
 
 // What a walker bumps into first in that direction, above what it steps over; no value: nothing within range.
-std::optional<Seen> body_meets(const BodyWorld& world, const Vec3& feet_m, const BodySize& size, double bearing_rad,
+std::optional<Seen> body_meets(const WalkerWorld& world, const Vec3& feet_m, const WalkerSize& size, double bearing_rad,
                                double range_m = kSightRange_m);
 
 }  // namespace handrail

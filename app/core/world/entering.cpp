@@ -57,7 +57,7 @@ EnteringWorld make_ready_at(std::shared_ptr<const Scene> scene, const Vec3& feet
     world.moves_freely = moves_freely(*world.scene, thing_of_body);
     world.feet_m = feet_m;
     world.heading_rad = heading_rad;
-    world.body = std::make_unique<BodyWorld>(world.scene);
+    world.body = std::make_unique<WalkerWorld>(world.scene);
     return world;
 }
 

@@ -6,8 +6,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "app/core/kept/ways_keeper.h"
-#include "app/core/world/body_world.h"
+#include "app/core/kept/routes_keeper.h"
+#include "app/core/world/walker_world.h"
 #include "haptic/render/dynamics_scene.h"
 #include "haptic/render/haptic_scene.h"
 
@@ -20,10 +20,10 @@ struct EnteringWorld {
     std::shared_ptr<const DynamicsScene> moves_freely;  // null: nothing in it is movable
     Vec3 feet_m{0.0};                                   // where the walker begins
     double heading_rad = 0.0;
-    std::unique_ptr<BodyWorld> body;
+    std::unique_ptr<WalkerWorld> body;
     std::shared_ptr<const HapticScene>
         sharp;        // felt until the rounded and simplified scene is ready; null: made on entering
-    WaysKeeper ways;  // stores its routes and rooms for the next start
+    RoutesKeeper ways;  // stores its routes and rooms for the next start
 };
 
 // Starts at the base of the scene, or at its first start.

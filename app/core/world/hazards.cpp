@@ -17,15 +17,15 @@ constexpr int kLeastRisers = 3, kMostRisers = 99;
 constexpr double kHeadroom_m = 1.2;  // free height above a step on the examined path
 
 // Ground under a point, searched from a step above `z_m` to `depth_m` below it.
-std::optional<double> ground_z(const BodyWorld& world, double x, double y, double z_m, double step_m, double depth_m) {
-    const TraceHit hit = world.trace({x, y, z_m + step_m + kAboveStep_m}, {x, y, z_m - depth_m}, BodyShape{});
+std::optional<double> ground_z(const WalkerWorld& world, double x, double y, double z_m, double step_m, double depth_m) {
+    const TraceHit hit = world.trace({x, y, z_m + step_m + kAboveStep_m}, {x, y, z_m - depth_m}, WalkerShape{});
     if (!hit.hit) return std::nullopt;
     return hit.end_m.z;
 }
 
 // The walker is on an edge with its centre beyond it. True if it would stand on what is one body width farther on.
-bool spanned(const BodyWorld& world, const Vec3& edge_m, const Vec3& way, const GroundRules& rules) {
-    const BodyShape body{rules.body.radius_m, rules.body.height_m};
+bool spanned(const WalkerWorld& world, const Vec3& edge_m, const Vec3& way, const GroundRules& rules) {
+    const WalkerShape body{rules.body.radius_m, rules.body.height_m};
     const Vec3 high = edge_m + Vec3(0.0, 0.0, 0.02);
     const TraceHit along = world.trace(high, high + way * (rules.body.radius_m + 2.0 * kSample_m), body);
     if (along.hit) return true;  // something stops it before it can fall
@@ -34,11 +34,11 @@ bool spanned(const BodyWorld& world, const Vec3& edge_m, const Vec3& way, const 
 
 }  // namespace
 
-GroundRules ground_rules(const Scene& scene, const BodySize& body) {
+GroundRules ground_rules(const Scene& scene, const WalkerSize& body) {
     return {body, scene.game_map ? 2.0 * body.step_up_m + 0.06 : body.step_up_m + 0.15};
 }
 
-GroundAhead ground_ahead(const BodyWorld& world, const Vec3& feet_m, double bearing_rad, const GroundRules& rules,
+GroundAhead ground_ahead(const WalkerWorld& world, const Vec3& feet_m, double bearing_rad, const GroundRules& rules,
                          double range_m) {
     contract_pre(is_finite(feet_m) && std::isfinite(bearing_rad));
     contract_pre(range_m > 0.0);
@@ -61,7 +61,7 @@ GroundAhead ground_ahead(const BodyWorld& world, const Vec3& feet_m, double bear
         const Vec3 before = feet_m + way * (at - kSample_m), here = feet_m + way * at;
         // At the height at which the search for ground begins, so whatever is not hit here is found as ground.
         const double eye_z = z + step_m + kAboveStep_m;
-        if (world.trace({before.x, before.y, eye_z}, {here.x, here.y, eye_z}, BodyShape{0.0, kHeadroom_m}).hit) {
+        if (world.trace({before.x, before.y, eye_z}, {here.x, here.y, eye_z}, WalkerShape{0.0, kHeadroom_m}).hit) {
             run.whole = false;
             break;
         }
@@ -94,7 +94,7 @@ GroundAhead ground_ahead(const BodyWorld& world, const Vec3& feet_m, double bear
     return found;
 }
 
-std::optional<DropAhead> over_drop(const BodyWorld& world, const Vec3& feet_m, double bearing_rad,
+std::optional<DropAhead> over_drop(const WalkerWorld& world, const Vec3& feet_m, double bearing_rad,
                                    const GroundRules& rules) {
     contract_pre(is_finite(feet_m) && std::isfinite(bearing_rad));
     const auto under = ground_z(world, feet_m.x, feet_m.y, feet_m.z, 0.05, kDeepest_m);
@@ -103,9 +103,9 @@ std::optional<DropAhead> over_drop(const BodyWorld& world, const Vec3& feet_m, d
     return DropAhead{0.0, under ? std::optional(feet_m.z - *under) : std::nullopt, feet_m};
 }
 
-double ground_slope(const BodyWorld& world, const Vec3& feet_m, double bearing_rad) {
+double ground_slope(const WalkerWorld& world, const Vec3& feet_m, double bearing_rad) {
     contract_pre(is_finite(feet_m) && std::isfinite(bearing_rad));
-    const TraceHit under = world.trace(feet_m + Vec3(0.0, 0.0, 0.05), feet_m - Vec3(0.0, 0.0, 0.3), BodyShape{});
+    const TraceHit under = world.trace(feet_m + Vec3(0.0, 0.0, 0.05), feet_m - Vec3(0.0, 0.0, 0.3), WalkerShape{});
     if (!under.hit || under.normal.z < 0.5) return 0.0;
     return -glm::dot(under.normal, forward_of_heading(bearing_rad)) / under.normal.z;
 }

@@ -10,10 +10,10 @@ namespace handrail {
 
 // Limits for a walker of this size. In games, people jump down what would be a fall in a building.
 struct GroundRules {
-    BodySize body;
+    WalkerSize body;
     double drop_m = 0.4;  // a larger step down is a drop
 };
-GroundRules ground_rules(const Scene& scene, const BodySize& body);
+GroundRules ground_rules(const Scene& scene, const WalkerSize& body);
 
 // Stairs: at least three consecutive risers.
 struct StairsAhead {
@@ -36,16 +36,16 @@ struct GroundAhead {
 
 // Examines the ground straight ahead up to `range_m`, or until something blocks. A gap that the walker spans is not a
 // drop.
-GroundAhead ground_ahead(const BodyWorld& world, const Vec3& feet_m, double bearing_rad, const GroundRules& rules,
+GroundAhead ground_ahead(const WalkerWorld& world, const Vec3& feet_m, double bearing_rad, const GroundRules& rules,
                          double range_m);
 
 // Returns a value if there is no ground under the walker's centre, nor for the rest of it as it goes on in this
 // direction.
-std::optional<DropAhead> over_drop(const BodyWorld& world, const Vec3& feet_m, double bearing_rad,
+std::optional<DropAhead> over_drop(const WalkerWorld& world, const Vec3& feet_m, double bearing_rad,
                                    const GroundRules& rules);
 
 // Rise of the ground under the walker's centre per metre in this direction; 0 if there is no ground.
-double ground_slope(const BodyWorld& world, const Vec3& feet_m, double bearing_rad);
+double ground_slope(const WalkerWorld& world, const Vec3& feet_m, double bearing_rad);
 
 // Seconds between two beats of the warning at this distance from the edge; the warning begins at kDropWarning_m.
 inline constexpr double kDropWarning_m = 2.0, kStairsCallout_m = 6.0;

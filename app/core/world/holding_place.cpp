@@ -14,7 +14,7 @@ constexpr std::size_t kMostThings = 400;  // number of things whose tops are tri
 constexpr double kAbove_m = 0.1;
 
 // Lets a walker fall from there, as Walking would. No value: it falls out of the world, or slides for ever.
-std::optional<Vec3> rest_below(const Aabb& bounds_m, const BodyWorld& world, const BodySize& size, const Vec3& from_m) {
+std::optional<Vec3> rest_below(const Aabb& bounds_m, const WalkerWorld& world, const WalkerSize& size, const Vec3& from_m) {
     const double lowest_m = bounds_m.min_m.z - kOutOfWorld_m;
     Walker walker(world, size);
     walker.place(from_m);
@@ -51,13 +51,13 @@ std::vector<Vec3> places_over(const Scene& scene, const Vec3& wish_m) {
 
 }  // namespace
 
-std::optional<Vec3> place_that_holds(const Scene& scene, const BodyWorld& world, const BodySize& size,
+std::optional<Vec3> place_that_holds(const Scene& scene, const WalkerWorld& world, const WalkerSize& size,
                                      std::span<const Vec3> wishes) {
     contract_pre(!scene.bounds_m.empty());
     contract_pre(!wishes.empty());
     for (const Vec3& wish_m : wishes)
         if (const auto rest = rest_below(scene.bounds_m, world, size, wish_m)) return rest;
-    const BodyShape shape{size.radius_m, size.height_m};
+    const WalkerShape shape{size.radius_m, size.height_m};
     for (const Vec3& place_m : places_over(scene, wishes.front())) {
         const Vec3 below_m(place_m.x, place_m.y, scene.bounds_m.min_m.z - 1.0);
         if (world.blocked(place_m, shape) || !world.trace(place_m, below_m, shape).hit) continue;

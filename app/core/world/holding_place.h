@@ -15,7 +15,7 @@ inline constexpr double kOutOfWorld_m = 20.0;  // a walker this far below the lo
 // Where the walker comes to rest if placed at the first of `wishes` that holds it, in order of preference. If none
 // does, the nearest place to the first wish that does, on the ground of a grid over the world or on top of a thing. No
 // value: no ground of this world holds a walker.
-std::optional<Vec3> place_that_holds(const Scene& scene, const BodyWorld& world, const BodySize& size,
+std::optional<Vec3> place_that_holds(const Scene& scene, const WalkerWorld& world, const WalkerSize& size,
                                      std::span<const Vec3> wishes);
 
 }  // namespace handrail

@@ -12,11 +12,11 @@ namespace {
 constexpr double kOnIt_m = 0.05;  // height of the soles above what carries them
 
 // A world that contains only the thing.
-BodyWorld alone(const std::shared_ptr<const Scene>& model, const Placement& at) {
+WalkerWorld alone(const std::shared_ptr<const Scene>& model, const Placement& at) {
     auto scene = std::make_shared<Scene>();
     scene->materials.emplace_back();
     scene->placed.push_back({kNoFeature, model, kDefaultMaterial, at});
-    return BodyWorld(std::move(scene));
+    return WalkerWorld(std::move(scene));
 }
 
 // A convex part of a thing at its place.
@@ -73,7 +73,7 @@ bool parted_by_planes(const Part& a, const Part& b) {
 }  // namespace
 
 bool meets_body(const std::shared_ptr<const Scene>& model, const Placement& at, const Vec3& feet_m,
-                const BodyShape& body) {
+                const WalkerShape& body) {
     return alone(model, at).blocked(feet_m, body);
 }
 
@@ -86,10 +86,10 @@ bool things_meet(const Scene& a, const Placement& a_at, const Scene& b, const Pl
 }
 
 Riding riding(const std::shared_ptr<const Scene>& model, const Placement& at, const Vec3& feet_m,
-              const BodyShape& body) {
-    const BodyWorld thing = alone(model, at);
+              const WalkerShape& body) {
+    const WalkerWorld thing = alone(model, at);
     const Vec3 above = feet_m + Vec3(0.0, 0.0, kOnIt_m), below = feet_m - Vec3(0.0, 0.0, kOnIt_m);
-    const auto stands = [&](const BodyShape& shape) {
+    const auto stands = [&](const WalkerShape& shape) {
         const TraceHit hit = thing.trace(above, below, shape);
         return hit.hit && hit.normal.z >= kWalkableNormalZ;
     };
@@ -105,7 +105,7 @@ Vec3 onto_thing(const Aabb& thing_m, const Vec3& feet_m, double radius_m) {
     Vec3 by{0.0};
     for (int axis = 0; axis < 2; ++axis) {
         // Clear of a body that is flush with its edge.
-        const double clear_m = radius_m + 2.0 * BodyWorld::kContactGap_m;
+        const double clear_m = radius_m + 2.0 * WalkerWorld::kContactGap_m;
         const double low = thing_m.min_m[axis] + clear_m, high = thing_m.max_m[axis] - clear_m;
         if (low <= high) by[axis] = std::clamp(feet_m[axis], low, high) - feet_m[axis];
     }

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "app/core/world/body_world.h"
+#include "app/core/world/walker_world.h"
 #include "worlds/geometry/placement.h"
 
 namespace handrail {
@@ -12,7 +12,7 @@ namespace handrail {
 // True if a walker there and the thing there overlap. It is exact, as for walking, if the thing is rotated about the
 // upright axis; otherwise it uses the box of each solid.
 bool meets_body(const std::shared_ptr<const Scene>& model, const Placement& at, const Vec3& feet_m,
-                const BodyShape& body);
+                const WalkerShape& body);
 
 // True if two things overlap by more than kMeetingDepth_m. A pair of solids that only a plane through two edges could
 // separate counts as overlapping.
@@ -22,7 +22,7 @@ bool things_meet(const Scene& a, const Placement& a_at, const Scene& b, const Pl
 // How a walker stands on a thing: not at all, only with its rim, or with its centre.
 enum class Riding : std::uint8_t { Not, ByRim, ByMiddle };
 Riding riding(const std::shared_ptr<const Scene>& model, const Placement& at, const Vec3& feet_m,
-              const BodyShape& body);
+              const WalkerShape& body);
 
 // Where a point of a thing is after the thing has moved.
 Vec3 carried(const Vec3& point_m, const Placement& from, const Placement& to);

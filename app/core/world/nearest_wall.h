@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "app/core/world/body_world.h"
+#include "app/core/world/walker_world.h"
 
 namespace handrail {
 
@@ -14,6 +14,6 @@ struct NearestWall {
 };
 
 // The nearest upright surface within `reach_m`; no value: there is none.
-std::optional<NearestWall> nearest_wall(const BodyWorld& world, const Vec3& feet_m, double reach_m);
+std::optional<NearestWall> nearest_wall(const WalkerWorld& world, const Vec3& feet_m, double reach_m);
 
 }  // namespace handrail

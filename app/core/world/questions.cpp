@@ -72,7 +72,7 @@ std::vector<Sight> in_sight(const Asker& asker, std::size_t most) {
         const double distance_m = glm::length(way);
         const std::string name = spoken_name(sound);
         if (name.empty() || distance_m < 1e-6 || distance_m > kSightRange_m) continue;
-        const TraceHit hit = asker.world.trace(eye, sound.position_m, BodyShape{}, true);
+        const TraceHit hit = asker.world.trace(eye, sound.position_m, WalkerShape{}, true);
         if (hit.hit && (1.0 - hit.fraction) * distance_m > kSoundSize_m) continue;
         all.push_back(
             {{std::atan2(way.x, way.y), std::hypot(way.x, way.y), kNoFeature, sound.position_m}, name, {}, false});
@@ -240,16 +240,16 @@ std::string coordinates_words(const Vec3& place_m) {
                                             {"height", std::abs(place_m.z) < 0.05 ? 0.0 : place_m.z}});
 }
 
-std::optional<double> above_floor_m(const BodyWorld& world, const Vec3& place_m) {
+std::optional<double> above_floor_m(const WalkerWorld& world, const Vec3& place_m) {
     contract_pre(is_finite(place_m));
-    const TraceHit hit = world.trace(place_m, place_m - Vec3(0.0, 0.0, kDeepestFloor_m), BodyShape{}, true);
+    const TraceHit hit = world.trace(place_m, place_m - Vec3(0.0, 0.0, kDeepestFloor_m), WalkerShape{}, true);
     if (!hit.hit) return std::nullopt;
     return hit.fraction * kDeepestFloor_m;
 }
 
-bool under_roof(const BodyWorld& world, const Vec3& feet_m) {
+bool under_roof(const WalkerWorld& world, const Vec3& feet_m) {
     const Vec3 eye = feet_m + Vec3(0.0, 0.0, kLookHeight_m);
-    return world.trace(eye, eye + Vec3(0.0, 0.0, kRoof_m), BodyShape{}, true).hit;
+    return world.trace(eye, eye + Vec3(0.0, 0.0, kRoof_m), WalkerShape{}, true).hit;
 }
 
 }  // namespace handrail

@@ -28,10 +28,10 @@ struct Doorway {
 };
 
 struct Asker {
-    const BodyWorld& world;
+    const WalkerWorld& world;
     Vec3 feet_m{0.0};
     double heading_rad = 0.0;
-    BodySize size{};  // an obstacle to any part of this body counts
+    WalkerSize size{};  // an obstacle to any part of this body counts
     // Of doors announced by their doorway, as exits are; other doors by what is seen of them.
     std::vector<Doorway> doorways{};
 };
@@ -98,8 +98,8 @@ std::string scale_bar_words(bool outdoors, const Telling& how, double hand_scale
 // "3.0 metres east, 0.5 metres north, height 0 metres.", from the world's origin.
 std::string coordinates_words(const Vec3& place_m);
 // Height of a place above the nearest floor below it, 0 to 100 m; no value: nothing is below.
-std::optional<double> above_floor_m(const BodyWorld& world, const Vec3& place_m);
+std::optional<double> above_floor_m(const WalkerWorld& world, const Vec3& place_m);
 // True if something is above the head, within 30 m.
-bool under_roof(const BodyWorld& world, const Vec3& feet_m);
+bool under_roof(const WalkerWorld& world, const Vec3& feet_m);
 
 }  // namespace handrail

@@ -8,7 +8,7 @@
 #include "worlds/base/contract.h"
 
 namespace handrail {
-std::optional<Vec3> nearest_free_feet(const BodyWorld& world, const Vec3& feet_m, const BodyShape& body) {
+std::optional<Vec3> nearest_free_feet(const WalkerWorld& world, const Vec3& feet_m, const WalkerShape& body) {
     contract_pre(is_finite(feet_m));
     constexpr double kStep_m = 0.1, kFarthest_m = 12.0, kHighest_m = 3.0;
     if (!world.blocked(feet_m, body)) return feet_m;
@@ -28,17 +28,17 @@ std::optional<Vec3> nearest_free_feet(const BodyWorld& world, const Vec3& feet_m
     return std::nullopt;
 }
 
-std::optional<Seen> look(const BodyWorld& world, const Vec3& feet_m, double height_m, double bearing_rad,
+std::optional<Seen> look(const WalkerWorld& world, const Vec3& feet_m, double height_m, double bearing_rad,
                          double range_m) {
     contract_pre(is_finite(feet_m) && std::isfinite(bearing_rad));
     contract_pre(range_m > 0.0);
     const Vec3 eye = feet_m + Vec3(0.0, 0.0, height_m);
-    const TraceHit hit = world.trace(eye, eye + forward_of_heading(bearing_rad) * range_m, BodyShape{}, true);
+    const TraceHit hit = world.trace(eye, eye + forward_of_heading(bearing_rad) * range_m, WalkerShape{}, true);
     if (!hit.hit) return std::nullopt;
     return Seen{bearing_rad, hit.fraction * range_m, hit.feature, hit.end_m};
 }
 
-FreeSpace free_space(const BodyWorld& world, const Vec3& feet_m, double height_m, double heading_rad) {
+FreeSpace free_space(const WalkerWorld& world, const Vec3& feet_m, double height_m, double heading_rad) {
     contract_pre(is_finite(feet_m) && std::isfinite(heading_rad));
     const auto span = [&](double bearing) {
         const auto one = look(world, feet_m, height_m, bearing), other = look(world, feet_m, height_m, bearing + kPi);
@@ -68,11 +68,11 @@ std::array<Vec3, 8> points_of(const Aabb& box, const Vec3& eye) {
 
 // Visits a tree of boxes, nearest first, so that only near things are examined in a large world. Whatever one wall or
 // floor hides completely is skipped at once.
-std::vector<Seen> things_in_sight(const BodyWorld& world, const Vec3& feet_m, double height_m, std::size_t most,
+std::vector<Seen> things_in_sight(const WalkerWorld& world, const Vec3& feet_m, double height_m, std::size_t most,
                                   int* rays_taken) {
     contract_pre(is_finite(feet_m) && height_m >= 0.0);
     const Scene& scene = world.scene();
-    const BodyWorld::Sights& standing = world.standing();
+    const WalkerWorld::Sights& standing = world.standing();
     const Vec3 eye = feet_m + Vec3(0.0, 0.0, height_m);
     const auto level_m = [&](const Vec3& point) { return std::hypot(point.x - eye.x, point.y - eye.y); };
     const auto nearest_m = [&](const Aabb& box) { return level_m(glm::clamp(eye, box.min_m, box.max_m)); };
@@ -113,7 +113,7 @@ std::vector<Seen> things_in_sight(const BodyWorld& world, const Vec3& feet_m, do
     int rays = 0;
     const auto look_at = [&](const Vec3& point) {
         ++rays;
-        return world.trace(eye, point, BodyShape{}, true);
+        return world.trace(eye, point, WalkerShape{}, true);
     };
     const auto hidden = [&](std::uint32_t piece, const Aabb& box) {
         return piece != kNoPiece && world.hides(piece, eye, box);
@@ -125,7 +125,7 @@ std::vector<Seen> things_in_sight(const BodyWorld& world, const Vec3& feet_m, do
         if (found.size() >= most && place.nearest_m > found[most - 1].distance_m) break;
         if (hidden(place.hider, place.around)) continue;
         if (place.what == What::Node) {
-            const BodyWorld::Sights& all = standing;
+            const WalkerWorld::Sights& all = standing;
             const BoxIndex::Node& node = all.tree.nodes()[place.number];
             if (!BoxIndex::meets(node.box, {eye, eye})) {
                 place.hider = look_at(node.box.centre_m()).piece;
@@ -164,7 +164,7 @@ std::vector<Seen> things_in_sight(const BodyWorld& world, const Vec3& feet_m, do
     return found;
 }
 
-std::optional<Seen> nearest_ahead(const BodyWorld& world, const Vec3& feet_m, double height_m, double heading_rad,
+std::optional<Seen> nearest_ahead(const WalkerWorld& world, const Vec3& feet_m, double height_m, double heading_rad,
                                   double range_m) {
     std::optional<Seen> nearest;
     for (int i = -4; i <= 4; ++i) {

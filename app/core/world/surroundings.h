@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/core/world/body_world.h"
+#include "app/core/world/walker_world.h"
 
 namespace handrail {
 
@@ -24,27 +24,27 @@ inline Vec3 nearest_place(const Aabb& box, const Vec3& to_m) { return glm::clamp
 
 // The nearest place for a walker that stands inside a solid, within 12 m around and 3 m up and down, where it overlaps
 // nothing. No value: there is none.
-std::optional<Vec3> nearest_free_feet(const BodyWorld& world, const Vec3& feet_m, const BodyShape& body);
+std::optional<Vec3> nearest_free_feet(const WalkerWorld& world, const Vec3& feet_m, const WalkerShape& body);
 
 // The first surface in that direction, level, at `height_m` above the soles; no value: nothing within range.
-std::optional<Seen> look(const BodyWorld& world, const Vec3& feet_m, double height_m, double bearing_rad,
+std::optional<Seen> look(const WalkerWorld& world, const Vec3& feet_m, double height_m, double bearing_rad,
                          double range_m = kSightRange_m);
 
 // Size of the free space: width across the heading and depth along it; 0 if a side is open.
 struct FreeSpace {
     double width_m = 0.0, depth_m = 0.0;
 };
-FreeSpace free_space(const BodyWorld& world, const Vec3& feet_m, double height_m, double heading_rad);
+FreeSpace free_space(const WalkerWorld& world, const Vec3& feet_m, double height_m, double heading_rad);
 
 // Doors, landmarks, clues, liquids and named objects of which some point is in line of sight, nearest first, at most
 // `most`. Tries the middle first, then the nearest point, then the middles of the sides. It uses at most kMostRays
 // rays, whose number `rays` receives. If those are used up, farther things are left out.
 inline constexpr int kMostRays = 2000;
-std::vector<Seen> things_in_sight(const BodyWorld& world, const Vec3& feet_m, double height_m, std::size_t most,
+std::vector<Seen> things_in_sight(const WalkerWorld& world, const Vec3& feet_m, double height_m, std::size_t most,
                                   int* rays = nullptr);
 
 // The nearest surface in the half circle ahead within range, for the wall tone.
-std::optional<Seen> nearest_ahead(const BodyWorld& world, const Vec3& feet_m, double height_m, double heading_rad,
+std::optional<Seen> nearest_ahead(const WalkerWorld& world, const Vec3& feet_m, double height_m, double heading_rad,
                                   double range_m);
 
 }  // namespace handrail

@@ -18,8 +18,8 @@ constexpr double kCornerCosine = 0.87;   // 30 degrees
 constexpr double kProbe_m = 0.02;        // radius of the probe that names the wall
 constexpr double kAlignedRad = 0.35;
 
-BodyShape shape_above_steps(const BodySize& body) { return {body.radius_m, body.height_m - body.step_up_m}; }
-Vec3 above_steps(const Vec3& feet_m, const BodySize& body) { return feet_m + Vec3(0.0, 0.0, body.step_up_m); }
+WalkerShape shape_above_steps(const WalkerSize& body) { return {body.radius_m, body.height_m - body.step_up_m}; }
+Vec3 above_steps(const Vec3& feet_m, const WalkerSize& body) { return feet_m + Vec3(0.0, 0.0, body.step_up_m); }
 bool is_wall(const TraceHit& hit) { return hit.hit && std::abs(hit.normal.z) < kSteepest; }
 Vec3 level(const Vec3& normal) {
     const double length = std::sqrt(normal.x * normal.x + normal.y * normal.y);
@@ -33,8 +33,8 @@ struct Side {
     Vec3 normal{0.0};
     FeatureId feature = kNoFeature;
 };
-std::optional<Side> side_of(const BodyWorld& world, const Vec3& from_m, const Vec3& way, double reach_m,
-                            const BodyShape& shape) {
+std::optional<Side> side_of(const WalkerWorld& world, const Vec3& from_m, const Vec3& way, double reach_m,
+                            const WalkerShape& shape) {
     const TraceHit hit = world.trace(from_m, from_m + way * reach_m, shape);
     if (!is_wall(hit)) return std::nullopt;
     return Side{hit.fraction * reach_m, level(hit.normal), hit.feature};
@@ -48,7 +48,7 @@ Vec3 Trail::along() const {
 
 double Trail::heading_rad() const { return heading_of(along()); }
 
-bool Trail::start(const BodyWorld& world, const Vec3& feet_m, double heading_rad, const BodySize& body,
+bool Trail::start(const WalkerWorld& world, const Vec3& feet_m, double heading_rad, const WalkerSize& body,
                   TrailSide side) {
     contract_pre(is_finite(feet_m) && std::isfinite(heading_rad));
     contract_pre(body.radius_m > 0.0);
@@ -77,9 +77,9 @@ void Trail::turn_round() {
 }
 
 // Names the thing at the side, at any height from a step to the shoulders, if it is different from the previous one.
-void Trail::name(const BodyWorld& world, const Vec3& feet_m, const BodySize& body, std::vector<TrailEvent>& events) {
+void Trail::name(const WalkerWorld& world, const Vec3& feet_m, const WalkerSize& body, std::vector<TrailEvent>& events) {
     const Vec3 from = above_steps(feet_m, body);
-    const BodyShape probe{kProbe_m, body.height_m - body.step_up_m - 0.3};
+    const WalkerShape probe{kProbe_m, body.height_m - body.step_up_m - 0.3};
     const TraceHit hit = world.trace(from, from - normal_ * (body.radius_m + kWallGone_m), probe);
     if (!is_wall(hit) || !hit.feature) return;
     const Feature* feature = world.scene().find(hit.feature);
@@ -94,9 +94,9 @@ void Trail::name(const BodyWorld& world, const Vec3& feet_m, const BodySize& bod
     wall_normal_ = normal;
 }
 
-TrailWay Trail::tick(const BodyWorld& world, const Vec3& feet_m, double facing_rad, const BodySize& body,
+TrailWay Trail::tick(const WalkerWorld& world, const Vec3& feet_m, double facing_rad, const WalkerSize& body,
                      double speed_m_per_s, double dt_s, std::vector<TrailEvent>& events) {
-    const BodyShape shape = shape_above_steps(body);
+    const WalkerShape shape = shape_above_steps(body);
     const Vec3 from = above_steps(feet_m, body);
     const double stride = speed_m_per_s * dt_s;
     touching_ = false;
@@ -171,7 +171,7 @@ TrailWay Trail::tick(const BodyWorld& world, const Vec3& feet_m, double facing_r
         if (!again || glm::dot(again->normal, normal_) < 0.98 || again->distance_m > kGap_m + kLeastRecess_m) continue;
         bridge_m_ = further;
         const Vec3 middle = from + along() * (0.5 * further);
-        const BodyShape probe{kProbe_m, body.height_m - body.step_up_m - 0.3};
+        const WalkerShape probe{kProbe_m, body.height_m - body.step_up_m - 0.3};
         const TraceHit inside = world.trace(middle, middle - normal_ * (body.radius_m + 2.0 * kWallGone_m), probe);
         const bool shut = is_wall(inside) && inside.feature;
         if (shut) {

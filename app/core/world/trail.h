@@ -35,7 +35,7 @@ class Trail {
 public:
     // Searches for a wall: at that side within arm's reach, otherwise the nearest one within 4 m. Returns false if
     // there is none.
-    bool start(const BodyWorld& world, const Vec3& feet_m, double heading_rad, const BodySize& body, TrailSide side);
+    bool start(const WalkerWorld& world, const Vec3& feet_m, double heading_rad, const WalkerSize& body, TrailSide side);
     bool active() const { return active_; }
     void stop() { active_ = false; }
     TrailSide side() const { return side_; }
@@ -43,7 +43,7 @@ public:
     void turn_round();
     // Call it while the walker is on the ground and should continue. `facing_rad`: its present direction. Adds to
     // `events`.
-    TrailWay tick(const BodyWorld& world, const Vec3& feet_m, double facing_rad, const BodySize& body,
+    TrailWay tick(const WalkerWorld& world, const Vec3& feet_m, double facing_rad, const WalkerSize& body,
                   double speed_m_per_s, double dt_s, std::vector<TrailEvent>& events);
     // What the side follows now, for tests and for learning: level, out of the wall.
     const Vec3& wall_normal() const { return normal_; }
@@ -60,7 +60,7 @@ public:
 
 private:
     Vec3 along() const;
-    void name(const BodyWorld& world, const Vec3& feet_m, const BodySize& body, std::vector<TrailEvent>& events);
+    void name(const WalkerWorld& world, const Vec3& feet_m, const WalkerSize& body, std::vector<TrailEvent>& events);
 
     bool active_ = false;
     TrailSide side_ = TrailSide::Left;

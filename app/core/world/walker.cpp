@@ -19,9 +19,9 @@ double horizontal_length(const Vec3& v) { return std::sqrt(v.x * v.x + v.y * v.y
 // A walker that is too wide for its place overlaps solids at its sides, and can walk out of them. Its centre must not
 // also be inside the ground: a piece that contains the centre is ignored, so the walker would fall through. Therefore
 // only the centre is lifted out.
-Vec3 on_top_of_m(const BodyWorld& world, const Vec3& feet_m, double height_m) {
-    const BodyShape middle{0.0, height_m};
-    const Vec3 above = feet_m + Vec3(0.0, 0.0, 2.0 * BodyWorld::kContactGap_m);  // ground at the feet carries it
+Vec3 on_top_of_m(const WalkerWorld& world, const Vec3& feet_m, double height_m) {
+    const WalkerShape middle{0.0, height_m};
+    const Vec3 above = feet_m + Vec3(0.0, 0.0, 2.0 * WalkerWorld::kContactGap_m);  // ground at the feet carries it
     for (int i = 0; i <= kLifts; ++i)
         if (const Vec3 lifted = above + Vec3(0.0, 0.0, i * kLift_m); !world.blocked(lifted, middle)) return lifted;
     return above;
@@ -29,9 +29,9 @@ Vec3 on_top_of_m(const BodyWorld& world, const Vec3& feet_m, double height_m) {
 
 }  // namespace
 
-BodySize body_size(const Scene& scene, double radius_m) {
+WalkerSize body_size(const Scene& scene, double radius_m) {
     contract_pre(radius_m > 0.0);
-    BodySize size;
+    WalkerSize size;
     size.radius_m = radius_m;
     if (scene.game_map) {
         size.height_m = 1.7;
@@ -152,9 +152,9 @@ WalkResult Walker::tick(const Vec3& wish_m_per_s, double dt_s) {
     if (carries && state_.fall_speed_m_per_s >= 0.0) {
         state_.feet_m = ground.end_m;
         // The surface under the centre names the ground; at a border, the eastern or northern one (see
-        // BodyWorld::trace).
+        // WalkerWorld::trace).
         const TraceHit under =
-            world_.trace(state_.feet_m + Vec3(0.0, 0.0, 0.05), state_.feet_m - Vec3(0.0, 0.0, 0.05), BodyShape{}, true);
+            world_.trace(state_.feet_m + Vec3(0.0, 0.0, 0.05), state_.feet_m - Vec3(0.0, 0.0, 0.05), WalkerShape{}, true);
         result.ground = under.hit ? under.feature : ground.feature;
         result.ground_material = under.hit ? under.material : ground.material;
         if (!stood) {

@@ -5,21 +5,21 @@
 
 #include <optional>
 
-#include "app/core/world/body_world.h"
+#include "app/core/world/walker_world.h"
 #include "worlds/base/human_measures.h"
 
 namespace handrail {
 
-struct BodySize {
+struct WalkerSize {
     double radius_m = 0.25;
     double height_m = 1.8;    // 1.7 in game maps
     double step_up_m = 0.25;  // 0.57 in game maps
     double eye_height_m = 1.65;
 };
 // Sizes for buildings or for games, with the person's own radius.
-BodySize body_size(const Scene& scene, double radius_m);
+WalkerSize body_size(const Scene& scene, double radius_m);
 
-struct WalkerState {
+struct WalkerMotion {
     Vec3 feet_m{0.0};
     double fall_speed_m_per_s = 0.0;
     bool on_ground = false;
@@ -39,22 +39,22 @@ struct WalkResult {
 
 class Walker {
 public:
-    Walker(const BodyWorld& world, BodySize size) : world_(world), size_(size) {}
+    Walker(const WalkerWorld& world, WalkerSize size) : world_(world), size_(size) {}
 
     // Places the walker at `feet_m`, or as near above it as there is room (at most half a metre), and lets it drop to
     // the ground.
     void place(const Vec3& feet_m);
     // Continues from the state of another walker, standing or falling.
-    void resume(const WalkerState& state) {
+    void resume(const WalkerMotion& state) {
         state_ = state;
         fall_from_z_ = state.feet_m.z;
     }
     // wish: horizontal metres per second; dt_s up to 0.1 s.
     WalkResult tick(const Vec3& wish_m_per_s, double dt_s);
 
-    const WalkerState& state() const { return state_; }
-    const BodySize& size() const { return size_; }
-    BodyShape shape() const { return {size_.radius_m, size_.height_m}; }
+    const WalkerMotion& state() const { return state_; }
+    const WalkerSize& size() const { return size_; }
+    WalkerShape shape() const { return {size_.radius_m, size_.height_m}; }
 
 private:
     struct Slide {
@@ -65,9 +65,9 @@ private:
     TraceHit ground_below(const Vec3& feet_m, double depth_m) const;
     bool stands_on_stairs(const Vec3& feet_m) const;
 
-    const BodyWorld& world_;
-    BodySize size_;
-    WalkerState state_;
+    const WalkerWorld& world_;
+    WalkerSize size_;
+    WalkerMotion state_;
     double fall_from_z_ = 0.0;
 };
 

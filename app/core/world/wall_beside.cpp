@@ -30,19 +30,19 @@ struct Met {
     Kind kind = Kind::Wall;
 };
 
-bool is_a(const BodyWorld& world, const TraceHit& hit, FeatureKind kind) {
+bool is_a(const WalkerWorld& world, const TraceHit& hit, FeatureKind kind) {
     return hit.hit && hit.feature && std::abs(hit.normal.z) <= kUprightFace &&
            world.scene().features[hit.feature.value].kind == kind;
 }
 
 // True if so little space is between its face and a wall that nobody walks behind it.
-bool lines_a_wall(const BodyWorld& world, const TraceHit& hit, const Vec3& ahead) {
-    const TraceHit behind = world.trace(hit.end_m + ahead * kInside_m, hit.end_m + ahead * kLines_m, BodyShape{}, true);
+bool lines_a_wall(const WalkerWorld& world, const TraceHit& hit, const Vec3& ahead) {
+    const TraceHit behind = world.trace(hit.end_m + ahead * kInside_m, hit.end_m + ahead * kLines_m, WalkerShape{}, true);
     return is_a(world, behind, FeatureKind::Wall);
 }
 
 // Upright, thin, wide and tall: a pane, a door leaf or a screen.
-bool is_a_pane(const BodyWorld& world, const TraceHit& hit) {
+bool is_a_pane(const WalkerWorld& world, const TraceHit& hit) {
     const Vec3 size = world.scene().features[hit.feature.value].bounds_m.size_m();
     if (std::max(size.x, size.y) < kPaneWide_m || size.z < kPaneTall_m) return false;
     for (const Crossing& crossing : world.crossings(hit.end_m + hit.normal * kInside_m, hit.end_m - hit.normal))
@@ -50,8 +50,8 @@ bool is_a_pane(const BodyWorld& world, const TraceHit& hit) {
     return false;
 }
 
-std::optional<Met> met_on_way(const BodyWorld& world, const Vec3& eye_m, const Vec3& to_m) {
-    const TraceHit hit = world.trace(eye_m, to_m, BodyShape{}, true);
+std::optional<Met> met_on_way(const WalkerWorld& world, const Vec3& eye_m, const Vec3& to_m) {
+    const TraceHit hit = world.trace(eye_m, to_m, WalkerShape{}, true);
     Met::Kind kind = Met::Kind::Wall;
     if (is_a(world, hit, FeatureKind::Object) || is_a(world, hit, FeatureKind::Door)) {
         kind = lines_a_wall(world, hit, glm::normalize(to_m - eye_m)) ? Met::Kind::Lining : Met::Kind::Pane;
@@ -89,7 +89,7 @@ private:
 };
 
 // True if pieces of the wall are on both sides of the foot point, and not too far apart.
-bool goes_past(const BodyWorld& world, const Vec3& eye_m, const WallLine& wall, const std::vector<Met>& pieces) {
+bool goes_past(const WalkerWorld& world, const Vec3& eye_m, const WallLine& wall, const std::vector<Met>& pieces) {
     double before_m = -1e9, behind_m = 1e9;  // nearest pieces
     for (const Met& piece : pieces)
         if (const auto place_m = wall.place_of(piece)) {
@@ -114,7 +114,7 @@ bool goes_past(const BodyWorld& world, const Vec3& eye_m, const WallLine& wall, 
 
 }  // namespace
 
-double wall_beside_m(const BodyWorld& world, const Vec3& feet_m) {
+double wall_beside_m(const WalkerWorld& world, const Vec3& feet_m) {
     contract_pre(is_finite(feet_m));
     const Vec3 at_m(feet_m.x, feet_m.y, 0.0);
     double nearest_m = 1e9;

@@ -2,7 +2,7 @@
 // stands along that line. A pure function over an immutable world; app thread; some 40 rays.
 #pragma once
 
-#include "app/core/world/body_world.h"
+#include "app/core/world/walker_world.h"
 
 namespace handrail {
 
@@ -14,6 +14,6 @@ namespace handrail {
 // A pane or leaf with nothing behind it counts as 0.2 m back in its wall, the usual depth, unless a piece of wall next
 // to it gives the true one.
 inline constexpr double kWallGoesOn_m = 2.5;
-double wall_beside_m(const BodyWorld& world, const Vec3& feet_m);
+double wall_beside_m(const WalkerWorld& world, const Vec3& feet_m);
 
 }  // namespace handrail

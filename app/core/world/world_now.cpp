@@ -23,11 +23,11 @@ Scene with_things(const Scene& scene, const ThingsNow& now) {
     return world;
 }
 
-void rebuild_solids(WorldState& world, BodyState& body) {
-    const WalkerState stood = body.walker->state();
-    const BodySize size = body.walker->size();  // keeps the size, because a larger walker might be inside a wall
+void rebuild_solids(WorldState& world, WalkerState& body) {
+    const WalkerMotion stood = body.walker->state();
+    const WalkerSize size = body.walker->size();  // keeps the size, because a larger walker might be inside a wall
     body.walker.reset();
-    world.solids = std::make_unique<BodyWorld>(*world.solids, world.scene, world.things.all());
+    world.solids = std::make_unique<WalkerWorld>(*world.solids, world.scene, world.things.all());
     body.walker = std::make_unique<Walker>(*world.solids, size);
     body.walker->resume(stood);
 }

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "app/core/world/body_state.h"
+#include "app/core/world/walker_state.h"
 #include "app/core/world/world_state.h"
 
 namespace handrail {
@@ -20,6 +20,6 @@ Scene with_things(const Scene& scene, const ThingsNow& now);
 inline Scene world_now(const WorldState& world) { return with_things(*world.scene, things_now(world)); }
 
 // Rebuilds the solids after anything in the world has moved; the walker stays where it is.
-void rebuild_solids(WorldState& world, BodyState& body);
+void rebuild_solids(WorldState& world, WalkerState& body);
 
 }  // namespace handrail

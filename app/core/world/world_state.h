@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/core/kept/marks.h"
-#include "app/core/world/body_world.h"
+#include "app/core/world/walker_world.h"
 #include "app/core/world/mover_play.h"
 #include "app/core/world/placed_things.h"
 
@@ -20,7 +20,7 @@ struct WorldState {
     PlacedThings things;
     MoverPlay movers;
     std::vector<int> thing_of_mover;    // index among the things; -1: part of the building
-    std::unique_ptr<BodyWorld> solids;  // what a walker bumps into
+    std::unique_ptr<WalkerWorld> solids;  // what a walker bumps into
     Vec3 home_feet_m{0.0};
     double home_heading_rad = 0.0;
     std::vector<Mark> marks;  // the person's

@@ -15,7 +15,7 @@
 
 #include "haptic/dynamics/dynamics.h"
 #include "haptic/render/touch.h"
-#include "haptic/servo/hand_bodies.h"
+#include "haptic/servo/bodies_in_reach.h"
 #include "tests/bench/compare/bench.h"
 
 namespace handrail::bench {
@@ -99,7 +99,7 @@ BodiesMeasured measured(Way way, double kg) {
     feel.felt_gain = kGain;
     feel.ceiling_n = 1e9;
     feel.ball_m = tuning.radius_m;
-    HandBodies bodies(0);
+    BodiesInReach bodies(0);
     bodies.enter(world.moves.get());
     HandPushRing pushes;
     TouchState state;

@@ -6,7 +6,7 @@
 
 #include "haptic/dynamics/dynamics.h"
 #include "haptic/render/touch.h"
-#include "haptic/servo/hand_bodies.h"
+#include "haptic/servo/bodies_in_reach.h"
 
 using namespace handrail;
 
@@ -45,7 +45,7 @@ int main() {
     BodyFeel feel;
     feel.world_m_per_hand_m = tuning.world_m_per_hand_m;
     feel.ball_m = tuning.radius_m;
-    HandBodies bodies(0);
+    BodiesInReach bodies(0);
     bodies.enter(moving.get());
     HandPushRing pushes;
     std::vector<BodyPose> poses;

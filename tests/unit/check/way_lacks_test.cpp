@@ -45,7 +45,7 @@ test::SceneBuilder two_rooms(const Vec3& at, double up_m = 0.0) {
 constexpr std::array kKinds{Lack::Headroom, Lack::Step, Lack::Width};
 
 WayLacks lacks_in(const Scene& scene, const Vec3& to_m) {
-    const WalkBody body = walk_body(scene, 0.25, 1.8, 0.25);
+    const WalkerMeasures body = walk_body(scene, 0.25, 1.8, 0.25);
     const Result<WalkSpace> space = make_walk_space(scene, body);
     EXPECT_TRUE(space.has_value());
     const std::array places{to_m};
@@ -109,7 +109,7 @@ TEST(WayLacks, are_those_of_the_worst_place_on_the_best_route) {
 }
 
 // Returns whether such a walker gets from the start to a place, in a walkable area computed for its size.
-bool flooded(const Scene& scene, const WalkBody& body, const Vec3& there_m) {
+bool flooded(const Scene& scene, const WalkerMeasures& body, const Vec3& there_m) {
     const Result<WalkSpace> space = make_walk_space(scene, body);
     if (!space) return false;
     const std::uint32_t first = space->nearest(scene.starts[0].feet_m, 1.0, 0.6, 1.0),
@@ -136,8 +136,8 @@ TEST(WayLacks, agree_with_trying_bodies_one_by_one) {
         }
         const auto scene = b.share();
         const Vec3 there(7, 2, scene->solids[1].shape.bounds_m.max_m.z);
-        const WalkBody body = walk_body(*scene, 0.25, 1.8, 0.25);
-        const auto comes = [&](const WalkBody& tried) { return flooded(*scene, tried, there); };
+        const WalkerMeasures body = walk_body(*scene, 0.25, 1.8, 0.25);
+        const auto comes = [&](const WalkerMeasures& tried) { return flooded(*scene, tried, there); };
         if (comes(body)) continue;
         const Result<WalkSpace> space = make_walk_space(*scene, body);
         ASSERT_TRUE(space.has_value());
@@ -145,7 +145,7 @@ TEST(WayLacks, agree_with_trying_bodies_one_by_one) {
         for (const Lack kind : {Lack::Headroom, Lack::Step}) {
             const std::array kinds{kind};
             const WayLacks found = way_lacks(*scene, *space, scene->starts[0].feet_m, places, kinds)[0];
-            WalkBody most = body, less = body, more = body;
+            WalkerMeasures most = body, less = body, more = body;
             if (kind == Lack::Headroom) {
                 most.height_m *= 0.5;
                 less.height_m = found.has_m - 0.01;
@@ -267,7 +267,7 @@ TEST(TrialSpaces, agree_with_complete_spaces_about_reachable_places) {
             b.box(from, from + Vec3(between(0.1, 0.6), between(0.2, 1.2), between(0.2, 1.5)), "block");
         }
         const auto scene = b.share();
-        const WalkBody body = walk_body(*scene, 0.25, 1.8, 0.25);
+        const WalkerMeasures body = walk_body(*scene, 0.25, 1.8, 0.25);
         const auto whole = make_walk_space(*scene, body);
         const auto trial = make_trial_space(*scene, body, {true, std::nullopt});
         const Vec3 start_m = scene->starts[0].feet_m;

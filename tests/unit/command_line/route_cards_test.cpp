@@ -11,7 +11,7 @@
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
-#include "worlds/navigation/word_route.h"
+#include "worlds/navigation/directions_route.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail::test {
@@ -66,7 +66,7 @@ TEST_P(OfWorld, the_route_cards_have_the_spoken_legs_to_every_room) {
     auto read = read_world(path);
     ASSERT_TRUE(read) << read.error().sentence();
     const auto scene = std::make_shared<const Scene>(std::move(*read));
-    const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
+    const WalkerSize size = body_size(*scene, Settings{}.walk.body_radius_m);
     RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once());
     ASSERT_TRUE(rooms.ready() && rooms.found());
     const Start* base = nullptr;
@@ -80,7 +80,7 @@ TEST_P(OfWorld, the_route_cards_have_the_spoken_legs_to_every_room) {
         if (!storey) continue;
         const auto made = card_ways(scene, rooms.graph(), rooms.navigation(), *storey, {});
         if (!made) continue;
-        for (const CardWay& way : made->ways) {
+        for (const CardRoute& way : made->ways) {
             std::string name = way[0].substr(std::string("From the base to ").size());
             name = sentence_case(name.substr(0, name.size() - 1));
             const std::uint32_t here = room_at(rooms.graph(), rooms.navigation().space(), base->feet_m);

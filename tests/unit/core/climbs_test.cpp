@@ -15,7 +15,7 @@ struct Visit : test::AppSession {
         app.apply(WorldEntered{make_ready(test::hall_with_narrow_stairs())}, 0.0);
         ask(Command::Exits);  // from here on the rooms are known
     }
-    // Goes through the door into the stairwell.
+    // Course through the door into the stairwell.
     void go_in() {
         walk(4.0);
         tap(Command::Use);

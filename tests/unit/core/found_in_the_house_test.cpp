@@ -14,7 +14,7 @@
 #include "audio-cues/plan/speakable.h"
 #include "tests/support/scale.h"
 #include "tests/unit/core/explorer.h"
-#include "worlds/navigation/way_place.h"
+#include "worlds/navigation/route_place.h"
 
 namespace handrail {
 namespace found_in_the_house_test {
@@ -99,7 +99,7 @@ private:
     }
 
     std::shared_ptr<const Scene> scene_;
-    BodyWorld world_;
+    WalkerWorld world_;
     std::shared_ptr<Navigation> navigation_;
 };
 
@@ -504,7 +504,7 @@ TEST(FoundInTheHouse, everything_is_reached_by_a_walker_who_follows_the_beacon_f
                 bumped = bumped || cue.kind == SoundKind::Bump;
             }
             if (bumped && walking) {
-                // Goes around it, on alternate sides, and farther each time.
+                // Course around it, on alternate sides, and farther each time.
                 walk(false);
                 turn(++bumps % 2 == 1 ? 90.0 : -90.0);
                 p.run(0.6);

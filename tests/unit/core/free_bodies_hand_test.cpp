@@ -220,7 +220,7 @@ std::string name_of(int thing) { return "Thing " + std::to_string(thing); }
 
 // The file with this many things around its start, none of them inside another or in a wall; none if there is not
 // enough room.
-std::string among_things(const std::string& map, const BodyWorld& bare, std::mt19937_64& random) {
+std::string among_things(const std::string& map, const WalkerWorld& bare, std::mt19937_64& random) {
     std::uniform_real_distribution<double> part(0.0, 1.0);
     const Vec3 eye = bare.scene().starts.at(0).feet_m + Vec3(0.0, 0.0, 1.0);
     std::vector<Vec3> places;
@@ -246,7 +246,7 @@ std::string among_things(const std::string& map, const BodyWorld& bare, std::mt1
 }
 
 struct Among : Hand {
-    Among(std::shared_ptr<const Scene> scene, const BodyWorld& bare) : Hand(std::move(scene)), bare_(bare) { forget(); }
+    Among(std::shared_ptr<const Scene> scene, const WalkerWorld& bare) : Hand(std::move(scene)), bare_(bare) { forget(); }
     // Restarts the comparison of the things' positions.
     void forget() {
         for (int i = 0; i < kThings; ++i) were_m_[i] = at(name_of(i));
@@ -291,7 +291,7 @@ private:
                 << now.y << " " << now.z << " through " << bare_.scene().features[wall.feature.value].name;
         }
     }
-    const BodyWorld& bare_;
+    const WalkerWorld& bare_;
     std::array<Vec3, kThings> were_m_;
     double most_n_ = 0.0;
 };
@@ -305,7 +305,7 @@ void lives_among_things(const std::filesystem::path& file) {
     auto read = read_quake_map(map, "building.map", {});
     ASSERT_TRUE(read);
     read->placed.clear();
-    const BodyWorld bare(std::make_shared<const Scene>(std::move(*read)));
+    const WalkerWorld bare(std::make_shared<const Scene>(std::move(*read)));
     const char* const all = std::getenv("HANDRAIL_ACTS");
     const int acts = all ? std::atoi(all) : test::scaled(40);
     int held = 0;

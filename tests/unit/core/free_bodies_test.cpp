@@ -225,7 +225,7 @@ TEST(FreeBodies, routes_ignore_movable_things_and_go_round_fixed_ones) {
         const auto scene =
             hall(entity("thing", key("cs_name", "dynamic_box") + key("name", "Crate") + key("mass", std::to_string(kg)),
                         box_brush(0, 200, 0, 320, 216, 32)));
-        const auto found = Navigation::make(*scene, WalkBody{});
+        const auto found = Navigation::make(*scene, WalkerMeasures{});
         ASSERT_TRUE(found);
         EXPECT_EQ((*found)->reachable({5.0, 2.0, 0.0}, {5.0, 12.0, 0.0}), leads_through) << kg;
     }

@@ -7,7 +7,7 @@
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/core/app_session.h"
-#include "worlds/navigation/way_place.h"
+#include "worlds/navigation/route_place.h"
 
 namespace handrail {
 namespace guide_test {
@@ -432,7 +432,7 @@ TEST(WarmerTest, signals_by_pitch_how_directly_the_person_approaches_or_moves_aw
 // An L of two legs. A walker who goes around its corner hears the walking distance, and nothing jumps if the route is
 // planned again.
 TEST(SoughtWayTest, measures_walking_distance_calls_from_the_next_turn_and_is_continuous_on_replanning) {
-    SoughtWay way;
+    SoughtRoute way;
     const auto follow = [&](const Vec3& at_m) { way.follow(at_m, kHeightCountsForWalkers, {}); };
     EXPECT_TRUE(way.wants_plan(false, 0.0));
     way.plan({{0, 0, 0}, {0, 10, 0}, {10, 10, 0}}, {}, 0.5, {0, 0, 0}, 0.0);
@@ -454,7 +454,7 @@ TEST(SoughtWayTest, measures_walking_distance_calls_from_the_next_turn_and_is_co
     // Away from the route: the distance grows little at first, then by as much as the walker is off; then the route
     // must be planned again.
     follow({3, 10.3, 0});
-    EXPECT_NEAR(way.left_m(), 7.5 + SoughtWay::kSlope * 0.3 * 0.3 / 1.2, 1e-9);
+    EXPECT_NEAR(way.left_m(), 7.5 + SoughtRoute::kSlope * 0.3 * 0.3 / 1.2, 1e-9);
     way.follow({3, 11.5, 0}, kHeightCountsForWalkers, [](const Vec3&) { return false; });
     EXPECT_TRUE(way.wants_plan(false, 5.0));
     // The new route is 4 m longer. The announced distance stays and approaches the new one only while the walker moves,
@@ -601,7 +601,7 @@ TEST(TakeMe, leads_around_obstacles_along_the_planned_path_and_by_ear_without_fo
     const GuidancePath& path = p.app.guide().path();
     ASSERT_GT(path.count, 2U);
     EXPECT_EQ(path.points_m[0], Vec3(1.2, 3.7, 0.3));
-    const BodyWorld world(p.app.scene());
+    const WalkerWorld world(p.app.scene());
     for (std::uint32_t i = 0; i + 2 < path.count; ++i)
         EXPECT_TRUE(world.crossings(path.points_m[i], path.points_m[i + 1]).empty()) << i;
     EXPECT_NEAR(path.points_m[path.count - 1].x, 5.85, 0.06) << "on the radiator";

@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "worlds/drawn/plan_scene.h"
+#include "worlds/floorplan/plan_scene.h"
 
 namespace handrail::test {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "app/core/world/body_world.h"
+#include "app/core/world/walker_world.h"
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
@@ -28,20 +28,20 @@ std::unique_ptr<Explorer> with_keys_alone(const std::shared_ptr<const Scene>& sc
 }
 
 // Only the walls, because the session's doors move.
-BodyWorld walls_of(const Scene& scene) {
+WalkerWorld walls_of(const Scene& scene) {
     auto still = std::make_shared<Scene>(scene);
     still->placed.clear();
     std::erase_if(still->solids, [&](const Solid& solid) {
         return std::any_of(scene.movers.begin(), scene.movers.end(),
                            [&](const Mover& mover) { return mover.feature == solid.feature; });
     });
-    return BodyWorld(std::move(still));
+    return WalkerWorld(std::move(still));
 }
 
-bool body_sees_hand(const BodyWorld& walls, const Explorer& p, const Vec3& feet_m) {
+bool body_sees_hand(const WalkerWorld& walls, const Explorer& p, const Vec3& feet_m) {
     const Vec3 hand = p.tool().proxy_m;
     for (const double height_m : {0.2, 0.6, 1.0, 1.5, hand.z - feet_m.z}) {
-        const TraceHit hit = walls.trace(feet_m + Vec3(0.0, 0.0, height_m), hand, BodyShape{}, true);
+        const TraceHit hit = walls.trace(feet_m + Vec3(0.0, 0.0, height_m), hand, WalkerShape{}, true);
         if (!hit.hit || glm::length(hand - hit.end_m) <= p.tool().ball_radius_m) return true;
     }
     return false;
@@ -95,7 +95,7 @@ TEST(AHandForWantOfADevice, stays_ahead_where_the_keys_moved_it_and_follows_the_
 
 TEST(AHandOnADevice, follows_the_walker_through_a_door_with_force_rising_from_zero_and_an_announcement) {
     const auto house = test::our_world("house.map");
-    const BodyWorld walls = walls_of(*house);
+    const WalkerWorld walls = walls_of(*house);
     Explorer p(house, "sim-t");
     for (int i = 0; i < 2; ++i) p.tap(Command::TurnRight, 0.5);
     for (int i = 0; i < 4; ++i) p.tap(Command::Forward, 1.0);
@@ -134,7 +134,7 @@ TEST(AHandOnADevice, follows_the_walker_through_a_door_with_force_rising_from_ze
     EXPECT_TRUE(p.heard("Study", from)) << p.all_heard(from);
 }
 
-// Goes through every door and opening, in both directions, with the hand in different places.
+// Course through every door and opening, in both directions, with the hand in different places.
 TEST(TheHand, is_visible_from_the_body_within_a_second_after_every_passage_through_a_door) {
     namespace fs = std::filesystem;
     const fs::path maps = test::project_root() / "worlds/maps";
@@ -143,8 +143,8 @@ TEST(TheHand, is_visible_from_the_body_within_a_second_after_every_passage_throu
                                                                             {"duplex-apartment.ifc"});
     for (const fs::path& file : files) {
         const auto scene = test::world_once(file);
-        const BodyWorld walls = walls_of(*scene);
-        const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
+        const WalkerWorld walls = walls_of(*scene);
+        const WalkerSize size = body_size(*scene, Settings{}.walk.body_radius_m);
         const auto space = make_walk_space(*scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m));
         ASSERT_TRUE(space) << file;
         const RoomGraph graph = make_rooms(*scene, *space);
@@ -160,7 +160,7 @@ TEST(TheHand, is_visible_from_the_body_within_a_second_after_every_passage_throu
                     const double heading_rad = quarter * kPi / 2.0;
                     const Vec3 ahead = forward_of_heading(heading_rad), from = portal.place_m - ahead * 0.9;
                     if (walls.blocked(from + Vec3(0.0, 0.0, 0.01), {size.radius_m, size.height_m}) ||
-                        walls.trace(from + Vec3(0.0, 0.0, 0.3), portal.place_m + Vec3(0.0, 0.0, 0.3), BodyShape{}).hit)
+                        walls.trace(from + Vec3(0.0, 0.0, 0.3), portal.place_m + Vec3(0.0, 0.0, 0.3), WalkerShape{}).hit)
                         continue;
                     p->app().apply(Placed{from, heading_rad}, p->now_s());
                     p->run(0.1);

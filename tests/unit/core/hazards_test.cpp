@@ -15,14 +15,14 @@ struct Ground {
     explicit Ground(SceneBuilder& b, bool game = false) {
         b.scene().game_map = game;
         scene = b.share();
-        world = std::make_unique<BodyWorld>(scene);
+        world = std::make_unique<WalkerWorld>(scene);
         rules = ground_rules(*scene, body_size(*scene, 0.25));
     }
     GroundAhead ahead(const Vec3& feet, double heading, double range = 6.3) const {
         return ground_ahead(*world, feet, heading, rules, range);
     }
     std::shared_ptr<const Scene> scene;
-    std::unique_ptr<BodyWorld> world;
+    std::unique_ptr<WalkerWorld> world;
     GroundRules rules;
 };
 

@@ -34,15 +34,15 @@ std::shared_ptr<const Scene> rooms() {
 
 TEST(Hunt, hides_the_clock_at_a_walkable_place_far_enough_away_and_leads_there) {
     const auto scene = rooms();
-    const BodyWorld world(scene);
-    const BodySize body = body_size(*scene, 0.25);
+    const WalkerWorld world(scene);
+    const WalkerSize body = body_size(*scene, 0.25);
     HuntGround ground(world, {1, 1, 0}, body);
     std::set<std::pair<int, int>> places;
     for (std::uint64_t number = 0; number < 40; ++number) {
         HuntGround hunt = ground;
         const Vec3 clock = hunt.hiding_place(number, 6.0);
         places.emplace(static_cast<int>(clock.x * 4), static_cast<int>(clock.y * 4));
-        EXPECT_FALSE(world.blocked(clock, BodyShape{0.2, 1.5}));
+        EXPECT_FALSE(world.blocked(clock, WalkerShape{0.2, 1.5}));
         hunt.aim(clock);
         // A walker who goes where the hint says arrives.
         Vec3 at(1, 1, 0);
@@ -63,7 +63,7 @@ TEST(Hunt, hides_the_clock_at_a_walkable_place_far_enough_away_and_leads_there) 
 
 TEST(Hunt, hides_as_far_away_as_it_can_where_nothing_is_far_enough) {
     const auto scene = rooms();
-    const BodyWorld world(scene);
+    const WalkerWorld world(scene);
     const HuntGround ground(world, {1, 1, 0}, body_size(*scene, 0.25));
     const Vec3 clock = ground.hiding_place(3, 1000.0);
     ASSERT_TRUE(ground.way_m(clock));
@@ -78,7 +78,7 @@ std::size_t places_around_a_plinth(double floor_m, double plinth_m) {
     b.box({1.5, 1.5, floor_m}, {2.5, 2.5, floor_m + plinth_m}, "plinth");
     b.start({0.5, 0.5, floor_m}, 0.0);
     const auto scene = b.share();
-    const BodyWorld world(scene);
+    const WalkerWorld world(scene);
     return HuntGround(world, {0.5, 0.5, floor_m}, body_size(*scene, 0.25)).size();
 }
 

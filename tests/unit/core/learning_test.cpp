@@ -21,7 +21,7 @@ using test::SceneBuilder;
 // A world and its rooms, and the room around a point as a place to learn.
 struct Ground {
     Ground(const SceneBuilder& b, const Vec3& feet_m) : scene(b.share()), world(scene) {
-        const BodySize size = body_size(*scene, 0.25);
+        const WalkerSize size = body_size(*scene, 0.25);
         auto made = make_walk_space(*scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m));
         EXPECT_TRUE(made) << made.error().sentence();
         space = std::move(*made);
@@ -37,7 +37,7 @@ struct Ground {
     }
     Progress progress(const LearningNotes& notes = {}) const { return progress_of(learnt(notes)); }
     std::shared_ptr<const Scene> scene;
-    BodyWorld world;
+    WalkerWorld world;
     WalkSpace space;
     RoomGraph graph;
     std::uint32_t room = kNothing;

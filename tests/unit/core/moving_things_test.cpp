@@ -41,7 +41,7 @@ struct Rider : test::AppSession {
     }
     Placement thing(std::size_t i) const { return app.bodies().poses()[i].at; }
     bool in_something() const {
-        return BodyWorld(app.scene(), places()).blocked(app.feet_m() + Vec3(0.0, 0.0, 1e-3), {0.25, 1.6});
+        return WalkerWorld(app.scene(), places()).blocked(app.feet_m() + Vec3(0.0, 0.0, 1e-3), {0.25, 1.6});
     }
     std::vector<Placement> places() const {
         std::vector<Placement> all;
@@ -526,18 +526,18 @@ TEST(ThingsMeet, agrees_with_boxes_and_never_separates_shapes_that_share_a_point
     EXPECT_GT(met, test::scaled(100));
 }
 
-TEST(BodyWorld, updated_from_its_predecessor_equals_one_built_from_scratch) {
+TEST(WalkerWorld, updated_from_its_predecessor_equals_one_built_from_scratch) {
     const auto scene = [] {
         std::vector<int> apart;
         return std::make_shared<const Scene>(with_movers_apart(*test::our_world("house.map"), 128, apart));
     }();
-    const BodyWorld first(scene);
+    const WalkerWorld first(scene);
     std::mt19937 random(7);
     std::uniform_real_distribution<double> part(0.0, 1.0);
     for (int round = 0; round < 4; ++round) {
         std::vector<Placement> places;
         for (std::size_t i = 0; i < scene->placed.size(); ++i) places.push_back(scene->movers[i].at(part(random)));
-        const BodyWorld made_on(first, scene, places), anew(scene, places);
+        const WalkerWorld made_on(first, scene, places), anew(scene, places);
         for (int i = 0; i < test::scaled(3000); ++i) {
             const auto somewhere = [&] {
                 return scene->bounds_m.min_m +

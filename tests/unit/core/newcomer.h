@@ -48,13 +48,13 @@ public:
     // such entry.
     std::string choose(const std::string& key, const std::string& begin);
 
-    // Goes to a room by its name: chooses it from the list of routes, then requests the next directions again and
+    // Course to a room by its name: chooses it from the list of routes, then requests the next directions again and
     // again. Returns true when the arrival is announced, and false also in front of a locked door, which `locked` then
     // describes.
     bool go_to_room(const std::string& room);
-    // Goes to a thing by its name, guided by words as to a room: the second of the ways to find it.
+    // Course to a thing by its name, guided by words as to a room: the second of the ways to find it.
     bool go_by_words_to_thing(const std::string& thing);
-    // Goes to a thing by its name: sets the beacon on it and follows that by ear until the arrival is announced.
+    // Course to a thing by its name: sets the beacon on it and follows that by ear until the arrival is announced.
     bool go_to_thing(const std::string& thing);
 
     // What was said about the locked door that ended the last walk, and about its button; none if no such door did.

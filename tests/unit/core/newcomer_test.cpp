@@ -95,7 +95,7 @@ TEST(ANewcomer, opens_the_locked_door_of_the_fifth_tutorial_map_with_its_button_
     std::cout << "the exit after " << n.now_s() << " s\n";
 }
 
-// Goes to three things, each in a different room from the one before. It requests the route to the room, then what is
+// Course to three things, each in a different room from the one before. It requests the route to the room, then what is
 // there, and then walks to it by ear.
 void reaches_three_things(const std::shared_ptr<const Scene>& world) {
     Newcomer n(world);
@@ -166,7 +166,7 @@ TEST(ANewcomer, walks_in_the_university_to_three_rooms_on_two_storeys_and_out_ag
         }
         std::cout << room << " after " << n.now_s() << " s\n";
     }
-    // Goes back to the porch of the main entrance, and through the door that leads out.
+    // Course back to the porch of the main entrance, and through the door that leads out.
     EXPECT_TRUE(n.go_to_room("Windfang")) << n.last_lines(60);
     const auto is_out = [&] { return n.ask("1").find("Pedestrian area") != std::string::npos; };
     bool out_there = is_out();  // asked only once each time, because asking again gives a longer answer
@@ -313,7 +313,7 @@ TEST(ANewcomer, hears_what_is_around_in_the_family_house_and_a_stair_route_to_it
     EXPECT_EQ(around.find("round outside"), std::string::npos) << "what one stands on is no thing: " << around;
 }
 
-// Goes to each named room in turn to which a route is announced. The unnamed ones are window ledges.
+// Course to each named room in turn to which a route is announced. The unnamed ones are window ledges.
 TEST(ANewcomer, walks_to_every_room_of_the_duplex_and_the_family_house) {
     if (!std::getenv("HANDRAIL_ALL_ROUTES")) GTEST_SKIP() << "set HANDRAIL_ALL_ROUTES: half a minute of computing";
     for (const char* file : {"duplex-apartment.ifc", "fzk-haus.ifc"}) {
@@ -347,7 +347,7 @@ TEST(ANewcomer, rides_the_lift_of_a_building_without_stairs_to_its_highest_store
     EXPECT_NEAR(n.feet_m().z, 0.0, 0.1);
 }
 
-// Goes one storey up by stairs and one more by lift, and out through the porch.
+// Course one storey up by stairs and one more by lift, and out through the porch.
 TEST(ANewcomer, walks_in_the_university_by_stairs_and_lift_with_a_simulated_device) {
     if (!std::getenv("HANDRAIL_ALL_ROUTES")) GTEST_SKIP() << "set HANDRAIL_ALL_ROUTES: ten seconds of computing";
     const auto world = real("apb-tu-dresden.osm");

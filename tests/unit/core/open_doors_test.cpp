@@ -293,7 +293,7 @@ TEST(OpenDoors, on_both_sides_of_a_corridor_open_and_shut_without_collision) {
 TEST(OpenDoors, block_their_own_doorway_if_the_route_reaches_the_leaf_first) {
     test::AppSession p;
     open_the_closet(p);
-    const BodySize size = body_size(*p.app.scene(), p.app.settings().walk.body_radius_m);
+    const WalkerSize size = body_size(*p.app.scene(), p.app.settings().walk.body_radius_m);
     const Vec3 doorway_m(5.0, 2.95, 0.0);
     const auto across = leaf_across(p.app.world(), size, std::array{Vec3{3.2, 2.25, 0.0}, doorway_m});
     ASSERT_TRUE(across.has_value());

@@ -40,7 +40,7 @@ std::vector<std::string> names(const std::vector<Sight>& sights) {
 }
 
 TEST(Questions, about_the_surroundings_are_answered_with_one_unhidden_thing_per_quarter) {
-    const BodyWorld world(hall().share());
+    const WalkerWorld world(hall().share());
     const auto quarters = around({world, {4, 4, 0}, 0.0});
     EXPECT_EQ(quarters[0]->name, "Bench");
     EXPECT_EQ(quarters[1]->name, "Cupboard");
@@ -57,7 +57,7 @@ TEST(Questions, about_an_empty_quarter_are_answered_with_its_wall_or_that_it_is_
     SceneBuilder b;
     b.box({-5, -5, -0.2}, {5, 5, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
     b.box({-5, 5, 0}, {5, 5.2, 2}, "north wall", SolidRole::Solid, "brick", FeatureKind::Wall);
-    const BodyWorld world(b.share());
+    const WalkerWorld world(b.share());
     const auto quarters = around({world, {0, 0, 0}, 0.0});
     ASSERT_TRUE(quarters[0]);
     EXPECT_EQ(quarters[0]->name, "north wall");
@@ -69,15 +69,15 @@ TEST(Questions, about_ahead_are_answered_with_at_most_four_things_by_distance_an
     SceneBuilder b = hall();
     for (int i = 0; i < 4; ++i)
         b.box({3.2 + 0.5 * i, 6.6 + 0.35 * i, 0}, {3.3 + 0.5 * i, 6.7 + 0.35 * i, 1.5}, fmt::format("Post {}", i));
-    const BodyWorld world(b.share());
+    const WalkerWorld world(b.share());
     const auto sights = ahead({world, {4, 4, 0}, 0.0});
     EXPECT_THAT(names(sights), testing::ElementsAre("Bench", "Post 0", "Post 1", "Post 2"));
     for (std::size_t i = 1; i < sights.size(); ++i) EXPECT_LE(sights[i - 1].seen.distance_m, sights[i].seen.distance_m);
-    EXPECT_THAT(names(ahead({BodyWorld(hall().share()), {4, 4, 0}, 0.0})), testing::ElementsAre("Bench", "north wall"));
+    EXPECT_THAT(names(ahead({WalkerWorld(hall().share()), {4, 4, 0}, 0.0})), testing::ElementsAre("Bench", "north wall"));
 }
 
 TEST(Questions, about_one_direction_find_low_things_and_things_behind_them) {
-    const BodyWorld world(hall().share());
+    const WalkerWorld world(hall().share());
     EXPECT_THAT(names(look_towards({world, {4, 4, 0}, 0.0}, 0.0)), testing::ElementsAre("Bench", "north wall"));
     EXPECT_THAT(names(look_towards({world, {4, 4, 0}, 0.0}, kPi / 4.0)), testing::ElementsAre("north wall"));
 }
@@ -98,7 +98,7 @@ TEST(Questions, mention_no_hidden_thing_and_every_thing_with_a_visible_middle) {
                 boxes.push_back(box);
                 b.box(box.min_m, box.max_m, fmt::format("box {}", boxes.size() - 1));
             }
-            const BodyWorld world(b.share());
+            const WalkerWorld world(b.share());
             const Vec3 eye(far, 0.0, kLookHeight_m);
             const auto crosses = [&](const Aabb& box, const Vec3& to) {  // the slab test, on the open segment
                 double enter = 0.0, leave = 1.0;
@@ -189,19 +189,19 @@ TEST(ScaleBar, is_five_steps_indoors_and_25_metres_outdoors_with_north) {
     EXPECT_EQ(scale_bar_words(true, how, 0.0, 0.0), "25 metres, 36 steps. North is left.");
     how.directions = DirectionChoice::Clock;
     EXPECT_THAT(scale_bar_words(true, how, 0.0, 0.0), HasSubstr("North is at 9 o'clock."));
-    EXPECT_TRUE(under_roof(BodyWorld([] {
+    EXPECT_TRUE(under_roof(WalkerWorld([] {
                                SceneBuilder b;
                                b.box({-1, -1, 2.5}, {1, 1, 2.6}, "ceiling");
                                return b.share();
                            }()),
                            {0, 0, 0}));
-    EXPECT_FALSE(under_roof(BodyWorld(hall().share()), {4, 4, 0}));
+    EXPECT_FALSE(under_roof(WalkerWorld(hall().share()), {4, 4, 0}));
 }
 
 TEST(Coordinates, give_metres_from_the_origin_and_the_height_above_the_surface_below) {
     EXPECT_EQ(coordinates_words({3.04, -0.51, 1.0}), "3 east, 0.5 south, height 1 metre");
     EXPECT_EQ(coordinates_words({-2.0, 0.0, -0.0001}), "2 west, 0 north, height 0 metres");
-    const BodyWorld world(hall().share());
+    const WalkerWorld world(hall().share());
     EXPECT_NEAR(above_floor_m(world, {4, 4, 1.3}).value(), 1.3, 1e-3);
     EXPECT_NEAR(above_floor_m(world, {4, 6.2, 1.3}).value(), 0.8, 1e-3) << "above the bench";
     EXPECT_FALSE(above_floor_m(world, {40, 4, 1.3}));

@@ -22,7 +22,7 @@ namespace real_doors_test {
 
 constexpr double kBefore_m = 0.45;  // distance of the body's middle from the leaf's middle
 
-bool walks(const BodyWorld& world, const BodySize& size, const Vec3& middle_m, const Vec3& way) {
+bool walks(const WalkerWorld& world, const WalkerSize& size, const Vec3& middle_m, const Vec3& way) {
     Walker walker(world, size);
     walker.place(middle_m - way * kBefore_m + Vec3(0.0, 0.0, 0.02));
     for (int i = 0; i < 120; ++i) walker.tick(way, 1.0 / 60.0);
@@ -40,8 +40,8 @@ TEST(RealDoors, can_be_walked_through_in_both_directions_in_a_session) {
         auto open = std::make_shared<Scene>(*scene);  // no leaf is in the way
         std::erase_if(open->solids, [](const Solid& solid) { return solid.role == SolidRole::Mover; });
         open->movers.clear();
-        const BodyWorld world(open);
-        const BodySize size = body_size(*open, 0.25);
+        const WalkerWorld world(open);
+        const WalkerSize size = body_size(*open, 0.25);
         const std::vector<test::DoorToPass> doors = test::doors_to_pass(*scene);
         int held = 0;
         std::string names;
@@ -71,8 +71,8 @@ DoorsWalked walk_all(const Scene& scene) {
     auto open = std::make_shared<Scene>(scene);
     std::erase_if(open->solids, [](const Solid& solid) { return solid.role == SolidRole::Mover; });
     open->movers.clear();
-    const BodyWorld world(open);
-    const BodySize size = body_size(*open, 0.25);
+    const WalkerWorld world(open);
+    const WalkerSize size = body_size(*open, 0.25);
     DoorsWalked walked;
     for (const StatedPortal& portal : scene.stated->portals) {
         if (portal.kind != StatedPortalKind::Door) continue;

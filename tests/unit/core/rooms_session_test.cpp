@@ -248,8 +248,8 @@ TEST(RoomsInASession, are_drawn_on_the_plan_under_their_current_names_and_cost_n
 
 TEST(RoomsKept, equal_newly_found_rooms_and_belong_to_their_session) {
     const auto world = house(), same_again = std::make_shared<const Scene>(*world);
-    const BodySize size = body_size(*world, 0.25);
-    const WalkBody body = walk_body(*world, size.radius_m, size.height_m, size.step_up_m);
+    const WalkerSize size = body_size(*world, 0.25);
+    const WalkerMeasures body = walk_body(*world, size.radius_m, size.height_m, size.step_up_m);
     RoomsKept kept;
     ASSERT_EQ(kept.of(world, body), nullptr);
     RoomsOfWorld anew(world, body, at_once(), {}, &kept);
@@ -281,10 +281,10 @@ TEST(RoomsKept, equal_newly_found_rooms_and_belong_to_their_session) {
 
 TEST(RoomsOfAWorld, are_taken_from_the_cache_unchanged) {
     std::map<std::string, std::string> cache;
-    const WaysKeeper keeper{[&](const std::string& key, const std::stop_token&) { return unpacked_ways(cache[key]); },
+    const RoutesKeeper keeper{[&](const std::string& key, const std::stop_token&) { return unpacked_ways(cache[key]); },
                             [&](const std::string& key, std::string_view packed) { cache[key] = packed; }};
     const auto scene = house();
-    const WalkBody body = walk_body(*scene, 0.25, 1.8, 0.25);
+    const WalkerMeasures body = walk_body(*scene, 0.25, 1.8, 0.25);
     const std::string key = ways_key(*scene, body);
     struct Known {
         bool kept = false;

@@ -15,7 +15,7 @@ namespace sight_test {
 constexpr std::uint32_t kSeed = 7;
 
 // The plain method: everything within range, nearest first, eight lines to each, nothing left out.
-std::vector<Seen> plainly_in_sight(const BodyWorld& world, const Vec3& feet_m, double height_m, std::size_t most) {
+std::vector<Seen> plainly_in_sight(const WalkerWorld& world, const Vec3& feet_m, double height_m, std::size_t most) {
     const Scene& scene = world.scene();
     const Vec3 eye = feet_m + Vec3(0.0, 0.0, height_m);
     const auto level_m = [&](const Vec3& point) { return std::hypot(point.x - eye.x, point.y - eye.y); };
@@ -44,7 +44,7 @@ std::vector<Seen> plainly_in_sight(const BodyWorld& world, const Vec3& feet_m, d
             const Vec3 way = point - eye;
             const double distance_m = glm::length(way);
             if (distance_m < 1e-6 || distance_m > kSightRange_m) continue;
-            const TraceHit hit = world.trace(eye, point, BodyShape{}, true);
+            const TraceHit hit = world.trace(eye, point, WalkerShape{}, true);
             if (hit.hit ? hit.feature.value != i : !volume) continue;
             const Vec3 seen_m = hit.hit ? hit.end_m : point;
             const Seen seen{std::atan2(way.x, way.y), level_m(seen_m), FeatureId{i}, seen_m};
@@ -58,7 +58,7 @@ std::vector<Seen> plainly_in_sight(const BodyWorld& world, const Vec3& feet_m, d
     return found;
 }
 
-void expect_same(const BodyWorld& world, const Vec3& feet_m, const std::string& where) {
+void expect_same(const WalkerWorld& world, const Vec3& feet_m, const std::string& where) {
     SCOPED_TRACE(fmt::format("{} at {} {} {}, seed {}", where, feet_m.x, feet_m.y, feet_m.z, kSeed));
     for (const std::size_t most : {std::size_t{2}, std::size_t{24}}) {
         const std::vector<Seen> seen = things_in_sight(world, feet_m, 1.2, most),
@@ -96,7 +96,7 @@ TEST(Sight, agrees_with_eight_exhaustive_ray_casts_in_the_bundled_worlds) {
     for (const char* name : {"house.map", "school.map"}) {
         std::vector<int> thing_of_mover;
         const auto scene = std::make_shared<const Scene>(with_movers_apart(*shipped(name), 128, thing_of_mover));
-        const BodyWorld world(scene);
+        const WalkerWorld world(scene);
         for (const Start& start : scene->starts) expect_same(world, start.feet_m, name);
         std::mt19937 random(kSeed);
         for (int i = 0; i < 25; ++i) expect_same(world, somewhere(random, scene->bounds_m), name);
@@ -118,7 +118,7 @@ TEST(Sight, gives_the_same_answers_among_slanted_solids_and_sheets_far_from_the_
             const Vec3 a = somewhere(random, all), b = a + Vec3(0.0, 4.0, 0.0), c = a + Vec3(0.5, 0.0, 4.0);
             scene.triangles.push_back({a, b, c, scene.solids[0].feature, kDefaultMaterial, TouchSide::Both});
         }
-        const BodyWorld world(some.share());
+        const WalkerWorld world(some.share());
         for (int i = 0; i < 60; ++i) expect_same(world, somewhere(random, all), "slanted");
     }
 }
@@ -126,7 +126,7 @@ TEST(Sight, gives_the_same_answers_among_slanted_solids_and_sheets_far_from_the_
 TEST(Sight, uses_a_limited_number_of_rays_in_a_world_of_any_size) {
     const auto read = read_quake_map(office_world(office_size(3000)).map, "office.map");
     const auto office = std::make_shared<const Scene>(*read);
-    const BodyWorld world(office);
+    const WalkerWorld world(office);
     std::mt19937 random(kSeed);
     int most = 0;
     for (int i = 0; i < 40; ++i) {
@@ -141,27 +141,27 @@ TEST(Sight, uses_a_limited_number_of_rays_in_a_world_of_any_size) {
         const Vec3 a(-38.0 + 1.9 * (i % 40), -38.0 + 1.9 * (i / 40), 0.0);
         hall.box(a, a + Vec3(0.3, 0.3, i % 2 ? 0.3 : 0.8));
     }
-    const BodyWorld things(hall.share());
+    const WalkerWorld things(hall.share());
     int rays = 0;
     EXPECT_EQ(things_in_sight(things, Vec3(0.4, 0.4, 0.0), 1.2, 24, &rays).size(), 24U);
     EXPECT_LT(rays, 400);
 }
 
-TEST(BodyWorld, hits_the_same_obstacles_whether_the_building_is_shared_or_private) {
+TEST(WalkerWorld, hits_the_same_obstacles_whether_the_building_is_shared_or_private) {
     std::vector<int> thing_of_mover;
     const auto scene = std::make_shared<const Scene>(with_movers_apart(*shipped("house.map"), 128, thing_of_mover));
     ASSERT_GT(scene->placed.size(), 5U);
-    const BodyWorld before(scene);
+    const WalkerWorld before(scene);
     std::vector<Placement> moved;
     for (const PlacedModel& thing : scene->placed) {
         moved.push_back(thing.at);
         moved.back().position_m += Vec3(0.3, -0.2, 0.1);
     }
-    const BodyWorld shared(before, scene, moved), own(scene, moved);
+    const WalkerWorld shared(before, scene, moved), own(scene, moved);
     std::mt19937 random(kSeed);
     for (int i = 0; i < 500; ++i) {
         const Vec3 from = somewhere(random, scene->bounds_m), to = somewhere(random, scene->bounds_m);
-        const BodyShape body{i % 2 ? 0.25 : 0.0, i % 2 ? 1.5 : 0.0};
+        const WalkerShape body{i % 2 ? 0.25 : 0.0, i % 2 ? 1.5 : 0.0};
         const TraceHit a = shared.trace(from, to, body), b = own.trace(from, to, body);
         EXPECT_EQ(a.fraction, b.fraction);
         EXPECT_EQ(a.feature, b.feature);
@@ -171,24 +171,24 @@ TEST(BodyWorld, hits_the_same_obstacles_whether_the_building_is_shared_or_privat
 }
 
 // Finds where a path meets each solid alone; for all solids together the first of these counts.
-TEST(BodyWorld, reports_the_first_obstacle_that_a_search_of_all_solids_finds) {
+TEST(WalkerWorld, reports_the_first_obstacle_that_a_search_of_all_solids_finds) {
     std::mt19937 random(kSeed);
     const Aabb all{Vec3(-6.0), Vec3(6.0)};
     SceneBuilder some;
-    std::vector<std::unique_ptr<BodyWorld>> alone;
+    std::vector<std::unique_ptr<WalkerWorld>> alone;
     for (int i = 0; i < 40; ++i) {
         const Vec3 a = somewhere(random, all),
                    b = a + Vec3(0.2) + somewhere(random, {Vec3(0.0), Vec3(i % 9 == 0 ? 6.0 : 1.5)});
         SceneBuilder one;
         one.box(a, b);
         some.box(a, b);
-        alone.push_back(std::make_unique<BodyWorld>(one.share()));
+        alone.push_back(std::make_unique<WalkerWorld>(one.share()));
     }
-    const BodyWorld world(some.share());
+    const WalkerWorld world(some.share());
     for (int i = 0; i < 2000; ++i) {
         const Vec3 from = somewhere(random, all) * 1.5,
                    to = i % 5 ? somewhere(random, all) * 1.5 : from + Vec3(0.0, 0.0, 4.0);
-        const BodyShape body{i % 2 ? 0.3 : 0.0, i % 2 ? 1.2 : 0.0};
+        const WalkerShape body{i % 2 ? 0.3 : 0.0, i % 2 ? 1.2 : 0.0};
         double first = 1.0;
         for (const auto& one : alone) first = std::min(first, one->trace(from, to, body).fraction);
         EXPECT_EQ(world.trace(from, to, body).fraction, first) << "way " << i << ", seed " << kSeed;

@@ -419,7 +419,7 @@ bool feels_liquid(const Scene& scene, const Vec3& hip_m, double world_m_per_hand
 // Whatever the hand is doing, in or outside walls and doorways, a change of scale leaves the proxy outside of
 // everything and cannot be felt. The only exception is the stream of a nearby pond, which grows with everything else.
 void changes_under_the_hand(const std::shared_ptr<const Scene>& world, const char* device, int rounds) {
-    const BodySize size = body_size(*world, Settings{}.walk.body_radius_m);
+    const WalkerSize size = body_size(*world, Settings{}.walk.body_radius_m);
     const std::vector<Room> rooms =
         make_rooms(*world, *make_walk_space(*world, walk_body(*world, size.radius_m, size.height_m, size.step_up_m)))
             .rooms;

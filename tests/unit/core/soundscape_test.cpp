@@ -26,28 +26,28 @@ SceneBuilder two_rooms() {
 
 TEST(Muffling, is_zero_for_an_open_path_and_at_least_12_db_for_a_closed_door) {
     const Vec3 clock{2.0, 7.0, 1.6};
-    EXPECT_EQ(muffling_db(BodyWorld(two_rooms().share()), kEars_m, clock), 0.0);
+    EXPECT_EQ(muffling_db(WalkerWorld(two_rooms().share()), kEars_m, clock), 0.0);
     SceneBuilder closed = two_rooms();
     closed.box({1.5, 4.05, 0}, {2.5, 4.1, 2.1}, "Door", SolidRole::Mover, "wood", FeatureKind::Door);
-    EXPECT_NEAR(muffling_db(BodyWorld(closed.share()), kEars_m, clock), kDoorMuffles_db, 1e-9);
+    EXPECT_NEAR(muffling_db(WalkerWorld(closed.share()), kEars_m, clock), kDoorMuffles_db, 1e-9);
     EXPECT_GE(kDoorMuffles_db, 12.0);
 }
 
 TEST(Muffling, of_a_wall_is_stronger_than_of_a_door_and_a_wall_of_two_layers_counts_once) {
     const Vec3 ears{0.7, 1.0, 1.6}, source{0.7, 7.0, 1.6};
-    EXPECT_NEAR(muffling_db(BodyWorld(two_rooms().share()), ears, source), kWallMuffles_db, 1e-9);
+    EXPECT_NEAR(muffling_db(WalkerWorld(two_rooms().share()), ears, source), kWallMuffles_db, 1e-9);
     SceneBuilder layered = two_rooms();
     layered.box({0, 4.2, 0}, {1.5, 4.3, 2.6}, "panel", SolidRole::Solid, "wood", FeatureKind::Wall);
-    EXPECT_NEAR(muffling_db(BodyWorld(layered.share()), ears, source), kWallMuffles_db, 1e-9);
+    EXPECT_NEAR(muffling_db(WalkerWorld(layered.share()), ears, source), kWallMuffles_db, 1e-9);
     SceneBuilder second = two_rooms();
     second.box({0, 6, 0}, {4, 6.2, 2.6}, "wall", SolidRole::Solid, "brick", FeatureKind::Wall);
-    EXPECT_NEAR(muffling_db(BodyWorld(second.share()), ears, source), 2.0 * kWallMuffles_db, 1e-9);
+    EXPECT_NEAR(muffling_db(WalkerWorld(second.share()), ears, source), 2.0 * kWallMuffles_db, 1e-9);
     EXPECT_GT(2.0 * kWallMuffles_db, kUnheard_db);
 }
 
 TEST(Muffling, rises_gradually_behind_an_edge_and_is_small_for_furniture) {
     // The line from these ears to the source passes the corner at (2.5, 4) first on one side, then on the other.
-    const BodyWorld world(two_rooms().share());
+    const WalkerWorld world(two_rooms().share());
     const Vec3 source{2.5, 7.0, 1.6};
     double last_db = -1.0;
     int between = 0;
@@ -61,14 +61,14 @@ TEST(Muffling, rises_gradually_behind_an_edge_and_is_small_for_furniture) {
     EXPECT_GE(between, 5);
     SceneBuilder b = two_rooms();
     b.box({1.5, 2, 0}, {2.5, 2.5, 1.7}, "Shelf", SolidRole::Solid, "wood", FeatureKind::Object);
-    EXPECT_NEAR(muffling_db(BodyWorld(b.share()), kEars_m, {2.0, 3.5, 1.6}), kThingMuffles_db, 1e-9);
+    EXPECT_NEAR(muffling_db(WalkerWorld(b.share()), kEars_m, {2.0, 3.5, 1.6}), kThingMuffles_db, 1e-9);
 }
 
 TEST(Muffling, ignores_the_solid_around_the_source_and_solids_that_only_stop_bodies) {
     SceneBuilder b = two_rooms();
     b.box({1.9, 6.9, 1.5}, {2.1, 7.1, 1.7}, "Lamp", SolidRole::Solid, "glass");
     b.box({0, 3, 0}, {4, 3.1, 2.6}, "clip", SolidRole::BodyClip);
-    EXPECT_EQ(muffling_db(BodyWorld(b.share()), kEars_m, {2.0, 7.0, 1.6}), 0.0);
+    EXPECT_EQ(muffling_db(WalkerWorld(b.share()), kEars_m, {2.0, 7.0, 1.6}), 0.0);
 }
 
 TEST(Crossings, agree_with_walking_along_the_line_in_small_steps) {
@@ -84,7 +84,7 @@ TEST(Crossings, agree_with_walking_along_the_line_in_small_steps) {
         b.box(low, high);
         boxes.push_back({low, high});
     }
-    const BodyWorld world(b.share());
+    const WalkerWorld world(b.share());
     for (int i = 0; i < 300; ++i) {
         const Vec3 from{uniform(-5, 5), uniform(-5, 5), uniform(-5, 5)},
             to{uniform(-5, 5), uniform(-5, 5), uniform(-5, 5)};
@@ -122,7 +122,7 @@ TEST(Reverberation, follows_sabine_within_10_percent_at_any_place_in_the_room) {
     // V is 62.4 cubic metres; floor 24, ceiling 24, walls 52 square metres.
     const double carpeted_s = 0.161 * 62.4 / (24 * 0.35 + 24 * 0.05 + 52 * 0.05),
                  tiled_s = 0.161 * 62.4 / (24 * 0.02 + 24 * 0.03 + 52 * 0.03);
-    const BodyWorld carpeted(closed_room("carpet", "plaster", "plaster").share()),
+    const WalkerWorld carpeted(closed_room("carpet", "plaster", "plaster").share()),
         tiled(closed_room("tile", "concrete", "concrete").share());
     for (const Vec3 ears : {Vec3(3, 2, 1.6), Vec3(0.5, 0.5, 1.6), Vec3(5.6, 3.0, 1.2)}) {
         EXPECT_NEAR(reverberation_s(carpeted, ears), carpeted_s, 0.1 * carpeted_s);
@@ -132,10 +132,10 @@ TEST(Reverberation, follows_sabine_within_10_percent_at_any_place_in_the_room) {
 }
 
 TEST(Reverberation, is_absent_outdoors_and_on_open_ground) {
-    EXPECT_EQ(reverberation_s(BodyWorld(closed_room("tile", "brick", "").share()), {3, 2, 1.6}), 0.0);
+    EXPECT_EQ(reverberation_s(WalkerWorld(closed_room("tile", "brick", "").share()), {3, 2, 1.6}), 0.0);
     SceneBuilder b;
     b.box({-100, -100, -1}, {100, 100, 0}, "ground", SolidRole::Solid, "grass", FeatureKind::Floor);
-    EXPECT_EQ(reverberation_s(BodyWorld(b.share()), {0, 0, 1.6}), 0.0);
+    EXPECT_EQ(reverberation_s(WalkerWorld(b.share()), {0, 0, 1.6}), 0.0);
 }
 
 // Sources along x at y 2, in the open air.
@@ -145,7 +145,7 @@ struct Field {
         b.box({-100, -100, -1}, {100, 100, 0}, "ground", SolidRole::Solid, "grass", FeatureKind::Floor);
         for (const double x : places) b.scene().sounds.push_back({{x, 2.0, 1.6}, "lamp", "ambient_light_buzz", 1.0});
         scene = b.share();
-        world = std::make_unique<BodyWorld>(scene);
+        world = std::make_unique<WalkerWorld>(scene);
         soundscape.enter(*scene);
     }
     void stand(double x, double seconds) {
@@ -162,7 +162,7 @@ struct Field {
         }
     }
     std::shared_ptr<const Scene> scene;
-    std::unique_ptr<BodyWorld> world;
+    std::unique_ptr<WalkerWorld> world;
     Soundscape soundscape;
     std::set<std::uint32_t> playing;
     std::size_t changes = 0, most = 0;
@@ -203,7 +203,7 @@ TEST(Soundscape, follows_sources_of_a_crowded_map_within_a_few_ticks_at_limited_
     for (int i = 0; i < 60; ++i)
         b.scene().sounds.push_back({{5.0 + 0.1 * i, 2.0, 1.6}, "lamp", "lamp", i == 59 ? 1.0 : 0.2});
     const auto scene = b.share();
-    const BodyWorld world(scene);
+    const WalkerWorld world(scene);
     Soundscape soundscape;
     soundscape.enter(*scene);
     std::vector<CueRequest> cues;

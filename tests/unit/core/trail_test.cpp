@@ -21,7 +21,7 @@ struct Trailed {
     double farthest_from_wall_m = 0.0;  // distance of its side from the wall while it reports contact
 };
 
-Trailed go(const BodyWorld& world, const BodySize& body, const Vec3& feet, double heading, TrailSide side,
+Trailed go(const WalkerWorld& world, const WalkerSize& body, const Vec3& feet, double heading, TrailSide side,
            double seconds) {
     Trailed result;
     Walker walker(world, body);
@@ -73,8 +73,8 @@ TEST(Trail, goes_round_a_room_both_ways_at_any_place_and_never_leaves_the_wall) 
         b.box(at + Vec3(-0.2, -0.2, 0), at + Vec3(wide + 0.2, 0, 2.6), "south wall", SolidRole::Solid, "plaster",
               FeatureKind::Wall);
         const auto scene = b.share();
-        const BodyWorld world(scene);
-        const BodySize body = body_size(*scene, 0.25);
+        const WalkerWorld world(scene);
+        const WalkerSize body = body_size(*scene, 0.25);
         const bool left = run % 2 == 0;
         const Trailed lap = go(world, body, at + Vec3(0.5 * wide, 0.5, 0), 0.0,
                                left ? TrailSide::Left : TrailSide::Right, 2.0 * (wide + deep) + 8.0);
@@ -112,8 +112,8 @@ TEST(Trail, crosses_doorways_straight_and_announces_them_but_follows_wide_openin
         b.box({-0.2, -0.2, 0}, {3, 0, 2.6}, "south wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
         b.box({3 + gap, -0.2, 0}, {8.2, 0, 2.6}, "south wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
         const auto scene = b.share();
-        const BodyWorld world(scene);
-        const BodySize body = body_size(*scene, 0.25);
+        const WalkerWorld world(scene);
+        const WalkerSize body = body_size(*scene, 0.25);
         const Trailed way = go(world, body, {1.5, 0.4, 0}, kPi / 2.0, TrailSide::Right, 6.0);
         const auto opening = std::find_if(way.events.begin(), way.events.end(),
                                           [](const TrailEvent& e) { return e.kind == TrailEvent::Kind::Opening; });
@@ -138,7 +138,7 @@ TEST(Trail, goes_round_the_outside_of_free_standing_straight_and_slanted_blocks)
         b.box({-1, -1, 0}, {1, 1, 2}, "block", SolidRole::Solid, "wood", FeatureKind::Wall);
         if (gap > 0.0) b.box({1, -0.5, 0}, {1 + gap, 0.5, 2}, "wing", SolidRole::Solid, "wood", FeatureKind::Wall);
         const auto scene = b.share();
-        const BodyWorld world(scene);
+        const WalkerWorld world(scene);
         const Trailed lap = go(world, body_size(*scene, 0.25), {0, -1.5, 0}, kPi / 2.0, TrailSide::Left, 20.0);
         // The walker passes all four sides.
         bool side[4] = {};
@@ -187,7 +187,7 @@ TEST(Trail, goes_round_a_room_with_slanted_walls_at_a_constant_distance) {
             test::entity("worldspawn", test::key("building", "1"), prism(ring, -16, 0) + walls), "hexagon.map");
         ASSERT_TRUE(scene);
         const auto shared = std::make_shared<const Scene>(*scene);
-        const BodyWorld world(shared);
+        const WalkerWorld world(shared);
         const double apothem = kRadius / 32.0 * std::cos(kPi / 6.0);
         // Starts next to the middle of the first wall and faces along it.
         const double across = turned + kPi / 6.0;
@@ -221,7 +221,7 @@ TEST(Trail, names_furniture_at_the_wall_without_a_corner_and_a_door_in_its_niche
     b.box({5, -0.15, 0}, {5.9, -0.1, 2.1}, "Door", SolidRole::Solid, "wood", FeatureKind::Door);
     b.box({2, 0, 0.1}, {3.2, 0.15, 0.7}, "Radiator", SolidRole::Solid, "metal");
     const auto scene = b.share();
-    const BodyWorld world(scene);
+    const WalkerWorld world(scene);
     const Trailed way = go(world, body_size(*scene, 0.25), {1.0, 0.4, 0}, kPi / 2.0, TrailSide::Right, 6.5);
     const auto said = words(*scene, way.events);
     const auto at = [&](const std::string& word) { return std::find(said.begin(), said.end(), word) - said.begin(); };
@@ -239,14 +239,14 @@ TEST(Trail, turns_round_and_reports_if_there_is_no_wall) {
     SceneBuilder b;
     b.box({-50, -50, -0.2}, {50, 50, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
     const auto open = b.share();
-    const BodyWorld field(open);
+    const WalkerWorld field(open);
     Trail trail;
     EXPECT_FALSE(trail.start(field, Vec3(0.0), 0.0, body_size(*open, 0.25), TrailSide::Left));
 
     SceneBuilder w;
     four_walls(w, Vec3(0.0), 8.0, 4.0);
     const auto scene = w.share();
-    const BodyWorld world(scene);
+    const WalkerWorld world(scene);
     ASSERT_TRUE(trail.start(world, {0.4, 2.0, 0.0}, 0.0, body_size(*scene, 0.25), TrailSide::Left));
     std::vector<TrailEvent> events;
     const double ahead =

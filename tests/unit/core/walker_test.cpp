@@ -33,7 +33,7 @@ TEST(Walker, stops_at_its_radius_from_a_wall_and_names_it) {
     room.box({-5, -5, -0.2}, {5, 5, 0}, "floor");
     const FeatureId wall = room.box({-5, 4, 0}, {5, 4.2, 2.6}, "north wall");
     const auto scene = room.share();
-    const BodyWorld world(scene);
+    const WalkerWorld world(scene);
     Walker walker(world, body_size(*scene, 0.25));
     walker.place({0, 0, 0});
     const Walked w = walk(walker, {0, 1, 0}, 6.0);
@@ -48,7 +48,7 @@ TEST(Walker, slides_along_a_wall_met_at_a_slant) {
     room.box({-50, -5, -0.2}, {50, 5, 0});
     room.box({-50, 2, 0}, {50, 2.2, 2.6});
     const auto scene = room.share();
-    const BodyWorld world(scene);
+    const WalkerWorld world(scene);
     Walker walker(world, body_size(*scene, 0.25));
     walker.place({0, 0, 0});
     walk(walker, {0.8, 0.6, 0}, 10.0);
@@ -61,7 +61,7 @@ TEST(Walker, climbs_twelve_stairs_of_17_cm_and_walks_down_again) {
     hall.box({-2, -10, -0.2}, {2, 10, 0});
     for (int i = 0; i < 12; ++i) hall.box({-1, 1 + 0.28 * i, 0}, {1, 8, 0.17 * (i + 1)});
     const auto scene = hall.share();
-    const BodyWorld world(scene);
+    const WalkerWorld world(scene);
     Walker walker(world, body_size(*scene, 0.25));
     walker.place({0, 0, 0});
     walk(walker, {0, 1, 0}, 6.0);
@@ -78,7 +78,7 @@ TEST(Walker, climbs_a_half_metre_step_in_a_game_map_but_not_in_a_building) {
         world_of.box({-4, 2, 0}, {4, 12, 0.5});
         world_of.scene().game_map = game;
         const auto scene = world_of.share();
-        const BodyWorld world(scene);
+        const WalkerWorld world(scene);
         Walker walker(world, body_size(*scene, 0.25));
         walker.place({0, 0, 0});
         walk(walker, {0, 1, 0}, 4.0);
@@ -96,7 +96,7 @@ TEST(Walker, walks_up_a_ramp_and_falls_off_an_edge_at_earth_gravity) {
     hill.box({-2, 12, 0}, {2, 14, 1.0});
     hill.box({-2, 14, -3.2}, {2, 30, -3.0});
     const auto scene = hill.share();
-    const BodyWorld world(scene);
+    const WalkerWorld world(scene);
     Walker walker(world, body_size(*scene, 0.25));
     walker.place({0, -1, 0});
     walk(walker, {0, 1, 0}, 14.0);
@@ -122,7 +122,7 @@ TEST(Walker, passes_a_door_of_90_cm_but_not_one_of_40_cm) {
         rooms.box({width / 2, 1, 0}, {5, 1.2, 2.6});
         rooms.box({-width / 2, 1, 2.0}, {width / 2, 1.2, 2.6});
         const auto scene = rooms.share();
-        const BodyWorld world(scene);
+        const WalkerWorld world(scene);
         Walker walker(world, body_size(*scene, 0.25));
         walker.place({0, 0, 0});
         walk(walker, {0, 1, 0}, 3.0);
@@ -139,7 +139,7 @@ TEST(Walker, steps_over_a_threshold_of_2_cm_under_a_lintel_that_leaves_it_3_cm) 
     rooms.box({0.5, 1, 0}, {5, 1.3, 2.6});
     rooms.box({-0.5, 1, 1.83}, {0.5, 1.3, 2.6}, "lintel");
     const auto scene = rooms.share();
-    const BodyWorld world(scene);
+    const WalkerWorld world(scene);
     Walker walker(world, body_size(*scene, 0.25));
     walker.place({0, 0, -0.02});
     walk(walker, {0, 1, 0}, 3.0);
@@ -154,7 +154,7 @@ TEST(Walker, stands_on_the_floor_even_if_it_is_too_wide_for_its_place) {
     passage.box({-1, 0.5, 0}, {1, 0.7, 2.6});
     passage.box({-1, -0.7, 0}, {1, -0.5, 2.6});
     const auto scene = passage.share();
-    const BodyWorld world(scene);
+    const WalkerWorld world(scene);
     for (const double z : {0.0, -0.1}) {
         Walker walker(world, body_size(*scene, 0.6));
         walker.place({0, 0, z});
@@ -173,7 +173,7 @@ TEST(Walker, walks_out_of_an_overlapping_solid_and_never_deeper_into_it) {
     passage.box({-5, -5, -0.2}, {5, 5, 0});
     const FeatureId wall = passage.box({-3, 0.5, 0}, {3, 0.7, 2.6}, "wall");
     const auto scene = passage.share();
-    const BodyWorld world(scene);
+    const WalkerWorld world(scene);
     Walker walker(world, body_size(*scene, 0.6));
     const double gap = 1e-5;
     for (const double angle : {0.0, 0.5, 1.0, 1.5, -0.5, -1.0, -1.5}) {
@@ -196,9 +196,9 @@ TEST(Walker, stays_in_place_when_something_comes_to_overlap_it) {
     room.box({-5, -5, -0.2}, {5, 5, 0});
     room.ramp({0.15, -0.5, 0.3}, {1.5, 0.5, 1.5});
     const auto scene = room.share();
-    const BodyWorld world(scene);
+    const WalkerWorld world(scene);
     Walker walker(world, body_size(*scene, 0.25));
-    WalkerState stood;
+    WalkerMotion stood;
     stood.feet_m = {0, 0, 1e-4};
     stood.on_ground = true;
     walker.resume(stood);
@@ -218,7 +218,7 @@ TEST(Walker, walks_out_of_a_solid_around_its_centre_in_either_direction) {
     room.box({-5, -5, -0.2}, {5, 5, 0});
     room.box({-3, -0.1, 0.001}, {3, 0.1, 2.6});
     const auto scene = room.share();
-    const BodyWorld world(scene);
+    const WalkerWorld world(scene);
     for (const double sign : {1.0, -1.0}) {
         Walker walker(world, body_size(*scene, 0.25));
         walker.place({0, 0.02, 0});
@@ -241,8 +241,8 @@ TEST(Walker, never_ends_inside_a_solid_in_random_clutter) {
             clutter.box(a, a + Vec3(size(random), size(random), size(random)));
         }
         const auto scene = clutter.share();
-        const BodyWorld world(scene);
-        const BodyWorld& w = world;
+        const WalkerWorld world(scene);
+        const WalkerWorld& w = world;
         Walker walker(w, body_size(*scene, 0.25));
         walker.place({0, 0, 0});
         ASSERT_FALSE(world.blocked(walker.state().feet_m, walker.shape()));
@@ -255,7 +255,7 @@ TEST(Walker, never_ends_inside_a_solid_in_random_clutter) {
     }
 }
 
-TEST(BodyWorld, trace_agrees_with_small_steps_for_random_rays) {
+TEST(WalkerWorld, trace_agrees_with_small_steps_for_random_rays) {
     SceneBuilder some;
     std::mt19937 random(7);
     std::uniform_real_distribution<double> place(-3, 3), size(0.2, 1.5);
@@ -265,11 +265,11 @@ TEST(BodyWorld, trace_agrees_with_small_steps_for_random_rays) {
     }
     some.ramp({-1, -1, 3}, {1, 1, 4});
     const auto scene = some.share();
-    const BodyWorld world(scene);
+    const WalkerWorld world(scene);
     for (int i = 0; i < 300; ++i) {
         const Vec3 from{place(random) * 2, place(random) * 2, place(random) * 2},
             to{place(random) * 2, place(random) * 2, place(random) * 2};
-        const BodyShape body{i % 2 ? 0.25 : 0.0, i % 2 ? 0.5 : 0.0};
+        const WalkerShape body{i % 2 ? 0.25 : 0.0, i % 2 ? 0.5 : 0.0};
         if (world.blocked(from, body)) continue;
         const TraceHit hit = world.trace(from, to, body);
         // Brute force: a thousand and one places along the path. The exact answer is within one spacing of the first

@@ -28,7 +28,7 @@ std::string thing(const std::string& name, double x0, double y0, double z0, doub
 // - south: a board that hangs on the wall, and a bookshelf 0.4 m deep;
 // - west: a gate of 3.2 m;
 // - in the middle: a table, a metre from everything.
-BodyWorld room() {
+WalkerWorld room() {
     const double h = 2.6;
     std::string walls = built(-1, -1, -0.2, 9, 7, 0.0) + built(-1, -1, h, 9, 7, h + 0.2);
     walls += built(-0.3, 6.0, 0, 2.0, 6.3, h) + built(2.0, 6.0, 0, 3.6, 6.3, 0.9) + built(2.0, 6.0, 2.0, 3.6, 6.3, h) +
@@ -44,11 +44,11 @@ BodyWorld room() {
             thing("Table", 3.0, 2.4, 0.0, 4.4, 3.2, 0.75),
         "room.map", {});
     EXPECT_TRUE(scene) << (scene ? "" : scene.error().sentence());
-    return BodyWorld(std::make_shared<const Scene>(std::move(*scene)));
+    return WalkerWorld(std::make_shared<const Scene>(std::move(*scene)));
 }
 
 TEST(WallBeside, continues_across_windows_doors_and_boards) {
-    const BodyWorld world = room();
+    const WalkerWorld world = room();
     for (double x = 0.6; x <= 7.4; x += 0.1) EXPECT_NEAR(wall_beside_m(world, {x, 5.6, 0.0}), 0.4, 0.02) << x;
     for (double y = 0.6; y <= 5.4; y += 0.1) EXPECT_NEAR(wall_beside_m(world, {7.6, y, 0.0}), 0.4, 0.02) << y;
     // The board is 6 cm nearer than its wall.
@@ -56,7 +56,7 @@ TEST(WallBeside, continues_across_windows_doors_and_boards) {
 }
 
 TEST(WallBeside, includes_things_against_a_wall_but_not_free_standing_things) {
-    const BodyWorld world = room();
+    const WalkerWorld world = room();
     for (double x = 5.2; x <= 6.8; x += 0.1) EXPECT_NEAR(wall_beside_m(world, {x, 0.8, 0.0}), 0.4, 0.02) << x;
     for (double x = 3.2; x <= 4.2; x += 0.1) EXPECT_GT(wall_beside_m(world, {x, 2.0, 0.0}), 1.5) << x;
     EXPECT_GT(wall_beside_m(world, {4.0, 4.2, 0.0}), 1.7);
@@ -72,7 +72,7 @@ TEST(WallBeside, is_a_glass_pane_from_corner_to_corner_but_not_a_pole) {
                            thing("Window", 0.0, 6.15, 0.0, 8.0, 6.2, 2.6) + thing("Pole", 4.0, 3.0, 0.0, 4.1, 3.1, 2.6),
                        "room.map", {});
     ASSERT_TRUE(scene) << scene.error().sentence();
-    const BodyWorld world(std::make_shared<const Scene>(std::move(*scene)));
+    const WalkerWorld world(std::make_shared<const Scene>(std::move(*scene)));
     for (double x = 2.1; x <= 5.9; x += 0.1) EXPECT_NEAR(wall_beside_m(world, {x, 5.6, 0.0}), 0.35, 0.05) << x;
     EXPECT_GT(wall_beside_m(world, {3.6, 3.05, 0.0}), 1.5);
 }
@@ -82,7 +82,7 @@ TEST(WallBeside, continues_along_the_windows_of_a_real_building) {
     if (!file) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
     auto scene = read_world(*file);
     ASSERT_TRUE(scene) << scene.error().sentence();
-    const BodyWorld world(std::make_shared<const Scene>(std::move(*scene)));
+    const WalkerWorld world(std::make_shared<const Scene>(std::move(*scene)));
     // The west wall of a bedroom: 3 of its 5 metres are glass down to the floor.
     int near = 0;
     for (int i = 0; i <= 100; ++i) near += wall_beside_m(world, {0.75, -17.0 + 0.05 * i, 3.12}) < 0.45;
@@ -90,7 +90,7 @@ TEST(WallBeside, continues_along_the_windows_of_a_real_building) {
 }
 
 TEST(WallBeside, ends_where_the_wall_does_not_continue) {
-    const BodyWorld world = room();
+    const WalkerWorld world = room();
     // In the gate, and outside in the open.
     EXPECT_GT(wall_beside_m(world, {0.4, 1.7, 0.0}), 1.5);
     EXPECT_GT(wall_beside_m(world, {-0.7, 1.7, 0.0}), 1.5);

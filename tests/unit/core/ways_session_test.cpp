@@ -11,7 +11,7 @@
 #include "tests/unit/core/explorer.h"
 #include "tests/unit/core/way_walker.h"
 #include "worlds/base/files.h"
-#include "worlds/navigation/way_place.h"
+#include "worlds/navigation/route_place.h"
 
 namespace handrail {
 namespace ways_session_test {
@@ -59,7 +59,7 @@ struct Person : test::AppSession {
     }
 };
 
-TEST(KeptWays, from_a_planned_route_are_walked_stop_after_stop_after_a_restart) {
+TEST(KeptRoutes, from_a_planned_route_are_walked_stop_after_stop_after_a_restart) {
     const House house;
     {
         Person p(house.path);
@@ -110,7 +110,7 @@ TEST(KeptWays, from_a_planned_route_are_walked_stop_after_stop_after_a_restart) 
     EXPECT_TRUE(p.heard("Living room. You are there. To Hall. "));
 }
 
-TEST(KeptWays, are_listed_resumed_from_the_current_place_and_stopped_on_request) {
+TEST(KeptRoutes, are_listed_resumed_from_the_current_place_and_stopped_on_request) {
     const House house;
     Person p(house.path);
     p.ask(Command::Routes);
@@ -140,7 +140,7 @@ TEST(KeptWays, are_listed_resumed_from_the_current_place_and_stopped_on_request)
     EXPECT_FALSE(p.heard("You are there."));
 }
 
-TEST(KeptWays, from_the_trail_keep_its_corners_and_lead_along_them) {
+TEST(KeptRoutes, from_the_trail_keep_its_corners_and_lead_along_them) {
     const House house;
     // In the garden around the far side of the pond: south of the house to the west and back up, which no plan would
     // choose.
@@ -196,7 +196,7 @@ TEST(KeptWays, from_the_trail_keep_its_corners_and_lead_along_them) {
     EXPECT_LT(glm::length(p.app.feet_m() - detour.back()), 1.2);
 }
 
-TEST(KeptWays, are_renamed_and_deleted_in_the_file_too) {
+TEST(KeptRoutes, are_renamed_and_deleted_in_the_file_too) {
     const House house;
     {
         Person p(house.path);
@@ -221,7 +221,7 @@ TEST(KeptWays, are_renamed_and_deleted_in_the_file_too) {
     EXPECT_NE(p.item("Three"), "");
 }
 
-TEST(KeptWays, that_are_damaged_are_set_aside_or_reported_with_their_line) {
+TEST(KeptRoutes, that_are_damaged_are_set_aside_or_reported_with_their_line) {
     const House house;
     ASSERT_TRUE(write_file_atomically(house.beside(), "[[way]]\nname = \"Half"));
     {
@@ -264,7 +264,7 @@ std::string two_rooms(double gap_units, double table_x) {
     return text;
 }
 
-TEST(KeptWays, report_by_name_what_no_longer_fits_an_edited_world_on_entering_and_when_chosen) {
+TEST(KeptRoutes, report_by_name_what_no_longer_fits_an_edited_world_on_entering_and_when_chosen) {
     const test::TemporaryFolder folder;
     const fs::path path = folder.path() / "flat.map";
     const auto write = [&](const std::string& text) { ASSERT_TRUE(write_file_atomically(path, text)); };
@@ -330,7 +330,7 @@ TEST(KeptWays, report_by_name_what_no_longer_fits_an_edited_world_on_entering_an
     EXPECT_LT(p.app.feet_m().x, 8.3);  // the table ends at 7.7 m
 }
 
-TEST(KeptWays, follow_a_room_that_the_person_renames) {
+TEST(KeptRoutes, follow_a_room_that_the_person_renames) {
     const test::TemporaryFolder folder;
     const fs::path path = folder.path() / "flat.map";
     ASSERT_TRUE(write_file_atomically(path, two_rooms(32.0, 300.0)));
@@ -367,7 +367,7 @@ std::size_t kept_and_led(test::Explorer& p, const std::string& which) {
     return before;
 }
 
-TEST(KeptWays, guide_the_hand_from_stop_to_stop) {
+TEST(KeptRoutes, guide_the_hand_from_stop_to_stop) {
     test::Explorer p(test::our_world("house.map"), "sim-t");
     p.tap(Command::Exits);
     for (const char* thing : {"Coat stand", "Door mat"}) {
@@ -389,7 +389,7 @@ TEST(KeptWays, guide_the_hand_from_stop_to_stop) {
     EXPECT_FALSE(p.heard("To Coat stand. ", before));
 }
 
-TEST(KeptWays, guide_the_hand_along_the_corners_of_a_trail) {
+TEST(KeptRoutes, guide_the_hand_along_the_corners_of_a_trail) {
     test::Explorer p(test::our_world("house.map"), "sim-t");
     p.tap(Command::Exits);
     // Walks around by the east of the hall and back to its west, 3 m from the start.
@@ -411,7 +411,7 @@ TEST(KeptWays, guide_the_hand_along_the_corners_of_a_trail) {
     EXPECT_LT(p.tool().proxy_m.x, 5.6);
 }
 
-TEST(KeptWays, are_saved_announced_and_followed_in_german) {
+TEST(KeptRoutes, are_saved_announced_and_followed_in_german) {
     const test::InLanguage german("de");
     const House house;
     Person p(house.path);

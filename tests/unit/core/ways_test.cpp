@@ -1,6 +1,6 @@
 // Kept routes: read and written, never lost or misread; looked up again in an edited world; planned through their
 // stops; trails with few corners.
-#include "app/core/kept/ways.h"
+#include "app/core/kept/saved_routes.h"
 
 #include <gmock/gmock.h>
 
@@ -11,7 +11,7 @@
 #include "tests/support/every.h"
 #include "tests/support/random_families.h"
 #include "tests/support/temporary_folder.h"
-#include "worlds/navigation/way_place.h"
+#include "worlds/navigation/route_place.h"
 
 namespace handrail {
 namespace ways_test {
@@ -25,8 +25,8 @@ Stop stop(const std::string& name, const Vec3& place_m) {
     return {.name = name, .place_m = place_m, .thing = {}, .room = {}, .kept = {}};
 }
 
-SavedWay tour() {
-    SavedWay way{"Tür zu 家, \"hinten\"",
+SavedRoute tour() {
+    SavedRoute way{"Tür zu 家, \"hinten\"",
                  {stop("Door", {1, 1, 0}), stop("", {1e-17, 2, 0}), stop("Table", {3, 1, 0.1 + 0.2})},
                  "5f3a90c1",
                  {}};
@@ -36,7 +36,7 @@ SavedWay tour() {
     return way;
 }
 
-void expect_same(const std::vector<SavedWay>& a, const std::vector<SavedWay>& b) {
+void expect_same(const std::vector<SavedRoute>& a, const std::vector<SavedRoute>& b) {
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t w = 0; w < a.size(); ++w) {
         EXPECT_EQ(a[w].name, b[w].name);
@@ -65,7 +65,7 @@ TEST(Ways, are_saved_to_the_last_bit_together_with_marks_and_unknown_content) {
                  "[[way.stop]]\nname = \"B\"\nplace_m = [1.0, 0.0, 0.0]\n");
     SideFile file = SideFile::of_world(world, {});
     std::vector<Error> faults;
-    std::vector<SavedWay> ways = read_ways(file, faults);
+    std::vector<SavedRoute> ways = read_ways(file, faults);
     ASSERT_TRUE(faults.empty());
     ASSERT_EQ(ways.size(), 1U);
     EXPECT_EQ(text_of(ways[0].stops[0].kept, "sign"), "red");
@@ -115,7 +115,7 @@ TEST(Ways, that_are_unreadable_are_reported_with_file_line_and_advice_and_stay_i
         SideFile file = SideFile::of_world(world, {});
         ASSERT_TRUE(file.news().empty()) << file.news().front();
         std::vector<Error> faults;
-        const std::vector<SavedWay> ways = read_ways(file, faults);
+        const std::vector<SavedRoute> ways = read_ways(file, faults);
         ASSERT_EQ(ways.size(), 1U) << one.fault;
         ASSERT_EQ(faults.size(), 1U) << one.fault;
         EXPECT_THAT(faults[0].sentence(), testing::StartsWith("a.map.handrail.toml, line 9: ")) << one.fault;
@@ -149,10 +149,10 @@ TEST(Ways, survive_a_file_that_is_cut_or_changed_at_every_byte) {
         folder.write("a.map.handrail.toml", broken);
         SideFile read = SideFile::of_world(world, {});
         std::vector<Error> faults;
-        const std::vector<SavedWay> ways = read_ways(read, faults);
+        const std::vector<SavedRoute> ways = read_ways(read, faults);
         EXPECT_EQ(ways.size() + faults.size(), read.entries("way").size());
         for (const Error& fault : faults) EXPECT_FALSE(fault.message.empty());
-        for (const SavedWay& way : ways) {
+        for (const SavedRoute& way : ways) {
             EXPECT_GE(way.stops.size(), 2U);
             EXPECT_FALSE(way.stops.front().name.empty() || way.stops.back().name.empty());
             for (const Stop& one : way.stops) EXPECT_TRUE(is_finite(one.place_m));
@@ -195,7 +195,7 @@ Flat flat(const std::optional<Vec3>& table, bool shut = false, const std::option
     b.start({11, 1, 0}, 0.0);
     Flat made;
     made.scene = b.share();
-    const BodySize size = body_size(*made.scene, 0.25);
+    const WalkerSize size = body_size(*made.scene, 0.25);
     auto navigation =
         Navigation::make(*made.scene, walk_body(*made.scene, size.radius_m, size.height_m, size.step_up_m));
     EXPECT_TRUE(navigation);
@@ -205,8 +205,8 @@ Flat flat(const std::optional<Vec3>& table, bool shut = false, const std::option
     return made;
 }
 
-SavedWay to_the_table() {
-    SavedWay way{
+SavedRoute to_the_table() {
+    SavedRoute way{
         "There and in",
         {stop("Shop", {1, 1, 0}), stop("Table", {2, 3.5, 0}), stop("", {8.5, 4, 0}), stop("Far end", {11, 2.5, 0})},
         "before",
@@ -217,8 +217,8 @@ SavedWay to_the_table() {
     return way;
 }
 
-std::string unfit(const Flat& flat, const SavedWay& way = to_the_table()) {
-    const FoundWay found = look_up(way, *flat.scene, SideFile(), *flat.navigation, flat.graph);
+std::string unfit(const Flat& flat, const SavedRoute& way = to_the_table()) {
+    const FoundRoute found = look_up(way, *flat.scene, SideFile(), *flat.navigation, flat.graph);
     return fault_words(found, [](double way_m) { return fmt::format("{:.1f} metres", way_m); });
 }
 
@@ -232,7 +232,7 @@ TEST(Ways, are_checked_against_the_world_and_misfits_are_reported_by_name) {
     EXPECT_EQ(unfit(flat(table, false, Vec3(7.5, 2.5, 0))), "");  // a walker can go around it
     // The table is found at another place, and the route goes there.
     const Flat moved = flat(Vec3(9.5, 0.3, 0));
-    const FoundWay found = look_up(to_the_table(), *moved.scene, SideFile(), *moved.navigation, moved.graph);
+    const FoundRoute found = look_up(to_the_table(), *moved.scene, SideFile(), *moved.navigation, moved.graph);
     ASSERT_EQ(found.faults.size(), 1U);
     EXPECT_EQ(found.faults[0].kind, StopFault::Kind::ThingMoved);
     EXPECT_NEAR(found.faults[0].moved_m, std::hypot(9.5 - 2.0, 3.5 - 0.9),
@@ -245,7 +245,7 @@ TEST(Ways, are_checked_against_the_world_and_misfits_are_reported_by_name) {
 
 TEST(Ways, know_rooms_by_all_their_names) {
     Flat one = flat(Vec3(2.4, 3.2, 0));
-    SavedWay way = to_the_table();
+    SavedRoute way = to_the_table();
     way.stops[0].room = "Larder";
     EXPECT_EQ(unfit(one, way), "Larder no longer exists");
     one.graph.rooms[room_at(one.graph, one.navigation->space(), {1, 1, 0})].map_name = "larder";
@@ -255,7 +255,7 @@ TEST(Ways, know_rooms_by_all_their_names) {
     one = flat(Vec3(2.4, 3.2, 0));
     for (Room& room : one.graph.rooms) room.name = "other";
     give_names(one.graph, one.navigation->space(), {{{11, 2.5, 0}, "Shop"}});
-    const FoundWay found = look_up(to_the_table(), *one.scene, SideFile(), *one.navigation, one.graph);
+    const FoundRoute found = look_up(to_the_table(), *one.scene, SideFile(), *one.navigation, one.graph);
     ASSERT_EQ(found.faults.size(), 1U);
     EXPECT_EQ(found.faults[0].kind, StopFault::Kind::RoomMoved);
     EXPECT_GT(found.stops[0].place_m.x, 6.0);

@@ -53,7 +53,7 @@ struct Asked : test::AppSession {
     }
 };
 
-TEST(WhyNoWay, is_reported_with_a_remedy_at_once_or_from_a_background_task) {
+TEST(NoRouteReason, is_reported_with_a_remedy_at_once_or_from_a_background_task) {
     for (const bool beside : {false, true}) {
         Asked asked(0.3, beside);
         EXPECT_TRUE(asked.heard("No walking route found to Study"));
@@ -64,7 +64,7 @@ TEST(WhyNoWay, is_reported_with_a_remedy_at_once_or_from_a_background_task) {
 }
 
 // Most such walls are thin enough for a door; the session once suggested a door instead of giving the reason.
-TEST(WhyNoWay, is_a_gap_that_is_too_narrow_or_too_low_in_any_wall) {
+TEST(NoRouteReason, is_a_gap_that_is_too_narrow_or_too_low_in_any_wall) {
     struct Gap {
         double wide_m, high_m;
         Lack lack;
@@ -102,7 +102,7 @@ TEST(FaultWords, never_advise_widening_a_doorway_that_is_wide_enough) {
     EXPECT_NE(fault_advice(scene, fault).find("at least 0.8 metres wide"), std::string::npos);
 }
 
-TEST(WhyNoWay, is_not_reported_if_a_route_exists) {
+TEST(NoRouteReason, is_not_reported_if_a_route_exists) {
     Asked asked(1.2, false);
     asked.run(1.0);
     EXPECT_FALSE(asked.heard("No walking route"));

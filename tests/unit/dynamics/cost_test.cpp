@@ -62,7 +62,7 @@ TEST(DynamicsCost, prints_the_cost_of_a_step) {
 
 TEST(DynamicsCost, prints_the_cost_of_the_hand_model) {
     for (const int contacts : {0, 1, 4, 12}) {
-        BodyWord word;
+        RigidBodyState word;
         word.body = 0;
         word.inertia_kg_m2 = Vec3(0.1);
         word.gravity_m_per_s2 = Vec3(0, 0, -9.81);
@@ -74,7 +74,7 @@ TEST(DynamicsCost, prints_the_cost_of_the_hand_model) {
         }
         word.count = static_cast<std::uint8_t>(contacts);
         word.at.position_m = Vec3(0, 0, 0.2);
-        HeldBody body;
+        BodyModel body;
         body.begin(word, {0.0, word.at, Vec3(0.0), Vec3(0.0)});
         std::vector<double> took;
         for (int i = 0; i < 200; ++i) {

@@ -10,7 +10,7 @@ namespace hand_test {
 
 const HandIntent kNothing{};
 
-TEST(HeldBody, of_four_kilograms_breaks_away_at_its_friction_and_then_slides_with_less) {
+TEST(BodyModel, of_four_kilograms_breaks_away_at_its_friction_and_then_slides_with_less) {
     BodyWorldMaker world;
     world.floor();
     BodyNature n = nature(4.0, 0.32);
@@ -52,7 +52,7 @@ TEST(HeldBody, of_four_kilograms_breaks_away_at_its_friction_and_then_slides_wit
     EXPECT_NEAR(mean_n, 0.32 * 4.0 * 9.81 / 20.0, 0.04);
 }
 
-TEST(HeldBody, is_felt_in_the_grip_with_its_true_weight) {
+TEST(BodyModel, is_felt_in_the_grip_with_its_true_weight) {
     for (const double kg : {0.05, 0.5, 1.0, 2.0, 4.0}) {
         SCOPED_TRACE(kg);
         BodyWorldMaker world;
@@ -87,7 +87,7 @@ TEST(HeldBody, is_felt_in_the_grip_with_its_true_weight) {
     }
 }
 
-TEST(HeldBody, is_felt_with_its_true_mass) {
+TEST(BodyModel, is_felt_with_its_true_mass) {
     for (const double kg : {0.05, 1.0, 4.0}) {
         SCOPED_TRACE(kg);
         BodyWorldMaker world;
@@ -158,7 +158,7 @@ double worst_energy_mj(bool push, double kg, int seeds) {
     return worst;
 }
 
-TEST(HeldBody, gives_the_hand_no_energy_on_closed_paths_without_any_damping) {
+TEST(BodyModel, gives_the_hand_no_energy_on_closed_paths_without_any_damping) {
     for (const bool push : {false, true})
         for (const double kg : {0.05, 0.2, 1.0}) {
             const double worst = worst_energy_mj(push, kg, scaled(20));
@@ -167,7 +167,7 @@ TEST(HeldBody, gives_the_hand_no_energy_on_closed_paths_without_any_damping) {
         }
 }
 
-TEST(HeldBody, does_not_vibrate_in_a_light_hand_with_a_late_engine) {
+TEST(BodyModel, does_not_vibrate_in_a_light_hand_with_a_late_engine) {
     for (const double kg : {0.05, 0.2, 1.0, 4.0})
         for (const int late : {1, 4, 16}) {
             SCOPED_TRACE(testing::Message() << kg << " kg, " << late << " ms late");
@@ -202,7 +202,7 @@ TEST(HeldBody, does_not_vibrate_in_a_light_hand_with_a_late_engine) {
         }
 }
 
-TEST(HeldBody, dropped_on_a_still_hand_never_rises_above_its_starting_height) {
+TEST(BodyModel, dropped_on_a_still_hand_never_rises_above_its_starting_height) {
     for (const double kg : {0.05, 1.0}) {
         SCOPED_TRACE(kg);
         BodyWorldMaker world;
@@ -224,7 +224,7 @@ TEST(HeldBody, dropped_on_a_still_hand_never_rises_above_its_starting_height) {
     }
 }
 
-TEST(HeldBody, can_be_moved_by_two_hands_at_once_and_rests_between_them) {
+TEST(BodyModel, can_be_moved_by_two_hands_at_once_and_rests_between_them) {
     for (const double kg : {0.05, 0.2, 1.0, 4.0}) {
         SCOPED_TRACE(kg);
         BodyWorldMaker world;
@@ -258,7 +258,7 @@ TEST(HeldBody, can_be_moved_by_two_hands_at_once_and_rests_between_them) {
     }
 }
 
-TEST(HeldBody, squeezed_between_hand_and_wall_stands_still_and_feels_like_the_wall) {
+TEST(BodyModel, squeezed_between_hand_and_wall_stands_still_and_feels_like_the_wall) {
     for (const double kg : {0.05, 1.0, 400.0}) {
         SCOPED_TRACE(kg);
         BodyWorldMaker world;
@@ -287,7 +287,7 @@ TEST(HeldBody, squeezed_between_hand_and_wall_stands_still_and_feels_like_the_wa
     }
 }
 
-TEST(HandBodies, pushed_in_a_row_or_a_stack_never_pass_through_each_other) {
+TEST(BodiesInReach, pushed_in_a_row_or_a_stack_never_pass_through_each_other) {
     BodyWorldMaker world;
     world.floor();
     for (int i = 0; i < 3; ++i) world.body(box_of(0.15), Vec3(0.31 * i, 0, 0.15), nature(1.0, 0.3));
@@ -313,7 +313,7 @@ TEST(HandBodies, pushed_in_a_row_or_a_stack_never_pass_through_each_other) {
     EXPECT_LT(most_j, 5e-5);
 }
 
-TEST(HandBodies, hold_a_plank_jammed_in_a_corridor_with_no_more_than_the_ceiling) {
+TEST(BodiesInReach, hold_a_plank_jammed_in_a_corridor_with_no_more_than_the_ceiling) {
     BodyWorldMaker world;
     world.floor();
     world.box({Vec3(-3, 0.25, 0), Vec3(3, 0.5, 1)}, kWall);
@@ -342,7 +342,7 @@ TEST(HandBodies, hold_a_plank_jammed_in_a_corridor_with_no_more_than_the_ceiling
     EXPECT_LE(most_n, 2.5 + 1e-12);
 }
 
-TEST(HandBodies, let_a_safe_slip_out_of_the_grip_at_the_ceiling_and_report_it_as_heavy) {
+TEST(BodiesInReach, let_a_safe_slip_out_of_the_grip_at_the_ceiling_and_report_it_as_heavy) {
     BodyWorldMaker world;
     world.floor();
     world.body(box_of(0.3), Vec3(0, 0, 0.3), nature(400.0));
@@ -374,7 +374,7 @@ TEST(HandBodies, let_a_safe_slip_out_of_the_grip_at_the_ceiling_and_report_it_as
     EXPECT_NEAR(rig.engine.middle(0).position_m.z, 0.3, 1e-3);
 }
 
-TEST(HandBodies, stay_upright_in_the_grip_and_turn_in_quarter_turns) {
+TEST(BodiesInReach, stay_upright_in_the_grip_and_turn_in_quarter_turns) {
     BodyWorldMaker world;
     world.floor();
     const DynamicsPiece plank = make_box_piece({Vec3(-0.4, -0.1, -0.05), Vec3(0.4, 0.1, 0.05)});
@@ -402,7 +402,7 @@ TEST(HandBodies, stay_upright_in_the_grip_and_turn_in_quarter_turns) {
     EXPECT_NEAR(std::abs(turned.z), std::sqrt(0.5), 0.12);
 }
 
-TEST(HandBodies, give_bit_identical_results_in_two_runs) {
+TEST(BodiesInReach, give_bit_identical_results_in_two_runs) {
     const auto play = [] {
         BodyWorldMaker world;
         world.floor();
@@ -430,7 +430,7 @@ TEST(HandBodies, give_bit_identical_results_in_two_runs) {
 }
 
 // Runs the same hand twice; one of them examines every body on every tick.
-TEST(HandBodies, considering_only_moving_ones_gives_the_same_result_as_considering_all) {
+TEST(BodiesInReach, considering_only_moving_ones_gives_the_same_result_as_considering_all) {
     BodyWorldMaker world;
     world.floor();
     for (int i = 0; i < 24; ++i) world.body(i % 2 ? ball_of(0.1) : box_of(0.1), Vec3(0.3 * i, 0.0, 0.1), nature(1));
@@ -469,7 +469,7 @@ TEST(HandBodies, considering_only_moving_ones_gives_the_same_result_as_consideri
     EXPECT_EQ(least, 0U) << "whatever rests costs a tick nothing";
 }
 
-TEST(HandBodies, stand_still_while_the_engine_is_silent_and_move_again_when_it_answers) {
+TEST(BodiesInReach, stand_still_while_the_engine_is_silent_and_move_again_when_it_answers) {
     BodyWorldMaker world;
     world.floor();
     world.body(box_of(0.2), Vec3(0, 0, 0.2), nature(1.0));

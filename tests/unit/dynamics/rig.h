@@ -10,7 +10,7 @@
 #include "haptic/dynamics/dynamics.h"
 #include "haptic/loop/closed_loop.h"
 #include "haptic/render/touch.h"
-#include "haptic/servo/hand_bodies.h"
+#include "haptic/servo/bodies_in_reach.h"
 
 namespace handrail::test {
 
@@ -123,7 +123,7 @@ public:
         while (pushes.pop(push)) engine.push(number_, push);
     }
 
-    HandBodies& bodies() { return bodies_; }
+    BodiesInReach& bodies() { return bodies_; }
     std::vector<BodyPose>& poses() { return poses_; }
 
     HandSetup setup;
@@ -136,7 +136,7 @@ public:
 private:
     unsigned number_;
     std::shared_ptr<const HapticScene> felt_;
-    HandBodies bodies_;
+    BodiesInReach bodies_;
     TouchState state_;
     TouchTuning tuning_;
     BodyFeel feel_;

@@ -7,7 +7,7 @@
 namespace handrail::test {
 namespace no_allocation_test {
 
-TEST(HandBodies, never_allocate_or_free_in_a_tick) {
+TEST(BodiesInReach, never_allocate_or_free_in_a_tick) {
     BodyWorldMaker world;
     world.floor();
     world.box({Vec3(0.9, -5, 0), Vec3(1.9, 5, 5)}, kWall);
@@ -58,7 +58,7 @@ TEST(ServoTick, never_allocates_or_frees_with_free_bodies) {
     const DeviceSpec spec = *find_device_spec("sim-t");
     Dynamics engine(moves);
     const auto channel = std::make_shared<HandChannel>();
-    HandEngine hand(moves, channel, 0, felt->bodies.size());
+    HandBodyServo hand(moves, channel, 0, felt->bodies.size());
     ServoState state(spec);
     ServoTuning tuning;
     tuning.touch.world_m_per_hand_m = 20.0;

@@ -26,7 +26,7 @@ const NamedStoreys* storeys_of(const std::string& file) {
     made.world = file;
     const auto scene = read_world(path);
     if (!scene) return ADD_FAILURE() << scene.error().sentence(), &made;
-    const WalkBody body = scene->game_map ? walk_body(*scene, 0.25, 1.7, 0.57) : walk_body(*scene, 0.25, 1.8, 0.25);
+    const WalkerMeasures body = scene->game_map ? walk_body(*scene, 0.25, 1.7, 0.57) : walk_body(*scene, 0.25, 1.8, 0.25);
     const auto ways = Navigation::make(*scene, body);
     if (!ways) return ADD_FAILURE() << ways.error().sentence(), &made;
     const RoomGraph graph = make_rooms(*scene, (*ways)->space());

@@ -16,7 +16,7 @@ TEST(RouteCard, in_braille_starts_a_page_for_each_route_and_after_25_lines) {
     const Result<std::string> one = card_brf({{"one", "two"}, {"three"}}, BrailleTable::EnUebG1);
     ASSERT_TRUE(one);
     EXPECT_EQ(*one, "ONE\r\nTWO\r\n\fTHREE\r\n");
-    const Result<std::string> full = card_brf({CardWay(26, "a")}, BrailleTable::EnUebG1);
+    const Result<std::string> full = card_brf({CardRoute(26, "a")}, BrailleTable::EnUebG1);
     ASSERT_TRUE(full);
     EXPECT_EQ(full->find('\f'), 25U * 3U);
     EXPECT_EQ(std::count(full->begin(), full->end(), '\f'), 1);

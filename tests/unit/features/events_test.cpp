@@ -19,12 +19,12 @@ std::shared_ptr<const Scene> yard() {
 
 TEST(Events, arrive_once_and_in_order) {
     Events events;
-    events.tell(HelpAsked{Command::Exits}, 1.0);
+    events.tell(HelpRequested{Command::Exits}, 1.0);
     events.tell(Teleported{{1.0, 2.0, 3.0}, 0.5}, 2.0);
     const std::vector<SessionEvent> told = events.take();
     ASSERT_EQ(told.size(), 2U);
     EXPECT_EQ(told[0].time_s, 1.0);
-    EXPECT_EQ(std::get<HelpAsked>(told[0].what).command, Command::Exits);
+    EXPECT_EQ(std::get<HelpRequested>(told[0].what).command, Command::Exits);
     EXPECT_EQ(std::get<Teleported>(told[1].what).feet_m, Vec3(1.0, 2.0, 3.0));
     EXPECT_TRUE(events.take().empty());
 }
@@ -76,7 +76,7 @@ TEST(Events, report_requested_help_and_no_other_command) {
     std::vector<Command> asked;
     std::vector<double> at_s;
     for (const SessionEvent& event : plain.events.take())
-        if (const auto* help = std::get_if<HelpAsked>(&event.what)) {
+        if (const auto* help = std::get_if<HelpRequested>(&event.what)) {
             asked.push_back(help->command);
             at_s.push_back(event.time_s);
         }

@@ -146,7 +146,7 @@ struct Hunter : test::PlainSession {
             if (cue.sound == SoundKind::HiddenClock && cue.loudness > 0.0) return cue.position_m;
         return std::nullopt;
     }
-    // Goes to the clock at that time and returns what is said there.
+    // Course to the clock at that time and returns what is said there.
     std::vector<std::string> find_at(double now_s) {
         const Vec3 clock = clock_m().value();
         stand(clock - Vec3(0.0, 0.0, 1.0));

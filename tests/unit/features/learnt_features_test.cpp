@@ -5,7 +5,7 @@
 
 #include "app/core/learning/learnt_file.h"
 #include "app/core/learning/place_learning.h"
-#include "app/core/learning/way_memory.h"
+#include "app/core/learning/route_memory.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/features/plain_session.h"
@@ -89,7 +89,7 @@ struct Session : test::PlainSession {
     double now_s = 0.0;
     Rooms rooms{context};
     PlaceLearning learning{context, rooms};
-    WayMemory ways{context, rooms};
+    RouteMemory ways{context, rooms};
 };
 
 struct Remembered : testing::Test {

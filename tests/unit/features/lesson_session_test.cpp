@@ -50,7 +50,7 @@ protected:
     void key(std::string_view name) { plain.lists.dialogue.key(name, now_s); }
 
     test::PlainSession plain{room()};
-    AskedToLeave asked_to_leave;
+    LeaveRequested asked_to_leave;
     LessonSession lessons{plain.context, asked_to_leave};
     std::vector<Command> performed;
     std::map<std::string, std::string> kept;

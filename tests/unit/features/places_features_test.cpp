@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "app/core/places/kept_ways.h"
+#include "app/core/places/kept_routes.h"
 #include "app/core/places/mark_list.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/temporary_folder.h"
@@ -220,7 +220,7 @@ struct Keeper : Place {
         (void)line(way);
     }
     PlannedStops planned{context, rooms};
-    KeptWays ways{context, rooms, planned};
+    KeptRoutes ways{context, rooms, planned};
 };
 
 TEST(KeptWaysFeature, save_a_walked_route_under_its_own_name) {
@@ -230,7 +230,7 @@ TEST(KeptWaysFeature, save_a_walked_route_under_its_own_name) {
     k.keep("To the east");
     EXPECT_EQ(k.saved, 1);
     std::vector<Error> faults;
-    const std::vector<SavedWay> kept = read_ways(k.additions, faults);
+    const std::vector<SavedRoute> kept = read_ways(k.additions, faults);
     ASSERT_EQ(kept.size(), 1U);
     EXPECT_LT(glm::length(kept[0].stops.back().place_m - Vec3(6.0, 0.0, 0.0)), 0.3);
     k.choose("To the east");

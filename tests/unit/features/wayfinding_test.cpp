@@ -62,7 +62,7 @@ struct Yard : test::PlainSession {
 };
 
 struct Plans : Yard {
-    WayPlans plans{context, rooms};
+    RoutePlans plans{context, rooms};
 };
 
 Stop stop(const std::string& name, const Vec3& place_m) {
@@ -137,7 +137,7 @@ TEST(Wayfinding, describes_a_whole_route_with_its_stops) {
 TEST(Wayfinding, follows_the_stops_of_a_saved_route_and_passes_unnamed_ones) {
     Plans plain;
     ASSERT_TRUE(plain.rooms.known());
-    WayPlans& plans = plain.plans;
+    RoutePlans& plans = plain.plans;
     EXPECT_FALSE(plans.next());
     plans.begin({stop("Here", {0.0, 0.0, 0.0}), stop("", {8.0, 1.0, 0.0}), stop("There", {8.0, 6.0, 0.0}),
                  stop("End", {0.0, 8.0, 0.0})},
@@ -157,10 +157,10 @@ TEST(Wayfinding, follows_the_stops_of_a_saved_route_and_passes_unnamed_ones) {
 TEST(Wayfinding, guides_a_hand_straight_or_around_obstacles) {
     Plans plain;
     plain.give_hand({0.0, 0.0, 1.0});
-    const WayForHand straight = plain.plans.for_hand(plain.goal("Well"), GuidancePath::kMostPoints);
+    const HandRoute straight = plain.plans.for_hand(plain.goal("Well"), GuidancePath::kMostPoints);
     EXPECT_EQ(straight.points_m.size(), 2U);
     EXPECT_EQ(plain.plans.changes(), 0U) << "no walk was planned";
-    const WayForHand round = plain.plans.for_hand(plain.goal("Bench"), GuidancePath::kMostPoints);
+    const HandRoute round = plain.plans.for_hand(plain.goal("Bench"), GuidancePath::kMostPoints);
     EXPECT_TRUE(round.reaches);
     EXPECT_GT(round.points_m.size(), 2U);
     double east_m = -1e9;
@@ -177,8 +177,8 @@ TEST(Wayfinding, guides_a_hand_straight_or_around_obstacles) {
 TEST(Wayfinding, describes_a_route_and_then_each_of_its_steps_by_ear) {
     Plans plain;
     ASSERT_TRUE(plain.rooms.known());
-    WordGround ground(plain.context, plain.rooms);
-    EarWay ear(plain.context, plain.rooms, plain.plans, ground);
+    DirectionsGround ground(plain.context, plain.rooms);
+    SpokenRoute ear(plain.context, plain.rooms, plain.plans, ground);
     ear.tell_on(0.0);
     const std::vector<std::string> none = plain.said();
     ear.follow_to({0.0, 8.0, 0.0}, "Fence", "Well then.", 0.0);
@@ -208,8 +208,8 @@ TEST(Wayfinding, describes_a_route_and_then_each_of_its_steps_by_ear) {
 TEST(Wayfinding, has_not_arrived_by_ear_while_a_wall_is_in_between) {
     Plans plain;
     ASSERT_TRUE(plain.rooms.known());
-    WordGround ground(plain.context, plain.rooms);
-    EarWay ear(plain.context, plain.rooms, plain.plans, ground);
+    DirectionsGround ground(plain.context, plain.rooms);
+    SpokenRoute ear(plain.context, plain.rooms, plain.plans, ground);
     const Vec3 behind_m(0.0, 2.47, 0.0), before_m(0.0, 1.73, 0.0);
     ear.follow_to(behind_m, "Behind", {}, 0.0);
     ASSERT_TRUE(ear.following());
@@ -245,11 +245,11 @@ TEST(Wayfinding, does_not_repeat_a_leg_on_which_the_body_was_just_stopped) {
     ASSERT_TRUE(rooms.known());
     const std::uint32_t kitchen = room_at(rooms.graph(), rooms.space(), {3.0, 10.0, 0.0});
     ASSERT_NE(kitchen, kNothing);
-    WordGround ground(plain.context, rooms);
-    WordWay word(plain.context, rooms, ground);
+    DirectionsGround ground(plain.context, rooms);
+    RouteDirections word(plain.context, rooms, ground);
     // First the floor, then a route on it.
     const auto plan = [&] {
-        for (int i = 0; i < 3 && word.state() == WordWay::State::Planned; ++i) {
+        for (int i = 0; i < 3 && word.state() == RouteDirections::State::Planned; ++i) {
             ground.tick();
             (void)word.tick();
         }
@@ -258,7 +258,7 @@ TEST(Wayfinding, does_not_repeat_a_leg_on_which_the_body_was_just_stopped) {
         plain.stand({3.0, 2.0, 0.0});
         word.begin(kitchen, "Kitchen");
         plan();
-        ASSERT_EQ(word.state(), WordWay::State::Known);
+        ASSERT_EQ(word.state(), RouteDirections::State::Known);
         const std::string leg = word.leg();
         ASSERT_THAT(leg, HasSubstr("steps"));
         plain.body.heading_rad = plain.body.heading_goal_rad = word.heading_rad().value();
@@ -288,7 +288,7 @@ struct Hand : Plans {
     }
 
     std::optional<Goal> goal;
-    WayForHand way;
+    HandRoute way;
     HandLead hand{context, rooms, plans, doors};
 };
 

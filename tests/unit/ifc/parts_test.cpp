@@ -595,7 +595,7 @@ TEST(RoomsOfIfc, as_high_as_their_storey_do_not_contain_the_floor_above_them) {
 TEST(RoomsOfIfc, have_a_goal_that_can_be_reached_from_the_base) {
     Scene placed = test::hall_with_gallery().scene();
     placed.starts = {Start{{-2.0, 0.6, 0.0}, 0.0, true, "", {}}, Start{{6.0, 4.0, 2.6}, 0.0, false, "", {}}};
-    const Result<WalkSpace> space = make_walk_space(placed, WalkBody{});
+    const Result<WalkSpace> space = make_walk_space(placed, WalkerMeasures{});
     ASSERT_TRUE(space.has_value());
     const RoomGraph graph = make_rooms(placed, *space);
     const auto hall =
@@ -605,7 +605,7 @@ TEST(RoomsOfIfc, have_a_goal_that_can_be_reached_from_the_base) {
     EXPECT_TRUE(reached[space->at(hall->middle_m)]);
     // From the gallery, the destination is the nearest place of the room on the gallery itself.
     const auto room = static_cast<std::uint32_t>(hall - graph.rooms.begin());
-    const Result<std::shared_ptr<Navigation>> ways = Navigation::make(placed, WalkBody{});
+    const Result<std::shared_ptr<Navigation>> ways = Navigation::make(placed, WalkerMeasures{});
     ASSERT_TRUE(ways.has_value());
     std::optional<Vec3> above;
     for (std::uint32_t s = 0; s < space->spans.size() && !above; ++s)
@@ -656,7 +656,7 @@ TEST(RoomsOfIfc, on_half_storeys_get_separate_storeys) {
         room("Study", 4.2, 1.4, stated ? half : 0);
         room("Attic", 8.4, 2.8, upper);
         const Scene scene = hut.scene();
-        const Result<WalkSpace> space = make_walk_space(scene, WalkBody{});
+        const Result<WalkSpace> space = make_walk_space(scene, WalkerMeasures{});
         ASSERT_TRUE(space.has_value());
         std::map<std::string, int> level;
         for (const Room& found : make_rooms(scene, *space).rooms) level[found.name] = found.level;

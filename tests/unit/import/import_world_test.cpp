@@ -193,25 +193,25 @@ TEST(KeptScene, cut_at_every_byte_is_reported_as_damaged) {
     small.solids.resize(3);
     small.surfaces.clear();
     const std::string bytes = stored(small);
-    const std::vector<BesideFile> beside{{"beside.bin", std::string(64, 'a')}};
+    const std::vector<NeighbourFile> beside{{"beside.bin", std::string(64, 'a')}};
     const std::string whole = kept_scene(beside, bytes);
-    const auto good = [&](const std::vector<BesideFile>& read) { return read == beside; };
+    const auto good = [&](const std::vector<NeighbourFile>& read) { return read == beside; };
     for (std::size_t length = 0; length < whole.size(); ++length)
         ASSERT_FALSE(scene_in(std::string_view(whole).substr(0, length), good).has_value()) << length;
     const auto all = scene_in(whole, good);
     ASSERT_TRUE(all.has_value() && all->has_value());
     EXPECT_EQ(stored(**all), bytes);
     EXPECT_FALSE(scene_in(whole + "x", good).has_value());
-    const auto old = scene_in(whole, [](const std::vector<BesideFile>&) { return false; });
+    const auto old = scene_in(whole, [](const std::vector<NeighbourFile>&) { return false; });
     ASSERT_TRUE(old.has_value());
     EXPECT_FALSE(old->has_value());
 }
 
-TEST(KeptWays, are_unpacked_only_by_the_reader_process) {
+TEST(KeptRoutes, are_unpacked_only_by_the_reader_process) {
     const test::TemporaryFolder folder;
     const Result<Scene> scene = read_ifc(test::small_house(), "house.ifc");
     ASSERT_TRUE(scene.has_value());
-    const WalkBody body = walk_body(*scene, 0.25, 1.8, 0.25);
+    const WalkerMeasures body = walk_body(*scene, 0.25, 1.8, 0.25);
     const Result<WalkSpace> space = make_walk_space(*scene, body);
     ASSERT_TRUE(space.has_value());
     const RoomGraph graph = make_rooms(*scene, *space);

@@ -32,8 +32,8 @@ double length_with_rides_m(const Route& route) {
     return sum_m;
 }
 
-GridTwin::GridTwin(const Scene& scene, const BodySize& body, double side_m)
-    : scene_(without_doors(scene)), world_(std::make_unique<BodyWorld>(scene_)), body_(body), side_m_(side_m) {
+GridTwin::GridTwin(const Scene& scene, const WalkerSize& body, double side_m)
+    : scene_(without_doors(scene)), world_(std::make_unique<WalkerWorld>(scene_)), body_(body), side_m_(side_m) {
     for (const Mover& mover : scene.movers) {
         const Feature* lift = scene.find(mover.feature);
         if (!lift || lift->kind != FeatureKind::Lift || lift->bounds_m.empty() || mover.slide_m.z == 0.0) continue;
@@ -44,7 +44,7 @@ GridTwin::GridTwin(const Scene& scene, const BodySize& body, double side_m)
 }
 
 std::optional<Vec3> GridTwin::stand(const Vec3& feet_m, double up_m, double down_m) const {
-    const BodyShape shape{body_.radius_m, body_.height_m};
+    const WalkerShape shape{body_.radius_m, body_.height_m};
     const Vec3 high = feet_m + Vec3(0.0, 0.0, up_m);
     if (world_->blocked(high, shape)) return std::nullopt;
     const TraceHit ground = world_->trace(high, feet_m - Vec3(0.0, 0.0, down_m), shape);
@@ -71,7 +71,7 @@ bool GridTwin::flood_from(const Vec3& feet_m) {
     const Vec3 middle{std::lround(feet_m.x / side_m_) * side_m_, std::lround(feet_m.y / side_m_) * side_m_, feet_m.z};
     const std::optional<Vec3> first = stand(middle, 0.05, 1.0);
     if (!first) return false;
-    const BodyShape shape{body_.radius_m, body_.height_m};
+    const WalkerShape shape{body_.radius_m, body_.height_m};
     const std::size_t before = places_.size();
     number(*first);
     if (places_.size() == before) return true;
@@ -107,7 +107,7 @@ int GridTwin::nearest(const Vec3& feet_m) const {
     return best;
 }
 
-// Goes from square to square along the line, never across the corner of a square that cannot be walked.
+// Course from square to square along the line, never across the corner of a square that cannot be walked.
 bool GridTwin::straight(int from, int to) const {
     const auto cell = [&](int place, int axis) {
         return std::lround(places_[static_cast<std::size_t>(place)][axis] / side_m_);

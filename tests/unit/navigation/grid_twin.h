@@ -1,5 +1,5 @@
 // The brute-force comparison for routes. A walker is moved from square to square through the world that walking itself
-// uses (BodyWorld), by lifting it, moving it and setting it down. Then Dijkstra's algorithm runs over the squares and
+// uses (WalkerWorld), by lifting it, moving it and setting it down. Then Dijkstra's algorithm runs over the squares and
 // the lift rides, and the path is straightened over all pairs of its squares. It shares no code with worlds/navigation
 // and does not use Recast.
 #pragma once
@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-#include "app/core/world/body_world.h"
+#include "app/core/world/walker_world.h"
 #include "app/core/world/walker.h"
 #include "tests/support/every.h"
 #include "worlds/navigation/route.h"
@@ -20,7 +20,7 @@ namespace handrail::test {
 class GridTwin {
 public:
     // Doors are left out of the world. `side_m`: the size of a square.
-    GridTwin(const Scene& scene, const BodySize& body, double side_m);
+    GridTwin(const Scene& scene, const WalkerSize& body, double side_m);
 
     // Adds everything that can be reached on foot from there to the grid. Returns true if a walker can stand there.
     bool flood_from(const Vec3& feet_m);
@@ -37,8 +37,8 @@ private:
     bool straight(int from, int to) const;
 
     std::shared_ptr<const Scene> scene_;
-    std::unique_ptr<BodyWorld> world_;
-    BodySize body_;
+    std::unique_ptr<WalkerWorld> world_;
+    WalkerSize body_;
     double side_m_;
     struct Ride {
         Vec3 low_m{0.0}, high_m{0.0};

@@ -5,14 +5,14 @@
 #include <filesystem>
 #include <random>
 
-#include "app/core/world/body_world.h"
+#include "app/core/world/walker_world.h"
 #include "app/core/world/walker.h"
 #include "tests/support/every.h"
 #include "tests/support/project_root.h"
 #include "worlds/geometry/closest_point.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/rooms.h"
-#include "worlds/navigation/word_route.h"
+#include "worlds/navigation/directions_route.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/models.h"
 
@@ -27,21 +27,21 @@ struct Building {
     std::shared_ptr<Navigation> navigation;
     RoomGraph graph;
     std::unique_ptr<BlindGround> ground;
-    std::unique_ptr<WordPlanner> planner;
-    std::unique_ptr<BodyWorld> shut;
+    std::unique_ptr<DirectionsPlanner> planner;
+    std::unique_ptr<WalkerWorld> shut;
 
     explicit Building(const char* file) {
         auto read = read_world(test::project_root() / "worlds" / "maps" / file);
         if (!read) throw std::runtime_error(read.error().message);
         scene = std::make_shared<const Scene>(with_movers_apart(*read, 128, thing_of_mover));
-        const BodySize size = body_size(*scene, 0.25);
+        const WalkerSize size = body_size(*scene, 0.25);
         auto made = Navigation::make(*read, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m));
         if (!made) throw std::runtime_error(made.error().message);
         navigation = *made;
         graph = make_rooms(*read, navigation->space());
         ground = std::make_unique<BlindGround>(navigation->space(), word_doors(*scene, thing_of_mover));
-        planner = std::make_unique<WordPlanner>(*ground, kStep_m);
-        shut = std::make_unique<BodyWorld>(scene);
+        planner = std::make_unique<DirectionsPlanner>(*ground, kStep_m);
+        shut = std::make_unique<WalkerWorld>(scene);
     }
     bool is_lift(std::uint32_t room) const {
         return std::any_of(graph.portals.begin(), graph.portals.end(), [&](const Portal& portal) {
@@ -88,7 +88,7 @@ public:
             const bool slow = made_m < kStoppedBelow * wished_m;
             wished_m = made_m = 0.0;
             if (!slow) continue;
-            const BlindBody here = in_.ground->body_at(feet_m());
+            const BlindWalker here = in_.ground->body_at(feet_m());
             const auto aside_m =
                 lined_up < 2 && here.span != kNothing ? in_.ground->line_up_m(here, heading_rad, open_) : std::nullopt;
             if (!aside_m) {
@@ -105,12 +105,12 @@ public:
     // Opens the nearest shut door within reach.
     bool open() {
         constexpr double kReach_m = 1.2;
-        const std::vector<WordDoor>& doors = in_.ground->doors();
+        const std::vector<DirectionsDoor>& doors = in_.ground->doors();
         std::size_t chosen = doors.size();
         double nearest_m2 = kReach_m * kReach_m;
         for (std::size_t d = 0; d < doors.size(); ++d) {
             if (open_[d] || !doors[d].opens) continue;
-            for (const WordDoor::Leaf& leaf : doors[d].leaves) {
+            for (const DirectionsDoor::Leaf& leaf : doors[d].leaves) {
                 const double far_m2 =
                     distance_squared(placed_bounds(leaf.own_m, leaf.shut), feet_m() + Vec3(0.0, 0.0, 1.0));
                 if (far_m2 >= nearest_m2) continue;
@@ -125,13 +125,13 @@ public:
             if (in_.thing_of_mover[m] >= 0)
                 things_[static_cast<std::size_t>(in_.thing_of_mover[m])] = in_.scene->movers[m].at(1.0);
         }
-        own_ = std::make_unique<BodyWorld>(*in_.shut, in_.scene, things_);
+        own_ = std::make_unique<WalkerWorld>(*in_.shut, in_.scene, things_);
         stand_in(*own_);
         return true;
     }
 
 private:
-    void stand_in(const BodyWorld& world) {
+    void stand_in(const WalkerWorld& world) {
         auto moved = std::make_unique<Walker>(world, size_);
         if (walker_) moved->resume(walker_->state());
         walker_ = std::move(moved);
@@ -143,10 +143,10 @@ private:
     }
 
     const Building& in_;
-    BodySize size_;
+    WalkerSize size_;
     DoorsOpen open_;
     std::vector<Placement> things_;
-    std::unique_ptr<BodyWorld> own_;
+    std::unique_ptr<WalkerWorld> own_;
     std::unique_ptr<Walker> walker_;
     bool fell_ = false;
 };
@@ -157,9 +157,9 @@ struct Told {
     PaceEnd end = PaceEnd::Steps;
     bool open = false;
 };
-std::vector<Told> told(const WordRoute& route) {
+std::vector<Told> told(const DirectionsRoute& route) {
     std::vector<Told> legs;
-    for (const WordLeg& leg : route.legs) legs.push_back({leg.turn_notches, leg.steps, leg.end, leg.door != kNothing});
+    for (const DirectionsLeg& leg : route.legs) legs.push_back({leg.turn_notches, leg.steps, leg.end, leg.door != kNothing});
     return legs;
 }
 
@@ -216,7 +216,7 @@ Counted count(const Building& in, int seeds, std::uint32_t every = 1) {
     Counted counted;
     const std::vector<std::uint32_t> rooms = in.rooms();
     for (const std::uint32_t to : rooms) {
-        const WordGoal goal = goal_in_room(in.navigation->space(), in.graph.room_of_span, to);
+        const DirectionsGoal goal = goal_in_room(in.navigation->space(), in.graph.room_of_span, to);
         for (const std::uint32_t from : rooms) {
             const Vec3 start = in.graph.rooms[from].middle_m;
             if (!stands(in, start)) continue;

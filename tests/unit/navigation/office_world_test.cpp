@@ -68,7 +68,7 @@ TEST(OfficeWorld, is_read_without_a_warning_and_each_room_can_be_entered_through
 TEST(Rooms, are_not_searched_further_after_cancellation) {
     const Result<Scene> scene = read_quake_map(test::office_world(test::office_size(300)).map, "office.map");
     ASSERT_TRUE(scene);
-    const auto space = make_walk_space(*scene, WalkBody{});
+    const auto space = make_walk_space(*scene, WalkerMeasures{});
     ASSERT_TRUE(space);
     EXPECT_FALSE(make_rooms(*scene, *space).rooms.empty());
     std::stop_source stop;
@@ -88,7 +88,7 @@ TEST(Rooms, are_found_even_if_the_floors_need_several_mesh_tiles) {
     scene = islands.scene();
     for (int x = 0; x < kAlong; ++x)
         for (int y = 0; y < kAlong; ++y) scene.sounds.push_back({{3.0 * x + 0.4, 3.0 * y + 0.4, 0.5}, "bird", "bird"});
-    WalkBody body;
+    WalkerMeasures body;
     body.cell_m = 0.4;
     const auto made = Navigation::make(scene, body);
     ASSERT_TRUE(made) << made.error().message;

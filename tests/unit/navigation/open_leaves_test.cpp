@@ -27,7 +27,7 @@ std::shared_ptr<Navigation> corridor(double wide_m, const Vec3& at_m = Vec3(0.0)
     box({-0.2, 0, 0}, {0, wide_m, 2.6}, FeatureKind::Wall);
     box({12, 0, 0}, {12.2, wide_m, 2.6}, FeatureKind::Wall);
     b.start(at_m + Vec3(1, 0.5 * wide_m, 0), 0.0);
-    const BodySize size = body_size(b.scene(), 0.25);
+    const WalkerSize size = body_size(b.scene(), 0.25);
     auto made = Navigation::make(b.scene(), walk_body(b.scene(), size.radius_m, size.height_m, size.step_up_m));
     EXPECT_TRUE(made);
     return *made;

@@ -30,7 +30,7 @@ World world_of(const std::filesystem::path& path) {
     auto scene = read_world(path);
     EXPECT_TRUE(scene) << path;
     world.scene = std::move(*scene);
-    const BodySize size = body_size(world.scene, 0.25);
+    const WalkerSize size = body_size(world.scene, 0.25);
     auto made = Navigation::make(world.scene, walk_body(world.scene, size.radius_m, size.height_m, size.step_up_m));
     EXPECT_TRUE(made) << path;
     world.navigation = *made;
@@ -194,7 +194,7 @@ std::string two_rooms(double gap_units, const std::string& more = {}) {
 RoomGraph rooms_of(const std::string& map, Scene* keep = nullptr, WalkSpace* space = nullptr) {
     auto scene = read_quake_map(map, "rooms.map");
     EXPECT_TRUE(scene);
-    auto made = make_walk_space(*scene, WalkBody{});
+    auto made = make_walk_space(*scene, WalkerMeasures{});
     EXPECT_TRUE(made);
     RoomGraph graph = make_rooms(*scene, *made);
     if (keep) *keep = std::move(*scene);

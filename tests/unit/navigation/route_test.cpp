@@ -21,7 +21,7 @@ using test::GridTwin;
 using test::SceneBuilder;
 
 std::shared_ptr<Navigation> navigate(const Scene& scene) {
-    const BodySize size = body_size(scene, 0.25);
+    const WalkerSize size = body_size(scene, 0.25);
     auto made = Navigation::make(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
     EXPECT_TRUE(made) << (made ? "" : made.error().message);
     return made ? *made : nullptr;
@@ -54,8 +54,8 @@ struct Twins {
         : thin(scene, size_by(scene, -kThinner_m), side_m),
           wide(scene, size_by(scene, kThinner_m), side_m),
           side(side_m) {}
-    static BodySize size_by(const Scene& scene, double more_m) {
-        BodySize size = body_size(scene, 0.25);
+    static WalkerSize size_by(const Scene& scene, double more_m) {
+        WalkerSize size = body_size(scene, 0.25);
         size.radius_m += more_m;
         return size;
     }
@@ -175,8 +175,8 @@ TEST(Routes, can_be_walked_by_a_simulated_walker) {
     const Scene scene = bundled("house.map");
     const auto navigation = navigate(scene);
     ASSERT_TRUE(navigation);
-    const BodyWorld world(test::without_doors(scene));
-    const BodySize size = body_size(scene, 0.25);
+    const WalkerWorld world(test::without_doors(scene));
+    const WalkerSize size = body_size(scene, 0.25);
     const std::vector<Vec3> places = places_beside_things(scene, *navigation);
     ASSERT_GE(places.size(), 12U);
     int walked = 0;
@@ -425,19 +425,19 @@ TEST(Routes, are_the_same_every_time_and_far_from_the_origin) {
 TEST(Routes, of_worlds_without_floor_are_refused_in_one_sentence) {
     Scene nothing;
     nothing.materials.emplace_back();
-    const auto none = Navigation::make(nothing, WalkBody{});
+    const auto none = Navigation::make(nothing, WalkerMeasures{});
     ASSERT_FALSE(none);
     EXPECT_EQ(none.error().message, "There is no floor to walk on here, so there are no rooms and no routes.");
 
     SceneBuilder wall;
     wall.box({0, 0, 0}, {4, 0.01, 3});
     wall.start({2, -1, 0}, 0.0);  // there is nothing below the start
-    EXPECT_FALSE(Navigation::make(wall.scene(), WalkBody{}));
+    EXPECT_FALSE(Navigation::make(wall.scene(), WalkerMeasures{}));
 
     SceneBuilder floor;
     floor.box({0, 0, -1}, {4, 4, 0});
     floor.start({2, 2, 0}, 0.0);
-    const auto some = Navigation::make(floor.scene(), WalkBody{});
+    const auto some = Navigation::make(floor.scene(), WalkerMeasures{});
     ASSERT_TRUE(some);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_TRUE((*some)->plan({nan, 0, 0}, {2, 2, 0}).points_m.empty());
@@ -456,7 +456,7 @@ TEST(Routes, in_a_huge_world_use_larger_cells_and_report_it) {
     SceneBuilder field;
     field.box({-80, -80, -1}, {80, 80, 0}, "field", SolidRole::Solid, {}, FeatureKind::Floor);
     field.start({0, 0, 0}, 0.0);
-    WalkBody coarse;
+    WalkerMeasures coarse;
     coarse.cell_m = 0.1;
     const auto made = Navigation::make(field.scene(), coarse);
     ASSERT_TRUE(made) << made.error().message;
@@ -470,7 +470,7 @@ TEST(Routes, in_a_huge_world_use_larger_cells_and_report_it) {
     house.box({0, 0, -1}, {10, 10, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
     house.box({9e5, 9e5, 0}, {9e5 + 1, 9e5 + 1, 1}, "moon", SolidRole::Solid, {}, FeatureKind::Wall);
     house.start({5, 5, 0}, 0.0);
-    const auto small = Navigation::make(house.scene(), WalkBody{});
+    const auto small = Navigation::make(house.scene(), WalkerMeasures{});
     ASSERT_TRUE(small);
     EXPECT_TRUE((*small)->said().empty());
     EXPECT_LT((*small)->space().spans.size(), 50'000U);
@@ -481,7 +481,7 @@ TEST(Routes, in_an_endless_world_cover_the_surroundings_of_the_start_and_report_
     SceneBuilder endless;
     endless.box({-4e4, -4e4, -1}, {4e4, 4e4, 0}, "desert", SolidRole::Solid, {}, FeatureKind::Floor);
     endless.start({3e3, -2e3, 0}, 0.0);
-    WalkBody coarse;
+    WalkerMeasures coarse;
     coarse.cell_m = 0.4;
     const auto made = Navigation::make(endless.scene(), coarse);
     ASSERT_TRUE(made) << made.error().message;
@@ -498,7 +498,7 @@ TEST(Routes, can_be_cancelled_during_preparation) {
     const Scene scene = bundled("house.map");
     std::stop_source stop;
     stop.request_stop();
-    const auto made = Navigation::make(scene, WalkBody{}, stop.get_token());
+    const auto made = Navigation::make(scene, WalkerMeasures{}, stop.get_token());
     ASSERT_FALSE(made);
     EXPECT_EQ(made.error().message, "The search for rooms was abandoned.");
 }

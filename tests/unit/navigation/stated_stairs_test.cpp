@@ -133,7 +133,7 @@ TEST(StatedStairs, next_to_walls_in_pieces_work_like_next_to_whole_walls) {
             SCOPED_TRACE(testing::PrintToString(tops_m));
             const auto whole = test::StairHouse(form, {kTop_m}).share(),
                        pieces = test::StairHouse(form, tops_m).share();
-            const Result<WalkSpace> a = make_walk_space(*whole, WalkBody{}), b = make_walk_space(*pieces, WalkBody{});
+            const Result<WalkSpace> a = make_walk_space(*whole, WalkerMeasures{}), b = make_walk_space(*pieces, WalkerMeasures{});
             ASSERT_TRUE(a && b);
             ASSERT_EQ(a->spans.size(), b->spans.size());
             for (std::uint32_t s = 0; s < a->spans.size(); ++s) ASSERT_EQ(a->place_m(s), b->place_m(s));

@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 constexpr double kRadius_m = 0.25;
 
 std::shared_ptr<Navigation> navigate(const Scene& scene) {
-    WalkBody body;
+    WalkerMeasures body;
     body.radius_m = kRadius_m;
     body.cell_m = 0.1;
     const auto made = Navigation::make(scene, body);

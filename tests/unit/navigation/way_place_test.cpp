@@ -1,5 +1,5 @@
 // The nearest place of a route, compared with a search of a thousand places of each leg.
-#include "worlds/navigation/way_place.h"
+#include "worlds/navigation/route_place.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 namespace handrail {
 namespace way_place_test {
 
-WayPlace by_looking_everywhere(const std::vector<Vec3>& points_m, const Vec3& from_m) {
-    WayPlace nearest{points_m[0], std::numeric_limits<double>::infinity(), 0.0, 0};
+RoutePlace by_looking_everywhere(const std::vector<Vec3>& points_m, const Vec3& from_m) {
+    RoutePlace nearest{points_m[0], std::numeric_limits<double>::infinity(), 0.0, 0};
     double before_m = 0.0;
     for (std::size_t leg = 0; leg + 1 < points_m.size(); ++leg) {
         const Vec3 way = points_m[leg + 1] - points_m[leg];
@@ -38,7 +38,7 @@ TEST(NearestOnWay, agrees_with_an_exhaustive_search_on_random_paths) {
             if (i % 5 == 4) points.push_back(points.back());  // a leg of zero length
         }
         const Vec3 from(place(random), place(random), place(random));
-        const WayPlace found = nearest_on_way(points, from), twin = by_looking_everywhere(points, from);
+        const RoutePlace found = nearest_on_way(points, from), twin = by_looking_everywhere(points, from);
         const double cell_m = 20.0 / 1000.0;
         ASSERT_LE(found.distance_m, twin.distance_m + 1e-12) << "seed " << seed << ", run " << run;
         ASSERT_GE(found.distance_m, twin.distance_m - cell_m) << "seed " << seed << ", run " << run;
@@ -77,7 +77,7 @@ TEST(NearOnWay, takes_no_short_cut_through_an_opaque_wall) {
     EXPECT_NEAR(near_on_way(way, at, 18.0).along_m, 18.0, 1e-12);
     EXPECT_NEAR(near_on_way(way, at, 18.0, 1.0, before_wall).along_m, 4.0, 1e-12);
     // If nothing is visible, the place stays the same, and the distance is measured from there.
-    const WayPlace stays = near_on_way(way, at, 5.0, 1.0, [](const Vec3&) { return false; });
+    const RoutePlace stays = near_on_way(way, at, 5.0, 1.0, [](const Vec3&) { return false; });
     EXPECT_NEAR(stays.along_m, 5.0, 1e-12);
     EXPECT_EQ(stays.leg, 0U);
     EXPECT_NEAR(stays.distance_m, glm::length(Vec3(5, 0, 0) - at), 1e-12);

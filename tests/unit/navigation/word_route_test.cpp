@@ -1,6 +1,6 @@
 // Routes for words and the body that follows them, in rooms made of a few boxes. Tests what stops a body, what it
 // slides along, and the doorway into which it slides. Also tests that routes keep off edges and know their own errors.
-#include "worlds/navigation/word_route.h"
+#include "worlds/navigation/directions_route.h"
 
 #include <random>
 
@@ -26,11 +26,11 @@ void wall(SceneBuilder& b, const Vec3& low, const Vec3& high) {
     b.box(low, high, "wall", SolidRole::Solid, "brick", FeatureKind::Wall);
 }
 Room room_of(SceneBuilder& b) {
-    const BodySize size = body_size(b.scene(), 0.25);
+    const WalkerSize size = body_size(b.scene(), 0.25);
     auto made = Navigation::make(b.scene(), walk_body(b.scene(), size.radius_m, size.height_m, size.step_up_m));
     EXPECT_TRUE(made);
     Room room{*made, nullptr};
-    room.ground = std::make_unique<BlindGround>(room.navigation->space(), std::vector<WordDoor>{});
+    room.ground = std::make_unique<BlindGround>(room.navigation->space(), std::vector<DirectionsDoor>{});
     return room;
 }
 // A space of 10 by 10 m with a wall across it at y = 5, which has a gap of `gap_m` metres around `gap_x`.
@@ -46,11 +46,11 @@ SceneBuilder two_rooms(double gap_x, double gap_m = 0.9) {
     b.start({2, 2, 0}, 0.0);
     return b;
 }
-BlindBody at(const Room& room, double x, double y) { return room.ground->body_at({x, y, 0.0}); }
+BlindWalker at(const Room& room, double x, double y) { return room.ground->body_at({x, y, 0.0}); }
 
 // The spans within this distance of a place, on its floor.
-WordGoal goal_round(const WalkSpace& space, const Vec3& place_m, double within_m) {
-    WordGoal goal(space.spans.size(), 0);
+DirectionsGoal goal_round(const WalkSpace& space, const Vec3& place_m, double within_m) {
+    DirectionsGoal goal(space.spans.size(), 0);
     const std::uint32_t middle = space.nearest(place_m, 3.0, 1.5, 4.0);
     if (middle == kNothing) return goal;
     const Vec3 centre = space.place_m(middle);
@@ -70,7 +70,7 @@ TEST(BlindGround, stops_a_body_where_the_walker_stops_and_slides_it_where_the_wa
     SceneBuilder b = two_rooms(5.0);
     const Room room = room_of(b);
     const auto scene = b.share();
-    const BodyWorld world(scene);
+    const WalkerWorld world(scene);
     std::mt19937 random(test::seed_of_run());
     RecordProperty("seed", static_cast<int>(test::seed_of_run()));
     const auto part = [&] { return static_cast<double>(random() % 10001) / 10000.0; };
@@ -79,7 +79,7 @@ TEST(BlindGround, stops_a_body_where_the_walker_stops_and_slides_it_where_the_wa
         // Near the angle that decides between sliding and stopping, and at a frame, the two may differ.
         const double askew = std::abs(std::remainder(heading, 0.5 * kPi));
         if (std::abs(askew - std::asin(kStoppedBelow)) < 0.15) continue;
-        BlindBody body = at(room, x, y);
+        BlindWalker body = at(room, x, y);
         const Paced paced = room.ground->walk(body, heading, far, PaceEnd::Steps, {});
         if (body.at_m.y > 5.0 || (std::abs(body.at_m.x - 5.0) < 1.2 && body.at_m.y > 3.0))
             continue;  // through the gap, or lined up with the gap
@@ -107,7 +107,7 @@ TEST(BlindGround, slides_a_body_into_the_doorway_whose_frame_it_met_and_into_no_
         const Room room = room_of(b);
         for (int k = 0; k < 20; ++k) {
             const double off_m = (2.0 * part() - 1.0) * 1.5, heading = (2.0 * part() - 1.0) * 0.3;
-            BlindBody body = at(room, gap_x + off_m, 4.6);
+            BlindWalker body = at(room, gap_x + off_m, 4.6);
             if (!room.navigation->space().straight({gap_x + off_m, 4.6, 0}, {gap_x + off_m, 4.3, 0})) continue;
             const auto aside_m = room.ground->line_up_m(body, heading, {});
             if (aside_m) {
@@ -143,7 +143,7 @@ struct PlainStrides {
     const WalkSpace& space;
     double stride_m = 0.8 * space.cell_m;
 
-    bool go(BlindBody& body, const Vec2& by_m, bool& edge) const {
+    bool go(BlindWalker& body, const Vec2& by_m, bool& edge) const {
         bool moved = false;
         for (int axis = 0; axis < 2; ++axis) {
             if (by_m[axis] == 0.0) continue;
@@ -161,22 +161,22 @@ struct PlainStrides {
         }
         return moved;
     }
-    double goes_m(BlindBody& body, const Vec2& way, double most_m) const {
+    double goes_m(BlindWalker& body, const Vec2& way, double most_m) const {
         bool edge = false;
         const Vec2 start = body.at_m;
         for (double left_m = most_m; left_m > 0.0 && !edge; left_m -= stride_m)
             if (!go(body, way * stride_m, edge)) break;
         return edge ? 0.0 : glm::dot(body.at_m - start, way);
     }
-    std::optional<double> line_up_m(const BlindBody& body, double heading_rad) const {
+    std::optional<double> line_up_m(const BlindWalker& body, double heading_rad) const {
         const Vec2 ahead{std::sin(heading_rad), std::cos(heading_rad)}, right{ahead.y, -ahead.x};
-        const auto opens = [&](BlindBody probe) {
+        const auto opens = [&](BlindWalker probe) {
             const bool deep = goes_m(probe, ahead, kLineUpDeep_m) >= kLineUpDeep_m - 2.0 * stride_m;
-            BlindBody one = probe, other = probe;
+            BlindWalker one = probe, other = probe;
             return deep && goes_m(one, -right, kDoorway_m) + goes_m(other, right, kDoorway_m) < kDoorway_m;
         };
         if (opens(body)) return 0.0;
-        BlindBody sides[2] = {body, body};
+        BlindWalker sides[2] = {body, body};
         bool goes[2] = {true, true};
         for (double aside_m = stride_m; aside_m <= kLineUp_m; aside_m += stride_m)
             for (const int side : {0, 1}) {
@@ -210,7 +210,7 @@ TEST(BlindGround, lines_up_bit_identically_to_a_full_length_search_that_checks_e
         for (int i = 0; i < 2000; ++i) {
             const Vec3 place = moved.place_m(static_cast<std::uint32_t>(random() % moved.spans.size()));
             const double dx = 0.04 * part() - 0.02, dy = 0.04 * part() - 0.02;
-            const BlindBody body = ground.body_at(place + Vec3(dx, dy, 0.0));
+            const BlindWalker body = ground.body_at(place + Vec3(dx, dy, 0.0));
             const double heading = i % 2 ? 2.0 * kPi * part() : notch_heading_rad(static_cast<int>(random() % 16));
             const auto found = ground.line_up_m(body, heading, {}), expected = twin.line_up_m(body, heading);
             ASSERT_EQ(found, expected) << far_m << " " << body.at_m.x << " " << body.at_m.y << " " << heading;
@@ -235,23 +235,23 @@ TEST(BlindGround, gives_mirrored_answers_for_a_mirrored_room) {
     }
 }
 
-TEST(WordRoute, passes_a_doorway_with_walking_errors_in_a_few_legs) {
+TEST(DirectionsRoute, passes_a_doorway_with_walking_errors_in_a_few_legs) {
     std::mt19937 random(test::seed_of_run());
     RecordProperty("seed", static_cast<int>(test::seed_of_run()));
     const auto part = [&] { return static_cast<double>(random() % 10001) / 10000.0; };
     for (int i = 0; i < 10; ++i) {
         SceneBuilder b = two_rooms(1.0 + 8.0 * part());
         const Room room = room_of(b);
-        const WordPlanner planner(*room.ground, kStep_m);
+        const DirectionsPlanner planner(*room.ground, kStep_m);
         const Vec3 from(0.5 + 9.0 * part(), 0.5 + 3.5 * part(), 0.0);
-        WordGoal goal(room.navigation->space().spans.size(), 0);
+        DirectionsGoal goal(room.navigation->space().spans.size(), 0);
         for (std::uint32_t s = 0; s < goal.size(); ++s) goal[s] = room.navigation->space().place_m(s).y > 5.5 ? 1 : 0;
         const auto route = planner.plan(from, 0.0, goal, {});
         ASSERT_TRUE(route);
         EXPECT_LE(route->legs.size(), 6U);
         EXPECT_EQ(planner.try_out(*route, from, 0.0, goal, {}, {0.0, 0.0, 0.0}, 1, 1), 1);
         EXPECT_GE(planner.try_out(*route, from, 0.0, goal, {}, {}, 100, random()), 90);
-        for (const WordLeg& leg : route->legs) {
+        for (const DirectionsLeg& leg : route->legs) {
             EXPECT_GE(leg.steps, 1);
             EXPECT_GE(leg.turn_notches, -7);
             EXPECT_LE(leg.turn_notches, 8);
@@ -260,7 +260,7 @@ TEST(WordRoute, passes_a_doorway_with_walking_errors_in_a_few_legs) {
 }
 
 // A doorway between two rooms belongs to neither outline, whichever room its floor is counted in.
-TEST(WordRoute, ends_within_the_outline_that_the_file_states_for_a_room) {
+TEST(DirectionsRoute, ends_within_the_outline_that_the_file_states_for_a_room) {
     SceneBuilder b = two_rooms(5.0);
     const Room room = room_of(b);
     const WalkSpace& space = room.navigation->space();
@@ -276,7 +276,7 @@ TEST(WordRoute, ends_within_the_outline_that_the_file_states_for_a_room) {
     stated->rooms.push_back(outline);
     Scene scene;
     scene.stated = stated;
-    const WordGoal goal = goal_in_room(space, room_of_span, 0, &outline);
+    const DirectionsGoal goal = goal_in_room(space, room_of_span, 0, &outline);
     std::size_t in = 0;
     for (std::uint32_t s = 0; s < goal.size(); ++s) {
         const Vec3 at_m = space.place_m(s);
@@ -293,12 +293,12 @@ TEST(WordRoute, ends_within_the_outline_that_the_file_states_for_a_room) {
     EXPECT_FALSE(stands_inside(graph, space, scene, {5.0, 6.1, 0.0}, 0)) << "a hand's breadth inside";
 }
 
-TEST(WordRoute, does_not_exist_to_an_unreachable_place_or_after_cancellation) {
+TEST(DirectionsRoute, does_not_exist_to_an_unreachable_place_or_after_cancellation) {
     SceneBuilder b = two_rooms(5.0, 0.3);  // too narrow for the body
     b.start({2, 8, 0}, 0.0);
     const Room room = room_of(b);
-    const WordPlanner planner(*room.ground, kStep_m);
-    WordGoal north(room.navigation->space().spans.size(), 0), south = north;
+    const DirectionsPlanner planner(*room.ground, kStep_m);
+    DirectionsGoal north(room.navigation->space().spans.size(), 0), south = north;
     bool any = false;
     for (std::uint32_t s = 0; s < north.size(); ++s) {
         north[s] = room.navigation->space().place_m(s).y > 5.5 ? 1 : 0;
@@ -314,7 +314,7 @@ TEST(WordRoute, does_not_exist_to_an_unreachable_place_or_after_cancellation) {
 }
 
 // A platform with a drop of half a metre on two sides.
-TEST(WordRoute, never_leads_a_body_with_walking_errors_over_an_edge) {
+TEST(DirectionsRoute, never_leads_a_body_with_walking_errors_over_an_edge) {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {3, 12, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
     b.box({3, 0, -1.2}, {10, 9, -1.0}, "pit", SolidRole::Solid, "wood", FeatureKind::Floor);
@@ -325,13 +325,13 @@ TEST(WordRoute, never_leads_a_body_with_walking_errors_over_an_edge) {
     wall(b, {10, 0, -1.2}, {10.2, 12, 2.6});
     b.start({1.5, 2, 0}, 0.0);
     const Room room = room_of(b);
-    const WordPlanner planner(*room.ground, kStep_m);
+    const DirectionsPlanner planner(*room.ground, kStep_m);
     const Vec3 from(1.2, 1.5, 0.0);
-    const WordGoal goal = goal_round(room.navigation->space(), {9.0, 11.0, 0.0}, 1.0);
+    const DirectionsGoal goal = goal_round(room.navigation->space(), {9.0, 11.0, 0.0}, 1.0);
     const auto route = planner.plan(from, 0.0, goal, {});
     ASSERT_TRUE(route);
     const auto scene = b.share();
-    const BodyWorld world(scene);
+    const WalkerWorld world(scene);
     std::mt19937 random(test::seed_of_run());
     RecordProperty("seed", static_cast<int>(test::seed_of_run()));
     const auto error = [&] { return static_cast<double>(random() % 20001) / 10000.0 - 1.0; };
@@ -339,7 +339,7 @@ TEST(WordRoute, never_leads_a_body_with_walking_errors_over_an_edge) {
         Walker walker(world, body_size(*scene, 0.25));
         walker.place(from);
         int notch = 0;
-        for (const WordLeg& leg : route->legs) {
+        for (const DirectionsLeg& leg : route->legs) {
             notch += leg.turn_notches;
             const double heading = notch_heading_rad(notch) + 0.087 * error();
             const double most_m = leg.steps * kStep_m * (leg.end == PaceEnd::Steps ? 1.0 + 0.1 * error() : 1.5);

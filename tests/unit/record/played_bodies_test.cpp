@@ -54,13 +54,13 @@ public:
                                    .engine = &engine_})
             .force_n;
     }
-    HandEngine& engine() { return engine_; }
+    HandBodyServo& engine() { return engine_; }
     const ToolState& tool() const { return state_.tool(); }
 
 private:
     const World& world_;
     const unsigned which_;
-    HandEngine engine_;
+    HandBodyServo engine_;
     ServoState state_{*find_device_spec("sim-t")};
     ServoTuning tuning_;
     WorkspacePose pose_;
@@ -116,7 +116,7 @@ Seen recorded(const World& world, Recording& recording) {
             row.time_s = now_s;
             row.sample = hands[which].sample_at(tick);
             row.force_n = hands[which].tick(row.sample, now_s);
-            HandEngine& side = hands[which].engine();
+            HandBodyServo& side = hands[which].engine();
             row.bodies = {side.channel().engine, side.channel().frame.read().number, side.take_refused()};
             recording.hands[which].push_back(row);
             seen.forces_n[which].push_back(row.force_n);

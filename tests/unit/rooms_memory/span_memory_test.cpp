@@ -64,7 +64,7 @@ constexpr double kMost_bytes = kSmall ? 300.0 : 150.0;
 TEST(SpanMemory, peaks_at_150_bytes_or_less_for_each_place_to_stand) {
     const Result<Scene> scene = read_quake_map(test::office_world(test::office_size(kBrushes)).map, "office.map");
     ASSERT_TRUE(scene);
-    const BodySize size = body_size(*scene, 0.25);
+    const WalkerSize size = body_size(*scene, 0.25);
     const std::size_t before = held;
     most_held = before;
     const auto bytes_each = [&](std::size_t spans) {
@@ -105,7 +105,7 @@ TEST(SpanMemory, is_limited_in_a_world_too_large_to_be_examined_completely) {
     ASSERT_TRUE(scene);
     const std::size_t before = held;
     most_held = before;
-    const auto made = Navigation::make(*scene, WalkBody{});
+    const auto made = Navigation::make(*scene, WalkerMeasures{});
     ASSERT_TRUE(made) << made.error().message;
     EXPECT_TRUE((*made)->space().part);
     EXPECT_LT(most_held - before, std::size_t{700} << 20);
@@ -117,13 +117,13 @@ TEST(SpanMemory, exhaustion_is_reported_and_does_no_further_harm) {
     for (const Executor* executor : {&at_once(), &on_threads()})
         for (const std::size_t room : {std::size_t{100'000}, std::size_t{1'000'000}, std::size_t{4'000'000}}) {
             room_for = held + room;
-            RoomsOfWorld rooms(scene, WalkBody{}, *executor);
+            RoomsOfWorld rooms(scene, WalkerMeasures{}, *executor);
             while (!rooms.ready()) std::this_thread::yield();
             room_for = ~std::size_t{0};
             EXPECT_FALSE(rooms.found());
             EXPECT_EQ(rooms.problem(), "There is not enough memory to find rooms and routes in this world.");
         }
-    RoomsOfWorld rooms(scene, WalkBody{}, at_once());
+    RoomsOfWorld rooms(scene, WalkerMeasures{}, at_once());
     EXPECT_TRUE(rooms.ready());
     EXPECT_TRUE(rooms.found());
 }

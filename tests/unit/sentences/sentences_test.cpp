@@ -83,7 +83,7 @@ private:
             if (!faults.empty()) faulty_.emplace(text, after + ": " + fmt::format("{}", fmt::join(faults, "; ")));
         }
     }
-    // Goes down and up the list, chooses one entry, and leaves again. The limits are needed because an entry may open
+    // Course down and up the list, chooses one entry, and leaves again. The limits are needed because an entry may open
     // the next list.
     void go_through_list(const std::string& word, int round) {
         constexpr int kMostItems = 12, kMostLists = 6;
@@ -113,7 +113,7 @@ private:
         s_.app.apply(KeyTapped{name}, s_.now);
         s_.run(0.05);
     }
-    // Goes to the middle of another room.
+    // Course to the middle of another room.
     void to_room(int which) {
         s_.ask(Command::PlanView);
         s_.run(0.1);

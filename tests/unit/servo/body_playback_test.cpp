@@ -104,9 +104,9 @@ TEST(BodyPlayback, reports_the_moving_bodies_with_numbered_paths_that_continue_t
     frame.push(scene->generation, 1.02, poses);
     poses[2].present = false;
     frame.push(scene->generation, 1.04, poses);
-    const BodyWays first = *playback.at(frame, *scene, 1.01).ways;
+    const BodyPaths first = *playback.at(frame, *scene, 1.01).ways;
     const BodyPoses poses_then = playback.at(frame, *scene, 1.03);
-    const BodyWays second = *poses_then.ways;
+    const BodyPaths second = *poses_then.ways;
     ASSERT_EQ(first.moving.size(), 1U);
     EXPECT_EQ(first.moving[0].body, 1U);
     EXPECT_EQ(first.number_before, begin);

@@ -18,7 +18,7 @@ namespace stored_ways_test {
 
 struct World {
     Scene scene;
-    WalkBody body;
+    WalkerMeasures body;
     WalkSpace space;
     RoomGraph graph;
 
@@ -94,7 +94,7 @@ TEST(StoredWays, have_a_key_that_is_equal_only_for_the_same_scene_and_body) {
     other = world.scene;
     other.report.guessed.emplace_back("a sentence");
     EXPECT_EQ(ways_key(other, world.body), key);
-    WalkBody wider = world.body;
+    WalkerMeasures wider = world.body;
     wider.radius_m = 0.3;
     EXPECT_NE(ways_key(world.scene, wider), key);
 }
@@ -103,7 +103,7 @@ TEST(StoredWays, of_another_body_or_a_smaller_scene_are_rejected) {
     const World world("tests/unit/ifc/worlds/small_house.ifc");
     const std::string plain = unpacked_ways(world.bytes());
     ASSERT_TRUE(ways_from(plain, world.body, world.scene).has_value());
-    WalkBody wider = world.body;
+    WalkerMeasures wider = world.body;
     wider.radius_m = 0.3;
     EXPECT_FALSE(ways_from(plain, wider, world.scene).has_value());
     EXPECT_FALSE(ways_from(plain, world.body, Scene{}).has_value()) << "they name things that are not in it";

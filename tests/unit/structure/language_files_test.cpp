@@ -88,7 +88,7 @@ const std::map<std::string, std::vector<std::string>>& not_said() {
         {"worlds/scene/surfaces.cpp", {"sloping ceiling", "slope rising", "low block", "large block"}},
         {"worlds/scene/material.cpp", {"steel grille"}},
         {"worlds/scene/outer_ground.h", {"ground outside"}},
-        {"worlds/drawn/plan_scene.cpp", {"about this place"}},
+        {"worlds/floorplan/plan_scene.cpp", {"about this place"}},
         {"worlds/osm/osm_things.cpp", {"tactile paving"}},
         {"app/report/report_page.cpp", {"<", "content=", "initial-scale", "class=", "{"}},  // HTML and its style
         {"app/report/plan_part.cpp", {"<", "class=", "{"}},

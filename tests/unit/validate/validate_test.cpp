@@ -36,7 +36,7 @@ TEST(Validate, finds_no_fault_in_scenes_made_from_worlds) {
             const auto touch = validate(*compile_haptic(scene, exploring(rounding_m)));
             EXPECT_TRUE(touch) << touch.error().message;
         }
-        const BodySize size = body_size(scene, 0.25);
+        const WalkerSize size = body_size(scene, 0.25);
         const auto made = Navigation::make(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
         if (!made) continue;  // nothing to walk on in this world
         const auto space = validate((*made)->space());
@@ -76,7 +76,7 @@ TEST(Validate, finds_every_kind_of_damage_in_a_haptic_scene) {
 
 TEST(Validate, finds_every_kind_of_damage_in_routes_and_rooms) {
     const Scene scene = world("tests/scenarios/worlds/two_rooms_door.map");
-    const BodySize size = body_size(scene, 0.25);
+    const WalkerSize size = body_size(scene, 0.25);
     const auto made = Navigation::make(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
     ASSERT_TRUE(made);
     const WalkSpace space = (*made)->space();
@@ -123,11 +123,11 @@ using ContractDeathTest = testing::Test;
 TEST(ContractDeathTest, a_broken_precondition_ends_the_program_and_names_the_place) {
     const Desk desk;
     EXPECT_DEATH((void)desk.words(0), "at desk.cpp line [0-9]+: control < controls_.size\\(\\) does not hold");
-    EXPECT_DEATH(BodyWorld(nullptr), "at body_world.cpp line [0-9]+: scene != nullptr does not hold");
+    EXPECT_DEATH(WalkerWorld(nullptr), "at body_world.cpp line [0-9]+: scene != nullptr does not hold");
     MoverPlay movers;
     EXPECT_DEATH(movers.set_going(0), "at mover_play.cpp line");
     const auto empty = std::make_shared<const Scene>();
-    const BodyWorld nothing(empty);
+    const WalkerWorld nothing(empty);
     Walker walker(nothing, {});
     EXPECT_DEATH((void)walker.tick(Vec3(std::nan(""), 0.0, 0.0), 0.01), "at walker.cpp line");
     EXPECT_DEATH((void)tessellate(PatchGrid{3, 3, {}}, 0.01), "at bezier_patch.cpp line");

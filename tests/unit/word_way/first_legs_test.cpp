@@ -1,5 +1,5 @@
 // The first legs of a route for words are planned before the rest, which is planned after them.
-#include "app/core/wayfinding/word_ground.h"
+#include "app/core/wayfinding/directions_ground.h"
 #include "tests/unit/core/app_session.h"
 #include "worlds/navigation/reach.h"
 #include "worlds/scene/models.h"
@@ -14,19 +14,19 @@ struct House {
     Scene apart = with_movers_apart(*scene, 1000, thing_of_mover);
     std::shared_ptr<Navigation> navigation;
     RoomGraph graph;
-    std::unique_ptr<WordFloor> floor;
+    std::unique_ptr<DirectionsFloor> floor;
 
     House() {
-        const BodySize size = body_size(*scene, 0.25);
+        const WalkerSize size = body_size(*scene, 0.25);
         auto made = Navigation::make(*scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m));
         if (!made) throw std::runtime_error(made.error().message);
         navigation = *made;
         graph = make_rooms(*scene, navigation->space());
-        floor = std::make_unique<WordFloor>(navigation, graph.room_of_span, word_doors(apart, thing_of_mover), 0.7);
+        floor = std::make_unique<DirectionsFloor>(navigation, graph.room_of_span, word_doors(apart, thing_of_mover), 0.7);
     }
 };
 
-bool same(const WordLeg& a, const WordLeg& b) {
+bool same(const DirectionsLeg& a, const DirectionsLeg& b) {
     return a.turn_notches == b.turn_notches && a.steps == b.steps && a.end == b.end && a.door == b.door;
 }
 
@@ -38,7 +38,7 @@ TEST(FirstLegs, are_the_same_as_the_beginning_of_the_whole_route) {
     for (std::uint32_t room = 0; room < house.graph.rooms.size(); ++room) {
         if (house.graph.rooms[room].kind != RoomKind::Room) continue;
         SCOPED_TRACE(house.graph.rooms[room].name);
-        const WordGoal goal = goal_in_room(house.navigation->space(), house.graph.room_of_span, room);
+        const DirectionsGoal goal = goal_in_room(house.navigation->space(), house.graph.room_of_span, room);
         const auto first = house.floor->planner.plan(from_m, 0.0, goal, shut, {}, {}, {.begun = {}, .places = 10});
         if (!first || first->whole) continue;
         ++in_parts;

@@ -15,19 +15,19 @@ constexpr double kTick_m = 0.02;
 
 // The first result that is not On or Along if each tick achieves this share of its movement, and the distance until
 // then; none: the walk continues.
-std::optional<std::pair<Gait::Goes, double>> ends(double part, const std::optional<double>& aside_m = std::nullopt) {
+std::optional<std::pair<Gait::Course, double>> ends(double part, const std::optional<double>& aside_m = std::nullopt) {
     Gait gait;
     for (double far_m = kTick_m; far_m < 2.0; far_m += kTick_m) {
-        const Gait::Goes goes = gait.went(kTick_m, part * kTick_m, part < 1.0, [&] { return aside_m; });
-        if (goes == Gait::Goes::Stopped || goes == Gait::Goes::Aside) return std::pair(goes, far_m);
+        const Gait::Course goes = gait.went(kTick_m, part * kTick_m, part < 1.0, [&] { return aside_m; });
+        if (goes == Gait::Course::Stopped || goes == Gait::Course::Aside) return std::pair(goes, far_m);
     }
     return std::nullopt;
 }
 
 TEST(Gait, stops_at_once_at_head_on_obstacles_and_soon_at_almost_square_ones) {
-    EXPECT_EQ(ends(0.0)->first, Gait::Goes::Stopped);
+    EXPECT_EQ(ends(0.0)->first, Gait::Course::Stopped);
     EXPECT_NEAR(ends(0.0)->second, kTick_m, 1e-9);
-    EXPECT_EQ(ends(std::cos(67.5 * kPi / 180.0))->first, Gait::Goes::Stopped);
+    EXPECT_EQ(ends(std::cos(67.5 * kPi / 180.0))->first, Gait::Course::Stopped);
     EXPECT_NEAR(ends(std::cos(67.5 * kPi / 180.0))->second, kStoppedWindow_m, kTick_m);
 }
 
@@ -38,20 +38,20 @@ TEST(Gait, slides_along_obstacles_met_at_45_degrees_or_less) {
 }
 
 TEST(Gait, slides_into_a_doorway_at_most_twice_and_never_if_it_is_straight_ahead) {
-    EXPECT_EQ(ends(0.0, 0.3)->first, Gait::Goes::Aside);
-    EXPECT_EQ(ends(0.0, 0.0)->first, Gait::Goes::Stopped);
+    EXPECT_EQ(ends(0.0, 0.3)->first, Gait::Course::Aside);
+    EXPECT_EQ(ends(0.0, 0.0)->first, Gait::Course::Stopped);
     Gait gait;
     const auto to_the_left = [] { return std::optional(-0.05); };
-    EXPECT_EQ(gait.went(kTick_m, 0.0, true, to_the_left), Gait::Goes::Aside);
+    EXPECT_EQ(gait.went(kTick_m, 0.0, true, to_the_left), Gait::Course::Aside);
     EXPECT_DOUBLE_EQ(gait.aside_left_m(), -0.05);
     gait.went_aside(0.02, 0.02);
     EXPECT_NEAR(gait.aside_left_m(), -0.03, 1e-12);
     gait.went_aside(0.04, 0.03);
     EXPECT_EQ(gait.aside_left_m(), 0.0);
-    EXPECT_EQ(gait.went(kTick_m, 0.0, true, to_the_left), Gait::Goes::Aside);
+    EXPECT_EQ(gait.went(kTick_m, 0.0, true, to_the_left), Gait::Course::Aside);
     gait.went_aside(0.02, 0.0);  // something is in the way there too
     EXPECT_EQ(gait.aside_left_m(), 0.0);
-    EXPECT_EQ(gait.went(kTick_m, 0.0, true, to_the_left), Gait::Goes::Stopped);
+    EXPECT_EQ(gait.went(kTick_m, 0.0, true, to_the_left), Gait::Course::Stopped);
 }
 
 // A space of 10 by 10 m, divided at y = 5 by a wall with a doorway 0.9 m wide around x = 5.

@@ -18,7 +18,7 @@
 #include "worlds/base/language.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/rooms.h"
-#include "worlds/navigation/word_route.h"
+#include "worlds/navigation/directions_route.h"
 
 namespace handrail {
 namespace word_way_test {
@@ -52,7 +52,7 @@ public:
             person_.run(3.0);
         }
     }
-    // Goes from there to the room of that name; returns the walker's final place.
+    // Course from there to the room of that name; returns the walker's final place.
     Vec3 go(const Vec3& from_m, const std::string& room, const Errors& errors, std::uint64_t seed) {
         random_.seed(seed);
         errors_ = errors;
@@ -163,7 +163,7 @@ struct Judge {
     RoomGraph graph;
 
     explicit Judge(const Scene& scene) {
-        const BodySize size = body_size(scene, 0.25);
+        const WalkerSize size = body_size(scene, 0.25);
         auto made = Navigation::make(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
         if (!made) throw std::runtime_error(made.error().message);
         navigation = *made;

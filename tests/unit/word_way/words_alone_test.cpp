@@ -25,7 +25,7 @@ using test::WordWalker;
 class Judge {
 public:
     explicit Judge(const Scene& scene) : scene_(scene) {
-        const BodySize size = body_size(scene, 0.25);
+        const WalkerSize size = body_size(scene, 0.25);
         auto made = Navigation::make(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
         if (!made) return;
         ways_ = *made;

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "tests/support/map_text.h"
-#include "worlds/drawn/local_plane.h"
+#include "worlds/floorplan/local_plane.h"
 #include "worlds/exports/as_words.h"
 #include "worlds/scene/scene.h"
 #include "worlds/scene/stated_building.h"

@@ -1,0 +1,41 @@
+// Holding a thing with the hand of a device, by its button or by the Use key while the hand touches the thing. The
+// servo holds it; this class requests that and announces what is held, released or too heavy. App thread only.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "app/core/context/session_part.h"
+#include "haptic/render/dynamics_scene.h"
+
+namespace handrail {
+
+class DeviceGrip : SessionPart {
+public:
+    // Sends requests to the servos through `hands`.
+    DeviceGrip(const SessionContext& context, HandsState& hands) : SessionPart(context), hands_(hands) {}
+
+    void enter_world();
+    // Takes hold of what a hand touches, lets go, turns by quarters. Returns false if the command belongs to another
+    // feature.
+    bool act(Command command, const DynamicsScene& scene, double now_s);
+    void tick(const DynamicsScene& scene, double now_s);
+    // The body that the hand holds; kNoBody: nothing. 0: the only or right hand, 1: the left one.
+    std::uint32_t held(std::size_t which) const { return sides_[which].held; }
+
+private:
+    struct Side {
+        std::uint32_t held = kNoBody, heavies = 0;
+        bool heavies_known = false;
+        double asked_s = -1e9;
+    };
+    const ToolState& tool(std::size_t which) const { return which == 0 ? hands_.tool : hands_.left_tool; }
+    BodyTuning& tuning(std::size_t which) { return which == 0 ? hands_.tuning.bodies : hands_.left_bodies; }
+    void told_held(const DynamicsScene& scene, std::uint32_t body, double now_s);
+
+    HandsState& hands_;
+    std::array<Side, 2> sides_;
+    bool gain_told_ = false;
+};
+
+}  // namespace handrail

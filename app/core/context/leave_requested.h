@@ -1,0 +1,14 @@
+// To leave the program or a lesson, the person must confirm a question; a second request within kWindow_s leaves
+// without asking again. Plain state; app thread only.
+#pragma once
+
+namespace handrail {
+
+struct LeaveRequested {
+    static constexpr double kWindow_s = 5.0;
+    bool lately(double now_s) const { return now_s - at_s <= kWindow_s; }
+
+    double at_s = -1e9;
+};
+
+}  // namespace handrail

@@ -1,0 +1,73 @@
+// The routes that a person saves in a world under a name: saving the one that was planned or walked, and the list of
+// actions with a saved one. Following a route belongs to another class. App thread only; ways.h says how they are
+// stored.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/core/context/session_part.h"
+#include "app/core/kept/saved_routes.h"
+#include "app/core/wayfinding/stops.h"
+#include "app/core/whereabouts/rooms.h"
+
+namespace handrail {
+
+class KeptRoutes : SessionPart {
+public:
+    KeptRoutes(const SessionContext& context, Rooms& rooms, const PlannedStops& planned);
+
+    // Reads the routes of the world that was entered; announces what cannot be read.
+    void enter_world(double now_s);
+    // The routes have changed in their file.
+    void take_again();
+    // Handles Ways and KeepWay. Returns false for other commands.
+    bool act(Command command, double now_s);
+    // Call it once the rooms are known: announces which routes no longer fit the world.
+    void tell_unfit(double now_s);
+    // A room was renamed: its stops refer to the new name from now on. The caller saves the file. `before` empty: the
+    // room had no stored name.
+    void follow_room_name(const std::string& before, const std::string& name);
+
+    // Routes to choose from, with spoken names: the planned one, the walked ones, then the saved ones, latest first.
+    struct Offer {
+        std::string name, value;
+        std::vector<Stop> stops;
+    };
+    std::vector<Offer> offers() const;
+
+    // Set by the session; called if the person wants to follow these stops, guided by the hand or by ear.
+    std::function<void(const std::vector<Stop>& stops, bool by_hand, double now_s)> on_go;
+
+private:
+    FoundRoute look_at(const SavedRoute& way) const;
+    std::string fault_words_of(const FoundRoute& found) const;
+    bool save(double now_s);
+    void save_and_answer(const std::string& words, double now_s);
+    // Saves, and answers "Way Hall to Kitchen kept" if that succeeded.
+    void save_and_answer_kept(const std::string& name, double now_s);
+    std::vector<Offer> untold_offers() const;
+    void open_keep(double now_s);
+    bool name_taken(const std::string& name, std::size_t except) const;
+    void ask_name(const std::vector<Stop>& stops, double now_s);
+    std::optional<std::string> free_name(const std::string& typed, std::size_t except, double now_s) const;
+    void open_all(double now_s);
+    void open(std::size_t which, double now_s);
+    void add_ways_to_go(ListSpec& list, std::vector<std::function<void()>>& acts, const std::string& name,
+                        const std::vector<Stop>& stops);
+    void open_backwards(std::size_t which, double now_s);
+    void open_add_stop(std::size_t which, double now_s);
+    void add_stop(std::size_t which, Stop stop, double now_s);
+    void take_over(std::size_t which, double now_s);
+    void ask_new_name(std::size_t which, double now_s);
+    void remove(std::size_t which, double now_s);
+
+    Rooms& rooms_;
+    const PlannedStops& planned_;
+    std::vector<SavedRoute> ways_;
+    std::optional<Vec3> begins_m_;  // where the person said that a route begins
+};
+
+}  // namespace handrail

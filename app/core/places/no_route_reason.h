@@ -1,0 +1,28 @@
+// Explains to a person who requested a route why a room cannot be reached, and what would help. A background task finds
+// this, because the walkable area must be built again for other walker sizes. App thread only.
+#pragma once
+
+#include <string>
+
+#include "app/core/context/session_part.h"
+#include "app/core/whereabouts/rooms.h"
+#include "worlds/base/background_task.h"
+
+namespace handrail {
+
+class NoRouteReason : SessionPart {
+public:
+    NoRouteReason(const SessionContext& context, Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
+
+    void enter_world() { looking_.give_up(); }
+    // Examines a room of the graph and announces the result once it is known; nothing if the room can be reached from
+    // the base.
+    void look(std::uint32_t room);
+    void tick(double now_s);
+
+private:
+    Rooms& rooms_;
+    BackgroundTask<std::string> looking_{context_.executor, "why-no-way", context_.arrivals};
+};
+
+}  // namespace handrail

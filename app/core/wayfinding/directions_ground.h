@@ -1,0 +1,57 @@
+// The floor of the present world as a person finds it who walks by words, and the planner for routes on it. A
+// background task makes it once the rooms are known. App thread only; what it returns is immutable and may be used on
+// any thread. World metres.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/core/context/session_part.h"
+#include "app/core/whereabouts/rooms.h"
+#include "worlds/base/background_task.h"
+#include "worlds/navigation/directions_route.h"
+
+namespace handrail {
+
+struct DirectionsFloor {
+    DirectionsFloor(std::shared_ptr<const Navigation> ways_known, std::vector<std::uint32_t> rooms,
+              std::vector<DirectionsDoor> doors, double step)
+        : ways(std::move(ways_known)),
+          room_of_span(std::move(rooms)),
+          ground(ways->space(), std::move(doors)),
+          planner(ground, step),
+          step_m(step) {}
+    DirectionsFloor(const DirectionsFloor&) = delete;  // its parts keep each other's addresses
+    DirectionsFloor& operator=(const DirectionsFloor&) = delete;
+
+    std::shared_ptr<const Navigation> ways;
+    std::vector<std::uint32_t> room_of_span;
+    BlindGround ground;
+    DirectionsPlanner planner;
+    double step_m;
+};
+
+class DirectionsGround : SessionPart {
+public:
+    DirectionsGround(const SessionContext& context, Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
+
+    void enter_world();
+    void tick();
+    // Null: not yet made, or there are no rooms.
+    std::shared_ptr<const DirectionsFloor> floor();
+    // True while it is being made, or the rooms are being found.
+    bool awaited() const { return rooms_.awaited() || making_.busy(); }
+    // Which of its doors are open now, or about to be.
+    DoorsOpen open_now(const DirectionsFloor& floor) const;
+    // BlindGround::line_up_m at the walker's place; no value if the floor is not known.
+    std::optional<double> line_up_m(const Vec3& feet_m, double heading_rad);
+
+private:
+    Rooms& rooms_;
+    std::shared_ptr<const DirectionsFloor> floor_;
+    BackgroundTask<std::shared_ptr<const DirectionsFloor>> making_{context_.executor, "word-floor", context_.arrivals};
+};
+
+}  // namespace handrail

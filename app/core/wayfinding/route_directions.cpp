@@ -1,0 +1,292 @@
+#include "app/core/wayfinding/route_directions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/core/context/telling.h"
+#include "app/core/world/questions.h"
+#include "worlds/base/language.h"
+#include "worlds/navigation/stated_rooms.h"
+
+namespace handrail {
+namespace {
+
+// Farther from the legs than this, the walker has left the route. This is twice the spread that a plan permits.
+constexpr double kLeft_m = 3.5;
+constexpr double kLooked_m = 0.05;
+// A route still holds if enough trial walks with errors arrive from the present place: at least the share that arrived
+// when it was planned, minus kFewer.
+constexpr int kTried = 24;
+constexpr double kFewer = 0.25, kUnmoved_m = 0.1;
+// Number of places that the planner examines before its first legs are announced. Routes in a house need fewer for all
+// their legs.
+constexpr int kPlacesForFirst = 150;
+
+double distance_to_stretch(const Vec3& at, const Vec3& a, const Vec3& b) {
+    const Vec3 way = b - a;
+    const double length2 = glm::dot(way, way);
+    const double part = length2 > 0.0 ? std::clamp(glm::dot(at - a, way) / length2, 0.0, 1.0) : 0.0;
+    return glm::length(at - (a + way * part));
+}
+
+}  // namespace
+
+RouteDirections::RouteDirections(const SessionContext& context, Rooms& rooms, DirectionsGround& ground)
+    : SessionPart(context), rooms_(rooms), ground_(ground) {}
+
+void RouteDirections::begin(std::uint32_t room, std::string goal) {
+    stop();
+    room_ = room;
+    goal_ = std::move(goal);
+    state_ = State::Planned;
+    plan();
+}
+
+void RouteDirections::stop() {
+    planning_.give_up();
+    state_ = State::None;
+    wanted_ = false;
+    awaited_ = Awaited::Nothing;
+    way_ = {};
+    at_ = 0;
+    room_ = kNothing;
+    stopped_.reset();
+}
+
+void RouteDirections::plan(bool in_parts) {
+    awaited_ = Awaited::Nothing;
+    const std::shared_ptr<const DirectionsFloor> floor = ground_.floor();
+    wanted_ = !floor && ground_.awaited();
+    state_ = floor || wanted_ ? State::Planned : State::NoWay;
+    if (!floor) return;
+    Planned planned;
+    planned.floor = floor;
+    planned.goal = way_.floor == floor ? way_.goal : nullptr;
+    planned.from_m = context_.body.feet_m();
+    planned.notch = nearest_notch(context_.body.heading_goal_rad);
+    planned.open = ground_.open_now(*floor);
+    planning_.begin([planned = std::move(planned), in_parts, room = room_,
+                     middle_m = rooms_.graph().rooms[room_].middle_m,
+                     scene = rooms_.file_scene()](const std::stop_token& stop) {
+        Planned made = planned;
+        if (!made.goal)
+            made.goal = std::make_shared<const DirectionsGoal>(goal_in_room(
+                made.floor->ground.space(), made.floor->room_of_span, room, stated_room_at(*scene, middle_m)));
+        made.route = made.floor->planner.plan(made.from_m, notch_heading_rad(made.notch), *made.goal, made.open, {},
+                                              stop, {.begun = {}, .places = in_parts ? kPlacesForFirst : 0});
+        return made;
+    });
+}
+
+// Plans the legs after the first ones while those are walked.
+void RouteDirections::plan_rest() {
+    planning_.begin([planned = way_](const std::stop_token& stop) {
+        Planned made = planned;
+        made.route = made.floor->planner.plan(made.from_m, notch_heading_rad(made.notch), *made.goal, made.open, {},
+                                              stop, {.begun = planned.route->legs, .places = 0});
+        return made;
+    });
+}
+
+void RouteDirections::take(Planned planned) {
+    way_ = std::move(planned);
+    at_ = 0;
+    looked_m_ = context_.body.feet_m() + Vec3(2.0 * kLooked_m, 0.0, 0.0);
+    state_ = way_.route && !way_.route->legs.empty() ? State::Known : State::NoWay;
+    if (state_ == State::Known && !way_.route->whole) plan_rest();
+}
+
+// Returns true if it was awaited. If the first legs have no continuation, the route is planned again from the walker's
+// place.
+bool RouteDirections::take_rest(Planned planned) {
+    if (!planned.route || planned.route->legs.size() <= way_.route->legs.size()) {
+        plan(false);
+        return false;
+    }
+    way_.route = std::move(planned.route);
+    const Awaited awaited = std::exchange(awaited_, Awaited::Nothing);
+    if (awaited == Awaited::NextLeg) ++at_;
+    return awaited != Awaited::Nothing;
+}
+
+RouteDirections::News RouteDirections::tick() {
+    News news;
+    if (state_ == State::Planned) {
+        if (wanted_) plan();
+        if (auto planned = planning_.take()) take(std::move(*planned));
+        news.planned = state_ != State::Planned;
+    } else if (!whole()) {
+        if (auto planned = planning_.take()) news.planned = take_rest(std::move(*planned));
+    }
+    if (state_ != State::Known) return news;
+    const Vec3& feet_m = context_.body.feet_m();
+    if (glm::length(feet_m - looked_m_) < kLooked_m || !context_.body.walker->state().on_ground) return news;
+    looked_m_ = feet_m;
+    const BlindWalker body = way_.floor->ground.body_at(feet_m);
+    news.arrived = body.span != kNothing && (*way_.goal)[body.span] != 0 && in_outline(feet_m);
+    if (news.arrived) return news;
+    double off_m = kLeft_m + 1.0;
+    Vec3 from_m = way_.from_m;
+    for (const DirectionsLeg& leg : way_.route->legs) {
+        off_m = std::min(off_m, distance_to_stretch(feet_m, from_m, leg.to_m));
+        from_m = leg.to_m;
+    }
+    news.left = off_m > kLeft_m;
+    return news;
+}
+
+// A place of the goal may be as wide as a step and lie half outside the room.
+bool RouteDirections::in_outline(const Vec3& feet_m) const {
+    const StatedRoom* const outline = stated_room_at(*rooms_.file_scene(), rooms_.graph().rooms[room_].middle_m);
+    return !outline || handrail::holds(*outline, feet_m);
+}
+
+LegAt RouteDirections::leg_at(std::size_t which) const {
+    const std::vector<DirectionsLeg>& legs = way_.route->legs;
+    int notch = way_.notch;
+    for (std::size_t i = 0; i <= which; ++i) notch += legs[i].turn_notches;
+    LegAt at{legs[which], 0, {}, {}, {}, 0};
+    at.notch = ((notch % kNotches) + kNotches) % kNotches;
+    at.planned_from_m = which == 0 ? way_.from_m : legs[which - 1].to_m;
+    if (way_.route->whole && which + 1 == legs.size()) at.goal = goal_;
+    at.from_m = context_.body.feet_m();
+    at.from_notch = nearest_notch(context_.body.heading_goal_rad);
+    return at;
+}
+
+// True if the remaining legs still lead to the goal from here, even for trial walks with errors. For first legs that is
+// unknown until the rest is planned.
+bool RouteDirections::holds() const {
+    if (!way_.route->whole) return true;
+    const LegAt first = leg_at(at_);
+    // At the place where it was planned, the route still holds even if its first leg has been walked already. A new
+    // plan from here would give the same route again and again.
+    if (glm::length(first.from_m - way_.from_m) < kUnmoved_m && way_.open == open_now()) return true;
+    DirectionsRoute left;
+    left.legs.assign(way_.route->legs.begin() + static_cast<std::ptrdiff_t>(at_), way_.route->legs.end());
+    left.legs.front().turn_notches = first.notch - first.from_notch;
+    const DoorsOpen open = open_now();
+    if (first.leg.end == PaceEnd::Steps && left.legs.front().steps > 0)
+        left.legs.front().steps = spoken_leg(context_, *way_.floor, first, open).steps;
+    const double heading_rad = notch_heading_rad(first.from_notch);
+    const DirectionsPlanner& planner = way_.floor->planner;
+    DirectionsErrors errors;
+    errors.start_m = 0.0;
+    const double wanted = static_cast<double>(way_.route->came) / kWordTrials - kFewer;
+    return planner.try_out(left, first.from_m, heading_rad, *way_.goal, open, errors, kTried, 1) >= wanted * kTried;
+}
+
+std::string RouteDirections::tell() {
+    if (state_ != State::Known) return {};
+    const LegAt leg = leg_at(at_);
+    SpokenLeg told = spoken_leg(context_, *way_.floor, leg, open_now());
+    // Legs are planned on a grid coarser than the walker. There, a walker may slide past what stops the real one, and
+    // the same leg would be announced for ever.
+    if (stopped_on(leg) && told.leaf.empty() && !begin_with_door(told)) {
+        stop();
+        state_ = State::NoWay;
+        return {};
+    }
+    return leg_words(told, distances(context_));
+}
+
+void RouteDirections::note_stop(FeatureId by) {
+    if (state_ != State::Known) return;
+    const Feature* const met = context_.world.scene->find(by);
+    Stop stop{context_.body.feet_m(), context_.body.heading_rad};
+    if (met && met->kind == FeatureKind::Door) stop.door = by;
+    if (stopped_ && stop.door && stopped_->door == stop.door) stop.times = stopped_->times + 1;
+    stopped_ = stop;
+}
+
+// Makes the leg begin with the door that stopped the walker: a shut door is opened, the leaf of an open one is shut.
+// Returns false if no door that a person opens did that, or it still stops the walker.
+bool RouteDirections::begin_with_door(SpokenLeg& leg) const {
+    constexpr int kMostTimes = 4;
+    if (leg.open || leg.by_itself) return true;  // it says so already
+    const int mover = stopped_->door ? mover_of(context_.world, stopped_->door) : -1;
+    if (mover < 0 || stopped_->times > kMostTimes ||
+        !context_.world.scene->movers[static_cast<std::size_t>(mover)].by_hand)
+        return false;
+    const std::string door = passage_name(context_, PassageKind::Door, stopped_->door, 0.0);
+    if (shut(context_.world, static_cast<std::uint32_t>(mover)))
+        leg = {.turn_notches = leg.turn_notches,
+               .steps = 1,
+               .end = PaceEnd::Stopped,
+               .to = joined(door, phrase("questions.shut")),
+               .open = true};
+    else leg.leaf = door;
+    return true;
+}
+
+bool RouteDirections::stopped_on(const LegAt& leg) const {
+    constexpr double kHere_m = 0.25, kSameWay_rad = 0.15;
+    return stopped_ && glm::length(leg.from_m - stopped_->at_m) < kHere_m &&
+           std::abs(wrap_angle(notch_heading_rad(leg.notch) - stopped_->heading_rad)) < kSameWay_rad;
+}
+
+std::string RouteDirections::leg() {
+    if (state_ != State::Known) return {};
+    awaited_ = Awaited::Nothing;
+    const std::size_t last = way_.route->legs.size() - 1;
+    const DoorsOpen open = open_now();
+    const auto waits_for_door = [&](std::size_t which) {
+        const std::uint32_t door = way_.route->legs[which].door;
+        return door != kNothing && !open[door];
+    };
+    const auto is_over = [&](const LegAt& leg) {
+        return leg_is_over(*way_.floor, leg, open) ||
+               (leg.leg.end == PaceEnd::Stopped && stopped_on(leg) && !stopped_->door);
+    };
+    while (at_ < last && !waits_for_door(at_) && is_over(leg_at(at_))) ++at_;
+    if (!way_.route->whole && !waits_for_door(at_) && is_over(leg_at(at_))) return await(Awaited::NextLeg);
+    if (!holds()) plan();
+    return tell();
+}
+
+std::string RouteDirections::await(Awaited what) {
+    awaited_ = what;
+    return {};
+}
+
+std::string RouteDirections::next_leg() {
+    if (state_ != State::Known) return {};
+    const std::uint32_t door = way_.route->legs[at_].door;
+    const bool shut = door != kNothing && !open_now()[door];
+    awaited_ = Awaited::Nothing;
+    if (!shut && !way_.route->whole && at_ + 1 == way_.route->legs.size()) return await(Awaited::NextLeg);
+    if (!shut) ++at_;
+    if (at_ >= way_.route->legs.size() || !holds()) plan();
+    return tell();
+}
+
+std::vector<std::string> RouteDirections::rest() {
+    if (state_ != State::Known || !holds()) plan();
+    if (state_ != State::Known) return {};
+    if (!way_.route->whole) {
+        awaited_ = Awaited::Rest;
+        return {};
+    }
+    std::vector<std::string> legs;
+    DoorsOpen open = open_now();
+    int notch_before = 0;
+    for (std::size_t i = at_; i < way_.route->legs.size(); ++i) {
+        LegAt at = leg_at(i);
+        if (i > at_) {
+            at.from_m = at.planned_from_m;
+            at.from_notch = notch_before;
+        }
+        legs.push_back(leg_words(spoken_leg(context_, *way_.floor, at, open), distances(context_)));
+        if (at.leg.door != kNothing) open[at.leg.door] = true;
+        notch_before = at.notch;
+    }
+    return legs;
+}
+
+std::optional<double> RouteDirections::heading_rad() const {
+    if (state_ != State::Known) return std::nullopt;
+    return notch_heading_rad(leg_at(at_).notch);
+}
+
+}  // namespace handrail

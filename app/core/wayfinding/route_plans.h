@@ -1,0 +1,70 @@
+// The present route, along the stops of a saved route or straight to one goal: how it continues from a place, for the
+// walker and for a hand. It plans and announces nothing; a plan takes milliseconds. Metres, world. App thread only.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/core/context/session_part.h"
+#include "app/core/kept/saved_routes.h"
+#include "app/core/wayfinding/stops.h"
+#include "app/core/whereabouts/rooms.h"
+
+namespace handrail {
+
+// A path from the hand to a thing.
+struct HandRoute {
+    std::vector<Vec3> points_m;  // none: `problem` says why
+    std::string problem;
+    bool reaches = true;
+    double short_of_m = 0.0;
+    std::vector<std::string> passes;  // doors and stairs, in order
+};
+
+class RoutePlans : SessionPart {
+public:
+    RoutePlans(const SessionContext& context, Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
+
+    void enter_world();
+
+    // ---- following a saved route ----
+    // At least one stop. If the first one has been passed already, the route begins at the second, if there is one.
+    void begin(const std::vector<Stop>& stops, bool first_passed, bool by_hand);
+    void end() { run_.reset(); }
+    bool running() const { return run_.has_value(); }
+    bool by_hand() const { return run_ && run_->by_hand; }
+    void go_on_by_ear() { run_->by_hand = false; }
+    // The next stop whose arrival is announced; valid only while a saved route is followed.
+    const Stop& stop() const { return run_->stops[run_->goal()]; }
+    bool runs_to(const std::string& goal) const { return run_ && stop().name == goal; }
+    // The rest of the route from there to that stop; it is followed from now on.
+    Route on(const Vec3& from_m);
+    // The same without following it.
+    Route looked_at(const Vec3& from_m) const { return plan_through(rooms_.navigation(), from_m, run_->places()); }
+    // Skips stops without a name that have been passed, by the place of the hand, or by the distance along the route of
+    // on().
+    void pass(const Vec3& hand_m);
+    void pass(double along_m);
+    // That stop is reached. Returns false if it was the last one; the route is then over.
+    bool next();
+
+    // ---- to a thing ----
+    // Straight to it if a proxy passes, otherwise along the planned route. If no route is known, straight as long as
+    // nothing is in between.
+    HandRoute for_hand(const Goal& goal, std::size_t most_points);
+    std::string why_none() const;
+
+    // The last planned route, at floor level; empty: none. `changes` increases when it is replaced.
+    void know(std::vector<Vec3> soles_m);
+    const std::vector<Vec3>& last_m() const { return last_m_; }
+    unsigned changes() const { return changes_; }
+
+private:
+    Rooms& rooms_;
+    std::optional<RouteRun> run_;
+    std::vector<Vec3> last_m_;
+    unsigned changes_ = 0;
+};
+
+}  // namespace handrail

@@ -1,0 +1,376 @@
+#include "app/core/wayfinding/spoken_route.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "app/core/kept/saved_routes.h"
+#include "app/core/wayfinding/leaf_ahead.h"
+#include "app/core/wayfinding/leg.h"
+#include "app/core/wayfinding/way_words.h"
+#include "app/core/whereabouts/climbs.h"
+#include "worlds/base/language.h"
+#include "worlds/navigation/reach.h"
+#include "worlds/navigation/route_place.h"
+
+namespace handrail {
+namespace {
+
+// A route on foot is preferred to a lift up to this factor plus this distance.
+constexpr double kLongerOnFoot = 1.5, kLongerOnFoot_m = 15.0;
+constexpr double kTakenUpAhead_m = 2.0;     // distance ahead at which a followed route is joined again
+constexpr double kAtPlace_m = 0.2;          // nearer than this, no wall can be in between
+constexpr double kWorthTurningBack = 1.15;  // factor; the followed route is kept unless it is longer by more
+
+}  // namespace
+
+void SpokenRoute::follow_to(const Vec3& goal_m, const std::string& name, const std::string& first, double now_s) {
+    follow(rooms_.navigation().plan(context_.body.feet_m(), goal_m), name, first, now_s);
+}
+
+void SpokenRoute::stop() {
+    follower_.stop();
+    word_.stop();
+    room_.reset();
+    told_.reset();
+    stopped_.reset();
+    wish_ = RouteWish::Safest;
+    faces_ = rest_asked_ = false;
+}
+
+SpokenRoute::RoomRoute SpokenRoute::route_to(std::uint32_t room) const {
+    const Vec3 from_m = context_.body.feet_m(), to_m = goal_in_room(rooms_.navigation(), rooms_.graph(), room, from_m);
+    // A door that waits for a button cannot be announced leg by leg.
+    const auto told_by_legs = [&](const Route& way) {
+        return way.reaches && way.points_m.size() > 1 &&
+               std::all_of(way.passages.begin(), way.passages.end(), [&](const RoutePassage& passage) {
+                   return (passage.kind == PassageKind::Door || passage.kind == PassageKind::Opening ||
+                           passage.kind == PassageKind::Stairs) &&
+                          lock_words(context_, passage.feature).empty();
+               });
+    };
+    Route route = rooms_.navigation().plan(from_m, to_m);
+    if (told_by_legs(route)) return {std::move(route), true};
+    // Legs are more reliable than a lift, so stairs are preferred if they are not much longer.
+    if (route.reaches) {
+        Route foot = rooms_.navigation().plan(from_m, to_m, RouteWish::OnFoot);
+        if (told_by_legs(foot) && foot.length_m < kLongerOnFoot * route.length_m + kLongerOnFoot_m)
+            return {std::move(foot), true};
+    }
+    return {std::move(route), false};
+}
+
+bool SpokenRoute::follow_to_room(std::uint32_t room, const std::string& first, double now_s) {
+    const std::string name = sentence_case(rooms_.graph().rooms[room].name);
+    auto [route, by_legs] = route_to(room);
+    const auto follow_whole = [&, way = &route] {
+        if (!follow(std::move(*way), name, first, now_s)) return false;
+        room_ = room;
+        return true;
+    };
+    if (!by_legs) return follow_whole();
+    stop();
+    wish_ = RouteWish::OnFoot;
+    word_.begin(room, name);
+    if (!word_.at_work()) return follow_whole();
+    room_ = room;
+    std::string words = first.empty() ? first : first + ' ';
+    words += phrase("rooms.way", {{"goal", name}, {"route", overview_words(context_, rooms_, route)}});
+    if (const std::string leg = word_.leg(); !leg.empty()) words += ' ' + leg;
+    context_.tell(SpeechTopic::Summary, std::move(words), now_s);
+    context_.events.tell(Led{name, LedBy::Ear}, now_s);
+    to_nearest_ = false;
+    follow_silently(std::move(route), name);
+    return true;
+}
+
+void SpokenRoute::follow_again(const std::string& first, double now_s) {
+    if (room_) {
+        follow_to_room(*room_, first, now_s);
+        return;
+    }
+    follow_to(Vec3(goal_m()), std::string(name_), first, now_s);
+}
+
+// Follows a route without announcing it; the displayed route changes.
+void SpokenRoute::follow_silently(Route route, const std::string& goal) {
+    name_ = goal;
+    told_.reset();
+    plans_.know(route.points_m);
+    planned_in_ = context_.world.scene;
+    // A route to the very place where the person stands has one point. It is followed too, so that it arrives.
+    if (route.points_m.size() == 1) route.points_m.push_back(route.points_m.front());
+    std::vector<RouteNode> nodes = nodes_to(context_, route, goal);
+    follower_.follow(std::move(route), std::move(nodes));
+}
+
+bool SpokenRoute::follow(Route route, const std::string& name, const std::string& first, double now_s) {
+    stop();
+    std::string goal = name, words = first.empty() ? first : first + ' ';
+    if (route.points_m.empty()) {
+        context_.answer(words + phrase("rooms.no_way_no_floor"), now_s);
+        return false;
+    }
+    if (!route.reaches) {
+        const std::uint32_t end = room_at(rooms_.graph(), rooms_.space(), route.points_m.back());
+        const std::string short_of = distance_words(route.short_of_m, distances(context_));
+        words += end == kNothing
+                     ? phrase("rooms.not_reached", {{"goal", name}, {"short_of", short_of}})
+                     : phrase("rooms.not_reached_in",
+                              {{"goal", name}, {"room", rooms_.graph().rooms[end].name}, {"short_of", short_of}});
+        if (route.points_m.size() < 2) {
+            context_.answer(words, now_s);
+            return false;
+        }
+        words += ' ';
+        goal = phrase("rooms.nearest_place_to", {{"goal", name}});
+    }
+    const std::vector<RouteNode> nodes = nodes_to(context_, route, goal);
+    const std::string how = route_words(route, nodes, context_.body.heading_rad, distances(context_));
+    context_.tell(SpeechTopic::Summary, words + phrase("rooms.way", {{"goal", goal}, {"route", how}}), now_s);
+    context_.events.tell(Led{goal, LedBy::Ear}, now_s);
+    to_nearest_ = !route.reaches;
+    follow_silently(std::move(route), goal);
+    return !to_nearest_;
+}
+
+void SpokenRoute::renew() {
+    if (std::exchange(planned_in_, context_.world.scene) == context_.world.scene ||
+        !rooms_.navigation().meets_leaf(follower_.ahead_m()))
+        return;
+    const Vec3& feet_m = context_.body.feet_m();
+    Route route =
+        plans_.runs_to(name_) ? plans_.on(feet_m) : rooms_.navigation().plan(feet_m, follower_.goal_m(), wish_);
+    if (!route.reaches || route.points_m.size() < 2) return;
+    follow_silently(std::move(route), std::string(name_));
+}
+
+void SpokenRoute::tell_on(double now_s) { context_.answer(on_words(), now_s); }
+
+std::string SpokenRoute::on_words() {
+    if (!follower_.following()) return phrase("way.none");
+    const Vec3& feet_m = context_.body.feet_m();
+    const auto leg = next_leg(planned(), feet_m, 0.5 * context_.settings.walk.step_length_m);
+    if (!leg) return phrase("way.no_floor");
+    told_ = leg->route;
+    const Vec3 off = leg->to_m - feet_m;
+    const Route& route = leg->route;
+    const std::string where = where_words(context_, std::hypot(off.x, off.y), std::atan2(off.x, off.y)),
+                      all = sentence_case(distance_words(route.length_m, distances(context_)));
+    std::string leaf = leaf_in_way(leg->to_m);
+    if (!leaf.empty()) leaf = " " + capitalised(phrase("leg.leaf_in_way", {{"door", leaf}}));
+    for (const RoutePassage& passage : route.passages)
+        if (passage.at_m < leg->along_m + 1.0) {
+            const std::string what = passage_now(context_, passage.kind, passage.feature, passage.rise_m);
+            if (passage.kind == PassageKind::Climb && stands_at(passage))
+                return phrase(
+                    "way.at_stairs",
+                    {{"goal", name_}, {"passage", what}, {"key", context_.keys.keys_of(Command::Use)}, {"all", all}});
+            if (stands_in(passage))
+                return phrase("way.in_lift", {{"goal", name_},
+                                              {"passage", what},
+                                              {"key", context_.keys.keys_of(Command::Use)},
+                                              {"storeys", context_.keys.keys_of(Command::Storeys)},
+                                              {"all", all}});
+            return phrase("way.next_passage", {{"goal", name_}, {"where", where}, {"passage", what}, {"all", all}}) +
+                   leaf;
+        }
+    return phrase("way.next", {{"goal", name_}, {"where", where}, {"all", all}}) + leaf;
+}
+
+void SpokenRoute::note_stop(FeatureId by) {
+    word_.note_stop(by);
+    const int times = stopped_ && stopped_->by == by ? stopped_->times + 1 : 1;
+    stopped_ = Stop{by, context_.body.feet_m(), context_.body.heading_rad, times};
+}
+
+// The door whose leaf blocks the way to that place, or has just stopped the walker here. A leaf at a shoulder blocks
+// too, even if the plan passes it. Empty: there is none, or it has stopped the walker too often to be the only cause.
+std::string SpokenRoute::leaf_in_way(const Vec3& to_m) const {
+    constexpr double kHere_m = 0.25, kThatWay_rad = 0.8;
+    constexpr int kMostTimes = 4;
+    const Vec3& feet_m = context_.body.feet_m();
+    std::string leaf = leaf_ahead(context_, std::array{feet_m, to_m});
+    if (!leaf.empty() || !stopped_ || stopped_->times > kMostTimes || glm::length(stopped_->at_m - feet_m) > kHere_m ||
+        std::abs(wrap_angle(std::atan2(to_m.x - feet_m.x, to_m.y - feet_m.y) - stopped_->heading_rad)) > kThatWay_rad)
+        return leaf;
+    const int mover = mover_of(context_.world, stopped_->by);
+    const Feature* const met = context_.world.scene->find(stopped_->by);
+    const bool open = mover >= 0 && met && met->kind == FeatureKind::Door &&
+                      context_.world.scene->movers[static_cast<std::size_t>(mover)].by_hand &&
+                      !shut(context_.world, static_cast<std::uint32_t>(mover));
+    return open ? passage_name(context_, PassageKind::Door, stopped_->by, 0.0) : std::string();
+}
+
+// True if the person stands near enough to climb these stairs with a key.
+bool SpokenRoute::stands_at(const RoutePassage& passage) const {
+    const Vec3 off = passage.place_m - context_.body.feet_m();
+    return std::hypot(off.x, off.y) < Climbs::kAtEnd_m;
+}
+
+std::optional<RoutePassage> SpokenRoute::climb_here() const {
+    if (!follower_.following()) return std::nullopt;
+    const std::vector<RoutePassage> passages = planned().passages;
+    if (passages.empty() || passages.front().kind != PassageKind::Climb || !stands_at(passages.front()))
+        return std::nullopt;
+    return passages.front();
+}
+
+// True if the person stands in the lift, which does not move on its own.
+bool SpokenRoute::stands_in(const RoutePassage& passage) const {
+    return passage.kind == PassageKind::Lift && passage.feature && context_.body.ground == passage.feature;
+}
+
+// The rest of the route from here, planned again. The previous route is kept if the new one leads back against it and
+// is not much shorter. Otherwise, of two equally long routes, planning would choose one and then the other, and the
+// person would walk to and fro.
+Route SpokenRoute::planned() const {
+    const Vec3& feet_m = context_.body.feet_m();
+    if (plans_.runs_to(name_)) return plans_.looked_at(feet_m);
+    Route anew = rooms_.navigation().plan(feet_m, follower_.goal_m(), wish_);
+    const Route& followed = told_ ? *told_ : follower_.route();
+    const RoutePlace here = near_on_way(followed.points_m, feet_m, told_ ? 0.0 : follower_.along_m());
+    const double ahead_m = here.along_m + kTakenUpAhead_m;
+    if (here.distance_m > kLeftWay_m || ahead_m >= followed.length_m || anew.points_m.size() < 2) return anew;
+    const Vec3 on_m = place_along(followed.points_m, ahead_m);
+    const double least_m = 0.5 * context_.settings.walk.step_length_m;
+    const auto leg = next_leg(anew, feet_m, least_m);
+    const Vec3 back = leg->to_m - feet_m, on = on_m - feet_m;
+    if (back.x * on.x + back.y * on.y >= 0.0 || rooms_.navigation().meets_leaf(follower_.ahead_m())) return anew;
+    Route kept = rooms_.navigation().plan(feet_m, on_m, wish_);
+    if (!kept.reaches) return anew;
+    kept = joined(std::move(kept), rest_of(followed, ahead_m));
+    return kept.length_m < kWorthTurningBack * anew.length_m ? kept : anew;
+}
+
+// What is not there yet is told as soon as it is.
+void SpokenRoute::tell(const std::string& words, SpeechTopic topic, double now_s) {
+    if (!words.empty()) return context_.tell(topic, words, now_s, {.answers = true, .place_m = leg_place_m()});
+    if (word_.at_work()) return context_.answer(phrase("leg.looks"), now_s);
+    if (!follower_.following()) return tell_on(now_s);
+    // No legs lead on from here, so the route is announced as a whole, as for the hand.
+    if (Route route = planned(); route.reaches && route.points_m.size() > 1)
+        follow_silently(std::move(route), std::string(name_));
+    tell_on(now_s);
+}
+
+void SpokenRoute::tell_leg(double now_s) {
+    rest_asked_ = false;
+    if (!follower_.following() || !word_.at_work()) return tell_on(now_s);
+    tell(word_.leg(), SpeechTopic::Leg, now_s);
+}
+
+void SpokenRoute::tell_leg_unasked(std::string words, bool anew, double now_s) {
+    if (words.empty()) return;
+    context_.tell(SpeechTopic::Leg, std::move(words), now_s, {.anew = anew, .place_m = leg_place_m()});
+}
+
+// Where the leg that was told leads, a metre on.
+std::optional<Vec3> SpokenRoute::leg_place_m() const {
+    const auto heading_rad = word_.at_work() ? word_.heading_rad() : std::nullopt;
+    if (!heading_rad) return std::nullopt;
+    return context_.body.ears_m() + forward_of_heading(*heading_rad);
+}
+
+// How it goes on from here, since the line that told it was cut.
+void SpokenRoute::tell_anew(SpeechTopic topic, double now_s) {
+    if (!follower_.following()) return;
+    if (topic == SpeechTopic::Leg) return tell_leg_unasked(word_.at_work() ? word_.leg() : on_words(), true, now_s);
+    const Route route = planned();
+    if (route.points_m.size() < 2) return;
+    const std::string how = word_.at_work() ? overview_words(context_, rooms_, route)
+                                            : route_words(route, nodes_to(context_, route, name_),
+                                                          context_.body.heading_rad, distances(context_));
+    context_.tell(SpeechTopic::Summary, phrase("rooms.way", {{"goal", name_}, {"route", how}}), now_s, {.anew = true});
+}
+
+void SpokenRoute::tell_next_leg(double now_s) {
+    rest_asked_ = false;
+    if (!follower_.following() || !word_.at_work()) return tell_on(now_s);
+    tell(word_.next_leg(), SpeechTopic::Leg, now_s);
+}
+
+void SpokenRoute::tell_rest(double now_s) {
+    const std::vector<std::string> legs = rest_of_way();
+    rest_asked_ = legs.empty();
+    tell(fmt::format("{}", fmt::join(legs, " ")), SpeechTopic::None, now_s);
+}
+
+std::vector<std::string> SpokenRoute::rest_of_way() {
+    if (!follower_.following()) return {};
+    if (word_.at_work()) return word_.rest();
+    const Route route = planned();
+    if (route.points_m.size() < 2 && !route.reaches) return {};
+    return {route_words(route, nodes_to(context_, route, name_), context_.body.heading_rad, distances(context_))};
+}
+
+std::optional<double> SpokenRoute::leg_heading_rad() const {
+    if (!follower_.following()) return std::nullopt;
+    if (const auto heading_rad = word_.heading_rad()) return heading_rad;
+    const Vec3& feet_m = context_.body.feet_m();
+    const auto leg = next_leg(planned(), feet_m, 0.5 * context_.settings.walk.step_length_m);
+    if (!leg) return std::nullopt;
+    return std::atan2(leg->to_m.x - feet_m.x, leg->to_m.y - feet_m.y);
+}
+
+RouteFollower::Said SpokenRoute::tick(double now_s) {
+    if (word_.at_work()) return tick_words(now_s);
+    return follower_.tick(context_.body.feet_m(), distances(context_), [this](bool at_end) { return there(at_end); });
+}
+
+// If the goal is a room: the walker stands inside it. Otherwise: the walker is at the place, with nothing in between.
+bool SpokenRoute::there(bool at_end) const {
+    const Vec3& feet_m = context_.body.feet_m();
+    if (room_) {
+        const RoomGraph& graph = rooms_.graph();
+        if (stands_inside(graph, rooms_.space(), *rooms_.file_scene(), feet_m, *room_)) return true;
+        // In a room too small to stand inside, its middle counts.
+        return at_end && glm::length(feet_m - graph.rooms[*room_].middle_m) < kAtPlace_m;
+    }
+    return at_end && (glm::length(feet_m - follower_.goal_m()) < kAtPlace_m ||
+                      rooms_.space().straight(feet_m, follower_.goal_m()));
+}
+
+RouteFollower::Said SpokenRoute::tick_words(double now_s) {
+    RouteFollower::Said said;
+    const RouteDirections::News news = word_.tick();
+    if (news.planned) {
+        if (!word_.at_work()) {
+            // There are no legs in words, so the route is announced as a whole, as for the hand.
+            const std::optional<std::uint32_t> room = room_;
+            Route route = planned();
+            if (follow(std::move(route), std::string(name_), {}, now_s)) room_ = room;
+            wish_ = RouteWish::OnFoot;
+            return said;
+        }
+        // Legs that are still being planned are spoken when the plan is ready.
+        if (!rest_asked_)
+            context_.tell(SpeechTopic::Leg, word_.leg(), now_s, {.answers = true, .place_m = leg_place_m()});
+        else if (!word_.rest().empty()) tell_rest(now_s);
+    }
+    tell_facing(now_s);
+    said.left = news.left;
+    said.arrived = news.arrived;
+    if (!news.arrived) return said;
+    said.text = phrase("route.arrived", {{"goal", sentence_case(name_)}});
+    stop();
+    return said;
+}
+
+// Plays a soft tone from ahead, once, when the person has turned to the direction of the leg.
+void SpokenRoute::tell_facing(double now_s) {
+    constexpr double kFacing_rad = 0.05, kLoudness = 0.4;
+    const auto heading_rad = word_.heading_rad();
+    const bool faces = heading_rad && std::abs(wrap_angle(*heading_rad - context_.body.heading_rad)) < kFacing_rad;
+    if (!std::exchange(faces_, faces) && faces) {
+        CueRequest tone = sound_at(SoundKind::BeaconAhead,
+                                   context_.body.ears_m() + forward_of_heading(context_.body.heading_rad), now_s);
+        tone.loudness = kLoudness;
+        context_.cues.cue(std::move(tone));
+    }
+}
+
+}  // namespace handrail

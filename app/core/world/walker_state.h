@@ -1,0 +1,26 @@
+// The walker: its place, direction and path. Plain state; app thread only.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "app/core/world/walker.h"
+
+namespace handrail {
+
+struct WalkerState {
+    std::unique_ptr<Walker> walker;  // null: in no world yet
+    double heading_rad = 0.0;        // present direction
+    int times_put = 0;               // how often it was placed elsewhere instead of walking
+    // The direction after the last turn. It is approached at a limited rate, so that the hand is not thrown.
+    double heading_goal_rad = 0.0;
+    FeatureId ground = kNoFeature;  // what it stands on
+    std::vector<Vec3> crumbs_m;     // its path since it was last placed: points a quarter of a metre apart, newest last
+
+    const Vec3& feet_m() const { return walker->state().feet_m; }
+    Vec3 ears_m() const {
+        return (walker ? feet_m() : Vec3(0.0)) + Vec3(0.0, 0.0, walker ? walker->size().eye_height_m : 1.6);
+    }
+};
+
+}  // namespace handrail

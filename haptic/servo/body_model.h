@@ -1,0 +1,66 @@
+// The servo's own model of one body that a hand touches or holds. In every tick it is moved by exactly the force that
+// the hand feels, by gravity and by the contact planes that the engine sent last. The engine's later messages then
+// correct it. Poses that come from an engine with a delay would give the hand unbounded energy; a model moved in the
+// same tick gives none. Plain state; real-time safe; + - x / and square root only. Cost by contacts: docs/results.md.
+// Sources: Stewart & Trinkle 1996 (contacts as impulses); Catto, Iterative dynamics with temporal coherence, 2005
+// (sequential impulses, warm start).
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "haptic/render/rigid_body_state.h"
+
+namespace handrail {
+
+class BodyModel {
+public:
+    // The motion of the body at one moment.
+    struct State {
+        double time_s = 0.0;
+        Placement at;  // pose of the body's frame (RigidBodyState::at)
+        Vec3 speed_m_per_s{0.0}, turn_rad_per_s{0.0};
+    };
+
+    // Starts from a message of the engine and from where the hand has seen the body until now. The difference is
+    // corrected over kCorrect_s.
+    void begin(const RigidBodyState& word, const State& seen) noexcept;
+    // Takes a message about a moment within the last kHistory ticks or earlier. A message newer than the model's time
+    // also counts. The times of messages must rise.
+    void hear(const RigidBodyState& word) noexcept;
+    // One tick from the state's time on. force_n in world newtons; moment_nm about the centre of mass.
+    void tick(const Vec3& force_n, const Vec3& moment_nm, double dt_s) noexcept;
+    // Stops the body until the next message, because the engine is silent.
+    void rest() noexcept;
+    void limit_speed(double most_m_per_s) noexcept;
+
+    const State& state() const noexcept { return state_; }
+    double word_s() const noexcept { return word_.time_s; }
+    std::uint32_t body() const noexcept { return word_.body; }
+    const RigidBodyState& word() const noexcept { return word_; }
+    Vec3 speed_at(const Vec3& world_m) const noexcept {
+        return state_.speed_m_per_s + glm::cross(state_.turn_rad_per_s, world_m - state_.at.position_m);
+    }
+    // Distance between the engine's last message and the model at the same moment.
+    double apart_m() const noexcept { return apart_m_; }
+
+    static constexpr double kCorrect_s = 0.03;
+    static constexpr std::size_t kHistory = 64;
+    static constexpr int kRounds = 12;
+
+private:
+    struct Point;  // a contact prepared for the solver iterations of one tick
+    void correct(double dt_s) noexcept;
+    void solve(double dt_s) noexcept;
+
+    State state_;
+    RigidBodyState word_;
+    std::array<State, kHistory> history_{};  // ring; every correction shifts all of it
+    std::size_t first_ = 0, count_ = 0;
+    std::array<Vec3, RigidBodyState::kMostPlanes> impulse_{};  // impulses of the last tick: along the normal and two tangents
+    Stick stick_;
+    Vec3 owed_m_{0.0}, owed_m_per_s_{0.0}, owed_rad_{0.0}, owed_rad_per_s_{0.0};
+    double apart_m_ = 0.0;
+};
+
+}  // namespace handrail

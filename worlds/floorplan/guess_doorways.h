@@ -1,0 +1,14 @@
+// Guesses doorways for rooms for which the plan states none.
+#pragma once
+
+#include "worlds/floorplan/floor_plan.h"
+
+namespace handrail {
+
+// Gives each room, staircase and lift an open doorway on each level where no door of the plan touches it. The doorway
+// is in the middle of the longest stretch of its outline that runs along a walkway, else along a room that can be
+// entered. Lifts get sliding doors. Returns how many spaces got a doorway. The cost is the edges of rooms times the
+// edges of nearby spaces on the same level.
+int guess_doorways(FloorPlan& plan);
+
+}  // namespace handrail
