@@ -11,7 +11,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/overloaded.h"
 
-namespace handrail {
+namespace handrail::settings {
 namespace {
 
 constexpr double kSteps = 20.0;
@@ -105,4 +105,4 @@ std::string stepped(std::string_view key, const Settings& settings, int by) {
         info.field);
 }
 
-}  // namespace handrail
+}  // namespace handrail::settings

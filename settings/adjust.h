@@ -8,7 +8,7 @@
 
 #include "settings/settings.h"
 
-namespace handrail {
+namespace handrail::settings {
 
 // The first parts of the keys, in table order: "workspace", "haptic", ...
 std::vector<std::string_view> setting_topics();
@@ -31,4 +31,4 @@ SettingLine setting_line(std::string_view key, const Settings& settings);
 // the table and have steps.
 std::string stepped(std::string_view key, const Settings& settings, int by);
 
-}  // namespace handrail
+}  // namespace handrail::settings

@@ -6,7 +6,7 @@
 
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::settings {
 namespace {
 
 constexpr auto kKeyNames = std::to_array<std::string_view>({
@@ -178,4 +178,4 @@ std::string nearest_key_name(std::string_view word) {
     return parts.key.empty() ? text + "F1" : text + nearest_name(parts.key, names);
 }
 
-}  // namespace handrail
+}  // namespace handrail::settings

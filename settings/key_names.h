@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace handrail {
+namespace handrail::settings {
 
 // All names without modifiers, in a fixed order: "A", "1", "F1", "Up", "PageUp", "Grave", "Control" ...
 std::span<const std::string_view> key_names();
@@ -18,4 +18,4 @@ std::optional<std::string> misnamed_key(std::string_view keys);
 // Corrects such a word to the nearest valid key: "Shift+Control+W" to "Control+Shift+W", "F99" to "F9".
 std::string nearest_key_name(std::string_view word);
 
-}  // namespace handrail
+}  // namespace handrail::settings

@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace handrail {
+namespace handrail::settings {
 
 inline toml::table parse_toml(const std::string& text) {
     try {
@@ -19,4 +19,4 @@ inline toml::table parse_toml(const std::string& text) {
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::settings

@@ -16,7 +16,7 @@
 #include "worlds/base/overloaded.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::settings {
 namespace fs = std::filesystem;
 namespace {
 
@@ -525,4 +525,4 @@ fs::path user_settings_path() {
     return {};
 }
 
-}  // namespace handrail
+}  // namespace handrail::settings

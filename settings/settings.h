@@ -15,7 +15,7 @@
 #include "settings/toml_value.h"
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::settings {
 
 enum class ForceCeiling { Light, Normal, Full };  // 1.2 N, 2.5 N, or all that the device can give
 inline constexpr double kLightCeiling_n = 1.2, kNormalCeiling_n = 2.5;
@@ -243,4 +243,4 @@ std::string source_name(SettingSource source);
 // $XDG_CONFIG_HOME/handrail/settings.toml, else ~/.config/handrail/settings.toml; empty if neither is known.
 std::filesystem::path user_settings_path();
 
-}  // namespace handrail
+}  // namespace handrail::settings

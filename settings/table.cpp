@@ -7,7 +7,7 @@
 #include "worlds/base/overloaded.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::settings {
 namespace {
 
 constexpr std::array<std::string_view, 3> kCeilingWords{"light", "normal", "full"};
@@ -356,4 +356,4 @@ SettingValue value_from_word(const SettingInfo& info, std::string_view word) {
     return number;
 }
 
-}  // namespace handrail
+}  // namespace handrail::settings

@@ -13,7 +13,7 @@
 #include "worlds/base/result.h"
 #include "worlds/base/variant.h"
 
-namespace handrail {
+namespace handrail::settings {
 
 // The TOML types that a setting can have; whole and decimal numbers are separate types.
 using SettingValue = CopyableVariant<bool, std::int64_t, double, std::string>;
@@ -97,4 +97,4 @@ SettingValue current_value(const SettingInfo& info, const Settings& settings);
 // apply() then refuses.
 SettingValue value_from_word(const SettingInfo& info, std::string_view word);
 
-}  // namespace handrail
+}  // namespace handrail::settings

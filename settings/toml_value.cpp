@@ -9,7 +9,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/overloaded.h"
 
-namespace handrail {
+namespace handrail::settings {
 namespace {
 
 TomlMoment moment_of(const toml::date* date, const toml::time* time, const toml::time_offset* offset) {
@@ -189,4 +189,4 @@ std::string written_toml(const TomlValue& table) {
     return out.str();
 }
 
-}  // namespace handrail
+}  // namespace handrail::settings

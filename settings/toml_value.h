@@ -13,7 +13,7 @@
 #include "worlds/base/result.h"
 #include "worlds/base/variant.h"
 
-namespace handrail {
+namespace handrail::settings {
 
 // A date, a time of day, or both.
 struct TomlMoment {
@@ -76,4 +76,4 @@ Result<TomlValue> toml_of(const std::string& text);
 // Writes a table as the text of a file.
 std::string written_toml(const TomlValue& table);
 
-}  // namespace handrail
+}  // namespace handrail::settings

@@ -23,7 +23,7 @@
 #include "worlds/base/executor.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::accessible {
 namespace {
 
 using SteadyTime = std::chrono::steady_clock;
@@ -33,17 +33,17 @@ double now_s() { return std::chrono::duration<double>(SteadyTime::now().time_sin
 
 class Accessible::Impl {
 public:
-    explicit Impl(std::shared_ptr<ReaderChannel> channel) : channel_(std::move(channel)) {
+    explicit Impl(std::shared_ptr<sinks::ReaderChannel> channel) : channel_(std::move(channel)) {
         const char* unwanted = std::getenv("NO_AT_BRIDGE");  // the bridges of all toolkits obey this variable
         if ((unwanted && std::string_view(unwanted) == "1") || !session_bus_is_there()) return;
-        channel_->set_state(VoiceState::Opening);
+        channel_->set_state(sinks::VoiceState::Opening);
         channel_->on_change([] { g_main_context_wakeup(nullptr); });
         thread_ = std::thread([this] { run(); });
     }
     ~Impl() {
         quit_ = true;
         channel_->on_change({});
-        channel_->set_state(VoiceState::Gone);
+        channel_->set_state(sinks::VoiceState::Gone);
         if (!thread_.joinable()) return;
         g_main_context_wakeup(nullptr);
         thread_.join();
@@ -55,7 +55,7 @@ public:
         if (focused_.exchange(focused) != focused) g_main_context_wakeup(nullptr);
     }
 
-    void show(const DialogueView& dialogue) {
+    void show(const core::DialogueView& dialogue) {
         if (dialogue == given_) return;
         given_ = dialogue;
         {
@@ -65,18 +65,18 @@ public:
         g_main_context_wakeup(nullptr);
     }
 
-    std::uint64_t offer(const KeyStroke& stroke) {
+    std::uint64_t offer(const window::KeyStroke& stroke) {
         const std::uint64_t ticket = keys_.offer(stroke, now_s());
         if (ticket != 0) g_main_context_wakeup(nullptr);
         return ticket;
     }
 
-    std::vector<ItemAct> take_acts() {
+    std::vector<core::ItemAct> take_acts() {
         const std::lock_guard lock(acts_mutex_);
         return std::exchange(acts_, {});
     }
 
-    KeyVerdict verdict(std::uint64_t ticket) { return keys_.verdict(ticket); }
+    window::KeyVerdict verdict(std::uint64_t ticket) { return keys_.verdict(ticket); }
 
 private:
     // ---- accessibility thread ----
@@ -136,17 +136,17 @@ private:
             dbus_connection_unref(session);
         }
         answer_reader({[this](std::size_t item, int action) {
-                           constexpr std::array kActs{ItemAct::Kind::Choose, ItemAct::Kind::More,
-                                                      ItemAct::Kind::Less};  // in the order of ReaderCalls::act
+                           constexpr std::array kActs{core::ItemAct::Kind::Choose, core::ItemAct::Kind::More,
+                                                      core::ItemAct::Kind::Less};  // in the order of ReaderCalls::act
                            note_act(item, kActs[static_cast<std::size_t>(action)], {});
                        },
-                       [this](std::size_t item, double number) { note_act(item, ItemAct::Kind::Put, number); }});
+                       [this](std::size_t item, double number) { note_act(item, core::ItemAct::Kind::Put, number); }});
         focus_ = view_;
         built_ = true;
         built_at_s_ = now_s();
     }
 
-    void note_act(std::size_t item, ItemAct::Kind kind, double number) {
+    void note_act(std::size_t item, core::ItemAct::Kind kind, double number) {
         if (item >= shown_.items.size()) return;
         const std::lock_guard lock(acts_mutex_);
         acts_.push_back({kind, item, shown_.items[item].name, number});
@@ -163,8 +163,8 @@ private:
             if (built_) show_focus(focused);
         }
         keys_.set_heard(heard);
-        if (!heard || !channel_->wanted()) channel_->set_state(VoiceState::Gone);
-        else if (channel_->state() == VoiceState::Gone) channel_->set_state(VoiceState::Opening);
+        if (!heard || !channel_->wanted()) channel_->set_state(sinks::VoiceState::Gone);
+        else if (channel_->state() == sinks::VoiceState::Gone) channel_->set_state(sinks::VoiceState::Opening);
     }
 
     void show_focus(bool focused) {
@@ -192,7 +192,7 @@ private:
             show_focus(true);
             settled_ = true;
         }
-        if (heard_ && settled_ && channel_->wanted()) channel_->set_state(VoiceState::Ready);
+        if (heard_ && settled_ && channel_->wanted()) channel_->set_state(sinks::VoiceState::Ready);
     }
 
     void read() {
@@ -214,7 +214,7 @@ private:
         atk_object_set_name(&view_->parent, text->c_str());
     }
 
-    static std::string item_name(const ListItem& item) {
+    static std::string item_name(const core::ListItem& item) {
         return item.value.empty() ? item.name : phrase("window.item", {{"name", item.name}, {"value", item.value}});
     }
 
@@ -222,7 +222,7 @@ private:
     // the current item, or with the question.
     void follow_dialogue() {
         if (!built_) return;
-        std::optional<DialogueView> next;
+        std::optional<core::DialogueView> next;
         {
             const std::lock_guard lock(dialogue_mutex_);
             next = std::exchange(next_dialogue_, std::nullopt);
@@ -232,28 +232,28 @@ private:
         else {
             move_focus(view_);
             remove_dialogue();
-            if (next->kind != DialogueView::Kind::None) add_dialogue(*next);
+            if (next->kind != core::DialogueView::Kind::None) add_dialogue(*next);
         }
         shown_ = std::move(*next);
     }
 
-    static bool is_same(const DialogueView& a, const DialogueView& b) {
+    static bool is_same(const core::DialogueView& a, const core::DialogueView& b) {
         if (a.kind != b.kind || a.title != b.title || a.items.size() != b.items.size()) return false;
         return std::equal(a.items.begin(), a.items.end(), b.items.begin(),
-                          [](const ListItem& one, const ListItem& other) {
+                          [](const core::ListItem& one, const core::ListItem& other) {
                               return one.name == other.name && one.number.has_value() == other.number.has_value();
                           });
     }
 
     // The change of the name announces that of the number. Orca 43 would say the value twice if it were notified of
     // both.
-    static void fill_item(HandrailNode& node, const ListItem& item) {
+    static void fill_item(HandrailNode& node, const core::ListItem& item) {
         node.actions = item.adjustable ? 3 : 1;
-        node.number = item.number.value_or(ItemNumber{});
+        node.number = item.number.value_or(core::ItemNumber{});
         *node.text = item.value;
     }
 
-    void change_dialogue(const DialogueView& next) {
+    void change_dialogue(const core::DialogueView& next) {
         *dialogue_->text = next.text;
         for (std::size_t i = 0; i < next.items.size(); ++i) {
             if (next.items[i] == shown_.items[i]) continue;
@@ -268,14 +268,14 @@ private:
         move_focus((*dialogue_->children)[next.at]);
     }
 
-    void add_dialogue(const DialogueView& view) {
-        const bool list = view.kind == DialogueView::Kind::List;
+    void add_dialogue(const core::DialogueView& view) {
+        const bool list = view.kind == core::DialogueView::Kind::List;
         dialogue_ = make_node(
             list ? handrail_node_get_type() : handrail_entry_get_type(), list ? ATK_ROLE_LIST : ATK_ROLE_ENTRY,
             view.title.c_str(), frame_,
             {ATK_STATE_SHOWING, ATK_STATE_VISIBLE, ATK_STATE_FOCUSABLE, ATK_STATE_ENABLED, ATK_STATE_SENSITIVE});
         *dialogue_->text = view.text;
-        for (const ListItem& item : view.items)
+        for (const core::ListItem& item : view.items)
             fill_item(*make_node(item.number ? handrail_quantity_get_type() : handrail_item_get_type(),
                                  ATK_ROLE_LIST_ITEM, item_name(item).c_str(), dialogue_,
                                  {ATK_STATE_SHOWING, ATK_STATE_VISIBLE, ATK_STATE_FOCUSABLE, ATK_STATE_SELECTABLE,
@@ -310,20 +310,20 @@ private:
         if (item < dialogue_->children->size()) set_state((*dialogue_->children)[item], ATK_STATE_SELECTED, on);
     }
 
-    std::shared_ptr<ReaderChannel> channel_;
+    std::shared_ptr<sinks::ReaderChannel> channel_;
     std::thread thread_;
     std::atomic<bool> quit_{false}, focused_{false};
     ReaderKeys keys_;
 
     std::mutex acts_mutex_;
-    std::vector<ItemAct> acts_;  // guarded by acts_mutex_
+    std::vector<core::ItemAct> acts_;  // guarded by acts_mutex_
 
-    DialogueView given_;  // used by the app thread
+    core::DialogueView given_;  // used by the app thread
     std::mutex dialogue_mutex_;
-    std::optional<DialogueView> next_dialogue_;  // guarded by dialogue_mutex_
+    std::optional<core::DialogueView> next_dialogue_;  // guarded by dialogue_mutex_
 
     // Used by the accessibility thread.
-    DialogueView shown_;
+    core::DialogueView shown_;
     HandrailNode* dialogue_ = nullptr;  // child of frame_; null: nothing is open
     double look_due_s_ = 0.0;
     bool listened_to_ = false, tried_ = false, built_ = false;
@@ -339,14 +339,14 @@ private:
 Accessible::Accessible(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Accessible::~Accessible() = default;
 
-std::unique_ptr<Accessible> Accessible::start(std::shared_ptr<ReaderChannel> channel) {
+std::unique_ptr<Accessible> Accessible::start(std::shared_ptr<sinks::ReaderChannel> channel) {
     return std::unique_ptr<Accessible>(new Accessible(std::make_unique<Impl>(std::move(channel))));
 }
 
 void Accessible::set_focus(bool focused) { impl_->set_focus(focused); }
-void Accessible::show(const DialogueView& dialogue) { impl_->show(dialogue); }
-std::vector<ItemAct> Accessible::take_acts() { return impl_->take_acts(); }
-std::uint64_t Accessible::offer(const KeyStroke& stroke) { return impl_->offer(stroke); }
-KeyVerdict Accessible::verdict(std::uint64_t ticket) { return impl_->verdict(ticket); }
+void Accessible::show(const core::DialogueView& dialogue) { impl_->show(dialogue); }
+std::vector<core::ItemAct> Accessible::take_acts() { return impl_->take_acts(); }
+std::uint64_t Accessible::offer(const window::KeyStroke& stroke) { return impl_->offer(stroke); }
+window::KeyVerdict Accessible::verdict(std::uint64_t ticket) { return impl_->verdict(ticket); }
 
-}  // namespace handrail
+}  // namespace handrail::accessible

@@ -18,7 +18,7 @@
 #include "app/window/key_gate.h"
 #include "audio-cues/sinks/reader_voice.h"
 
-namespace handrail {
+namespace handrail::accessible {
 
 class Accessible {
 public:
@@ -29,7 +29,7 @@ public:
 
     // Reads the environment, so call it before other threads change that. Until the first search for a reader, the
     // channel's voice counts as opening.
-    static std::unique_ptr<Accessible> start(std::shared_ptr<ReaderChannel> channel);
+    static std::unique_ptr<Accessible> start(std::shared_ptr<sinks::ReaderChannel> channel);
     ~Accessible();
     Accessible(const Accessible&) = delete;
     Accessible& operator=(const Accessible&) = delete;
@@ -37,14 +37,14 @@ public:
     // Called by the app thread; each call returns at once. `focused`: our window has the keyboard.
     void set_focus(bool focused);
     // Sets what is open; call it before the words about it are spoken. Costs a comparison if nothing has changed.
-    void show(const DialogueView& dialogue);
+    void show(const core::DialogueView& dialogue);
     // What a reader did with items since the last call: "press" chooses, "increase" and "decrease" change a value, and
     // the value of a quantity can be set directly.
-    std::vector<ItemAct> take_acts();
+    std::vector<core::ItemAct> take_acts();
     // Offers a key to the reader, see KeyReader. Returns 0 if no reader listens, or if it has left an earlier key
     // unanswered.
-    std::uint64_t offer(const KeyStroke& stroke);
-    KeyVerdict verdict(std::uint64_t ticket);
+    std::uint64_t offer(const window::KeyStroke& stroke);
+    window::KeyVerdict verdict(std::uint64_t ticket);
 
 private:
     class Impl;
@@ -52,4 +52,4 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::accessible

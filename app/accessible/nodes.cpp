@@ -6,7 +6,7 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::accessible {
 
 struct HandrailNodeClass {
     AtkObjectClass parent;
@@ -237,4 +237,4 @@ HandrailNode* root_node() {
 }
 const KeyListener& key_listener() { return the_listener; }
 
-}  // namespace handrail
+}  // namespace handrail::accessible

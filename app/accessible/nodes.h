@@ -12,16 +12,16 @@
 
 #include "app/core/dialogue/dialogue.h"
 
-namespace handrail {
+namespace handrail::accessible {
 
 // An object of the tree: plain data in addition to what AtkObject itself keeps.
 struct HandrailNode {
     AtkObject parent;
     std::vector<HandrailNode*>* children;  // owned references
     AtkStateSet* states;
-    int actions;        // of an item: 0 none, 1 press, 3 also increase and decrease
-    std::string* text;  // for an entry: the typed text; for a quantity: its value in words
-    ItemNumber number;  // for a quantity
+    int actions;              // of an item: 0 none, 1 press, 3 also increase and decrease
+    std::string* text;        // for an entry: the typed text; for a quantity: its value in words
+    core::ItemNumber number;  // for a quantity
 };
 
 inline HandrailNode* node_of(gpointer object) { return static_cast<HandrailNode*>(object); }
@@ -54,4 +54,4 @@ struct KeyListener {
 };
 const KeyListener& key_listener();
 
-}  // namespace handrail
+}  // namespace handrail::accessible

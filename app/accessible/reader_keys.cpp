@@ -4,21 +4,21 @@
 
 #include "app/accessible/nodes.h"
 
-namespace handrail {
+namespace handrail::accessible {
 
-std::uint64_t ReaderKeys::offer(const KeyStroke& stroke, double now_s) {
+std::uint64_t ReaderKeys::offer(const window::KeyStroke& stroke, double now_s) {
     if (!listened_to_) return 0;
     const std::lock_guard lock(mutex_);
-    if (!offered_.empty() && now_s - offered_.front().since_s > KeyGate::kPatience_s) return 0;
+    if (!offered_.empty() && now_s - offered_.front().since_s > window::KeyGate::kPatience_s) return 0;
     offered_.push_back({++last_ticket_, stroke, now_s});
     return last_ticket_;
 }
 
-KeyVerdict ReaderKeys::verdict(std::uint64_t ticket) {
+window::KeyVerdict ReaderKeys::verdict(std::uint64_t ticket) {
     const std::lock_guard lock(mutex_);
     const auto found = verdicts_.find(ticket);
-    if (found == verdicts_.end()) return ticket <= answered_ ? KeyVerdict::Ours : KeyVerdict::Waiting;
-    const KeyVerdict verdict = found->second;
+    if (found == verdicts_.end()) return ticket <= answered_ ? window::KeyVerdict::Ours : window::KeyVerdict::Waiting;
+    const window::KeyVerdict verdict = found->second;
     verdicts_.erase(verdicts_.begin(), std::next(found));
     return verdict;
 }
@@ -48,8 +48,8 @@ void ReaderKeys::ask() {
         const std::lock_guard lock(mutex_);
         if (!offered_.empty() && offered_.front().ticket == key.ticket) offered_.pop_front();
         answered_ = key.ticket;
-        verdicts_[key.ticket] = used ? KeyVerdict::Readers : KeyVerdict::Ours;
+        verdicts_[key.ticket] = used ? window::KeyVerdict::Readers : window::KeyVerdict::Ours;
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::accessible

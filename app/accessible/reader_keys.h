@@ -10,14 +10,14 @@
 
 #include "app/window/key_gate.h"
 
-namespace handrail {
+namespace handrail::accessible {
 
 class ReaderKeys {
 public:
     // App thread. Returns 0 if no reader listens, or if it has left an earlier key unanswered. `now_s` may be of any
     // clock that never goes back.
-    std::uint64_t offer(const KeyStroke& stroke, double now_s);
-    KeyVerdict verdict(std::uint64_t ticket);
+    std::uint64_t offer(const window::KeyStroke& stroke, double now_s);
+    window::KeyVerdict verdict(std::uint64_t ticket);
 
     // Accessibility thread. `heard`: a reader has noticed the window, so a reader that listens to keys may be asked.
     void set_heard(bool heard);
@@ -27,7 +27,7 @@ public:
 private:
     struct Offered {
         std::uint64_t ticket = 0;
-        KeyStroke stroke;
+        window::KeyStroke stroke;
         double since_s = 0.0;
     };
 
@@ -35,8 +35,8 @@ private:
     std::uint64_t last_ticket_ = 0;  // used by the app thread
     std::mutex mutex_;               // guards all members below
     std::deque<Offered> offered_;
-    std::map<std::uint64_t, KeyVerdict> verdicts_;
+    std::map<std::uint64_t, window::KeyVerdict> verdicts_;
     std::uint64_t answered_ = 0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::accessible

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace handrail {
+namespace handrail::accessible {
 namespace {
 
 struct FreeVariant {
@@ -92,4 +92,4 @@ void ReaderWatch::forget() {
     bus_.reset();
 }
 
-}  // namespace handrail
+}  // namespace handrail::accessible

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace handrail {
+namespace handrail::accessible {
 
 // Call this first: without a session bus, GLib and libdbus would start one and leave it behind.
 bool session_bus_is_there();
@@ -36,4 +36,4 @@ private:
     std::vector<guint> subscriptions_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::accessible

@@ -9,7 +9,7 @@
 #include "worlds/base/executor.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::companions {
 namespace {
 
 constexpr unsigned kButtons = 14;
@@ -18,12 +18,13 @@ double together(double a, double b) { return std::clamp(a + b, -1.0, 1.0); }
 
 }  // namespace
 
-std::optional<Command> command_of(CompanionButton button) {
-    static constexpr std::array<std::optional<Command>, kButtons> kMeans{
-        Command::WhereAmI, Command::WhatIsThis, Command::Repeat, Command::Heading, Command::TurnLeft,
-        Command::TurnRight, Command::StopSpeech, Command::StopEverything, Command::Home, std::nullopt,
+std::optional<core::Command> command_of(drivers::CompanionButton button) {
+    static constexpr std::array<std::optional<core::Command>, kButtons> kMeans{
+        core::Command::WhereAmI, core::Command::WhatIsThis, core::Command::Repeat, core::Command::Heading,
+        core::Command::TurnLeft, core::Command::TurnRight, core::Command::StopSpeech, core::Command::StopEverything,
+        core::Command::Home, std::nullopt,
         // In the order of CompanionButton.
-        Command::Forward, Command::TurnRight, Command::Back, Command::TurnLeft};
+        core::Command::Forward, core::Command::TurnRight, core::Command::Back, core::Command::TurnLeft};
     return kMeans.at(static_cast<std::size_t>(button));
 }
 
@@ -42,12 +43,12 @@ void CompanionDevices::stop() {
     count_ = 0;
 }
 
-Steering CompanionDevices::steering() {
+core::Steering CompanionDevices::steering() {
     const std::lock_guard guard(mutex_);
     return steering_;
 }
 
-std::vector<Command> CompanionDevices::take_commands() {
+std::vector<core::Command> CompanionDevices::take_commands() {
     const std::lock_guard guard(mutex_);
     return std::exchange(commands_, {});
 }
@@ -57,7 +58,7 @@ std::vector<std::string> CompanionDevices::take_news() {
     return std::exchange(news_, {});
 }
 
-void CompanionDevices::give(const FingerCue& cue) {
+void CompanionDevices::give(const device::FingerCue& cue) {
     contract_pre(cue.nearness >= 0.0 && cue.nearness <= 1.0 && cue.hardness >= 0.0 && cue.hardness <= 1.0);
     const std::lock_guard guard(mutex_);
     cue_ = cue;
@@ -76,23 +77,23 @@ void CompanionDevices::run() {
 // Opens and announces new devices. One that could not be opened is tried again only after it was disconnected.
 void CompanionDevices::look_around(double now_s) {
     looked_s_ = now_s;
-    std::vector<FoundCompanion> found = find_companions();
+    std::vector<drivers::FoundCompanion> found = drivers::find_companions();
     std::erase_if(refused_, [&](const std::string& path) {
         return std::none_of(found.begin(), found.end(), [&](const auto& f) { return f.path == path; });
     });
     std::vector<std::string> news;
-    for (FoundCompanion& one : found) {
+    for (drivers::FoundCompanion& one : found) {
         const bool known =
             refused_.contains(one.path) ||
             std::any_of(plugged_.begin(), plugged_.end(), [&](const Plugged& p) { return p.found.path == one.path; });
         if (known) continue;
-        auto opened = open_companion(one);
+        auto opened = drivers::open_companion(one);
         if (!opened) {
             refused_.insert(one.path);
             news.push_back(opened.error().sentence());
             continue;
         }
-        news.push_back(found_words(one.model) + " " + one.how_to);
+        news.push_back(core::found_words(one.model) + " " + one.how_to);
         Plugged plugged;
         plugged.found = std::move(one);
         plugged.device = std::move(*opened);
@@ -103,7 +104,7 @@ void CompanionDevices::look_around(double now_s) {
 }
 
 // Returns false if the device is gone.
-bool CompanionDevices::serve(Plugged& plugged, const FingerCue& cue, double now_s, Steering& sum) {
+bool CompanionDevices::serve(Plugged& plugged, const device::FingerCue& cue, double now_s, core::Steering& sum) {
     const std::uint32_t was = plugged.state.buttons;
     if (!plugged.device->read(plugged.state, now_s)) return false;
     sum = {together(sum.ahead, plugged.state.ahead), together(sum.right, plugged.state.right),
@@ -111,7 +112,7 @@ bool CompanionDevices::serve(Plugged& plugged, const FingerCue& cue, double now_
     for (unsigned i = 0; i < kButtons; ++i) {
         if (!((plugged.state.buttons & ~was) >> i & 1U)) continue;
         const std::lock_guard guard(mutex_);
-        if (const auto command = command_of(static_cast<CompanionButton>(i))) commands_.push_back(*command);
+        if (const auto command = command_of(static_cast<drivers::CompanionButton>(i))) commands_.push_back(*command);
     }
     const bool due =
         cue != plugged.told ? now_s - plugged.told_s >= kCueEvery_s : now_s - plugged.told_s >= kCueAgain_s;
@@ -124,12 +125,12 @@ bool CompanionDevices::serve(Plugged& plugged, const FingerCue& cue, double now_
 void CompanionDevices::step() {
     const double now_s = clock_.now_s();
     if (now_s - looked_s_ >= kLookAgain_s) look_around(now_s);
-    FingerCue cue;
+    device::FingerCue cue;
     {
         const std::lock_guard guard(mutex_);
         cue = cue_;
     }
-    Steering sum;
+    core::Steering sum;
     std::vector<std::string> gone;
     std::erase_if(plugged_, [&](Plugged& plugged) {
         if (serve(plugged, cue, now_s, sum)) return false;
@@ -142,4 +143,4 @@ void CompanionDevices::step() {
     news_.insert(news_.end(), std::make_move_iterator(gone.begin()), std::make_move_iterator(gone.end()));
 }
 
-}  // namespace handrail
+}  // namespace handrail::companions

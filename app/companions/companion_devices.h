@@ -17,10 +17,10 @@
 #include "haptic/drivers/companion.h"
 #include "worlds/base/clock.h"
 
-namespace handrail {
+namespace handrail::companions {
 
 // The command of a button, as in the table of docs/user-guide/devices.md; nothing if it has none.
-std::optional<Command> command_of(CompanionButton button);
+std::optional<core::Command> command_of(drivers::CompanionButton button);
 
 class CompanionDevices {
 public:
@@ -40,26 +40,26 @@ public:
 
     // App thread.
     bool any() const { return count_.load(std::memory_order_relaxed) > 0; }
-    Steering steering();                   // of all devices together
-    std::vector<Command> take_commands();  // from the buttons pressed since the last call
-    std::vector<std::string> take_news();  // sentences: device found, gone, or not permitted
-    void give(const FingerCue& cue);       // felt until the next cue
+    core::Steering steering();                   // of all devices together
+    std::vector<core::Command> take_commands();  // from the buttons pressed since the last call
+    std::vector<std::string> take_news();        // sentences: device found, gone, or not permitted
+    void give(const device::FingerCue& cue);     // felt until the next cue
 
     // One round at the clock's time: the thread's body, or called by the owner of a virtual clock.
     void step();
 
 private:
     struct Plugged {
-        FoundCompanion found;
-        std::unique_ptr<Companion> device;
-        CompanionState state;
-        FingerCue told;
+        drivers::FoundCompanion found;
+        std::unique_ptr<drivers::Companion> device;
+        drivers::CompanionState state;
+        device::FingerCue told;
         double told_s = -1e9;
     };
 
     void run();
     void look_around(double now_s);
-    bool serve(Plugged& plugged, const FingerCue& cue, double now_s, Steering& sum);
+    bool serve(Plugged& plugged, const device::FingerCue& cue, double now_s, core::Steering& sum);
 
     Clock& clock_;
     std::thread thread_;  // used by the app thread
@@ -67,10 +67,10 @@ private:
     std::atomic<std::size_t> count_{0};
 
     std::mutex mutex_;  // guards the next four members
-    Steering steering_;
-    std::vector<Command> commands_;
+    core::Steering steering_;
+    std::vector<core::Command> commands_;
     std::vector<std::string> news_;
-    FingerCue cue_;
+    device::FingerCue cue_;
 
     // Used by the companions' thread only.
     std::vector<Plugged> plugged_;
@@ -78,4 +78,4 @@ private:
     double looked_s_ = -1e9;
 };
 
-}  // namespace handrail
+}  // namespace handrail::companions

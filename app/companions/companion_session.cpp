@@ -5,26 +5,26 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::companions {
 
 CompanionSession::CompanionSession(Clock& clock, bool run_thread) : devices_(clock) {
     if (run_thread) devices_.start();
 }
 
-std::vector<std::string> CompanionSession::guide(Session& app, double now_s, bool busy_elsewhere) {
-    const Steering steering = busy_elsewhere ? Steering{} : devices_.steering();
-    if (steering != steering_) app.apply(Steered{steering}, now_s);
+std::vector<std::string> CompanionSession::guide(core::Session& app, double now_s, bool busy_elsewhere) {
+    const core::Steering steering = busy_elsewhere ? core::Steering{} : devices_.steering();
+    if (steering != steering_) app.apply(core::Steered{steering}, now_s);
     steering_ = steering;
-    for (const Command command : devices_.take_commands()) {
+    for (const core::Command command : devices_.take_commands()) {
         if (busy_elsewhere) continue;  // discarded, so that it does not act later
-        app.apply(CommandDown{command}, now_s);
-        app.apply(CommandUp{command}, now_s);
+        app.apply(core::CommandDown{command}, now_s);
+        app.apply(core::CommandUp{command}, now_s);
     }
     return devices_.take_news();
 }
 
-void CompanionSession::follow(const Session& app, std::span<const CueRequest> requests, const ToolState* tool,
-                              double now_s) {
+void CompanionSession::follow(const core::Session& app, std::span<const cues::CueRequest> requests,
+                              const servo::ToolState* tool, double now_s) {
     if (!devices_.any() || !app.scene()) return;
     if (app.world().entered != worlds_entered_) {
         worlds_entered_ = app.world().entered;
@@ -39,7 +39,7 @@ void CompanionSession::follow(const Session& app, std::span<const CueRequest> re
 }
 
 bool is_companion(std::string_view name) {
-    const std::vector<std::string> names = companion_names();
+    const std::vector<std::string> names = drivers::companion_names();
     return std::find(names.begin(), names.end(), lower_ascii(name)) != names.end();
 }
 
@@ -48,7 +48,7 @@ std::string cues_and_walking_sentence(std::string_view model) {
 }
 
 std::string no_companion_sentence(std::string_view name) {
-    return phrase("companion.none", {{"device", companion_model(lower_ascii(name))}});
+    return phrase("companion.none", {{"device", drivers::companion_model(lower_ascii(name))}});
 }
 
-}  // namespace handrail
+}  // namespace handrail::companions

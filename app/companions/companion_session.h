@@ -10,7 +10,7 @@
 #include "app/companions/companion_devices.h"
 #include "audio-cues/plan/finger_planner.h"
 
-namespace handrail {
+namespace handrail::companions {
 
 class CompanionSession {
 public:
@@ -20,19 +20,20 @@ public:
 
     // Call before the session's tick: steers the session and carries out pressed buttons, unless the person is busy
     // elsewhere. Returns the sentences that are due: which devices were found or have gone.
-    std::vector<std::string> guide(Session& app, double now_s, bool busy_elsewhere = false);
+    std::vector<std::string> guide(core::Session& app, double now_s, bool busy_elsewhere = false);
     // Call after the tick: makes cues from the session's cue requests and the hand's contacts. `tool` is nullptr if
     // there is no hand.
-    void follow(const Session& app, std::span<const CueRequest> requests, const ToolState* tool, double now_s);
+    void follow(const core::Session& app, std::span<const cues::CueRequest> requests, const servo::ToolState* tool,
+                double now_s);
 
     CompanionDevices& devices() { return devices_; }
 
 private:
     CompanionDevices devices_;
-    FingerPlanner planner_;
+    cues::FingerPlanner planner_;
     std::shared_ptr<const Scene> scene_;
     int worlds_entered_ = 0;
-    Steering steering_;
+    core::Steering steering_;
 };
 
 // True if the name is that of a device without a hand.
@@ -40,4 +41,4 @@ bool is_companion(std::string_view name);
 std::string cues_and_walking_sentence(std::string_view model);
 std::string no_companion_sentence(std::string_view name);
 
-}  // namespace handrail
+}  // namespace handrail::companions

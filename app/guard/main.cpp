@@ -5,5 +5,5 @@
 
 int main(int argc, char** argv) {
     handrail::SteadyClock clock;
-    return handrail::guard_process(argc, argv, handrail::devices_of_this_machine(clock));
+    return handrail::drivers::guard_process(argc, argv, handrail::drivers::devices_of_this_machine(clock));
 }

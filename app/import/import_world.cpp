@@ -15,7 +15,7 @@
 #include "worlds/cache/sha256.h"
 #include "worlds/stored/stored_scene.h"
 
-namespace handrail {
+namespace handrail::importing {
 namespace {
 
 namespace fs = std::filesystem;
@@ -40,7 +40,7 @@ std::optional<FileState> state_of(const fs::path& path, std::uint64_t least_byte
     if (file.get() < 0 || ::fstat(file.get(), &of) != 0 || !S_ISREG(of.st_mode)) return std::nullopt;
     FileState state{static_cast<std::uint64_t>(of.st_size), of.st_mtim, {}};
     if (state.size < least_bytes) return std::nullopt;
-    Sha256 sum;
+    cache::Sha256 sum;
     std::string bytes(std::size_t{1} << 20, '\0');
     for (;;) {
         if (stop.stop_requested()) return std::nullopt;
@@ -56,11 +56,11 @@ std::optional<FileState> state_of(const fs::path& path, std::uint64_t least_byte
 
 // The cache key: everything that affects the result, except the files next to it. That includes the person's own
 // language files, which may change between two starts.
-std::string name_in_cache(const FileState& file, const ReadOptions& options, const fs::path& path) {
-    Sha256 sum;
-    sum.add_counted(fmt::format("{:x} {} {} {} {} {} {}", kWorldsVersion, file.sha256, options.map_metres_per_unit,
-                                options.obj_metres_per_unit, options.unit_is_known, options.guess_materials,
-                                options.solid_meshes));
+std::string name_in_cache(const FileState& file, const readers::ReadOptions& options, const fs::path& path) {
+    cache::Sha256 sum;
+    sum.add_counted(fmt::format("{:x} {} {} {} {} {} {}", stored::kWorldsVersion, file.sha256,
+                                options.map_metres_per_unit, options.obj_metres_per_unit, options.unit_is_known,
+                                options.guess_materials, options.solid_meshes));
     for (const std::string& text : {options.building, path.filename().string(), spoken_language()})
         sum.add_counted(text);
     const fs::path folder = spoken_language_folder();
@@ -70,8 +70,8 @@ std::string name_in_cache(const FileState& file, const ReadOptions& options, con
     return sum.hex() + ".scene";
 }
 
-Result<ImportedWorld> read_here(const fs::path& path, const ReadOptions& options) {
-    Result<Scene> scene = read_world(path, options);
+Result<ImportedWorld> read_here(const fs::path& path, const readers::ReadOptions& options) {
+    Result<Scene> scene = readers::read_world(path, options);
     if (!scene) return tl::unexpected(scene.error());
     ImportedWorld world;
     world.scene = std::move(*scene);
@@ -80,7 +80,7 @@ Result<ImportedWorld> read_here(const fs::path& path, const ReadOptions& options
 
 }  // namespace
 
-Result<ImportedWorld> import_world(const fs::path& path, const ReadOptions& options, const ImportHow& how) {
+Result<ImportedWorld> import_world(const fs::path& path, const readers::ReadOptions& options, const ImportHow& how) {
     if (how.program.empty() || options.read_beside) return read_here(path, options);
     const bool map = lower_ascii(path.extension().string()) == ".map";
     const std::optional<FileState> before =
@@ -90,7 +90,7 @@ Result<ImportedWorld> import_world(const fs::path& path, const ReadOptions& opti
     const Descriptor kept = before ? how.cache.open(name) : Descriptor(-1);
     Result<ReadApart> read = read_apart(path, options, how.program, how.limits, {kept.get(), name});
     if (!read) return tl::unexpected(read.error());
-    Result<Scene> scene = scene_from(read->scene);
+    Result<Scene> scene = stored::scene_from(read->scene);
     if (!scene) return tl::unexpected(scene.error());
     if (read->kept && options.progress) options.progress(1.0);
     // A file that changed while it was read is not cached.
@@ -100,4 +100,4 @@ Result<ImportedWorld> import_world(const fs::path& path, const ReadOptions& opti
     return ImportedWorld{std::move(*scene), read->kept, read->kept_damaged};
 }
 
-}  // namespace handrail
+}  // namespace handrail::importing

@@ -5,11 +5,11 @@
 #include "app/import/reader_process.h"
 #include "worlds/cache/cache.h"
 
-namespace handrail {
+namespace handrail::importing {
 
 struct ImportHow {
     // The cache where results are looked up and kept.
-    Cache cache{{}};
+    cache::Cache cache{{}};
     std::filesystem::path program = find_reader_program();  // empty: the file is read in this process
     ReaderLimits limits;
 };
@@ -28,6 +28,7 @@ struct ImportedWorld {
 // Fails as read_world does. A cached result is used only for the same bytes of the file and of the files that it needs
 // next to it, and for the same options, language and build. The cache key is the SHA-256 of all of these except the
 // files next to it, whose digests are kept with the scene.
-Result<ImportedWorld> import_world(const std::filesystem::path& path, const ReadOptions& options, const ImportHow& how);
+Result<ImportedWorld> import_world(const std::filesystem::path& path, const readers::ReadOptions& options,
+                                   const ImportHow& how);
 
-}  // namespace handrail
+}  // namespace handrail::importing

@@ -7,7 +7,7 @@
 
 #include "app/import/reader_process.h"
 
-namespace handrail {
+namespace handrail::importing {
 
 std::string kept_scene(const std::vector<NeighbourFile>& beside, std::string_view scene);
 // Calls `still_good` before it unpacks the Scene; returns nothing if that returns false. Fails if the bytes are
@@ -15,4 +15,4 @@ std::string kept_scene(const std::vector<NeighbourFile>& beside, std::string_vie
 Result<std::optional<Scene>> scene_in(std::string_view kept,
                                       const std::function<bool(const std::vector<NeighbourFile>&)>& still_good);
 
-}  // namespace handrail
+}  // namespace handrail::importing

@@ -6,7 +6,36 @@
 #include "worlds/stored/archive.h"
 #include "worlds/stored/stored_scene.h"
 
-namespace handrail {
+// Functions that the archive finds by its own namespace, because these types are neither its nor this folder's.
+namespace handrail::stored {
+
+template <class A, Is<Error> T>
+void fields(A& a, T& v) {
+    auto& [file, line, column, message] = v;
+    a(file, line, column, message);
+}
+template <class A, Is<settings::TomlMoment> T>
+void fields(A& a, T& v) {
+    auto& [has_date, has_time, has_offset, year, month, day, hour, minute, second, nanosecond, offset_minutes] = v;
+    a(has_date, has_time, has_offset, year, month, day, hour, minute, second, nanosecond, offset_minutes);
+}
+template <class A, Is<settings::TomlMember> T>
+void fields(A& a, T& v) {
+    auto& [key, value] = v;
+    a(key, value);
+}
+template <class A, Is<settings::TomlValue> T>
+void fields(A& a, T& v) {
+    auto& [value, line, column, in_line] = v;
+    if constexpr (A::kReads)
+        if (!a.descend(settings::kDeepestToml)) return;
+    a(value.plain(), line, column, in_line);
+    if constexpr (A::kReads) a.ascend();
+}
+
+}  // namespace handrail::stored
+
+namespace handrail::importing {
 
 inline constexpr int kAnswerFd = 3, kTellFd = 4, kFilesFd = 5, kKeptFd = 6;
 inline constexpr int kReaderWords = 12;  // number of arguments, including the program's name
@@ -23,17 +52,12 @@ struct ReaderAnswer {
     std::vector<NeighbourFile> beside;
 };
 
-template <class A, Is<Error> T>
-void fields(A& a, T& v) {
-    auto& [file, line, column, message] = v;
-    a(file, line, column, message);
-}
 template <class A, Is<NeighbourFile> T>
 void fields(A& a, T& v) {
     auto& [name, sha256] = v;
     a(name, sha256);
 }
-template <class A, Is<ReaderAnswer> T>
+template <class A, stored::Is<ReaderAnswer> T>
 void fields(A& a, T& v) {
     auto& [read, kept, kept_damaged, error, beside] = v;
     a(read, kept, kept_damaged, error, beside);
@@ -42,31 +66,13 @@ void fields(A& a, T& v) {
 // Comes after the answer to kTomlText. A fault has a line; otherwise there are values.
 struct TomlAnswer {
     Error fault;
-    TomlValue values;
+    settings::TomlValue values;
 };
 
-template <class A, Is<TomlMoment> T>
-void fields(A& a, T& v) {
-    auto& [has_date, has_time, has_offset, year, month, day, hour, minute, second, nanosecond, offset_minutes] = v;
-    a(has_date, has_time, has_offset, year, month, day, hour, minute, second, nanosecond, offset_minutes);
-}
-template <class A, Is<TomlMember> T>
-void fields(A& a, T& v) {
-    auto& [key, value] = v;
-    a(key, value);
-}
-template <class A, Is<TomlValue> T>
-void fields(A& a, T& v) {
-    auto& [value, line, column, in_line] = v;
-    if constexpr (A::kReads)
-        if (!a.descend(kDeepestToml)) return;
-    a(value.plain(), line, column, in_line);
-    if constexpr (A::kReads) a.ascend();
-}
-template <class A, Is<TomlAnswer> T>
+template <class A, stored::Is<TomlAnswer> T>
 void fields(A& a, T& v) {
     auto& [fault, values] = v;
     a(fault, values);
 }
 
-}  // namespace handrail
+}  // namespace handrail::importing

@@ -21,7 +21,7 @@
 #include "worlds/confine/confine.h"
 #include "worlds/stored/stored_ways.h"
 
-namespace handrail {
+namespace handrail::importing {
 namespace {
 
 void limit(int what, rlim_t most) {
@@ -65,62 +65,62 @@ void end_where_the_file_was_cut() {
 }
 
 int answer(const ReaderAnswer& told, std::string_view bytes) {
-    Packer pack;
+    stored::Packer pack;
     pack(told);
     return write_all(kAnswerFd, pack.take()) && write_all(kAnswerFd, bytes) ? 0 : kNoRoom;
 }
 
 Result<std::string> read_requested_beside(const std::string& name) {
     const Result<OpenFile> file = request_beside(kFilesFd, name);
-    return file ? read_whole_file(*file, kLargestNeighbour_bytes, {}) : tl::unexpected(file.error());
+    return file ? read_whole_file(*file, readers::kLargestNeighbour_bytes, {}) : tl::unexpected(file.error());
 }
 
-Result<Scene> read_requested(const std::string& name, const ReadOptions& options) {
+Result<Scene> read_requested(const std::string& name, const readers::ReadOptions& options) {
     const Result<OpenFile> world = request_world(kFilesFd);
     if (!world) return tl::unexpected(world.error());
-    const Result<MappedFile> mapped = map_file(*world, kLargestWorld_bytes);
-    return mapped ? read_world_bytes(name, mapped->bytes(), options) : tl::unexpected(mapped.error());
+    const Result<MappedFile> mapped = map_file(*world, readers::kLargestWorld_bytes);
+    return mapped ? readers::read_world_bytes(name, mapped->bytes(), options) : tl::unexpected(mapped.error());
 }
 
 // Returns true if the files needed next to the world are unchanged, and those that were missing still are.
 bool same_beside(const std::vector<NeighbourFile>& beside) {
     return std::all_of(beside.begin(), beside.end(), [](const NeighbourFile& file) {
         const Result<std::string> bytes = read_requested_beside(file.name);
-        return (bytes ? sha256_of(*bytes) : std::string()) == file.sha256;
+        return (bytes ? cache::sha256_of(*bytes) : std::string()) == file.sha256;
     });
 }
 
 // Returns the cached scene with that name. Returns nothing if it is out of date, or if it cannot be trusted, which
 // `damaged` then indicates.
 std::optional<Scene> scene_kept(const std::string& name, bool& damaged) {
-    const std::optional<std::string> kept = kept_content(kKeptFd, name);
+    const std::optional<std::string> kept = cache::kept_content(kKeptFd, name);
     Result<std::optional<Scene>> scene = fail("");
     if (kept) scene = scene_in(*kept, same_beside);
     damaged = !scene.has_value();
     return scene ? std::move(*scene) : std::nullopt;
 }
 
-int answer_with_scene(const std::string& name, ReadOptions& options, const std::string& kept_name) {
+int answer_with_scene(const std::string& name, readers::ReadOptions& options, const std::string& kept_name) {
     ReaderAnswer told;
     if (!kept_name.empty())
         if (const std::optional<Scene> kept = scene_kept(kept_name, told.kept_damaged)) {
             told.read = told.kept = true;
-            return answer(told, stored(*kept));
+            return answer(told, stored::stored(*kept));
         }
     options.read_beside = [&](const std::string& other) {
         Result<std::string> bytes = read_requested_beside(other);
-        told.beside.push_back({other, bytes ? sha256_of(*bytes) : std::string()});
+        told.beside.push_back({other, bytes ? cache::sha256_of(*bytes) : std::string()});
         return bytes;
     };
     const Result<Scene> scene = read_requested(name, options);
     told.read = scene.has_value();
     if (!scene) told.error = scene.error();
-    return answer(told, scene ? stored(*scene) : std::string());
+    return answer(told, scene ? stored::stored(*scene) : std::string());
 }
 
 int answer_with_ways(const std::string& kept_name) {
     ReaderAnswer told;
-    const std::string ways = unpacked_ways(kept_content(kKeptFd, kept_name).value_or(""));
+    const std::string ways = stored::unpacked_ways(cache::kept_content(kKeptFd, kept_name).value_or(""));
     told.read = told.kept = !ways.empty();
     return answer(told, ways);
 }
@@ -130,9 +130,9 @@ int answer_with_toml() {
     const Result<std::string> bytes = read_whole_file(text, kLargestToml_bytes, {});
     if (!bytes) return kNoRoom;
     TomlAnswer found;
-    if (Result<TomlValue> values = toml_of(*bytes)) found.values = std::move(*values);
+    if (Result<settings::TomlValue> values = settings::toml_of(*bytes)) found.values = std::move(*values);
     else found.fault = values.error();
-    Packer pack;
+    stored::Packer pack;
     pack(found);
     ReaderAnswer told;
     told.read = true;
@@ -159,15 +159,15 @@ int reader_process(int argc, char** argv) {
     const bool reads_toml = name.empty() && std::string_view(argv[11]) == kTomlText;
     if (!reads_toml) {  // TOML needs neither, and someone waits for it
         (void)speak_language(argv[1], argv[2]);
-        (void)sha256_of("");  // libgcrypt inspects the system when it is first used
+        (void)cache::sha256_of("");  // libgcrypt inspects the system when it is first used
     }
-    Permissions permissions;
+    confine::Permissions permissions;
 #if defined(HANDRAIL_SANITIZED)
     permissions.read.emplace_back("/proc");  // needed by the leak check of a sanitizer
 #endif
-    (void)confine(permissions);  // `handrail devices` reports what the kernel lacks
+    (void)confine::confine(permissions);  // `handrail devices` reports what the kernel lacks
 
-    ReadOptions options;
+    readers::ReadOptions options;
     options.map_metres_per_unit = metres(argv[7]);
     options.obj_metres_per_unit = metres(argv[8]);
     options.unit_is_known = argv[9][0] == '1';
@@ -189,4 +189,4 @@ int reader_process(int argc, char** argv) {
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::importing

@@ -26,7 +26,7 @@
 #include "worlds/base/language.h"
 #include "worlds/confine/confine.h"
 
-namespace handrail {
+namespace handrail::importing {
 namespace {
 
 namespace fs = std::filesystem;
@@ -67,7 +67,7 @@ private:
 };
 
 // Handles a line of progress. "p57": percent; "stext.key": the current stage.
-void tell(const ReadOptions& options, std::string_view line) {
+void tell(const readers::ReadOptions& options, std::string_view line) {
     if (line.starts_with('p') && options.progress) {
         int percent = 0;
         std::from_chars(line.data() + 1, line.data() + line.size(), percent);
@@ -128,7 +128,7 @@ double children_cpu_s() {
 Result<ReadApart> read_answer(int fd, std::size_t most_bytes) {
     Result<std::string> bytes = everything_in(fd, most_bytes);
     if (!bytes) return tl::unexpected(bytes.error());
-    Unpacker unpack(*bytes);
+    stored::Unpacker unpack(*bytes);
     ReaderAnswer answer;
     unpack(answer);
     if (!unpack.good()) return fail(phrase("import.damaged"));
@@ -167,7 +167,7 @@ Result<pid_t> start(const fs::path& program, std::vector<std::string> words, con
     argv.push_back(nullptr);
     pid_t process = -1;
     const int status =
-        ::posix_spawn(&process, program.c_str(), &actions, &how, argv.data(), environment_with({}).data());
+        ::posix_spawn(&process, program.c_str(), &actions, &how, argv.data(), confine::environment_with({}).data());
     posix_spawnattr_destroy(&how);
     posix_spawn_file_actions_destroy(&actions);
     if (status != 0) return fail(reason_of(status));
@@ -185,7 +185,7 @@ fs::path find_reader_program() {
     return {};
 }
 
-Result<ReadApart> read_apart(const fs::path& path, const ReadOptions& options, const fs::path& program,
+Result<ReadApart> read_apart(const fs::path& path, const readers::ReadOptions& options, const fs::path& program,
                              const ReaderLimits& limits, const KeptForReader& kept) {
     const std::string name = path.filename().string();
     const auto problem = [&](const std::string& why) {
@@ -252,10 +252,10 @@ Result<ReadApart> read_apart(const fs::path& path, const ReadOptions& options, c
 
 std::string unpack_ways_apart(const KeptForReader& kept, const fs::path& program, const std::stop_token& stop,
                               const ReaderLimits& limits) {
-    ReadOptions options;
+    readers::ReadOptions options;
     options.stop = stop;
     Result<ReadApart> read = read_apart({}, options, program, limits, kept);  // no file: the routes come from the cache
     return read ? std::move(read->scene) : std::string();
 }
 
-}  // namespace handrail
+}  // namespace handrail::importing

@@ -13,7 +13,7 @@
 
 #include "worlds/readers/reader.h"
 
-namespace handrail {
+namespace handrail::importing {
 
 struct ReaderLimits {
     std::size_t memory_bytes = 2'000'000'000;  // address space; not limited in sanitized builds, which need all of it
@@ -49,7 +49,7 @@ std::filesystem::path find_reader_program();
 // its own sentence. The calling thread must outlive the call, because the kernel ends the process with the thread. The
 // process takes the scene from the cache. It reads the file only if the cached scene is damaged or another file next to
 // the world's has changed.
-Result<ReadApart> read_apart(const std::filesystem::path& path, const ReadOptions& options,
+Result<ReadApart> read_apart(const std::filesystem::path& path, const readers::ReadOptions& options,
                              const std::filesystem::path& program, const ReaderLimits& limits = {},
                              const KeptForReader& kept = {});
 
@@ -60,4 +60,4 @@ std::string unpack_ways_apart(const KeptForReader& kept, const std::filesystem::
 // The main function of handrail-reader.
 int reader_process(int argc, char** argv);
 
-}  // namespace handrail
+}  // namespace handrail::importing

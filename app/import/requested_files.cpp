@@ -9,7 +9,7 @@
 #include "app/import/reader_answer.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::importing {
 namespace {
 
 constexpr std::size_t kLongestRequest_bytes = 4096, kLongestAnswer_bytes = 16'384;
@@ -22,11 +22,11 @@ struct FileAnswer {
     std::string name;
     Error error;
 };
-template <class A, Is<FileAnswer> T>
+template <class A, stored::Is<FileAnswer> T>
 void fields(A& a, T& v) {
     auto& [opened, size, name, error] = v;
     a(opened);
-    const std::uint64_t packed = archive::count(a, size);
+    const std::uint64_t packed = stored::archive::count(a, size);
     if constexpr (A::kReads) size = packed;
     a(name, error);
 }
@@ -81,7 +81,7 @@ Result<OpenFile> request(int socket, const std::string& message) {
     if (got <= 0) return problem(got < 0 ? errno : EIO);
     Descriptor file = parcel.taken();
     FileAnswer answer;
-    Unpacker unpack(std::string_view(bytes).substr(0, static_cast<std::size_t>(got)));
+    stored::Unpacker unpack(std::string_view(bytes).substr(0, static_cast<std::size_t>(got)));
     unpack(answer);
     if (!unpack.good() || answer.opened != (file.get() >= 0)) return problem(EIO);
     if (!answer.opened) return tl::unexpected(answer.error);
@@ -90,7 +90,7 @@ Result<OpenFile> request(int socket, const std::string& message) {
 
 Result<OpenFile> requested(std::string_view message, const std::filesystem::path& world) {
     if (message.front() == kWorld) return open_file(world);
-    return open_file_beside(world, std::string(message.substr(1)));
+    return readers::open_file_beside(world, std::string(message.substr(1)));
 }
 
 }  // namespace
@@ -113,7 +113,7 @@ bool answer_request(int socket, const std::filesystem::path& world) {
     } else {
         answer.error = file.error();
     }
-    Packer pack;
+    stored::Packer pack;
     pack(answer);
     std::string bytes = pack.take();
     Parcel parcel(bytes);
@@ -122,4 +122,4 @@ bool answer_request(int socket, const std::filesystem::path& world) {
     return ::sendmsg(socket, &parcel.head, MSG_DONTWAIT | MSG_NOSIGNAL) >= 0;
 }
 
-}  // namespace handrail
+}  // namespace handrail::importing

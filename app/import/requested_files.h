@@ -8,7 +8,7 @@
 
 #include "worlds/readers/reader.h"
 
-namespace handrail {
+namespace handrail::importing {
 
 // Called by the reader; waits for the program. The name is relative to the world's file.
 Result<OpenFile> request_world(int socket);
@@ -17,4 +17,4 @@ Result<OpenFile> request_beside(int socket, const std::string& name);
 // Called by the program: answers one waiting request. Returns false if no more will come.
 bool answer_request(int socket, const std::filesystem::path& world);
 
-}  // namespace handrail
+}  // namespace handrail::importing

@@ -15,16 +15,16 @@
 #include "worlds/base/text.h"
 #include "worlds/cache/sha256.h"
 
-namespace handrail {
+namespace handrail::importing {
 namespace {
 
 constexpr std::size_t kLongestFault_bytes = 300;
 // A value takes at most 27 bytes in an answer, and at least 2 in a text.
 constexpr std::size_t kAnswerPerText = 16, kShortestAnswer_bytes = 4096;
 
-bool is_sound(const TomlMoment& moment) {
+bool is_sound(const settings::TomlMoment& moment) {
     using std::chrono::day, std::chrono::month, std::chrono::year;
-    TomlMoment told;  // fields that the moment does not state are 0
+    settings::TomlMoment told;  // fields that the moment does not state are 0
     if (moment.has_date) told.year = moment.year, told.month = moment.month, told.day = moment.day;
     if (moment.has_time) {
         told.hour = moment.hour, told.minute = moment.minute, told.second = moment.second;
@@ -40,22 +40,24 @@ bool is_sound(const TomlMoment& moment) {
 }
 
 // Checks that a value is one that toml_of could make.
-bool is_sound(const TomlValue& value) {
+bool is_sound(const settings::TomlValue& value) {
     if (value.line < 0 || value.column < 0) return false;
     if (const std::string* text = value.text()) return is_utf8(*text);
-    if (const auto* moment = std::get_if<TomlMoment>(&value.value)) return is_sound(*moment);
-    if (const TomlValue::Array* list = value.array())
-        return std::all_of(list->begin(), list->end(), [](const TomlValue& one) { return is_sound(one); });
-    if (const TomlValue::Table* table = value.table()) {
-        const auto in_order = [](const TomlMember& a, const TomlMember& b) { return !(a.key < b.key); };
+    if (const auto* moment = std::get_if<settings::TomlMoment>(&value.value)) return is_sound(*moment);
+    if (const settings::TomlValue::Array* list = value.array())
+        return std::all_of(list->begin(), list->end(), [](const settings::TomlValue& one) { return is_sound(one); });
+    if (const settings::TomlValue::Table* table = value.table()) {
+        const auto in_order = [](const settings::TomlMember& a, const settings::TomlMember& b) {
+            return !(a.key < b.key);
+        };
         return std::adjacent_find(table->begin(), table->end(), in_order) == table->end() &&
                std::all_of(table->begin(), table->end(),
-                           [](const TomlMember& one) { return is_utf8(one.key) && is_sound(one.value); });
+                           [](const settings::TomlMember& one) { return is_utf8(one.key) && is_sound(one.value); });
     }
     return true;
 }
 
-Result<TomlValue> failed() { return fail(phrase("import.toml_failed")); }
+Result<settings::TomlValue> failed() { return fail(phrase("import.toml_failed")); }
 
 bool put(int file, std::string_view bytes) {
     while (!bytes.empty()) {
@@ -66,7 +68,8 @@ bool put(int file, std::string_view bytes) {
     return ::lseek(file, 0, SEEK_SET) == 0;
 }
 
-Result<TomlValue> parsed_apart(const std::string& text, const std::filesystem::path& program, ReaderLimits limits) {
+Result<settings::TomlValue> parsed_apart(const std::string& text, const std::filesystem::path& program,
+                                         ReaderLimits limits) {
     if (text.size() > kLargestToml_bytes)
         return fail(phrase("files.too_large", {{"megabytes", kLargestToml_bytes >> 20}}));
     const Descriptor file(::memfd_create("handrail-toml", MFD_CLOEXEC));
@@ -78,8 +81,8 @@ Result<TomlValue> parsed_apart(const std::string& text, const std::filesystem::p
 
 }  // namespace
 
-Result<TomlValue> toml_in_answer(std::string_view bytes) {
-    Unpacker unpack(bytes);
+Result<settings::TomlValue> toml_in_answer(std::string_view bytes) {
+    stored::Unpacker unpack(bytes);
     TomlAnswer answer;
     unpack(answer);
     if (!unpack.good() || !unpack.rest().empty()) return failed();
@@ -94,10 +97,10 @@ struct TomlApart::Known {
     struct One {
         std::string sha256;
         std::size_t bytes;
-        Result<TomlValue> result;
+        Result<settings::TomlValue> result;
     };
 
-    std::optional<Result<TomlValue>> find(const std::string& sha256) {
+    std::optional<Result<settings::TomlValue>> find(const std::string& sha256) {
         const std::lock_guard lock(mutex);
         for (const One& one : all)
             if (one.sha256 == sha256) return one.result;
@@ -121,12 +124,12 @@ struct TomlApart::Known {
 TomlApart::TomlApart(std::filesystem::path program, ReaderLimits limits)
     : program_(std::move(program)), limits_(limits), known_(std::make_shared<Known>()) {}
 
-Result<TomlValue> TomlApart::operator()(const std::string& text) const {
-    const std::string sha256 = sha256_of(text);
+Result<settings::TomlValue> TomlApart::operator()(const std::string& text) const {
+    const std::string sha256 = cache::sha256_of(text);
     if (auto known = known_->find(sha256)) return std::move(*known);
-    Result<TomlValue> result = parsed_apart(text, program_, limits_);
+    Result<settings::TomlValue> result = parsed_apart(text, program_, limits_);
     known_->keep({sha256, text.size(), result});
     return result;
 }
 
-}  // namespace handrail
+}  // namespace handrail::importing

@@ -13,7 +13,7 @@
 #include "app/import/reader_process.h"
 #include "settings/toml_value.h"
 
-namespace handrail {
+namespace handrail::importing {
 
 inline constexpr std::size_t kLargestToml_bytes = std::size_t{16} << 20;
 
@@ -25,7 +25,7 @@ public:
 
     explicit TomlApart(std::filesystem::path program, ReaderLimits limits = {1'000'000'000, 5, 10.0});
     // Serves as a TomlReader. If the process does anything except answer in time, the result is one sentence.
-    Result<TomlValue> operator()(const std::string& text) const;
+    Result<settings::TomlValue> operator()(const std::string& text) const;
 
 private:
     struct Known;
@@ -37,6 +37,6 @@ private:
 
 // The answer of such a process in the form that toml_of would return, or one sentence if it is invalid. Private to this
 // folder, except for tests.
-Result<TomlValue> toml_in_answer(std::string_view bytes);
+Result<settings::TomlValue> toml_in_answer(std::string_view bytes);
 
-}  // namespace handrail
+}  // namespace handrail::importing

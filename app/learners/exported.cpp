@@ -13,7 +13,7 @@
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::learners {
 namespace {
 
 namespace fs = std::filesystem;
@@ -31,7 +31,7 @@ std::string checksum_of(std::string_view bytes) {
 }  // namespace
 
 Result<void> note_exported(const fs::path& learner_folder, const fs::path& file, std::string_view content) {
-    const FolderLock lock(learner_folder, kLockWait_s);
+    const core::FolderLock lock(learner_folder, kLockWait_s);
     if (lock.held_elsewhere()) return fail(phrase("side_file.locked", {{"file", "exports.jsonl"}}));
     std::string list;
     std::error_code ec;
@@ -71,4 +71,4 @@ bool unchanged(const Exported& exported) {
                         exported.checksums.end();
 }
 
-}  // namespace handrail
+}  // namespace handrail::learners

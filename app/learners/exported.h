@@ -9,7 +9,7 @@
 
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::learners {
 
 struct Exported {
     std::filesystem::path file;          // absolute path
@@ -25,4 +25,4 @@ std::vector<Exported> exported_of(const std::filesystem::path& learner_folder, s
 // Returns true if the file exists and has the contents that were written.
 bool unchanged(const Exported& exported);
 
-}  // namespace handrail
+}  // namespace handrail::learners

@@ -8,7 +8,7 @@
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::learners {
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,7 +49,7 @@ void look_into(const fs::path& file, std::span<const std::string> words, Search&
     ++search.files;
     bool hit = holds_any(*bytes, words);
     if (!hit && bytes->starts_with("\x1f\x8b")) {
-        const GzipText unpacked = gunzip_pieces(*bytes, kMostUnpacked_bytes);
+        const record::GzipText unpacked = record::gunzip_pieces(*bytes, kMostUnpacked_bytes);
         hit = holds_any(unpacked.text, words);
         if (!hit && unpacked.huge) search.unread.push_back(file);
     }
@@ -102,4 +102,4 @@ Search search_for(std::span<const std::string> words, std::span<const fs::path> 
     return search;
 }
 
-}  // namespace handrail
+}  // namespace handrail::learners

@@ -9,7 +9,7 @@
 
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::learners {
 
 struct Holdings {
     std::size_t recordings = 0, worlds = 0;             // folders of sessions; worlds with marks or learnt knowledge
@@ -32,4 +32,4 @@ struct Search {
 // not as part of another. Missing folders count as empty.
 Search search_for(std::span<const std::string> words, std::span<const std::filesystem::path> folders);
 
-}  // namespace handrail
+}  // namespace handrail::learners

@@ -5,7 +5,7 @@
 
 #include "worlds/base/files.h"
 
-namespace handrail {
+namespace handrail::learners {
 
 void each_kept_line(const std::filesystem::path& file, std::size_t longest_bytes, std::vector<Error>& faults,
                     const std::function<void(std::string_view line, int number)>& take) {
@@ -21,4 +21,4 @@ void each_kept_line(const std::filesystem::path& file, std::size_t longest_bytes
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::learners

@@ -9,11 +9,11 @@
 
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::learners {
 
 // Calls `take` for each line of the file with its number, from 1. Does nothing if the file does not exist. A file that
 // cannot be read, or is longer than `longest_bytes`, is added to `faults`.
 void each_kept_line(const std::filesystem::path& file, std::size_t longest_bytes, std::vector<Error>& faults,
                     const std::function<void(std::string_view line, int number)>& take);
 
-}  // namespace handrail
+}  // namespace handrail::learners

@@ -15,7 +15,7 @@
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::learners {
 namespace {
 
 namespace fs = std::filesystem;
@@ -26,7 +26,7 @@ constexpr std::size_t kMostResults_bytes = std::size_t{64} << 20;
 
 std::string line_of(const KeptResults& results) {
     Json tasks = Json::array();
-    for (const RecordedTask& task : results.tasks) {
+    for (const record::RecordedTask& task : results.tasks) {
         Json measures = Json::object();
         for (const auto& [key, value] : task.measures)
             if (std::isfinite(value)) measures[key] = value;
@@ -50,7 +50,7 @@ std::optional<KeptResults> results_of(std::string_view text) {
                             line.at("seconds").get<double>(),
                             {}};
         for (const Json& one : line.at("tasks")) {
-            RecordedTask task{
+            record::RecordedTask task{
                 one.at("t_s").get<double>(), one.at("kind").get<std::string>(), one.at("name").get<std::string>(), {}};
             for (const auto& [key, value] : one.at("measures").items()) task.measures[key] = value.get<double>();
             results.tasks.push_back(std::move(task));
@@ -68,7 +68,7 @@ fs::path results_in(const fs::path& learner_folder) { return learner_folder / "r
 std::string now_utc() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
 
 Result<void> keep_results(const fs::path& learner_folder, const KeptResults& results) {
-    const FolderLock lock(learner_folder, kResultsWait_s);
+    const core::FolderLock lock(learner_folder, kResultsWait_s);
     if (lock.held_elsewhere()) return fail(phrase("side_file.locked", {{"file", "results.jsonl"}}));
     const fs::path file = results_in(learner_folder);
     std::string all;
@@ -94,4 +94,4 @@ std::vector<KeptResults> kept_results(const fs::path& learner_folder, std::vecto
     return all;
 }
 
-}  // namespace handrail
+}  // namespace handrail::learners

@@ -10,13 +10,13 @@
 #include "app/record/recorded_events.h"
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::learners {
 
 struct KeptResults {
     std::string begun_utc;      // "2026-11-22T17:30:00Z"
     std::string lesson, world;  // names as they are announced
     double seconds = 0.0;
-    std::vector<RecordedTask> tasks;
+    std::vector<record::RecordedTask> tasks;
 };
 std::filesystem::path results_in(const std::filesystem::path& learner_folder);
 // Adds one session.
@@ -27,4 +27,4 @@ std::vector<KeptResults> kept_results(const std::filesystem::path& learner_folde
 // The current time, in the format of recordings.
 std::string now_utc();
 
-}  // namespace handrail
+}  // namespace handrail::learners

@@ -14,7 +14,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::learners {
 namespace {
 
 constexpr std::array<std::string_view, kPurposes.size()> kWords = {"remember", "record", "share"};
@@ -26,7 +26,7 @@ int line_of_node(const toml::node* node) { return node ? static_cast<int>(node->
 Result<toml::table> parsed(const std::string& text, const std::string& file) {
     if (!is_utf8(text)) return fail(phrase("learner.no_text"), file);
     try {
-        return parse_toml(text);
+        return settings::parse_toml(text);
     } catch (const toml::parse_error& error) {
         return fail(phrase("learner.damaged"), file, static_cast<int>(error.source().begin.line));
     }
@@ -178,7 +178,7 @@ Result<std::string> text_of(const Learner& learner, const std::string& before, c
 }
 
 Result<std::string> good_learner_name(std::string_view typed) {
-    auto name = good_name(typed);
+    auto name = core::good_name(typed);
     if (!name) return name;
     if (name->size() > kLongestLearner_bytes)
         return fail(phrase("side_file.name_too_long", {{"most", kLongestLearner_bytes}}));
@@ -201,4 +201,4 @@ std::string offered_name(std::uint32_t number) {
     return trees[number % trees.size()] + " " + birds[number / trees.size() % birds.size()];
 }
 
-}  // namespace handrail
+}  // namespace handrail::learners

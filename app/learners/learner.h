@@ -10,7 +10,7 @@
 
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::learners {
 
 // What a learner can agree to: that knowledge is remembered from session to session, that sessions are recorded, and
 // that reports are written where others can find them.
@@ -59,4 +59,4 @@ bool may_be_real(std::string_view name);
 // name.
 std::string offered_name(std::uint32_t number);
 
-}  // namespace handrail
+}  // namespace handrail::learners

@@ -12,7 +12,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::learners {
 namespace {
 
 namespace fs = std::filesystem;
@@ -103,7 +103,7 @@ Result<Learner> Learners::make(const std::string& name, const std::string& setti
     std::error_code ec;
     fs::create_directories(folder_.parent_path(), ec);  // the next line reports errors
     if (auto made = make_private(folder_); !made) return tl::unexpected(made.error());
-    const FolderLock lock(folder_, kLockWait_s);
+    const core::FolderLock lock(folder_, kLockWait_s);
     if (lock.held_elsewhere()) return fail(phrase("side_file.locked", {{"file", folder_.filename().string()}}));
     for (const Learner& one : all().learners)
         if (lower_ascii(one.name) == lower_ascii(*good)) return fail(phrase("learner.taken", {{"name", one.name}}));
@@ -125,7 +125,7 @@ Result<Learner> Learners::make(const std::string& name, const std::string& setti
 }
 
 Result<Learner> Learners::change(const std::string& id, const std::function<void(Learner&)>& to) const {
-    const FolderLock lock(folder_of(id), kLockWait_s);
+    const core::FolderLock lock(folder_of(id), kLockWait_s);
     if (lock.held_elsewhere()) return fail(phrase("side_file.locked", {{"file", "learner.toml"}}));
     const auto before = read_whole_file(file_of(id), kLongestFile_bytes);
     if (!before) return tl::unexpected(before.error());
@@ -151,4 +151,4 @@ std::string Learners::offer() const {
     return name;
 }
 
-}  // namespace handrail
+}  // namespace handrail::learners

@@ -14,7 +14,7 @@
 
 #include "app/learners/learner.h"
 
-namespace handrail {
+namespace handrail::learners {
 
 class Learners {
 public:
@@ -51,4 +51,4 @@ private:
     std::filesystem::path folder_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::learners

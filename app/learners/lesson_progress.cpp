@@ -14,7 +14,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::learners {
 namespace {
 
 namespace fs = std::filesystem;
@@ -39,7 +39,7 @@ Result<toml::table> table_of(const fs::path& file) {
     if (!text) return tl::unexpected(text.error());
     if (!is_utf8(*text)) return fail(phrase("learner.no_text"), file.string());
     try {
-        return parse_toml(*text);
+        return settings::parse_toml(*text);
     } catch (const toml::parse_error& error) {
         return fail(phrase("learner.lessons_damaged"), file.string(), static_cast<int>(error.source().begin.line));
     }
@@ -86,7 +86,7 @@ Result<std::size_t> session_taught(const fs::path& learner_folder, const fs::pat
 }
 
 Result<void> note_session_taught(const fs::path& learner_folder, const fs::path& lesson, std::size_t session) {
-    const FolderLock lock(learner_folder, kLessonsWait_s);
+    const core::FolderLock lock(learner_folder, kLessonsWait_s);
     if (lock.held_elsewhere()) return fail(phrase("side_file.locked", {{"file", "lessons.toml"}}));
     if (const auto readable = lessons_begun(learner_folder); !readable) return tl::unexpected(readable.error());
     const fs::path file = file_in(learner_folder);
@@ -121,4 +121,4 @@ Result<void> forget_lessons(const fs::path& learner_folder) {
     return {};
 }
 
-}  // namespace handrail
+}  // namespace handrail::learners

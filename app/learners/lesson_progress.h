@@ -10,7 +10,7 @@
 
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::learners {
 
 struct LessonProgress {
     std::filesystem::path file;  // of the lesson: absolute, links resolved
@@ -30,4 +30,4 @@ inline std::size_t session_behind(std::size_t taught, std::size_t sessions) { re
 // Forgets the progress in lessons and their results.
 Result<void> forget_lessons(const std::filesystem::path& learner_folder);
 
-}  // namespace handrail
+}  // namespace handrail::learners

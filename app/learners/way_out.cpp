@@ -6,7 +6,7 @@
 #include "app/learners/exported.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::learners {
 namespace {
 
 namespace fs = std::filesystem;
@@ -61,4 +61,4 @@ Result<void> WayOut::write(const fs::path& file, std::string_view content, Write
     return how(file, content);
 }
 
-}  // namespace handrail
+}  // namespace handrail::learners

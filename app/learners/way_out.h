@@ -10,7 +10,7 @@
 #include "app/learners/learners.h"
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::learners {
 
 class WayOut {
 public:
@@ -36,4 +36,4 @@ private:
     std::filesystem::path folder_;  // folder of the learner
 };
 
-}  // namespace handrail
+}  // namespace handrail::learners

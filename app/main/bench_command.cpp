@@ -10,12 +10,12 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 constexpr double kSeconds = 10.0;
 
-std::string json_of(const ServoMeasured& measured, const std::string& world) {
+std::string json_of(const servo::ServoMeasured& measured, const std::string& world) {
     const auto quantiles = [](const auto& times) {
         return nlohmann::ordered_json{{"p50_s", times.quantile_s(0.5)},
                                       {"p99_s", times.quantile_s(0.99)},
@@ -33,7 +33,7 @@ std::string json_of(const ServoMeasured& measured, const std::string& world) {
     return json.dump(2) + "\n";
 }
 
-std::string text_of(const ServoMeasured& measured, const std::string& world) {
+std::string text_of(const servo::ServoMeasured& measured, const std::string& world) {
     return phrase("bench.servo", {{"world", world},
                                   {"seconds", measured.seconds},
                                   {"ticks", static_cast<double>(measured.ticks)},
@@ -54,19 +54,19 @@ int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::o
     };
     const Result<std::filesystem::path> file = world_given(arguments.world.value_or("house"));
     if (!file) return refuse(file.error());
-    ReadOptions options = arguments.common.read_options(*file);
-    const Result<ImportedWorld> read = imported(*file, progress.followed(options));
+    readers::ReadOptions options = arguments.common.read_options(*file);
+    const Result<importing::ImportedWorld> read = imported(*file, progress.followed(options));
     if (!read) return refuse(read.error());
-    const EnteringWorld world = make_ready_to_touch(std::make_shared<const Scene>(read->scene));
+    const core::EnteringWorld world = core::make_ready_to_touch(std::make_shared<const Scene>(read->scene));
     progress.at(phrase("progress.bench"));
-    const Settings settings;
-    ServoTuning tuning;
+    const settings::Settings settings;
+    servo::ServoTuning tuning;
     tuning.touch.world_m_per_hand_m = settings.workspace.scale;
-    WorkspacePose pose;
+    servo::WorkspacePose pose;
     pose.origin_m = world.feet_m + Vec3(0.0, 0.0, settings.workspace.hand_height_m);
     pose.heading_rad = world.heading_rad;
-    const Result<ServoMeasured> measured =
-        measure_servo(world.sharp, pose, tuning, arguments.seconds.value_or(kSeconds));
+    const Result<servo::ServoMeasured> measured =
+        servo::measure_servo(world.sharp, pose, tuning, arguments.seconds.value_or(kSeconds));
     if (!measured) return refuse(measured.error());
     progress.done();
     const std::string name = one_line(spoken_name(*world.file));
@@ -74,4 +74,4 @@ int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::o
     return 0;
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

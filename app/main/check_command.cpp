@@ -9,46 +9,46 @@
 #include "worlds/base/language.h"
 #include "worlds/check/faults.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const Scene& scene, const std::vector<WorldFault>& faults, const RoomGraph& graph) {
+Json json_of(const Scene& scene, const std::vector<check::WorldFault>& faults, const navigation::RoomGraph& graph) {
     Json list = Json::array();
-    for (const WorldFault& fault : faults) {
+    for (const check::WorldFault& fault : faults) {
         Json candidates = Json::array();
         for (const FeatureId id : fault.candidates) candidates.push_back(spoken_name(scene.features[id.value]));
-        list.push_back(
-            {{"kind", row_of(fault.kind).word},
-             {"blocks", blocks(fault)},
-             {"what", fault_words(scene, fault)},
-             {"do", fault_advice(scene, fault)},
-             {"file", scene.source_file},
-             {"line", fault.source.line},
-             {"at_m", has_place(fault) ? Json::array({fault.at_m.x, fault.at_m.y, fault.at_m.z}) : Json(nullptr)},
-             {"room", fault.room < graph.rooms.size() ? Json(graph.rooms[fault.room].name) : Json(nullptr)},
-             {"candidates", std::move(candidates)}});
+        list.push_back({{"kind", check::row_of(fault.kind).word},
+                        {"blocks", check::blocks(fault)},
+                        {"what", check::fault_words(scene, fault)},
+                        {"do", check::fault_advice(scene, fault)},
+                        {"file", scene.source_file},
+                        {"line", fault.source.line},
+                        {"at_m", check::has_place(fault) ? Json::array({fault.at_m.x, fault.at_m.y, fault.at_m.z})
+                                                         : Json(nullptr)},
+                        {"room", fault.room < graph.rooms.size() ? Json(graph.rooms[fault.room].name) : Json(nullptr)},
+                        {"candidates", std::move(candidates)}});
     }
     return {{"name", scene.name},
             {"file", scene.source_file},
             {"rooms", graph.rooms.size()},
-            {"blocking", std::count_if(faults.begin(), faults.end(), blocks)},
+            {"blocking", std::count_if(faults.begin(), faults.end(), check::blocks)},
             {"faults", std::move(list)}};
 }
 
-void tell(const Scene& scene, const std::vector<WorldFault>& faults, std::ostream& out) {
+void tell(const Scene& scene, const std::vector<check::WorldFault>& faults, std::ostream& out) {
     out << phrase("check.summary", {{"world", spoken_name(scene)},
                                     {"file", scene.source_file},
                                     {"count", faults.size()},
-                                    {"blocking", std::count_if(faults.begin(), faults.end(), blocks)}})
+                                    {"blocking", std::count_if(faults.begin(), faults.end(), check::blocks)}})
         << '\n';
     for (std::size_t i = 0; i < faults.size(); ++i)
         out << phrase("check.item", {{"number", i + 1},
-                                     {"what", fault_words(scene, faults[i])},
-                                     {"do", fault_advice(scene, faults[i])},
+                                     {"what", check::fault_words(scene, faults[i])},
+                                     {"do", check::fault_advice(scene, faults[i])},
                                      {"line", faults[i].source.line},
-                                     {"placed", has_place(faults[i]) ? "yes" : "no"},
+                                     {"placed", check::has_place(faults[i]) ? "yes" : "no"},
                                      {"east", faults[i].at_m.x},
                                      {"north", faults[i].at_m.y},
                                      {"up", faults[i].at_m.z}})
@@ -73,17 +73,19 @@ int run_check(const CheckArguments& arguments, std::ostream& out, std::ostream& 
     }
     const auto scene = std::make_shared<const Scene>(std::move(*read));
     progress.at(phrase("progress.rooms"));
-    const WalkerSize size = body_size(*scene, Settings{}.walk.body_radius_m);
-    RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once());
+    const core::WalkerSize size = core::body_size(*scene, settings::Settings{}.walk.body_radius_m);
+    core::RoomsOfWorld rooms(scene, navigation::walk_body(*scene, size.radius_m, size.height_m, size.step_up_m),
+                             at_once());
     const bool found = rooms.ready() && rooms.found();
     progress.at(phrase("progress.faults"));
-    const std::vector<WorldFault> faults = found ? find_faults(*scene, &rooms.navigation().space(), &rooms.graph())
-                                                 : find_faults(*scene, nullptr, nullptr);
+    const std::vector<check::WorldFault> faults =
+        found ? check::find_faults(*scene, &rooms.navigation().space(), &rooms.graph())
+              : check::find_faults(*scene, nullptr, nullptr);
     progress.done();
     if (arguments.json)
         out << json_of(*scene, faults, rooms.graph()).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
     else tell(*scene, faults, out);
-    return std::any_of(faults.begin(), faults.end(), blocks) ? 1 : 0;
+    return std::any_of(faults.begin(), faults.end(), check::blocks) ? 1 : 0;
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

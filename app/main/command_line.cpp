@@ -22,7 +22,7 @@
 #include "worlds/base/text.h"
 #include "worlds/readers/units.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace fs = std::filesystem;
 namespace {
 
@@ -46,7 +46,7 @@ void add_map_scale(CLI::App& app, CommonArguments& common) {
         app, "--map-scale", "M", [&common](double v) { common.map_scale_m_per_unit = v; }, false,
         phrase("help.map_scale"));
     const auto take_unit = [&common](const std::string& word) {
-        common.unit_m = unit_named(word);
+        common.unit_m = readers::unit_named(word);
         if (!common.unit_m) throw CLI::ValidationError(phrase("help.no_unit", {{"word", word}}));
     };
     app.add_option_function<std::string>("--unit", take_unit, phrase("help.unit"))->type_name("UNIT")->type_size(1);
@@ -65,7 +65,7 @@ void add_settings_options(CLI::App& app, SettingsOptions& options) {
 
 std::string part_words() {
     std::string words;
-    for (const WizardPartInfo& part : wizard_parts())
+    for (const wizard::WizardPartInfo& part : wizard::wizard_parts())
         words += fmt::format("{}{}", words.empty() ? "" : ", ", part.word);
     return words;
 }
@@ -189,9 +189,9 @@ struct Grammar {
         add_settings_options(*settings_app, settings.settings);
 
         calibrate_app = app.add_subcommand("calibrate", phrase("help.calibrate"));
-        calibrate.arguments.calibrate = *parse_wizard_parts("");
+        calibrate.arguments.calibrate = *wizard::parse_wizard_parts("");
         const auto take_parts = [this](const std::string& words) {
-            auto parts = parse_wizard_parts(words);
+            auto parts = wizard::parse_wizard_parts(words);
             if (!parts) throw CLI::ValidationError(parts.error().sentence());
             calibrate.arguments.calibrate = std::move(*parts);
         };
@@ -296,27 +296,29 @@ struct FirstLanguage {
     std::vector<Diagnostic> faults;
 };
 FirstLanguage speak_first() {
-    const fs::path folder = user_languages_folder();
-    return {language_as_set({}, folder), speak_as_set({}, folder)};
+    const fs::path folder = core::user_languages_folder();
+    return {core::language_as_set({}, folder), core::speak_as_set({}, folder)};
 }
 
 // The person's settings with the changes from the command line. Wrong usage writes a sentence to `err` and returns
 // nothing.
-std::optional<SettingsStore> load_settings(const SettingsOptions& options, FirstLanguage first,
-                                           std::vector<Diagnostic>& problems, std::ostream& err) {
+std::optional<settings::SettingsStore> load_settings(const SettingsOptions& options, FirstLanguage first,
+                                                     std::vector<Diagnostic>& problems, std::ostream& err) {
     std::vector<std::string> words;
-    for (const CommandInfo& command : command_table()) words.emplace_back(command.word);
-    SettingsStore settings(std::move(words));
-    problems = settings.load_file(options.file.value_or(user_settings_path()), SettingSource::UserFile);
+    for (const core::CommandInfo& command : core::command_table()) words.emplace_back(command.word);
+    settings::SettingsStore settings(std::move(words));
+    problems =
+        settings.load_file(options.file.value_or(settings::user_settings_path()), settings::SettingSource::UserFile);
     for (const std::string& assignment : options.assignments)
-        if (const Result<void> set = settings.set_assignment(assignment, SettingSource::CommandLine); !set) {
+        if (const Result<void> set = settings.set_assignment(assignment, settings::SettingSource::CommandLine); !set) {
             err << set.error().sentence() << "\n";
             return std::nullopt;
         }
-    const Settings::Speech& speech = settings.values().speech;
-    const fs::path folder = user_languages_folder();
-    std::vector<Diagnostic> faults =
-        language_as_set(speech, folder) == first.code ? std::move(first.faults) : speak_as_set(speech, folder);
+    const settings::Settings::Speech& speech = settings.values().speech;
+    const fs::path folder = core::user_languages_folder();
+    std::vector<Diagnostic> faults = core::language_as_set(speech, folder) == first.code
+                                         ? std::move(first.faults)
+                                         : core::speak_as_set(speech, folder);
     for (Diagnostic& fault : faults) problems.push_back(std::move(fault));
     return settings;
 }
@@ -329,7 +331,7 @@ int explore(ExploreCall call, FirstLanguage first, std::ostream& err, const Long
         const ExploreCall asked = call;
         if (const auto begun = begin_as_learner(call); !begun) return refused(err, begun.error());
         std::vector<Diagnostic>& problems = call.arguments.settings_problems;
-        std::optional<SettingsStore> settings = load_settings(call.settings, std::move(first), problems, err);
+        std::optional<settings::SettingsStore> settings = load_settings(call.settings, std::move(first), problems, err);
         if (!settings) return 2;
         ExploreEnd end = run_explore(call.arguments, *settings, err, progress);
         if (!end.learner) return end.status;
@@ -371,7 +373,7 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
     if (&chosen == grammar.replay_app) return grammar.recorded.replay;
     if (&chosen == grammar.recorded.lesson_app) {
         ExploreArguments& taught = grammar.recorded.lesson.explore.arguments;
-        if (grammar.recorded.lesson.recorded) taught.record_in = user_data_folder("recordings");
+        if (grammar.recorded.lesson.recorded) taught.record_in = core::user_data_folder("recordings");
         taught.program_version = HANDRAIL_VERSION;
         return grammar.recorded.lesson;
     }
@@ -381,7 +383,7 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
         if (auto error = check_touch(grammar.touch)) return *error;
         return grammar.touch;
     }
-    if (grammar.explore_recorded) grammar.explore.arguments.record_in = user_data_folder("recordings");
+    if (grammar.explore_recorded) grammar.explore.arguments.record_in = core::user_data_folder("recordings");
     grammar.explore.arguments.program_version = HANDRAIL_VERSION;
     auto& world = grammar.explore.arguments.world;
     if (world && is_misspelt_command(*world)) {
@@ -399,7 +401,7 @@ int run_command_line(const std::vector<std::string>& words, std::ostream& to_out
     FirstLanguage first = speak_first();
     ParsedCommandLine parsed = parse_command_line(words);
     const auto with_settings = [&](const SettingsOptions& options, const auto& run) {
-        std::optional<SettingsStore> settings = load_settings(options, std::move(first), problems, err);
+        std::optional<settings::SettingsStore> settings = load_settings(options, std::move(first), problems, err);
         if (!settings) return 2;
         for (const Diagnostic& problem : problems) err << problem.sentence() << "\n";
         return run(*settings);
@@ -413,7 +415,7 @@ int run_command_line(const std::vector<std::string>& words, std::ostream& to_out
                 const ExploreCall asked = call.explore;
                 if (const auto begun = begin_as_learner(call); !begun) return refused(err, begun.error());
                 ExploreEnd end;
-                const int status = with_settings(call.explore.settings, [&](SettingsStore& settings) {
+                const int status = with_settings(call.explore.settings, [&](settings::SettingsStore& settings) {
                     ExploreArguments& taught = call.explore.arguments;
                     const auto done = run_lesson(call.arguments, taught, out, err, progress);
                     if (!done) end = run_explore(taught, settings, err, progress);
@@ -427,20 +429,20 @@ int run_command_line(const std::vector<std::string>& words, std::ostream& to_out
             [&](const TouchArguments& arguments) { return run_touch(arguments, out, err, progress); },
             [&](const ScenarioArguments& arguments) { return run_scenarios(arguments, out, err, progress); },
             [&](ExportCall& call) {
-                return with_settings(call.settings, [&](SettingsStore& settings) {
+                return with_settings(call.settings, [&](settings::SettingsStore& settings) {
                     call.arguments.settings = settings.values();
                     return run_export(call.arguments, out, err, progress);
                 });
             },
             [&](const BenchArguments& arguments) { return run_bench_command(arguments, out, err, progress); },
             [&](const SettingsCall& call) {
-                return with_settings(call.settings, [&](SettingsStore& settings) {
+                return with_settings(call.settings, [&](settings::SettingsStore& settings) {
                     return run_settings(call.arguments, settings, out, err);
                 });
             },
             [&](const DevicesArguments& arguments) { return run_devices(arguments, out, err); },
             [&](const ReplayCall& call) {
-                return with_settings(call.settings, [&](SettingsStore& settings) {
+                return with_settings(call.settings, [&](settings::SettingsStore& settings) {
                     return run_replay(call.arguments, settings.values(), out, err, progress);
                 });
             },
@@ -455,4 +457,4 @@ int run_command_line(const std::vector<std::string>& words, std::ostream& to_out
         parsed);
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

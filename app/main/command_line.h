@@ -10,7 +10,7 @@
 
 #include "app/main/commands.h"
 
-namespace handrail {
+namespace handrail::program {
 
 // --settings and --set, for the commands that use settings.
 struct SettingsOptions {
@@ -60,4 +60,4 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words);
 int run_command_line(const std::vector<std::string>& words, std::ostream& out, std::ostream& err,
                      const LongWork& progress = {});
 
-}  // namespace handrail
+}  // namespace handrail::program

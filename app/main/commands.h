@@ -19,9 +19,11 @@
 #include "settings/settings.h"
 #include "worlds/readers/reader.h"
 
-namespace handrail {
-
+namespace handrail::teaching {
 class TaughtWorld;
+}
+
+namespace handrail::program {
 
 // Options that every command takes.
 struct CommonArguments {
@@ -31,12 +33,12 @@ struct CommonArguments {
     std::filesystem::path data_in;               // folder of the person's data; empty: user_data_folder()
 
     // A request for that world with these options.
-    WorldRequest request(std::filesystem::path world) const {
+    core::WorldRequest request(std::filesystem::path world) const {
         return {std::move(world), map_scale_m_per_unit, unit_m, building};
     }
     std::filesystem::path data_folder() const;
     // How a reader should read that world, including what a person has said about it before.
-    ReadOptions read_options(const std::filesystem::path& world) const;
+    readers::ReadOptions read_options(const std::filesystem::path& world) const;
 };
 
 struct InfoArguments {
@@ -87,7 +89,7 @@ struct ExportArguments {
     std::optional<std::filesystem::path> stl;         // --stl
     std::optional<std::filesystem::path> route_card;  // --route-card: .brf or .txt
     std::optional<std::string> from, to;  // --from, --to of the route card; none: from the base, to every room
-    Settings settings;                    // the person's: steps or metres, what is announced on the way
+    settings::Settings settings;          // the person's: steps or metres, what is announced on the way
     std::optional<int> storey;            // --storey, counted from 1; none: the one with the base
     std::string paper = "a4";             // --paper
     std::string braille;                  // --braille; empty: grade 1 of the spoken language
@@ -112,7 +114,8 @@ int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::o
 struct SettingsArguments {
     bool explain = false;
 };
-int run_settings(const SettingsArguments& arguments, SettingsStore& settings, std::ostream& out, std::ostream& err);
+int run_settings(const SettingsArguments& arguments, settings::SettingsStore& settings, std::ostream& out,
+                 std::ostream& err);
 
 struct DevicesArguments {
     bool json = false;
@@ -129,8 +132,8 @@ struct ReplayArguments {
 };
 // The newest folder in `folder`, judged by its name; empty if there is none.
 std::filesystem::path newest_in(const std::filesystem::path& folder);
-int run_replay(const ReplayArguments& arguments, const Settings& settings, std::ostream& out, std::ostream& err,
-               const LongWork& progress = {});
+int run_replay(const ReplayArguments& arguments, const settings::Settings& settings, std::ostream& out,
+               std::ostream& err, const LongWork& progress = {});
 
 // `handrail learner`: who learns, and what they have agreed to.
 struct LearnerArguments {
@@ -166,9 +169,9 @@ struct LessonArguments {
 };
 // A lesson to be taught, with its world and its learner.
 struct LessonToTeach {
-    std::shared_ptr<TaughtWorld> world;
+    std::shared_ptr<teaching::TaughtWorld> world;
     std::size_t session = 0;
-    LearnerName learner;
+    teaching::LearnerName learner;
 };
 struct ExploreArguments {
     CommonArguments common;
@@ -178,7 +181,7 @@ struct ExploreArguments {
     std::optional<std::string> device;           // --device NAME|SERIAL|none
     std::optional<std::string> left_device;      // second --device
     // `handrail calibrate`: only these parts of the set-up, without a world.
-    std::optional<std::vector<WizardPart>> calibrate;
+    std::optional<std::vector<wizard::WizardPart>> calibrate;
     std::optional<std::filesystem::path> record_in;  // --record, --record-in: folder of the recordings
     std::string learner;                             // --learner: chosen name or id; empty: no named learner
     bool remember = false;                           // the learner has agreed that progress is kept
@@ -196,10 +199,10 @@ std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments
 struct ExploreEnd {
     int status = 0;
     std::optional<std::string> learner;  // id of the next learner; empty: nobody named; none: it ended for good
-    WorldRequest world;                  // the world that the session was in
+    core::WorldRequest world;            // the world that the session was in
     std::vector<std::string> lines;      // read but not yet carried out
 };
-ExploreEnd run_explore(const ExploreArguments& arguments, SettingsStore& settings, std::ostream& err,
+ExploreEnd run_explore(const ExploreArguments& arguments, settings::SettingsStore& settings, std::ostream& err,
                        const LongWork& progress = {});
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -5,10 +5,10 @@
 
 #include "worlds/confine/confine.h"
 
-namespace handrail {
+namespace handrail::program {
 
-inline nlohmann::ordered_json json_of(const Confinement& offered) {
+inline nlohmann::ordered_json json_of(const confine::Confinement& offered) {
     return {{"seccomp", offered.seccomp}, {"landlock", offered.landlock}};
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -12,7 +12,7 @@
 extern "C" const char __ehdr_start;  // NOLINT(bugprone-reserved-identifier): that is its name
 extern "C" const char etext;
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 constexpr std::array<int, 5> kSignals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
@@ -83,4 +83,4 @@ CrashSignal::~CrashSignal() {
     if (file >= 0) ::close(file);
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

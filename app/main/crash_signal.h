@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-namespace handrail {
+namespace handrail::program {
 
 // Catches crash signals while it lives; only one object at a time. With an empty file it does nothing.
 class CrashSignal {
@@ -19,4 +19,4 @@ private:
     bool caught_ = false;
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

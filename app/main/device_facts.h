@@ -10,21 +10,21 @@
 #include "haptic/drivers/found_device.h"
 #include "worlds/base/background_task.h"
 
-namespace handrail {
+namespace handrail::program {
 
 // The sentences about one device; the main one comes first.
-std::vector<std::string> device_sentences(const FoundDevice& device);
+std::vector<std::string> device_sentences(const drivers::FoundDevice& device);
 // The sentences about all devices, or that there is none. The simulated devices come last, as they are always there.
-std::vector<std::string> device_sentences(std::span<const FoundDevice> devices);
+std::vector<std::string> device_sentences(std::span<const drivers::FoundDevice> devices);
 
 // Used by the app thread. Searches on a background thread, for up to half a second.
 class DeviceFacts {
 public:
     // Once a frame.
-    void answer(Session& app, double now_s);
+    void answer(core::Session& app, double now_s);
 
 private:
     BackgroundTask<std::vector<std::string>> looking_{on_threads(), "devices"};
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -6,21 +6,21 @@
 #include "haptic/drivers/found_device.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view kind_word(DeviceKind kind) {
-    if (kind == DeviceKind::Kinesthetic) return "force";
-    return kind == DeviceKind::Cues ? "cues" : "navigation";
+std::string_view kind_word(drivers::DeviceKind kind) {
+    if (kind == drivers::DeviceKind::Kinesthetic) return "force";
+    return kind == drivers::DeviceKind::Cues ? "cues" : "navigation";
 }
 
 // Unknown values become null, so that nobody takes 0 for a fact.
 Json known(double value) { return value > 0.0 && std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json known(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
-Json json_of(const FoundDevice& device) {
+Json json_of(const drivers::FoundDevice& device) {
     return {{"name", device.name},
             {"model", device.model},
             {"kind", kind_word(device.kind)},
@@ -35,7 +35,7 @@ Json json_of(const FoundDevice& device) {
             {"slowest_rate_hz", known(device.spec ? device.spec->min_rate_hz : 0.0)},
             {"rate_hz", known(device.rate_hz)},
             {"met_hardware", device.met_hardware},
-            {"state", device_state(device)},
+            {"state", drivers::device_state(device)},
             {"usable", device.usable},
             {"problem", known(device.problem)}};
 }
@@ -43,28 +43,28 @@ Json json_of(const FoundDevice& device) {
 }  // namespace
 
 int run_devices(const DevicesArguments& arguments, std::ostream& out, std::ostream&) {
-    const std::vector<FoundDevice> found = find_devices();
+    const std::vector<drivers::FoundDevice> found = drivers::find_devices();
     if (arguments.json) {
         Json devices = Json::array(), simulated = Json::array();
-        for (const FoundDevice& device : found) devices.push_back(json_of(device));
-        for (const DeviceSpec& spec : device_specs())
+        for (const drivers::FoundDevice& device : found) devices.push_back(json_of(device));
+        for (const device::DeviceSpec& spec : device::device_specs())
             if (spec.name.starts_with("sim-")) simulated.push_back(spec.name);
         out << Json{{"devices", std::move(devices)},
                     {"simulated", std::move(simulated)},
-                    {"udev_rule", kUdevRule},
-                    {"confinement", json_of(confinement_offered())}}
+                    {"udev_rule", drivers::kUdevRule},
+                    {"confinement", program::json_of(confine::confinement_offered())}}
                    .dump(2, ' ', false, Json::error_handler_t::replace)
             << '\n';
         return 0;
     }
     if (found.empty()) out << phrase("program.no_devices") << '\n';
-    for (const FoundDevice& device : found) {
+    for (const drivers::FoundDevice& device : found) {
         const std::vector<std::string> sentences = device_sentences(device);
         for (std::size_t i = 0; i < sentences.size(); ++i) out << (i > 0 ? "  " : "") << sentences[i] << '\n';
     }
     out << phrase("program.simulated_devices") << '\n';
-    out << confinement_sentence(confinement_offered()) << '\n';
+    out << confine::confinement_sentence(confine::confinement_offered()) << '\n';
     return 0;
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -7,22 +7,23 @@
 #include "audio-cues/sinks/sound_outputs.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::program {
 
-Ears::Ears(const Settings& settings, bool with_window, Clock& clock, AudioThread::ContactRing& left_contacts,
-           SessionRecording& recording, std::vector<std::string>& news)
+Ears::Ears(const settings::Settings& settings, bool with_window, Clock& clock,
+           cues::AudioThread::ContactRing& left_contacts, SessionRecording& recording, std::vector<std::string>& news)
     : clock_(clock), recording_(recording) {
-    std::shared_ptr<ReaderChannel> reader;
+    std::shared_ptr<sinks::ReaderChannel> reader;
     if (with_window) {
-        reader = std::make_shared<ReaderChannel>();
-        accessible_ = Accessible::start(reader);
-        braille_ = std::make_shared<BrailleLink>();
+        reader = std::make_shared<sinks::ReaderChannel>();
+        accessible_ = accessible::Accessible::start(reader);
+        braille_ = std::make_shared<sinks::BrailleLink>();
     }
-    SoundOutputs outputs = recording.noted(open_sound_outputs(settings, STDOUT_FILENO, std::move(reader), braille_));
+    sinks::SoundOutputs outputs =
+        recording.noted(sinks::open_sound_outputs(settings, STDOUT_FILENO, std::move(reader), braille_));
     has_sound_ = !outputs.description.empty();
     news.push_back(std::move(outputs.description));
-    sound_ = std::make_unique<AudioThread>(std::move(outputs.audio), std::move(outputs.speech), clock, &contacts_,
-                                           settings, &left_contacts);
+    sound_ = std::make_unique<cues::AudioThread>(std::move(outputs.audio), std::move(outputs.speech), clock, &contacts_,
+                                                 settings, &left_contacts);
     recording.listen_to(*sound_);
 }
 
@@ -37,16 +38,16 @@ std::string Ears::voice_that_speaks() {
     return voice.empty() ? phrase("voice.text_alone") : voice;
 }
 
-void Ears::show(const Session& app) {
+void Ears::show(const core::Session& app) {
     if (!accessible_ && !braille_) return;
     if (braille_ && app.scene()) braille_->heading_rad = app.listener().heading_rad;
-    DialogueView view = app.dialogue().view();
+    core::DialogueView view = app.dialogue().view();
     if (view == shown_dialogue_) return;
     if (accessible_) accessible_->show(view);
     if (braille_) {
-        BrailleLink::List list;
-        if (view.kind == DialogueView::Kind::List) list = {view.where, {}, view.at};
-        for (const ListItem& item : view.items)
+        sinks::BrailleLink::List list;
+        if (view.kind == core::DialogueView::Kind::List) list = {view.where, {}, view.at};
+        for (const core::ListItem& item : view.items)
             list.items.push_back(item.value.empty() ? item.name : item.name + ", " + item.value);
         braille_->set_list(std::move(list));
     }
@@ -65,7 +66,7 @@ void Ears::follow_hands(bool two, bool stands_in) {
 }
 
 void Ears::note_spoken() {
-    for (SpokenLine& line : sound_->take_spoken()) last_spoken_ = std::move(line.text);
+    for (cues::SpokenLine& line : sound_->take_spoken()) last_spoken_ = std::move(line.text);
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -13,28 +13,28 @@
 #include "audio-cues/sinks/braille_display.h"
 #include "worlds/base/clock.h"
 
-namespace handrail {
+namespace handrail::program {
 
 class Ears {
 public:
     // Opens all outputs that exist and adds to `news` which these are. The clock, the rings and the recording outlive
     // this object. `with_window`: a window will open.
-    Ears(const Settings& settings, bool with_window, Clock& clock, AudioThread::ContactRing& left_contacts,
-         SessionRecording& recording, std::vector<std::string>& news);
+    Ears(const settings::Settings& settings, bool with_window, Clock& clock,
+         cues::AudioThread::ContactRing& left_contacts, SessionRecording& recording, std::vector<std::string>& news);
 
-    AudioThread& sound() { return *sound_; }
-    AudioThread::ContactRing& contacts() { return contacts_; }  // of the hand in use
-    bool has_sound() const { return has_sound_; }               // there is a sound device
+    cues::AudioThread& sound() { return *sound_; }
+    cues::AudioThread::ContactRing& contacts() { return contacts_; }  // of the hand in use
+    bool has_sound() const { return has_sound_; }                     // there is a sound device
     // Null without a window. Call close_accessible if the window failed to open.
-    Accessible* accessible() { return accessible_.get(); }
-    BrailleLink* braille() { return braille_.get(); }
+    accessible::Accessible* accessible() { return accessible_.get(); }
+    sinks::BrailleLink* braille() { return braille_.get(); }
     void close_accessible() { accessible_.reset(); }
 
     // The voice that will speak. A better voice may still be opening, so this waits for it, but at most 1.5 s: the
     // welcome is due within two seconds.
     std::string voice_that_speaks();
     // Passes the open list and the heading to the screen reader and the braille display.
-    void show(const Session& app);
+    void show(const core::Session& app);
     void follow_hands(bool two, bool stands_in);
     // The last sentence that had been spoken when note_spoken was called.
     void note_spoken();
@@ -43,14 +43,14 @@ public:
 private:
     Clock& clock_;
     SessionRecording& recording_;
-    std::unique_ptr<Accessible> accessible_;
-    std::shared_ptr<BrailleLink> braille_;
-    DialogueView shown_dialogue_;  // as last passed to these two
+    std::unique_ptr<accessible::Accessible> accessible_;
+    std::shared_ptr<sinks::BrailleLink> braille_;
+    core::DialogueView shown_dialogue_;  // as last passed to these two
     bool has_sound_ = false;
-    AudioThread::ContactRing contacts_;
-    std::unique_ptr<AudioThread> sound_;
+    cues::AudioThread::ContactRing contacts_;
+    std::unique_ptr<cues::AudioThread> sound_;
     bool two_hands_ = false, hand_stands_in_ = false;
     std::string last_spoken_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -8,7 +8,7 @@
 
 #include "worlds/base/executor.h"
 
-namespace handrail {
+namespace handrail::program {
 
 void EndInTime::end_within(double seconds, int status) {
     watch_ = std::jthread([seconds, status](const std::stop_token& stop) {
@@ -22,4 +22,4 @@ void EndInTime::end_within(double seconds, int status) {
     });
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -5,7 +5,7 @@
 
 #include <thread>
 
-namespace handrail {
+namespace handrail::program {
 
 class EndInTime {
 public:
@@ -17,4 +17,4 @@ private:
     std::jthread watch_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -2,7 +2,7 @@
 
 #include <atomic>
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 // A signal handler may touch nothing but a plain flag.
@@ -24,4 +24,4 @@ EndSignals::~EndSignals() {
 
 bool EndSignals::asked() const { return end_asked.load(std::memory_order_relaxed); }
 
-}  // namespace handrail
+}  // namespace handrail::program

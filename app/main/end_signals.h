@@ -7,7 +7,7 @@
 
 #include "app/main/end_in_time.h"
 
-namespace handrail {
+namespace handrail::program {
 
 // Catches the ending signals while it lives; only one object at a time.
 class EndSignals {
@@ -27,4 +27,4 @@ private:
     std::array<struct sigaction, 3> before_{};
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -33,7 +33,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/typist.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 // How long the end waits for the current sentence; "Goodbye." takes this long. Together with the wait below it is at
@@ -60,15 +60,15 @@ std::string joined(const std::vector<std::string>& sentences) {
 // One session with a person. It owns every part and carries values between them about sixty times a second.
 class Exploration {
 public:
-    Exploration(const ExploreArguments& arguments, SettingsStore& settings)
+    Exploration(const ExploreArguments& arguments, settings::SettingsStore& settings)
         : arguments_(arguments),
           settings_(settings),
           recording_(arguments, settings.values(), clock_, news_),
           ears_(settings.values(), !arguments.no_window, clock_, left_.contacts(), recording_, news_),
-          app_(settings.values(), HandFacts{},
+          app_(settings.values(), core::HandFacts{},
                {.executor = on_threads(),
                 .records_in = arguments.common.data_folder(),
-                .languages_in = user_languages_folder(),
+                .languages_in = core::user_languages_folder(),
                 .bodies = {.clock = &clock_, .recording = recording_.bodies(), .played = {}},
                 .arrivals = recording_.arrivals()}) {
         recording_.listen_to(app_);
@@ -101,7 +101,7 @@ private:
         news_.insert(news_.begin(), arguments_.news.begin(), arguments_.news.end());
         if (std::vector<std::string> faults = sentences_of(arguments_.settings_problems); !faults.empty()) {
             news_.push_back(settings_faults_words(faults));
-            app_.apply(SettingsFaultsKnown{std::move(faults)}, clock_.now_s());
+            app_.apply(core::SettingsFaultsKnown{std::move(faults)}, clock_.now_s());
         }
         open_window();
         // Keys act at once if the terminal supports them; the first sentence says so.
@@ -119,7 +119,7 @@ private:
         const double asked_s = clock_.now_s();
         if (first)
             // Without a hand there is nothing to set up.
-            app_.apply(FirstMinutesBegun{voice, ears_.has_sound()}, asked_s);
+            app_.apply(core::FirstMinutesBegun{voice, ears_.has_sound()}, asked_s);
         news_.push_back(worlds_.take_news());
         news_.push_back(worlds_.crash_words(!speaks_to_typist(), asked_s));
         say_(first ? joined(news_) : phrase("program.welcome", {{"news", joined(news_)}}), asked_s);
@@ -129,7 +129,7 @@ private:
     void open_window() {
         speak_to_typist(true);
         if (arguments_.no_window) return;
-        auto opened = Window::open();
+        auto opened = window::Window::open();
         if (!opened) {
             ears_.close_accessible();
             // A person without a display does not need to hear that no window opened.
@@ -151,7 +151,7 @@ private:
         WorldLoading loading(worlds_.first(), arguments_.common);
         watch_lines();
         while (!loading.ready()) {
-            clock_.sleep_until_s(clock_.now_s() + kFrame_s);
+            clock_.sleep_until_s(clock_.now_s() + core::kFrame_s);
             if (window_) window_->take(set_up_.session());
             if (keys_) keys_->take(clock_.now_s(), set_up_.session());
             if (lines_) lines_->take(clock_.now_s(), set_up_.session(), true);
@@ -177,8 +177,8 @@ private:
     int explore(std::ostream& err) {
         double next_s = clock_.now_s();
         while (!ended() && !app_.requests().leave && !learners_.next()) {
-            const double now_s = in_whole_microseconds(clock_.now_s());
-            app_.apply(Stopped{switches_.stops}, now_s);
+            const double now_s = servo::in_whole_microseconds(clock_.now_s());
+            app_.apply(core::Stopped{switches_.stops}, now_s);
             take_input(now_s);
             if (!hand_.look(err)) return 1;
             if (companions_)
@@ -252,7 +252,7 @@ private:
     void draw_words() {
         ears_.note_spoken();
         if (!window_) return;
-        ViewState view;
+        core::ViewState view;
         view.last_spoken = ears_.last_spoken();
         window_->draw(view);
     }
@@ -262,7 +262,7 @@ private:
         std::vector<std::string> news;
         if (left_.take_change(news)) {
             driver_.drive(1, left_.servo());
-            app_.apply(LeftHandChanged{left_.facts()}, now_s);
+            app_.apply(core::LeftHandChanged{left_.facts()}, now_s);
         }
         ears_.follow_hands(app_.two_hands(), hand_.stands_in());
         for (std::string& sentence : news) say_(std::move(sentence));
@@ -274,9 +274,9 @@ private:
     }
 
     // The work around each hand-over.
-    SessionDriver::Steps steps() {
+    core::SessionDriver::Steps steps() {
         return {.ticked =
-                    [this](double now_s, const ToolState& tool, const ToolState& left_tool) {
+                    [this](double now_s, const servo::ToolState& tool, const servo::ToolState& left_tool) {
                         lesson_.see(recording_.ticked(app_, now_s, tool, left_tool));
                     },
                 .take_settings =
@@ -292,7 +292,7 @@ private:
                         ears_.show(app_);
                     },
                 .look_at_cues =
-                    [this](const std::vector<CueRequest>& cues) {
+                    [this](const std::vector<cues::CueRequest>& cues) {
                         if (companions_)
                             companions_->follow(app_, cues, hand_.driven() ? &hand_.tool() : nullptr, clock_.now_s());
                     }};
@@ -301,13 +301,13 @@ private:
     // If the sound device drops out with two periods, sets three from the next start on.
     void hold_more_sound() {
         if (settings_.values().sound.periods >= 3 || !ears_.sound().sound_drops_out()) return;
-        app_.apply(SettingSet{"sound.periods", "3"}, clock_.now_s());
+        app_.apply(core::SettingSet{"sound.periods", "3"}, clock_.now_s());
         say_(phrase("program.drops_out"));
     }
 
     // Waits until the next frame is due, and returns that time.
     double end_frame(double due_s, double began_s) {
-        const double next_s = std::max(due_s + kFrame_s, began_s);
+        const double next_s = std::max(due_s + core::kFrame_s, began_s);
         clock_.sleep_until_s(next_s);
         return next_s;
     }
@@ -319,7 +319,7 @@ private:
         left_.stop();
         hand_.let_go();
         lesson_.end(clock_.now_s());
-        if (!arguments_.calibrate) app_.keep_learnt(in_whole_microseconds(clock_.now_s()));
+        if (!arguments_.calibrate) app_.keep_learnt(servo::in_whole_microseconds(clock_.now_s()));
         hand_over();
         kept_.save_at_the_end(err);
         ears_.sound().stop(signals_.asked() ? 0.0 : kLastWords_s);
@@ -333,18 +333,18 @@ private:
     }
 
     const ExploreArguments& arguments_;
-    SettingsStore& settings_;
+    settings::SettingsStore& settings_;
     EndSignals signals_;
     SteadyClock clock_;
-    ServoSwitches switches_;
+    servo::ServoSwitches switches_;
     std::vector<std::string> news_;  // announced with the welcome
     SessionRecording recording_;
     LeftHand left_{clock_, switches_, recording_.hand(1)};
     Ears ears_;
-    Session app_;
-    SessionDriver driver_{app_, ears_.sound(), steps()};
+    core::Session app_;
+    core::SessionDriver driver_{app_, ears_.sound(), steps()};
     const SessionVoice say_{clock_, [this](std::string text, double asked_s) {
-                                app_.apply(Told{std::move(text), SpeechClass::Answer}, asked_s);
+                                app_.apply(core::Told{std::move(text), cues::SpeechClass::Answer}, asked_s);
                                 hand_over();
                             }};
     KeptSettings kept_{settings_, clock_, say_};
@@ -359,14 +359,14 @@ private:
     std::optional<WindowInput> window_;  // at most one of these three is used
     std::unique_ptr<TypedKeys> keys_;
     std::optional<TypedLines> lines_;
-    std::optional<CompanionSession> companions_;
+    std::optional<companions::CompanionSession> companions_;
 };
 
 }  // namespace
 
-ExploreEnd run_explore(const ExploreArguments& arguments, SettingsStore& settings, std::ostream& err,
+ExploreEnd run_explore(const ExploreArguments& arguments, settings::SettingsStore& settings, std::ostream& err,
                        const LongWork& progress) {
     return Exploration(arguments, settings).run(err, progress);
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

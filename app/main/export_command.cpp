@@ -18,7 +18,7 @@
 #include "worlds/exports/swell_sheet.h"
 #include "worlds/plan/storey.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 namespace fs = std::filesystem;
@@ -37,8 +37,8 @@ fs::path beside(const fs::path& path, const std::string& what) {
     return path.parent_path() / (path.stem().string() + "-" + what + path.extension().string());
 }
 
-Result<SheetWish> wishes_of(const ExportArguments& arguments) {
-    SheetWish wishes;
+Result<exports::SheetWish> wishes_of(const ExportArguments& arguments) {
+    exports::SheetWish wishes;
     wishes.coarse = arguments.coarse;
     if (!arguments.swell && !arguments.stl && !arguments.route_card) return fail(phrase("export.nothing_asked"));
     if (const std::string ending = arguments.swell ? ending_of(*arguments.swell) : ".svg";
@@ -50,10 +50,10 @@ Result<SheetWish> wishes_of(const ExportArguments& arguments) {
     if ((arguments.from || arguments.to) && !arguments.route_card) return fail(phrase("export.card_needed"));
     const std::string paper = lower_ascii(arguments.paper);
     if (paper != "a4" && paper != "a3") return fail(phrase("export.paper", {{"word", arguments.paper}}));
-    wishes.paper = paper == "a3" ? kA3 : kA4;
-    wishes.table = braille_table_of(spoken_language());
+    wishes.paper = paper == "a3" ? exports::kA3 : exports::kA4;
+    wishes.table = exports::braille_table_of(spoken_language());
     if (!arguments.braille.empty()) {
-        const auto named = braille_table_named(lower_ascii(arguments.braille));
+        const auto named = exports::braille_table_named(lower_ascii(arguments.braille));
         if (!named) return fail(phrase("export.braille", {{"word", arguments.braille}}));
         wishes.table = *named;
     }
@@ -62,26 +62,26 @@ Result<SheetWish> wishes_of(const ExportArguments& arguments) {
 
 // A storey, and its second plan if it has floors above each other.
 struct StoreyPlans {
-    Storey storey;
-    std::optional<Storey> upper;
+    plan::Storey storey;
+    std::optional<plan::Storey> upper;
 };
 
 // Of several sheets those that show the middle of a room of that name.
-Result<std::vector<SwellSheet>> sheets_around(const std::string& name, const StoreyPlans& plans,
-                                              const SheetWish& wish) {
+Result<std::vector<exports::SwellSheet>> sheets_around(const std::string& name, const StoreyPlans& plans,
+                                                       const exports::SheetWish& wish) {
     std::vector<std::string> names;
-    for (const Storey* storey : {&plans.storey, plans.upper ? &*plans.upper : nullptr}) {
+    for (const plan::Storey* storey : {&plans.storey, plans.upper ? &*plans.upper : nullptr}) {
         if (!storey) continue;
-        for (const StoreyRoom& room : storey->rooms) {
+        for (const plan::StoreyRoom& room : storey->rooms) {
             if (room.elsewhere) continue;
             names.push_back(room.name);
             if (lower_ascii(room.name) != lower_ascii(name)) continue;
-            SheetWish wished = wish;
+            exports::SheetWish wished = wish;
             if (storey->upper) wished.plate_signs.clear();
-            Result<std::vector<SwellSheet>> sheets = swell_sheets(*storey, wished);
+            Result<std::vector<exports::SwellSheet>> sheets = exports::swell_sheets(*storey, wished);
             if (!sheets) return sheets;
             const Vec2& at = room.middle_m;
-            std::erase_if(*sheets, [&](const SwellSheet& sheet) {
+            std::erase_if(*sheets, [&](const exports::SwellSheet& sheet) {
                 return sheet.part && (at.x < sheet.part->min_m.x || at.y < sheet.part->min_m.y ||
                                       at.x > sheet.part->max_m.x || at.y > sheet.part->max_m.y);
             });
@@ -92,19 +92,19 @@ Result<std::vector<SwellSheet>> sheets_around(const std::string& name, const Sto
 }
 
 // One sheet, or several if they were requested.
-Result<std::vector<SwellSheet>> sheets_of(const StoreyPlans& plans, const SheetWish& wish,
-                                          const ExportArguments& arguments) {
+Result<std::vector<exports::SwellSheet>> sheets_of(const StoreyPlans& plans, const exports::SheetWish& wish,
+                                                   const ExportArguments& arguments) {
     if (arguments.around) return sheets_around(*arguments.around, plans, wish);
     if (!arguments.sheets) {
-        Result<SwellSheet> one = swell_sheet(plans.storey, wish);
+        Result<exports::SwellSheet> one = exports::swell_sheet(plans.storey, wish);
         if (!one) return tl::unexpected(one.error());
-        return std::vector<SwellSheet>{std::move(*one)};
+        return std::vector<exports::SwellSheet>{std::move(*one)};
     }
-    Result<std::vector<SwellSheet>> sheets = swell_sheets(plans.storey, wish);
+    Result<std::vector<exports::SwellSheet>> sheets = exports::swell_sheets(plans.storey, wish);
     if (!sheets || !plans.upper) return sheets;
-    SheetWish without_plate = wish;
+    exports::SheetWish without_plate = wish;
     without_plate.plate_signs.clear();  // the plate shows the lower floors
-    Result<std::vector<SwellSheet>> more = swell_sheets(*plans.upper, without_plate);
+    Result<std::vector<exports::SwellSheet>> more = exports::swell_sheets(*plans.upper, without_plate);
     if (!more) return more;
     std::move(more->begin(), more->end(), std::back_inserter(*sheets));
     return sheets;
@@ -115,25 +115,26 @@ bool hides_rooms(const StoreyPlans& plans, const ExportArguments& arguments) {
     return plans.upper && !arguments.sheets && !arguments.around;
 }
 
-bool keep_promises(const StoreyPlans& plans, const SheetWish& wish, const ExportArguments& arguments) {
+bool keep_promises(const StoreyPlans& plans, const exports::SheetWish& wish, const ExportArguments& arguments) {
     if (hides_rooms(plans, arguments)) return false;
-    const Result<std::vector<SwellSheet>> sheets = sheets_of(plans, wish, arguments);
-    return sheets &&
-           std::all_of(sheets->begin(), sheets->end(), [](const SwellSheet& sheet) { return sheet.broken.empty(); });
+    const Result<std::vector<exports::SwellSheet>> sheets = sheets_of(plans, wish, arguments);
+    return sheets && std::all_of(sheets->begin(), sheets->end(),
+                                 [](const exports::SwellSheet& sheet) { return sheet.broken.empty(); });
 }
 
 // What helps where sheets do not keep their promises: other paper and a coarser plan are tried first.
-std::vector<std::string> helps(const StoreyPlans& plans, const SheetWish& wish, const ExportArguments& arguments) {
+std::vector<std::string> helps(const StoreyPlans& plans, const exports::SheetWish& wish,
+                               const ExportArguments& arguments) {
     std::vector<std::string> said;
-    if (!arguments.sheets && wish.paper.long_mm < kA3.long_mm) {
-        SheetWish larger = wish;
-        larger.paper = kA3;
+    if (!arguments.sheets && wish.paper.long_mm < exports::kA3.long_mm) {
+        exports::SheetWish larger = wish;
+        larger.paper = exports::kA3;
         if (keep_promises(plans, larger, arguments)) said.push_back(phrase("export.help_a3"));
     }
     if (!arguments.sheets && !arguments.around) said.push_back(phrase("export.help_sheets"));
     if (!arguments.around) said.push_back(phrase("export.help_around"));
     if (!wish.coarse) {
-        SheetWish coarse = wish;
+        exports::SheetWish coarse = wish;
         coarse.coarse = true;
         if (keep_promises(plans, coarse, arguments)) said.push_back(phrase("export.help_coarse"));
     }
@@ -146,37 +147,38 @@ struct ToldOfSheets {
 };
 
 // The files of one sheet and its key. `which` is empty for the first sheet.
-void add_svg(const fs::path& path, const std::string& which, const SwellSheet& sheet, const std::string& said,
+void add_svg(const fs::path& path, const std::string& which, const exports::SwellSheet& sheet, const std::string& said,
              std::vector<MadeFile>& files) {
     const std::string language = spoken_language();
-    const auto add = [&](const fs::path& file, const SheetPage& page) {
-        files.push_back({file, svg_of(page, language),
+    const auto add = [&](const fs::path& file, const exports::SheetPage& page) {
+        files.push_back({file, exports::svg_of(page, language),
                          phrase("export.wrote", {{"file", file.string()}, {"title", page.title}}), false});
     };
-    files.push_back({which.empty() ? path : beside(path, which), svg_of(sheet.plan, language), said, which.empty()});
+    files.push_back(
+        {which.empty() ? path : beside(path, which), exports::svg_of(sheet.plan, language), said, which.empty()});
     for (std::size_t i = 0; i < sheet.key.size(); ++i)
         add(beside(path, (which.empty() ? "" : which + "-") + "key-" + std::to_string(i + 1)), sheet.key[i]);
 }
 
-Result<ToldOfSheets> add_swell(const fs::path& path, const StoreyPlans& plans, const SheetWish& wish,
+Result<ToldOfSheets> add_swell(const fs::path& path, const StoreyPlans& plans, const exports::SheetWish& wish,
                                const ExportArguments& arguments, std::vector<MadeFile>& files) {
-    const Result<std::vector<SwellSheet>> sheets = sheets_of(plans, wish, arguments);
+    const Result<std::vector<exports::SwellSheet>> sheets = sheets_of(plans, wish, arguments);
     if (!sheets) {
         Error error = sheets.error();
         if (!arguments.sheets && !arguments.around)
             for (const std::string& help : helps(plans, wish, arguments)) error.message += "\n" + help;
         return tl::unexpected(std::move(error));
     }
-    std::vector<SheetPage> pages;
+    std::vector<exports::SheetPage> pages;
     if (arguments.strip) {
-        Result<SheetPage> made = calibration_strip(wish.paper, wish.table);
+        Result<exports::SheetPage> made = exports::calibration_strip(wish.paper, wish.table);
         if (!made) return tl::unexpected(made.error());
         pages.push_back(std::move(*made));
     }
     const bool pdf = ending_of(path) == ".pdf";
     ToldOfSheets told;
     std::string all;
-    for (const SwellSheet& sheet : *sheets) {
+    for (const exports::SwellSheet& sheet : *sheets) {
         const bool first = &sheet == &sheets->front();
         const std::string which = first ? "" : std::to_string(&sheet - &sheets->front() + 1);
         const fs::path file = pdf || first ? path : beside(path, which);
@@ -196,14 +198,14 @@ Result<ToldOfSheets> add_swell(const fs::path& path, const StoreyPlans& plans, c
                     told.simplified.push_back(sentence);
         told.broken = told.broken || !sheet.broken.empty();
     }
-    if (pdf) files.push_back({path, pdf_of(pages, spoken_language()), all});
+    if (pdf) files.push_back({path, exports::pdf_of(pages, spoken_language()), all});
     else if (arguments.strip)
         files.push_back(
-            {beside(path, "strip"), svg_of(pages.front(), spoken_language()),
+            {beside(path, "strip"), exports::svg_of(pages.front(), spoken_language()),
              phrase("export.wrote", {{"file", beside(path, "strip").string()}, {"title", pages.front().title}}),
              false});
     if (hides_rooms(plans, arguments)) {
-        told.simplified.push_back(phrase("export.hidden", {{"names", hidden_names(plans.storey)}}));
+        told.simplified.push_back(phrase("export.hidden", {{"names", exports::hidden_names(plans.storey)}}));
         told.broken = true;
     }
     told.simplified.push_back(phrase("export.print_as_is"));
@@ -216,31 +218,33 @@ Result<ToldOfSheets> add_swell(const fs::path& path, const StoreyPlans& plans, c
     return told;
 }
 
-void add_stl(const fs::path& path, const Storey& storey, const StoreyPlate& plate, std::vector<MadeFile>& files,
-             std::vector<std::string>& simplified) {
-    files.push_back({path, stl_of(plate.triangles),
+void add_stl(const fs::path& path, const plan::Storey& storey, const exports::StoreyPlate& plate,
+             std::vector<MadeFile>& files, std::vector<std::string>& simplified) {
+    files.push_back({path, exports::stl_of(plate.triangles),
                      phrase("export.wrote_stl", {{"file", path.string()},
                                                  {"one_to", plate.one_to},
                                                  {"x", plate.wide_mm},
                                                  {"y", plate.deep_mm},
                                                  {"things", plate.drawn.size()}})});
     if (!storey.hidden.empty())
-        simplified.push_back(
-            phrase("export.of_plate", {{"sentence", phrase("export.hidden", {{"names", hidden_names(storey)}})}}));
+        simplified.push_back(phrase(
+            "export.of_plate", {{"sentence", phrase("export.hidden", {{"names", exports::hidden_names(storey)}})}}));
     for (const std::string& sentence : plate.simplified)
         simplified.push_back(phrase("export.of_plate", {{"sentence", sentence}}));
 }
 
-Result<void> add_card(const fs::path& path, const std::vector<CardRoute>& ways, BrailleTable table,
+Result<void> add_card(const fs::path& path, const std::vector<exports::CardRoute>& ways, exports::BrailleTable table,
                       std::vector<MadeFile>& files) {
-    const Result<std::string> text = ending_of(path) == ".brf" ? card_brf(ways, table) : card_text(ways);
+    const Result<std::string> text =
+        ending_of(path) == ".brf" ? exports::card_brf(ways, table) : exports::card_text(ways);
     if (!text) return tl::unexpected(text.error());
     files.push_back({path, *text, phrase("export.wrote_card", {{"file", path.string()}, {"count", ways.size()}})});
     return {};
 }
 
 // Writes nothing if one of the files exists and must not be replaced.
-Result<void> write_all(const WayOut& way_out, const std::vector<MadeFile>& files, bool force, std::ostream& out) {
+Result<void> write_all(const learners::WayOut& way_out, const std::vector<MadeFile>& files, bool force,
+                       std::ostream& out) {
     std::error_code ec;
     if (!force)
         for (const MadeFile& file : files)
@@ -262,40 +266,41 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
         err << error.sentence() << '\n';
         return status;
     };
-    Result<SheetWish> wishes = wishes_of(arguments);
+    Result<exports::SheetWish> wishes = wishes_of(arguments);
     if (!wishes) return failed(wishes.error(), 2);
     const Result<fs::path> given = world_given(arguments.world);
     if (!given) return failed(given.error(), 1);
     const fs::path& world = *given;
-    const Result<WayOut> way_out = WayOut::of(Learners(user_data_folder()), world);
+    const Result<learners::WayOut> way_out = learners::WayOut::of(learners::Learners(core::user_data_folder()), world);
     if (!way_out) return failed(way_out.error(), 1);
     Result<Scene> read = mended_and_valid(imported(world, progress.followed(arguments.common.read_options(world))),
                                           world, arguments.common);
     if (!read) return failed(read.error(), 1);
     const auto scene = std::make_shared<const Scene>(std::move(*read));
     progress.at(phrase("progress.rooms"));
-    const WalkerSize size = body_size(*scene, Settings{}.walk.body_radius_m);
-    RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once());
+    const core::WalkerSize size = core::body_size(*scene, settings::Settings{}.walk.body_radius_m);
+    core::RoomsOfWorld rooms(scene, navigation::walk_body(*scene, size.radius_m, size.height_m, size.step_up_m),
+                             at_once());
     if (!rooms.ready() || !rooms.found())
         return failed({world.string(), 0, 0, rooms.problem().empty() ? phrase("export.no_rooms") : rooms.problem()}, 1);
-    const WalkSpace& space = rooms.navigation().space();
-    const int number = arguments.storey.value_or(storey_of_start(*scene, rooms.graph(), space));
-    const Result<Storey> storey = storey_of(*scene, rooms.graph(), space, number);
+    const navigation::WalkSpace& space = rooms.navigation().space();
+    const int number = arguments.storey.value_or(plan::storey_of_start(*scene, rooms.graph(), space));
+    const Result<plan::Storey> storey = plan::storey_of(*scene, rooms.graph(), space, number);
     if (!storey) return failed(storey.error(), 1);
     std::vector<MadeFile> files;
     std::vector<std::string> simplified;
     progress.at(phrase("progress.sheets"));
     bool broken = false;
-    std::optional<StoreyPlate> plate;
+    std::optional<exports::StoreyPlate> plate;
     if (arguments.stl) {
-        Result<StoreyPlate> made = storey_plate(*storey, wishes->table);
+        Result<exports::StoreyPlate> made = exports::storey_plate(*storey, wishes->table);
         if (!made) return failed(made.error(), 1);
-        for (const RoomSign& sign : made->signs)
+        for (const exports::RoomSign& sign : made->signs)
             wishes->plate_signs.push_back(sign.on_sheet ? sign.sign : std::string());
         plate = std::move(*made);
     }
     if (arguments.swell) {
-        const StoreyPlans plans{*storey, upper_part_of(*scene, rooms.graph(), space, *storey)};
+        const StoreyPlans plans{*storey, plan::upper_part_of(*scene, rooms.graph(), space, *storey)};
         Result<ToldOfSheets> told = add_swell(*arguments.swell, plans, *wishes, arguments, files);
         if (!told) return failed(told.error(), 1);
         simplified = std::move(told->simplified);
@@ -305,12 +310,12 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
     if (arguments.route_card) {
         progress.at(phrase("progress.ways"));
         const Result<CardRoutes> ways = card_ways(scene, rooms.graph(), rooms.navigation(), *storey,
-                                                {arguments.from, arguments.to, arguments.settings});
+                                                  {arguments.from, arguments.to, arguments.settings});
         if (!ways) return failed(ways.error(), 1);
         if (const Result<void> made = add_card(*arguments.route_card, ways->ways, wishes->table, files); !made)
             return failed(made.error(), 1);
         if (!ways->unreached.empty())
-            simplified.push_back(phrase("export.unreached", {{"names", names_list(ways->unreached)}}));
+            simplified.push_back(phrase("export.unreached", {{"names", exports::names_list(ways->unreached)}}));
     }
     progress.done();
     if (const Result<void> written = write_all(*way_out, files, arguments.force, out); !written)
@@ -319,4 +324,4 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
     return broken ? 1 : 0;
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

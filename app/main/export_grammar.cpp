@@ -6,7 +6,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::program {
 
 CLI::App* add_export_command(CLI::App& app, ExportArguments& arguments) {
     CLI::App* command = app.add_subcommand("export", phrase("help.export"));
@@ -33,4 +33,4 @@ CLI::App* add_export_command(CLI::App& app, ExportArguments& arguments) {
     return command;
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -5,9 +5,9 @@
 
 #include "app/main/commands.h"
 
-namespace handrail {
+namespace handrail::program {
 
 // The command without its settings and the map scale. Parsing fills in `arguments`, which outlive the grammar.
 CLI::App* add_export_command(CLI::App& app, ExportArguments& arguments);
 
-}  // namespace handrail
+}  // namespace handrail::program

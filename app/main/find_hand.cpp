@@ -9,35 +9,37 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 constexpr std::chrono::seconds kLookEvery{2};
 
-Hand real_hand(const FoundDevice& device) {
-    Hand hand{HandFacts{true, false, *device.spec, device.serial}, {device.name}};
+Hand real_hand(const drivers::FoundDevice& device) {
+    Hand hand{core::HandFacts{true, false, *device.spec, device.serial}, {device.name}};
     if (!device.serial.empty()) hand.guard_arguments.push_back(device.serial);
     return hand;
 }
 
 }  // namespace
 
-Hand simulated_hand(std::string_view name) { return {HandFacts{true, true, *find_device_spec(name), {}}, {}}; }
+Hand simulated_hand(std::string_view name) {
+    return {core::HandFacts{true, true, *device::find_device_spec(name), {}}, {}};
+}
 
 std::optional<Hand> hand_without_looking(const std::string& wanted) {
     if (wanted == "none") return Hand{};
-    const DeviceSpec* spec = find_device_spec(wanted);
+    const device::DeviceSpec* spec = device::find_device_spec(wanted);
     if (spec && spec->name.starts_with("sim-")) return simulated_hand(spec->name);
     return std::nullopt;
 }
 
 Result<std::optional<Hand>> choose_hand(const std::string& wanted, std::vector<std::string>& news) {
-    const DeviceSpec* spec = find_device_spec(wanted);
-    const std::vector<FoundDevice> found = find_devices();
+    const device::DeviceSpec* spec = device::find_device_spec(wanted);
+    const std::vector<drivers::FoundDevice> found = drivers::find_devices();
     if (wanted == "auto") {
-        for (const FoundDevice& device : found) {
-            if (device.kind != DeviceKind::Kinesthetic) continue;
-            news.push_back(found_words(device.model));
+        for (const drivers::FoundDevice& device : found) {
+            if (device.kind != drivers::DeviceKind::Kinesthetic) continue;
+            news.push_back(core::found_words(device.model));
             if (device.usable) return real_hand(device);
             news.push_back(device.problem);
         }
@@ -45,30 +47,31 @@ Result<std::optional<Hand>> choose_hand(const std::string& wanted, std::vector<s
         if (!news.empty()) news.push_back(phrase("program.simulated_instead"));
         return std::nullopt;
     }
-    for (const FoundDevice& device : found) {
-        if (!is_meant(device, wanted)) continue;
-        if (device.kind != DeviceKind::Kinesthetic) {
-            news.push_back(cues_and_walking_sentence(device.model));
+    for (const drivers::FoundDevice& device : found) {
+        if (!drivers::is_meant(device, wanted)) continue;
+        if (device.kind != drivers::DeviceKind::Kinesthetic) {
+            news.push_back(companions::cues_and_walking_sentence(device.model));
             return std::nullopt;
         }
         if (!device.usable)
             return fail(phrase("program.not_usable_yet", {{"device", device.model}, {"problem", device.problem}}));
         return real_hand(device);
     }
-    if (is_companion(wanted)) {
-        news.push_back(no_companion_sentence(wanted));
+    if (companions::is_companion(wanted)) {
+        news.push_back(companions::no_companion_sentence(wanted));
         return std::nullopt;
     }
     if (!spec) {
-        std::vector<std::string> names = device_names();
-        for (std::string& name : companion_names()) names.push_back(std::move(name));
-        for (const FoundDevice& device : found) names.push_back(device.name);
+        std::vector<std::string> names = device::device_names();
+        for (std::string& name : drivers::companion_names()) names.push_back(std::move(name));
+        for (const drivers::FoundDevice& device : found) names.push_back(device.name);
         return fail(phrase("program.no_such_device", {{"device", wanted}, {"nearest", nearest_name(wanted, names)}}));
     }
-    const std::vector<std::string> drivable = openable_device_names();
+    const std::vector<std::string> drivable = drivers::openable_device_names();
     if (std::find(drivable.begin(), drivable.end(), spec->name) == drivable.end())
         return fail(phrase("program.not_driven", {{"device", spec->spoken_name()}}));
-    if (is_found_only_by_opening(spec->name)) return Hand{HandFacts{true, false, *spec, {}}, {std::string(spec->name)}};
+    if (drivers::is_found_only_by_opening(spec->name))
+        return Hand{core::HandFacts{true, false, *spec, {}}, {std::string(spec->name)}};
     return fail(phrase("program.not_plugged", {{"device", spec->spoken_name()}}));
 }
 
@@ -93,13 +96,14 @@ std::vector<std::string> HandSearch::take_news() {
 }
 
 Result<HandSearch::Found> HandSearch::search(const std::string& wanted) {
-    std::vector<PluggedHand> plugged = plugged_hands();
+    std::vector<drivers::PluggedHand> plugged = drivers::plugged_hands();
     std::vector<std::string> news;
     auto hand = choose_hand(wanted, news);
     for (std::string& sentence : news) tell(std::move(sentence));
     if (!hand) return tl::unexpected(hand.error());
     if (!*hand) return Found{{}, nullptr, std::move(plugged)};
-    auto device = std::make_unique<GuardedDevice>((*hand)->facts.spec, find_guard_program(), (*hand)->guard_arguments);
+    auto device = std::make_unique<drivers::GuardedDevice>((*hand)->facts.spec, drivers::find_guard_program(),
+                                                           (*hand)->guard_arguments);
     device->tell_while_opening([this](const std::string& sentence) { tell(sentence); });
     {
         const std::lock_guard guard(mutex_);
@@ -120,7 +124,7 @@ Result<HandSearch::Found> HandSearch::search(const std::string& wanted) {
     return Found{(*hand)->facts, std::move(device), std::move(plugged)};
 }
 
-PlugWatch::PlugWatch(std::optional<std::vector<PluggedHand>> known)
+PlugWatch::PlugWatch(std::optional<std::vector<drivers::PluggedHand>> known)
     : known_(std::move(known)), thread_([this] {
           name_this_thread("plugs");
           run();
@@ -135,23 +139,23 @@ PlugWatch::~PlugWatch() {
     thread_.join();
 }
 
-std::vector<PluggedHand> PlugWatch::take_new() {
+std::vector<drivers::PluggedHand> PlugWatch::take_new() {
     const std::lock_guard guard(mutex_);
     return std::exchange(new_, {});
 }
 
 void PlugWatch::run() {
-    if (!known_) known_ = plugged_hands();
+    if (!known_) known_ = drivers::plugged_hands();
     std::unique_lock lock(mutex_);
     while (!wake_.wait_for(lock, kLookEvery, [this] { return ended_; })) {
         if (resting_.load(std::memory_order_relaxed)) continue;
         lock.unlock();
-        std::vector<PluggedHand> there = plugged_hands();
+        std::vector<drivers::PluggedHand> there = drivers::plugged_hands();
         lock.lock();
-        for (const PluggedHand& hand : there)
+        for (const drivers::PluggedHand& hand : there)
             if (std::find(known_->begin(), known_->end(), hand) == known_->end()) new_.push_back(hand);
         known_ = std::move(there);
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

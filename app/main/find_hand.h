@@ -17,11 +17,11 @@
 #include "haptic/drivers/guarded_device.h"
 #include "worlds/base/background_task.h"
 
-namespace handrail {
+namespace handrail::program {
 
 // The chosen hand and, for a real device, how the guard finds it.
 struct Hand {
-    HandFacts facts;
+    core::HandFacts facts;
     std::vector<std::string> guard_arguments;  // empty: no real device
 };
 
@@ -38,9 +38,9 @@ Result<std::optional<Hand>> choose_hand(const std::string& wanted, std::vector<s
 class HandSearch {
 public:
     struct Found {
-        HandFacts facts;
-        std::unique_ptr<GuardedDevice> device;  // open; null if no device can be used, and the news say why
-        std::vector<PluggedHand> plugged;       // what was connected when the search began
+        core::HandFacts facts;
+        std::unique_ptr<drivers::GuardedDevice> device;  // open; null if no device can be used, and the news say why
+        std::vector<drivers::PluggedHand> plugged;       // what was connected when the search began
     };
 
     explicit HandSearch(std::string wanted);
@@ -60,7 +60,7 @@ private:
 
     std::mutex mutex_;  // guards news_ and opening_
     std::vector<std::string> news_;
-    GuardedDevice* opening_ = nullptr;  // set while its opening is awaited
+    drivers::GuardedDevice* opening_ = nullptr;  // set while its opening is awaited
     bool given_up_ = false;
     BackgroundTask<Result<Found>> found_{on_threads(), "hand-search"};  // last: its thread uses the others
 };
@@ -69,26 +69,26 @@ private:
 class PlugWatch {
 public:
     // `known` lists the devices that are not new. Without a list, whatever the first look finds is not new.
-    explicit PlugWatch(std::optional<std::vector<PluggedHand>> known);
+    explicit PlugWatch(std::optional<std::vector<drivers::PluggedHand>> known);
     ~PlugWatch();
     PlugWatch(const PlugWatch&) = delete;
     PlugWatch& operator=(const PlugWatch&) = delete;
 
     // The devices connected since the last call.
-    std::vector<PluggedHand> take_new();
+    std::vector<drivers::PluggedHand> take_new();
     // Rests while a device is in use, because the guard that holds it looks for it itself.
     void rest(bool resting) { resting_.store(resting, std::memory_order_relaxed); }
 
 private:
     void run();
 
-    std::optional<std::vector<PluggedHand>> known_;  // used by the watch's thread
-    std::mutex mutex_;                               // guards new_, and together with ended_ the wait
+    std::optional<std::vector<drivers::PluggedHand>> known_;  // used by the watch's thread
+    std::mutex mutex_;                                        // guards new_, and together with ended_ the wait
     std::condition_variable wake_;
-    std::vector<PluggedHand> new_;
+    std::vector<drivers::PluggedHand> new_;
     bool ended_ = false;
     std::atomic<bool> resting_{false};
     std::thread thread_;  // last: its thread uses the others
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

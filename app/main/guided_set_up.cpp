@@ -4,25 +4,26 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::program {
 
-void GuidedSetUp::begin(std::span<const WizardPart> wanted) {
-    session_ = std::make_unique<WizardSession>(parts_.settings.values(), wanted);
+void GuidedSetUp::begin(std::span<const wizard::WizardPart> wanted) {
+    session_ = std::make_unique<wizard::WizardSession>(parts_.settings.values(), wanted);
     stops_ = parts_.switches.stops;
     let_go_ = parts_.app.hand().tuning.stops_let_go;
     parts_.driver.begin_set_up();
-    CueRequest no_tone;
-    no_tone.kind = CueRequestKind::WallTone;
+    cues::CueRequest no_tone;
+    no_tone.kind = cues::CueRequestKind::WallTone;
     no_tone.loudness = 0.0;
     parts_.ears.sound().post(std::move(no_tone));
 }
 
 void GuidedSetUp::begin_if_asked() {
     if (!parts_.app.requests().take_set_up() || session_) return;
-    std::vector<WizardPart> wanted;
+    std::vector<wizard::WizardPart> wanted;
     const bool first = parts_.app.requests().take_first_set_up();
-    for (const WizardPartInfo& part : wizard_parts())
-        if (!first || (part.part != WizardPart::Reach && part.part != WizardPart::Step)) wanted.push_back(part.part);
+    for (const wizard::WizardPartInfo& part : wizard::wizard_parts())
+        if (!first || (part.part != wizard::WizardPart::Reach && part.part != wizard::WizardPart::Step))
+            wanted.push_back(part.part);
     begin(wanted);
 }
 
@@ -34,17 +35,17 @@ void GuidedSetUp::look_for_hand() {
     parts_.hand.look_for_set_up(news_);
 }
 
-WizardSearch GuidedSetUp::search() const {
-    if (parts_.hand.looking()) return WizardSearch::Looking;
-    if (parts_.hand.can_be_set_up()) return WizardSearch::Ready;
-    return parts_.alone && !searched_ ? WizardSearch::NotBegun : WizardSearch::Nothing;
+wizard::WizardSearch GuidedSetUp::search() const {
+    if (parts_.hand.looking()) return wizard::WizardSearch::Looking;
+    if (parts_.hand.can_be_set_up()) return wizard::WizardSearch::Ready;
+    return parts_.alone && !searched_ ? wizard::WizardSearch::NotBegun : wizard::WizardSearch::Nothing;
 }
 
 void GuidedSetUp::sense(double now_s) {
     const std::uint32_t stops = parts_.switches.stops;
     if (std::exchange(stops_, stops) != stops) session_->press("F12", now_s);
     parts_.hand.read();
-    WizardSense sense;
+    wizard::WizardSense sense;
     sense.now_s = now_s;
     sense.audible = parts_.ears.has_sound();
     sense.speaking = parts_.ears.sound().speaking();
@@ -57,11 +58,11 @@ void GuidedSetUp::sense(double now_s) {
 }
 
 void GuidedSetUp::hand_over() {
-    Wizard& wizard = session_->wizard();
+    wizard::Wizard& wizard = session_->wizard();
     if (parts_.kept.take(wizard.take_setting_changes())) parts_.ears.sound().set_settings(parts_.settings.values());
-    for (CueRequest& cue : session_->take_cues()) parts_.ears.sound().post(std::move(cue));
+    for (cues::CueRequest& cue : session_->take_cues()) parts_.ears.sound().post(std::move(cue));
     if (!parts_.hand.driven()) return;
-    ServoTuning tuning = wizard.tuning();
+    servo::ServoTuning tuning = wizard.tuning();
     if (!tuning.panic) let_go_ = stops_;
     tuning.stops_let_go = let_go_;
     tuning.focused = parts_.app.hand().tuning.focused;
@@ -70,20 +71,20 @@ void GuidedSetUp::hand_over() {
 
 void GuidedSetUp::end_if_finished(double now_s) {
     if (!session_->finished()) return;
-    Session& app = parts_.app;
+    core::Session& app = parts_.app;
     const bool stopped = session_->wizard().tuning().panic;
     parts_.driver.end_set_up(session_->wizard().tuning().confirm);
     session_.reset();
-    app.apply(SetUpOver{}, now_s);
+    app.apply(core::SetUpOver{}, now_s);
     if (!app.scene()) return;
-    app.apply(SettingsChanged{parts_.settings.values()}, now_s);
-    app.apply(Stopped{stops_}, now_s);
+    app.apply(core::SettingsChanged{parts_.settings.values()}, now_s);
+    app.apply(core::Stopped{stops_}, now_s);
     // The person stopped the forces in the wizard and then switched them on again.
     if (app.hand().tuning.panic && !stopped) {
-        app.apply(CommandDown{Command::ToggleForces}, now_s);
-        app.apply(CommandUp{Command::ToggleForces}, now_s);
+        app.apply(core::CommandDown{core::Command::ToggleForces}, now_s);
+        app.apply(core::CommandUp{core::Command::ToggleForces}, now_s);
     }
     parts_.say(phrase("program.back_in", {{"world", app.scene()->name}}));
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

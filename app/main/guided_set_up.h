@@ -15,16 +15,16 @@
 #include "app/main/session_voice.h"
 #include "app/wizard/wizard_session.h"
 
-namespace handrail {
+namespace handrail::program {
 
 class GuidedSetUp {
 public:
     // All of these outlive this object.
     struct Parts {
-        const SettingsStore& settings;
-        const ServoSwitches& switches;
-        Session& app;
-        SessionDriver& driver;
+        const settings::SettingsStore& settings;
+        const servo::ServoSwitches& switches;
+        core::Session& app;
+        core::SessionDriver& driver;
         HandInUse& hand;
         Ears& ears;
         KeptSettings& kept;
@@ -35,11 +35,11 @@ public:
     };
     explicit GuidedSetUp(const Parts& parts) : parts_(parts) {}
 
-    void begin(std::span<const WizardPart> wanted);
+    void begin(std::span<const wizard::WizardPart> wanted);
     // Call once a frame; begins the set-up if the person has requested it.
     void begin_if_asked();
     // Null while no set-up is under way. Otherwise it receives the person's answers.
-    WizardSession* session() { return session_.get(); }
+    wizard::WizardSession* session() { return session_.get(); }
     bool under_way() const { return session_ != nullptr; }
 
     // Call these once a frame while it is under way, in this order: look (only when alone), sense, hand_over,
@@ -50,13 +50,13 @@ public:
     void end_if_finished(double now_s);
 
 private:
-    WizardSearch search() const;
+    wizard::WizardSearch search() const;
 
     Parts parts_;
-    std::unique_ptr<WizardSession> session_;
+    std::unique_ptr<wizard::WizardSession> session_;
     bool searched_ = false;
     std::vector<std::string> news_;
     std::uint32_t stops_ = 0, let_go_ = 0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

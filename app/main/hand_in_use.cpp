@@ -7,7 +7,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 constexpr double kServoPeriod_s = 1e-3;
@@ -26,26 +26,27 @@ void HandInUse::tell_of_guard() {
 }
 
 // Replaces the current hand by this one. `device` is open, or null for a simulated hand or none.
-void HandInUse::use(const HandFacts& facts, std::unique_ptr<GuardedDevice> device) {
+void HandInUse::use(const core::HandFacts& facts, std::unique_ptr<drivers::GuardedDevice> device) {
     let_go();
     parts_.driver.drive(0, nullptr);
     servo_.reset();
     simulated_.reset();
     guarded_ = device.get();
     facts_ = facts;
-    Session& app = parts_.app;
-    const Settings& settings = parts_.settings.values();
+    core::Session& app = parts_.app;
+    const settings::Settings& settings = parts_.settings.values();
     tool_ = {};
     told_how_it_runs_ = guard_missed_ = false;
-    app.apply(HandChanged{facts, settings, facts.simulated && wanted() == "auto"}, parts_.clock.now_s());
+    app.apply(core::HandChanged{facts, settings, facts.simulated && wanted() == "auto"}, parts_.clock.now_s());
     if (!facts.present) return;
-    std::unique_ptr<HapticDevice> held = std::move(device);
+    std::unique_ptr<device::HapticDevice> held = std::move(device);
     if (facts.simulated) {
-        simulated_ = std::make_shared<SimulatedHand>();
-        held = std::make_unique<SimulatedDevice>(facts.spec, simulated_);
+        simulated_ = std::make_shared<device::SimulatedHand>();
+        held = std::make_unique<device::SimulatedDevice>(facts.spec, simulated_);
     }
-    servo_ = std::make_unique<ServoLoop>(std::move(held), parts_.clock, kServoPeriod_s,
-                                         ServoLoop::Links{&parts_.switches, &parts_.contacts, parts_.recording});
+    servo_ = std::make_unique<servo::ServoLoop>(
+        std::move(held), parts_.clock, kServoPeriod_s,
+        servo::ServoLoop::Links{&parts_.switches, &parts_.contacts, parts_.recording});
     if (const auto opened = servo_->open(); opened) {
         parts_.driver.drive(0, servo_.get(), simulated_);
         return servo_->start();
@@ -54,7 +55,7 @@ void HandInUse::use(const HandFacts& facts, std::unique_ptr<GuardedDevice> devic
     servo_.reset();
     guarded_ = nullptr;
     facts_ = {};
-    app.apply(HandChanged{{}, settings}, parts_.clock.now_s());
+    app.apply(core::HandChanged{{}, settings}, parts_.clock.now_s());
 }
 
 void HandInUse::read() {
@@ -63,18 +64,18 @@ void HandInUse::read() {
 
 void HandInUse::tell_how_it_runs() {
     if (!guarded_) return;
-    if (const ServoReport& report = servo_->report();
-        !told_how_it_runs_ && report.scheduling != Scheduling::NotStarted) {
+    if (const servo::ServoReport& report = servo_->report();
+        !told_how_it_runs_ && report.scheduling != servo::Scheduling::NotStarted) {
         told_how_it_runs_ = true;
-        if (report.scheduling == Scheduling::Ordinary) parts_.say(scheduling_sentence(report.scheduling));
-        if (!report.memory_locked) parts_.say(memory_sentence(report.memory_locked));
+        if (report.scheduling == servo::Scheduling::Ordinary) parts_.say(servo::scheduling_sentence(report.scheduling));
+        if (!report.memory_locked) parts_.say(servo::memory_sentence(report.memory_locked));
         for (std::string& sentence : guarded_->unprotected())  // reports the same limit only once
             if (report.memory_locked || sentence != phrase("guard.memory_not_locked")) parts_.say(std::move(sentence));
     }
     tell_of_guard();
 }
 
-void HandInUse::watch_sleep(const ToolState* left) {
+void HandInUse::watch_sleep(const servo::ToolState* left) {
     if (!sleep_ && (guarded_ || left)) sleep_.emplace([this] { parts_.switches.stop(); });
     if (!sleep_) return;
     const bool no_force = tool_.force_n == Vec3(0.0) && (!left || left->force_n == Vec3(0.0));
@@ -158,27 +159,27 @@ bool HandInUse::do_without(const Error& problem, std::ostream& err) {
 void HandInUse::look_at_plugs() {
     if (guarded_ && !guard_missed_ && guarded_->guard_ended()) {
         guard_missed_ = true;
-        const DeviceSpec& spec = servo_->device_spec();
-        offer(PluggedHand{std::string(spec.name), spec.spoken_name(), {}, {}});
+        const device::DeviceSpec& spec = servo_->device_spec();
+        offer(drivers::PluggedHand{std::string(spec.name), spec.spoken_name(), {}, {}});
     }
     if (!plug_watch_) return;
-    for (PluggedHand& hand : plug_watch_->take_new()) {
+    for (drivers::PluggedHand& hand : plug_watch_->take_new()) {
         if (hand.problem.empty()) offer(std::move(hand));
-        else parts_.say(found_words(hand.spoken_name) + " " + hand.problem);
+        else parts_.say(core::found_words(hand.spoken_name) + " " + hand.problem);
     }
 }
 
-void HandInUse::offer(PluggedHand hand) {
-    parts_.app.apply(HandOffered{hand.spoken_name}, parts_.clock.now_s());
+void HandInUse::offer(drivers::PluggedHand hand) {
+    parts_.app.apply(core::HandOffered{hand.spoken_name}, parts_.clock.now_s());
     offer_ = std::move(hand);
 }
 
 // Offers to set up a device that has no profile yet.
 void HandInUse::offer_calibration() {
-    if (parts_.settings.values().profiles.contains(profile_key(facts_.spec.name, facts_.serial))) return;
-    parts_.say(phrase("program.not_set_up",
-                      {{"device", facts_.spec.spoken_name()}, {"keys", parts_.app.keys().keys_of(Command::Calibrate)}}),
+    if (parts_.settings.values().profiles.contains(settings::profile_key(facts_.spec.name, facts_.serial))) return;
+    parts_.say(phrase("program.not_set_up", {{"device", facts_.spec.spoken_name()},
+                                             {"keys", parts_.app.keys().keys_of(core::Command::Calibrate)}}),
                asked_s_);
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

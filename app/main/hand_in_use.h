@@ -16,21 +16,21 @@
 #include "haptic/device/simulated_device.h"
 #include "haptic/servo/servo_loop.h"
 
-namespace handrail {
+namespace handrail::program {
 
 class HandInUse {
 public:
     // All of these outlive this object.
     struct Parts {
         const ExploreArguments& arguments;
-        const SettingsStore& settings;
+        const settings::SettingsStore& settings;
         Clock& clock;
-        ServoSwitches& switches;
-        ServoLoop::EventRing& contacts;  // contacts of whichever device is in use
-        Session& app;
-        SessionDriver& driver;  // is notified which servo is used
+        servo::ServoSwitches& switches;
+        servo::ServoLoop::EventRing& contacts;  // contacts of whichever device is in use
+        core::Session& app;
+        core::SessionDriver& driver;  // is notified which servo is used
         const SessionVoice& say;
-        HandRing* recording;  // null: nothing is recorded
+        servo::HandRing* recording;  // null: nothing is recorded
     };
     explicit HandInUse(const Parts& parts) : parts_(parts) {}
 
@@ -58,44 +58,44 @@ public:
     // True for a hand that can be set up. A simulated one counts only if the person requested it: nobody else wants to
     // be asked to move its grip.
     bool can_be_set_up() const;
-    const HandFacts& facts() const { return facts_; }
+    const core::HandFacts& facts() const { return facts_; }
     // Reads the newest state of the servo, which is kept until the next call.
     void read();
-    const ToolState& tool() const { return tool_; }
+    const servo::ToolState& tool() const { return tool_; }
     // For a real device: reports once what may make the servo uneven, and always what its guard reports.
     void tell_how_it_runs();
 
     // Call once a frame. From the first real device on, removes all force before the computer sleeps, as the stop key
     // does, and afterwards says how to bring it back. `left` is the newest state of the left hand; null if it is no
     // real device.
-    void watch_sleep(const ToolState* left);
+    void watch_sleep(const servo::ToolState* left);
 
     // Removes the force, and reports if that cannot be guaranteed. Waits at most 76 ms for a remaining force to fade.
     void let_go();
     void stop_looking() { search_.reset(); }
 
 private:
-    void use(const HandFacts& facts, std::unique_ptr<GuardedDevice> device);
+    void use(const core::HandFacts& facts, std::unique_ptr<drivers::GuardedDevice> device);
     bool take_found(std::ostream& err);
     bool do_without(const Error& problem, std::ostream& err);
     void look_at_plugs();
-    void offer(PluggedHand hand);
+    void offer(drivers::PluggedHand hand);
     void offer_calibration();
     void tell_of_guard();
 
     Parts parts_;
-    std::shared_ptr<SimulatedHand> simulated_;
-    std::unique_ptr<ServoLoop> servo_;
-    GuardedDevice* guarded_ = nullptr;  // servo_ owns it
-    HandFacts facts_;
-    ToolState tool_;
+    std::shared_ptr<device::SimulatedHand> simulated_;
+    std::unique_ptr<servo::ServoLoop> servo_;
+    drivers::GuardedDevice* guarded_ = nullptr;  // servo_ owns it
+    core::HandFacts facts_;
+    servo::ToolState tool_;
     std::optional<HandSearch> search_;
     std::optional<PlugWatch> plug_watch_;
-    std::optional<PluggedHand> offer_;  // the last offer made
-    double asked_s_ = 0.0;              // when the program or the person started the search
+    std::optional<drivers::PluggedHand> offer_;  // the last offer made
+    double asked_s_ = 0.0;                       // when the program or the person started the search
     bool told_how_it_runs_ = false;
     bool guard_missed_ = false;  // and the device was offered again
     std::optional<SleepWatch> sleep_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

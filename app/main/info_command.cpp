@@ -29,7 +29,7 @@
 #include "worlds/scene/lint.h"
 #include "worlds/scene/stated_building.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -123,7 +123,7 @@ Json honesty_json(const Scene& scene) {
             {"check", std::move(check)}};
 }
 
-Json json_of(const Scene& scene, const TouchModel& touch, const Cost& cost) {
+Json json_of(const Scene& scene, const compile::TouchModel& touch, const Cost& cost) {
     const ReadReport& report = scene.report;
     const StatedBuilding stated = scene.stated ? *scene.stated : StatedBuilding{};
     const Aabb bounds = scene.bounds_m.empty() ? Aabb{Vec3{0.0}, Vec3{0.0}} : scene.bounds_m;
@@ -138,7 +138,7 @@ Json json_of(const Scene& scene, const TouchModel& touch, const Cost& cost) {
     for (const FreeBody& body : scene.bodies)
         bodies.push_back({{"name", scene.features[body.feature.value].name}, {"mass_kg", body.mass_kg}});
     Json modelled = Json::object();
-    for (const TouchModel::Part& part : touch.parts) modelled[std::string(part.key)] = part.count;
+    for (const compile::TouchModel::Part& part : touch.parts) modelled[std::string(part.key)] = part.count;
     return {{"name", scene.name},
             {"format", report.format},
             {"brushes", report.brushes},
@@ -187,12 +187,12 @@ Json json_of(const Scene& scene, const TouchModel& touch, const Cost& cost) {
             {"kept", cost.kept},
             {"all_s", cost.all_s},
             {"peak_memory_bytes", cost.peak_memory_bytes},
-            {"confinement", json_of(confinement_offered())}};
+            {"confinement", program::json_of(confine::confinement_offered())}};
 }
 
 std::string spoken_stages(const std::vector<std::string_view>& stages) {
     std::string text;
-    for (const std::string_view stage : stages) text += (text.empty() ? "" : ", ") + spoken_stage(stage);
+    for (const std::string_view stage : stages) text += (text.empty() ? "" : ", ") + compile::spoken_stage(stage);
     return text;
 }
 
@@ -206,7 +206,7 @@ void tell_honestly(const Scene& scene, std::ostream& out) {
     out << phrase("honest.to_check") << '\n';
     for (std::size_t i = 0; i < std::min(kMostTold, report.check.size()); ++i)
         out << "  "
-            << phrase("honest.check_item", {{"what", sentence_case(check_words(scene, report.check[i]))},
+            << phrase("honest.check_item", {{"what", core::sentence_case(check_words(scene, report.check[i]))},
                                             {"line", report.check[i].source.line}})
             << '\n';
     if (report.check.size() > kMostTold)
@@ -214,7 +214,7 @@ void tell_honestly(const Scene& scene, std::ostream& out) {
 }
 
 // Prints sentences for listening to one after another, the important ones first.
-void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::ostream& out) {
+void tell(const Scene& scene, const compile::TouchModel& touch, const Cost& cost, std::ostream& out) {
     const ReadReport& report = scene.report;
     const Aabb building = building_bounds_m(scene);
     const Vec3 size = building.empty() ? Vec3{0.0} : building.size_m();
@@ -254,8 +254,8 @@ void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::os
     line(materials.empty() ? phrase("info.no_materials")
                            : phrase("info.materials", {{"names", fmt::format("{}", fmt::join(materials, ", "))}}));
     std::vector<std::string> parts;
-    for (const TouchModel::Part& part : touch.parts)
-        if (part.count > 0) parts.push_back(spoken_part(part));
+    for (const compile::TouchModel::Part& part : touch.parts)
+        if (part.count > 0) parts.push_back(compile::spoken_part(part));
     line(parts.empty() ? phrase("info.meets_nothing")
                        : phrase("info.meets", {{"parts", fmt::format("{}", fmt::join(parts, ", "))}}));
     if (!touch.stages_on.empty()) line(phrase("info.stages", {{"stages", spoken_stages(touch.stages_on)}}));
@@ -284,26 +284,26 @@ void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::os
 
 // Finds rooms in a world whose file states none, as a session does, or says why it finds none. `unreachable` gets a
 // sentence about the rooms that cannot be reached on foot, or stays empty.
-RoomGraph rooms_of(const std::shared_ptr<const Scene>& scene, std::string& unreachable,
-                   std::vector<std::string>& left_out) {
-    const WalkerSize size = body_size(*scene, Settings{}.walk.body_radius_m);
-    RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once(),
-                       ways_in_cache());
+navigation::RoomGraph rooms_of(const std::shared_ptr<const Scene>& scene, std::string& unreachable,
+                               std::vector<std::string>& left_out) {
+    const core::WalkerSize size = core::body_size(*scene, settings::Settings{}.walk.body_radius_m);
+    core::RoomsOfWorld rooms(scene, navigation::walk_body(*scene, size.radius_m, size.height_m, size.step_up_m),
+                             at_once(), ways_in_cache());
     if (!rooms.ready() || !rooms.found()) {
         if (!rooms.problem().empty()) left_out.push_back(rooms.problem());
         return {};
     }
     const std::vector<std::string>& said = rooms.navigation().said();
     left_out.insert(left_out.end(), said.begin(), said.end());
-    unreachable = unreachable_words(rooms.out_of_reach());
+    unreachable = navigation::unreachable_words(rooms.out_of_reach());
     return std::move(rooms.graph());
 }
 
-std::optional<std::string> rooms_sentence(const RoomGraph& graph) {
+std::optional<std::string> rooms_sentence(const navigation::RoomGraph& graph) {
     constexpr std::size_t kMostNamed = 20;
     if (graph.rooms.empty()) return std::nullopt;
     std::vector<std::string> names;
-    for (const Room& room : graph.rooms)
+    for (const navigation::Room& room : graph.rooms)
         if (names.size() < kMostNamed) names.push_back(room.name);
     const std::string list = fmt::format("{}", fmt::join(names, "; "));
     const std::size_t rooms = graph.rooms.size(), ways = graph.portals.size();
@@ -320,26 +320,30 @@ std::optional<double> scale_of(const std::string& wish, const Aabb& bounds_m) {
     const std::string word = lower_ascii(wish);
     const std::array names{"building", "floor", "room", "detail"};
     for (std::size_t i = 0; i < names.size(); ++i)
-        if (word == names[i]) return world_m_per_hand_m(static_cast<NamedScale>(i), bounds_m, kReach_hand_m);
+        if (word == names[i])
+            return core::world_m_per_hand_m(static_cast<core::NamedScale>(i), bounds_m, kReach_hand_m);
     double number = 0.0;
     if (!parse_finite(word, number) || number < 1.0 || number > 500.0) return std::nullopt;
     return number;
 }
 
 // One sentence for each thing that is simplified at a scale.
-std::vector<std::string> simplified_at(const Scene& scene, double world_m_per_hand_m, const RoomGraph& graph) {
-    const OpenPortals portals = open_portals(graph);
-    SimplifyOptions options;
+std::vector<std::string> simplified_at(const Scene& scene, double world_m_per_hand_m,
+                                       const navigation::RoomGraph& graph) {
+    const core::OpenPortals portals = core::open_portals(graph);
+    compile::SimplifyOptions options;
     options.world_m_per_hand_m = world_m_per_hand_m;
-    if (asks_for_openings(world_m_per_hand_m, Settings{}.walk.body_radius_m)) options.openings_m = portals.places_m;
-    const Simplification plan = plan_simplification(scene, options);
+    if (core::asks_for_openings(world_m_per_hand_m, settings::Settings{}.walk.body_radius_m))
+        options.openings_m = portals.places_m;
+    const compile::Simplification plan = compile::plan_simplification(scene, options);
     std::vector<std::string> sentences;
-    for (const NarrowOpening& opening : plan.openings)
-        sentences.push_back(phrase("simplify.item", {{"name", opening_name(scene, opening, &graph, portals)},
-                                                     {"what", opening_words(opening)}}));
+    for (const compile::NarrowOpening& opening : plan.openings)
+        sentences.push_back(phrase("simplify.item", {{"name", core::opening_name(scene, opening, &graph, portals)},
+                                                     {"what", core::opening_words(opening)}}));
     for (const FeatureId id : plan.left_out)
-        sentences.push_back(phrase("simplify.item", {{"name", sentence_case(spoken_name(scene.features[id.value]))},
-                                                     {"what", phrase("simplify.is_left_out")}}));
+        sentences.push_back(
+            phrase("simplify.item", {{"name", core::sentence_case(spoken_name(scene.features[id.value]))},
+                                     {"what", phrase("simplify.is_left_out")}}));
     return sentences;
 }
 
@@ -356,22 +360,23 @@ int tell_lint(const Scene& scene, std::ostream& out) {
 int tell_as_words(const Scene& scene, const std::string& wish, const LongWork& progress, std::ostream& out,
                   std::ostream& err) {
     const std::string code = wish.empty() ? spoken_language() : wish;
-    const WordLanguage language = code == "de" ? WordLanguage::German : WordLanguage::English;
+    const words::WordLanguage language = code == "de" ? words::WordLanguage::German : words::WordLanguage::English;
     if (scene.stated && !scene.stated->rooms.empty()) {
         progress.done();
-        out << text_of(stated_house(scene, language), scene, language);
+        out << exports::text_of(exports::stated_house(scene, language), scene, language);
         return 0;
     }
     progress.at(phrase("progress.rooms"));
-    const WalkerSize size = body_size(scene, Settings{}.walk.body_radius_m);
-    const Result<WalkSpace> space =
-        make_walk_space(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
+    const core::WalkerSize size = core::body_size(scene, settings::Settings{}.walk.body_radius_m);
+    const Result<navigation::WalkSpace> space =
+        navigation::make_walk_space(scene, navigation::walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
     if (!space) {
         progress.done();
         err << space.error().sentence() << '\n';
         return 1;
     }
-    const std::string text = text_of(found_house(scene, make_rooms(scene, *space), *space, language), scene, language);
+    const std::string text = exports::text_of(
+        exports::found_house(scene, navigation::make_rooms(scene, *space), *space, language), scene, language);
     progress.done();
     out << text;
     return 0;
@@ -385,7 +390,7 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
         err << world.error().sentence() << '\n';
         return 1;
     }
-    const ReadOptions options = arguments.common.read_options(*world);
+    const readers::ReadOptions options = arguments.common.read_options(*world);
     if (!std::isfinite(options.map_metres_per_unit) || options.map_metres_per_unit <= 0.0) {
         err << phrase("program.map_scale") << '\n';
         return 2;
@@ -393,7 +398,7 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
     const SteadyClock clock;
     const double begun_s = clock.now_s();
     const LongWork progress = arguments.json ? LongWork() : waiting;
-    Result<ImportedWorld> imported_world = imported(*world, progress.followed(options));
+    Result<importing::ImportedWorld> imported_world = imported(*world, progress.followed(options));
     Cost cost{clock.now_s() - begun_s, 0.0, 0, imported_world && imported_world->kept};
     Result<Scene> read = mended_and_valid(std::move(imported_world), *world, arguments.common);
     if (!read) {
@@ -415,27 +420,28 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
     const auto scene = std::make_shared<Scene>(std::move(*read));
     // Prepares the world as exploring does.
     progress.at(phrase("progress.touch"));
-    CompileReport compiled;
-    const Settings defaults;
-    const EnteringWorld entered = make_ready(scene);
+    compile::CompileReport compiled;
+    const settings::Settings defaults;
+    const core::EnteringWorld entered = core::make_ready(scene);
     const double felt_scale = scale.value_or(defaults.workspace.scale);
-    const double ball_m = ball_radius_m(*entered.scene, defaults.haptic.ball_diameter_mm * 1e-3, felt_scale);
-    CompileOptions felt = exploring(felt_rounding_m(defaults.haptic.edge_rounding_mm, felt_scale, ball_m), 0,
-                                    defaults.haptic.mesh_tolerance_mm * 1e-3 * felt_scale);
+    const double ball_m = core::ball_radius_m(*entered.scene, defaults.haptic.ball_diameter_mm * 1e-3, felt_scale);
+    compile::CompileOptions felt =
+        compile::exploring(core::felt_rounding_m(defaults.haptic.edge_rounding_mm, felt_scale, ball_m), 0,
+                           defaults.haptic.mesh_tolerance_mm * 1e-3 * felt_scale);
     felt.simplifies = [&](FeatureId feature, std::size_t triangles) {
         progress.at(phrase("progress.simplify",
                            {{"name", spoken_name(entered.scene->features[feature.value])}, {"triangles", triangles}}));
     };
-    const TouchModel touch = touch_model(*compile_haptic(*entered.scene, felt, &compiled));
+    const compile::TouchModel touch = compile::touch_model(*compile::compile_haptic(*entered.scene, felt, &compiled));
     for (std::string& sentence : compiled.mesh.sentences()) scene->report.simplified.push_back(std::move(sentence));
-    for (const CoarserMesh& mesh : compiled.coarser)
-        scene->report.simplified.push_back(
-            phrase("simplify.item", {{"name", sentence_case(spoken_name(entered.scene->features[mesh.feature.value]))},
-                                     {"what", coarser_words(mesh, felt_scale)}}));
+    for (const compile::CoarserMesh& mesh : compiled.coarser)
+        scene->report.simplified.push_back(phrase(
+            "simplify.item", {{"name", core::sentence_case(spoken_name(entered.scene->features[mesh.feature.value]))},
+                              {"what", core::coarser_words(mesh, felt_scale)}}));
     for (std::string& sentence : compiled.rounding.sentences()) scene->report.simplified.push_back(std::move(sentence));
     progress.at(phrase("progress.rooms"));
     std::string unreachable;
-    const RoomGraph graph = rooms_of(scene, unreachable, scene->report.left_out);
+    const navigation::RoomGraph graph = rooms_of(scene, unreachable, scene->report.left_out);
     if (scale)
         for (std::string& sentence : simplified_at(*entered.scene, *scale, graph))
             scene->report.simplified.push_back(std::move(sentence));
@@ -449,4 +455,4 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
     return 0;
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

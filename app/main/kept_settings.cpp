@@ -2,11 +2,12 @@
 
 #include <fmt/ostream.h>
 
-namespace handrail {
+namespace handrail::program {
 
 bool KeptSettings::take(const std::vector<std::pair<std::string, std::string>>& changes) {
     bool changed = false;
-    for (const auto& [key, value] : changes) changed |= settings_.set(key, value, SettingSource::Live).has_value();
+    for (const auto& [key, value] : changes)
+        changed |= settings_.set(key, value, settings::SettingSource::Live).has_value();
     if (changed) save_.changed(clock_.now_s());
     return changed;
 }
@@ -34,4 +35,4 @@ void KeptSettings::save_at_the_end(std::ostream& err) {
     say_(saved.error().sentence());
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -13,12 +13,12 @@
 #include "settings/settings.h"
 #include "worlds/base/clock.h"
 
-namespace handrail {
+namespace handrail::program {
 
 class KeptSettings {
 public:
     // All of these outlive this object.
-    KeptSettings(SettingsStore& settings, Clock& clock, const SessionVoice& say)
+    KeptSettings(settings::SettingsStore& settings, Clock& clock, const SessionVoice& say)
         : settings_(settings), clock_(clock), say_(say) {}
 
     // Applies live changes in their order; returns true if at least one was accepted. A rejected change leaves its
@@ -32,11 +32,11 @@ public:
 private:
     void tell_unsaved(const Result<void>& saved, double now_s);
 
-    SettingsStore& settings_;
+    settings::SettingsStore& settings_;
     Clock& clock_;
     const SessionVoice& say_;
-    SaveSoon save_;
-    BackgroundWriter writer_{on_threads(), write_named_file_atomically};
+    core::SaveSoon save_;
+    core::BackgroundWriter writer_{on_threads(), write_named_file_atomically};
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -1,28 +1,30 @@
 #include "app/main/key_acts.h"
 
-namespace handrail {
+namespace handrail::program {
 
-void KeyActs::take(const KeyEvent& key, WizardSession* wizard, double now_s) {
+void KeyActs::take(const window::KeyEvent& key, wizard::WizardSession* wizard, double now_s) {
     const auto command = app_.keys().find(key.key);
     if (wizard) {  // the stop key has already acted through the switches
-        if (key.action != KeyAction::Release && command != Command::StopEverything) wizard->press(key.key, now_s);
+        if (key.action != window::KeyAction::Release && command != core::Command::StopEverything)
+            wizard->press(key.key, now_s);
         return;
     }
     // Before there is a world, the key that leaves it ends the program. While another world is read, the key cancels
     // that.
-    const bool leaves = key.action == KeyAction::Press && command == Command::Leave && !app_.dialogue().is_open();
+    const bool leaves =
+        key.action == window::KeyAction::Press && command == core::Command::Leave && !app_.dialogue().is_open();
     if (leaves && !app_.scene()) closed_ = true;
     if (leaves && worlds_.give_up_reading(now_s)) return;
     // The characters of a key belong to what was open before the key was pressed.
     typing_ = app_.dialogue().is_open();
-    if (key.action != KeyAction::Release && app_.apply(KeyTapped{key.key}, now_s)) return;
+    if (key.action != window::KeyAction::Release && app_.apply(core::KeyTapped{key.key}, now_s)) return;
     if (!command || !app_.scene()) return;
-    if (key.action == KeyAction::Press) app_.apply(CommandDown{*command}, now_s);
-    else if (key.action == KeyAction::Release) app_.apply(CommandUp{*command}, now_s);
+    if (key.action == window::KeyAction::Press) app_.apply(core::CommandDown{*command}, now_s);
+    else if (key.action == window::KeyAction::Release) app_.apply(core::CommandUp{*command}, now_s);
 }
 
-void KeyActs::take_text(const std::string& utf8, WizardSession* wizard, double now_s) {
-    if (typing_ && !wizard) app_.apply(TextTyped{utf8}, now_s);
+void KeyActs::take_text(const std::string& utf8, wizard::WizardSession* wizard, double now_s) {
+    if (typing_ && !wizard) app_.apply(core::TextTyped{utf8}, now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -9,24 +9,24 @@
 #include "app/window/keys.h"
 #include "app/wizard/wizard_session.h"
 
-namespace handrail {
+namespace handrail::program {
 
 class KeyActs {
 public:
     // Both outlive this object.
-    KeyActs(Session& app, WorldVisits& worlds) : app_(app), worlds_(worlds) {}
+    KeyActs(core::Session& app, WorldVisits& worlds) : app_(app), worlds_(worlds) {}
 
-    void take(const KeyEvent& key, WizardSession* wizard, double now_s);
+    void take(const window::KeyEvent& key, wizard::WizardSession* wizard, double now_s);
     // The characters of the last key given to take().
-    void take_text(const std::string& utf8, WizardSession* wizard, double now_s);
+    void take_text(const std::string& utf8, wizard::WizardSession* wizard, double now_s);
     // True if the person left before there was a world.
     bool closed() const { return closed_; }
 
 private:
-    Session& app_;
+    core::Session& app_;
     WorldVisits& worlds_;
     bool typing_ = false;  // a list or question was open when the last key went down
     bool closed_ = false;
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -12,14 +12,14 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string purpose_words(Purpose purpose) {
-    if (purpose == Purpose::Remember) return phrase("learner.remember");
-    return phrase(purpose == Purpose::Record ? "learner.record" : "learner.share");
+std::string purpose_words(learners::Purpose purpose) {
+    if (purpose == learners::Purpose::Remember) return phrase("learner.remember");
+    return phrase(purpose == learners::Purpose::Record ? "learner.record" : "learner.share");
 }
 
 // One run of the command: where the learners are, and who asks and answers.
@@ -27,7 +27,12 @@ class LearnerCommand {
 public:
     LearnerCommand(const LearnerArguments& arguments, const LongWork& progress, std::istream& in, std::ostream& out,
                    std::ostream& err)
-        : arguments_(arguments), progress_(progress), learners_(user_data_folder()), in_(in), out_(out), err_(err) {}
+        : arguments_(arguments),
+          progress_(progress),
+          learners_(core::user_data_folder()),
+          in_(in),
+          out_(out),
+          err_(err) {}
 
     int run() {
         const std::string& action = arguments_.action;
@@ -56,18 +61,19 @@ private:
         out_ << question << ' ' << phrase("learner.yes_or_no") << std::endl;
         std::string line;
         std::getline(in_, line);
-        const auto answer = good_name(line);
+        const auto answer = core::good_name(line);
         return answer && lower_ascii(*answer) == phrase("learner.yes");
     }
 
     int list() {
-        const Learners::Found found = learners_.all();
+        const learners::Learners::Found found = learners_.all();
         for (const Error& fault : found.faults) err_ << fault.sentence() << '\n';
         if (found.learners.empty()) out_ << phrase("learner.none") << '\n';
-        for (const Learner& one : found.learners)
-            out_ << phrase("learner.listed", {{"name", one.name},
-                                              {"purposes", agreed_words(one, today())},
-                                              {"recordings", holdings_of(learners_.folder_of(one.id)).recordings}})
+        for (const learners::Learner& one : found.learners)
+            out_ << phrase("learner.listed",
+                           {{"name", one.name},
+                            {"purposes", learners::agreed_words(one, learners::today())},
+                            {"recordings", learners::holdings_of(learners_.folder_of(one.id)).recordings}})
                  << '\n';
         return found.faults.empty() ? 0 : 1;
     }
@@ -78,13 +84,13 @@ private:
             return 0;
         }
         if (!purposes(arguments_.give)) return 2;
-        if (may_be_real(arguments_.name) &&
+        if (learners::may_be_real(arguments_.name) &&
             !agreed(phrase("learner.real_name", {{"name", arguments_.name}, {"offer", learners_.offer()}})))
             return refuse(phrase("learner.not_made"), 1);
         // The new learner's settings begin as a copy of the user's own, because device and voice are the same.
         std::error_code ec;
         std::string settings;
-        if (const fs::path own = user_settings_path(); fs::exists(own, ec))
+        if (const fs::path own = settings::user_settings_path(); fs::exists(own, ec))
             if (const auto text = read_whole_file(own)) settings = *text;
         const auto made = learners_.make(arguments_.name, settings);
         if (!made) return refuse(made.error());
@@ -97,7 +103,7 @@ private:
         const auto learner = learners_.find(arguments_.name);
         if (!learner) return refuse(learner.error());
         tell(*learner);
-        const Holdings holdings = holdings_of(learners_.folder_of(learner->id));
+        const learners::Holdings holdings = learners::holdings_of(learners_.folder_of(learner->id));
         for (const Error& fault : holdings.faults) err_ << fault.sentence() << '\n';
         out_ << phrase("learner.holds", {{"recordings", holdings.recordings},
                                          {"worlds", holdings.worlds},
@@ -107,16 +113,16 @@ private:
         return 0;
     }
 
-    void tell(const Learner& learner) {
+    void tell(const learners::Learner& learner) {
         if (!learner.created.empty())
             out_ << phrase("learner.created", {{"name", learner.name}, {"day", learner.created}}) << '\n';
-        for (const Purpose purpose : kPurposes) {
+        for (const learners::Purpose purpose : learners::kPurposes) {
             const auto& given = learner.consent(purpose);
             const TextValue name{"name", learner.name};
             const std::string what = purpose_words(purpose);
             const TextValue is{"purpose", what};
             if (!given) out_ << phrase("learner.consent_not", {name, is}) << '\n';
-            else if (!learner.allows(purpose, today()))
+            else if (!learner.allows(purpose, learners::today()))
                 out_ << phrase("learner.consent_over", {name, is, {"until", given->until}}) << '\n';
             else
                 out_ << phrase("learner.consents",
@@ -130,11 +136,11 @@ private:
     }
 
     // Parses "remember,record". Wrong usage is reported and returns none.
-    std::optional<std::vector<Purpose>> purposes(const std::string& words) {
-        std::vector<Purpose> all;
+    std::optional<std::vector<learners::Purpose>> purposes(const std::string& words) {
+        std::vector<learners::Purpose> all;
         for (std::size_t at = 0; at < words.size();) {
             const std::size_t end = std::min(words.find(',', at), words.size());
-            const auto purpose = purpose_named(std::string_view(words).substr(at, end - at));
+            const auto purpose = learners::purpose_named(std::string_view(words).substr(at, end - at));
             if (!purpose) {
                 refuse(phrase("learner.no_purpose", {{"word", one_line(words.substr(at, end - at))}}), 2);
                 return std::nullopt;
@@ -149,16 +155,16 @@ private:
         const auto given = purposes(arguments_.give), withdrawn = purposes(arguments_.withdraw);
         if (!given || !withdrawn) return 2;
         if (given->empty() && withdrawn->empty()) return refuse(phrase("learner.consent_nothing"), 2);
-        if (!arguments_.until.empty() && !is_day(arguments_.until))
+        if (!arguments_.until.empty() && !learners::is_day(arguments_.until))
             return refuse(phrase("learner.bad_day", {{"word", one_line(arguments_.until)}}), 2);
-        if (!arguments_.until.empty() && arguments_.until < today())
+        if (!arguments_.until.empty() && arguments_.until < learners::today())
             return refuse(phrase("learner.until_over", {{"day", arguments_.until}}), 2);
         const auto learner = learners_.find(arguments_.name);
         if (!learner) return refuse(learner.error());
-        const auto changed = learners_.change(learner->id, [&](Learner& one) {
-            for (const Purpose purpose : *given)
-                one.consent(purpose) = Consent{today(), one_line(arguments_.by), arguments_.until};
-            for (const Purpose purpose : *withdrawn) one.consent(purpose).reset();
+        const auto changed = learners_.change(learner->id, [&](learners::Learner& one) {
+            for (const learners::Purpose purpose : *given)
+                one.consent(purpose) = learners::Consent{learners::today(), one_line(arguments_.by), arguments_.until};
+            for (const learners::Purpose purpose : *withdrawn) one.consent(purpose).reset();
         });
         if (!changed) return refuse(changed.error());
         tell(*changed);
@@ -172,7 +178,7 @@ private:
         if (!learner) err_ << learner.error().sentence() << '\n';
         const std::string name = learner ? learner->name : id;
         const fs::path folder = learners_.folder_of(id);
-        const Holdings holdings = holdings_of(folder);
+        const learners::Holdings holdings = learners::holdings_of(folder);
         for (const Error& fault : holdings.faults) err_ << fault.sentence() << '\n';
         out_ << phrase("learner.goes", {{"name", name},
                                         {"recordings", holdings.recordings},
@@ -184,18 +190,19 @@ private:
         for (const fs::path& file : holdings.exported_other)
             out_ << phrase("learner.stays_file", {{"file", file.string()}}) << '\n';
         if (!agreed(phrase("learner.delete_asked", {{"name", name}}))) return refuse(phrase("learner.delete_not"), 1);
-        if (const auto deleted = delete_learner(folder, holdings); !deleted) return refuse(deleted.error());
+        if (const auto deleted = learners::delete_learner(folder, holdings); !deleted) return refuse(deleted.error());
         out_ << phrase("learner.deleted", {{"name", name}}) << '\n';
         return search({id, learner ? learner->name : std::string()}, holdings.exported_other);
     }
 
     // Searches for what is left of a deleted learner: text hits, and exported files that somebody has changed since.
     int search(const std::array<std::string, 2>& words, const std::vector<fs::path>& changed) {
-        std::vector<fs::path> folders = {user_data_folder(), user_settings_path().parent_path()};
-        if (const fs::path sessions = sessions_folder(); !sessions.empty()) folders.push_back(sessions.parent_path());
+        std::vector<fs::path> folders = {core::user_data_folder(), settings::user_settings_path().parent_path()};
+        if (const fs::path sessions = core::sessions_folder(); !sessions.empty())
+            folders.push_back(sessions.parent_path());
         std::erase_if(folders, [](const fs::path& folder) { return folder.empty(); });
         progress_.at(phrase("progress.search"));
-        Search left = search_for(words, folders);
+        learners::Search left = learners::search_for(words, folders);
         for (const fs::path& file : changed)
             if (std::find(left.hits.begin(), left.hits.end(), file) == left.hits.end()) left.hits.push_back(file);
         progress_.done();
@@ -212,7 +219,7 @@ private:
 
     const LearnerArguments& arguments_;
     const LongWork& progress_;
-    const Learners learners_;
+    const learners::Learners learners_;
     std::istream& in_;
     std::ostream& out_;
     std::ostream& err_;
@@ -225,4 +232,4 @@ int run_learner(const LearnerArguments& arguments, std::istream& in, std::ostrea
     return LearnerCommand(arguments, progress, in, out, err).run();
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

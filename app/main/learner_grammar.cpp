@@ -2,7 +2,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::program {
 
 CLI::App* add_learner_command(CLI::App& app, LearnerArguments& arguments) {
     CLI::App* learner = app.add_subcommand("learner", phrase("help.learner"));
@@ -22,4 +22,4 @@ void add_learner_option(CLI::App& app, ExploreArguments& arguments) {
         ->excludes(app.get_option("--record-in"));
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

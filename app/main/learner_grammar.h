@@ -5,7 +5,7 @@
 
 #include "app/main/commands.h"
 
-namespace handrail {
+namespace handrail::program {
 
 // Adds the command. Parsing fills in `arguments`, which outlive the grammar.
 CLI::App* add_learner_command(CLI::App& app, LearnerArguments& arguments);
@@ -13,4 +13,4 @@ CLI::App* add_learner_command(CLI::App& app, LearnerArguments& arguments);
 // Adds --learner NAME for exploring. It excludes --record-in, which must already be in the grammar.
 void add_learner_option(CLI::App& app, ExploreArguments& arguments);
 
-}  // namespace handrail
+}  // namespace handrail::program

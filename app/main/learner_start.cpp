@@ -5,24 +5,24 @@
 #include "app/learners/lesson_progress.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::program {
 
 namespace fs = std::filesystem;
 
 Result<void> begin_as_learner(ExploreCall& call) {
     ExploreArguments& arguments = call.arguments;
     if (arguments.learner.empty()) return {};
-    const Learners learners(user_data_folder());
+    const learners::Learners learners(core::user_data_folder());
     const auto learner = learners.find(arguments.learner);
     if (!learner) return tl::unexpected(learner.error());
-    const bool may_record = learner->allows(Purpose::Record, today());
+    const bool may_record = learner->allows(learners::Purpose::Record, learners::today());
     if (arguments.record_in && !may_record) return fail(phrase("learner.not_recorded", {{"name", learner->name}}));
     if (may_record) arguments.record_in = learners.recordings_of(learner->id);
     if (!call.settings.file) call.settings.file = learners.settings_of(learner->id);
     arguments.common.data_in = learners.folder_of(learner->id);
-    arguments.remember = learner->allows(Purpose::Remember, today());
+    arguments.remember = learner->allows(learners::Purpose::Remember, learners::today());
     if (!arguments.remember)  // deletes what was kept before the consent was withdrawn
-        if (auto forgotten = forget_lessons(arguments.common.data_in); !forgotten) return forgotten;
+        if (auto forgotten = learners::forget_lessons(arguments.common.data_in); !forgotten) return forgotten;
     arguments.learner = learner->name;
     arguments.news.push_back(phrase("learner.welcome", {{"name", learner->name}}));
     return {};
@@ -34,7 +34,7 @@ Result<void> begin_as_learner(LessonCall& call) {
     if (arguments.learner.empty() || arguments.check || (arguments.file == "watch" && !fs::exists(arguments.file, ec)))
         return {};
     if (arguments.protocol) {  // a protocol may be printed before the learner exists
-        if (const auto learner = Learners(user_data_folder()).find(arguments.learner))
+        if (const auto learner = learners::Learners(core::user_data_folder()).find(arguments.learner))
             arguments.learner = learner->name;
         return {};
     }
@@ -58,4 +58,4 @@ ExploreCall as_somebody_else(ExploreCall asked, ExploreEnd end) {
     return asked;
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -3,7 +3,7 @@
 
 #include "app/main/command_line.h"
 
-namespace handrail {
+namespace handrail::program {
 
 // Changes the call to that of the learner it names; a call that names none stays as it is. Fails if there is no such
 // learner, if the file cannot be read, or if a recording is requested to which the learner has not agreed.
@@ -16,4 +16,4 @@ Result<void> begin_as_learner(LessonCall& call);
 // before it was changed to that of a learner.
 ExploreCall as_somebody_else(ExploreCall asked, ExploreEnd end);
 
-}  // namespace handrail
+}  // namespace handrail::program

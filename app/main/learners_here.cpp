@@ -7,11 +7,11 @@
 #include "app/teaching/lesson_file.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::program {
 
-LearnersHere::LearnersHere(const ExploreArguments& arguments, Session& app, SessionRecording& recording,
+LearnersHere::LearnersHere(const ExploreArguments& arguments, core::Session& app, SessionRecording& recording,
                            const SessionVoice& say)
-    : arguments_(arguments), app_(app), recording_(recording), say_(say), learners_(user_data_folder()) {}
+    : arguments_(arguments), app_(app), recording_(recording), say_(say), learners_(core::user_data_folder()) {}
 
 void LearnersHere::turn(double now_s) {
     if (app_.requests().take_learners()) show(now_s);
@@ -19,39 +19,39 @@ void LearnersHere::turn(double now_s) {
 }
 
 void LearnersHere::show(double now_s) {
-    Learners::Found found = learners_.all();
+    learners::Learners::Found found = learners_.all();
     for (const Error& fault : found.faults) say_(fault.sentence());
     if (found.learners.empty()) return say_(phrase("learner.none"));
     if (recording_.leave_off()) say_(phrase("learner.recording_ends"));
     shown_ = std::move(found.learners);
     const std::string& here = arguments_.learner;
-    TeacherActed act{TeacherActed::Kind::Learners, {}, {}, {}, 0.0};
+    core::TeacherActed act{core::TeacherActed::Kind::Learners, {}, {}, {}, 0.0};
     act.text = here.empty() ? phrase("learner.nobody_here") : phrase("learner.here", {{"name", here}});
     act.items = {phrase("learner.nobody_by_name"), {}};
-    for (const Learner& one : shown_) {
+    for (const learners::Learner& one : shown_) {
         if (one.name == here) act.number = static_cast<double>(act.items.size() / 2);
         act.items.push_back(one.name);
-        act.items.push_back(agreed_words(one, today()));
+        act.items.push_back(learners::agreed_words(one, learners::today()));
     }
     app_.apply(std::move(act), now_s);
 }
 
 // Says what is kept about the current learner, and where their lessons continue.
-std::string LearnersHere::told_of(const Learner& learner) const {
+std::string LearnersHere::told_of(const learners::Learner& learner) const {
     const std::filesystem::path folder = learners_.folder_of(learner.id);
-    const Holdings holdings = holdings_of(folder);
+    const learners::Holdings holdings = learners::holdings_of(folder);
     std::string words = phrase("learner.here", {{"name", learner.name}}) + " " +
                         phrase("learner.listed", {{"name", learner.name},
-                                                  {"purposes", agreed_words(learner, today())},
+                                                  {"purposes", learners::agreed_words(learner, learners::today())},
                                                   {"recordings", holdings.recordings}});
     if (holdings.worlds > 0) words += " " + phrase("learner.knows_worlds", {{"worlds", holdings.worlds}});
-    const auto lessons = lessons_begun(folder);
+    const auto lessons = learners::lessons_begun(folder);
     if (!lessons) return words + " " + lessons.error().sentence();
-    for (const LessonProgress& one : *lessons)
-        if (const auto lesson = read_lesson(one.file, {world_folder()}, toml_beside_worlds()))
+    for (const learners::LessonProgress& one : *lessons)
+        if (const auto lesson = teaching::read_lesson(one.file, {world_folder()}, toml_beside_worlds()))
             words += " " + phrase("learner.lesson_goes_on",
                                   {{"title", lesson->title.spoken()},
-                                   {"number", session_behind(one.taught, lesson->sessions.size()) + 1},
+                                   {"number", learners::session_behind(one.taught, lesson->sessions.size()) + 1},
                                    {"count", lesson->sessions.size()}});
     return words;
 }
@@ -70,4 +70,4 @@ void LearnersHere::choose(std::size_t at, double now_s) {
     next_ = learner->id;
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -13,12 +13,13 @@
 #include "app/main/session_recording.h"
 #include "app/main/session_voice.h"
 
-namespace handrail {
+namespace handrail::program {
 
 class LearnersHere {
 public:
     // All of these outlive this object.
-    LearnersHere(const ExploreArguments& arguments, Session& app, SessionRecording& recording, const SessionVoice& say);
+    LearnersHere(const ExploreArguments& arguments, core::Session& app, SessionRecording& recording,
+                 const SessionVoice& say);
 
     // Call once a frame, before the session's tick.
     void turn(double now_s);
@@ -28,15 +29,15 @@ public:
 private:
     void show(double now_s);
     void choose(std::size_t at, double now_s);
-    std::string told_of(const Learner& learner) const;
+    std::string told_of(const learners::Learner& learner) const;
 
     const ExploreArguments& arguments_;
-    Session& app_;
+    core::Session& app_;
     SessionRecording& recording_;
     const SessionVoice& say_;
-    const Learners learners_;
-    std::vector<Learner> shown_;  // in the list they follow the entry for nobody named
+    const learners::Learners learners_;
+    std::vector<learners::Learner> shown_;  // in the list they follow the entry for nobody named
     std::optional<std::string> next_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -7,7 +7,7 @@
 #include "haptic/device/simulated_device.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 constexpr double kPeriod_s = 1e-3;
@@ -40,12 +40,14 @@ bool LeftHand::take_change(std::vector<std::string>& news) {
     return found->device && use(found->facts, std::move(found->device), news);
 }
 
-bool LeftHand::use(const HandFacts& facts, std::unique_ptr<GuardedDevice> device, std::vector<std::string>& news) {
+bool LeftHand::use(const core::HandFacts& facts, std::unique_ptr<drivers::GuardedDevice> device,
+                   std::vector<std::string>& news) {
     guarded_ = device.get();
-    std::unique_ptr<HapticDevice> held = std::move(device);
-    if (facts.simulated) held = std::make_unique<SimulatedDevice>(facts.spec, std::make_shared<SimulatedHand>());
-    servo_ = std::make_unique<ServoLoop>(std::move(held), clock_, kPeriod_s,
-                                         ServoLoop::Links{&switches_, &contacts_, recording_});
+    std::unique_ptr<device::HapticDevice> held = std::move(device);
+    if (facts.simulated)
+        held = std::make_unique<device::SimulatedDevice>(facts.spec, std::make_shared<device::SimulatedHand>());
+    servo_ = std::make_unique<servo::ServoLoop>(std::move(held), clock_, kPeriod_s,
+                                                servo::ServoLoop::Links{&switches_, &contacts_, recording_});
     if (const auto opened = servo_->open(); !opened) {
         news.push_back(phrase("program.for_left_hand", {{"problem", opened.error().sentence()}}));
         guarded_ = nullptr;
@@ -58,11 +60,11 @@ bool LeftHand::use(const HandFacts& facts, std::unique_ptr<GuardedDevice> device
     return true;
 }
 
-const ToolState& LeftHand::tool() { return servo_ ? servo_->tool() : none_; }
+const servo::ToolState& LeftHand::tool() { return servo_ ? servo_->tool() : none_; }
 
 void LeftHand::stop() {
     search_.reset();
     if (servo_) servo_->stop();
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -11,12 +11,12 @@
 #include "app/main/find_hand.h"
 #include "haptic/servo/servo_loop.h"
 
-namespace handrail {
+namespace handrail::program {
 
 class LeftHand {
 public:
     // Both outlive this object.
-    LeftHand(Clock& clock, const ServoSwitches& switches, HandRing* recording)
+    LeftHand(Clock& clock, const servo::ServoSwitches& switches, servo::HandRing* recording)
         : clock_(clock), switches_(switches), recording_(recording) {}
 
     // Starts to search for a device by name or serial number; with "none" there is no second hand.
@@ -24,27 +24,28 @@ public:
     // Call once a frame; adds what is new. Returns true on the frame on which the hand was found.
     bool take_change(std::vector<std::string>& news);
     bool real() const { return guarded_ != nullptr; }
-    const HandFacts& facts() const { return facts_; }
-    ServoInbox* servo() { return servo_.get(); }  // null: there is no second hand
-    const ToolState& tool();
+    const core::HandFacts& facts() const { return facts_; }
+    servo::ServoInbox* servo() { return servo_.get(); }  // null: there is no second hand
+    const servo::ToolState& tool();
     // For the audio thread, which reads it from the start.
-    ServoLoop::EventRing& contacts() { return contacts_; }
+    servo::ServoLoop::EventRing& contacts() { return contacts_; }
     // Removes the force and waits for that, at most 76 ms.
     void stop();
 
 private:
-    bool use(const HandFacts& facts, std::unique_ptr<GuardedDevice> device, std::vector<std::string>& news);
+    bool use(const core::HandFacts& facts, std::unique_ptr<drivers::GuardedDevice> device,
+             std::vector<std::string>& news);
 
     Clock& clock_;
-    const ServoSwitches& switches_;
-    HandRing* recording_;
-    ServoLoop::EventRing contacts_;
+    const servo::ServoSwitches& switches_;
+    servo::HandRing* recording_;
+    servo::ServoLoop::EventRing contacts_;
     std::optional<Hand> simulated_;  // waits to be used
     std::optional<HandSearch> search_;
-    std::unique_ptr<ServoLoop> servo_;
-    GuardedDevice* guarded_ = nullptr;  // servo_ owns it
-    HandFacts facts_;
-    ToolState none_;
+    std::unique_ptr<servo::ServoLoop> servo_;
+    drivers::GuardedDevice* guarded_ = nullptr;  // servo_ owns it
+    core::HandFacts facts_;
+    servo::ToolState none_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

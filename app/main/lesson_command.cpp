@@ -11,19 +11,19 @@
 #include "audio-cues/sinks/recording_sinks.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 // 0: every pupil's expectations hold; 1: one does not, or a script cannot be done.
-int check_lesson(const std::shared_ptr<TaughtWorld>& world, RoomsKept& rooms_kept, const LongWork& progress,
-                 std::ostream& out) {
+int check_lesson(const std::shared_ptr<teaching::TaughtWorld>& world, core::RoomsKept& rooms_kept,
+                 const LongWork& progress, std::ostream& out) {
     bool all_hold = true;
-    for (const LessonPupil& pupil : world->lesson().pupils) {
-        RecordingAudio audio;
-        RecordingSpeech speech;
+    for (const teaching::LessonPupil& pupil : world->lesson().pupils) {
+        sinks::RecordingAudio audio;
+        sinks::RecordingSpeech speech;
         progress.at(phrase("progress.scenario", {{"title", pupil.name}}));
         const auto outcome =
-            run_pupil(world, pupil, audio, speech, {imported_scene, toml_beside_worlds()}, &rooms_kept);
+            teaching::run_pupil(world, pupil, audio, speech, {imported_scene, toml_beside_worlds()}, &rooms_kept);
         progress.done();
         std::vector<std::string> failures =
             outcome ? outcome->failures : std::vector<std::string>{outcome.error().sentence()};
@@ -47,25 +47,25 @@ std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments
                               std::ostream& err, const LongWork& progress) {
     std::error_code ec;
     if (arguments.file == "watch" && !std::filesystem::exists(arguments.file, ec))
-        return watch_desk(desk_folder(), STDIN_FILENO, out, err);
-    const LearnerName learner = learner_named(arguments.learner);
+        return teaching::watch_desk(teaching::desk_folder(), STDIN_FILENO, out, err);
+    const teaching::LearnerName learner = teaching::learner_named(arguments.learner);
     const auto refused = [&](const Error& error) {
         fmt::print(err, "{}\n", error.sentence());
         return 2;
     };
     const auto file = lesson_given(arguments.file);
     if (!file) return refused(file.error());
-    RoomsKept of_all_pupils;
+    core::RoomsKept of_all_pupils;
     progress.at(phrase("progress.lesson"));
     auto world = read_taught_world(*file, &of_all_pupils);
     progress.done();
     if (!world) return refused(world.error());
     if (arguments.check) return check_lesson(*world, of_all_pupils, progress, out);
     if (arguments.protocol) {  // of what can be taught: what its world lacks is found before it is printed
-        out << protocol_of((*world)->lesson(), learner);
+        out << teaching::protocol_of((*world)->lesson(), learner);
         return 0;
     }
-    const LessonFile& lesson = (*world)->lesson();
+    const teaching::LessonFile& lesson = (*world)->lesson();
     if (arguments.session && (*arguments.session < 1 || *arguments.session > lesson.sessions.size())) {
         fmt::print(err, "{}\n", phrase("teaching.sessions_are", {{"count", lesson.sessions.size()}}));
         return 2;
@@ -76,13 +76,14 @@ std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments
         explore.news.push_back(
             phrase("teaching.session_is_next", {{"number", session + 1}, {"count", lesson.sessions.size()}}));
     }
-    SettingsStore lesson_settings;
-    explore.lesson_settings = conditions_of(lesson, session);
+    settings::SettingsStore lesson_settings;
+    explore.lesson_settings = teaching::conditions_of(lesson, session);
     for (const auto& [key, value] : explore.lesson_settings)
-        if (const auto set = lesson_settings.set(key, value, SettingSource::World); !set) return refused(set.error());
+        if (const auto set = lesson_settings.set(key, value, settings::SettingSource::World); !set)
+            return refused(set.error());
     explore.world = lesson.world;
     explore.lesson = LessonToTeach{std::move(*world), session, learner};
     return std::nullopt;
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -2,7 +2,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::program {
 
 CLI::App* add_lesson_command(CLI::App& app, LessonCall& call) {
     CLI::App* sub = app.add_subcommand("lesson", phrase("help.lesson"));
@@ -23,4 +23,4 @@ CLI::App* add_lesson_command(CLI::App& app, LessonCall& call) {
     return sub;
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

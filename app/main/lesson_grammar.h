@@ -5,9 +5,9 @@
 
 #include "app/main/command_line.h"
 
-namespace handrail {
+namespace handrail::program {
 
 // The command without its settings. Parsing fills in `call`, which outlives the grammar.
 CLI::App* add_lesson_command(CLI::App& app, LessonCall& call);
 
-}  // namespace handrail
+}  // namespace handrail::program

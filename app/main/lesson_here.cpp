@@ -14,7 +14,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,10 +49,10 @@ std::vector<fs::path> lessons_near(const fs::path& world) {
 
 void read_lessons_ahead(const fs::path& world, const std::stop_token& stop) {
     for (const fs::path& file : lessons_near(world))
-        if (!stop.stop_requested()) (void)read_lesson(file, {world_folder()}, toml_beside_worlds());
+        if (!stop.stop_requested()) (void)teaching::read_lesson(file, {world_folder()}, toml_beside_worlds());
 }
 
-fs::path lessons_folder() { return user_data_folder("lessons"); }
+fs::path lessons_folder() { return core::user_data_folder("lessons"); }
 
 Result<fs::path> lesson_given(const fs::path& word) {
     std::error_code ec;
@@ -68,25 +68,25 @@ Result<fs::path> lesson_given(const fs::path& word) {
     return fail(phrase("teaching.no_lesson", {{"word", word.string()}, {"names", names}}));
 }
 
-Result<std::shared_ptr<TaughtWorld>> read_taught_world(const fs::path& file, RoomsKept* rooms_kept) {
-    auto lesson = read_lesson(file, {world_folder()}, toml_beside_worlds());
+Result<std::shared_ptr<teaching::TaughtWorld>> read_taught_world(const fs::path& file, core::RoomsKept* rooms_kept) {
+    auto lesson = teaching::read_lesson(file, {world_folder()}, toml_beside_worlds());
     if (!lesson) return tl::unexpected(lesson.error());
     auto scene = imported_scene({.file = lesson->world});
     if (!scene) return tl::unexpected(scene.error());
     const std::string checksum =
-        lesson->world_checksum.empty() ? std::string() : SideFile::checksum_of_world(lesson->world);
-    return TaughtWorld::find(std::move(*lesson), std::make_shared<const Scene>(std::move(*scene)), checksum,
-                             rooms_kept);
+        lesson->world_checksum.empty() ? std::string() : core::SideFile::checksum_of_world(lesson->world);
+    return teaching::TaughtWorld::find(std::move(*lesson), std::make_shared<const Scene>(std::move(*scene)), checksum,
+                                       rooms_kept);
 }
 
 // Offers the lessons for the current world.
 void LessonHere::offer(double now_s) {
     const fs::path& world = worlds_.path();
     offered_.clear();
-    TeacherActed act{TeacherActed::Kind::Offer, {}, {}, {}, 0.0};
+    core::TeacherActed act{core::TeacherActed::Kind::Offer, {}, {}, {}, 0.0};
     for (const fs::path& file : lessons_near(world)) {
         std::error_code ec;
-        const auto lesson = read_lesson(file, {world_folder()}, toml_beside_worlds());
+        const auto lesson = teaching::read_lesson(file, {world_folder()}, toml_beside_worlds());
         if (!lesson || !fs::equivalent(lesson->world, world, ec)) continue;
         offered_.push_back(file);
         std::vector<std::string> news;
@@ -101,27 +101,28 @@ void LessonHere::offer(double now_s) {
     app_.apply(std::move(act), now_s);
 }
 
-std::size_t next_session(const ExploreArguments& arguments, const LessonFile& lesson, std::vector<std::string>& news) {
+std::size_t next_session(const ExploreArguments& arguments, const teaching::LessonFile& lesson,
+                         std::vector<std::string>& news) {
     if (!arguments.remember || arguments.common.data_in.empty()) return 0;
-    const auto taught = session_taught(arguments.common.data_in, lesson.file);
+    const auto taught = learners::session_taught(arguments.common.data_in, lesson.file);
     if (!taught) news.push_back(taught.error().sentence());
-    return taught ? session_behind(*taught, lesson.sessions.size()) : 0;
+    return taught ? learners::session_behind(*taught, lesson.sessions.size()) : 0;
 }
 
 void LessonHere::begin(const LessonToTeach& lesson, double now_s) {
     close(now_s);
     taught_ = lesson;
     begun_s_ = now_s;
-    begun_utc_ = now_utc();
-    worlds_.set_lesson_settings(conditions_of(lesson.world->lesson(), lesson.session), now_s);
-    run_.emplace(begin_lesson(lesson.world, lesson.session, lesson.learner, app_));
-    const LessonFile& file = lesson.world->lesson();
-    const std::string title = one_after(
+    begun_utc_ = learners::now_utc();
+    worlds_.set_lesson_settings(teaching::conditions_of(lesson.world->lesson(), lesson.session), now_s);
+    run_.emplace(teaching::begin_lesson(lesson.world, lesson.session, lesson.learner, app_));
+    const teaching::LessonFile& file = lesson.world->lesson();
+    const std::string title = teaching::one_after(
         phrase("desk_order.title", {{"lesson", file.title.spoken()},
                                     {"session", file.sessions[lesson.session].name},
                                     {"world", spoken_name(*lesson.world->scene())}}),
         lesson.learner.name.empty() ? std::string() : phrase("desk_order.learner", {{"name", lesson.learner.name}}));
-    if (auto desk = DeskServer::open(desk_folder(), title)) desk_ = std::move(*desk);
+    if (auto desk = teaching::DeskServer::open(teaching::desk_folder(), title)) desk_ = std::move(*desk);
     else say_(desk.error().sentence());
 }
 
@@ -130,10 +131,11 @@ void LessonHere::write_draft(double now_s) {
     const auto draft = app_.requests().take_lesson_draft();
     if (!draft) return;
     const fs::path& world = worlds_.path();
-    LessonFile lesson = three_sessions(*draft, world);
+    teaching::LessonFile lesson = teaching::three_sessions(*draft, world);
     std::error_code ec;
     const fs::path folder = lessons_folder();
-    if (!fs::equivalent(world_folder() / world.filename(), world, ec)) lesson.world_name = named_from(folder, world);
+    if (!fs::equivalent(world_folder() / world.filename(), world, ec))
+        lesson.world_name = teaching::named_from(folder, world);
     std::string stem;
     for (const char c : lower_ascii(draft->title))
         if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) stem += c;
@@ -145,13 +147,14 @@ void LessonHere::write_draft(double now_s) {
     for (int number = 2; fs::exists(file, ec); ++number) file = folder / fmt::format("{}-{}.lesson.toml", stem, number);
     // The draft may contain a learner's own marks and routes, and it is saved where others find it.
     const fs::path& data = arguments_.common.data_in;
-    const auto way_out = WayOut::of(Learners(user_data_folder()), data.empty() ? folder : data);
+    const auto way_out =
+        learners::WayOut::of(learners::Learners(core::user_data_folder()), data.empty() ? folder : data);
     const auto written = folder.empty() ? fail(phrase("files.no_home"))
-                         : way_out      ? way_out->write(file, lesson_text(lesson), write_file_atomically)
+                         : way_out      ? way_out->write(file, teaching::lesson_text(lesson), write_file_atomically)
                                         : tl::unexpected(way_out.error());
-    app_.apply(Told{written ? phrase("prepare.saved", {{"title", draft->title}, {"file", file.string()}})
-                            : written.error().sentence(),
-                    SpeechClass::Answer},
+    app_.apply(core::Told{written ? phrase("prepare.saved", {{"title", draft->title}, {"file", file.string()}})
+                                  : written.error().sentence(),
+                          cues::SpeechClass::Answer},
                now_s);
     if (written) offer(now_s);
 }
@@ -162,17 +165,17 @@ void LessonHere::begin_chosen(double now_s) {
         looked_for_.begin([lesson = offered_[*chosen]](const std::stop_token&) { return read_taught_world(lesson); });
     const auto looked = looked_for_.take();
     if (!looked) return;
-    if (const Result<std::shared_ptr<TaughtWorld>>& found = *looked) {
+    if (const Result<std::shared_ptr<teaching::TaughtWorld>>& found = *looked) {
         std::vector<std::string> news;  // already announced when it was offered
         const std::size_t session = next_session(arguments_, (*found)->lesson(), news);
-        begin({*found, session, learner_named(arguments_.learner)}, now_s);
-    } else app_.apply(Told{found.error().sentence(), SpeechClass::Answer}, now_s);
+        begin({*found, session, teaching::learner_named(arguments_.learner)}, now_s);
+    } else app_.apply(core::Told{found.error().sentence(), cues::SpeechClass::Answer}, now_s);
 }
 
 void LessonHere::listen_to_desk(double now_s) {
     if (!desk_) return;
-    for (const std::string& order : desk_->take_orders()) desk_->tell(carry_out_order(*run_, order, now_s));
-    if (now_s - told_s_ < TeachingRun::kSummary_s) return;
+    for (const std::string& order : desk_->take_orders()) desk_->tell(teaching::carry_out_order(*run_, order, now_s));
+    if (now_s - told_s_ < teaching::TeachingRun::kSummary_s) return;
     told_s_ = now_s;
     desk_->tell(run_->summary());
 }
@@ -191,7 +194,7 @@ void LessonHere::turn(bool speaking, double now_s) {
     if (!run_ || now_s - turned_s_ < kTurn_s) return;
     turned_s_ = now_s;
     listen_to_desk(now_s);
-    teach_on(*run_, app_, std::exchange(events_, {}), now_s, speaking);
+    teaching::teach_on(*run_, app_, std::exchange(events_, {}), now_s, speaking);
     if (!run_->over()) return;
     close(now_s);
     offer(now_s);
@@ -201,17 +204,18 @@ void LessonHere::turn(bool speaking, double now_s) {
 void LessonHere::close(double now_s) {
     if (run_ && arguments_.remember && !arguments_.common.data_in.empty()) {
         const std::filesystem::path& folder = arguments_.common.data_in;
-        const LessonFile& lesson = taught_.world->lesson();
+        const teaching::LessonFile& lesson = taught_.world->lesson();
         if (run_->finished())
-            if (const auto noted = note_session_taught(folder, lesson.file, taught_.session + 1); !noted)
+            if (const auto noted = learners::note_session_taught(folder, lesson.file, taught_.session + 1); !noted)
                 say_(noted.error().sentence());
         if (!arguments_.record_in && !run_->results().empty()) {
-            KeptResults results{
+            learners::KeptResults results{
                 begun_utc_, lesson.title.spoken(), spoken_name(*taught_.world->scene()), now_s - begun_s_, {}};
-            for (const TaskResult& one : run_->results())
-                results.tasks.push_back({one.ended_s - begun_s_, kStepWords.at(static_cast<std::size_t>(one.kind)),
-                                         one.name, one.measures});
-            if (const auto kept = keep_results(folder, results); !kept) say_(kept.error().sentence());
+            for (const teaching::TaskResult& one : run_->results())
+                results.tasks.push_back({one.ended_s - begun_s_,
+                                         teaching::kStepWords.at(static_cast<std::size_t>(one.kind)), one.name,
+                                         one.measures});
+            if (const auto kept = learners::keep_results(folder, results); !kept) say_(kept.error().sentence());
         }
     }
     if (run_) worlds_.set_lesson_settings({}, now_s);
@@ -221,8 +225,8 @@ void LessonHere::close(double now_s) {
 
 void LessonHere::end(double now_s) { close(now_s); }
 
-void LessonHere::see(const std::vector<SessionEvent>& events) {
+void LessonHere::see(const std::vector<core::SessionEvent>& events) {
     if (run_) events_.insert(events_.end(), events.begin(), events.end());
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -14,7 +14,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/patience.h"
 
-namespace handrail {
+namespace handrail::program {
 
 struct LongWork::State {
     std::mutex mutex;  // held while a sentence is reported, so that none follows after done() has returned
@@ -67,7 +67,7 @@ void LongWork::read(double fraction) const {
     state_->percent = static_cast<int>(100.0 * std::clamp(fraction, 0.0, 1.0));
 }
 
-ReadOptions LongWork::followed(ReadOptions options) const {
+readers::ReadOptions LongWork::followed(readers::ReadOptions options) const {
     if (!state_) return options;
     reading();
     options.progress = [to = *this](double fraction) { to.read(fraction); };
@@ -133,4 +133,4 @@ LongWorkLines::~LongWorkLines() {
     thread_.join();
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

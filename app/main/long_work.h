@@ -12,7 +12,7 @@
 
 #include "worlds/readers/reader.h"
 
-namespace handrail {
+namespace handrail::program {
 
 // A handle on the state that both sides share; copies refer to the same work. Any thread.
 class LongWork {
@@ -32,7 +32,7 @@ public:
     void reading(std::string_view stage = {}) const;
     void read(double fraction) const;
     // The same options, but with the reader's progress reported here.
-    ReadOptions followed(ReadOptions options) const;
+    readers::ReadOptions followed(readers::ReadOptions options) const;
     // The work is over; the next may again take two seconds in silence. When this returns, no report is under way.
     void done() const;
 
@@ -67,4 +67,4 @@ private:
     std::thread thread_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -22,8 +22,8 @@ void open_standard_descriptors() {
 
 int main(int argc, char** argv) {
     open_standard_descriptors();
-    const handrail::LongWork progress = handrail::LongWork::begun();
-    handrail::PlainOutput plain(std::cerr);
-    const handrail::LongWorkLines lines(progress, plain);
-    return handrail::run_command_line({argv + 1, argv + argc}, std::cout, std::cerr, progress);
+    const handrail::program::LongWork progress = handrail::program::LongWork::begun();
+    handrail::program::PlainOutput plain(std::cerr);
+    const handrail::program::LongWorkLines lines(progress, plain);
+    return handrail::program::run_command_line({argv + 1, argv + argc}, std::cout, std::cerr, progress);
 }

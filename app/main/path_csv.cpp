@@ -6,7 +6,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 std::string_view trimmed(std::string_view text) {
@@ -66,4 +66,4 @@ Result<std::vector<PathRow>> parse_path(std::string_view text, const std::string
     return rows;
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

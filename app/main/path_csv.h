@@ -9,7 +9,7 @@
 #include "worlds/base/result.h"
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::program {
 
 struct PathRow {
     double t_s = 0.0;      // finite, later than the row before
@@ -20,4 +20,4 @@ struct PathRow {
 // and a byte order mark are accepted.
 Result<std::vector<PathRow>> parse_path(std::string_view text, const std::string& file);
 
-}  // namespace handrail
+}  // namespace handrail::program

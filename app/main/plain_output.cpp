@@ -4,7 +4,7 @@
 
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 // True if the bytes may begin a direction control; all of them begin with one of these.
@@ -46,4 +46,4 @@ void PlainOutput::let_go() {
     held_.clear();
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

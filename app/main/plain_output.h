@@ -7,7 +7,7 @@
 #include <streambuf>
 #include <string>
 
-namespace handrail {
+namespace handrail::program {
 
 class PlainOutput : std::streambuf, public std::ostream {
 public:
@@ -26,4 +26,4 @@ private:
     std::string held_;  // the first bytes of a possible direction control, at most two
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -2,9 +2,9 @@
 
 #include <utility>
 
-namespace handrail {
+namespace handrail::program {
 
-bool ProgramLines::take(double now_s, WizardSession* wizard) {
+bool ProgramLines::take(double now_s, wizard::WizardSession* wizard) {
     if (wizard) return answer(*wizard, now_s);
     const bool first = !app_.scene();  // before the first world is read the person is nowhere
     if (first || worlds_.reading()) {
@@ -18,7 +18,7 @@ bool ProgramLines::take(double now_s, WizardSession* wizard) {
     return lines_.take(now_s);
 }
 
-bool ProgramLines::answer(WizardSession& wizard, double now_s) {
+bool ProgramLines::answer(wizard::WizardSession& wizard, double now_s) {
     if (!wizard.wants_line(now_s)) return true;
     auto line = lines_.take_next();
     if (!line) return false;
@@ -26,4 +26,4 @@ bool ProgramLines::answer(WizardSession& wizard, double now_s) {
     return true;
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -9,30 +9,30 @@
 #include "app/main/world_visits.h"
 #include "app/wizard/wizard_session.h"
 
-namespace handrail {
+namespace handrail::program {
 
 class ProgramLines {
 public:
     // Both outlive this object. `by_person`: a person types the lines, so they are not held back while a world is read,
     // as those of a script are.
-    ProgramLines(Session& app, WorldVisits& worlds, bool by_person)
+    ProgramLines(core::Session& app, WorldVisits& worlds, bool by_person)
         : app_(app), worlds_(worlds), by_person_(by_person), lines_(app) {}
 
-    CarriedLines& lines() { return lines_; }
+    core::CarriedLines& lines() { return lines_; }
     // Call once a frame. While a world is read, a person's lines are carried out at once, in the world the person is
     // still in; a script's lines wait. Returns false if there was nothing to do and nothing is awaited.
-    bool take(double now_s, WizardSession* wizard);
+    bool take(double now_s, wizard::WizardSession* wizard);
     // True if a line has ended the program.
     bool left() const { return left_ || lines_.left(); }
 
 private:
-    bool answer(WizardSession& wizard, double now_s);
+    bool answer(wizard::WizardSession& wizard, double now_s);
 
-    Session& app_;
+    core::Session& app_;
     WorldVisits& worlds_;
     const bool by_person_;
-    CarriedLines lines_;
+    core::CarriedLines lines_;
     bool left_ = false;  // before the first world was there
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

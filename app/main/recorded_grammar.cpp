@@ -6,7 +6,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::program {
 
 CLI::App* add_replay_command(CLI::App& app, ReplayArguments& arguments) {
     CLI::App* command = app.add_subcommand("replay", phrase("help.replay"));
@@ -14,7 +14,7 @@ CLI::App* add_replay_command(CLI::App& app, ReplayArguments& arguments) {
     CLI::Option* computed = command->add_flag("--check", arguments.check, phrase("help.replay_check"));
     const auto take_speed = [&arguments](const std::string& word) {
         double speed = 0.0;
-        if (!parse_finite(word, speed) || speed < Hearing::kSlowest || speed > Hearing::kFastest)
+        if (!parse_finite(word, speed) || speed < record::Hearing::kSlowest || speed > record::Hearing::kFastest)
             throw CLI::ValidationError(phrase("help.no_speed", {{"word", word}}));
         arguments.speed = speed;
     };
@@ -37,4 +37,4 @@ CLI::App* add_report_command(CLI::App& app, ReportArguments& arguments) {
     return command;
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -5,9 +5,9 @@
 
 #include "app/main/command_line.h"
 
-namespace handrail {
+namespace handrail::program {
 
 CLI::App* add_replay_command(CLI::App& app, ReplayArguments& arguments);
 CLI::App* add_report_command(CLI::App& app, ReportArguments& arguments);
 
-}  // namespace handrail
+}  // namespace handrail::program

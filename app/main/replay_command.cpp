@@ -27,7 +27,7 @@
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 namespace fs = std::filesystem;
@@ -43,7 +43,7 @@ enum class Wish : std::uint8_t { None, Stop, Back, On, Leave };
 constexpr std::array<std::string_view, 4> kTypedWords{"stop", "back", "on", "leave"};
 
 Wish wish_of(std::string_view typed) {
-    const std::string word = english_word("replay_word", kTypedWords, typed);
+    const std::string word = core::english_word("replay_word", kTypedWords, typed);
     const auto is_one_of = [&word](std::initializer_list<std::string_view> words) {
         return std::find(words.begin(), words.end(), word) != words.end();
     };
@@ -57,19 +57,20 @@ Wish wish_of(std::string_view typed) {
 // The person's wishes during playback: keys that act at once if the terminal supports them, else lines of words.
 class Wishes {
 public:
-    explicit Wishes(Clock& clock) : terminal_(RawTerminal::take(STDIN_FILENO, STDOUT_FILENO)) {
+    explicit Wishes(Clock& clock) : terminal_(terminal::RawTerminal::take(STDIN_FILENO, STDOUT_FILENO)) {
         const char* kind = std::getenv("TERM");
         if (terminal_)
-            keys_.emplace(STDIN_FILENO, terminal_keyboard(spoken_language(), kind ? kind : "", terminal_->erase()),
-                          clock, [](const std::string&) { return false; });
-        else lines_.emplace(STDIN_FILENO, LineWatch::WhenFull::Waits, [](std::string_view) { return false; });
+            keys_.emplace(STDIN_FILENO,
+                          terminal::terminal_keyboard(spoken_language(), kind ? kind : "", terminal_->erase()), clock,
+                          [](const std::string&) { return false; });
+        else lines_.emplace(STDIN_FILENO, terminal::LineWatch::WhenFull::Waits, [](std::string_view) { return false; });
     }
     bool has_keys() const { return keys_.has_value(); }
     std::vector<Wish> take() {
         std::vector<Wish> wishes;
         bool emptied = false;
         if (keys_)
-            for (const TimedInput& one : keys_->take(emptied))
+            for (const terminal::TimedInput& one : keys_->take(emptied))
                 wishes.push_back(wish_of(one.input.key.empty() ? one.input.text : one.input.key));
         else
             for (const std::string& line : lines_->take(emptied)) wishes.push_back(wish_of(line));
@@ -77,18 +78,18 @@ public:
     }
 
 private:
-    std::unique_ptr<RawTerminal> terminal_;
-    std::optional<TerminalKeys> keys_;
-    std::optional<LineWatch> lines_;
+    std::unique_ptr<terminal::RawTerminal> terminal_;
+    std::optional<terminal::TerminalKeys> keys_;
+    std::optional<terminal::LineWatch> lines_;
 };
 
 class HeardAgain {
 public:
-    HeardAgain(const Recording& recording, double speed, const Settings& settings)
+    HeardAgain(const record::Recording& recording, double speed, const settings::Settings& settings)
         : hearing_(recording, speed), wishes_(clock_) {
-        SoundOutputs outputs = open_sound_outputs(settings, STDOUT_FILENO);
-        sound_ = std::make_unique<AudioThread>(std::move(outputs.audio), std::move(outputs.speech), clock_, nullptr,
-                                               settings);
+        sinks::SoundOutputs outputs = sinks::open_sound_outputs(settings, STDOUT_FILENO);
+        sound_ = std::make_unique<cues::AudioThread>(std::move(outputs.audio), std::move(outputs.speech), clock_,
+                                                     nullptr, settings);
         sound_->start();
     }
 
@@ -100,14 +101,14 @@ public:
         while (!signals.asked() && !left_ && !(hearing_.over() && !speaking())) {
             const double now_s = clock_.now_s();
             for (const Wish wish : wishes_.take()) act(wish);
-            Hearing::Heard heard = hearing_.go_on(now_s - then_s, speaking());
+            record::Hearing::Heard heard = hearing_.go_on(now_s - then_s, speaking());
             then_s = now_s;
-            if (const FrameRow* place = hearing_.place())
+            if (const record::FrameRow* place = hearing_.place())
                 sound_->set_listener({place->feet_m + Vec3(0.0, 0.0, kEars_m), place->heading_rad, 0.0});
-            for (const Hearing::Knock& knock : heard.knocks) play(knock);
-            for (SaidLine& line : heard.lines)
+            for (const record::Hearing::Knock& knock : heard.knocks) play(knock);
+            for (record::SaidLine& line : heard.lines)
                 if (line.voiced) say(std::move(line.text));
-            clock_.sleep_until_s(now_s + kFrame_s);
+            clock_.sleep_until_s(now_s + core::kFrame_s);
         }
         sound_->stop(signals.asked() ? 0.0 : kReplayLastWords_s);
     }
@@ -120,16 +121,16 @@ private:
     bool speaking() const { return sound_->speaking() || clock_.now_s() - said_s_ < kBegins_s; }
 
     void say(std::string text) {
-        CueRequest request;
+        cues::CueRequest request;
         request.text = std::move(text);
         request.repeatable = true;
         request.time_s = said_s_ = clock_.now_s();
         sound_->post(std::move(request));
     }
-    void play(const Hearing::Knock& knock) {
-        CueRequest request;
-        request.kind = CueRequestKind::Play;
-        request.sound = SoundKind::Contact;
+    void play(const record::Hearing::Knock& knock) {
+        cues::CueRequest request;
+        request.kind = cues::CueRequestKind::Play;
+        request.sound = cues::SoundKind::Contact;
         request.time_s = clock_.now_s();
         request.position_m = knock.at_m;
         request.loudness = std::clamp(knock.force_n / 2.0, 0.2, 1.0);
@@ -137,22 +138,22 @@ private:
     }
     void act(Wish wish) {
         if (wish == Wish::None) return;
-        CueRequest quiet;
-        quiet.kind = CueRequestKind::StopSpeech;
+        cues::CueRequest quiet;
+        quiet.kind = cues::CueRequestKind::StopSpeech;
         quiet.time_s = clock_.now_s();
         sound_->post(std::move(quiet));
         if (wish == Wish::Leave) left_ = true;
         if (wish == Wish::Stop) hearing_.stop_or_go_on();
         if (wish == Wish::Back || wish == Wish::On)
-            hearing_.jump(wish == Wish::On ? Hearing::kJump_s : -Hearing::kJump_s);
+            hearing_.jump(wish == Wish::On ? record::Hearing::kJump_s : -record::Hearing::kJump_s);
         if (left_) return;
         say(phrase(hearing_.stopped() ? "replay.stopped_at" : "replay.at", {{"time", time_words(hearing_.at_s())}}));
     }
 
     SteadyClock clock_;
-    Hearing hearing_;
+    record::Hearing hearing_;
     Wishes wishes_;
-    std::unique_ptr<AudioThread> sound_;
+    std::unique_ptr<cues::AudioThread> sound_;
     double said_s_ = -1e9;
     bool left_ = false;
 };
@@ -160,39 +161,41 @@ private:
 // ---- conversion to tables ----
 
 template <class Rows>
-Result<void> write_table(const WayOut& way_out, const fs::path& file, std::string_view header, const Rows& rows) {
+Result<void> write_table(const learners::WayOut& way_out, const fs::path& file, std::string_view header,
+                         const Rows& rows) {
     if (rows.empty()) return {};
     std::string text = std::string(header) + "\r\n";
-    for (const auto& row : rows) text += fmt::format("{}\r\n", fmt::join(numbers_of(row), ","));
+    for (const auto& row : rows) text += fmt::format("{}\r\n", fmt::join(record::numbers_of(row), ","));
     return way_out.write(file, text, write_file_atomically);
 }
 
-Result<void> write_tables(const WayOut& way_out, const Recording& recording, const fs::path& folder) {
-    for (const Result<void>& written : {write_table(way_out, folder / "hand.csv", hand_header(), recording.hands[0]),
-                                        write_table(way_out, folder / "left.csv", hand_header(), recording.hands[1]),
-                                        write_table(way_out, folder / "frames.csv", frame_header(), recording.frames),
-                                        write_table(way_out, folder / "cues.csv", cue_header(), recording.cues),
-                                        write_table(way_out, folder / "engine.csv", engine_header(), recording.bodies)})
+Result<void> write_tables(const learners::WayOut& way_out, const record::Recording& recording, const fs::path& folder) {
+    for (const Result<void>& written :
+         {write_table(way_out, folder / "hand.csv", record::hand_header(), recording.hands[0]),
+          write_table(way_out, folder / "left.csv", record::hand_header(), recording.hands[1]),
+          write_table(way_out, folder / "frames.csv", record::frame_header(), recording.frames),
+          write_table(way_out, folder / "cues.csv", record::cue_header(), recording.cues),
+          write_table(way_out, folder / "engine.csv", record::engine_header(), recording.bodies)})
         if (!written) return written;
     return {};
 }
 
 // ---- recomputation ----
 
-int check(const Recording& recording, std::ostream& out, std::ostream& err, const LongWork& progress) {
-    if (const auto spoken = speak_language(recording.head.language, user_languages_folder()); !spoken) {
+int check(const record::Recording& recording, std::ostream& out, std::ostream& err, const LongWork& progress) {
+    if (const auto spoken = speak_language(recording.head.language, core::user_languages_folder()); !spoken) {
         err << spoken.error().sentence() << '\n';
         return 1;
     }
     progress.at(phrase("progress.again"));
-    const auto again = compute_again(recording, {imported_scene, toml_beside_worlds()});
+    const auto again = record::compute_again(recording, {imported_scene, toml_beside_worlds()});
     progress.done();
     if (!again) {
         err << again.error().sentence() << '\n';
         return 1;
     }
     for (const std::string& remark : again->remarks) out << remark << '\n';
-    if (const auto other = first_difference(recording, *again)) {
+    if (const auto other = record::first_difference(recording, *again)) {
         err << phrase("replay.differs", {{"line", other->line + 1},
                                          {"recorded", other->recorded},
                                          {"computed", other->computed},
@@ -214,21 +217,21 @@ fs::path newest_in(const fs::path& folder) {
     return newest;
 }
 
-int run_replay(const ReplayArguments& arguments, const Settings& settings, std::ostream& out, std::ostream& err,
-               const LongWork& progress) {
-    const fs::path folder = arguments.folder.value_or(newest_in(user_data_folder("recordings")));
+int run_replay(const ReplayArguments& arguments, const settings::Settings& settings, std::ostream& out,
+               std::ostream& err, const LongWork& progress) {
+    const fs::path folder = arguments.folder.value_or(newest_in(core::user_data_folder("recordings")));
     const auto refuse = [&err](const Error& error) {
         err << error.sentence() << '\n';
         return 1;
     };
     if (folder.empty()) return refuse({{}, 0, 0, phrase("replay.none")});
-    const auto way_out = WayOut::of(Learners(user_data_folder()), folder);
+    const auto way_out = learners::WayOut::of(learners::Learners(core::user_data_folder()), folder);
     if (!way_out) return refuse(way_out.error());
     for (const auto& file : {arguments.csv, arguments.scenario})
         if (file)
             if (const auto allowed = way_out->allows(*file); !allowed) return refuse(allowed.error());
     progress.at(phrase("progress.recording"));
-    const auto recording = read_recording(folder);
+    const auto recording = record::read_recording(folder);
     progress.done();
     if (!recording) return refuse(recording.error());
     for (const Error& problem : recording->problems) err << problem.sentence() << '\n';
@@ -237,14 +240,14 @@ int run_replay(const ReplayArguments& arguments, const Settings& settings, std::
         if (const auto written = write_tables(*way_out, *recording, *arguments.csv); !written)
             return refuse(written.error());
     if (arguments.scenario) {
-        auto scenario = scenario_of(*recording, folder.filename().string());
+        auto scenario = record::scenario_of(*recording, folder.filename().string());
         progress.at(phrase("progress.scenario", {{"title", folder.filename().string()}}));
-        if (scenario) scenario = as_it_runs(std::move(*scenario), {imported_scene, toml_beside_worlds()});
+        if (scenario) scenario = record::as_it_runs(std::move(*scenario), {imported_scene, toml_beside_worlds()});
         progress.done();
         if (!scenario) return refuse(scenario.error());
         for (const std::string& sentence : scenario->left_out) out << sentence << '\n';
         if (const auto written =
-                way_out->write(*arguments.scenario, with_expectations(*scenario), write_named_file_atomically);
+                way_out->write(*arguments.scenario, record::with_expectations(*scenario), write_named_file_atomically);
             !written)
             return refuse(written.error());
     }
@@ -254,4 +257,4 @@ int run_replay(const ReplayArguments& arguments, const Settings& settings, std::
     return 0;
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

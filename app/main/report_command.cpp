@@ -14,7 +14,7 @@
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 namespace fs = std::filesystem;
@@ -23,38 +23,38 @@ namespace fs = std::filesystem;
 // only once.
 class WorldBefore {
 public:
-    Result<std::shared_ptr<const Scene>> read(const RecordedWorld& world) {
+    Result<std::shared_ptr<const Scene>> read(const record::RecordedWorld& world) {
         if (scene_ && is_same(world)) return scene_;
         scene_.reset();
-        auto scene = read_recorded_scene(world, {imported_scene, toml_beside_worlds()});
+        auto scene = record::read_recorded_scene(world, {imported_scene, toml_beside_worlds()});
         if (!scene) return scene;
         world_ = world;
         return scene_ = *scene;
     }
-    RoomsKept* rooms_kept() { return &rooms_kept_; }
+    core::RoomsKept* rooms_kept() { return &rooms_kept_; }
 
 private:
-    bool is_same(const RecordedWorld& other) const {
-        const auto what = [](const RecordedWorld& of) {
+    bool is_same(const record::RecordedWorld& other) const {
+        const auto what = [](const record::RecordedWorld& of) {
             return std::tie(of.request, of.checksum, of.has_additions, of.additions);
         };
         return !other.checksum.empty() && what(world_) == what(other);
     }
 
-    RoomsKept rooms_kept_;
-    RecordedWorld world_;
+    core::RoomsKept rooms_kept_;
+    record::RecordedWorld world_;
     std::shared_ptr<const Scene> scene_;
 };
 
 // The report of one recording. Says if the recording is damaged or continues in other worlds.
-Result<SessionReport> report_of_folder(const fs::path& folder, WorldBefore& before, const LongWork& progress,
-                                       std::ostream& out, std::ostream& err) {
+Result<report::SessionReport> report_of_folder(const fs::path& folder, WorldBefore& before, const LongWork& progress,
+                                               std::ostream& out, std::ostream& err) {
     progress.at(phrase("progress.recording"));
-    const auto recording = read_recording(folder);
+    const auto recording = record::read_recording(folder);
     progress.done();
     if (!recording) return tl::unexpected(recording.error());
     for (const Error& problem : recording->problems) err << problem.sentence() << '\n';
-    const RecordedEvents events = events_of(*recording);
+    const record::RecordedEvents events = record::events_of(*recording);
     if (!events.world) return fail(phrase("report.no_world"), folder.string());
     if (events.more_worlds) out << phrase("report.first_world") << '\n';
     progress.at(phrase("progress.measures"));
@@ -97,7 +97,7 @@ private:
     }
 
     int of_session() {
-        const fs::path folder = arguments_.folder.value_or(newest_in(user_data_folder("recordings")));
+        const fs::path folder = arguments_.folder.value_or(newest_in(core::user_data_folder("recordings")));
         if (folder.empty()) return refuse({{}, 0, 0, phrase("replay.none")});
         if (auto way = way_out_of(folder); way) way_out_ = std::move(*way);
         else return refuse(way.error());
@@ -106,19 +106,19 @@ private:
         auto report = report_of_folder(folder, none, progress_, out_, err_);
         if (!report) return refuse(report.error());
         report->learner = way_out_.learner() ? way_out_.learner()->name : arguments_.learner;
-        const std::span<const SessionReport> one(&*report, 1);
-        if (const int status = write(arguments_.html ? report_page(*report) : std::string(), one); status != 0)
+        const std::span<const report::SessionReport> one(&*report, 1);
+        if (const int status = write(arguments_.html ? report::report_page(*report) : std::string(), one); status != 0)
             return status;
-        for (const std::string& sentence : report_words(*report)) out_ << sentence << '\n';
+        for (const std::string& sentence : report::report_words(*report)) out_ << sentence << '\n';
         return 0;
     }
 
     // A recording in a learner's folder belongs to that learner. For any other, the person says to whom it belongs.
-    Result<WayOut> way_out_of(const fs::path& folder) const {
-        auto way = WayOut::of(learners_, folder);
+    Result<learners::WayOut> way_out_of(const fs::path& folder) const {
+        auto way = learners::WayOut::of(learners_, folder);
         if (!way || arguments_.learner.empty()) return way;
         auto named = learners_.find(arguments_.learner);
-        if (!way->learner()) return named ? WayOut::of(learners_, std::move(*named)) : way;
+        if (!way->learner()) return named ? learners::WayOut::of(learners_, std::move(*named)) : way;
         if (named && named->id == way->learner()->id) return way;
         return fail(phrase("report.of_another", {{"name", way->learner()->name}}));
     }
@@ -134,9 +134,9 @@ private:
     int of_learner() {
         const auto learner = learners_.find(arguments_.learner);
         if (!learner) return refuse(learner.error());
-        way_out_ = WayOut::of(learners_, *learner);
+        way_out_ = learners::WayOut::of(learners_, *learner);
         if (const auto allowed = allowed_all(); !allowed) return refuse(allowed.error());
-        std::vector<SessionReport> reports;
+        std::vector<report::SessionReport> reports;
         WorldBefore before;
         for (const fs::path& folder : folders_in(learners_.recordings_of(learner->id))) {
             auto report = report_of_folder(folder, before, progress_, out_, err_);
@@ -148,25 +148,28 @@ private:
         }
         // Sessions of which the learner agreed to keep only the results.
         std::vector<Error> faults;
-        for (const KeptResults& kept : kept_results(learners_.folder_of(learner->id), faults))
+        for (const learners::KeptResults& kept : learners::kept_results(learners_.folder_of(learner->id), faults))
             reports.push_back(report_of(kept));
         for (const Error& fault : faults) err_ << fault.sentence() << '\n';
         std::stable_sort(reports.begin(), reports.end(),
-                         [](const SessionReport& a, const SessionReport& b) { return a.started_utc < b.started_utc; });
+                         [](const report::SessionReport& a, const report::SessionReport& b) {
+                             return a.started_utc < b.started_utc;
+                         });
         for (std::size_t i = 0; i < reports.size(); ++i) {
             reports[i].learner = learner->name;
             reports[i].learner_id = learner->id;
             reports[i].session = fmt::format("{}", i + 1);
         }
         if (reports.empty()) return refuse({{}, 0, 0, phrase("learner.no_sessions", {{"name", learner->name}})});
-        if (const int status = write(arguments_.html ? learner_page(reports) : std::string(), reports); status != 0)
+        if (const int status = write(arguments_.html ? report::learner_page(reports) : std::string(), reports);
+            status != 0)
             return status;
-        for (const std::string& sentence : learner_words(reports)) out_ << sentence << '\n';
+        for (const std::string& sentence : report::learner_words(reports)) out_ << sentence << '\n';
         return 0;
     }
 
-    int write(std::string page, std::span<const SessionReport> reports) {
-        const std::vector<ResultRow> rows = result_rows(reports);
+    int write(std::string page, std::span<const report::SessionReport> reports) {
+        const std::vector<report::ResultRow> rows = report::result_rows(reports);
         struct Made {
             fs::path path;
             std::string content;
@@ -175,11 +178,11 @@ private:
         std::vector<Made> files;
         if (arguments_.html) files.push_back({*arguments_.html, std::move(page)});
         if (arguments_.csv) {
-            files.push_back({*arguments_.csv, results_csv(rows)});
+            files.push_back({*arguments_.csv, report::results_csv(rows)});
             files.push_back({arguments_.csv->string() + "-metadata.json",
-                             results_metadata(arguments_.csv->filename().string()), false});
+                             report::results_metadata(arguments_.csv->filename().string()), false});
         }
-        if (arguments_.json) files.push_back({*arguments_.json, results_json(rows)});
+        if (arguments_.json) files.push_back({*arguments_.json, report::results_json(rows)});
         std::error_code ec;
         for (const Made& made : files)
             if (!arguments_.force && fs::exists(fs::symlink_status(made.path, ec)))
@@ -195,8 +198,8 @@ private:
 
     const ReportArguments& arguments_;
     const LongWork& progress_;
-    const Learners learners_{user_data_folder()};
-    WayOut way_out_;
+    const learners::Learners learners_{core::user_data_folder()};
+    learners::WayOut way_out_;
     std::ostream& out_;
     std::ostream& err_;
 };
@@ -207,4 +210,4 @@ int run_report(const ReportArguments& arguments, std::ostream& out, std::ostream
     return ReportCommand(arguments, progress, out, err).run();
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

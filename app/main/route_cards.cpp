@@ -8,7 +8,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 struct CardPlace {
@@ -19,9 +19,9 @@ struct CardPlace {
 };
 
 // Everything with a name that can be a destination. Rooms come first, since a thing may have the name of its room.
-std::vector<CardPlace> places_of(const Scene& scene, const RoomGraph& graph) {
+std::vector<CardPlace> places_of(const Scene& scene, const navigation::RoomGraph& graph) {
     std::vector<CardPlace> places;
-    for (const Room& room : graph.rooms) places.push_back({room.name, room.middle_m, std::nullopt, true});
+    for (const navigation::Room& room : graph.rooms) places.push_back({room.name, room.middle_m, std::nullopt, true});
     for (const Start& start : scene.starts)
         if (!start.name.empty()) places.push_back({start.name, start.feet_m, start.heading_rad});
     for (const Feature& feature : scene.features)
@@ -50,17 +50,19 @@ Result<CardPlace> base_of(const Scene& scene) {
 // A simulated person who stands at the start of a route and requests directions.
 class AtStart {
 public:
-    AtStart(const std::shared_ptr<const Scene>& scene, const Settings& settings) : session_(settings, HandFacts{}) {
-        session_.apply(WorldEntered{make_ready(scene)}, now_s_);
+    AtStart(const std::shared_ptr<const Scene>& scene, const settings::Settings& settings)
+        : session_(settings, core::HandFacts{}) {
+        session_.apply(core::WorldEntered{core::make_ready(scene)}, now_s_);
     }
 
     std::vector<std::string> legs(const Vec3& from_m, double heading_rad, const CardPlace& to) {
-        session_.apply(Placed{from_m, heading_rad}, now_s_);
+        session_.apply(core::Placed{from_m, heading_rad}, now_s_);
         // Ticks until the walker stands.
-        for (int i = 0; i < 30 && (i < 2 || !session_.standing()); ++i) session_.tick(now_s_ += kFrame_s, ToolState{});
+        for (int i = 0; i < 30 && (i < 2 || !session_.standing()); ++i)
+            session_.tick(now_s_ += core::kFrame_s, servo::ToolState{});
         const bool leads = session_.guide().follow_to(to.at_m, to.name, to.room, now_s_);
         for (int i = 0; i < 10 && leads && session_.guide().plans_rest(); ++i)
-            session_.tick(now_s_ += kFrame_s, ToolState{});
+            session_.tick(now_s_ += core::kFrame_s, servo::ToolState{});
         std::vector<std::string> legs = session_.guide().take_legs();
         if (!leads) legs.clear();
         session_.take_cues();
@@ -69,48 +71,50 @@ public:
     }
 
 private:
-    Session session_;
+    core::Session session_;
     double now_s_ = 0.0;
 };
 
-std::optional<CardRoute> way_between(AtStart& at_start, Navigation& navigation, const CardPlace& from,
-                                   const CardPlace& to) {
+std::optional<exports::CardRoute> way_between(AtStart& at_start, navigation::Navigation& navigation,
+                                              const CardPlace& from, const CardPlace& to) {
     const Vec3 start_m = navigation.nearest_place(from.at_m).value_or(from.at_m);
     double heading_rad = from.heading_rad.value_or(0.0);
     if (!from.heading_rad) {
-        const Route route = navigation.plan(start_m, to.at_m);
+        const navigation::Route route = navigation.plan(start_m, to.at_m);
         if (route.points_m.size() >= 2) {
             const Vec3 first = route.points_m[1] - route.points_m[0];
             heading_rad = std::atan2(first.x, first.y);
         }
     }
-    heading_rad = notch_heading_rad(nearest_notch(heading_rad));  // rounded to a direction that the card can name
+    heading_rad = navigation::notch_heading_rad(
+        navigation::nearest_notch(heading_rad));  // rounded to a direction that the card can name
     const std::vector<std::string> legs = at_start.legs(start_m, heading_rad, to);
     if (legs.empty()) return std::nullopt;
-    CardRoute way{phrase("export.card_title", {{"from", from.name}, {"to", to.name}}),
-                phrase("export.card_face", {{"direction", fine_compass_word(heading_rad)}})};
+    exports::CardRoute way{phrase("export.card_title", {{"from", from.name}, {"to", to.name}}),
+                           phrase("export.card_face", {{"direction", core::fine_compass_word(heading_rad)}})};
     way.insert(way.end(), legs.begin(), legs.end());
     return way;
 }
 
 }  // namespace
 
-Result<CardRoutes> card_ways(const std::shared_ptr<const Scene>& scene, const RoomGraph& graph, Navigation& navigation,
-                           const Storey& storey, const CardWish& wish) {
+Result<CardRoutes> card_ways(const std::shared_ptr<const Scene>& scene, const navigation::RoomGraph& graph,
+                             navigation::Navigation& navigation, const plan::Storey& storey, const CardWish& wish) {
     const std::vector<CardPlace> places = places_of(*scene, graph);
     const Result<CardPlace> from = wish.from ? place_named(places, *wish.from) : base_of(*scene);
     if (!from) return tl::unexpected(from.error());
     const std::uint32_t begins_in =
-        room_at(graph, navigation.space(), navigation.nearest_place(from->at_m).value_or(from->at_m));
+        navigation::room_at(graph, navigation.space(), navigation.nearest_place(from->at_m).value_or(from->at_m));
     std::vector<CardPlace> goals;
     if (wish.to) {
         const Result<CardPlace> to = place_named(places, *wish.to);
         if (!to) return tl::unexpected(to.error());
-        if (to->room && begins_in != kNothing && room_at(graph, navigation.space(), to->at_m) == begins_in)
+        if (to->room && begins_in != navigation::kNothing &&
+            navigation::room_at(graph, navigation.space(), to->at_m) == begins_in)
             return fail(phrase("export.begins_there", {{"room", to->name}}));
         goals.push_back(*to);
     } else {
-        for (const StoreyRoom& room : storey.rooms)
+        for (const plan::StoreyRoom& room : storey.rooms)
             if (room.room != begins_in)
                 goals.push_back({room.name, graph.rooms[room.room].middle_m, std::nullopt, true});
         std::sort(goals.begin(), goals.end(), [](const CardPlace& a, const CardPlace& b) { return a.name < b.name; });
@@ -126,4 +130,4 @@ Result<CardRoutes> card_ways(const std::shared_ptr<const Scene>& scene, const Ro
     return made;
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

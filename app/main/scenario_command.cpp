@@ -15,7 +15,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/markup.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,24 +49,25 @@ Result<std::vector<fs::path>> scenario_files(const std::vector<fs::path>& paths)
 }
 
 // Copies what the recording sinks received into the log against which expectations are checked.
-void note_heard(const RecordingAudio& audio, const RecordingSpeech& speech, SessionLog& log) {
-    for (const HeardSound& sound : audio.sounds()) log.sounds.push_back({sound.time_s, sound.cue, false});
-    for (const HeardSound& change : audio.loop_changes()) log.sounds.push_back({change.time_s, change.cue, true});
+void note_heard(const sinks::RecordingAudio& audio, const sinks::RecordingSpeech& speech, core::SessionLog& log) {
+    for (const sinks::HeardSound& sound : audio.sounds()) log.sounds.push_back({sound.time_s, sound.cue, false});
+    for (const sinks::HeardSound& change : audio.loop_changes())
+        log.sounds.push_back({change.time_s, change.cue, true});
     std::stable_sort(log.sounds.begin(), log.sounds.end(),
-                     [](const LoggedSound& a, const LoggedSound& b) { return a.time_s < b.time_s; });
-    for (const HeardSpeech& line : speech.lines()) log.lines.push_back({line.time_s, line.utterance.text});
+                     [](const core::LoggedSound& a, const core::LoggedSound& b) { return a.time_s < b.time_s; });
+    for (const sinks::HeardSpeech& line : speech.lines()) log.lines.push_back({line.time_s, line.utterance.text});
 }
 
 // Writes FOLDER/NAME.txt; NAME is the scenario file's.
-Result<void> write_transcript(const fs::path& folder, const Scenario& scenario, const WayOut& way_out,
-                              const SessionLog& log) {
+Result<void> write_transcript(const fs::path& folder, const core::Scenario& scenario, const learners::WayOut& way_out,
+                              const core::SessionLog& log) {
     const fs::path file = folder / scenario.file.filename().replace_extension(".txt");
     return way_out.write(file, transcript(log), write_file_atomically);
 }
 
-Outcome run_one(const Scenario& scenario, const WayOut& way_out, const ScenarioArguments& arguments) {
+Outcome run_one(const core::Scenario& scenario, const learners::WayOut& way_out, const ScenarioArguments& arguments) {
     Outcome outcome{scenario.file.filename().string(), scenario.title, {}, 0.0};
-    WorldRequest request = scenario.world;
+    core::WorldRequest request = scenario.world;
     const CommonArguments& common = arguments.common;
     if (!request.unit_m) request.unit_m = common.unit_m;
     if (!request.map_scale_m_per_unit) request.map_scale_m_per_unit = common.map_scale_m_per_unit;
@@ -77,16 +78,16 @@ Outcome run_one(const Scenario& scenario, const WayOut& way_out, const ScenarioA
         return outcome;
     }
     const auto shared = std::make_shared<const Scene>(std::move(*scene));
-    RecordingAudio audio;
-    RecordingSpeech speech;
-    auto log = run_scenario(scenario, shared, audio, speech, {imported_scene, toml_beside_worlds()});
+    sinks::RecordingAudio audio;
+    sinks::RecordingSpeech speech;
+    auto log = core::run_scenario(scenario, shared, audio, speech, {imported_scene, toml_beside_worlds()});
     if (!log) {
         outcome.failures.push_back(log.error().sentence());
         return outcome;
     }
     note_heard(audio, speech, *log);
     outcome.virtual_s = log->end_s;
-    outcome.failures = failures(scenario, *log, *log->scene);
+    outcome.failures = core::failures(scenario, *log, *log->scene);
     if (arguments.transcripts) {
         if (const auto written = write_transcript(*arguments.transcripts, scenario, way_out, *log); !written)
             outcome.failures.push_back(written.error().sentence());
@@ -117,12 +118,12 @@ std::string junit_xml(const std::vector<Outcome>& outcomes) {
 }
 
 // Each scenario may come from a recorded session, so the file belongs to all learners whose scenarios ran.
-Result<void> write_junit(const fs::path& file, const std::string& xml, const std::vector<WayOut>& ways_out) {
+Result<void> write_junit(const fs::path& file, const std::string& xml, const std::vector<learners::WayOut>& ways_out) {
     Result<void> written = {};
     bool of_learners = false;
-    for (const WayOut& way_out : ways_out)
+    for (const learners::WayOut& way_out : ways_out)
         if (written) written = way_out.allows(file);
-    for (const WayOut& way_out : ways_out) {
+    for (const learners::WayOut& way_out : ways_out) {
         if (!written || !way_out.learner()) continue;
         of_learners = true;
         written = way_out.write(file, xml, write_named_file_atomically);
@@ -139,16 +140,16 @@ int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::os
         return 2;
     }
     // All files are read before any runs, so that one bad file means that nothing has run.
-    std::vector<Scenario> scenarios;
-    std::vector<WayOut> ways_out;
-    const Learners learners(user_data_folder());
+    std::vector<core::Scenario> scenarios;
+    std::vector<learners::WayOut> ways_out;
+    const learners::Learners learners(core::user_data_folder());
     for (const fs::path& file : *files) {
-        auto scenario = read_scenario(file, {world_folder()});
+        auto scenario = core::read_scenario(file, {world_folder()});
         if (!scenario) {
             fmt::print(err, "{}\n", scenario.error().sentence());
             return 2;
         }
-        auto way_out = WayOut::of(learners, file);
+        auto way_out = learners::WayOut::of(learners, file);
         if (!way_out) {
             fmt::print(err, "{}\n", way_out.error().sentence());
             return 2;
@@ -182,4 +183,4 @@ int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::os
     return failed == 0 ? 0 : 1;
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -16,26 +16,27 @@
 #include "worlds/base/arrivals.h"
 #include "worlds/base/clock.h"
 
-namespace handrail {
+namespace handrail::program {
 
 class SessionRecording {
 public:
     // Begins a recording if the arguments request it. `news` get where it is, or why there is none. The clock outlives
     // this object.
-    SessionRecording(const ExploreArguments& arguments, const Settings& settings, Clock& clock,
+    SessionRecording(const ExploreArguments& arguments, const settings::Settings& settings, Clock& clock,
                      std::vector<std::string>& news);
 
     // For the parts that are recorded; null if nothing is recorded.
     Arrivals* arrivals() { return arrivals_ ? &*arrivals_ : nullptr; }
-    HandRing* hand(std::size_t which) { return recorder_ ? &recorder_->hand(which) : nullptr; }
-    EngineRecording* bodies() { return recorder_ ? &recorder_->bodies() : nullptr; }
-    void listen_to(Session& app);
+    servo::HandRing* hand(std::size_t which) { return recorder_ ? &recorder_->hand(which) : nullptr; }
+    dynamics::EngineRecording* bodies() { return recorder_ ? &recorder_->bodies() : nullptr; }
+    void listen_to(core::Session& app);
     // Call before the audio thread starts.
-    SoundOutputs noted(SoundOutputs outputs);
-    void listen_to(AudioThread& sound);
+    sinks::SoundOutputs noted(sinks::SoundOutputs outputs);
+    void listen_to(cues::AudioThread& sound);
 
     // Call after the session's tick; returns what happened in it.
-    std::vector<SessionEvent> ticked(Session& app, double now_s, const ToolState& tool, const ToolState& left_tool);
+    std::vector<core::SessionEvent> ticked(core::Session& app, double now_s, const servo::ToolState& tool,
+                                           const servo::ToolState& left_tool);
     // See Recorder::handed_over.
     void handed_over() {
         if (recorder_) recorder_->handed_over();
@@ -57,10 +58,10 @@ public:
 
 private:
     Clock& clock_;
-    std::unique_ptr<Recorder> recorder_;
+    std::unique_ptr<record::Recorder> recorder_;
     std::optional<Arrivals> arrivals_;
-    std::shared_ptr<StepNotes> steps_ = std::make_shared<StepNotes>();
+    std::shared_ptr<record::StepNotes> steps_ = std::make_shared<record::StepNotes>();
     bool set_up_ = false, left_off_ = false;
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -14,7 +14,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 constexpr double kSample_s = 0.1, kLeap_m = 1.0;
@@ -23,12 +23,12 @@ constexpr std::size_t kMostContacts = 20, kMostLines = 400;
 
 // ---- the walked path ----
 
-std::vector<WayPoint> way_of(const Recording& recording, const RecordedEvents& events) {
-    std::vector<WayPoint> walk;
+std::vector<results::WayPoint> way_of(const record::Recording& recording, const record::RecordedEvents& events) {
+    std::vector<results::WayPoint> walk;
     Vec3 before(0.0);
     bool leap = false, first = true;
     std::size_t leaps = 0;
-    for (const FrameRow& frame : recording.frames) {
+    for (const record::FrameRow& frame : recording.frames) {
         const double t_s = frame.now_s - recording.head.begun_s;
         if (t_s < events.from_s || t_s > events.to_s) continue;
         // Frames show the state at the end of a tick; leaps are noted during the tick.
@@ -43,9 +43,9 @@ std::vector<WayPoint> way_of(const Recording& recording, const RecordedEvents& e
     return walk;
 }
 
-std::span<const WayPoint> between_times(std::span<const WayPoint> walk, double from_s, double to_s) {
+std::span<const results::WayPoint> between_times(std::span<const results::WayPoint> walk, double from_s, double to_s) {
     const auto at = [&](double t_s) {
-        return std::partition_point(walk.begin(), walk.end(), [&](const WayPoint& p) { return p.t_s < t_s; });
+        return std::partition_point(walk.begin(), walk.end(), [&](const results::WayPoint& p) { return p.t_s < t_s; });
     };
     return {at(from_s), at(to_s + 1e-9)};
 }
@@ -55,16 +55,17 @@ bool any_near(std::span<const double> times_s, double t_s) {
                        [&](double one_s) { return std::abs(one_s - t_s) <= 0.5 * kSample_s; });
 }
 
-std::vector<WalkSample> samples_of(std::span<const WayPoint> walk, const RecordedEvents& events,
-                                   const std::shared_ptr<const Scene>& scene) {
-    const WalkerWorld solids(scene);
-    std::vector<WalkSample> samples;
+std::vector<results::WalkSample> samples_of(std::span<const results::WayPoint> walk,
+                                            const record::RecordedEvents& events,
+                                            const std::shared_ptr<const Scene>& scene) {
+    const core::WalkerWorld solids(scene);
+    std::vector<results::WalkSample> samples;
     std::size_t contact = 0, visit = 0;
-    for (const WayPoint& point : walk) {
-        WalkSample sample{.t_s = point.t_s, .place_m = point.place_m};
-        sample.wall_m = wall_beside_m(solids, point.place_m);
+    for (const results::WayPoint& point : walk) {
+        results::WalkSample sample{.t_s = point.t_s, .place_m = point.place_m};
+        sample.wall_m = core::wall_beside_m(solids, point.place_m);
         for (; contact < events.contacts.size() && events.contacts[contact].t_s <= point.t_s; ++contact) {
-            const RecordedContact& met = events.contacts[contact];
+            const record::RecordedContact& met = events.contacts[contact];
             const Feature* feature = scene->find(FeatureId{met.feature});
             if (feature && feature->kind == FeatureKind::Wall && point.t_s - met.t_s <= kTouchCounts_s)
                 sample.wall_touched = true;
@@ -79,43 +80,45 @@ std::vector<WalkSample> samples_of(std::span<const WayPoint> walk, const Recorde
 
 // ---- contents of the report ----
 
-std::vector<ReportStrategy> strategies_of(std::span<const WalkSample> samples, const Vec3& base_m, double to_s) {
-    constexpr std::array<std::pair<Strategy, const char*>, kStrategies> kKeys{{{Strategy::Perimeter, "perimeter"},
-                                                                               {Strategy::Grid, "grid"},
-                                                                               {Strategy::ObjectToObject, "object"},
-                                                                               {Strategy::BackToBase, "base"},
-                                                                               {Strategy::Mixed, "mixed"},
-                                                                               {Strategy::None, "none"}}};
-    const std::vector<StrategyWindow> windows = strategy_windows(samples, base_m);
-    std::array<double, kStrategies> seconds{};
+std::vector<report::ReportStrategy> strategies_of(std::span<const results::WalkSample> samples, const Vec3& base_m,
+                                                  double to_s) {
+    constexpr std::array<std::pair<results::Strategy, const char*>, results::kStrategies> kKeys{
+        {{results::Strategy::Perimeter, "perimeter"},
+         {results::Strategy::Grid, "grid"},
+         {results::Strategy::ObjectToObject, "object"},
+         {results::Strategy::BackToBase, "base"},
+         {results::Strategy::Mixed, "mixed"},
+         {results::Strategy::None, "none"}}};
+    const std::vector<results::StrategyWindow> windows = results::strategy_windows(samples, base_m);
+    std::array<double, results::kStrategies> seconds{};
     // The windows overlap: each counts until the next one ends.
     for (std::size_t i = 0; i < windows.size(); ++i) {
         const double begin_s = i == 0 ? windows[i].from_s : windows[i].to_s;
         const double end_s = i + 1 < windows.size() ? windows[i + 1].to_s : to_s;
         seconds[static_cast<std::size_t>(windows[i].kind)] += std::max(0.0, end_s - begin_s);
     }
-    std::vector<ReportStrategy> told;
+    std::vector<report::ReportStrategy> told;
     for (const auto& [kind, key] : kKeys)
         if (const double s = seconds[static_cast<std::size_t>(kind)]; s > 0.0) told.push_back({key, s});
     return told;
 }
 
-std::vector<ReportContact> contacts_of(const RecordedEvents& events, const Scene& scene) {
-    std::map<std::uint32_t, std::pair<ReportContact, std::vector<Touch>>> by_thing;
-    for (const RecordedContact& met : events.contacts) {
+std::vector<report::ReportContact> contacts_of(const record::RecordedEvents& events, const Scene& scene) {
+    std::map<std::uint32_t, std::pair<report::ReportContact, std::vector<results::Touch>>> by_thing;
+    for (const record::RecordedContact& met : events.contacts) {
         if (!scene.find(FeatureId{met.feature})) continue;
         auto& [told, touches] = by_thing[met.feature];
         told.place_m = {met.at_m.x, met.at_m.y};
-        told.name = sentence_case(spoken_name(scene.features[met.feature]));
+        told.name = core::sentence_case(spoken_name(scene.features[met.feature]));
         touches.push_back({met.t_s, met.feature});
     }
-    std::vector<ReportContact> contacts;
+    std::vector<report::ReportContact> contacts;
     for (auto& [feature, one] : by_thing) {
-        one.first.count = contact_episodes(one.second);
+        one.first.count = results::contact_episodes(one.second);
         if (!one.first.name.empty()) contacts.push_back(std::move(one.first));
     }
     std::stable_sort(contacts.begin(), contacts.end(),
-                     [](const ReportContact& a, const ReportContact& b) { return a.count > b.count; });
+                     [](const report::ReportContact& a, const report::ReportContact& b) { return a.count > b.count; });
     if (contacts.size() > kMostContacts) contacts.resize(kMostContacts);
     return contacts;
 }
@@ -125,26 +128,29 @@ int count_between(std::span<const double> times_s, double from_s, double to_s) {
         std::count_if(times_s.begin(), times_s.end(), [&](double t_s) { return t_s >= from_s && t_s <= to_s; }));
 }
 
-void add_pauses(ReportTask& task, std::span<const WayPoint> walk, const RecordedEvents& events) {
-    std::vector<Span> busy;
-    for (const RecordedSpan& span : events.busy) busy.push_back({span.from_s, span.to_s});
-    const Hesitations pauses = hesitations(walk, busy);
+void add_pauses(report::ReportTask& task, std::span<const results::WayPoint> walk,
+                const record::RecordedEvents& events) {
+    std::vector<results::Span> busy;
+    for (const record::RecordedSpan& span : events.busy) busy.push_back({span.from_s, span.to_s});
+    const results::Hesitations pauses = results::hesitations(walk, busy);
     task.measures.push_back({"pauses", static_cast<double>(pauses.count)});
     task.measures.push_back({"pause_time", pauses.sum_s});
 }
 
-ReportTask task_of(const RecordedRoute& way, double to_s, std::span<const WayPoint> all, const RecordedEvents& events,
-                   Navigation& navigation) {
-    ReportTask task{.kind = ReportTaskKind::Go, .name = way.goal, .reached = way.arrived_s.has_value(), .measures = {}};
+report::ReportTask task_of(const record::RecordedRoute& way, double to_s, std::span<const results::WayPoint> all,
+                           const record::RecordedEvents& events, navigation::Navigation& navigation) {
+    report::ReportTask task{
+        .kind = report::ReportTaskKind::Go, .name = way.goal, .reached = way.arrived_s.has_value(), .measures = {}};
     const double end_s = way.arrived_s.value_or(to_s);
     const auto walk = between_times(all, way.from_s, end_s);
     task.measures.push_back({"time", end_s - way.from_s});
     if (!walk.empty() && task.reached == true) {
-        const Route shortest = navigation.plan(walk.front().place_m, walk.back().place_m);
+        const navigation::Route shortest = navigation.plan(walk.front().place_m, walk.back().place_m);
         if (shortest.reaches) {
-            if (const auto ratio = path_ratio(way_walked_m(walk), level_way_m(shortest.points_m), true))
+            if (const auto ratio =
+                    results::path_ratio(results::way_walked_m(walk), results::level_way_m(shortest.points_m), true))
                 task.measures.push_back({"path_ratio", *ratio});
-            const TurnsMet turns = turns_met(shortest.points_m, walk);
+            const results::TurnsMet turns = results::turns_met(shortest.points_m, walk);
             task.measures.push_back({"turns_missed", static_cast<double>(turns.missed)});
             task.measures.push_back({"turns_early", static_cast<double>(turns.early)});
         }
@@ -154,15 +160,16 @@ ReportTask task_of(const RecordedRoute& way, double to_s, std::span<const WayPoi
     return task;
 }
 
-ReportTask task_of(const RecordedTask& done) {
-    constexpr std::array<std::pair<const char*, ReportTaskKind>, 7> kKinds{{{"learn", ReportTaskKind::Learn},
-                                                                            {"go", ReportTaskKind::Go},
-                                                                            {"free", ReportTaskKind::Free},
-                                                                            {"point", ReportTaskKind::Point},
-                                                                            {"distance", ReportTaskKind::Distance},
-                                                                            {"order", ReportTaskKind::Order},
-                                                                            {"ask", ReportTaskKind::Ask}}};
-    ReportTask task{.kind = ReportTaskKind::Free, .name = done.name, .reached = {}, .measures = {}};
+report::ReportTask task_of(const record::RecordedTask& done) {
+    constexpr std::array<std::pair<const char*, report::ReportTaskKind>, 7> kKinds{
+        {{"learn", report::ReportTaskKind::Learn},
+         {"go", report::ReportTaskKind::Go},
+         {"free", report::ReportTaskKind::Free},
+         {"point", report::ReportTaskKind::Point},
+         {"distance", report::ReportTaskKind::Distance},
+         {"order", report::ReportTaskKind::Order},
+         {"ask", report::ReportTaskKind::Ask}}};
+    report::ReportTask task{.kind = report::ReportTaskKind::Free, .name = done.name, .reached = {}, .measures = {}};
     for (const auto& [word, kind] : kKinds)
         if (done.kind == word) task.kind = kind;
     for (const auto& [key, value] : done.measures)
@@ -172,13 +179,13 @@ ReportTask task_of(const RecordedTask& done) {
 }
 
 // Adds the rooms that were walked through, and the path if it is on that storey.
-void add_rooms(SessionReport& report, std::span<const WayPoint> walk, const RoomGraph& graph, const WalkSpace& space,
-               int storey) {
+void add_rooms(report::SessionReport& report, std::span<const results::WayPoint> walk,
+               const navigation::RoomGraph& graph, const navigation::WalkSpace& space, int storey) {
     bool on_plan = false;
-    for (const WayPoint& point : walk) {
-        const std::uint32_t room = room_at(graph, space, point.place_m);
+    for (const results::WayPoint& point : walk) {
+        const std::uint32_t room = navigation::room_at(graph, space, point.place_m);
         const bool was = on_plan;
-        if (room != kNothing) {
+        if (room != navigation::kNothing) {
             on_plan = graph.rooms[room].level + 1 == storey;
             const std::string name = capitalised(graph.rooms[room].name);
             if (report.rooms.empty() || report.rooms.back() != name) report.rooms.push_back(name);
@@ -187,16 +194,16 @@ void add_rooms(SessionReport& report, std::span<const WayPoint> walk, const Room
         const Vec2 at(point.place_m.x, point.place_m.y);
         if (!was || point.leap) report.ways_m.emplace_back();
         std::vector<Vec2>& way = report.ways_m.back();
-        if (way.empty() || glm::length(at - way.back()) >= kWaySpacing_m) way.push_back(at);
+        if (way.empty() || glm::length(at - way.back()) >= results::kWaySpacing_m) way.push_back(at);
     }
 }
 
 // What was said. When a person looks through a list, only the first answer is kept and its items are left out.
-std::vector<ReportEvent> course_of(const Recording& recording, const RecordedEvents& events) {
-    std::vector<ReportEvent> course;
+std::vector<report::ReportEvent> course_of(const record::Recording& recording, const record::RecordedEvents& events) {
+    std::vector<report::ReportEvent> course;
     std::size_t list = 0;
     bool first = true;
-    for (const SaidLine& line : said_lines(recording)) {
+    for (const record::SaidLine& line : record::said_lines(recording)) {
         if (!line.voiced || line.t_s < events.from_s || line.t_s > events.to_s) continue;
         for (; list < events.lists.size() && events.lists[list].to_s <= line.t_s; ++list) first = true;
         const bool in_list = list < events.lists.size() && line.t_s >= events.lists[list].from_s;
@@ -206,34 +213,34 @@ std::vector<ReportEvent> course_of(const Recording& recording, const RecordedEve
     return course;
 }
 
-ReportTask whole(const RecordedEvents& events, std::span<const WayPoint> walk) {
-    ReportTask task{.kind = ReportTaskKind::Free, .name = {}, .reached = {}, .measures = {}};
-    std::vector<Touch> touches;
-    for (const RecordedContact& met : events.contacts) touches.push_back({met.t_s, met.feature});
+report::ReportTask whole(const record::RecordedEvents& events, std::span<const results::WayPoint> walk) {
+    report::ReportTask task{.kind = report::ReportTaskKind::Free, .name = {}, .reached = {}, .measures = {}};
+    std::vector<results::Touch> touches;
+    for (const record::RecordedContact& met : events.contacts) touches.push_back({met.t_s, met.feature});
     task.measures.push_back({"time", events.to_s - events.from_s});
     add_pauses(task, walk, events);
-    task.measures.push_back({"contacts_hand", static_cast<double>(contact_episodes(touches))});
+    task.measures.push_back({"contacts_hand", static_cast<double>(results::contact_episodes(touches))});
     task.measures.push_back({"help_asked", static_cast<double>(events.help_s.size())});
     return task;
 }
 
 }  // namespace
 
-Result<SessionReport> report_of(const Recording& recording, const RecordedEvents& events,
-                                const std::shared_ptr<const Scene>& scene, RoomsKept* rooms_kept) {
-    const WalkerSize size = body_size(*scene, Settings{}.walk.body_radius_m);
-    RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once(), RoutesKeeper{},
-                       rooms_kept);
+Result<report::SessionReport> report_of(const record::Recording& recording, const record::RecordedEvents& events,
+                                        const std::shared_ptr<const Scene>& scene, core::RoomsKept* rooms_kept) {
+    const core::WalkerSize size = core::body_size(*scene, settings::Settings{}.walk.body_radius_m);
+    core::RoomsOfWorld rooms(scene, navigation::walk_body(*scene, size.radius_m, size.height_m, size.step_up_m),
+                             at_once(), core::RoutesKeeper{}, rooms_kept);
     if (!rooms.ready() || !rooms.found())
         return fail(rooms.problem().empty() ? phrase("export.no_rooms") : rooms.problem(), scene->source_file);
-    SessionReport report;
+    report::SessionReport report;
     report.started_utc = recording.head.begun_utc;
     report.world = spoken_name(*scene);
     report.seconds = events.to_s - events.from_s;
-    const std::vector<WayPoint> walk = way_of(recording, events);
+    const std::vector<results::WayPoint> walk = way_of(recording, events);
     report.tasks.push_back(whole(events, walk));
     report.lesson = events.lesson;
-    for (const RecordedTask& task : events.tasks) report.tasks.push_back(task_of(task));
+    for (const record::RecordedTask& task : events.tasks) report.tasks.push_back(task_of(task));
     // Without a lesson, each route on which the person was led counts as a task.
     for (std::size_t i = 0; i < (events.lesson.empty() ? events.ways.size() : 0); ++i)
         report.tasks.push_back(task_of(events.ways[i],
@@ -244,25 +251,25 @@ Result<SessionReport> report_of(const Recording& recording, const RecordedEvents
             strategies_of(samples_of(walk, events, rooms.scene()), walk.front().place_m, walk.back().t_s);
     report.course = course_of(recording, events);
     report.contacts = contacts_of(events, *scene);
-    for (const RecordedNote& note : events.notes)
+    for (const record::RecordedNote& note : events.notes)
         if (note.t_s >= events.from_s && note.t_s <= events.to_s)
             report.notes.push_back({note.t_s - events.from_s, note.text});
-    report.walked_m = way_walked_m(walk);
-    const WalkSpace& space = rooms.navigation().space();
-    const int storey = storey_of_start(*scene, rooms.graph(), space);
+    report.walked_m = results::way_walked_m(walk);
+    const navigation::WalkSpace& space = rooms.navigation().space();
+    const int storey = plan::storey_of_start(*scene, rooms.graph(), space);
     add_rooms(report, walk, rooms.graph(), space, storey);
-    if (auto plan = storey_of(*scene, rooms.graph(), space, storey)) report.storey = std::move(*plan);
+    if (auto plan = plan::storey_of(*scene, rooms.graph(), space, storey)) report.storey = std::move(*plan);
     return report;
 }
 
-SessionReport report_of(const KeptResults& results) {
-    SessionReport report;
+report::SessionReport report_of(const learners::KeptResults& results) {
+    report::SessionReport report;
     report.started_utc = results.begun_utc;
     report.lesson = results.lesson;
     report.world = results.world;
     report.seconds = results.seconds;
-    for (const RecordedTask& task : results.tasks) report.tasks.push_back(task_of(task));
+    for (const record::RecordedTask& task : results.tasks) report.tasks.push_back(task_of(task));
     return report;
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

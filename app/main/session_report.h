@@ -8,16 +8,19 @@
 #include "app/record/recorded_events.h"
 #include "app/report/report_page.h"
 
-namespace handrail {
-
+namespace handrail::core {
 class RoomsKept;
+}
+
+namespace handrail::program {
 
 // Fails with a sentence where the rooms of the world cannot be found. scene: that of events.world. rooms_kept: of
 // other reports in the same world; may be null.
-Result<SessionReport> report_of(const Recording& recording, const RecordedEvents& events,
-                                const std::shared_ptr<const Scene>& scene, RoomsKept* rooms_kept = nullptr);
+Result<report::SessionReport> report_of(const record::Recording& recording, const record::RecordedEvents& events,
+                                        const std::shared_ptr<const Scene>& scene,
+                                        core::RoomsKept* rooms_kept = nullptr);
 
 // For a session of which only the results were kept: has its tasks, but neither path nor course.
-SessionReport report_of(const KeptResults& results);
+report::SessionReport report_of(const learners::KeptResults& results);
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -7,7 +7,7 @@
 
 #include "worlds/base/clock.h"
 
-namespace handrail {
+namespace handrail::program {
 
 class SessionVoice {
 public:
@@ -24,4 +24,4 @@ private:
     std::function<void(std::string, double)> speak_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

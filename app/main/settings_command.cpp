@@ -1,17 +1,18 @@
 #include "app/main/commands.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::program {
 
 // Prints one setting per line. --explain adds unit, range, meaning and source in whole phrases, so that a line makes
 // sense when read aloud alone.
-int run_settings(const SettingsArguments& arguments, SettingsStore& settings, std::ostream& out, std::ostream& err) {
-    for (const SettingRow& row : settings.explain()) {
+int run_settings(const SettingsArguments& arguments, settings::SettingsStore& settings, std::ostream& out,
+                 std::ostream& err) {
+    for (const settings::SettingRow& row : settings.explain()) {
         if (!arguments.explain) {
             out << row.key << " = " << row.value << "\n";
             continue;
         }
-        std::string source(source_name(row.source));
+        std::string source(settings::source_name(row.source));
         if (!row.origin.empty()) source = phrase("program.source", {{"source", source}, {"origin", row.origin}});
         out << phrase(row.unit.empty() ? "program.setting" : "program.setting_unit", {{"key", row.key},
                                                                                       {"value", row.value},
@@ -27,4 +28,4 @@ int run_settings(const SettingsArguments& arguments, SettingsStore& settings, st
     return 1;
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

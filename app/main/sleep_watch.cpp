@@ -11,7 +11,7 @@
 #include "worlds/base/executor.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 constexpr int kLook_ms = 50;  // time between two checks whether to end
@@ -122,4 +122,4 @@ void SleepWatch::inhibit() {
         inhibit_ = send(bus_, message);
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -14,7 +14,7 @@
 struct DBusConnection;
 struct DBusMessage;
 
-namespace handrail {
+namespace handrail::program {
 
 class SleepWatch {
 public:
@@ -52,4 +52,4 @@ private:
     std::jthread thread_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -25,7 +25,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 constexpr double kFarthest_m = 1e6;
@@ -85,8 +85,8 @@ private:
     Vec3 last_m_{0.0}, last_good_m_{0.0};
 };
 
-TouchTuning tuning_of(const TouchArguments& arguments, const DeviceSpec& device) {
-    TouchTuning tuning;
+render::TouchTuning tuning_of(const TouchArguments& arguments, const device::DeviceSpec& device) {
+    render::TouchTuning tuning;
     tuning.radius_m = arguments.radius_m;
     tuning.world_m_per_hand_m = arguments.scale_world_m_per_hand_m;
     tuning.rated_stiffness_n_per_m = device.rated_stiffness_n_per_m;
@@ -107,30 +107,31 @@ TouchTuning tuning_of(const TouchArguments& arguments, const DeviceSpec& device)
 class MovingThings {
 public:
     // `scene`: the moving things are separated from it. `felt` is compiled from it.
-    MovingThings(const EnteringWorld& world, const HapticScene& felt, const TouchTuning& tuning, double ceiling_n)
+    MovingThings(const core::EnteringWorld& world, const render::HapticScene& felt, const render::TouchTuning& tuning,
+                 double ceiling_n)
         : scene_(world.moves_freely), engine_(scene_) {
         feel_.world_m_per_hand_m = tuning.world_m_per_hand_m;
         feel_.ball_m = tuning.radius_m;
         feel_.ceiling_n = ceiling_n;
-        feel_.felt_gain = felt_gain(ceiling_n, Settings().dynamics.strength_n);
+        feel_.felt_gain = servo::felt_gain(ceiling_n, settings::Settings().dynamics.strength_n);
         bodies_.enter(scene_.get());
         for (const auto& body : felt.bodies) poses_.push_back({body.start, true});
         engine_.step(frame_, events_);
     }
     // Touches the bodies where they are at this row.
-    TouchResult touch(TouchState& state, const HapticScene& felt, const TouchTuning& tuning, const Vec3& hand_m,
-                      double dt_s) {
+    render::TouchResult touch(render::TouchState& state, const render::HapticScene& felt,
+                              const render::TouchTuning& tuning, const Vec3& hand_m, double dt_s) {
         bodies_.hear(frame_);
         if (bodies_.place(now_s_, hand_m, feel_, poses_)) ++number_;
-        const TouchResult touched =
-            touch_tick(state, felt, tuning, hand_m, dt_s, bodies_.carried_m(), {poses_, number_});
+        const render::TouchResult touched =
+            render::touch_tick(state, felt, tuning, hand_m, dt_s, bodies_.carried_m(), {poses_, number_});
         const double wanted_n = glm::length(touched.force_n), step_s = std::min(dt_s, kMostReact_s);
         bodies_.react(touched, wanted_n > feel_.ceiling_n ? feel_.ceiling_n / wanted_n : 1.0, now_s_, step_s, feel_,
                       pushes_);
         engine_.place_hand(0, {hand_m, feel_.ball_m, true});
-        for (HandPush push; pushes_.pop(push);) engine_.push(0, push);
+        for (render::HandPush push; pushes_.pop(push);) engine_.push(0, push);
         now_s_ += std::min(dt_s, kMostGap_s);
-        while (engine_.time_s() + Dynamics::kStep_s <= now_s_) {
+        while (engine_.time_s() + dynamics::Dynamics::kStep_s <= now_s_) {
             events_.clear();
             engine_.step(frame_, events_);
         }
@@ -138,27 +139,28 @@ public:
     }
 
 private:
-    std::shared_ptr<const DynamicsScene> scene_;
-    Dynamics engine_;
-    BodyFeel feel_;
-    BodiesInReach bodies_{0};
-    HandPushRing pushes_;
-    std::vector<BodyPose> poses_;
+    std::shared_ptr<const render::DynamicsScene> scene_;
+    dynamics::Dynamics engine_;
+    servo::BodyFeel feel_;
+    servo::BodiesInReach bodies_{0};
+    render::HandPushRing pushes_;
+    std::vector<render::BodyPose> poses_;
     std::uint64_t number_ = 1;
-    DynamicsFrame frame_;
-    std::vector<BodyEvent> events_;
-    double now_s_ = Dynamics::kStep_s;
+    render::DynamicsFrame frame_;
+    std::vector<render::BodyEvent> events_;
+    double now_s_ = dynamics::Dynamics::kStep_s;
 };
 
 std::string replay(const std::shared_ptr<const Scene>& file, const std::vector<PathRow>& rows,
-                   const TouchTuning& tuning, const DeviceSpec* limits) {
-    EnteringWorld world;
-    if (!file->bodies.empty()) world = make_ready(file);
+                   const render::TouchTuning& tuning, const device::DeviceSpec* limits) {
+    core::EnteringWorld world;
+    if (!file->bodies.empty()) world = core::make_ready(file);
     const Scene& scene = world.moves_freely ? *world.scene : *file;
-    const std::shared_ptr<const HapticScene> haptic = compile_haptic(scene, MaterialSource::KeysOnly);
+    const std::shared_ptr<const render::HapticScene> haptic =
+        compile::compile_haptic(scene, compile::MaterialSource::KeysOnly);
     std::optional<MovingThings> moving;
     if (world.moves_freely) moving.emplace(world, *haptic, tuning, limits ? limits->peak_force_n : kIdealCeiling_n);
-    TouchState state;
+    render::TouchState state;
     RowChecks checks(limits ? kJump_hand_m * tuning.world_m_per_hand_m : std::numeric_limits<double>::infinity());
     Vec3 proxy_m(0.0);
     std::string out = "t,x,y,z,px,py,pz,fx,fy,fz,contacts,feature,fault,tick_ns\r\n";
@@ -174,8 +176,9 @@ std::string replay(const std::shared_ptr<const Scene>& file, const std::vector<P
         } else {
             const double dt_s = i > 0 ? row.t_s - rows[i - 1].t_s : kFirstTick_s;
             const auto start = std::chrono::steady_clock::now();
-            const TouchResult result = moving ? moving->touch(state, *haptic, tuning, row.position_m, dt_s)
-                                              : touch_tick(state, *haptic, tuning, row.position_m, dt_s);
+            const render::TouchResult result = moving
+                                                   ? moving->touch(state, *haptic, tuning, row.position_m, dt_s)
+                                                   : render::touch_tick(state, *haptic, tuning, row.position_m, dt_s);
             tick_ns =
                 std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now() - start).count();
             proxy_m = result.proxy_m;
@@ -201,16 +204,17 @@ std::string replay(const std::shared_ptr<const Scene>& file, const std::vector<P
 }  // namespace
 
 int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err, const LongWork& progress) {
-    const DeviceSpec* limits = nullptr;
+    const device::DeviceSpec* limits = nullptr;
     if (arguments.device) {
-        limits = find_device_spec(*arguments.device);
+        limits = device::find_device_spec(*arguments.device);
         if (!limits) {
-            err << one_line(phrase("program.no_model", {{"name", *arguments.device},
-                                                        {"known", fmt::format("{}", fmt::join(device_names(), ", "))}}))
+            err << one_line(phrase("program.no_model",
+                                   {{"name", *arguments.device},
+                                    {"known", fmt::format("{}", fmt::join(device::device_names(), ", "))}}))
                 << '\n';
             return 2;
         }
-        if (limits->name == ideal_device_spec().name) limits = nullptr;  // the ideal device has no limits
+        if (limits->name == device::ideal_device_spec().name) limits = nullptr;  // the ideal device has no limits
     }
     const auto refuse = [&](const Error& error) {
         progress.done();
@@ -219,15 +223,16 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err,
     };
     const Result<std::filesystem::path> world = world_given(arguments.world);
     if (!world) return refuse(world.error());
-    ReadOptions options = arguments.common.read_options(*world);
+    readers::ReadOptions options = arguments.common.read_options(*world);
     options.guess_materials = false;
     options.solid_meshes = false;
-    Result<Scene> scene =
-        imported(*world, progress.followed(options)).map([](ImportedWorld&& one) { return std::move(one.scene); });
+    Result<Scene> scene = imported(*world, progress.followed(options)).map([](importing::ImportedWorld&& one) {
+        return std::move(one.scene);
+    });
     if (!scene) return refuse(scene.error());
-    const Learners learners(user_data_folder());
-    Result<WayOut> way_out = WayOut::of(learners, arguments.path_csv);
-    if (way_out && !way_out->learner()) way_out = WayOut::of(learners, *world);
+    const learners::Learners learners(core::user_data_folder());
+    Result<learners::WayOut> way_out = learners::WayOut::of(learners, arguments.path_csv);
+    if (way_out && !way_out->learner()) way_out = learners::WayOut::of(learners, *world);
     if (!way_out) return refuse(way_out.error());
     const Result<std::string> text = read_whole_file(arguments.path_csv);
     if (!text) return refuse(text.error());
@@ -235,10 +240,10 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err,
     if (!rows) return refuse(rows.error());
     progress.at(phrase("progress.path"));
     const std::string result = replay(std::make_shared<const Scene>(std::move(*scene)), *rows,
-                                      tuning_of(arguments, limits ? *limits : ideal_device_spec()), limits);
+                                      tuning_of(arguments, limits ? *limits : device::ideal_device_spec()), limits);
     const Result<void> written = way_out->write(arguments.out_csv, result, write_named_file_atomically);
     progress.done();
     return written ? 0 : refuse(written.error());
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

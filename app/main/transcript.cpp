@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 // FNV-1a, 64 bits (Fowler, Noll and Vo; RFC 9923). It compares bits and not values, so 0.0 and -0.0 differ.
@@ -30,7 +30,7 @@ private:
     std::uint64_t sum_ = 0xcbf29ce484222325U;
 };
 
-void take(const LoggedTick& tick, Checksum& sum) {
+void take(const core::LoggedTick& tick, Checksum& sum) {
     for (const Vec3& place : {tick.force_n, tick.hip_m, tick.proxy_m, tick.feet_m}) sum.take(place);
     for (const double value : {tick.time_s, tick.radius_m, tick.scale, tick.heading_rad,
                                static_cast<double>(tick.touched.value), tick.contact ? 1.0 : 0.0})
@@ -39,8 +39,8 @@ void take(const LoggedTick& tick, Checksum& sum) {
 
 std::string place(const Vec3& at) { return fmt::format("{} {} {}", at.x, at.y, at.z); }
 
-std::string words_of(const LoggedSound& sound) {
-    const SoundCue& cue = sound.cue;
+std::string words_of(const core::LoggedSound& sound) {
+    const cues::SoundCue& cue = sound.cue;
     return fmt::format("{} {} of {} at {} loudness {} pitch {} since {} pulses {} muffled {} source {}",
                        sound.loop ? "loop" : "play", static_cast<int>(cue.kind), static_cast<int>(cue.material),
                        place(cue.position_m), cue.loudness, cue.pitch, cue.event_time_s, cue.pulses_per_s,
@@ -49,11 +49,11 @@ std::string words_of(const LoggedSound& sound) {
 
 using Line = std::pair<double, std::string>;
 
-void add_ticks(std::string_view whose, const std::vector<LoggedTick>& ticks, std::vector<Line>& lines) {
+void add_ticks(std::string_view whose, const std::vector<core::LoggedTick>& ticks, std::vector<Line>& lines) {
     constexpr std::size_t kEvery = 100;
     Checksum sum;
     for (std::size_t i = 0; i < ticks.size(); ++i) {
-        const LoggedTick& tick = ticks[i];
+        const core::LoggedTick& tick = ticks[i];
         take(tick, sum);
         if ((i + 1) % kEvery != 0 && i + 1 != ticks.size()) continue;
         lines.emplace_back(tick.time_s,
@@ -66,10 +66,10 @@ void add_ticks(std::string_view whose, const std::vector<LoggedTick>& ticks, std
 
 }  // namespace
 
-std::string transcript(const SessionLog& log) {
+std::string transcript(const core::SessionLog& log) {
     std::vector<Line> lines;
-    for (const LoggedLine& line : log.lines) lines.emplace_back(line.time_s, "say " + line.text);
-    for (const LoggedSound& sound : log.sounds) lines.emplace_back(sound.time_s, words_of(sound));
+    for (const core::LoggedLine& line : log.lines) lines.emplace_back(line.time_s, "say " + line.text);
+    for (const core::LoggedSound& sound : log.sounds) lines.emplace_back(sound.time_s, words_of(sound));
     add_ticks("hand", log.ticks, lines);
     add_ticks("left", log.left_ticks, lines);
     std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.first < b.first; });
@@ -78,4 +78,4 @@ std::string transcript(const SessionLog& log) {
     return text;
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -6,12 +6,12 @@
 
 #include "app/core/scenario/session_log.h"
 
-namespace handrail {
+namespace handrail::program {
 
 // One line for each sentence ("   1.250 say ..."), each sound and each change of a loop, in the order of time. Every
 // tenth of a second a line says where the walker and the hand are. Numbers read back bit for bit. Each of these lines
 // ends in a checksum of all ticks until then (a thousand a second), so two sessions that differ anywhere differ in
 // their text. Seconds, metres, newtons, radians; world axes. Ends in a line feed.
-std::string transcript(const SessionLog& log);
+std::string transcript(const core::SessionLog& log);
 
-}  // namespace handrail
+}  // namespace handrail::program

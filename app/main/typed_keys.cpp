@@ -7,7 +7,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 // Equal keys that follow each other faster than this are one key held down. The Linux console repeats eleven times a
@@ -30,43 +30,44 @@ void show(std::string_view text) {
 
 }  // namespace
 
-std::unique_ptr<TypedKeys> TypedKeys::open(Session& app, WorldVisits& worlds, ServoSwitches& switches, Clock& clock) {
+std::unique_ptr<TypedKeys> TypedKeys::open(core::Session& app, WorldVisits& worlds, servo::ServoSwitches& switches,
+                                           Clock& clock) {
     if (terminal_kind().empty() || terminal_kind() == "dumb") return nullptr;
-    auto terminal = RawTerminal::take(STDIN_FILENO, STDOUT_FILENO);
+    auto terminal = terminal::RawTerminal::take(STDIN_FILENO, STDOUT_FILENO);
     if (!terminal) return nullptr;
     return std::unique_ptr<TypedKeys>(new TypedKeys(std::move(terminal), app, worlds, switches, clock));
 }
 
-TypedKeys::TypedKeys(std::unique_ptr<RawTerminal> terminal, Session& app, WorldVisits& worlds, ServoSwitches& switches,
-                     Clock& clock)
+TypedKeys::TypedKeys(std::unique_ptr<terminal::RawTerminal> terminal, core::Session& app, WorldVisits& worlds,
+                     servo::ServoSwitches& switches, Clock& clock)
     : app_(app),
       acts_(app, worlds),
       lines_(app, worlds, true),
       terminal_(std::move(terminal)),
-      keys_(STDIN_FILENO, terminal_keyboard(spoken_language(), terminal_kind(), terminal_->erase()), clock,
+      keys_(STDIN_FILENO, terminal::terminal_keyboard(spoken_language(), terminal_kind(), terminal_->erase()), clock,
             [keys = app.keys(), &switches](const std::string& key) {
-                if (keys.find(key) != Command::StopEverything) return false;
+                if (keys.find(key) != core::Command::StopEverything) return false;
                 switches.stop();
                 return true;
             }) {}
 
-void TypedKeys::take(double now_s, WizardSession* wizard) {
+void TypedKeys::take(double now_s, wizard::WizardSession* wizard) {
     closed_ = closed_ || keys_.ended();
     bool emptied = false;
-    const std::vector<TimedInput> came = keys_.take(emptied);
+    const std::vector<terminal::TimedInput> came = keys_.take(emptied);
     if (emptied) {
         lines_.lines().drop();
         show(editor_.close());
     }
-    for (const TimedInput& one : came) take_input(one, wizard, now_s);
+    for (const terminal::TimedInput& one : came) take_input(one, wizard, now_s);
     lines_.take(now_s, wizard);
 }
 
-void TypedKeys::take_input(const TimedInput& came, WizardSession* wizard, double now_s) {
+void TypedKeys::take_input(const terminal::TimedInput& came, wizard::WizardSession* wizard, double now_s) {
     // The question was answered or left meanwhile through another input.
     if (editor_.is_open() && answers_ && !asked(wizard)) show(editor_.close());
     if (!editor_.is_open()) {
-        const TerminalInput& input = came.input;
+        const terminal::TerminalInput& input = came.input;
         if (asked(wizard) && (!input.text.empty() || input.key == "Enter" || input.key == "Backspace")) {
             answers_ = true;
             show(editor_.open());
@@ -80,19 +81,19 @@ void TypedKeys::take_input(const TimedInput& came, WizardSession* wizard, double
     if (!came.input.key.empty() || !came.input.text.empty()) take_key(came, wizard, now_s);
 }
 
-bool TypedKeys::take_into_line(const TerminalInput& input, WizardSession* wizard, double now_s) {
-    LineEditor::Reply reply = editor_.take(input);
+bool TypedKeys::take_into_line(const terminal::TerminalInput& input, wizard::WizardSession* wizard, double now_s) {
+    terminal::LineEditor::Reply reply = editor_.take(input);
     show(reply.echo);
     for (std::string& line : reply.lines) {
         // The answer to a question does not wait until a walk ends.
-        if (asked(wizard)) app_.apply(LineTyped{line}, now_s);
+        if (asked(wizard)) app_.apply(core::LineTyped{line}, now_s);
         else lines_.lines().add(std::move(line));
     }
-    if (reply.left && answers_ && asked(wizard)) acts_.take({"Escape", KeyAction::Press}, wizard, now_s);
+    if (reply.left && answers_ && asked(wizard)) acts_.take({"Escape", window::KeyAction::Press}, wizard, now_s);
     return reply.taken;
 }
 
-void TypedKeys::take_key(const TimedInput& came, WizardSession* wizard, double now_s) {
+void TypedKeys::take_key(const terminal::TimedInput& came, wizard::WizardSession* wizard, double now_s) {
     const std::string& key = came.input.key;
     const bool held = !key.empty() && key == last_key_ && came.at_s - last_key_s_ < kRepeats_s;
     last_key_ = key;
@@ -100,14 +101,15 @@ void TypedKeys::take_key(const TimedInput& came, WizardSession* wizard, double n
     // A pressed key cancels the typed lines that still wait.
     if (!held) lines_.lines().drop();
     const auto command = app_.keys().find(key);
-    const bool again = held && !wizard && !app_.dialogue().is_open() && command && info(*command).hold && app_.idle();
+    const bool again =
+        held && !wizard && !app_.dialogue().is_open() && command && core::info(*command).hold && app_.idle();
     if (held && !again) {
-        acts_.take({key, KeyAction::Repeat}, wizard, now_s);
+        acts_.take({key, window::KeyAction::Repeat}, wizard, now_s);
     } else {
-        acts_.take({key, KeyAction::Press}, wizard, now_s);
+        acts_.take({key, window::KeyAction::Press}, wizard, now_s);
     }
     if (!came.input.text.empty()) acts_.take_text(came.input.text, wizard, now_s);
-    if (!held || again) acts_.take({key, KeyAction::Release}, wizard, now_s);
+    if (!held || again) acts_.take({key, window::KeyAction::Release}, wizard, now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

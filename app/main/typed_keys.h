@@ -15,37 +15,38 @@
 #include "haptic/servo/servo_switches.h"
 #include "worlds/base/clock.h"
 
-namespace handrail {
+namespace handrail::program {
 
 class TypedKeys {
 public:
     // Null if standard input or output is no terminal, or if the terminal supports no keys (TERM=dumb), as in editors.
     // All arguments outlive this object, whose destruction restores the terminal.
-    static std::unique_ptr<TypedKeys> open(Session& app, WorldVisits& worlds, ServoSwitches& switches, Clock& clock);
+    static std::unique_ptr<TypedKeys> open(core::Session& app, WorldVisits& worlds, servo::ServoSwitches& switches,
+                                           Clock& clock);
 
     // Call once a frame. Input goes to the wizard if it is not null.
-    void take(double now_s, WizardSession* wizard);
+    void take(double now_s, wizard::WizardSession* wizard);
     // True if the person left, or if the terminal has gone.
     bool closed() const { return closed_ || acts_.closed() || lines_.left(); }
 
 private:
-    TypedKeys(std::unique_ptr<RawTerminal> terminal, Session& app, WorldVisits& worlds, ServoSwitches& switches,
-              Clock& clock);
-    void take_input(const TimedInput& came, WizardSession* wizard, double now_s);
-    bool take_into_line(const TerminalInput& input, WizardSession* wizard, double now_s);
-    void take_key(const TimedInput& came, WizardSession* wizard, double now_s);
-    bool asked(const WizardSession* wizard) const { return !wizard && app_.dialogue().typing(); }
+    TypedKeys(std::unique_ptr<terminal::RawTerminal> terminal, core::Session& app, WorldVisits& worlds,
+              servo::ServoSwitches& switches, Clock& clock);
+    void take_input(const terminal::TimedInput& came, wizard::WizardSession* wizard, double now_s);
+    bool take_into_line(const terminal::TerminalInput& input, wizard::WizardSession* wizard, double now_s);
+    void take_key(const terminal::TimedInput& came, wizard::WizardSession* wizard, double now_s);
+    bool asked(const wizard::WizardSession* wizard) const { return !wizard && app_.dialogue().typing(); }
 
-    Session& app_;
+    core::Session& app_;
     KeyActs acts_;
     ProgramLines lines_;
-    LineEditor editor_;
+    terminal::LineEditor editor_;
     bool answers_ = false;  // the open line answers a question of the session
     std::string last_key_;
     double last_key_s_ = 0.0;
     bool closed_ = false;
-    std::unique_ptr<RawTerminal> terminal_;
-    TerminalKeys keys_;  // last: its thread uses the switches
+    std::unique_ptr<terminal::RawTerminal> terminal_;
+    terminal::TerminalKeys keys_;  // last: its thread uses the switches
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -10,15 +10,15 @@
 
 #include "app/core/dialogue/terminal_line.h"
 
-namespace handrail {
+namespace handrail::program {
 
-TypedLines::TypedLines(Session& app, WorldVisits& worlds, ServoSwitches& switches,
+TypedLines::TypedLines(core::Session& app, WorldVisits& worlds, servo::ServoSwitches& switches,
                        const std::vector<std::string>& before)
     : app_(app),
       switches_(switches),
       typed_(::isatty(STDIN_FILENO) == 1),
       lines_(app, worlds, typed_),
-      watch_(STDIN_FILENO, typed_ ? LineWatch::WhenFull::Loses : LineWatch::WhenFull::Waits,
+      watch_(STDIN_FILENO, typed_ ? terminal::LineWatch::WhenFull::Loses : terminal::LineWatch::WhenFull::Waits,
              [this](std::string_view line) { return stops_at_once(line); }) {
     for (const std::string& line : before) lines_.lines().add(line);
 }
@@ -36,24 +36,25 @@ std::vector<std::string> TypedLines::take_rest() {
 // turn, as a line of a script. Runs on the line watch's thread.
 bool TypedLines::stops_at_once(std::string_view line) {
     if (!typed_) return false;
-    const auto parsed = parse_terminal_line(line);
-    if (!parsed || parsed->command != Command::StopEverything) return false;
+    const auto parsed = core::parse_terminal_line(line);
+    if (!parsed || parsed->command != core::Command::StopEverything) return false;
     switches_.stop();
     return true;
 }
 
-void TypedLines::take(double now_s, WizardSession* wizard, bool hand_is_sought) {
+void TypedLines::take(double now_s, wizard::WizardSession* wizard, bool hand_is_sought) {
     const bool ended = watch_.ended();  // checked first: lines that came before the end are taken below
     bool emptied = false;
     std::vector<std::string> typed =
-        watch_.take(emptied, LineWatch::kMostWaiting - std::min(lines_.lines().waiting(), LineWatch::kMostWaiting));
+        watch_.take(emptied, terminal::LineWatch::kMostWaiting -
+                                 std::min(lines_.lines().waiting(), terminal::LineWatch::kMostWaiting));
     if (emptied) lines_.lines().drop();
     for (std::string& line : typed) lines_.lines().add(std::move(line));
     if (lines_.take(now_s, wizard) || !ended) return;
     if (wizard) return wizard->end_of_lines();
     // Nobody will answer the welcome any more, as the input has ended.
-    if (app_.greeting_waits()) return void(app_.apply(LessonLeft{}, now_s));
+    if (app_.greeting_waits()) return void(app_.apply(core::LessonLeft{}, now_s));
     closed_ = !hand_is_sought;
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -10,17 +10,18 @@
 #include "app/terminal/line_watch.h"
 #include "haptic/servo/servo_switches.h"
 
-namespace handrail {
+namespace handrail::program {
 
 class TypedLines {
 public:
     // All of these outlive this object. It reads standard input from its construction on; the lines of `before` come
     // first.
-    TypedLines(Session& app, WorldVisits& worlds, ServoSwitches& switches, const std::vector<std::string>& before = {});
+    TypedLines(core::Session& app, WorldVisits& worlds, servo::ServoSwitches& switches,
+               const std::vector<std::string>& before = {});
 
     // Call once a frame. Input goes to the wizard if it is not null. While a hand is searched for, the end of the lines
     // does not end the session.
-    void take(double now_s, WizardSession* wizard, bool hand_is_sought);
+    void take(double now_s, wizard::WizardSession* wizard, bool hand_is_sought);
     // True if the person left, or if there are no more lines and nothing is awaited.
     bool closed() const { return closed_ || lines_.left(); }
     // Lines that were read but not yet carried out, for the next reader.
@@ -29,12 +30,12 @@ public:
 private:
     bool stops_at_once(std::string_view line);
 
-    Session& app_;
-    ServoSwitches& switches_;
+    core::Session& app_;
+    servo::ServoSwitches& switches_;
     const bool typed_;  // standard input is a terminal
     ProgramLines lines_;
     bool closed_ = false;
-    LineWatch watch_;  // last: its thread uses the others
+    terminal::LineWatch watch_;  // last: its thread uses the others
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -13,27 +13,27 @@
 #include "app/wizard/wizard_session.h"
 #include "haptic/servo/servo_switches.h"
 
-namespace handrail {
+namespace handrail::program {
 
 class WindowInput {
 public:
     // All of these outlive this object. The ears own the outputs that belong to a window.
-    WindowInput(std::unique_ptr<Window> window, Session& app, WorldVisits& worlds, Ears& ears, ServoSwitches& switches,
-                Clock& clock);
+    WindowInput(std::unique_ptr<window::Window> window, core::Session& app, WorldVisits& worlds, Ears& ears,
+                servo::ServoSwitches& switches, Clock& clock);
 
     // Call once a frame. Input goes to the wizard if it is not null.
-    void take(WizardSession* wizard);
+    void take(wizard::WizardSession* wizard);
     // True if the person left before there was a world, or closed the window.
     bool closed() const { return closed_ || acts_.closed(); }
-    void draw(const ViewState& view) { window_->draw(view); }
+    void draw(const core::ViewState& view) { window_->draw(view); }
 
 private:
-    Session& app_;
+    core::Session& app_;
     Ears& ears_;
     Clock& clock_;
     KeyActs acts_;
-    std::unique_ptr<Window> window_;
+    std::unique_ptr<window::Window> window_;
     bool closed_ = false;
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

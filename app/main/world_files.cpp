@@ -13,7 +13,7 @@
 #include "worlds/base/text.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::program {
 
 namespace fs = std::filesystem;
 
@@ -62,14 +62,14 @@ fs::path kept_by(const fs::path& world) { return is_shipped(world) ? real_world(
 std::optional<fs::path> world_by_name(const fs::path& name) {
     std::error_code ec;
     if (name.has_parent_path() || name.has_extension() || fs::exists(name, ec)) return std::nullopt;
-    for (const ShelvedWorld& world : worlds_in(world_folder()))
+    for (const core::ShelvedWorld& world : core::worlds_in(world_folder()))
         if (world.file.stem() == name || world.name == name.string()) return world.file;
     return std::nullopt;
 }
 
 std::vector<std::string> world_names() {
     std::vector<std::string> names;
-    for (const ShelvedWorld& world : worlds_in(world_folder())) names.push_back(world.file.stem().string());
+    for (const core::ShelvedWorld& world : core::worlds_in(world_folder())) names.push_back(world.file.stem().string());
     return names;
 }
 
@@ -82,45 +82,48 @@ Result<fs::path> world_given(const fs::path& word) {
     return fail(phrase("program.no_world", {{"word", word.string()}, {"nearest", nearest_name(word.string(), names)}}));
 }
 
-Result<ImportedWorld> imported(const fs::path& world, const ReadOptions& options) {
-    ImportHow how;
-    how.cache = Cache(user_cache_folder());
-    return import_world(world, options, how);
+Result<importing::ImportedWorld> imported(const fs::path& world, const readers::ReadOptions& options) {
+    importing::ImportHow how;
+    how.cache = cache::Cache(cache::user_cache_folder());
+    return importing::import_world(world, options, how);
 }
 
-Result<Scene> imported_scene(const WorldRequest& request) {
-    auto world = imported(request.file, read_options(request));
+Result<Scene> imported_scene(const core::WorldRequest& request) {
+    auto world = imported(request.file, core::read_options(request));
     if (!world) return tl::unexpected(std::move(world.error()));
     return std::move(world->scene);
 }
 
-const TomlReader& toml_beside_worlds() {
-    static const TomlReader reader = [] {
-        const fs::path program = find_reader_program();
-        return program.empty() ? TomlReader(toml_of) : TomlReader(TomlApart(program));
+const settings::TomlReader& toml_beside_worlds() {
+    static const settings::TomlReader reader = [] {
+        const fs::path program = importing::find_reader_program();
+        return program.empty() ? settings::TomlReader(settings::toml_of)
+                               : settings::TomlReader(importing::TomlApart(program));
     }();
     return reader;
 }
 
-RoutesKeeper ways_in_cache() {
-    const Cache cache(user_cache_folder());
-    const fs::path program = find_reader_program();
+core::RoutesKeeper ways_in_cache() {
+    const cache::Cache cache(cache::user_cache_folder());
+    const fs::path program = importing::find_reader_program();
     if (!cache || program.empty()) return {};
     const auto name_of = [](const std::string& key) { return key + ".ways"; };
     return {[=](const std::string& key, const std::stop_token& stop) {
                 const Descriptor file = cache.open(name_of(key));
-                return file.get() < 0 ? std::string() : unpack_ways_apart({file.get(), name_of(key)}, program, stop);
+                return file.get() < 0 ? std::string()
+                                      : importing::unpack_ways_apart({file.get(), name_of(key)}, program, stop);
             },
             [=](const std::string& key, std::string_view packed) { cache.keep(name_of(key), packed); }};
 }
 
 Scene mended(Scene scene, const fs::path& world, const CommonArguments& common) {
-    const std::vector<MadeDoor> doors = kept_doors(kept_by(world), common.data_folder(),
-                                                   !common.data_in.empty() || is_shipped(world), toml_beside_worlds());
+    const std::vector<MadeDoor> doors = core::kept_doors(
+        kept_by(world), common.data_folder(), !common.data_in.empty() || is_shipped(world), toml_beside_worlds());
     return doors.empty() ? std::move(scene) : with_made_doors(std::move(scene), doors);
 }
 
-Result<Scene> mended_and_valid(Result<ImportedWorld> read, const fs::path& world, const CommonArguments& common) {
+Result<Scene> mended_and_valid(Result<importing::ImportedWorld> read, const fs::path& world,
+                               const CommonArguments& common) {
     if (!read) return tl::unexpected(std::move(read.error()));
     Scene scene = mended(std::move(read->scene), world, common);
     if (const Result<void> valid = validate(scene); !valid) return tl::unexpected(valid.error());
@@ -129,17 +132,17 @@ Result<Scene> mended_and_valid(Result<ImportedWorld> read, const fs::path& world
 
 fs::path first_world() { return world_folder() / "first_room.map"; }
 
-fs::path CommonArguments::data_folder() const { return data_in.empty() ? user_data_folder() : data_in; }
+fs::path CommonArguments::data_folder() const { return data_in.empty() ? core::user_data_folder() : data_in; }
 
-WorldRequest with_kept_unit(WorldRequest request, const CommonArguments& common) {
+core::WorldRequest with_kept_unit(core::WorldRequest request, const CommonArguments& common) {
     if (!request.unit_m && !request.map_scale_m_per_unit)
-        request.unit_m = kept_unit(kept_by(request.file), common.data_folder(),
-                                   !common.data_in.empty() || is_shipped(request.file), toml_beside_worlds());
+        request.unit_m = core::kept_unit(kept_by(request.file), common.data_folder(),
+                                         !common.data_in.empty() || is_shipped(request.file), toml_beside_worlds());
     return request;
 }
 
-ReadOptions CommonArguments::read_options(const fs::path& world) const {
-    return handrail::read_options(with_kept_unit(request(world), *this));
+readers::ReadOptions CommonArguments::read_options(const fs::path& world) const {
+    return handrail::core::read_options(with_kept_unit(request(world), *this));
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

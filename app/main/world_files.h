@@ -12,7 +12,7 @@
 #include "app/import/import_world.h"
 #include "settings/toml_value.h"
 
-namespace handrail {
+namespace handrail::program {
 
 struct CommonArguments;
 
@@ -32,24 +32,24 @@ std::vector<std::string> world_names();
 // name, fails with the nearest one; a missing file is reported by the reader.
 Result<std::filesystem::path> world_given(const std::filesystem::path& word);
 // Calls import_world with the person's cache. Any thread except the app thread.
-Result<ImportedWorld> imported(const std::filesystem::path& world, const ReadOptions& options);
+Result<importing::ImportedWorld> imported(const std::filesystem::path& world, const readers::ReadOptions& options);
 // The same for scenarios, recordings and lessons; see WorldReader in app/core/scenario/read_request.h.
-Result<Scene> imported_scene(const WorldRequest& request);
+Result<Scene> imported_scene(const core::WorldRequest& request);
 // Reads the TOML files next to a world, which somebody else may have written. Uses TomlApart, or this process if
 // handrail-reader is missing. Any thread.
-const TomlReader& toml_beside_worlds();
+const settings::TomlReader& toml_beside_worlds();
 // Keeps routes and rooms in the person's cache. Does nothing without a cache, or without handrail-reader, which unpacks
 // them.
-RoutesKeeper ways_in_cache();
+core::RoutesKeeper ways_in_cache();
 // Adds the unit that a person has stated for this world before, if the request has none. See keep_unit. Any thread.
-WorldRequest with_kept_unit(WorldRequest request, const CommonArguments& common);
+core::WorldRequest with_kept_unit(core::WorldRequest request, const CommonArguments& common);
 // Adds the doors that a person has marked as missing. They come from the data folder of `common`, be it the user's or a
 // learner's. Without any, the scene stays as it is. Any thread.
 Scene mended(Scene scene, const std::filesystem::path& world, const CommonArguments& common);
 // An imported world as commands use it: with the doors added, and valid by validate(). Any thread.
-Result<Scene> mended_and_valid(Result<ImportedWorld> read, const std::filesystem::path& world,
+Result<Scene> mended_and_valid(Result<importing::ImportedWorld> read, const std::filesystem::path& world,
                                const CommonArguments& common);
 // The world that the first start of the program explores.
 std::filesystem::path first_world();
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -7,31 +7,32 @@
 #include "app/main/world_files.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::program {
 
-SettingsStore settings_of(const WorldRequest& request, std::vector<Diagnostic>& problems) {
-    SettingsStore settings;
-    problems = settings.load_file(settings_beside(request.file), SettingSource::World, toml_beside_worlds());
+settings::SettingsStore settings_of(const core::WorldRequest& request, std::vector<Diagnostic>& problems) {
+    settings::SettingsStore settings;
+    problems = settings.load_file(settings::settings_beside(request.file), settings::SettingSource::World,
+                                  toml_beside_worlds());
     for (const auto& [key, value] : request.settings)
-        if (const auto set = settings.set(key, value, SettingSource::World); !set)
+        if (const auto set = settings.set(key, value, settings::SettingSource::World); !set)
             problems.push_back({Severity::Error, {}, 0, 0, set.error().message, {}});
     return settings;
 }
 
-WorldLoading::WorldLoading(const WorldRequest& request, const CommonArguments& common)
+WorldLoading::WorldLoading(const core::WorldRequest& request, const CommonArguments& common)
     : file_(request.file.filename().string()) {
     task_.begin([this, request, common](const std::stop_token& stop) -> Result<LoadedWorld> {
         LoadedWorld loaded;
         loaded.asked = request;
         loaded.request = with_kept_unit(request, common);
         const std::filesystem::path& path = request.file;
-        ReadOptions options = progress_.followed(read_options(loaded.request));
+        readers::ReadOptions options = progress_.followed(core::read_options(loaded.request));
         options.stop = stop;
-        Result<ImportedWorld> world = imported(path, options);
+        Result<importing::ImportedWorld> world = imported(path, options);
         if (!world) return tl::unexpected(world.error());
         progress_.reading("import.touch");
-        loaded.entering =
-            make_ready_to_touch(std::make_shared<const Scene>(mended(std::move(world->scene), path, common)), stop);
+        loaded.entering = core::make_ready_to_touch(
+            std::make_shared<const Scene>(mended(std::move(world->scene), path, common)), stop);
         loaded.entering.ways = ways_in_cache();
         loaded.settings = settings_of(loaded.request, loaded.settings_problems);
         std::error_code ec;
@@ -45,4 +46,4 @@ Result<LoadedWorld> WorldLoading::take() {
     return fail(phrase("program.no_memory_for_world", {{"file", file_}}));
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

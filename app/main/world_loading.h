@@ -12,24 +12,24 @@
 #include "settings/settings.h"
 #include "worlds/base/background_task.h"
 
-namespace handrail {
+namespace handrail::program {
 
 // The loaded world, how its file was read, and the settings that it brings.
 struct LoadedWorld {
-    EnteringWorld entering;
-    WorldRequest asked;
-    WorldRequest request;    // the same with the unit that a person has stated before
-    SettingsStore settings;  // only those of SettingSource::World
+    core::EnteringWorld entering;
+    core::WorldRequest asked;
+    core::WorldRequest request;        // the same with the unit that a person has stated before
+    settings::SettingsStore settings;  // only those of SettingSource::World
     std::vector<Diagnostic> settings_problems;
 };
 
 // The settings in the file next to the world (SettingSource::World), overridden by those of a lesson.
-SettingsStore settings_of(const WorldRequest& request, std::vector<Diagnostic>& problems);
+settings::SettingsStore settings_of(const core::WorldRequest& request, std::vector<Diagnostic>& problems);
 
 class WorldLoading {
 public:
     // Begins to load at once.
-    WorldLoading(const WorldRequest& request, const CommonArguments& common);
+    WorldLoading(const core::WorldRequest& request, const CommonArguments& common);
 
     bool ready() const { return task_.ready(); }
     // Calls `say` with the sentence that is due: "Loading, 40 percent: building walls and floors."
@@ -43,4 +43,4 @@ private:
     BackgroundTask<Result<LoadedWorld>> task_{on_threads(), "world"};  // last: its thread uses the others
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

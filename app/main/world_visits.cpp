@@ -12,22 +12,22 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::program {
 
 namespace {
 
 // The word for an input in a crash report. Empty if the input says nothing, or only something about the person.
-std::string_view act_word(const SessionInput& input) {
-    if (const auto* down = std::get_if<CommandDown>(&input)) return info(down->command).word;
-    if (std::holds_alternative<LineTyped>(input)) return "line-typed";
-    if (std::holds_alternative<TextTyped>(input)) return "text-typed";
-    if (std::holds_alternative<ItemActed>(input)) return "list-item";
-    if (std::holds_alternative<WorldEntered>(input)) return "world-entered";
-    if (std::holds_alternative<HandChanged>(input)) return "hand-changed";
-    if (std::holds_alternative<LeftHandChanged>(input)) return "left-hand-changed";
-    if (std::holds_alternative<SettingsChanged>(input) || std::holds_alternative<SettingSet>(input))
+std::string_view act_word(const core::SessionInput& input) {
+    if (const auto* down = std::get_if<core::CommandDown>(&input)) return core::info(down->command).word;
+    if (std::holds_alternative<core::LineTyped>(input)) return "line-typed";
+    if (std::holds_alternative<core::TextTyped>(input)) return "text-typed";
+    if (std::holds_alternative<core::ItemActed>(input)) return "list-item";
+    if (std::holds_alternative<core::WorldEntered>(input)) return "world-entered";
+    if (std::holds_alternative<core::HandChanged>(input)) return "hand-changed";
+    if (std::holds_alternative<core::LeftHandChanged>(input)) return "left-hand-changed";
+    if (std::holds_alternative<core::SettingsChanged>(input) || std::holds_alternative<core::SettingSet>(input))
         return "settings-changed";
-    if (std::holds_alternative<WentOnAt>(input)) return "went-on";
+    if (std::holds_alternative<core::WentOnAt>(input)) return "went-on";
     return {};
 }
 
@@ -47,15 +47,15 @@ std::vector<std::string> sentences_of(const std::vector<Diagnostic>& problems) {
 void WorldVisits::begin_notes(double now_s) {
     std::vector<std::string> lines{
         phrase("crash_report.program", {{"version", arguments_.program_version}, {"language", spoken_language()}})};
-    for (const SettingRow& row : settings_.explain())
-        if (row.source != SettingSource::Default)
+    for (const settings::SettingRow& row : settings_.explain())
+        if (row.source != settings::SettingSource::Default)
             lines.push_back(
                 phrase("crash_report.setting", {{"key", row.key},
                                                 {"value", row.value},
-                                                {"told", may_be_reported(row.value, row.range) ? "yes" : "no"}}));
+                                                {"told", core::may_be_reported(row.value, row.range) ? "yes" : "no"}}));
     notes_.emplace(std::move(lines));
     crash_signal_.emplace(trace_.signal_file());
-    app_.tell_inputs({[this](const SessionInput& input, double at_s) {
+    app_.tell_inputs({[this](const core::SessionInput& input, double at_s) {
                           if (const std::string_view word = act_word(input); !word.empty()) notes_->note(word, at_s);
                       },
                       {}});
@@ -75,42 +75,43 @@ std::string WorldVisits::crash_words(bool with_window, double now_s) {
         std::istringstream in(*text);
         for (std::string line; std::getline(in, line);)
             if (!line.empty()) lines.push_back(std::move(line));
-        app_.apply(CrashReportKnown{trace_.report().string(), std::move(lines)}, now_s);
+        app_.apply(core::CrashReportKnown{trace_.report().string(), std::move(lines)}, now_s);
         report = " " + phrase("crash_report.lies", {{"file", trace_.report().string()}});
     }
     const auto& last = trace_.left_at();
     std::error_code ec;
     if (!last || !std::filesystem::exists(last->world.file, ec)) return phrase("last_place.crashed") + report;
-    app_.apply(LastPlaceKnown{*last}, now_s);
-    return phrase("last_place.crashed_offer", {{"world", name_of_file(last->world.file)},
+    app_.apply(core::LastPlaceKnown{*last}, now_s);
+    return phrase("last_place.crashed_offer", {{"world", core::name_of_file(last->world.file)},
                                                {"window", with_window ? "yes" : "no"},
-                                               {"keys", app_.keys().keys_of(Command::LastPlace)}}) +
+                                               {"keys", app_.keys().keys_of(core::Command::LastPlace)}}) +
            report;
 }
 
-WorldRequest WorldVisits::first() const {
-    WorldRequest request = arguments_.common.request(arguments_.world.value_or(first_world()));
+core::WorldRequest WorldVisits::first() const {
+    core::WorldRequest request = arguments_.common.request(arguments_.world.value_or(first_world()));
     request.settings = arguments_.lesson_settings;
     return request;
 }
 
 // Removes the settings of the previous world and applies those of the new one.
-void WorldVisits::take_settings(SettingsStore settings, const std::vector<Diagnostic>& problems, double asked_s) {
-    settings_.take_layer(SettingSource::World, std::move(settings));
+void WorldVisits::take_settings(settings::SettingsStore settings, const std::vector<Diagnostic>& problems,
+                                double asked_s) {
+    settings_.take_layer(settings::SettingSource::World, std::move(settings));
     new_settings_ = true;
     std::vector<std::string> faults = sentences_of(problems);
     if (!faults.empty()) say_(settings_faults_words(faults), asked_s);
     for (std::string& sentence : sentences_of(arguments_.settings_problems)) faults.push_back(std::move(sentence));
-    app_.apply(SettingsFaultsKnown{std::move(faults)}, asked_s);
+    app_.apply(core::SettingsFaultsKnown{std::move(faults)}, asked_s);
 }
 
 void WorldVisits::set_lesson_settings(std::vector<std::pair<std::string, std::string>> settings, double now_s) {
     if (settings == here_.settings) return;
     here_.settings = std::move(settings);
     std::vector<Diagnostic> problems;
-    SettingsStore layer = settings_of(here_, problems);
+    settings::SettingsStore layer = settings_of(here_, problems);
     take_settings(std::move(layer), problems, now_s);
-    app_.apply(SettingsChanged{settings_.values()}, now_s);
+    app_.apply(core::SettingsChanged{settings_.values()}, now_s);
 }
 
 void WorldVisits::enter(LoadedWorld world, double asked_s) {
@@ -119,15 +120,15 @@ void WorldVisits::enter(LoadedWorld world, double asked_s) {
         say_(phrase("program.problems",
                     {{"count", report.warnings_in_all}, {"first", report.warnings.front().sentence()}}),
              asked_s);
-    SideFile side_file = additions_to(world.request.file);
+    core::SideFile side_file = additions_to(world.request.file);
     // The unit from the command line is kept when the world is first entered. From then on the kept unit applies.
     if (world.asked.unit_m) {
-        keep_unit(side_file, *world.asked.unit_m);
+        core::keep_unit(side_file, *world.asked.unit_m);
         if (const auto saved = side_file.save(); !saved) say_(saved.error().sentence(), asked_s);
     }
     // Deletes progress that was kept without consent, or before it was withdrawn.
     if (!arguments_.common.data_in.empty()) {
-        set_remembers(side_file, arguments_.remember);
+        core::set_remembers(side_file, arguments_.remember);
         if (const auto saved = side_file.save(); !saved) say_(saved.error().sentence(), asked_s);
     }
     std::error_code ec;
@@ -137,51 +138,51 @@ void WorldVisits::enter(LoadedWorld world, double asked_s) {
     world.request.file = here_.file;
     watch_.begin(here_.file, asked_s);
     take_settings(std::move(world.settings), world.settings_problems, asked_s);
-    app_.apply(
-        WorldEntered{std::move(world.entering), std::move(side_file), std::move(world.request), settings_.values()},
-        asked_s);
+    app_.apply(core::WorldEntered{std::move(world.entering), std::move(side_file), std::move(world.request),
+                                  settings_.values()},
+               asked_s);
     recent_.add(here_.file);
-    app_.apply(WorldsKnown{{world_folder(), recent_.worlds()}}, asked_s);
+    app_.apply(core::WorldsKnown{{world_folder(), recent_.worlds()}}, asked_s);
 }
 
 // The person's additions to the world. A learner's are in the learner's own folder, and begin as a copy of the common
 // ones.
-SideFile WorldVisits::additions_to(const std::filesystem::path& path) const {
+core::SideFile WorldVisits::additions_to(const std::filesystem::path& path) const {
     const std::filesystem::path kept = kept_by(path);
     if (arguments_.common.data_in.empty())
-        return SideFile::of_world(kept, user_data_folder(), is_shipped(path), toml_beside_worlds());
+        return core::SideFile::of_world(kept, core::user_data_folder(), is_shipped(path), toml_beside_worlds());
     std::error_code ec;
-    const std::filesystem::path own = SideFile::path_of(kept, arguments_.common.data_in, true),
-                                of_all = SideFile::path_of(kept, user_data_folder(), is_shipped(path));
+    const std::filesystem::path own = core::SideFile::path_of(kept, arguments_.common.data_in, true),
+                                of_all = core::SideFile::path_of(kept, core::user_data_folder(), is_shipped(path));
     if (!std::filesystem::exists(own, ec) && std::filesystem::exists(of_all, ec)) {
         std::filesystem::create_directories(own.parent_path(), ec);
         std::filesystem::copy_file(of_all, own, ec);  // if copying fails, the learner begins without additions
     }
-    return SideFile::of_world(kept, arguments_.common.data_in, true, toml_beside_worlds());
+    return core::SideFile::of_world(kept, arguments_.common.data_in, true, toml_beside_worlds());
 }
 
-void WorldVisits::begin_reading(WorldRequest request) {
+void WorldVisits::begin_reading(core::WorldRequest request) {
     asked_ = std::move(request);
     next_ = std::make_unique<WorldLoading>(asked_, arguments_.common);
 }
 
 // Course to the last place. If that is in another world, this world is read first.
-void WorldVisits::go_on_at(LastPlace last, double now_s) {
+void WorldVisits::go_on_at(core::LastPlace last, double now_s) {
     std::error_code ec;
     if (std::filesystem::equivalent(last.world.file, here_.file, ec) && last.world.building == here_.building)
-        return void(app_.apply(WentOnAt{std::move(last)}, now_s));
+        return void(app_.apply(core::WentOnAt{std::move(last)}, now_s));
     begin_reading(last.world);
     next_place_ = std::move(last);
 }
 
 void WorldVisits::change(double now_s) {
     if (auto wanted = app_.requests().take_world()) {
-        if (next_) return say_(phrase("program.still_read", {{"world", name_of_file(asked_.file)}}));
+        if (next_) return say_(phrase("program.still_read", {{"world", core::name_of_file(asked_.file)}}));
         wanted->map_scale_m_per_unit = arguments_.common.map_scale_m_per_unit;  // applies to every map
         begin_reading(std::move(*wanted));
     }
     if (app_.requests().take_read_again() && !next_ && !here_.file.empty()) {
-        if (!app_.requests().take_begin_anew()) next_place_ = LastPlace{here_, app_.feet_m(), app_.heading_rad()};
+        if (!app_.requests().take_begin_anew()) next_place_ = core::LastPlace{here_, app_.feet_m(), app_.heading_rad()};
         begin_reading(here_);
     }
     if (auto last = app_.requests().take_last_place(); last && !next_) go_on_at(std::move(*last), now_s);
@@ -194,7 +195,7 @@ void WorldVisits::change(double now_s) {
         return say_(phrase("program.stay_in", {{"problem", world.error().sentence()}, {"world", app_.scene()->name}}),
                     now_s);
     enter(std::move(*world), now_s);
-    if (place) app_.apply(WentOnAt{*place}, now_s);
+    if (place) app_.apply(core::WentOnAt{*place}, now_s);
 }
 
 // The current world stays as it was read until the person reloads it.
@@ -210,7 +211,7 @@ bool WorldVisits::give_up_reading(double now_s) {
     if (!next_) return false;
     next_.reset();  // waits for the loading thread, which checks the stop request many times a second
     next_place_.reset();
-    say_(phrase("program.given_up", {{"left", name_of_file(asked_.file)}, {"world", app_.scene()->name}}), now_s);
+    say_(phrase("program.given_up", {{"left", core::name_of_file(asked_.file)}, {"world", app_.scene()->name}}), now_s);
     return true;
 }
 
@@ -218,4 +219,4 @@ void WorldVisits::note_place(double now_s) {
     if (app_.standing()) trace_.note({here_, app_.feet_m(), app_.heading_rad()}, now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

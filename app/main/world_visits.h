@@ -21,7 +21,7 @@
 #include "app/main/world_loading.h"
 #include "app/main/world_watch.h"
 
-namespace handrail {
+namespace handrail::program {
 
 // One fault in full. If there are several, only the first, because reading all of them aloud took minutes; the menu
 // lists them.
@@ -31,7 +31,8 @@ std::vector<std::string> sentences_of(const std::vector<Diagnostic>& problems);
 class WorldVisits {
 public:
     // All of these outlive this object.
-    WorldVisits(const ExploreArguments& arguments, SettingsStore& settings, Session& app, const SessionVoice& say)
+    WorldVisits(const ExploreArguments& arguments, settings::SettingsStore& settings, core::Session& app,
+                const SessionVoice& say)
         : arguments_(arguments), settings_(settings), app_(app), say_(say) {}
 
     // Problems with the list of worlds, and then a previous session that was never left, with the way to continue it.
@@ -44,7 +45,7 @@ public:
     void keep_notes(double now_s);
 
     // The world that the command line requests.
-    WorldRequest first() const;
+    core::WorldRequest first() const;
     // Enters the world. Announces its report and the faults of its settings and its side file as parts of the reply of
     // `asked_s`.
     void enter(LoadedWorld world, double asked_s);
@@ -53,7 +54,7 @@ public:
     void change(double now_s);
     // True if a world has brought or removed settings since the last call.
     bool take_new_settings() { return std::exchange(new_settings_, false); }
-    const WorldRequest& here() const { return here_; }  // the current world; its file is absolute
+    const core::WorldRequest& here() const { return here_; }  // the current world; its file is absolute
     const std::filesystem::path& path() const { return here_.file; }
     // Sets a lesson's settings on top of the world's own until the lesson ends. An empty list leaves the world's own
     // alone.
@@ -71,28 +72,29 @@ public:
 
 private:
     bool of_learner() const { return !arguments_.common.data_in.empty(); }
-    SideFile additions_to(const std::filesystem::path& path) const;
+    core::SideFile additions_to(const std::filesystem::path& path) const;
     void watch_file(double now_s);
-    void begin_reading(WorldRequest request);
-    void take_settings(SettingsStore settings, const std::vector<Diagnostic>& problems, double asked_s);
-    void go_on_at(LastPlace last, double now_s);
+    void begin_reading(core::WorldRequest request);
+    void take_settings(settings::SettingsStore settings, const std::vector<Diagnostic>& problems, double asked_s);
+    void go_on_at(core::LastPlace last, double now_s);
 
     const ExploreArguments& arguments_;
-    SettingsStore& settings_;
-    Session& app_;
+    settings::SettingsStore& settings_;
+    core::Session& app_;
     const SessionVoice& say_;
     // For a learner both are in the learner's own folder, so that no trace of them is left elsewhere.
-    RecentWorlds recent_{of_learner() ? arguments_.common.data_in / "recent-worlds.txt" : recent_worlds_path()};
-    SessionTrace trace_{of_learner() ? arguments_.common.data_in / "sessions" : sessions_folder()};
+    core::RecentWorlds recent_{of_learner() ? arguments_.common.data_in / "recent-worlds.txt"
+                                            : core::recent_worlds_path()};
+    core::SessionTrace trace_{of_learner() ? arguments_.common.data_in / "sessions" : core::sessions_folder()};
     std::optional<CrashSignal> crash_signal_;
-    std::optional<CrashNotes> notes_;
+    std::optional<core::CrashNotes> notes_;
     std::uint64_t notes_kept_ = 0;
     bool new_settings_ = false;
-    WorldRequest here_;                    // without the unit, which is already kept next to the world
-    std::optional<LastPlace> next_place_;  // where to continue in the world that is being read
+    core::WorldRequest here_;                    // without the unit, which is already kept next to the world
+    std::optional<core::LastPlace> next_place_;  // where to continue in the world that is being read
     WorldWatch watch_;
     std::unique_ptr<WorldLoading> next_;
-    WorldRequest asked_;  // the request for the world that is being read
+    core::WorldRequest asked_;  // the request for the world that is being read
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

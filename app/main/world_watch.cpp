@@ -3,7 +3,7 @@
 #include <system_error>
 #include <utility>
 
-namespace handrail {
+namespace handrail::program {
 
 void WorldWatch::begin(const std::filesystem::path& file, double now_s) {
     file_ = file;
@@ -28,4 +28,4 @@ WorldWatch::News WorldWatch::look(double now_s) {
     return known_ ? News::Changed : News::Gone;
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace handrail {
+namespace handrail::program {
 
 class WorldWatch {
 public:
@@ -32,4 +32,4 @@ private:
     double looked_s_ = 0.0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::program

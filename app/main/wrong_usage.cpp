@@ -5,7 +5,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::program {
 namespace {
 
 std::string first_line_as_sentence(std::string text) {
@@ -48,4 +48,4 @@ std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error) {
     return first_line_as_sentence(error.what());
 }
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -5,9 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-namespace handrail {
+namespace handrail::program {
 
 // `app` is the command that was parsed. The library's own words appear only for a fault for which we have no sentence.
 std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error);
 
-}  // namespace handrail
+}  // namespace handrail::program

@@ -2,4 +2,4 @@
 // app/import/reader_process.h.
 #include "app/import/reader_process.h"
 
-int main(int argc, char** argv) { return handrail::reader_process(argc, argv); }
+int main(int argc, char** argv) { return handrail::importing::reader_process(argc, argv); }

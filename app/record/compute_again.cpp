@@ -17,7 +17,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/typist.h"
 
-namespace handrail {
+namespace handrail::record {
 namespace {
 
 namespace fs = std::filesystem;
@@ -41,7 +41,7 @@ public:
     const fs::path& path() const { return path_; }
 
     // Writes what the person had added to the world to a file, next to a link to the world.
-    SideFile additions_of(const RecordedWorld& world) {
+    core::SideFile additions_of(const RecordedWorld& world) {
         const fs::path folder = path_ / std::to_string(++worlds_);
         std::error_code ec;
         fs::create_directories(folder, ec);
@@ -50,7 +50,7 @@ public:
         fs::path file = link;
         file += ".handrail.toml";
         if (!world.additions.empty()) (void)write_file_atomically(file, world.additions);
-        return SideFile::of_world(link, {});
+        return core::SideFile::of_world(link, {});
     }
 
 private:
@@ -75,12 +75,12 @@ std::set<std::uint64_t> numbers_that_came(const Recording& recording) {
 
 class Player {
 public:
-    Player(const Recording& recording, const WorldReader& read)
+    Player(const Recording& recording, const core::WorldReader& read)
         : recording_(recording),
           read_(read),
           arrivals_(numbers_that_came(recording)),
           bodies_(recording, [this](std::size_t which) { return (which == 0 ? right_ : left_).step(); }),
-          app_(recording.head.settings, HandFacts{}, options()),
+          app_(recording.head.settings, core::HandFacts{}, options()),
           right_(recording.hands[0], 0, bodies_),
           left_(recording.hands[1], 1, bodies_),
           ears_(recording.head.settings, recording.head.begun_s) {
@@ -120,21 +120,21 @@ public:
     }
 
 private:
-    Result<EnteringWorld> ready_world(const RecordedWorld& world) const {
+    Result<core::EnteringWorld> ready_world(const RecordedWorld& world) const {
         const auto scene = read_recorded_scene(world, read_);
         if (!scene) return tl::unexpected(scene.error());
-        return make_ready_to_touch(*scene);
+        return core::make_ready_to_touch(*scene);
     }
 
-    SessionOptions options() {
+    core::SessionOptions options() {
         const bool threads = !recording_.head.virtual_time;
-        SessionOptions options{.executor = threads ? on_threads() : at_once(),
-                               .records_in = aside_.path(),
-                               .languages_in = {},
-                               .bodies = {},
-                               .arrivals = threads ? &arrivals_ : nullptr};
+        core::SessionOptions options{.executor = threads ? on_threads() : at_once(),
+                                     .records_in = aside_.path(),
+                                     .languages_in = {},
+                                     .bodies = {},
+                                     .arrivals = threads ? &arrivals_ : nullptr};
         if (bodies_.recorded())
-            options.bodies.played = [this](std::shared_ptr<const DynamicsScene> scene, double begin_s) {
+            options.bodies.played = [this](std::shared_ptr<const render::DynamicsScene> scene, double begin_s) {
                 return bodies_.make(std::move(scene), begin_s);
             };
         return options;
@@ -186,15 +186,17 @@ private:
     Result<void> take_input(const RecordedLine& line) {
         auto input = read_input_line(line.json);
         if (!input) return fail(input.error().message, "events.jsonl", line.line);
-        if (auto* entered = std::get_if<WorldEntered>(&input->input)) {
+        if (auto* entered = std::get_if<core::WorldEntered>(&input->input)) {
             auto world = ready_world(input->world);
             if (!world) return tl::unexpected(world.error());
             if (world->moves_freely && !bodies_.recorded()) again_.remarks.push_back(phrase("replay.free_bodies"));
             entered->world = std::move(*world);
             if (input->world.has_additions) entered->additions = aside_.additions_of(input->world);
         }
-        if (const auto* hand = std::get_if<HandChanged>(&input->input)) driver_.drive(0, right_.change(hand->hand));
-        if (const auto* hand = std::get_if<LeftHandChanged>(&input->input)) driver_.drive(1, left_.change(hand->hand));
+        if (const auto* hand = std::get_if<core::HandChanged>(&input->input))
+            driver_.drive(0, right_.change(hand->hand));
+        if (const auto* hand = std::get_if<core::LeftHandChanged>(&input->input))
+            driver_.drive(1, left_.change(hand->hand));
         app_.apply(std::move(input->input), input->now_s);
         return {};
     }
@@ -226,8 +228,8 @@ private:
             if (row.posts > ears_.posted() || !right_.run_to_events(row.contacts) ||
                 !left_.run_to_events(row.left_contacts))
                 return;
-            std::vector<ContactEvent> contacts = right_.take_events(row.contacts);
-            for (const ContactEvent& event : left_.take_events(row.left_contacts)) contacts.push_back(event);
+            std::vector<servo::ContactEvent> contacts = right_.take_events(row.contacts);
+            for (const servo::ContactEvent& event : left_.take_events(row.left_contacts)) contacts.push_back(event);
             ears_.step(row, std::move(contacts));
             ++cues_;
         }
@@ -235,15 +237,15 @@ private:
 
     const ActsBy spoken_to_ = spoken_to();
     const Recording& recording_;
-    const WorldReader& read_;
+    const core::WorldReader& read_;
     Aside aside_;
     Arrivals arrivals_;
     PlayedBodies bodies_;
-    Session app_;
+    core::Session app_;
     PlayedHand right_, left_;
     PlayedEars ears_;
     // `take_settings` does nothing, because the recording says when the ears were given the settings.
-    SessionDriver driver_{
+    core::SessionDriver driver_{
         app_, ears_, {.ticked = {}, .take_settings = [](auto) { return false; }, .hands_over = {}, .look_at_cues = {}}};
     ComputedAgain again_;
     std::size_t frames_ = 0, cues_ = 0;
@@ -253,15 +255,15 @@ private:
 
 }  // namespace
 
-Result<std::shared_ptr<const Scene>> read_recorded_scene(const RecordedWorld& world, const WorldReader& read) {
+Result<std::shared_ptr<const Scene>> read_recorded_scene(const RecordedWorld& world, const core::WorldReader& read) {
     auto scene = read.scene(world.request);
     if (!scene) return tl::unexpected(scene.error());
-    if (!world.checksum.empty() && SideFile::checksum_of_world(world.request.file) != world.checksum)
+    if (!world.checksum.empty() && core::SideFile::checksum_of_world(world.request.file) != world.checksum)
         return fail(phrase("replay.other_world"), world.request.file.string());
-    return std::make_shared<const Scene>(with_made_doors(std::move(*scene), made_doors_in(world.additions)));
+    return std::make_shared<const Scene>(with_made_doors(std::move(*scene), core::made_doors_in(world.additions)));
 }
 
-Result<ComputedAgain> compute_again(const Recording& recording, const WorldReader& read) {
+Result<ComputedAgain> compute_again(const Recording& recording, const core::WorldReader& read) {
     if (recording.head.language != spoken_language())
         return fail(phrase("replay.other_language", {{"language", recording.head.language}}));
     return Player(recording, read).play();
@@ -283,4 +285,4 @@ std::optional<LineDifference> first_difference(const Recording& recording, const
     return std::nullopt;
 }
 
-}  // namespace handrail
+}  // namespace handrail::record

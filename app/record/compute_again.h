@@ -13,10 +13,10 @@
 #include "app/record/recording.h"
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::record {
 
 // Reads a world that a recording names from its file. Fails with a sentence, also if the file has changed since.
-Result<std::shared_ptr<const Scene>> read_recorded_scene(const RecordedWorld& world, const WorldReader& read);
+Result<std::shared_ptr<const Scene>> read_recorded_scene(const RecordedWorld& world, const core::WorldReader& read);
 
 struct ComputedAgain {
     std::vector<SaidLine> said;
@@ -32,7 +32,7 @@ struct ComputedAgain {
 
 // Fails with a sentence if a world cannot be read or a line is invalid. Computed lines are compared with recorded ones
 // as text, so the language spoken now must be that of the recording.
-Result<ComputedAgain> compute_again(const Recording& recording, const WorldReader& read);
+Result<ComputedAgain> compute_again(const Recording& recording, const core::WorldReader& read);
 
 // The first line that differs; two recordings of the same session have none.
 struct LineDifference {
@@ -41,4 +41,4 @@ struct LineDifference {
 };
 std::optional<LineDifference> first_difference(const Recording& recording, const ComputedAgain& again);
 
-}  // namespace handrail
+}  // namespace handrail::record

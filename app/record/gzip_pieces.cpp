@@ -9,7 +9,7 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::record {
 namespace {
 
 constexpr int kGzip = 15 + 16;  // the largest window; 16 selects the gzip format
@@ -61,4 +61,4 @@ GzipText gunzip_pieces(std::string_view bytes, std::size_t most_bytes) {
     return read;
 }
 
-}  // namespace handrail
+}  // namespace handrail::record

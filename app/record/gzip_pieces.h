@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace handrail {
+namespace handrail::record {
 
 // Packs one piece; an empty text gives an empty result. Throws std::bad_alloc if memory does not suffice.
 std::string gzip_piece(std::string_view text);
@@ -19,4 +19,4 @@ struct GzipText {
 // Unpacks all pieces. Never fails: if the bytes are not gzip at all, the text is empty and not whole.
 GzipText gunzip_pieces(std::string_view bytes, std::size_t most_bytes);
 
-}  // namespace handrail
+}  // namespace handrail::record

@@ -4,7 +4,7 @@
 
 #include "app/record/json_fields.h"
 
-namespace handrail {
+namespace handrail::record {
 namespace {
 
 std::optional<Hearing::Knock> knock_of(const RecordedLine& line) {
@@ -65,4 +65,4 @@ const FrameRow* Hearing::place() const {
     return after == recording_.frames.begin() ? nullptr : &*(after - 1);
 }
 
-}  // namespace handrail
+}  // namespace handrail::record

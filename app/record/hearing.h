@@ -7,7 +7,7 @@
 
 #include "app/record/recording.h"
 
-namespace handrail {
+namespace handrail::record {
 
 class Hearing {
 public:
@@ -55,4 +55,4 @@ private:
     bool stopped_ = false;
 };
 
-}  // namespace handrail
+}  // namespace handrail::record

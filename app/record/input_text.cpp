@@ -9,7 +9,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/overloaded.h"
 
-namespace handrail {
+namespace handrail::record {
 namespace {
 
 constexpr std::array<const char*, 5> kActs = {"go_to", "choose", "less", "more", "put"};
@@ -25,15 +25,16 @@ std::size_t place_in(const std::array<const char*, N>& words, const Json& word) 
     throw Json::other_error::create(501, "word", nullptr);
 }
 
-Command command_of(const Json& json) {
-    if (const CommandInfo* found = find_command(json.at("command").get<std::string>())) return found->command;
+core::Command command_of(const Json& json) {
+    if (const core::CommandInfo* found = core::find_command(json.at("command").get<std::string>()))
+        return found->command;
     throw Json::other_error::create(501, "command", nullptr);
 }
 
-Json json_of(const HandFacts& hand) {
+Json json_of(const core::HandFacts& hand) {
     Json json{{"present", hand.present}};
     if (!hand.present) return json;
-    const DeviceSpec& spec = hand.spec;
+    const device::DeviceSpec& spec = hand.spec;
     json["simulated"] = hand.simulated;
     json["device"] = std::string(spec.name);
     json["serial"] = hand.serial;
@@ -50,16 +51,16 @@ Json json_of(const HandFacts& hand) {
     return json;
 }
 
-HandFacts hand_of(const Json& json) {
-    HandFacts hand;
+core::HandFacts hand_of(const Json& json) {
+    core::HandFacts hand;
     hand.present = json.at("present").get<bool>();
     if (!hand.present) return hand;
     hand.simulated = json.at("simulated").get<bool>();
     hand.serial = json.at("serial").get<std::string>();
     const std::string name = json.at("device").get<std::string>();
-    const DeviceSpec* model = find_device_spec(name);
-    hand.spec = model ? *model : ideal_device_spec();
-    DeviceSpec& spec = hand.spec;
+    const device::DeviceSpec* model = device::find_device_spec(name);
+    hand.spec = model ? *model : device::ideal_device_spec();
+    device::DeviceSpec& spec = hand.spec;
     const auto peak = json.find("peak_force_n");
     spec.peak_force_n = peak == json.end() ? std::numeric_limits<double>::infinity() : peak->get<double>();
     spec.rated_stiffness_n_per_m = json.at("rated_stiffness_n_per_m").get<double>();
@@ -73,14 +74,14 @@ HandFacts hand_of(const Json& json) {
     return hand;
 }
 
-Json json_of(const Settings& settings) { return Json::parse(settings_text(settings)); }
-Settings settings_of(const Json& json) {
+Json json_of(const settings::Settings& settings) { return Json::parse(settings_text(settings)); }
+settings::Settings settings_of(const Json& json) {
     auto settings = read_settings_text(json.dump());
     if (!settings) throw Json::other_error::create(501, settings.error().message, nullptr);
     return std::move(*settings);
 }
 
-Json json_of(const LastPlace& place) {
+Json json_of(const core::LastPlace& place) {
     Json json{{"world", place.world.file.string()},
               {"feet_m", json_of_vec(place.feet_m)},
               {"heading_rad", place.heading_rad}};
@@ -93,15 +94,15 @@ std::optional<double> number_of(const Json& json, const char* key) {
     const auto at = json.find(key);
     return at == json.end() ? std::nullopt : std::optional(at->get<double>());
 }
-LastPlace last_place_of(const Json& json) {
-    const WorldRequest world{json.at("world").get<std::string>(), number_of(json, "map_scale_m_per_unit"),
-                             number_of(json, "unit_m"), json.value("building", std::string())};
+core::LastPlace last_place_of(const Json& json) {
+    const core::WorldRequest world{json.at("world").get<std::string>(), number_of(json, "map_scale_m_per_unit"),
+                                   number_of(json, "unit_m"), json.value("building", std::string())};
     return {world, vec_of(json.at("feet_m")), json.at("heading_rad").get<double>()};
 }
 
 // The reading options are written in the terms of the world readers.
-Json json_of(const WorldEntered& in) {
-    const ReadOptions read = read_options(in.request);
+Json json_of(const core::WorldEntered& in) {
+    const readers::ReadOptions read = core::read_options(in.request);
     Json json{{"world", in.request.file.string()},
               {"map_metres_per_unit", read.map_metres_per_unit},
               {"obj_metres_per_unit", read.obj_metres_per_unit},
@@ -131,118 +132,118 @@ RecordedWorld world_of(const Json& json) {
     return world;
 }
 
-Json fields_of(const SessionInput& input) {
+Json fields_of(const core::SessionInput& input) {
     return std::visit(
         Overloaded{
-            [](const CommandDown& in) {
-                Json json{{"is", "command_down"}, {"command", std::string(info(in.command).word)}};
+            [](const core::CommandDown& in) {
+                Json json{{"is", "command_down"}, {"command", std::string(core::info(in.command).word)}};
                 if (in.times != 1) json["times"] = in.times;
                 return json;
             },
-            [](const CommandUp& in) {
-                return Json{{"is", "command_up"}, {"command", std::string(info(in.command).word)}};
+            [](const core::CommandUp& in) {
+                return Json{{"is", "command_up"}, {"command", std::string(core::info(in.command).word)}};
             },
-            [](const KeyTapped& in) {
+            [](const core::KeyTapped& in) {
                 return Json{{"is", "key"}, {"key", in.key}};
             },
-            [](const TextTyped& in) {
+            [](const core::TextTyped& in) {
                 return Json{{"is", "text"}, {"text", in.utf8}};
             },
-            [](const LineTyped& in) {
+            [](const core::LineTyped& in) {
                 return Json{{"is", "line"}, {"line", in.line}};
             },
-            [](const ListsLeft&) {
+            [](const core::ListsLeft&) {
                 return Json{{"is", "lists_left"}};
             },
-            [](const ItemActed& in) {
+            [](const core::ItemActed& in) {
                 return Json{{"is", "item_act"},
                             {"act", kActs.at(static_cast<std::size_t>(in.act.kind))},
                             {"item", in.act.item},
                             {"name", in.act.name},
                             {"number", in.act.number}};
             },
-            [](const Steered& in) {
+            [](const core::Steered& in) {
                 return Json{{"is", "steered"},
                             {"ahead", in.steering.ahead},
                             {"right", in.steering.right},
                             {"turn_right", in.steering.turn_right}};
             },
-            [](const FocusChanged& in) {
+            [](const core::FocusChanged& in) {
                 return Json{{"is", "focus"}, {"focused", in.focused}};
             },
-            [](const Stopped& in) {
+            [](const core::Stopped& in) {
                 return Json{{"is", "stops"}, {"count", in.count}};
             },
-            [](const HandMoved& in) {
+            [](const core::HandMoved& in) {
                 return Json{{"is", "hand_moved"}, {"by_m", json_of_vec(in.by_m)}};
             },
-            [](const SettingSet& in) {
+            [](const core::SettingSet& in) {
                 return Json{{"is", "setting"}, {"key", in.key}, {"value", in.value}};
             },
-            [](const SettingsChanged& in) {
+            [](const core::SettingsChanged& in) {
                 return Json{{"is", "settings"}, {"settings", json_of(in.settings)}};
             },
-            [](const HandChanged& in) {
+            [](const core::HandChanged& in) {
                 return Json{{"is", "hand"},
                             {"hand", json_of(in.hand)},
                             {"settings", json_of(in.settings)},
                             {"for_want_of_one", in.for_want_of_one}};
             },
-            [](const LeftHandChanged& in) {
+            [](const core::LeftHandChanged& in) {
                 return Json{{"is", "left_hand"}, {"hand", json_of(in.hand)}};
             },
-            [](const HandOffered& in) {
+            [](const core::HandOffered& in) {
                 return Json{{"is", "hand_offered"}, {"spoken_name", in.spoken_name}};
             },
-            [](const WorldEntered& in) {
+            [](const core::WorldEntered& in) {
                 Json json{{"is", "world_entered"}};
                 json.update(json_of(in));
                 return json;
             },
-            [](const Placed& in) {
+            [](const core::Placed& in) {
                 return Json{{"is", "placed"}, {"feet_m", json_of_vec(in.feet_m)}, {"heading_rad", in.heading_rad}};
             },
-            [](const Told& in) {
+            [](const core::Told& in) {
                 return Json{{"is", "told"},
                             {"text", in.text},
                             {"class", kClassWords.at(static_cast<std::size_t>(in.speech_class))}};
             },
-            [](const LinesOwed& in) {
+            [](const core::LinesOwed& in) {
                 return Json{{"is", "lines_owed"}, {"topics", in.topics.bits}};
             },
-            [](const FirstMinutesBegun& in) {
+            [](const core::FirstMinutesBegun& in) {
                 return Json{
                     {"is", "first_minutes"}, {"who_speaks", in.who_speaks}, {"owner_sets_up", in.owner_sets_up}};
             },
-            [](const LessonLeft&) {
+            [](const core::LessonLeft&) {
                 return Json{{"is", "lesson_left"}};
             },
-            [](const SetUpOver&) {
+            [](const core::SetUpOver&) {
                 return Json{{"is", "set_up_over"}};
             },
-            [](const LastPlaceKnown& in) {
+            [](const core::LastPlaceKnown& in) {
                 return Json{{"is", "last_place"}, {"place", json_of(in.place)}};
             },
-            [](const WentOnAt& in) {
+            [](const core::WentOnAt& in) {
                 return Json{{"is", "went_on_at"}, {"place", json_of(in.place)}};
             },
-            [](const CrashReportKnown& in) {
+            [](const core::CrashReportKnown& in) {
                 return Json{{"is", "crash_report"}, {"file", in.file}, {"lines", in.lines}};
             },
-            [](const SettingsFaultsKnown& in) {
+            [](const core::SettingsFaultsKnown& in) {
                 return Json{{"is", "settings_faults"}, {"faults", in.faults}};
             },
-            [](const DevicesFound& in) {
+            [](const core::DevicesFound& in) {
                 return Json{{"is", "devices"}, {"sentences", in.sentences}};
             },
-            [](const TeacherActed& in) {
+            [](const core::TeacherActed& in) {
                 Json json{{"is", "teacher"},           {"act", kTeacherActs.at(static_cast<std::size_t>(in.kind))},
                           {"text", in.text},           {"items", in.items},
                           {"places_m", Json::array()}, {"number", in.number}};
                 for (const Vec3& place : in.places_m) json["places_m"].push_back(json_of_vec(place));
                 return json;
             },
-            [](const WorldsKnown& in) {
+            [](const core::WorldsKnown& in) {
                 Json recent = Json::array();
                 for (const auto& world : in.shelf.recent) recent.push_back(world.string());
                 return Json{{"is", "worlds"}, {"bundled", in.shelf.bundled.string()}, {"recent", std::move(recent)}};
@@ -251,96 +252,106 @@ Json fields_of(const SessionInput& input) {
         input);
 }
 
-using ReadFields = SessionInput (*)(const Json&);
+using ReadFields = core::SessionInput (*)(const Json&);
 const std::map<std::string, ReadFields, std::less<>>& readers() {
     static const std::map<std::string, ReadFields, std::less<>> kReaders = {
         {"command_down",
-         [](const Json& j) -> SessionInput {
-             return CommandDown{command_of(j), j.contains("times") ? whole_of<int>(j.at("times")) : 1};
+         [](const Json& j) -> core::SessionInput {
+             return core::CommandDown{command_of(j), j.contains("times") ? whole_of<int>(j.at("times")) : 1};
          }},
-        {"command_up", [](const Json& j) -> SessionInput { return CommandUp{command_of(j)}; }},
-        {"key", [](const Json& j) -> SessionInput { return KeyTapped{j.at("key").get<std::string>()}; }},
-        {"text", [](const Json& j) -> SessionInput { return TextTyped{j.at("text").get<std::string>()}; }},
-        {"line", [](const Json& j) -> SessionInput { return LineTyped{j.at("line").get<std::string>()}; }},
+        {"command_up", [](const Json& j) -> core::SessionInput { return core::CommandUp{command_of(j)}; }},
+        {"key", [](const Json& j) -> core::SessionInput { return core::KeyTapped{j.at("key").get<std::string>()}; }},
+        {"text", [](const Json& j) -> core::SessionInput { return core::TextTyped{j.at("text").get<std::string>()}; }},
+        {"line", [](const Json& j) -> core::SessionInput { return core::LineTyped{j.at("line").get<std::string>()}; }},
         {"lines_owed",
-         [](const Json& j) -> SessionInput { return LinesOwed{{whole_of<std::uint32_t>(j.at("topics"))}}; }},
-        {"lists_left", [](const Json&) -> SessionInput { return ListsLeft{}; }},
+         [](const Json& j) -> core::SessionInput {
+             return core::LinesOwed{{whole_of<std::uint32_t>(j.at("topics"))}};
+         }},
+        {"lists_left", [](const Json&) -> core::SessionInput { return core::ListsLeft{}; }},
         {"item_act",
-         [](const Json& j) -> SessionInput {
-             return ItemActed{{static_cast<ItemAct::Kind>(place_in(kActs, j.at("act"))),
-                               whole_of<std::size_t>(j.at("item")), j.at("name").get<std::string>(),
-                               j.at("number").get<double>()}};
+         [](const Json& j) -> core::SessionInput {
+             return core::ItemActed{{static_cast<core::ItemAct::Kind>(place_in(kActs, j.at("act"))),
+                                     whole_of<std::size_t>(j.at("item")), j.at("name").get<std::string>(),
+                                     j.at("number").get<double>()}};
          }},
         {"steered",
-         [](const Json& j) -> SessionInput {
-             return Steered{
+         [](const Json& j) -> core::SessionInput {
+             return core::Steered{
                  {j.at("ahead").get<double>(), j.at("right").get<double>(), j.at("turn_right").get<double>()}};
          }},
-        {"focus", [](const Json& j) -> SessionInput { return FocusChanged{j.at("focused").get<bool>()}; }},
-        {"stops", [](const Json& j) -> SessionInput { return Stopped{whole_of<std::uint32_t>(j.at("count"))}; }},
-        {"hand_moved", [](const Json& j) -> SessionInput { return HandMoved{vec_of(j.at("by_m"))}; }},
+        {"focus", [](const Json& j) -> core::SessionInput { return core::FocusChanged{j.at("focused").get<bool>()}; }},
+        {"stops",
+         [](const Json& j) -> core::SessionInput { return core::Stopped{whole_of<std::uint32_t>(j.at("count"))}; }},
+        {"hand_moved", [](const Json& j) -> core::SessionInput { return core::HandMoved{vec_of(j.at("by_m"))}; }},
         {"setting",
-         [](const Json& j) -> SessionInput {
-             return SettingSet{j.at("key").get<std::string>(), j.at("value").get<std::string>()};
+         [](const Json& j) -> core::SessionInput {
+             return core::SettingSet{j.at("key").get<std::string>(), j.at("value").get<std::string>()};
          }},
-        {"settings", [](const Json& j) -> SessionInput { return SettingsChanged{settings_of(j.at("settings"))}; }},
+        {"settings",
+         [](const Json& j) -> core::SessionInput { return core::SettingsChanged{settings_of(j.at("settings"))}; }},
         {"hand",
-         [](const Json& j) -> SessionInput {
-             return HandChanged{hand_of(j.at("hand")), settings_of(j.at("settings")),
-                                j.at("for_want_of_one").get<bool>()};
+         [](const Json& j) -> core::SessionInput {
+             return core::HandChanged{hand_of(j.at("hand")), settings_of(j.at("settings")),
+                                      j.at("for_want_of_one").get<bool>()};
          }},
-        {"left_hand", [](const Json& j) -> SessionInput { return LeftHandChanged{hand_of(j.at("hand"))}; }},
+        {"left_hand", [](const Json& j) -> core::SessionInput { return core::LeftHandChanged{hand_of(j.at("hand"))}; }},
         {"hand_offered",
-         [](const Json& j) -> SessionInput { return HandOffered{j.at("spoken_name").get<std::string>()}; }},
+         [](const Json& j) -> core::SessionInput { return core::HandOffered{j.at("spoken_name").get<std::string>()}; }},
         {"world_entered",
-         [](const Json& j) -> SessionInput {
-             return WorldEntered{{},
-                                 {},
-                                 world_of(j).request,
-                                 j.contains("settings") ? std::optional(settings_of(j.at("settings"))) : std::nullopt};
+         [](const Json& j) -> core::SessionInput {
+             return core::WorldEntered{
+                 {},
+                 {},
+                 world_of(j).request,
+                 j.contains("settings") ? std::optional(settings_of(j.at("settings"))) : std::nullopt};
          }},
         {"placed",
-         [](const Json& j) -> SessionInput {
-             return Placed{vec_of(j.at("feet_m")), j.at("heading_rad").get<double>()};
+         [](const Json& j) -> core::SessionInput {
+             return core::Placed{vec_of(j.at("feet_m")), j.at("heading_rad").get<double>()};
          }},
         {"told",
-         [](const Json& j) -> SessionInput {
-             return Told{j.at("text").get<std::string>(),
-                         static_cast<SpeechClass>(place_in(kClassWords, j.at("class")))};
+         [](const Json& j) -> core::SessionInput {
+             return core::Told{j.at("text").get<std::string>(),
+                               static_cast<cues::SpeechClass>(place_in(kClassWords, j.at("class")))};
          }},
         {"first_minutes",
-         [](const Json& j) -> SessionInput {
-             return FirstMinutesBegun{j.at("who_speaks").get<std::string>(), j.at("owner_sets_up").get<bool>()};
+         [](const Json& j) -> core::SessionInput {
+             return core::FirstMinutesBegun{j.at("who_speaks").get<std::string>(), j.at("owner_sets_up").get<bool>()};
          }},
-        {"lesson_left", [](const Json&) -> SessionInput { return LessonLeft{}; }},
-        {"set_up_over", [](const Json&) -> SessionInput { return SetUpOver{}; }},
-        {"last_place", [](const Json& j) -> SessionInput { return LastPlaceKnown{last_place_of(j.at("place"))}; }},
-        {"went_on_at", [](const Json& j) -> SessionInput { return WentOnAt{last_place_of(j.at("place"))}; }},
+        {"lesson_left", [](const Json&) -> core::SessionInput { return core::LessonLeft{}; }},
+        {"set_up_over", [](const Json&) -> core::SessionInput { return core::SetUpOver{}; }},
+        {"last_place",
+         [](const Json& j) -> core::SessionInput { return core::LastPlaceKnown{last_place_of(j.at("place"))}; }},
+        {"went_on_at",
+         [](const Json& j) -> core::SessionInput { return core::WentOnAt{last_place_of(j.at("place"))}; }},
         {"crash_report",
-         [](const Json& j) -> SessionInput {
-             return CrashReportKnown{j.at("file").get<std::string>(), j.at("lines").get<std::vector<std::string>>()};
+         [](const Json& j) -> core::SessionInput {
+             return core::CrashReportKnown{j.at("file").get<std::string>(),
+                                           j.at("lines").get<std::vector<std::string>>()};
          }},
         {"settings_faults",
-         [](const Json& j) -> SessionInput {
-             return SettingsFaultsKnown{j.at("faults").get<std::vector<std::string>>()};
+         [](const Json& j) -> core::SessionInput {
+             return core::SettingsFaultsKnown{j.at("faults").get<std::vector<std::string>>()};
          }},
         {"devices",
-         [](const Json& j) -> SessionInput { return DevicesFound{j.at("sentences").get<std::vector<std::string>>()}; }},
+         [](const Json& j) -> core::SessionInput {
+             return core::DevicesFound{j.at("sentences").get<std::vector<std::string>>()};
+         }},
         {"teacher",
-         [](const Json& j) -> SessionInput {
-             TeacherActed act{static_cast<TeacherActed::Kind>(place_in(kTeacherActs, j.at("act"))),
-                              j.at("text").get<std::string>(),
-                              j.at("items").get<std::vector<std::string>>(),
-                              {},
-                              j.at("number").get<double>()};
+         [](const Json& j) -> core::SessionInput {
+             core::TeacherActed act{static_cast<core::TeacherActed::Kind>(place_in(kTeacherActs, j.at("act"))),
+                                    j.at("text").get<std::string>(),
+                                    j.at("items").get<std::vector<std::string>>(),
+                                    {},
+                                    j.at("number").get<double>()};
              for (const Json& place : j.at("places_m")) act.places_m.push_back(vec_of(place));
              return act;
          }},
         {"worlds",
-         [](const Json& j) -> SessionInput {
-             WorldShelf shelf{j.at("bundled").get<std::string>(), {}};
+         [](const Json& j) -> core::SessionInput {
+             core::WorldShelf shelf{j.at("bundled").get<std::string>(), {}};
              for (const Json& world : j.at("recent")) shelf.recent.emplace_back(world.get<std::string>());
-             return WorldsKnown{std::move(shelf)};
+             return core::WorldsKnown{std::move(shelf)};
          }},
     };
     return kReaders;
@@ -350,7 +361,7 @@ const std::map<std::string, ReadFields, std::less<>>& readers() {
 
 bool is_input(const std::string& is) { return readers().contains(is); }
 
-std::string input_line(const SessionInput& input, double now_s, std::uint64_t frame, double begun_s) {
+std::string input_line(const core::SessionInput& input, double now_s, std::uint64_t frame, double begun_s) {
     Json line{{"t", std::llround((now_s - begun_s) * 1e3)}};
     line.update(fields_of(input));
     line["frame"] = frame;
@@ -366,11 +377,11 @@ Result<RecordedInput> read_input_line(const std::string& line) {
         if (reader == readers().end()) return fail(phrase("recording.no_line"));
         RecordedInput read{
             whole_of<std::uint64_t>(json.at("frame")), json.at("now_s").get<double>(), reader->second(json), {}};
-        if (std::holds_alternative<WorldEntered>(read.input)) read.world = world_of(json);
+        if (std::holds_alternative<core::WorldEntered>(read.input)) read.world = world_of(json);
         return read;
     } catch (const Json::exception&) {
         return fail(phrase("recording.no_line"));
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::record

@@ -10,7 +10,7 @@
 
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::record {
 
 using Json = nlohmann::ordered_json;
 
@@ -39,4 +39,4 @@ Whole whole_of(const Json& json) {
 // One line without its line break; invalid UTF-8 is replaced.
 inline std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-}  // namespace handrail
+}  // namespace handrail::record

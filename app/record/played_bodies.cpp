@@ -7,7 +7,7 @@
 #include "app/record/json_fields.h"
 #include "haptic/dynamics/dynamics_loop.h"
 
-namespace handrail {
+namespace handrail::record {
 namespace {
 
 // Keeps the frames that one reader read, out of all frames.
@@ -16,14 +16,14 @@ public:
     void will_read(std::uint64_t number) {
         if (number > 0 && (wanted_.empty() || wanted_.back() < number)) wanted_.push_back(number);
     }
-    void offer(const DynamicsFrame& frame) {
+    void offer(const render::DynamicsFrame& frame) {
         while (!wanted_.empty() && wanted_.front() < frame.number) wanted_.pop_front();
         if (wanted_.empty() || wanted_.front() != frame.number) return;
         wanted_.pop_front();
         there_.push_back(frame);
     }
     // Returns null if the frame is not available. Valid until the next call.
-    const DynamicsFrame* take(std::uint64_t number) {
+    const render::DynamicsFrame* take(std::uint64_t number) {
         while (!there_.empty() && there_.front().number < number) there_.pop_front();
         if (there_.empty() || there_.front().number != number) return nullptr;
         taken_ = there_.front();
@@ -33,8 +33,8 @@ public:
 
 private:
     std::deque<std::uint64_t> wanted_;  // in rising order
-    std::deque<DynamicsFrame> there_;
-    DynamicsFrame taken_;
+    std::deque<render::DynamicsFrame> there_;
+    render::DynamicsFrame taken_;
 };
 
 constexpr std::size_t kSession = 2;  // index after the two hands
@@ -43,25 +43,25 @@ constexpr std::size_t kSession = 2;  // index after the two hands
 
 // The data of one engine, kept also after the engine has ended.
 struct PlayedBodies::Book {
-    std::vector<EngineRow> rows;
+    std::vector<dynamics::EngineRow> rows;
     std::array<FramesRead, 3> frames;  // read by the two hands and the session
-    std::array<std::shared_ptr<HandChannel>, 2> hands;
+    std::array<std::shared_ptr<render::HandChannel>, 2> hands;
     std::array<std::uint64_t, 2> published{};  // last frame published to each hand
     // From each hand, those that no step has taken yet.
-    std::array<std::deque<HandPush>, 2> pushes;
-    std::array<std::deque<HandPlace>, 2> places;
+    std::array<std::deque<render::HandPush>, 2> pushes;
+    std::array<std::deque<render::HandPlace>, 2> places;
     Engine* engine = nullptr;  // null after it has ended
 };
 
-class PlayedBodies::Engine : public BodyEngine {
+class PlayedBodies::Engine : public dynamics::BodyEngine {
 public:
-    Engine(std::shared_ptr<const DynamicsScene> scene, double begin_s, PlayedBodies& all, Book& book,
+    Engine(std::shared_ptr<const render::DynamicsScene> scene, double begin_s, PlayedBodies& all, Book& book,
            std::uint32_t number)
         : all_(all), book_(book), number_(number), dynamics_(std::move(scene)) {
         dynamics_.skip(begin_s);
         book_.engine = this;
         for (auto& hand : book_.hands) {
-            hand = std::make_shared<HandChannel>();
+            hand = std::make_shared<render::HandChannel>();
             hand->engine = number;
         }
     }
@@ -72,7 +72,7 @@ public:
         book_.engine = nullptr;
     }
 
-    std::shared_ptr<HandChannel> hand(unsigned which) const override { return book_.hands.at(which); }
+    std::shared_ptr<render::HandChannel> hand(unsigned which) const override { return book_.hands.at(which); }
 
     bool order(const Order& order) override {
         if (all_.refused_.contains(++all_.orders_)) return false;
@@ -86,13 +86,13 @@ public:
     bool newer_frame_for_app() override {
         const std::uint64_t due = all_.due_.engine == number_ ? all_.due_.engine_frame : 0;
         if (due <= frame_.number || !run_to(due)) return false;
-        const DynamicsFrame* const read = book_.frames[kSession].take(due);
+        const render::DynamicsFrame* const read = book_.frames[kSession].take(due);
         if (!read) return fails();
         frame_ = *read;
         return true;
     }
-    const DynamicsFrame& frame_for_app() const override { return frame_; }
-    bool take_event(BodyEvent& event) override {
+    const render::DynamicsFrame& frame_for_app() const override { return frame_; }
+    bool take_event(render::BodyEvent& event) override {
         if (all_.due_.engine != number_ || events_taken_ >= all_.due_.engine_events) return false;
         while (events_.empty())
             if (!step()) return false;
@@ -117,7 +117,7 @@ private:
     bool step() {
         if (all_.failed_ || stepping_ || next_ >= book_.rows.size()) return fails();
         stepping_ = true;
-        const EngineRow& row = book_.rows[next_];
+        const dynamics::EngineRow& row = book_.rows[next_];
         const bool all_there = row.step == now_.number + 1 && orders_.size() >= row.orders && drives_ >= row.driven &&
                                row.driven >= driven_taken_ && hand_is_there(0, row) && hand_is_there(1, row);
         stepping_ = false;
@@ -129,12 +129,12 @@ private:
 
     // Returns whether everything that the step took from a hand is available, after computing the hand's ticks up to
     // it.
-    bool hand_is_there(std::size_t which, const EngineRow& row) {
+    bool hand_is_there(std::size_t which, const dynamics::EngineRow& row) {
         while (book_.pushes[which].size() < row.pushes[which])
             if (!all_.step_hand_(which)) return false;
         const double place_s = row.places_s[which];
         if (place_s == places_s_[which] || place_s <= 0.0) return true;
-        std::deque<HandPlace>& places = book_.places[which];
+        std::deque<render::HandPlace>& places = book_.places[which];
         while (places.empty() || places.back().time_s < place_s)
             if (!all_.step_hand_(which)) return false;
         while (places.front().time_s < place_s) places.pop_front();
@@ -142,20 +142,21 @@ private:
     }
 
     // Does the same as DynamicsLoop, in the same order.
-    void make(const EngineRow& row) {
-        if (row.skipped > 0) dynamics_.skip(static_cast<double>(row.skipped) * Dynamics::kStep_s);
+    void make(const dynamics::EngineRow& row) {
+        if (row.skipped > 0) dynamics_.skip(static_cast<double>(row.skipped) * dynamics::Dynamics::kStep_s);
         for (std::uint32_t i = 0; i < row.orders; ++i) {
-            carry_out(dynamics_, orders_.front());
+            dynamics::carry_out(dynamics_, orders_.front());
             orders_.pop_front();
         }
         if (row.driven != driven_taken_) {
             while (drives_ - driven_.size() + 1 < row.driven) driven_.pop_front();
-            if (driven_.front()) carry_out(dynamics_, *driven_.front());
+            if (driven_.front()) dynamics::carry_out(dynamics_, *driven_.front());
             driven_taken_ = row.driven;
         }
         for (unsigned which = 0; which < 2; ++which) {
             if (std::exchange(places_s_[which], row.places_s[which]) != row.places_s[which])
-                dynamics_.place_hand(which, row.places_s[which] > 0.0 ? book_.places[which].front() : HandPlace{});
+                dynamics_.place_hand(which,
+                                     row.places_s[which] > 0.0 ? book_.places[which].front() : render::HandPlace{});
             for (std::uint32_t i = 0; i < row.pushes[which]; ++i) {
                 dynamics_.push(which, book_.pushes[which].front());
                 book_.pushes[which].pop_front();
@@ -171,12 +172,12 @@ private:
     PlayedBodies& all_;
     Book& book_;
     const std::uint32_t number_;
-    Dynamics dynamics_;
+    dynamics::Dynamics dynamics_;
     std::size_t next_ = 0;  // index of the next row
     bool stepping_ = false;
-    DynamicsFrame now_, frame_;  // of the last step, and as the session last read it
-    std::vector<BodyEvent> heard_;
-    std::deque<BodyEvent> events_;
+    render::DynamicsFrame now_, frame_;  // of the last step, and as the session last read it
+    std::vector<render::BodyEvent> heard_;
+    std::deque<render::BodyEvent> events_;
     std::uint64_t events_taken_ = 0;
     std::deque<Order> orders_;
     std::deque<DrivenPoses> driven_;
@@ -187,9 +188,9 @@ private:
 PlayedBodies::PlayedBodies(const Recording& recording, std::function<bool(std::size_t which)> step_hand)
     : recording_(recording), step_hand_(std::move(step_hand)) {
     if (!recorded()) return;
-    for (const EngineRow& row : recording.bodies) book(row.engine).rows.push_back(row);
+    for (const dynamics::EngineRow& row : recording.bodies) book(row.engine).rows.push_back(row);
     for (std::size_t which = 0; which < 2; ++which)
-        for (const HandRow& row : recording.hands[which])
+        for (const servo::HandRow& row : recording.hands[which])
             if (row.bodies.engine > 0) book(row.bodies.engine).frames[which].will_read(row.bodies.frame);
     for (const FrameRow& row : recording.frames)
         if (row.engine > 0) book(row.engine).frames[kSession].will_read(row.engine_frame);
@@ -209,20 +210,21 @@ PlayedBodies::Book& PlayedBodies::book(std::uint32_t engine) {
     return *book;
 }
 
-std::unique_ptr<BodyEngine> PlayedBodies::make(std::shared_ptr<const DynamicsScene> scene, double begin_s) {
+std::unique_ptr<dynamics::BodyEngine> PlayedBodies::make(std::shared_ptr<const render::DynamicsScene> scene,
+                                                         double begin_s) {
     ++made_;
     return std::make_unique<Engine>(std::move(scene), begin_s, *this, book(made_), made_);
 }
 
 void PlayedBodies::session_reads(const FrameRow& row) { due_ = row; }
 
-bool PlayedBodies::before_tick(std::size_t which, const HandRow& row) {
+bool PlayedBodies::before_tick(std::size_t which, const servo::HandRow& row) {
     if (row.bodies.engine == 0 || !recorded()) return true;
     Book& of = book(row.bodies.engine);
     const std::uint64_t frame = row.bodies.frame;
     if (frame <= of.published[which]) return true;
     if (!of.hands[which] || (of.engine && !of.engine->run_to(frame))) return false;
-    const DynamicsFrame* const read = of.frames[which].take(frame);
+    const render::DynamicsFrame* const read = of.frames[which].take(frame);
     if (!read) {
         failed_ = true;
         return false;
@@ -232,13 +234,13 @@ bool PlayedBodies::before_tick(std::size_t which, const HandRow& row) {
     return true;
 }
 
-void PlayedBodies::after_tick(std::size_t which, const HandRow& row, HandBodyServo* engine) {
+void PlayedBodies::after_tick(std::size_t which, const servo::HandRow& row, servo::HandBodyServo* engine) {
     if (!engine || row.bodies.engine == 0 || !recorded()) return;
     Book& of = book(row.bodies.engine);
-    HandChannel& channel = engine->channel();
+    render::HandChannel& channel = engine->channel();
     if (channel.place.refresh() && channel.place.read().present()) of.places[which].push_back(channel.place.read());
-    for (HandPush push; channel.pushes.pop(push);)
+    for (render::HandPush push; channel.pushes.pop(push);)
         if (!engine->take_back(row.bodies.refused, push)) of.pushes[which].push_back(push);
 }
 
-}  // namespace handrail
+}  // namespace handrail::record

@@ -14,7 +14,7 @@
 #include "haptic/dynamics/body_engine.h"
 #include "haptic/servo/hand_body_servo.h"
 
-namespace handrail {
+namespace handrail::record {
 
 class PlayedBodies {
 public:
@@ -26,13 +26,13 @@ public:
     // False for worlds without free bodies and for older recordings.
     bool recorded() const { return !recording_.bodies.empty(); }
     // Makes the next engine that the session had. This object must outlive it.
-    std::unique_ptr<BodyEngine> make(std::shared_ptr<const DynamicsScene> scene, double begin_s);
+    std::unique_ptr<dynamics::BodyEngine> make(std::shared_ptr<const render::DynamicsScene> scene, double begin_s);
 
     // Call before a tick of the session, with what it read.
     void session_reads(const FrameRow& row);
     // Call before and after a tick of a hand's servo. Returns false if what the tick read cannot be computed.
-    bool before_tick(std::size_t which, const HandRow& row);
-    void after_tick(std::size_t which, const HandRow& row, HandBodyServo* engine);
+    bool before_tick(std::size_t which, const servo::HandRow& row);
+    void after_tick(std::size_t which, const servo::HandRow& row, servo::HandBodyServo* engine);
 
     // Returns true if something could not be computed.
     bool failed() const { return failed_; }
@@ -55,4 +55,4 @@ private:
     bool failed_ = false, closed_ = false;
 };
 
-}  // namespace handrail
+}  // namespace handrail::record

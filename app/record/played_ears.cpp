@@ -5,9 +5,9 @@
 
 #include "app/record/json_fields.h"
 
-namespace handrail {
+namespace handrail::record {
 
-PlayedEars::PlayedEars(const Settings& settings, double begun_s)
+PlayedEars::PlayedEars(const settings::Settings& settings, double begun_s)
     : begun_s_(begun_s), planner_(settings), last_s_(begun_s) {}
 
 void PlayedEars::Voice::begin(std::uint64_t speaking) {
@@ -32,16 +32,16 @@ std::optional<std::string> PlayedEars::Silence::news() {
     return told.empty() ? std::nullopt : std::optional(std::exchange(told, {}));
 }
 
-void PlayedEars::Voice::keep(const Utterance& utterance, bool voiced) {
+void PlayedEars::Voice::keep(const cues::Utterance& utterance, bool voiced) {
     said.push_back({now_s, utterance.text, kClassWords.at(static_cast<std::size_t>(utterance.speech_class)), voiced});
 }
 
-void PlayedEars::post(CueRequest request) {
+void PlayedEars::post(cues::CueRequest request) {
     Post post;
     post.request = std::move(request);
     posts_.push_back(std::move(post));
 }
-void PlayedEars::set_settings(const Settings& settings) {
+void PlayedEars::set_settings(const settings::Settings& settings) {
     Post post;
     post.kind = Kind::Settings;
     post.settings = settings;
@@ -78,8 +78,8 @@ void PlayedEars::hear_of(std::uint64_t step, bool from_voice, std::string text) 
 }
 
 // Takes the posts as AudioThread::step takes its inbox.
-void PlayedEars::step(const CueRow& row, std::vector<ContactEvent> contacts) {
-    std::vector<CueRequest> requests;
+void PlayedEars::step(const CueRow& row, std::vector<servo::ContactEvent> contacts) {
+    std::vector<cues::CueRequest> requests;
     std::shared_ptr<const Scene> entered, edited;
     for (std::uint32_t i = 0; i < row.posts; ++i) {
         Post post = std::move(posts_.front());
@@ -123,4 +123,4 @@ void PlayedEars::step(const CueRow& row, std::vector<ContactEvent> contacts) {
 
 void PlayedEars::finish() { planner_.flush(last_s_, voice_); }
 
-}  // namespace handrail
+}  // namespace handrail::record

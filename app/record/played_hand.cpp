@@ -4,47 +4,48 @@
 
 #include "haptic/servo/servo_switches.h"
 
-namespace handrail {
+namespace handrail::record {
 namespace {
 
 constexpr double kAsWritten_n = 0.501e-3;  // tolerance, because forces are written as whole millinewtons
 
 }  // namespace
 
-void PlayedServo::set_scene(std::shared_ptr<const HapticScene> scene, std::shared_ptr<HandBodyServo> engine) {
+void PlayedServo::set_scene(std::shared_ptr<const render::HapticScene> scene,
+                            std::shared_ptr<servo::HandBodyServo> engine) {
     given_.scene = std::move(scene);
     given_.engine = std::move(engine);
     scenes_.give(given_);
 }
 
-void PlayedServo::set_desk(std::shared_ptr<const HapticScene> desk) {
+void PlayedServo::set_desk(std::shared_ptr<const render::HapticScene> desk) {
     given_.desk = std::move(desk);
     scenes_.give(given_);
 }
 
-bool PlayedServo::can(const ServoReads& reads) const {
+bool PlayedServo::can(const servo::ServoReads& reads) const {
     return reads.scene <= scenes_.given() && reads.tuning <= tunings_.given() && reads.pose <= poses_.given() &&
            reads.bodies <= bodies_.given() && reads.guidance <= guidances_.given();
 }
 
-ForceCommand PlayedServo::tick(const HandRow& row) {
-    const ServoReads& reads = row.reads;
+device::ForceCommand PlayedServo::tick(const servo::HandRow& row) {
+    const servo::ServoReads& reads = row.reads;
     const Scenes& scenes = scenes_.at(reads.scene);
-    ServoTuning tuning = with_switches(tunings_.at(reads.tuning), reads.stops, reads.focused);
+    servo::ServoTuning tuning = servo::with_switches(tunings_.at(reads.tuning), reads.stops, reads.focused);
     if (reads.stopping) tuning.forces_on = false;
     engine_ = scenes.engine.get();
-    return servo_tick(*state_, {.scene = scenes.scene.get(),
-                                .tuning = tuning,
-                                .pose = poses_.at(reads.pose),
-                                .sample = row.sample,
-                                .now_s = row.time_s,
-                                .bodies = &bodies_.at(reads.bodies),
-                                .desk = scenes.desk.get(),
-                                .guidance = &guidances_.at(reads.guidance),
-                                .engine = engine_});
+    return servo::servo_tick(*state_, {.scene = scenes.scene.get(),
+                                       .tuning = tuning,
+                                       .pose = poses_.at(reads.pose),
+                                       .sample = row.sample,
+                                       .now_s = row.time_s,
+                                       .bodies = &bodies_.at(reads.bodies),
+                                       .desk = scenes.desk.get(),
+                                       .guidance = &guidances_.at(reads.guidance),
+                                       .engine = engine_});
 }
 
-ServoInbox* PlayedHand::change(const HandFacts& facts) {
+servo::ServoInbox* PlayedHand::change(const core::HandFacts& facts) {
     driven_ = facts.present;
     tool_ = {};
     told_.clear();
@@ -55,7 +56,7 @@ ServoInbox* PlayedHand::change(const HandFacts& facts) {
 
 bool PlayedHand::step() {
     if (stepping_ || next_ >= rows_.size()) return false;
-    const HandRow& row = rows_[next_];
+    const servo::HandRow& row = rows_[next_];
     if (row.servo == 0 || row.servo > servos_.size() || !servos_[row.servo - 1]->can(row.reads)) return false;
     stepping_ = true;
     const bool there = bodies_.before_tick(which_, row);
@@ -71,7 +72,7 @@ bool PlayedHand::step() {
         }
     bodies_.after_tick(which_, row, servo.engine());
     if (row.servo == servos_.size()) told_.push_back(servo.state().tool());
-    for (const ContactEvent& event : servo.state().events()) {
+    for (const servo::ContactEvent& event : servo.state().events()) {
         events_.push_back(event);
         events_.back().hand = static_cast<std::uint8_t>(which_);
     }
@@ -95,11 +96,11 @@ bool PlayedHand::run_to_events(std::size_t count) {
     return true;
 }
 
-std::vector<ContactEvent> PlayedHand::take_events(std::size_t count) {
+std::vector<servo::ContactEvent> PlayedHand::take_events(std::size_t count) {
     const auto end = events_.begin() + static_cast<std::ptrdiff_t>(count);
-    std::vector<ContactEvent> taken(events_.begin(), end);
+    std::vector<servo::ContactEvent> taken(events_.begin(), end);
     events_.erase(events_.begin(), end);
     return taken;
 }
 
-}  // namespace handrail
+}  // namespace handrail::record

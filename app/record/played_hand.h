@@ -13,7 +13,7 @@
 #include "haptic/servo/servo_inbox.h"
 #include "haptic/servo/servo_tick.h"
 
-namespace handrail {
+namespace handrail::record {
 
 // The values that were handed over, numbered from 1 in order.
 template <class T>
@@ -38,55 +38,56 @@ private:
 };
 
 // One of the servos that a hand had.
-class PlayedServo final : public ServoInbox {
+class PlayedServo final : public servo::ServoInbox {
 public:
-    explicit PlayedServo(const DeviceSpec& spec) : state_(std::make_unique<ServoState>(spec)) {}
+    explicit PlayedServo(const device::DeviceSpec& spec) : state_(std::make_unique<servo::ServoState>(spec)) {}
 
-    void set_scene(std::shared_ptr<const HapticScene> scene, std::shared_ptr<HandBodyServo> engine) override;
-    void set_desk(std::shared_ptr<const HapticScene> desk) override;
-    void set_tuning(const ServoTuning& tuning) override { tunings_.give(tuning); }
-    void set_pose(const WorkspacePose& pose) override { poses_.give(pose); }
-    void set_bodies(const BodyFrame& bodies) override { bodies_.give(bodies); }
-    void set_guidance(const GuidancePath& guidance) override { guidances_.give(guidance); }
+    void set_scene(std::shared_ptr<const render::HapticScene> scene,
+                   std::shared_ptr<servo::HandBodyServo> engine) override;
+    void set_desk(std::shared_ptr<const render::HapticScene> desk) override;
+    void set_tuning(const servo::ServoTuning& tuning) override { tunings_.give(tuning); }
+    void set_pose(const servo::WorkspacePose& pose) override { poses_.give(pose); }
+    void set_bodies(const servo::BodyFrame& bodies) override { bodies_.give(bodies); }
+    void set_guidance(const servo::GuidancePath& guidance) override { guidances_.give(guidance); }
     // Returns whether everything that the tick read has been given.
-    bool can(const ServoReads& reads) const;
+    bool can(const servo::ServoReads& reads) const;
     // Returns the force.
-    ForceCommand tick(const HandRow& row);
+    device::ForceCommand tick(const servo::HandRow& row);
     // The hand's side of the engine of free bodies at the last tick; null: none.
-    HandBodyServo* engine() const { return engine_; }
-    const ServoState& state() const { return *state_; }
+    servo::HandBodyServo* engine() const { return engine_; }
+    const servo::ServoState& state() const { return *state_; }
 
 private:
     struct Scenes {
-        std::shared_ptr<const HapticScene> scene, desk;
-        std::shared_ptr<HandBodyServo> engine;
+        std::shared_ptr<const render::HapticScene> scene, desk;
+        std::shared_ptr<servo::HandBodyServo> engine;
     };
-    std::unique_ptr<ServoState> state_;
+    std::unique_ptr<servo::ServoState> state_;
     NumberedValues<Scenes> scenes_;
-    NumberedValues<ServoTuning> tunings_;
-    NumberedValues<WorkspacePose> poses_;
-    NumberedValues<BodyFrame> bodies_;
-    NumberedValues<GuidancePath> guidances_;
+    NumberedValues<servo::ServoTuning> tunings_;
+    NumberedValues<servo::WorkspacePose> poses_;
+    NumberedValues<servo::BodyFrame> bodies_;
+    NumberedValues<servo::GuidancePath> guidances_;
     Scenes given_;  // the latest values
-    HandBodyServo* engine_ = nullptr;
+    servo::HandBodyServo* engine_ = nullptr;
 };
 
 class PlayedHand {
 public:
     // Rows and bodies must outlive this object.
-    PlayedHand(const std::vector<HandRow>& rows, std::size_t which, PlayedBodies& bodies)
+    PlayedHand(const std::vector<servo::HandRow>& rows, std::size_t which, PlayedBodies& bodies)
         : rows_(rows), which_(which), bodies_(bodies) {}
 
     // Called if the session is given another hand. Returns its servo; null if the hand has none.
-    ServoInbox* change(const HandFacts& facts);
+    servo::ServoInbox* change(const core::HandFacts& facts);
     // Computes ticks until the newest servo has done that many. Returns false if the rows end before. Other readers may
     // already have needed more ticks.
     bool run_to(std::uint64_t tick);
     // Computes ticks until that many events wait. Returns false if the rows do not contain them yet.
     bool run_to_events(std::size_t count);
     // The state that the newest servo reported after the tick given to run_to.
-    const ToolState& tool() const { return tool_; }
-    std::vector<ContactEvent> take_events(std::size_t count);
+    const servo::ToolState& tool() const { return tool_; }
+    std::vector<servo::ContactEvent> take_events(std::size_t count);
     // Computes one more tick. Returns false if something that it read is missing.
     bool step();
     // The ticks computed so far, and how many of them gave another force than the recorded one.
@@ -94,16 +95,16 @@ public:
     std::size_t other_forces() const { return other_forces_; }
 
 private:
-    const std::vector<HandRow>& rows_;
+    const std::vector<servo::HandRow>& rows_;
     const std::size_t which_;
     PlayedBodies& bodies_;
     std::size_t next_ = 0, other_forces_ = 0;
     bool stepping_ = false;
     std::vector<std::unique_ptr<PlayedServo>> servos_;
     bool driven_ = false;  // true while there is a hand
-    ToolState tool_;
-    std::deque<ToolState> told_;  // states that the newest servo has reported since
-    std::deque<ContactEvent> events_;
+    servo::ToolState tool_;
+    std::deque<servo::ToolState> told_;  // states that the newest servo has reported since
+    std::deque<servo::ContactEvent> events_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::record

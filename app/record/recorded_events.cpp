@@ -3,7 +3,7 @@
 #include "app/record/json_fields.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::record {
 namespace {
 
 class EventReader {
@@ -113,4 +113,4 @@ private:
 
 RecordedEvents events_of(const Recording& recording) { return EventReader().read(recording); }
 
-}  // namespace handrail
+}  // namespace handrail::record

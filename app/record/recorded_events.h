@@ -10,7 +10,7 @@
 #include "app/record/input_text.h"
 #include "app/record/recording.h"
 
-namespace handrail {
+namespace handrail::record {
 
 struct RecordedContact {
     double t_s = 0.0;  // since the recording began, like all times here
@@ -65,4 +65,4 @@ struct RecordedEvents {
 };
 RecordedEvents events_of(const Recording& recording);
 
-}  // namespace handrail
+}  // namespace handrail::record

@@ -1,6 +1,6 @@
 #include "app/record/recorded_sinks.h"
 
-namespace handrail {
+namespace handrail::record {
 
 void StepNotes::begin(double at_s) {
     now_s = at_s;
@@ -15,12 +15,12 @@ std::uint64_t StepNotes::end() {
     return changed ? answers : 0;
 }
 
-void RecordedVoice::say(const Utterance& utterance) {
+void RecordedVoice::say(const cues::Utterance& utterance) {
     recorder_.said(notes_->now_s, utterance, true);
     voice_->say(utterance);
 }
 
-void RecordedVoice::write(const Utterance& utterance) {
+void RecordedVoice::write(const cues::Utterance& utterance) {
     recorder_.said(notes_->now_s, utterance, false);
     voice_->write(utterance);
 }
@@ -46,4 +46,4 @@ std::optional<std::string> RecordedSound::news() {
     return news;
 }
 
-}  // namespace handrail
+}  // namespace handrail::record

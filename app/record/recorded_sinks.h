@@ -8,7 +8,7 @@
 #include "app/record/recorder.h"
 #include "audio-cues/plan/sinks.h"
 
-namespace handrail {
+namespace handrail::record {
 
 // Data that both sinks of a session share.
 struct StepNotes {
@@ -23,36 +23,36 @@ struct StepNotes {
     std::uint64_t end();
 };
 
-class RecordedVoice final : public SpeechSink {
+class RecordedVoice final : public cues::SpeechSink {
 public:
     // `recorder` must outlive this object.
-    RecordedVoice(std::unique_ptr<SpeechSink> voice, Recorder& recorder, std::shared_ptr<StepNotes> notes)
+    RecordedVoice(std::unique_ptr<cues::SpeechSink> voice, Recorder& recorder, std::shared_ptr<StepNotes> notes)
         : voice_(std::move(voice)), recorder_(recorder), notes_(std::move(notes)) {}
 
-    void say(const Utterance& utterance) override;
-    void write(const Utterance& utterance) override;
+    void say(const cues::Utterance& utterance) override;
+    void write(const cues::Utterance& utterance) override;
     void stop() override { voice_->stop(); }
     bool speaking() const override;
     void tick(double now_s) override { voice_->tick(now_s); }
-    void set_speech(const Settings::Speech& settings) override { voice_->set_speech(settings); }
+    void set_speech(const settings::Settings::Speech& settings) override { voice_->set_speech(settings); }
     std::optional<std::string> news() override;
     std::string who() const override { return voice_->who(); }
 
 private:
-    std::unique_ptr<SpeechSink> voice_;
+    std::unique_ptr<cues::SpeechSink> voice_;
     Recorder& recorder_;
     std::shared_ptr<StepNotes> notes_;
 };
 
-class RecordedSound final : public AudioSink {
+class RecordedSound final : public cues::AudioSink {
 public:
-    RecordedSound(std::unique_ptr<AudioSink> sound, Recorder& recorder, std::shared_ptr<StepNotes> notes)
+    RecordedSound(std::unique_ptr<cues::AudioSink> sound, Recorder& recorder, std::shared_ptr<StepNotes> notes)
         : sound_(std::move(sound)), recorder_(recorder), notes_(std::move(notes)) {}
 
-    void play(const SoundCue& cue) override { sound_->play(cue); }
-    void set_loop(const SoundCue& cue) override { sound_->set_loop(cue); }
-    void set_listener(const Listener& listener) override { sound_->set_listener(listener); }
-    void set_sound(const Settings::Sound& settings) override { sound_->set_sound(settings); }
+    void play(const cues::SoundCue& cue) override { sound_->play(cue); }
+    void set_loop(const cues::SoundCue& cue) override { sound_->set_loop(cue); }
+    void set_listener(const cues::Listener& listener) override { sound_->set_listener(listener); }
+    void set_sound(const settings::Settings::Sound& settings) override { sound_->set_sound(settings); }
     void set_speaking(bool speaking) override { sound_->set_speaking(speaking); }
     void stop_all() override { sound_->stop_all(); }
     void tick(double now_s) override { sound_->tick(now_s); }
@@ -60,9 +60,9 @@ public:
     std::optional<std::string> news() override;
 
 private:
-    std::unique_ptr<AudioSink> sound_;
+    std::unique_ptr<cues::AudioSink> sound_;
     Recorder& recorder_;
     std::shared_ptr<StepNotes> notes_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::record

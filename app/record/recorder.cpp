@@ -26,7 +26,7 @@
 #include "worlds/base/folder_unless_kept.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::record {
 namespace {
 
 namespace fs = std::filesystem;
@@ -133,9 +133,9 @@ struct Recorder::State {
 
     const fs::path folder;
     const RecordingHead head;
-    std::array<HandRing, 2> rings;
+    std::array<servo::HandRing, 2> rings;
     struct {
-        EngineRecording recording;
+        dynamics::EngineRecording recording;
         Table<EngineNumbers> table;  // this and what follows belongs to the writing thread
         std::uint64_t told_lost = 0;
     } bodies;
@@ -205,12 +205,12 @@ int Recorder::State::write_round(bool last) {
     for (const FrameRow& row : more_frames) frame_table.add(numbers_of(row));
     for (const CueRow& row : more_cues) cue_table.add(numbers_of(row));
     for (std::size_t which = 0; which < rings.size(); ++which) {
-        rings[which].rows.consume_all([&](const HandRow& row) { hands[which].add(numbers_of(row)); });
+        rings[which].rows.consume_all([&](const servo::HandRow& row) { hands[which].add(numbers_of(row)); });
         const std::uint64_t lost = rings[which].lost.load(std::memory_order_relaxed);
         if (std::exchange(told_lost[which], lost) != lost)
             text += line_of({{"is", "lost_rows"}, {"hand", which}, {"rows", lost}}) + "\n";
     }
-    bodies.recording.rows.consume_all([this](const EngineRow& row) { bodies.table.add(numbers_of(row)); });
+    bodies.recording.rows.consume_all([this](const dynamics::EngineRow& row) { bodies.table.add(numbers_of(row)); });
     const std::uint64_t lost_bodies = bodies.recording.lost.load(std::memory_order_relaxed);
     if (std::exchange(bodies.told_lost, lost_bodies) != lost_bodies)
         text += line_of({{"is", "lost_rows"}, {"engine", true}, {"rows", lost_bodies}}) + "\n";
@@ -282,13 +282,13 @@ Recorder::~Recorder() {
 }
 
 const fs::path& Recorder::folder() const { return state_->folder; }
-HandRing& Recorder::hand(std::size_t which) { return state_->rings.at(which); }
-EngineRecording& Recorder::bodies() { return state_->bodies.recording; }
+servo::HandRing& Recorder::hand(std::size_t which) { return state_->rings.at(which); }
+dynamics::EngineRecording& Recorder::bodies() { return state_->bodies.recording; }
 
-void Recorder::input(const SessionInput& input, double now_s) {
+void Recorder::input(const core::SessionInput& input, double now_s) {
     if (state_->over) return;
     // The number of stops is reported in each frame; only a new number matters.
-    if (const auto* stopped = std::get_if<Stopped>(&input);
+    if (const auto* stopped = std::get_if<core::Stopped>(&input);
         stopped && std::exchange(state_->stops, stopped->count) == stopped->count)
         return;
     state_->fresh_frame = false;
@@ -313,7 +313,7 @@ void Recorder::handed_over() {
     state_->add(line_of({{"is", "handed_over"}, {"frame", state_->frames_told}}));
 }
 
-void Recorder::event(const SessionEvent& event, const Scene* scene) {
+void Recorder::event(const core::SessionEvent& event, const Scene* scene) {
     if (!state_->over) state_->add(event_line(event, scene, state_->head.begun_s));
 }
 
@@ -328,7 +328,7 @@ void Recorder::cue_step(const CueRow& row) {
     state_->cues.push_back(row);
 }
 
-void Recorder::said(double now_s, const Utterance& utterance, bool voiced) {
+void Recorder::said(double now_s, const cues::Utterance& utterance, bool voiced) {
     if (state_->over) return;
     state_->add(line_of({{"t", state_->t_ms(now_s)},
                          {"is", "said"},
@@ -365,4 +365,4 @@ void Recorder::end(double now_s) {
     state_->writer.join();
 }
 
-}  // namespace handrail
+}  // namespace handrail::record

@@ -18,7 +18,7 @@
 #include "audio-cues/plan/sinks.h"
 #include "haptic/servo/hand_recording.h"
 
-namespace handrail {
+namespace handrail::record {
 
 // The contents of the first line.
 struct RecordingHead {
@@ -28,10 +28,10 @@ struct RecordingHead {
     int form = kForm;
     std::string program;  // version of the program
     std::string language;
-    std::string begun_utc;      // "2026-11-22T17:30:00Z"
-    double begun_s = 0.0;       // of the session's clock; times "t" count from here
-    bool virtual_time = false;  // the session ran without threads
-    Settings settings;          // settings at the beginning
+    std::string begun_utc;        // "2026-11-22T17:30:00Z"
+    double begun_s = 0.0;         // of the session's clock; times "t" count from here
+    bool virtual_time = false;    // the session ran without threads
+    settings::Settings settings;  // settings at the beginning
 };
 
 class Recorder {
@@ -50,26 +50,26 @@ public:
     const std::filesystem::path& folder() const;
 
     // App thread. Call these in the order in which everything reached the session.
-    void input(const SessionInput& input, double now_s);
+    void input(const core::SessionInput& input, double now_s);
     void not_taken();                 // the last input was refused
     void frame(const FrameRow& row);  // call after the session's tick
     // Call if the session handed something to servos and ears at any other time than after a frame.
     void handed_over();
-    void event(const SessionEvent& event, const Scene* scene);
+    void event(const core::SessionEvent& event, const Scene* scene);
     // Records something else that the app did and that computing again needs: "is" and one whole number.
     void note(const char* is, double now_s, std::uint64_t number);
 
     // Call on the thread of the ears.
     void cue_step(const CueRow& row);
     // `voiced`: spoken by a voice; otherwise only written.
-    void said(double now_s, const Utterance& utterance, bool voiced);
+    void said(double now_s, const cues::Utterance& utterance, bool voiced);
     // A sink reported a sentence about itself before that step. `from_voice`: by the voice; otherwise by the sounds.
     void sink_news(double now_s, std::uint64_t step, bool from_voice, const std::string& text);
 
     // For the servo of the right or only hand (0) and of the left one (1).
-    HandRing& hand(std::size_t which);
+    servo::HandRing& hand(std::size_t which);
     // For the engine of free bodies.
-    EngineRecording& bodies();
+    dynamics::EngineRecording& bodies();
 
     // App thread. The reason if the recording has ended early; returned once.
     std::optional<std::string> take_problem();
@@ -82,4 +82,4 @@ private:
     std::unique_ptr<State> state_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::record

@@ -8,7 +8,7 @@
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::record {
 namespace {
 
 namespace fs = std::filesystem;
@@ -135,4 +135,4 @@ std::vector<SaidLine> said_lines(const Recording& recording) {
     return said;
 }
 
-}  // namespace handrail
+}  // namespace handrail::record

@@ -12,7 +12,7 @@
 #include "app/record/rows.h"
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::record {
 
 // One line of events.jsonl; `json` contains its other fields. Unknown fields are kept.
 struct RecordedLine {
@@ -25,12 +25,12 @@ struct RecordedLine {
 struct Recording {
     RecordingHead head;
     std::vector<RecordedLine> lines;  // without the first line, the head
-    std::vector<HandRow> hands[2];
+    std::vector<servo::HandRow> hands[2];
     std::vector<FrameRow> frames;
     std::vector<CueRow> cues;
-    std::vector<EngineRow> bodies;  // of the engine of free bodies
-    bool ended = false;             // the last line is present
-    std::vector<Error> problems;    // one for each file that is cut off or damaged: where and why
+    std::vector<dynamics::EngineRow> bodies;  // of the engine of free bodies
+    bool ended = false;                       // the last line is present
+    std::vector<Error> problems;              // one for each file that is cut off or damaged: where and why
 };
 
 // Fails with a sentence if the folder is not a recording or its head is invalid. Everything else is read up to the
@@ -47,4 +47,4 @@ struct SaidLine {
 };
 std::vector<SaidLine> said_lines(const Recording& recording);
 
-}  // namespace handrail
+}  // namespace handrail::record

@@ -9,7 +9,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::record {
 namespace {
 
 constexpr std::string_view kHandHeader =
@@ -53,7 +53,7 @@ Vec3 taken(const std::int64_t* from, double steps) {
     return {part(from[0], steps), part(from[1], steps), part(from[2], steps)};
 }
 
-std::int64_t state_of(const DeviceSample& sample) {
+std::int64_t state_of(const device::DeviceSample& sample) {
     std::int64_t state = 0;
     if (!sample.fresh) state |= kNotFresh;
     if (!sample.connected) state |= kNotConnected;
@@ -104,7 +104,7 @@ std::string_view frame_header() { return kFrameHeader; }
 std::string_view cue_header() { return kCueHeader; }
 std::string_view engine_header() { return kEngineHeader; }
 
-HandNumbers numbers_of(const HandRow& row) {
+HandNumbers numbers_of(const servo::HandRow& row) {
     HandNumbers n{};
     n[0] = whole(row.time_s, kMillionths);
     put(&n[1], row.sample.position_m, kMillionths);
@@ -127,9 +127,9 @@ HandNumbers numbers_of(const HandRow& row) {
     return n;
 }
 
-HandRow row_of(const HandNumbers& n) {
+servo::HandRow row_of(const HandNumbers& n) {
     const auto count = [](std::int64_t number) { return static_cast<std::uint32_t>(number); };
-    HandRow row;
+    servo::HandRow row;
     row.time_s = part(n[0], kMillionths);
     row.sample.position_m = taken(&n[1], kMillionths);
     row.force_n = taken(&n[4], kThousandths);
@@ -141,7 +141,7 @@ HandRow row_of(const HandNumbers& n) {
     row.sample.homed = !(state & kNotHomed);
     row.sample.hot = state & kHot;
     row.sample.failed = state & kFailed;
-    row.sample.loss = static_cast<DeviceLoss>(std::min<std::int64_t>(state / kLossFrom % 4, 2));
+    row.sample.loss = static_cast<device::DeviceLoss>(std::min<std::int64_t>(state / kLossFrom % 4, 2));
     row.sample.homed_legs = static_cast<std::uint8_t>(state / kLegsFrom);
     row.sample.gimbal_rad = taken(&n[10], kMillionths);
     const Vec3 none(std::numeric_limits<double>::quiet_NaN());
@@ -189,7 +189,7 @@ CueRow row_of(const CueNumbers& n) {
             static_cast<std::uint32_t>(n[3]), static_cast<std::uint64_t>(n[4])};
 }
 
-EngineNumbers numbers_of(const EngineRow& row) {
+EngineNumbers numbers_of(const dynamics::EngineRow& row) {
     const auto place = [](double time_s) { return time_s < 0.0 ? kAway : whole(time_s, kMillionths); };
     return {whole(row.time_s, kMillionths),
             row.engine,
@@ -205,10 +205,12 @@ EngineNumbers numbers_of(const EngineRow& row) {
             row.published ? 1 : 0};
 }
 
-EngineRow row_of(const EngineNumbers& n) {
+dynamics::EngineRow row_of(const EngineNumbers& n) {
     const auto count = [](std::int64_t number) { return static_cast<std::uint32_t>(number); };
-    const auto place = [](std::int64_t t_us) { return t_us < 0 ? EngineRow::kNoHand_s : part(t_us, kMillionths); };
-    EngineRow row;
+    const auto place = [](std::int64_t t_us) {
+        return t_us < 0 ? dynamics::EngineRow::kNoHand_s : part(t_us, kMillionths);
+    };
+    dynamics::EngineRow row;
     row.time_s = part(n[0], kMillionths);
     row.engine = count(n[1]);
     row.step = static_cast<std::uint64_t>(n[2]);
@@ -274,4 +276,4 @@ template TableRows<kFrameColumns> read_rows(std::string_view, std::string_view, 
 template TableRows<kCueColumns> read_rows(std::string_view, std::string_view, const std::string&);
 template TableRows<kEngineColumns> read_rows(std::string_view, std::string_view, const std::string&);
 
-}  // namespace handrail
+}  // namespace handrail::record

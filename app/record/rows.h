@@ -15,7 +15,7 @@
 #include "haptic/servo/hand_recording.h"
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::record {
 
 // One tick of the session.
 struct FrameRow {
@@ -50,16 +50,16 @@ std::string_view frame_header();
 std::string_view cue_header();
 std::string_view engine_header();
 
-HandNumbers numbers_of(const HandRow& row);
+HandNumbers numbers_of(const servo::HandRow& row);
 FrameNumbers numbers_of(const FrameRow& row);
 CueNumbers numbers_of(const CueRow& row);
-EngineNumbers numbers_of(const EngineRow& row);
+EngineNumbers numbers_of(const dynamics::EngineRow& row);
 // Restores exactly what numbers_of was given if that was in whole steps. Heading and feet are rounded to the stored
 // precision.
-HandRow row_of(const HandNumbers& numbers);
+servo::HandRow row_of(const HandNumbers& numbers);
 FrameRow row_of(const FrameNumbers& numbers);
 CueRow row_of(const CueNumbers& numbers);
-EngineRow row_of(const EngineNumbers& numbers);
+dynamics::EngineRow row_of(const EngineNumbers& numbers);
 
 // One line with its line break. `absolute`: begins with "=" and does not depend on `before`.
 template <std::size_t N>
@@ -75,4 +75,4 @@ struct TableRows {
 template <std::size_t N>
 TableRows<N> read_rows(std::string_view text, std::string_view header, const std::string& file);
 
-}  // namespace handrail
+}  // namespace handrail::record

@@ -15,7 +15,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::record {
 namespace {
 
 constexpr double kHandEvery_s = 0.1;   // interval between moves of the hand
@@ -51,45 +51,46 @@ struct Writer {
             left_out.push_back(std::move(sentence));
     }
 
-    void press(const CommandDown& down, double now_s, std::size_t at) {
+    void press(const core::CommandDown& down, double now_s, std::size_t at) {
         double up_s = now_s;
         for (std::size_t i = at + 1; i < inputs.size(); ++i)
-            if (const auto* up = std::get_if<CommandUp>(&inputs[i].input); up && up->command == down.command) {
+            if (const auto* up = std::get_if<core::CommandUp>(&inputs[i].input); up && up->command == down.command) {
                 up_s = inputs[i].now_s;
                 break;
             }
-        std::string what =
-            fmt::format("press = {}\nfor_s = {:.3f}", in_quotes(std::string(info(down.command).word)), up_s - now_s);
+        std::string what = fmt::format("press = {}\nfor_s = {:.3f}",
+                                       in_quotes(std::string(core::info(down.command).word)), up_s - now_s);
         if (down.times > 1) what += fmt::format("\ntimes = {}", down.times);
         act(now_s, what);
     }
 
     void write(std::size_t at) {
         const double now_s = inputs[at].now_s;
-        const SessionInput& input = inputs[at].input;
-        if (const auto* down = std::get_if<CommandDown>(&input)) press(*down, now_s, at);
-        else if (const auto* key = std::get_if<KeyTapped>(&input)) act(now_s, "key = " + in_quotes(key->key));
-        else if (const auto* text = std::get_if<TextTyped>(&input)) act(now_s, "type = " + in_quotes(text->utf8));
-        else if (const auto* line = std::get_if<LineTyped>(&input)) {
+        const core::SessionInput& input = inputs[at].input;
+        if (const auto* down = std::get_if<core::CommandDown>(&input)) press(*down, now_s, at);
+        else if (const auto* key = std::get_if<core::KeyTapped>(&input)) act(now_s, "key = " + in_quotes(key->key));
+        else if (const auto* text = std::get_if<core::TextTyped>(&input)) act(now_s, "type = " + in_quotes(text->utf8));
+        else if (const auto* line = std::get_if<core::LineTyped>(&input)) {
             act(now_s, "line = " + in_quotes(line->line));
-        } else if (std::holds_alternative<ListsLeft>(input)) {
+        } else if (std::holds_alternative<core::ListsLeft>(input)) {
             act(now_s, "key = \"Escape\"");
-        } else if (const auto* placed = std::get_if<Placed>(&input)) {
+        } else if (const auto* placed = std::get_if<core::Placed>(&input)) {
             const Vec3& feet = placed->feet_m;
             act(now_s, fmt::format("place = [{}, {}, {}]\nheading_deg = {}", feet.x, feet.y, feet.z,
                                    placed->heading_rad * 180.0 / 3.14159265358979323846));
-        } else if (const auto* focus = std::get_if<FocusChanged>(&input)) {
+        } else if (const auto* focus = std::get_if<core::FocusChanged>(&input)) {
             act(now_s, fmt::format("focus = {}", focus->focused));
-        } else if (const auto* set = std::get_if<SettingSet>(&input)) {
+        } else if (const auto* set = std::get_if<core::SettingSet>(&input)) {
             act(now_s, "set = " + in_quotes(set->key + "=" + set->value));
-        } else if (std::holds_alternative<WorldEntered>(input)) {
+        } else if (std::holds_alternative<core::WorldEntered>(input)) {
             leave_out("replay.one_world");
-        } else if (std::holds_alternative<Steered>(input) || std::holds_alternative<ItemActed>(input)) {
+        } else if (std::holds_alternative<core::Steered>(input) || std::holds_alternative<core::ItemActed>(input)) {
             leave_out("replay.no_sticks");
-        } else if (const auto* act = std::get_if<TeacherActed>(&input)) {
-            const bool lists = act->kind == TeacherActed::Kind::Offer || act->kind == TeacherActed::Kind::Learners;
+        } else if (const auto* act = std::get_if<core::TeacherActed>(&input)) {
+            const bool lists =
+                act->kind == core::TeacherActed::Kind::Offer || act->kind == core::TeacherActed::Kind::Learners;
             leave_out(lists ? "replay.no_offers" : "replay.no_lesson");
-        } else if (std::holds_alternative<SettingsChanged>(input)) {
+        } else if (std::holds_alternative<core::SettingsChanged>(input)) {
             leave_out("replay.no_settings");
         }
     }
@@ -101,7 +102,7 @@ std::vector<std::pair<double, std::string>> moves_of(const Recording& recording,
     Vec3 was_m(0.0);
     double next_s = begun_s;
     bool known = false;
-    for (const HandRow& row : recording.hands[0]) {
+    for (const servo::HandRow& row : recording.hands[0]) {
         if (row.time_s < next_s || !is_finite(row.sample.position_m)) continue;
         next_s = row.time_s + kHandEvery_s;
         const Vec3& to = row.sample.position_m;
@@ -187,11 +188,11 @@ private:
     }
 
     void take_input(RecordedInput input) {
-        if (const auto* hand = std::get_if<HandChanged>(&input.input); hand && hand->hand.present && !entered())
+        if (const auto* hand = std::get_if<core::HandChanged>(&input.input); hand && hand->hand.present && !entered())
             device_ = std::string(hand->hand.spec.name) == "sim-f" ? "sim-f" : "sim-t";
         // Announcements by the program itself are not answers of the world.
-        if (const auto* told = std::get_if<Told>(&input.input)) told_by_program_.insert(told->text);
-        if (const auto* world = std::get_if<WorldEntered>(&input.input)) {
+        if (const auto* told = std::get_if<core::Told>(&input.input)) told_by_program_.insert(told->text);
+        if (const auto* world = std::get_if<core::WorldEntered>(&input.input)) {
             if (!entered()) {
                 world_ = input.world.request;
                 if (world->settings) settings_ = *world->settings;
@@ -203,8 +204,8 @@ private:
         }
         if (!entered()) return;
         // A scenario ends without a Leave command.
-        if (const auto* down = std::get_if<CommandDown>(&input.input)) {
-            expects_ = down->command != Command::Leave;
+        if (const auto* down = std::get_if<core::CommandDown>(&input.input)) {
+            expects_ = down->command != core::Command::Leave;
             if (!expects_) return;
         }
         last_s_ = input.now_s;
@@ -245,8 +246,8 @@ private:
 
     const Recording& recording_;
     Writer writer_;
-    WorldRequest world_;
-    Settings settings_;  // including those that the world brings
+    core::WorldRequest world_;
+    settings::Settings settings_;  // including those that the world brings
     std::string device_ = "none", acts_by_ = "window-keys";
     double last_s_ = 0.0;
     std::vector<std::string> expected_;
@@ -282,24 +283,24 @@ std::vector<std::string> said_by_both(const std::vector<std::string>& a, const s
     return both;
 }
 
-Result<ScenarioText> as_it_runs(ScenarioText scenario, const WorldReader& read) {
+Result<ScenarioText> as_it_runs(ScenarioText scenario, const core::WorldReader& read) {
     const std::filesystem::path file = "recording.toml";
-    const auto parsed = read_scenario_text(with_expectations(scenario), file, {});
+    const auto parsed = core::read_scenario_text(with_expectations(scenario), file, {});
     if (!parsed) return tl::unexpected(parsed.error());
     auto scene = read.scene(parsed->world);
     if (!scene) return tl::unexpected(scene.error());
-    RecordingAudio audio;
-    RecordingSpeech speech;
+    sinks::RecordingAudio audio;
+    sinks::RecordingSpeech speech;
     std::vector<int> undone;
     const auto log =
-        run_scenario(*parsed, std::make_shared<const Scene>(std::move(*scene)), audio, speech, read, {}, &undone);
+        core::run_scenario(*parsed, std::make_shared<const Scene>(std::move(*scene)), audio, speech, read, {}, &undone);
     if (!log) return tl::unexpected(log.error());
     if (!undone.empty()) {
         scenario.toml = without_actions(scenario.toml, undone);
         scenario.left_out.push_back(phrase("replay.undone", {{"count", undone.size()}}));
     }
     std::vector<std::string> said;
-    for (const HeardSpeech& line : speech.lines()) said.push_back(line.utterance.text);
+    for (const sinks::HeardSpeech& line : speech.lines()) said.push_back(line.utterance.text);
     const std::size_t answers = scenario.expected.size();
     scenario.expected = said_by_both(scenario.expected, said);
     if (scenario.expected.empty()) return fail(phrase("replay.answers_otherwise"));
@@ -308,4 +309,4 @@ Result<ScenarioText> as_it_runs(ScenarioText scenario, const WorldReader& read) 
     return scenario;
 }
 
-}  // namespace handrail
+}  // namespace handrail::record

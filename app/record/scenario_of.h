@@ -10,7 +10,7 @@
 #include "app/record/recording.h"
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::record {
 
 struct ScenarioText {
     std::string toml;                   // without expectations
@@ -25,7 +25,7 @@ Result<ScenarioText> scenario_of(const Recording& recording, const std::string& 
 // Answers can differ because the program has changed, something was left out, or they came later in the session than in
 // a scenario, where rooms and routes are known at once. `left_out` reports their numbers. Fails with a sentence if the
 // world cannot be read or no answer comes out as recorded. Takes about as long as the scenario.
-Result<ScenarioText> as_it_runs(ScenarioText scenario, const WorldReader& read);
+Result<ScenarioText> as_it_runs(ScenarioText scenario, const core::WorldReader& read);
 
 // The text of the file. If there are many answers, only the first are expected.
 std::string with_expectations(const ScenarioText& scenario);
@@ -33,4 +33,4 @@ std::string with_expectations(const ScenarioText& scenario);
 // The longest common sequence of both lists.
 std::vector<std::string> said_by_both(const std::vector<std::string>& a, const std::vector<std::string>& b);
 
-}  // namespace handrail
+}  // namespace handrail::record

@@ -2,7 +2,7 @@
 #include "app/record/json_fields.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::record {
 namespace {
 
 void put(Json& json, const char* key, const std::optional<double>& value) {
@@ -13,7 +13,7 @@ std::optional<double> taken(const Json& json, const char* key) {
     return at == json.end() ? std::nullopt : std::optional(at->get<double>());
 }
 
-Json json_of(const Settings::Workspace::Override& of) {
+Json json_of(const settings::Settings::Workspace::Override& of) {
     Json json = Json::object();
     put(json, "scale", of.scale);
     put(json, "offset_ahead_m", of.offset_ahead_m);
@@ -25,28 +25,29 @@ Json json_of(const Settings::Workspace::Override& of) {
 // The numbers that a profile can contain, each with its name in the file.
 struct ProfileNumber {
     const char* key;
-    std::optional<double> DeviceProfile::*value;
+    std::optional<double> settings::DeviceProfile::*value;
 };
-constexpr std::array kProfileNumbers{ProfileNumber{"ceiling_n", &DeviceProfile::ceiling_n},
-                                     ProfileNumber{"gentlest_n", &DeviceProfile::gentlest_n},
-                                     ProfileNumber{"scale", &DeviceProfile::scale},
-                                     ProfileNumber{"offset_ahead_m", &DeviceProfile::offset_ahead_m},
-                                     ProfileNumber{"offset_up_m", &DeviceProfile::offset_up_m},
-                                     ProfileNumber{"width_m", &DeviceProfile::width_m},
-                                     ProfileNumber{"depth_m", &DeviceProfile::depth_m},
-                                     ProfileNumber{"height_m", &DeviceProfile::height_m}};
+constexpr std::array kProfileNumbers{ProfileNumber{"ceiling_n", &settings::DeviceProfile::ceiling_n},
+                                     ProfileNumber{"gentlest_n", &settings::DeviceProfile::gentlest_n},
+                                     ProfileNumber{"scale", &settings::DeviceProfile::scale},
+                                     ProfileNumber{"offset_ahead_m", &settings::DeviceProfile::offset_ahead_m},
+                                     ProfileNumber{"offset_up_m", &settings::DeviceProfile::offset_up_m},
+                                     ProfileNumber{"width_m", &settings::DeviceProfile::width_m},
+                                     ProfileNumber{"depth_m", &settings::DeviceProfile::depth_m},
+                                     ProfileNumber{"height_m", &settings::DeviceProfile::height_m}};
 
-Json json_of(const DeviceProfile& profile) {
+Json json_of(const settings::DeviceProfile& profile) {
     Json json = Json::object();
     for (const auto& [key, value] : kProfileNumbers) put(json, key, profile.*value);
-    if (profile.hand) json["hand"] = *profile.hand == HoldingHand::Left ? "left" : "right";
+    if (profile.hand) json["hand"] = *profile.hand == settings::HoldingHand::Left ? "left" : "right";
     return json;
 }
 
-DeviceProfile profile_of(const Json& json) {
-    DeviceProfile profile;
+settings::DeviceProfile profile_of(const Json& json) {
+    settings::DeviceProfile profile;
     for (const auto& [key, value] : kProfileNumbers) profile.*value = taken(json, key);
-    if (json.contains("hand")) profile.hand = json["hand"] == "left" ? HoldingHand::Left : HoldingHand::Right;
+    if (json.contains("hand"))
+        profile.hand = json["hand"] == "left" ? settings::HoldingHand::Left : settings::HoldingHand::Right;
     return profile;
 }
 
@@ -54,7 +55,7 @@ DeviceProfile profile_of(const Json& json) {
 const std::vector<std::string>& table_keys() {
     static const std::vector<std::string> keys = [] {
         std::vector<std::string> all;
-        for (SettingRow& row : SettingsStore().explain()) all.push_back(std::move(row.key));
+        for (settings::SettingRow& row : settings::SettingsStore().explain()) all.push_back(std::move(row.key));
         return all;
     }();
     return keys;
@@ -62,12 +63,12 @@ const std::vector<std::string>& table_keys() {
 
 }  // namespace
 
-std::string settings_text(const Settings& settings) {
-    static const Settings kDefaults;
+std::string settings_text(const settings::Settings& settings) {
+    static const settings::Settings kDefaults;
     Json json = Json::object();
     for (const std::string& key : table_keys()) {
-        const auto value = setting_text(settings, key);
-        if (value && *value != setting_text(kDefaults, key).value_or("")) json["set"][key] = *value;
+        const auto value = settings::setting_text(settings, key);
+        if (value && *value != settings::setting_text(kDefaults, key).value_or("")) json["set"][key] = *value;
     }
     for (const auto& [device, of] : settings.workspace.devices) json["workspace_of"][device] = json_of(of);
     for (const auto& [device, profile] : settings.profiles) json["profile_of"][device] = json_of(profile);
@@ -76,8 +77,8 @@ std::string settings_text(const Settings& settings) {
     return line_of(json);
 }
 
-Result<Settings> read_settings_text(const std::string& text) {
-    Settings settings;
+Result<settings::Settings> read_settings_text(const std::string& text) {
+    settings::Settings settings;
     const Json json = Json::parse(text, nullptr, false);
     const auto part = [&json](const char* name) {
         const auto at = json.find(name);
@@ -90,7 +91,7 @@ Result<Settings> read_settings_text(const std::string& text) {
         for (const auto& [key, value] : set.items()) {
             std::string plain = value.get<std::string>();
             if (plain.size() >= 2 && plain.front() == '"') plain = plain.substr(1, plain.size() - 2);
-            if (auto done = change_setting(settings, key, plain); !done) return tl::unexpected(done.error());
+            if (auto done = settings::change_setting(settings, key, plain); !done) return tl::unexpected(done.error());
         }
         for (const auto& [device, of] : workspaces.items())
             settings.workspace.devices[device] = {taken(of, "scale"), taken(of, "offset_ahead_m"),
@@ -104,4 +105,4 @@ Result<Settings> read_settings_text(const std::string& text) {
     return settings;
 }
 
-}  // namespace handrail
+}  // namespace handrail::record

@@ -9,7 +9,7 @@
 #include "worlds/base/markup.h"
 #include "worlds/base/spoken_time.h"
 
-namespace handrail {
+namespace handrail::report {
 namespace {
 
 // One attempt at a route to a goal.
@@ -145,4 +145,4 @@ std::string learner_page(std::span<const SessionReport> reports) {
     return html + std::string(kPageEnd);
 }
 
-}  // namespace handrail
+}  // namespace handrail::report

@@ -9,7 +9,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/markup.h"
 
-namespace handrail {
+namespace handrail::report {
 namespace {
 
 // Light and dark colours of text, links, headings, plan lines and the route. Each has a contrast of at least 4.5 to 1
@@ -109,4 +109,4 @@ std::string page_begin(const std::string& title) {
         markup_text(spoken_language()), markup_text(title), kStyle, markup_text(title));
 }
 
-}  // namespace handrail
+}  // namespace handrail::report

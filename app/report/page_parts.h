@@ -9,7 +9,7 @@
 
 #include "app/report/report_page.h"
 
-namespace handrail {
+namespace handrail::report {
 
 // From the doctype to the only first-level heading of the page; kPageEnd ends the page.
 std::string page_begin(const std::string& title);
@@ -35,4 +35,4 @@ std::string clock_of(double seconds);
 // must be unique on the page.
 std::string plan_html(const SessionReport& report, std::string_view id);
 
-}  // namespace handrail
+}  // namespace handrail::report

@@ -11,7 +11,7 @@
 #include "worlds/base/markup.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::report {
 namespace {
 
 // A box on the plan that no other text may overlap.
@@ -44,7 +44,7 @@ std::optional<double> free_line(const std::string& name, double x, double y, dou
 // The plan in tenths of a metre, north up. Its texts are hidden from screen readers, which would otherwise read them in
 // the middle of the page. The words below contain them in order.
 std::string plan_svg(const SessionReport& report, std::string_view id) {
-    const Storey& storey = *report.storey;
+    const plan::Storey& storey = *report.storey;
     const auto x = [&](const Vec2& p) { return (p.x - storey.min_m.x) * 10.0; };
     const auto y = [&](const Vec2& p) { return (storey.max_m.y - p.y) * 10.0; };
     const double wide = x(storey.max_m), high = y(storey.min_m), letter = std::max(3.0, std::max(wide, high) / 45.0);
@@ -58,7 +58,7 @@ std::string plan_svg(const SessionReport& report, std::string_view id) {
             d += fmt::format("{}{:.1f} {:.1f}", i == 0 ? 'M' : 'L', x(points[i]), y(points[i]));
         return d;
     };
-    for (const PlanOutline& wall : storey.walls_m) svg += fmt::format("<path d=\"{}Z\"/>\n", path(wall));
+    for (const plan::PlanOutline& wall : storey.walls_m) svg += fmt::format("<path d=\"{}Z\"/>\n", path(wall));
     svg += "</g>\n<g class=\"wall\" stroke=\"currentColor\">\n";
     for (const auto& sheet : storey.sheets_m) svg += fmt::format("<path d=\"{}\"/>\n", path(sheet));
     svg += "</g>\n";
@@ -81,7 +81,7 @@ std::string plan_svg(const SessionReport& report, std::string_view id) {
             "class=\"name\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
             stroke, x(at), y(at), letter, x(at), y(at) + 0.35 * letter, i + 1);
     }
-    for (const StoreyRoom& room : storey.rooms) {
+    for (const plan::StoreyRoom& room : storey.rooms) {
         const std::string name = capitalised(room.name);
         const auto line = free_line(name, x(room.middle_m), y(room.middle_m), letter, wide, high, taken);
         if (!line) continue;
@@ -108,4 +108,4 @@ std::string plan_html(const SessionReport& report, std::string_view id) {
     return html + "</ol>\n";
 }
 
-}  // namespace handrail
+}  // namespace handrail::report

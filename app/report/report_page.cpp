@@ -8,7 +8,7 @@
 #include "worlds/base/markup.h"
 #include "worlds/base/spoken_time.h"
 
-namespace handrail {
+namespace handrail::report {
 namespace {
 
 std::string measures_html(const SessionReport& report) {
@@ -67,4 +67,4 @@ std::string report_page(const SessionReport& report) {
     return html + std::string(kPageEnd);
 }
 
-}  // namespace handrail
+}  // namespace handrail::report

@@ -11,7 +11,7 @@
 
 #include "worlds/plan/storey.h"
 
-namespace handrail {
+namespace handrail::report {
 
 // A measure: its key in files, its unit (UCUM), and how many decimals are shown.
 struct ReportMeasureInfo {
@@ -69,7 +69,7 @@ struct SessionReport {
     // Where the walker went on the storey of the plan. A new piece begins after the walker returned to the storey or
     // was put somewhere.
     std::vector<std::vector<Vec2>> ways_m;
-    std::optional<Storey> storey;  // nothing: no plan is drawn
+    std::optional<plan::Storey> storey;  // nothing: no plan is drawn
 };
 
 // What went well and what did not, addressed to the learner, in short sentences without technical words.
@@ -107,4 +107,4 @@ std::string results_metadata(const std::string& csv_name);
 Result<std::vector<ResultRow>> read_results_csv(std::string_view text, const std::string& file);
 Result<std::vector<ResultRow>> read_results_json(std::string_view text, const std::string& file);
 
-}  // namespace handrail
+}  // namespace handrail::report

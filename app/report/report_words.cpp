@@ -7,7 +7,7 @@
 #include "app/report/report_page.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::report {
 namespace {
 
 constexpr std::array kMeasures{
@@ -128,7 +128,7 @@ std::vector<std::string> report_words(const SessionReport& report) {
 std::vector<std::string> plan_words(const SessionReport& report) {
     std::vector<std::string> said;
     if (!report.storey) return said;
-    const Storey& storey = *report.storey;
+    const plan::Storey& storey = *report.storey;
     said.push_back(
         phrase("report.plan_shows", {{"world", storey.world}, {"storey", storey.number}, {"count", storey.count}}));
     if (report.walked_m < 0.5) {
@@ -145,4 +145,4 @@ std::vector<std::string> plan_words(const SessionReport& report) {
     return said;
 }
 
-}  // namespace handrail
+}  // namespace handrail::report

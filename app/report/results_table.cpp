@@ -9,7 +9,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -173,4 +173,4 @@ Result<std::vector<ResultRow>> read_results_json(std::string_view text, const st
     return rows;
 }
 
-}  // namespace handrail
+}  // namespace handrail::report

@@ -6,7 +6,7 @@
 #include <map>
 #include <numbers>
 
-namespace handrail {
+namespace handrail::results {
 namespace {
 
 double flat_distance(const Vec3& a, const Vec3& b) { return std::hypot(b.x - a.x, b.y - a.y); }
@@ -189,4 +189,4 @@ TurnsMet turns_met(std::span<const Vec3> route_m, std::span<const WayPoint> walk
     return met;
 }
 
-}  // namespace handrail
+}  // namespace handrail::results

@@ -10,7 +10,7 @@
 
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::results {
 
 // A position of the walker. `leap`: the walker was put there and did not walk.
 struct WayPoint {
@@ -84,4 +84,4 @@ struct TurnsMet {
 };
 TurnsMet turns_met(std::span<const Vec3> route_m, std::span<const WayPoint> walk);
 
-}  // namespace handrail
+}  // namespace handrail::results

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace handrail {
+namespace handrail::results {
 namespace {
 
 constexpr double kDegree_rad = std::numbers::pi / 180.0;
@@ -218,4 +218,4 @@ std::vector<StrategyWindow> strategy_windows(std::span<const WalkSample> walk, c
     return windows;
 }
 
-}  // namespace handrail
+}  // namespace handrail::results

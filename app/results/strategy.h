@@ -11,7 +11,7 @@
 
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::results {
 
 enum class Strategy : std::uint8_t { None, Perimeter, Grid, ObjectToObject, BackToBase, Mixed };
 inline constexpr std::size_t kStrategies = 6;
@@ -63,4 +63,4 @@ struct StrategyWindow {
 std::vector<StrategyWindow> strategy_windows(std::span<const WalkSample> walk, const Vec3& base_m,
                                              const StrategyTuning& tuning = {});
 
-}  // namespace handrail
+}  // namespace handrail::results

@@ -21,7 +21,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::teaching {
 namespace {
 
 namespace fs = std::filesystem;
@@ -338,4 +338,4 @@ int watch_desk(const fs::path& folder, int in_descriptor, std::ostream& out, std
     return 0;
 }
 
-}  // namespace handrail
+}  // namespace handrail::teaching

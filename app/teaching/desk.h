@@ -13,7 +13,7 @@
 #include "app/teaching/teaching_run.h"
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::teaching {
 
 // Carries out an order on a lesson: "next", "repeat", "more", "less", "lead NAME", "leave", "block NAME", "open NAME",
 // "note TEXT", "summary", "end". Returns one line about what happened; for an unknown order, the list of orders. What
@@ -51,4 +51,4 @@ private:
 // asks for a number. Returns 0 if the lesson ended, 1 if there is none to watch or none was chosen.
 int watch_desk(const std::filesystem::path& folder, int in_descriptor, std::ostream& out, std::ostream& err);
 
-}  // namespace handrail
+}  // namespace handrail::teaching

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace handrail {
+namespace handrail::teaching {
 
 struct LearnerName {
     std::string name;          // chosen name; empty: nobody in particular
@@ -13,4 +13,4 @@ struct LearnerName {
 // The name with its number, which is always the same.
 LearnerName learner_named(const std::string& name);
 
-}  // namespace handrail
+}  // namespace handrail::teaching

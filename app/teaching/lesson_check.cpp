@@ -8,16 +8,16 @@
 #include "app/core/session/headless_session.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::teaching {
 namespace {
 
 constexpr int kTurn_ms = 100;
 
-Strategy strategy_named(const std::string& word) {
-    if (word == "perimeter") return Strategy::Perimeter;
-    if (word == "grid") return Strategy::Grid;
-    if (word == "object") return Strategy::ObjectToObject;
-    return Strategy::BackToBase;
+results::Strategy strategy_named(const std::string& word) {
+    if (word == "perimeter") return results::Strategy::Perimeter;
+    if (word == "grid") return results::Strategy::Grid;
+    if (word == "object") return results::Strategy::ObjectToObject;
+    return results::Strategy::BackToBase;
 }
 
 std::string measured_failure(const PupilExpectation& expected, const TeachingRun& run, const std::string& file) {
@@ -40,28 +40,30 @@ std::string measured_failure(const PupilExpectation& expected, const TeachingRun
 
 }  // namespace
 
-void teach_on(TeachingRun& run, Session& app, std::span<const SessionEvent> events, double now_s, bool speaking) {
-    for (const SessionEvent& event : events) run.see(event);
+void teach_on(TeachingRun& run, core::Session& app, std::span<const core::SessionEvent> events, double now_s,
+              bool speaking) {
+    for (const core::SessionEvent& event : events) run.see(event);
     run.tick(now_s, app.lesson_view(), speaking);
-    for (SessionInput& input : run.take_acts()) app.apply(std::move(input), now_s);
+    for (core::SessionInput& input : run.take_acts()) app.apply(std::move(input), now_s);
 }
 
 TeachingRun begin_lesson(const std::shared_ptr<TaughtWorld>& world, std::size_t session, const LearnerName& learner,
-                         const Session& app) {
+                         const core::Session& app) {
     return TeachingRun(world, {.session = session,
                                .learner = learner,
                                .step_length_m = app.settings().walk.step_length_m,
-                               .done_key = app.keys().keys_of(Command::TaskDone),
-                               .task_key = app.keys().keys_of(Command::Task)});
+                               .done_key = app.keys().keys_of(core::Command::TaskDone),
+                               .task_key = app.keys().keys_of(core::Command::Task)});
 }
 
-Result<PupilOutcome> run_pupil(const std::shared_ptr<TaughtWorld>& world, const LessonPupil& pupil, AudioSink& audio,
-                               SpeechSink& speech, const WorldReader& read, RoomsKept* rooms_kept) {
+Result<PupilOutcome> run_pupil(const std::shared_ptr<TaughtWorld>& world, const LessonPupil& pupil,
+                               cues::AudioSink& audio, cues::SpeechSink& speech, const core::WorldReader& read,
+                               core::RoomsKept* rooms_kept) {
     const LessonFile& lesson = world->lesson();
     const auto found = std::find_if(lesson.sessions.begin(), lesson.sessions.end(),
                                     [&](const TaughtSession& one) { return one.name == pupil.session; });
     const auto session = static_cast<std::size_t>(found - lesson.sessions.begin());
-    Scenario scenario;
+    core::Scenario scenario;
     scenario.title = pupil.name;
     scenario.file = lesson.file;
     scenario.world.file = lesson.world;
@@ -73,12 +75,12 @@ Result<PupilOutcome> run_pupil(const std::shared_ptr<TaughtWorld>& world, const 
     scenario.expectations = pupil.expectations;
     std::optional<TeachingRun> run;
     int ms = 0;
-    const auto teach = [&](HeadlessSession& headless) {
+    const auto teach = [&](core::HeadlessSession& headless) {
         if (ms++ % kTurn_ms != 0) return;
         if (!run) run.emplace(begin_lesson(world, session, {}, headless.app()));
         teach_on(*run, headless.app(), headless.app().take_events(), headless.now_s());
     };
-    auto log = run_scenario(scenario, world->scene(), audio, speech, read, teach, nullptr, rooms_kept);
+    auto log = core::run_scenario(scenario, world->scene(), audio, speech, read, teach, nullptr, rooms_kept);
     if (!log) return tl::unexpected(log.error());
     PupilOutcome outcome{pupil.name, {}, run ? run->results() : std::vector<TaskResult>{}, {}, log->end_s};
     for (const PupilExpectation& expected : pupil.measured)
@@ -113,4 +115,4 @@ std::string protocol_of(const LessonFile& lesson, const LearnerName& learner) {
     return text;
 }
 
-}  // namespace handrail
+}  // namespace handrail::teaching

@@ -10,7 +10,7 @@
 #include "settings/settings.h"
 #include "worlds/base/files.h"
 
-namespace handrail {
+namespace handrail::teaching {
 namespace {
 
 namespace fs = std::filesystem;
@@ -18,20 +18,24 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLongestText = 2000;  // longest sentence to be spoken
 constexpr int kMostLaps = 20;
 
-[[noreturn]] void bad(const TomlValue& node, std::string message) { throw BadField{node.line, std::move(message)}; }
+[[noreturn]] void bad(const settings::TomlValue& node, std::string message) {
+    throw core::BadField{node.line, std::move(message)};
+}
 
 // The text as a single line that can be spoken.
-std::string line_of_text(const TomlValue& node, const std::string& text) {
+std::string line_of_text(const settings::TomlValue& node, const std::string& text) {
     if (text.size() > kLongestText || !is_utf8(text)) bad(node, phrase("teaching.long_text", {{"most", kLongestText}}));
     std::string line = one_line(text);
     if (line.empty()) bad(node, phrase("teaching.empty_text"));
     return line;
 }
 
-std::string name_in(TomlFields& fields, const char* key) { return line_of_text(fields.node(key), fields.text(key)); }
+std::string name_in(core::TomlFields& fields, const char* key) {
+    return line_of_text(fields.node(key), fields.text(key));
+}
 
 // Reads `key`, and its translations such as key_de.
-LessonText text_in(const TomlValue& table, TomlFields& fields, const char* key) {
+LessonText text_in(const settings::TomlValue& table, core::TomlFields& fields, const char* key) {
     LessonText text;
     if (fields.has(key)) text.text = name_in(fields, key);
     for (const auto& [name, node] : *table.table()) {
@@ -43,39 +47,39 @@ LessonText text_in(const TomlValue& table, TomlFields& fields, const char* key) 
     return text;
 }
 
-int whole(TomlFields& fields, const char* key, int low, int high) {
+int whole(core::TomlFields& fields, const char* key, int low, int high) {
     const double number = fields.number(key, low, high);
     if (number != std::floor(number)) bad(fields.node(key), phrase("teaching.whole", {{"key", key}}));
     return static_cast<int>(number);
 }
 
 template <class Visit>
-void each_table(TomlFields& fields, const char* key, std::size_t most, Visit visit) {
+void each_table(core::TomlFields& fields, const char* key, std::size_t most, Visit visit) {
     if (!fields.has(key)) return;
-    const TomlValue::Array* list = fields.node(key).array();
+    const settings::TomlValue::Array* list = fields.node(key).array();
     if (!list) bad(fields.node(key), phrase("scenario.tables", {{"key", key}}));
     if (list->size() > most) bad(fields.node(key), phrase("teaching.too_many", {{"key", key}, {"most", most}}));
-    for (const TomlValue& item : *list) {
+    for (const settings::TomlValue& item : *list) {
         if (!item.table()) bad(item, phrase("scenario.tables", {{"key", key}}));
         visit(item);
     }
 }
 
-std::vector<std::string> names_in(TomlFields& fields, const char* key) {
-    const TomlValue& node = fields.node(key);
-    const TomlValue::Array* list = node.array();
+std::vector<std::string> names_in(core::TomlFields& fields, const char* key) {
+    const settings::TomlValue& node = fields.node(key);
+    const settings::TomlValue::Array* list = node.array();
     if (!list || list->empty() || list->size() > LessonFile::kMostPlaces)
         bad(node, phrase("teaching.names", {{"key", key}}));
     std::vector<std::string> names;
-    for (const TomlValue& one : *list) {
+    for (const settings::TomlValue& one : *list) {
         if (!one.text()) bad(one, phrase("teaching.names", {{"key", key}}));
         names.push_back(line_of_text(one, *one.text()));
     }
     return names;
 }
 
-const TomlValue& table_in(TomlFields& fields, const char* key) {
-    const TomlValue& node = fields.node(key);
+const settings::TomlValue& table_in(core::TomlFields& fields, const char* key) {
+    const settings::TomlValue& node = fields.node(key);
     if (!node.table()) bad(node, phrase("teaching.table", {{"key", key}}));
     return node;
 }
@@ -88,10 +92,10 @@ bool may_be_set(std::string_view key) {
     return key != "guidance.strength";
 }
 
-std::map<std::string, std::string> settings_in(TomlFields& fields) {
+std::map<std::string, std::string> settings_in(core::TomlFields& fields) {
     std::map<std::string, std::string> settings;
     if (!fields.has("settings")) return settings;
-    SettingsStore tried;
+    settings::SettingsStore tried;
     for (const auto& [key, node] : *table_in(fields, "settings").table()) {
         std::string value;
         if (node.text()) value = *node.text();
@@ -100,14 +104,15 @@ std::map<std::string, std::string> settings_in(TomlFields& fields) {
         else if (node.fraction()) value = fmt::format("{}", *node.fraction());
         else bad(node, phrase("scenario.setting"));
         if (!may_be_set(key)) bad(node, phrase("teaching.not_set_here", {{"key", key}}));
-        if (const auto set = tried.set(key, value, SettingSource::CommandLine); !set) bad(node, set.error().message);
+        if (const auto set = tried.set(key, value, settings::SettingSource::CommandLine); !set)
+            bad(node, set.error().message);
         settings[key] = value;
     }
     return settings;
 }
 
-LessonPlace place_in(const TomlValue& table, const char* what) {
-    TomlFields fields(table, what);
+LessonPlace place_in(const settings::TomlValue& table, const char* what) {
+    core::TomlFields fields(table, what);
     LessonPlace place;
     place.line = fields.line();
     if (fields.has("name")) place.name = name_in(fields, "name");
@@ -125,19 +130,19 @@ LessonPlace place_in(const TomlValue& table, const char* what) {
     return place;
 }
 
-LessonRoute route_in(const TomlValue& table) {
-    TomlFields fields(table, "route");
+LessonRoute route_in(const settings::TomlValue& table) {
+    core::TomlFields fields(table, "route");
     LessonRoute route;
     route.line = fields.line();
     route.name = name_in(fields, "name");
     each_table(fields, "stops", LessonFile::kMostPlaces,
-               [&](const TomlValue& item) { route.stops.push_back(place_in(item, "stop")); });
+               [&](const settings::TomlValue& item) { route.stops.push_back(place_in(item, "stop")); });
     if (route.stops.empty()) fields.node("stops"), bad(table, phrase("teaching.no_stop"));
     fields.done();
     return route;
 }
 
-StepKind kind_in(TomlFields& fields) {
+StepKind kind_in(core::TomlFields& fields) {
     const std::string word = fields.text("do");
     for (std::size_t i = 0; i < kStepWords.size(); ++i)
         if (word == kStepWords[i]) return static_cast<StepKind>(i);
@@ -148,14 +153,14 @@ StepKind kind_in(TomlFields& fields) {
 }
 
 // The help in each lap; the last lap has none.
-std::vector<int> laps_in(TomlFields& fields) {
+std::vector<int> laps_in(core::TomlFields& fields) {
     std::vector<int> help{0};
     if (fields.has("help_percent")) {
-        const TomlValue::Array* list = fields.node("help_percent").array();
+        const settings::TomlValue::Array* list = fields.node("help_percent").array();
         if (!list || list->empty() || list->size() > kMostLaps)
             bad(fields.node("help_percent"), phrase("teaching.percents"));
         help.clear();
-        for (const TomlValue& node : *list) {
+        for (const settings::TomlValue& node : *list) {
             const std::int64_t* percent = node.whole();
             if (!percent || *percent < 0 || *percent > 100) bad(node, phrase("teaching.percents"));
             help.push_back(static_cast<int>(*percent));
@@ -166,8 +171,8 @@ std::vector<int> laps_in(TomlFields& fields) {
     return help;
 }
 
-TaughtStep step_in(const TomlValue& table, const LessonFile& lesson) {
-    TomlFields fields(table, "step");
+TaughtStep step_in(const settings::TomlValue& table, const LessonFile& lesson) {
+    core::TomlFields fields(table, "step");
     TaughtStep step;
     step.line = fields.line();
     step.kind = kind_in(fields);
@@ -176,7 +181,7 @@ TaughtStep step_in(const TomlValue& table, const LessonFile& lesson) {
         case StepKind::Learn:
             step.room = name_in(fields, "room");
             if (fields.has("done")) {
-                TomlFields done(table_in(fields, "done"), "done");
+                core::TomlFields done(table_in(fields, "done"), "done");
                 if (done.has("walls_percent")) step.walls_percent = whole(done, "walls_percent", 1, 100);
                 if (done.has("exits")) step.exits = whole(done, "exits", 1, 100);
                 done.done();
@@ -228,8 +233,8 @@ TaughtStep step_in(const TomlValue& table, const LessonFile& lesson) {
     return step;
 }
 
-TaughtSession session_in(const TomlValue& table, const LessonFile& lesson, std::size_t& steps) {
-    TomlFields fields(table, "session");
+TaughtSession session_in(const settings::TomlValue& table, const LessonFile& lesson, std::size_t& steps) {
+    core::TomlFields fields(table, "session");
     TaughtSession session;
     session.line = fields.line();
     session.name = name_in(fields, "name");
@@ -240,7 +245,7 @@ TaughtSession session_in(const TomlValue& table, const LessonFile& lesson, std::
         session.shuffle = order == "shuffle";
     }
     session.settings = settings_in(fields);
-    each_table(fields, "step", LessonFile::kMostSteps, [&](const TomlValue& item) {
+    each_table(fields, "step", LessonFile::kMostSteps, [&](const settings::TomlValue& item) {
         session.steps.push_back(step_in(item, lesson));
         if (++steps > LessonFile::kMostSteps)
             bad(item, phrase("teaching.too_many", {{"key", "step"}, {"most", LessonFile::kMostSteps}}));
@@ -250,8 +255,8 @@ TaughtSession session_in(const TomlValue& table, const LessonFile& lesson, std::
     return session;
 }
 
-PupilExpectation measured_in(const TomlValue& table) {
-    TomlFields fields(table, "expectation");
+PupilExpectation measured_in(const settings::TomlValue& table) {
+    core::TomlFields fields(table, "expectation");
     PupilExpectation expected;
     expected.line = fields.line();
     if (fields.has("strategy") == fields.has("measure")) bad(table, phrase("teaching.one_measure"));
@@ -274,8 +279,8 @@ PupilExpectation measured_in(const TomlValue& table) {
     return expected;
 }
 
-LessonPupil pupil_in(const TomlValue& table, const LessonFile& lesson, const ScenarioFolders& folders) {
-    TomlFields fields(table, "pupil");
+LessonPupil pupil_in(const settings::TomlValue& table, const LessonFile& lesson, const core::ScenarioFolders& folders) {
+    core::TomlFields fields(table, "pupil");
     LessonPupil pupil;
     pupil.line = fields.line();
     pupil.name = name_in(fields, "name");
@@ -286,12 +291,13 @@ LessonPupil pupil_in(const TomlValue& table, const LessonFile& lesson, const Sce
         bad(fields.node("session"),
             phrase("teaching.no_session", {{"name", pupil.session}, {"nearest", nearest_name(pupil.session, known)}}));
     std::set<std::string> names;
-    each_table(fields, "do", 1000, [&](const TomlValue& item) {
-        for (ScenarioAction& action : read_actions(item, folders, names)) pupil.actions.push_back(std::move(action));
+    each_table(fields, "do", 1000, [&](const settings::TomlValue& item) {
+        for (core::ScenarioAction& action : core::read_actions(item, folders, names))
+            pupil.actions.push_back(std::move(action));
     });
-    each_table(fields, "expect", 1000, [&](const TomlValue& item) {
+    each_table(fields, "expect", 1000, [&](const settings::TomlValue& item) {
         if (item.find("strategy") || item.find("measure")) pupil.measured.push_back(measured_in(item));
-        else pupil.expectations.push_back(read_expectation(item, names));
+        else pupil.expectations.push_back(core::read_expectation(item, names));
     });
     fields.done();
     if (pupil.expectations.empty() && pupil.measured.empty()) bad(table, phrase("teaching.expects_nothing"));
@@ -302,11 +308,12 @@ template <class List>
 void no_name_twice(const List& list) {
     std::set<std::string> names;
     for (const auto& one : list)
-        if (!names.insert(one.name).second) throw BadField{one.line, phrase("teaching.twice", {{"name", one.name}})};
+        if (!names.insert(one.name).second)
+            throw core::BadField{one.line, phrase("teaching.twice", {{"name", one.name}})};
 }
 
-LessonFile lesson_in(const TomlValue& table, const fs::path& file, const ScenarioFolders& folders) {
-    TomlFields fields(table, "lesson");
+LessonFile lesson_in(const settings::TomlValue& table, const fs::path& file, const core::ScenarioFolders& folders) {
+    core::TomlFields fields(table, "lesson");
     LessonFile lesson;
     lesson.file = file;
     if (whole(fields, "handrail_lesson", 0, 1000000) != LessonFile::kForm)
@@ -317,10 +324,10 @@ LessonFile lesson_in(const TomlValue& table, const fs::path& file, const Scenari
     if (lesson.world_name.find('\0') != std::string::npos || !is_utf8(lesson.world_name) ||
         one_line(lesson.world_name) != lesson.world_name)
         bad(fields.node("world"), phrase("teaching.empty_text"));
-    lesson.world = find_named_world(lesson.world_name, folders, fields.node("world").line);
+    lesson.world = core::find_named_world(lesson.world_name, folders, fields.node("world").line);
     if (fields.has("world_checksum")) lesson.world_checksum = name_in(fields, "world_checksum");
     if (fields.has("base")) {
-        TomlFields base(table_in(fields, "base"), "base");
+        core::TomlFields base(table_in(fields, "base"), "base");
         lesson.base_feet_m = base.vector("feet");
         lesson.base_heading_rad = radians_from_degrees(base.number_or("heading_deg", 0.0, -360.0, 360.0));
         if (base.has("name")) lesson.base_name = name_in(base, "name");
@@ -328,19 +335,19 @@ LessonFile lesson_in(const TomlValue& table, const fs::path& file, const Scenari
     }
     lesson.settings = settings_in(fields);
     each_table(fields, "landmark", LessonFile::kMostPlaces,
-               [&](const TomlValue& item) { lesson.landmarks.push_back(place_in(item, "landmark")); });
+               [&](const settings::TomlValue& item) { lesson.landmarks.push_back(place_in(item, "landmark")); });
     each_table(fields, "route", LessonFile::kMostPlaces,
-               [&](const TomlValue& item) { lesson.routes.push_back(route_in(item)); });
-    if (lesson.landmarks.empty()) throw BadField{1, phrase("teaching.no_landmark")};
+               [&](const settings::TomlValue& item) { lesson.routes.push_back(route_in(item)); });
+    if (lesson.landmarks.empty()) throw core::BadField{1, phrase("teaching.no_landmark")};
     no_name_twice(lesson.landmarks);
     no_name_twice(lesson.routes);
     std::size_t steps = 0;
     each_table(fields, "session", LessonFile::kMostSessions,
-               [&](const TomlValue& item) { lesson.sessions.push_back(session_in(item, lesson, steps)); });
-    if (lesson.sessions.empty()) throw BadField{1, phrase("teaching.no_sessions")};
+               [&](const settings::TomlValue& item) { lesson.sessions.push_back(session_in(item, lesson, steps)); });
+    if (lesson.sessions.empty()) throw core::BadField{1, phrase("teaching.no_sessions")};
     no_name_twice(lesson.sessions);
     each_table(fields, "as", LessonFile::kMostPlaces,
-               [&](const TomlValue& item) { lesson.pupils.push_back(pupil_in(item, lesson, folders)); });
+               [&](const settings::TomlValue& item) { lesson.pupils.push_back(pupil_in(item, lesson, folders)); });
     fields.done();
     return lesson;
 }
@@ -354,19 +361,19 @@ const LessonRoute* LessonFile::route(std::string_view name) const {
 }
 
 Result<LessonFile> read_lesson_text(const std::string& text, const fs::path& file,
-                                    const std::vector<fs::path>& world_folders, const TomlReader& toml) {
+                                    const std::vector<fs::path>& world_folders, const settings::TomlReader& toml) {
     const std::string name = file.filename().string();
-    const Result<TomlValue> table = toml(text);
-    if (!table) return tl::unexpected(no_toml(table.error(), name));
+    const Result<settings::TomlValue> table = toml(text);
+    if (!table) return tl::unexpected(core::no_toml(table.error(), name));
     try {
         return lesson_in(*table, file, {file.parent_path(), world_folders});
-    } catch (const BadField& mistake) {
+    } catch (const core::BadField& mistake) {
         return fail(mistake.message, name, mistake.line);
     }
 }
 
 Result<LessonFile> read_lesson(const fs::path& file, const std::vector<fs::path>& world_folders,
-                               const TomlReader& toml) {
+                               const settings::TomlReader& toml) {
     const auto text = read_whole_file(file, std::size_t{1} << 24);
     if (!text) return tl::unexpected(text.error());
     return read_lesson_text(*text, file, world_folders, toml);
@@ -395,4 +402,4 @@ std::vector<std::pair<std::string, std::string>> conditions_of(const LessonFile&
     return {all.begin(), all.end()};
 }
 
-}  // namespace handrail
+}  // namespace handrail::teaching

@@ -18,7 +18,7 @@
 #include "worlds/base/result.h"
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::teaching {
 
 // A text and its translations: say, say_de.
 struct LessonText {
@@ -81,8 +81,8 @@ struct PupilExpectation {
 };
 struct LessonPupil {
     std::string name, session;
-    std::vector<ScenarioAction> actions;
-    std::vector<Expectation> expectations;
+    std::vector<core::ScenarioAction> actions;
+    std::vector<core::Expectation> expectations;
     std::vector<PupilExpectation> measured;
     int line = 0;
 };
@@ -112,18 +112,18 @@ struct LessonFile {
 // scenarios.
 Result<LessonFile> read_lesson(const std::filesystem::path& file,
                                const std::vector<std::filesystem::path>& world_folders,
-                               const TomlReader& toml = toml_of);
+                               const settings::TomlReader& toml = settings::toml_of);
 // Reads a lesson from its text; `file` need not exist.
 Result<LessonFile> read_lesson_text(const std::string& text, const std::filesystem::path& file,
                                     const std::vector<std::filesystem::path>& world_folders,
-                                    const TomlReader& toml = toml_of);
+                                    const settings::TomlReader& toml = settings::toml_of);
 
 // A lesson without pupils, as text that reads back unchanged.
 std::string lesson_text(const LessonFile& lesson);
 
 // Makes a lesson of three sessions from an instructor's draft: learning the walls and pointing, the route with less
 // help in each lap, and the route alone with questions.
-LessonFile three_sessions(const LessonDraft& draft, const std::filesystem::path& world);
+LessonFile three_sessions(const core::LessonDraft& draft, const std::filesystem::path& world);
 
 // How a lesson in `folder` names a world that does not come with the program: by the relative path, so that both can be
 // moved together.
@@ -135,4 +135,4 @@ std::vector<std::size_t> step_order(const TaughtSession& session, std::size_t se
 // The settings during that session (counted from 0), by key: those of the lesson, overridden by those of the session.
 std::vector<std::pair<std::string, std::string>> conditions_of(const LessonFile& lesson, std::size_t session);
 
-}  // namespace handrail
+}  // namespace handrail::teaching

@@ -3,10 +3,10 @@
 
 #include "app/teaching/lesson_file.h"
 
-namespace handrail {
+namespace handrail::teaching {
 namespace {
 
-LessonPlace place_of(const LessonDraft::Place& from) {
+LessonPlace place_of(const core::LessonDraft::Place& from) {
     LessonPlace place;
     place.name = from.name;
     place.thing = from.thing;
@@ -32,7 +32,7 @@ std::string named_from(const std::filesystem::path& folder, const std::filesyste
     return (way.empty() ? world.filename() : way).string();
 }
 
-LessonFile three_sessions(const LessonDraft& draft, const std::filesystem::path& world) {
+LessonFile three_sessions(const core::LessonDraft& draft, const std::filesystem::path& world) {
     constexpr int kMinutes = 15;
     LessonFile lesson;
     lesson.title.text = draft.title;
@@ -41,14 +41,14 @@ LessonFile three_sessions(const LessonDraft& draft, const std::filesystem::path&
     lesson.world_checksum = draft.world_checksum;
     lesson.base_feet_m = draft.base_feet_m;
     lesson.base_heading_rad = draft.base_heading_rad;
-    for (const LessonDraft::Place& landmark : draft.landmarks) {
+    for (const core::LessonDraft::Place& landmark : draft.landmarks) {
         const auto named = [&](const LessonPlace& place) { return place.name == landmark.name; };
         if (std::none_of(lesson.landmarks.begin(), lesson.landmarks.end(), named))
             lesson.landmarks.push_back(place_of(landmark));
     }
     LessonRoute route;
     route.name = draft.title;
-    for (const LessonDraft::Place& stop : draft.stops) route.stops.push_back(place_of(stop));
+    for (const core::LessonDraft::Place& stop : draft.stops) route.stops.push_back(place_of(stop));
     lesson.routes.push_back(route);
 
     TaughtSession first{phrase("prepare.first"), kMinutes, false, {}, {}, 0};
@@ -89,4 +89,4 @@ LessonFile three_sessions(const LessonDraft& draft, const std::filesystem::path&
     return lesson;
 }
 
-}  // namespace handrail
+}  // namespace handrail::teaching

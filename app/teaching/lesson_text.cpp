@@ -4,7 +4,7 @@
 
 #include "app/teaching/lesson_file.h"
 
-namespace handrail {
+namespace handrail::teaching {
 namespace {
 
 // For a text of a single line.
@@ -117,4 +117,4 @@ std::string lesson_text(const LessonFile& lesson) {
     return out;
 }
 
-}  // namespace handrail
+}  // namespace handrail::teaching

@@ -6,7 +6,7 @@
 
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::teaching {
 
 // Returns whether two places are this close horizontally and on the same storey.
 inline bool near_place(const Vec3& a, const Vec3& b, double level_m) {
@@ -20,4 +20,4 @@ inline std::string one_after(std::string first, const std::string& then) {
     return first + then;
 }
 
-}  // namespace handrail
+}  // namespace handrail::teaching

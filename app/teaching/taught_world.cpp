@@ -10,7 +10,7 @@
 #include "settings/settings.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::teaching {
 namespace {
 
 bool same_name(std::string_view a, std::string_view b) { return lower_ascii(a) == lower_ascii(b); }
@@ -26,7 +26,7 @@ tl::unexpected<Error> TaughtWorld::bad(int line, const char* key, const std::str
 std::vector<std::string> TaughtWorld::names() const {
     std::vector<std::string> names{"base"};
     for (const auto& [key, place] : places_) names.push_back(place.name);
-    for (const Room& room : rooms_->graph().rooms) names.push_back(own_name(room));
+    for (const navigation::Room& room : rooms_->graph().rooms) names.push_back(navigation::own_name(room));
     return names;
 }
 
@@ -43,10 +43,10 @@ std::vector<std::pair<std::string, FeatureId>> TaughtWorld::doors() const {
         const Feature& feature = scene_->features[door.value];
         if (!feature.name.empty()) names.emplace_back(feature.name, door);
         if (called[spoken_name(feature)] == 1) names.emplace_back(spoken_name(feature), door);
-        for (const Portal& portal : rooms_->graph().portals) {
+        for (const navigation::Portal& portal : rooms_->graph().portals) {
             if (portal.feature != door) continue;
-            const std::string one = own_name(rooms_->graph().rooms[portal.rooms[0]]),
-                              other = own_name(rooms_->graph().rooms[portal.rooms[1]]);
+            const std::string one = navigation::own_name(rooms_->graph().rooms[portal.rooms[0]]),
+                              other = navigation::own_name(rooms_->graph().rooms[portal.rooms[1]]);
             names.emplace_back(phrase("teaching.door_between", {{"one", one}, {"other", other}}), door);
             names.emplace_back(phrase("teaching.door_between", {{"one", other}, {"other", one}}), door);
         }
@@ -83,21 +83,21 @@ std::optional<FeatureId> TaughtWorld::door(std::string_view name) const {
     return std::nullopt;
 }
 
-Route TaughtWorld::way(const Vec3& from_m, const std::vector<TaughtPlace>& stops,
-                       const std::vector<FeatureId>& blocked) {
+navigation::Route TaughtWorld::way(const Vec3& from_m, const std::vector<TaughtPlace>& stops,
+                                   const std::vector<FeatureId>& blocked) {
     std::vector<Aabb> boxes;
     for (const FeatureId one : blocked)
-        for (const Aabb& box : door_boxes(*scene_, rooms_->graph(), one)) boxes.push_back(box);
+        for (const Aabb& box : navigation::door_boxes(*scene_, rooms_->graph(), one)) boxes.push_back(box);
     rooms_->navigation().block(boxes);
     std::vector<Vec3> places;
     for (const TaughtPlace& stop : stops) places.push_back(stop.stand_m);
-    Route route = plan_through(rooms_->navigation(), from_m, places);
+    navigation::Route route = core::plan_through(rooms_->navigation(), from_m, places);
     rooms_->navigation().block({});
     return route;
 }
 
 Result<TaughtPlace> TaughtWorld::look_up(const LessonPlace& place) const {
-    Navigation& navigation = rooms_->navigation();
+    navigation::Navigation& navigation = rooms_->navigation();
     TaughtPlace found{place.name, Vec3(0.0), Vec3(0.0), {}};
     const auto stand = [&](const Vec3& at_m) -> Result<TaughtPlace> {
         const auto near = navigation.nearest_place(at_m);
@@ -112,15 +112,15 @@ Result<TaughtPlace> TaughtWorld::look_up(const LessonPlace& place) const {
     std::vector<std::string> known;
     std::vector<TaughtPlace> candidates;
     if (!place.room.empty()) {
-        for (const Room& room : rooms_->graph().rooms) {
-            if (same_name(room.map_name, place.room) || same_name(own_name(room), place.room))
+        for (const navigation::Room& room : rooms_->graph().rooms) {
+            if (same_name(room.map_name, place.room) || same_name(navigation::own_name(room), place.room))
                 candidates.push_back({place.name, room.middle_m, room.middle_m, {}});
-            known.push_back(own_name(room));
+            known.push_back(navigation::own_name(room));
         }
         if (candidates.empty()) return bad(place.line, "teaching.no_room", place.room, known);
         return one_of(place, candidates);
     }
-    for (const NamedThing& thing : named_things(*scene_)) {
+    for (const core::NamedThing& thing : core::named_things(*scene_)) {
         if (same_name(thing.name, place.thing) ||
             same_name(spoken_name(scene_->features[thing.feature.value]), place.thing)) {
             Vec3 foot = thing.bounds_m.centre_m();
@@ -168,7 +168,7 @@ Result<void> TaughtWorld::know_asked(const std::string& name, int line) {
     thing.name = thing.thing = name;
     thing.line = line;
     std::vector<std::string> known = names();
-    for (const NamedThing& one : named_things(*scene_)) {
+    for (const core::NamedThing& one : core::named_things(*scene_)) {
         if (same_name(one.name, name) || same_name(spoken_name(scene_->features[one.feature.value]), name))
             return know(thing);
         known.push_back(one.name);
@@ -190,8 +190,9 @@ Result<void> TaughtWorld::check_asked(const TaughtStep& step) const {
             return bad(step.line, "teaching.under_feet", name, {});
     }
     if (step.walls_percent <= 0) return {};
-    for (const Room& room : rooms_->graph().rooms)
-        if (same_name(own_name(room), step.room) && is_outside(room, rooms_->navigation().space(), *rooms_->scene()))
+    for (const navigation::Room& room : rooms_->graph().rooms)
+        if (same_name(navigation::own_name(room), step.room) &&
+            navigation::is_outside(room, rooms_->navigation().space(), *rooms_->scene()))
             return bad(step.line, "teaching.no_walls_outside", step.room, {});
     return {};
 }
@@ -218,12 +219,13 @@ Result<void> TaughtWorld::check_step(const TaughtStep& step) {
 }
 
 Result<std::shared_ptr<TaughtWorld>> TaughtWorld::find(LessonFile lesson, const std::shared_ptr<const Scene>& scene,
-                                                       const std::string& checksum, RoomsKept* rooms_kept) {
+                                                       const std::string& checksum, core::RoomsKept* rooms_kept) {
     std::shared_ptr<TaughtWorld> world(new TaughtWorld);
     world->scene_ = scene;
-    const WalkerSize size = body_size(*scene, Settings{}.walk.body_radius_m);
-    world->rooms_ = std::make_unique<RoomsOfWorld>(
-        scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once(), RoutesKeeper{}, rooms_kept);
+    const core::WalkerSize size = core::body_size(*scene, settings::Settings{}.walk.body_radius_m);
+    world->rooms_ = std::make_unique<core::RoomsOfWorld>(
+        scene, navigation::walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), at_once(),
+        core::RoutesKeeper{}, rooms_kept);
     if (!world->rooms_->ready() || !world->rooms_->found())
         return fail(world->rooms_->problem(), lesson.file.filename().string());
     if (!lesson.world_checksum.empty() && !checksum.empty() && checksum != lesson.world_checksum)
@@ -250,13 +252,13 @@ Result<std::shared_ptr<TaughtWorld>> TaughtWorld::find(LessonFile lesson, const 
     for (const LessonRoute& route : file.routes)
         for (const LessonPlace& stop : route.stops)
             if (auto known = world->know(stop); !known) return tl::unexpected(known.error());
-    for (const Room& room : world->rooms_->graph().rooms)
-        world->places_.emplace(lower_ascii(own_name(room)),
-                               TaughtPlace{own_name(room), room.middle_m, room.middle_m, {}});
+    for (const navigation::Room& room : world->rooms_->graph().rooms)
+        world->places_.emplace(lower_ascii(navigation::own_name(room)),
+                               TaughtPlace{navigation::own_name(room), room.middle_m, room.middle_m, {}});
     for (const TaughtSession& session : file.sessions)
         for (const TaughtStep& step : session.steps)
             if (auto fits = world->check_step(step); !fits) return tl::unexpected(fits.error());
     return world;
 }
 
-}  // namespace handrail
+}  // namespace handrail::teaching

@@ -13,7 +13,7 @@
 #include "app/teaching/lesson_file.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::teaching {
 
 struct TaughtPlace {
     std::string name;    // as announced
@@ -28,7 +28,8 @@ public:
     // nobody can walk a route, or a block leaves no way. checksum: of the world's file now; empty: unknown. rooms_kept:
     // of the sessions that will enter the same scene; null: the rooms are found for the lesson alone.
     static Result<std::shared_ptr<TaughtWorld>> find(LessonFile lesson, const std::shared_ptr<const Scene>& scene,
-                                                     const std::string& checksum = {}, RoomsKept* rooms_kept = nullptr);
+                                                     const std::string& checksum = {},
+                                                     core::RoomsKept* rooms_kept = nullptr);
 
     const LessonFile& lesson() const { return lesson_; }
     const std::shared_ptr<const Scene>& scene() const { return scene_; }
@@ -43,7 +44,8 @@ public:
     std::string nearest(std::string_view name) const;
     std::string nearest_door(std::string_view name) const;
     // The walking route through all stops, with the given doors blocked.
-    Route way(const Vec3& from_m, const std::vector<TaughtPlace>& stops, const std::vector<FeatureId>& blocked = {});
+    navigation::Route way(const Vec3& from_m, const std::vector<TaughtPlace>& stops,
+                          const std::vector<FeatureId>& blocked = {});
     // A sentence about what has changed since the lesson was written; empty if nothing has.
     const std::string& news() const { return news_; }
 
@@ -65,11 +67,11 @@ private:
 
     LessonFile lesson_;
     std::shared_ptr<const Scene> scene_;
-    std::unique_ptr<RoomsOfWorld> rooms_;
+    std::unique_ptr<core::RoomsOfWorld> rooms_;
     TaughtPlace base_;
     double base_heading_rad_ = 0.0;
     std::map<std::string, TaughtPlace, std::less<>> places_;  // keys are names in lower case
     std::string news_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::teaching

@@ -6,7 +6,7 @@
 #include "app/teaching/teaching_run.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::teaching {
 namespace {
 
 constexpr double kAway_m = 1.0;  // learners farther than this from the place of a question are put there
@@ -24,7 +24,7 @@ void TeachingRun::ask() {
             now.scale
                 ? one_after(say, phrase("teaching.scale_is", {{"least", (*now.scale)[0]}, {"most", (*now.scale)[1]}}))
                 : say;
-        return act(TeacherActed::Kind::Ask, asked_.text);
+        return act(core::TeacherActed::Kind::Ask, asked_.text);
     }
     if (now.kind == StepKind::Order) {
         // Shows the items in a shuffled order, never in the right one.
@@ -36,7 +36,7 @@ void TeachingRun::ask() {
         if (std::is_sorted(asked_.shown.begin(), asked_.shown.end()))
             std::rotate(asked_.shown.begin(), asked_.shown.begin() + 1, asked_.shown.end());
         asked_.text = one_after(say, phrase("teaching.order_of", {{"count", now.to.size()}}));
-        TeacherActed order{TeacherActed::Kind::Order, asked_.text, {}, {}, 0.0};
+        core::TeacherActed order{core::TeacherActed::Kind::Order, asked_.text, {}, {}, 0.0};
         for (const std::size_t i : asked_.shown) order.items.push_back(world_->place(now.to[i])->name);
         acts_.emplace_back(std::move(order));
         return;
@@ -49,11 +49,11 @@ void TeachingRun::ask() {
     if (now.kind == StepKind::Point) {
         asked_.text =
             one_after(one_after(say, stand), phrase("teaching.point", {{"name", to.name}, {"key", start_.done_key}}));
-        return act(TeacherActed::Kind::Point, asked_.text);
+        return act(core::TeacherActed::Kind::Point, asked_.text);
     }
     asked_.text = one_after(one_after(say, stand),
                             phrase(now.along_way ? "teaching.how_far_along" : "teaching.how_far", {{"name", to.name}}));
-    act(TeacherActed::Kind::Ask, asked_.text);
+    act(core::TeacherActed::Kind::Ask, asked_.text);
 }
 
 // Reads answers such as "12", "12 steps" or "8.5 m".
@@ -73,8 +73,8 @@ bool TeachingRun::take_number(const std::string& text, double& number) const {
 void TeachingRun::answered(const std::string& text) {
     const TaughtStep& now = step();
     const auto again = [&](const char* why) {
-        acts_.emplace_back(Told{phrase(why), SpeechClass::Answer});
-        act(TeacherActed::Kind::Ask, asked_.text);
+        acts_.emplace_back(core::Told{phrase(why), cues::SpeechClass::Answer});
+        act(core::TeacherActed::Kind::Ask, asked_.text);
     };
     double number = 0.0;
     if (now.kind == StepKind::Ask) {
@@ -103,9 +103,9 @@ void TeachingRun::answered(const std::string& text) {
         }
         asked_.text.clear();
         TaskResult result = measured({});
-        if (const auto tau = order_tau(put)) result.measures["order_kept"] = *tau;
+        if (const auto tau = results::order_tau(put)) result.measures["order_kept"] = *tau;
         keep(std::move(result));
-        acts_.emplace_back(Told{phrase("teaching.thanks"), SpeechClass::Answer});
+        acts_.emplace_back(core::Told{phrase("teaching.thanks"), cues::SpeechClass::Answer});
         return end_step();
     }
     const TaughtPlace &from = *world_->place(now.from), &to = *world_->place(now.to[asked_.at]);
@@ -113,7 +113,7 @@ void TeachingRun::answered(const std::string& text) {
     if (now.kind == StepKind::Point) {
         if (!parse_finite(text, number)) return;
         const Vec3 way = to.middle_m - view_.feet_m;
-        const double error = pointing_error_rad(radians_from_degrees(number), std::atan2(way.x, way.y));
+        const double error = results::pointing_error_rad(radians_from_degrees(number), std::atan2(way.x, way.y));
         asked_.errors_rad.push_back(error);
         const int degrees = static_cast<int>(std::lround(std::abs(degrees_from_radians(error))));
         words = phrase(degrees < 5   ? "teaching.pointed_well"
@@ -133,10 +133,10 @@ void TeachingRun::answered(const std::string& text) {
                        {{"metres", true_m}, {"steps", static_cast<int>(std::lround(true_m / start_.step_length_m))}});
     }
     asked_.text.clear();
-    acts_.emplace_back(Told{words, SpeechClass::Answer});
+    acts_.emplace_back(core::Told{words, cues::SpeechClass::Answer});
     if (++asked_.at < now.to.size()) return ask();
     TaskResult result = measured(now.kind == StepKind::Point ? std::string() : to.name);
-    if (const auto off = pointing(asked_.errors_rad)) {
+    if (const auto off = results::pointing(asked_.errors_rad)) {
         result.measures["pointing_off"] = degrees_from_radians(off->absolute_rad);
         if (off->biased) result.measures["pointing_side"] = degrees_from_radians(off->signed_rad);
         if (now.pass_deg) {
@@ -146,9 +146,9 @@ void TeachingRun::answered(const std::string& text) {
                 100.0 * static_cast<double>(passed) / static_cast<double>(asked_.errors_rad.size());
         }
     }
-    if (const auto ratio = distance_ratio(asked_.judged)) result.measures["distance_judged"] = *ratio;
+    if (const auto ratio = results::distance_ratio(asked_.judged)) result.measures["distance_judged"] = *ratio;
     keep(std::move(result));
     end_step();
 }
 
-}  // namespace handrail
+}  // namespace handrail::teaching

@@ -9,7 +9,7 @@
 #include "worlds/base/overloaded.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::teaching {
 namespace {
 
 constexpr double kSample_s = 0.1, kArrived_m = 1.5, kNotReachedHigh_m = 1.0;
@@ -30,10 +30,10 @@ double off_way_m(const std::vector<Vec3>& way, const Vec3& at) {
     return best;
 }
 
-int times_off(const std::vector<Vec3>& way, const std::vector<WayPoint>& walk, double off_m) {
+int times_off(const std::vector<Vec3>& way, const std::vector<results::WayPoint>& walk, double off_m) {
     int times = 0;
     bool off = false;
-    for (const WayPoint& point : walk) {
+    for (const results::WayPoint& point : walk) {
         const double now_m = off_way_m(way, point.place_m);
         if (!off && now_m > off_m) ++times, off = true;
         else if (off && now_m < 0.5 * off_m) off = false;
@@ -50,8 +50,8 @@ LearnerName learner_named(const std::string& name) {
     return {name, hash};
 }
 
-TeacherActed result_act(const TaskResult& result) {
-    TeacherActed act{TeacherActed::Kind::Result, result.name, {}, {}, static_cast<double>(result.step)};
+core::TeacherActed result_act(const TaskResult& result) {
+    core::TeacherActed act{core::TeacherActed::Kind::Result, result.name, {}, {}, static_cast<double>(result.step)};
     act.items.push_back(kStepWords.at(static_cast<std::size_t>(result.kind)));
     act.items.push_back(fmt::format("{}", result.lap));
     for (const auto& [key, value] : result.measures) act.items.push_back(fmt::format("{}={}", key, value));
@@ -63,17 +63,17 @@ TeachingRun::TeachingRun(std::shared_ptr<TaughtWorld> world, Start start)
     order_ = step_order(session(), start_.session, start_.learner.number);
 }
 
-void TeachingRun::act(TeacherActed::Kind kind, std::string text, double number) {
-    acts_.emplace_back(TeacherActed{kind, std::move(text), {}, {}, number});
+void TeachingRun::act(core::TeacherActed::Kind kind, std::string text, double number) {
+    acts_.emplace_back(core::TeacherActed{kind, std::move(text), {}, {}, number});
 }
 
 void TeachingRun::task(std::string text) {
     asked_.told = std::move(text);
-    act(TeacherActed::Kind::Task, asked_.told);
+    act(core::TeacherActed::Kind::Task, asked_.told);
 }
 
 void TeachingRun::place(const TaughtPlace& at, std::optional<double> heading_rad) {
-    acts_.emplace_back(Placed{at.stand_m, heading_rad.value_or(view_.heading_rad)});
+    acts_.emplace_back(core::Placed{at.stand_m, heading_rad.value_or(view_.heading_rad)});
     view_.feet_m = at.stand_m;
     if (heading_rad) view_.heading_rad = *heading_rad;
     task_.leap = true;
@@ -85,55 +85,55 @@ void TeachingRun::keep(TaskResult result) {
     results_.push_back(std::move(result));
 }
 
-void TeachingRun::see(const SessionEvent& event) {
+void TeachingRun::see(const core::SessionEvent& event) {
     now_s_ = std::max(now_s_, event.time_s);
     std::visit(Overloaded{
-                   [&](const Touched& e) {
+                   [&](const core::Touched& e) {
                        const Feature* feature = world_->scene()->find(e.feature);
                        if (!feature) return;
                        task_.touches.push_back({event.time_s, e.feature.value});
                        whole_.touches.push_back({event.time_s, e.feature.value});
                        if (feature->kind == FeatureKind::Wall) whole_.wall_touched_s = event.time_s;
                    },
-                   [&](const ThingVisited& e) { whole_.visited = static_cast<int>(e.feature.value); },
-                   [&](const HelpRequested&) {
+                   [&](const core::ThingVisited& e) { whole_.visited = static_cast<int>(e.feature.value); },
+                   [&](const core::HelpRequested&) {
                        ++task_.help;
                        whole_.helped_s = event.time_s;
                    },
-                   [&](const Leading& e) {
+                   [&](const core::Leading& e) {
                        if (led_since_s_) task_.led_s += event.time_s - std::max(*led_since_s_, task_.begun_s);
                        led_since_s_ = e.on ? std::optional(event.time_s) : std::nullopt;
                    },
-                   [&](const Arrived& e) {
+                   [&](const core::Arrived& e) {
                        if (e.goal == led_to_) end_teachers_lead();
                    },
-                   [&](const ListShown& e) {
+                   [&](const core::ListShown& e) {
                        if (!e.open) end_busy(list_since_s_);
                        else if (!list_since_s_) list_since_s_ = event.time_s;
                    },
-                   [&](const DoorUsed& e) {
+                   [&](const core::DoorUsed& e) {
                        const bool blocked =
                            std::find(laps_.blocked.begin(), laps_.blocked.end(), e.feature) != laps_.blocked.end();
                        if (blocked && !laps_.met_s) laps_.met_s = laps_.left_s = event.time_s;
                    },
-                   [&](const Answered& e) {
+                   [&](const core::Answered& e) {
                        if (!asked_.text.empty() && e.question == asked_.text) answered(e.text);
                    },
-                   [&](const LessonWished& e) {
+                   [&](const core::LessonWished& e) {
                        if (!begun_ || over_) return;
                        switch (e.wish) {
-                           case LessonWish::Done:
+                           case core::LessonWish::Done:
                                next(event.time_s);
                                break;
-                           case LessonWish::MoreHelp:
+                           case core::LessonWish::MoreHelp:
                                ++task_.help;
                                whole_.helped_s = event.time_s;
                                change_help(1);
                                break;
-                           case LessonWish::LessHelp:
+                           case core::LessonWish::LessHelp:
                                change_help(-1);
                                break;
-                           case LessonWish::Leave:
+                           case core::LessonWish::Leave:
                                end(event.time_s);
                                break;
                        }
@@ -167,7 +167,7 @@ void TeachingRun::follow_room() {
     if (view_.exits > 0) task_.exits_percent = 100.0 * view_.exits_found / view_.exits;
 }
 
-void TeachingRun::tick(double now_s, const LessonView& view, bool speaking) {
+void TeachingRun::tick(double now_s, const core::LessonView& view, bool speaking) {
     now_s_ = now_s;
     // The view is current, but events arrive a frame later. Until then a jump must not look like a walk.
     if (view.times_put != view_.times_put) task_.leap = true;
@@ -179,12 +179,12 @@ void TeachingRun::tick(double now_s, const LessonView& view, bool speaking) {
         begun_ = true;
         summed_s_ = now_s;
         const LessonFile& lesson = world_->lesson();
-        act(TeacherActed::Kind::Begin, lesson.title.spoken());
+        act(core::TeacherActed::Kind::Begin, lesson.title.spoken());
         std::string first =
             phrase("teaching.session",
                    {{"lesson", lesson.title.spoken()}, {"name", session().name}, {"count", session().steps.size()}});
         if (session().minutes > 0) first = one_after(first, phrase("teaching.minutes", {{"count", session().minutes}}));
-        acts_.emplace_back(Told{one_after(first, world_->news()), SpeechClass::Answer});
+        acts_.emplace_back(core::Told{one_after(first, world_->news()), cues::SpeechClass::Answer});
         begin_step();
         return;
     }
@@ -192,7 +192,7 @@ void TeachingRun::tick(double now_s, const LessonView& view, bool speaking) {
     follow_room();
     if (now_s - summed_s_ >= kSummary_s) {
         summed_s_ = now_s;
-        act(TeacherActed::Kind::Summary, summary());
+        act(core::TeacherActed::Kind::Summary, summary());
     }
     const TaughtStep& now = step();
     if (now.kind == StepKind::Learn && (now.walls_percent > 0 || now.exits > 0) &&
@@ -248,7 +248,7 @@ void TeachingRun::begin_go() {
         if (const auto door = world_->door(name)) {
             std::erase(laps_.blocked, *door);
             laps_.blocked.push_back(*door);
-            act(TeacherActed::Kind::Block, name, static_cast<double>(door->value));
+            act(core::TeacherActed::Kind::Block, name, static_cast<double>(door->value));
         }
     begin_lap();
 }
@@ -285,12 +285,12 @@ std::vector<TaughtPlace> TeachingRun::led_stops() const {
 void TeachingRun::plan_lap() { laps_.shortest = world_->way(world_->base().stand_m, led_stops(), laps_.blocked); }
 
 void TeachingRun::lead() {
-    TeacherActed lead{TeacherActed::Kind::Lead, {}, {}, {}, level()};
+    core::TeacherActed lead{core::TeacherActed::Kind::Lead, {}, {}, {}, level()};
     for (const TaughtPlace& stop : led_stops()) {
         lead.items.push_back(stop.name);
         lead.places_m.push_back(stop.stand_m);
     }
-    if (lead.number <= 0.0) act(TeacherActed::Kind::Leave);
+    if (lead.number <= 0.0) act(core::TeacherActed::Kind::Leave);
     else acts_.emplace_back(std::move(lead));
 }
 
@@ -298,13 +298,13 @@ TaskResult TeachingRun::measured(std::string name) const {
     TaskResult result{step().kind, order_[at_], laps_.lap, std::move(name), {}, 0.0};
     if (step().kind != StepKind::Go) result.lap = 0;
     result.measures["time"] = now_s_ - task_.begun_s;
-    std::vector<Span> busy = task_.busy;
+    std::vector<results::Span> busy = task_.busy;
     for (const std::optional<double>& since_s : {list_since_s_, speaks_since_s_})
         if (since_s) busy.push_back({*since_s, now_s_});
-    const Hesitations pauses = hesitations(task_.walk, busy);
+    const results::Hesitations pauses = results::hesitations(task_.walk, busy);
     result.measures["pauses"] = pauses.count;
     result.measures["pause_time"] = pauses.sum_s;
-    result.measures["contacts_hand"] = contact_episodes(task_.touches);
+    result.measures["contacts_hand"] = results::contact_episodes(task_.touches);
     result.measures["help_asked"] = task_.help;
     result.measures["led_time"] = task_.led_s + (led_since_s_ ? now_s_ - std::max(*led_since_s_, task_.begun_s) : 0.0);
     return result;
@@ -319,11 +319,12 @@ void TeachingRun::end_lap(bool reached) {
         // The shortest route ends where the walker counts as arrived, a little before the stop itself.
         std::vector<TaughtPlace> stops = led_stops();
         stops.back().stand_m = view_.feet_m;
-        const Route shortest = world_->way(world_->base().stand_m, stops, laps_.blocked);
-        if (const auto ratio = path_ratio(way_walked_m(task_.walk), level_way_m(shortest.points_m), shortest.reaches))
+        const navigation::Route shortest = world_->way(world_->base().stand_m, stops, laps_.blocked);
+        if (const auto ratio = results::path_ratio(results::way_walked_m(task_.walk),
+                                                   results::level_way_m(shortest.points_m), shortest.reaches))
             result.measures["path_ratio"] = *ratio;
     }
-    const TurnsMet turns = turns_met(laps_.shortest.points_m, task_.walk);
+    const results::TurnsMet turns = results::turns_met(laps_.shortest.points_m, task_.walk);
     result.measures["turns_missed"] = turns.missed;
     result.measures["turns_early"] = turns.early;
     errors += turns.missed;
@@ -332,17 +333,17 @@ void TeachingRun::end_lap(bool reached) {
         if (reached && laps_.met_s) result.measures["detour_time"] = *laps_.left_s - *laps_.met_s;
     }
     keep(std::move(result));
-    act(TeacherActed::Kind::Leave);
+    act(core::TeacherActed::Kind::Leave);
     acts_.emplace_back(
-        Told{phrase(reached ? "teaching.reached" : "teaching.left_way", {{"name", laps_.stops.back().name}}),
-             SpeechClass::Answer});
+        core::Told{phrase(reached ? "teaching.reached" : "teaching.left_way", {{"name", laps_.stops.back().name}}),
+                   cues::SpeechClass::Answer});
     if (!laps_.errors_before || errors <= *laps_.errors_before)
         laps_.level = std::min(laps_.level + 1, step().help_percent.size() - 1);
     laps_.errors_before = errors;
     if (++laps_.lap < static_cast<int>(step().help_percent.size())) return begin_lap();
     for (const FeatureId door : laps_.blocked)
         if (std::find(shut_.begin(), shut_.end(), door) == shut_.end())
-            act(TeacherActed::Kind::Open, spoken_name(world_->scene()->features[door.value]),
+            act(core::TeacherActed::Kind::Open, spoken_name(world_->scene()->features[door.value]),
                 static_cast<double>(door.value));
     laps_ = {};
     end_step();
@@ -358,13 +359,13 @@ void TeachingRun::finish(bool all) {
     if (over_) return;
     over_ = true;
     finished_ = all;
-    act(TeacherActed::Kind::Summary, summary());
-    act(TeacherActed::Kind::End);
+    act(core::TeacherActed::Kind::Summary, summary());
+    act(core::TeacherActed::Kind::End);
     const std::size_t next = start_.session + 1;
     std::string words = phrase(all ? "teaching.over" : "teaching.left", {{"name", session().name}});
     if (all && next < world_->lesson().sessions.size())
         words = one_after(words, phrase("teaching.next_session", {{"name", world_->lesson().sessions[next].name}}));
-    acts_.emplace_back(Told{words, SpeechClass::Answer});
+    acts_.emplace_back(core::Told{words, cues::SpeechClass::Answer});
 }
 
 std::string TeachingRun::next(double now_s) {
@@ -394,7 +395,7 @@ void TeachingRun::end_task() {
 std::string TeachingRun::repeat() {
     if (!begun_) return phrase("desk_order.not_begun");
     if (over_) return phrase("desk_order.ended");
-    acts_.emplace_back(Told{asked_.text.empty() ? asked_.told : asked_.text, SpeechClass::Answer});
+    acts_.emplace_back(core::Told{asked_.text.empty() ? asked_.told : asked_.text, cues::SpeechClass::Answer});
     return phrase("desk_order.told_again");
 }
 
@@ -404,7 +405,7 @@ std::string TeachingRun::change_help(int by) {
     if (by > 0 && laps_.level > 0) --laps_.level;
     else if (by < 0 && laps_.level < last) ++laps_.level;
     std::string words = phrase("teaching.help_is", {{"percent", static_cast<int>(std::lround(100.0 * level()))}});
-    acts_.emplace_back(Told{words, SpeechClass::Answer});
+    acts_.emplace_back(core::Told{words, cues::SpeechClass::Answer});
     lead();
     return words;
 }
@@ -417,7 +418,7 @@ std::string TeachingRun::lead_to(const std::string& name) {
     const StepKind kind = step().kind;
     if (kind == StepKind::Point || kind == StepKind::Distance || kind == StepKind::Order)
         return phrase("desk_order.would_answer");
-    acts_.emplace_back(TeacherActed{TeacherActed::Kind::Lead, {}, {to->name}, {to->stand_m}, 1.0});
+    acts_.emplace_back(core::TeacherActed{core::TeacherActed::Kind::Lead, {}, {to->name}, {to->stand_m}, 1.0});
     led_to_ = to->name;
     return phrase("desk_order.leads", {{"name", to->name}});
 }
@@ -430,7 +431,7 @@ std::string TeachingRun::leave_lead() {
 }
 
 void TeachingRun::end_teachers_lead() {
-    if (!std::exchange(led_to_, {}).empty()) act(TeacherActed::Kind::Leave);
+    if (!std::exchange(led_to_, {}).empty()) act(core::TeacherActed::Kind::Leave);
 }
 
 std::string TeachingRun::block(const std::string& name, bool blocked) {
@@ -444,7 +445,8 @@ std::string TeachingRun::block(const std::string& name, bool blocked) {
         return phrase("teaching.no_way_round", {{"name", laps_.stops.back().name}});
     std::erase(shut_, *door);
     if (blocked) shut_.push_back(*door);
-    act(blocked ? TeacherActed::Kind::Block : TeacherActed::Kind::Open, name, static_cast<double>(door->value));
+    act(blocked ? core::TeacherActed::Kind::Block : core::TeacherActed::Kind::Open, name,
+        static_cast<double>(door->value));
     std::string happened = phrase(blocked ? "desk_order.blocked" : "desk_order.opened", {{"door", name}});
     if (!on_way) return happened;
     laps_.blocked = std::move(doors);
@@ -453,7 +455,7 @@ std::string TeachingRun::block(const std::string& name, bool blocked) {
     return happened;
 }
 
-void TeachingRun::note(const std::string& text) { act(TeacherActed::Kind::Note, one_line(text)); }
+void TeachingRun::note(const std::string& text) { act(core::TeacherActed::Kind::Note, one_line(text)); }
 
 std::string TeachingRun::end(double now_s) {
     now_s_ = now_s;
@@ -461,4 +463,4 @@ std::string TeachingRun::end(double now_s) {
     return phrase(begun_ ? "desk_order.ended" : "desk_order.not_begun");
 }
 
-}  // namespace handrail
+}  // namespace handrail::teaching

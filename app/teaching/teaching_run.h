@@ -17,7 +17,7 @@
 #include "app/teaching/learner_name.h"
 #include "app/teaching/taught_world.h"
 
-namespace handrail {
+namespace handrail::teaching {
 
 // The measures of one task, with the keys of reports, and also "reached" and "detour" (1: yes).
 struct TaskResult {
@@ -29,7 +29,7 @@ struct TaskResult {
     double ended_s = 0.0;  // in the session's clock
 };
 // In the form in which a recording contains it.
-TeacherActed result_act(const TaskResult& result);
+core::TeacherActed result_act(const TaskResult& result);
 
 class TeachingRun {
 public:
@@ -43,12 +43,12 @@ public:
     };
     TeachingRun(std::shared_ptr<TaughtWorld> world, Start start);
 
-    void see(const SessionEvent& event);
+    void see(const core::SessionEvent& event);
     // Call after the session's tick; about ten times a second is enough. The lesson begins once the rooms are known.
     // `speaking`: the voice is speaking, as the ears report it.
-    void tick(double now_s, const LessonView& view, bool speaking = false);
+    void tick(double now_s, const core::LessonView& view, bool speaking = false);
     // The inputs that the session must get now, in order.
-    std::vector<SessionInput> take_acts() { return std::exchange(acts_, {}); }
+    std::vector<core::SessionInput> take_acts() { return std::exchange(acts_, {}); }
     bool over() const { return over_; }
     // Over with all steps done, not left early.
     bool finished() const { return finished_; }
@@ -71,7 +71,7 @@ public:
     std::string summary() const;
     const std::vector<TaskResult>& results() const { return results_; }
     // Share of the session's time so far.
-    double share_of(Strategy strategy) const;
+    double share_of(results::Strategy strategy) const;
 
 private:
     const TaughtSession& session() const { return world_->lesson().sessions[start_.session]; }
@@ -95,12 +95,12 @@ private:
     std::vector<TaughtPlace> led_stops() const;
     void plan_lap();
     double level() const;
-    void act(TeacherActed::Kind kind, std::string text = {}, double number = 0.0);
+    void act(core::TeacherActed::Kind kind, std::string text = {}, double number = 0.0);
     void task(std::string text);
     void place(const TaughtPlace& at, std::optional<double> heading_rad);
     void keep(TaskResult result);
     TaskResult measured(std::string name) const;
-    std::vector<WalkSample> last_samples() const;
+    std::vector<results::WalkSample> last_samples() const;
 
     std::shared_ptr<TaughtWorld> world_;
     Start start_;
@@ -109,9 +109,9 @@ private:
     bool begun_ = false, over_ = false, finished_ = false;
     std::vector<FeatureId> shut_;  // doors shut by the instructor
     std::string led_to_;           // goal set by the instructor; empty: none
-    std::vector<SessionInput> acts_;
+    std::vector<core::SessionInput> acts_;
     std::vector<TaskResult> results_;
-    LessonView view_;
+    core::LessonView view_;
     double now_s_ = 0.0, sampled_s_ = -1e9, summed_s_ = -1e9;
     // Since when; nothing: not at the moment.
     std::optional<double> led_since_s_, list_since_s_, speaks_since_s_;
@@ -119,11 +119,11 @@ private:
     // The current task.
     struct Task {
         double begun_s = 0.0;
-        std::vector<WayPoint> walk;
-        std::vector<Touch> touches;
+        std::vector<results::WayPoint> walk;
+        std::vector<results::Touch> touches;
         int help = 0;
         double led_s = 0.0;
-        std::vector<Span> busy;  // a list was open, or the voice was speaking
+        std::vector<results::Span> busy;  // a list was open, or the voice was speaking
         bool leap = false;
         // For a room to be learnt: as it was when the learner was last in it.
         std::optional<double> walls_percent, exits_percent;  // nothing: it has no walls, or no exits
@@ -132,7 +132,7 @@ private:
         std::string told, text;          // texts of the task and of the question; empty: none
         std::size_t at = 0;              // index in the step's `to`
         std::vector<double> errors_rad;  // errors of pointing
-        std::vector<Judged> judged;
+        std::vector<results::Judged> judged;
         std::vector<std::size_t> shown;  // order in which the items were shown
     } asked_;
     // For a route that is being learnt.
@@ -142,17 +142,17 @@ private:
         std::optional<int> errors_before;
         std::vector<TaughtPlace> stops;
         std::vector<FeatureId> blocked;
-        Route shortest;
+        navigation::Route shortest;
         // When the learner came to a blocked door, and was last near it.
         std::optional<double> met_s, left_s;
     } laps_;
     struct Whole {
-        std::vector<WalkSample> samples;
-        std::vector<Touch> touches;
+        std::vector<results::WalkSample> samples;
+        std::vector<results::Touch> touches;
         std::optional<double> helped_s;
         int visited = -1;
         double wall_touched_s = -1e9;
     } whole_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::teaching

@@ -7,7 +7,7 @@
 
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::terminal {
 namespace {
 
 constexpr char kEscape = '\x1b';
@@ -361,4 +361,4 @@ KeyDecoder::Step KeyDecoder::character_step(std::string_view bytes) const {
     return {length, std::move(typed)};
 }
 
-}  // namespace handrail
+}  // namespace handrail::terminal

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-namespace handrail {
+namespace handrail::terminal {
 
 // One input at the terminal: a key, typed text, or pasted text.
 struct TerminalInput {
@@ -70,4 +70,4 @@ private:
     bool pasting_ = false;
 };
 
-}  // namespace handrail
+}  // namespace handrail::terminal

@@ -5,7 +5,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::terminal {
 namespace {
 
 constexpr std::string_view kBackOne = "\b \b";
@@ -74,4 +74,4 @@ LineEditor::Reply LineEditor::take_text(std::string_view text) {
     return reply;
 }
 
-}  // namespace handrail
+}  // namespace handrail::terminal

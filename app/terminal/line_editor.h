@@ -9,7 +9,7 @@
 
 #include "app/terminal/key_decoder.h"
 
-namespace handrail {
+namespace handrail::terminal {
 
 class LineEditor {
 public:
@@ -37,4 +37,4 @@ private:
     std::string text_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::terminal

@@ -11,7 +11,7 @@
 
 #include "worlds/base/executor.h"
 
-namespace handrail {
+namespace handrail::terminal {
 namespace {
 
 constexpr std::size_t kLongestLine = 4096;
@@ -109,4 +109,4 @@ void LineWatch::run() {
     ended_.store(true, std::memory_order_release);
 }
 
-}  // namespace handrail
+}  // namespace handrail::terminal

@@ -12,7 +12,7 @@
 
 #include "worlds/base/descriptor.h"
 
-namespace handrail {
+namespace handrail::terminal {
 
 // Reads lines from a file descriptor without ever blocking. Owns nothing.
 class LineInput {
@@ -73,4 +73,4 @@ private:
     std::thread thread_;  // last: its thread uses the others
 };
 
-}  // namespace handrail
+}  // namespace handrail::terminal

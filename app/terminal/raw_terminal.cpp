@@ -12,7 +12,7 @@
 #include <cstdlib>
 #include <string_view>
 
-namespace handrail {
+namespace handrail::terminal {
 namespace {
 
 // Data for the signal handlers: written before `is_taken` is set, and only read while it is.
@@ -187,4 +187,4 @@ RawTerminal::~RawTerminal() {
 
 char RawTerminal::erase() const { return static_cast<char>(held.before.c_cc[VERASE]); }
 
-}  // namespace handrail
+}  // namespace handrail::terminal

@@ -12,7 +12,7 @@
 
 #include <memory>
 
-namespace handrail {
+namespace handrail::terminal {
 
 class RawTerminal {
 public:
@@ -29,4 +29,4 @@ private:
     RawTerminal();
 };
 
-}  // namespace handrail
+}  // namespace handrail::terminal

@@ -12,7 +12,7 @@
 
 #include "worlds/base/executor.h"
 
-namespace handrail {
+namespace handrail::terminal {
 
 TerminalKeys::TerminalKeys(int descriptor, const TerminalKeyboard& keyboard, Clock& clock,
                            std::function<bool(const std::string&)> at_once)
@@ -75,4 +75,4 @@ void TerminalKeys::run() {
     ended_.store(true, std::memory_order_release);
 }
 
-}  // namespace handrail
+}  // namespace handrail::terminal

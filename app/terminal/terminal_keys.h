@@ -14,7 +14,7 @@
 #include "worlds/base/clock.h"
 #include "worlds/base/descriptor.h"
 
-namespace handrail {
+namespace handrail::terminal {
 
 struct TimedInput {
     TerminalInput input;
@@ -57,4 +57,4 @@ private:
     std::thread thread_;  // last: its thread uses the others
 };
 
-}  // namespace handrail
+}  // namespace handrail::terminal

@@ -4,7 +4,7 @@
 #include <tuple>
 #include <unordered_map>
 
-namespace handrail {
+namespace handrail::window {
 namespace {
 
 constexpr double kSameLine_m = 1e-4;  // far above the rounding of file coordinates, far below what is visible
@@ -272,4 +272,4 @@ DrawMesh build_draw_mesh(const Scene& scene, const std::function<bool(FeatureId)
     return builder.finish();
 }
 
-}  // namespace handrail
+}  // namespace handrail::window

@@ -10,7 +10,7 @@
 
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::window {
 
 enum class DrawPattern : std::uint8_t { Plain, UprightStripes, LevelStripes, Slanted, Checks };
 
@@ -63,4 +63,4 @@ double luminance(const std::array<std::uint8_t, 3>& rgb);
 // features; an empty function selects all.
 DrawMesh build_draw_mesh(const Scene& scene, const std::function<bool(FeatureId)>& drawn = {});
 
-}  // namespace handrail
+}  // namespace handrail::window

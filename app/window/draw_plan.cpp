@@ -7,7 +7,7 @@
 #include "app/window/large_text.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::window {
 namespace {
 
 constexpr ImU32 kWallColour = IM_COL32(200, 200, 200, 255);
@@ -15,13 +15,13 @@ constexpr ImU32 kWallColour = IM_COL32(200, 200, 200, 255);
 ImVec2 im(const Vec2& p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 // Indices into ViewState::rooms, the smallest room first and the current one last.
-std::vector<std::size_t> rooms_of_storey(const ViewState& view) {
+std::vector<std::size_t> rooms_of_storey(const core::ViewState& view) {
     std::vector<std::size_t> rooms;
     if (!view.rooms) return rooms;
     for (std::size_t r = 0; r < view.rooms->size(); ++r)
-        if (const DrawnRoom& room = (*view.rooms)[r];
-            r == view.room || (room.outline.lowest_m < view.feet_m.z + kPlanCutAboveFeet_m &&
-                               room.outline.highest_m > view.feet_m.z - kPlanDeep_m))
+        if (const core::DrawnRoom& room = (*view.rooms)[r];
+            r == view.room || (room.outline.lowest_m < view.feet_m.z + plan::kPlanCutAboveFeet_m &&
+                               room.outline.highest_m > view.feet_m.z - plan::kPlanDeep_m))
             rooms.push_back(r);
     std::stable_sort(rooms.begin(), rooms.end(), [&](std::size_t a, std::size_t b) {
         return std::pair(a == view.room, (*view.rooms)[a].area_m2) <
@@ -33,7 +33,8 @@ std::vector<std::size_t> rooms_of_storey(const ViewState& view) {
 // Draws each name white on black in the middle of its room, and that of the current room inverted. If names would cover
 // each other or the walker, a name moves up or down or becomes smaller. A small room's name is dropped at last, but the
 // current room's is always drawn.
-void draw_room_names(ImDrawList& list, ImFont& font, const PlanLayout& layout, const ViewState& view, float unit_px) {
+void draw_room_names(ImDrawList& list, ImFont& font, const PlanLayout& layout, const core::ViewState& view,
+                     float unit_px) {
     const std::vector<std::size_t> rooms = rooms_of_storey(view);
     const Vec2 feet = layout.to_pixels(view.feet_m);
     const float body_px = 5.0F * unit_px;
@@ -41,7 +42,7 @@ void draw_room_names(ImDrawList& list, ImFont& font, const PlanLayout& layout, c
         {{static_cast<float>(feet.x) - body_px, static_cast<float>(feet.y) - body_px},
          {static_cast<float>(feet.x) + body_px, static_cast<float>(feet.y) + body_px}}};
     for (auto at = rooms.rbegin(); at != rooms.rend(); ++at) {
-        const DrawnRoom& room = (*view.rooms)[*at];
+        const core::DrawnRoom& room = (*view.rooms)[*at];
         const bool here = *at == view.room;
         const ImVec2 middle = im(layout.to_pixels(room.middle_m));
         const auto place = [&](float text_px, float moved, std::vector<std::string_view>& lines, ImVec2& from,
@@ -81,7 +82,7 @@ void draw_room_names(ImDrawList& list, ImFont& font, const PlanLayout& layout, c
     }
 }
 
-void draw_hand(ImDrawList& list, const PlanLayout& layout, const ViewState& view, float unit_px) {
+void draw_hand(ImDrawList& list, const PlanLayout& layout, const core::ViewState& view, float unit_px) {
     if (!view.show_hand) return;
     const ImVec2 at = im(layout.to_pixels(view.proxy_m));
     const float radius_px = 1.2F * unit_px;
@@ -91,7 +92,7 @@ void draw_hand(ImDrawList& list, const PlanLayout& layout, const ViewState& view
 }
 
 // An arrow whose tip points where the walker faces.
-void draw_body(ImDrawList& list, const PlanLayout& layout, const ViewState& view, float unit_px) {
+void draw_body(ImDrawList& list, const PlanLayout& layout, const core::ViewState& view, float unit_px) {
     const ImVec2 at = im(layout.to_pixels(view.feet_m));
     const double turn = view.heading_rad - layout.turn_rad;
     const auto corner = [&](double forward, double right, float scale) {
@@ -138,32 +139,33 @@ void draw_scale_and_north(ImDrawList& list, ImFont& font, const PlanLayout& layo
 
 }  // namespace
 
-void PlanDrawing::cut(const ViewState& view) {
+void PlanDrawing::cut(const core::ViewState& view) {
     const Scene& scene = *view.scene;
     free_.assign(scene.placed.size(), false);
     for (std::size_t i = 0; i < scene.placed.size(); ++i)
         free_[i] = std::any_of(scene.bodies.begin(), scene.bodies.end(),
                                [&](const FreeBody& body) { return body.feature == scene.placed[i].feature; });
-    cut_ = cut_plan(scene, view.feet_m.z, [&](std::size_t thing) {
+    cut_ = plan::cut_plan(scene, view.feet_m.z, [&](std::size_t thing) {
         return free_[thing] ? std::nullopt : std::optional(scene.placed[thing].at);
     });
 }
 
-void PlanDrawing::draw(const ViewState& view, ImFont& font, PixelSize picture) {
+void PlanDrawing::draw(const core::ViewState& view, ImFont& font, PixelSize picture) {
     const PixelBox box{Vec2(0.0), Vec2(picture.width, picture.height)};
     const PlanLayout layout = lay_out_plan(view.scene->bounds_m, view.feet_m, view.heading_rad, view.north_up, box);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.PushClipRect({0.0F, 0.0F}, im(box.max_px));
     // A step up or down cuts the plan again; the small height changes of walking on a slope do not.
     if (!cut_ || std::abs(cut_->feet_height_m - view.feet_m.z) > 0.1) cut(view);
-    for (const PlanShape& shape : cut_->shapes) draw_shape(list, layout, shape);
+    for (const plan::PlanShape& shape : cut_->shapes) draw_shape(list, layout, shape);
     const auto where_free = [&](std::size_t thing) -> std::optional<Placement> {
         if (!free_[thing]) return std::nullopt;
         const auto moved = std::find_if(view.moved.begin(), view.moved.end(),
-                                        [&](const MovedThing& one) { return one.thing == thing; });
+                                        [&](const core::MovedThing& one) { return one.thing == thing; });
         return moved == view.moved.end() ? view.scene->placed[thing].at : moved->at;
     };
-    for (const PlanShape& shape : cut_things(*view.scene, view.feet_m.z, where_free)) draw_shape(list, layout, shape);
+    for (const plan::PlanShape& shape : plan::cut_things(*view.scene, view.feet_m.z, where_free))
+        draw_shape(list, layout, shape);
     for (const auto& [a, b] : cut_->sheets_m)
         list.AddLine(im(layout.to_pixels(a)), im(layout.to_pixels(b)), kWallColour, 3.0F);
 
@@ -188,7 +190,7 @@ void PlanDrawing::draw(const ViewState& view, ImFont& font, PixelSize picture) {
 // - objects are darker with a light border;
 // - doors are unfilled with a cross, movers unfilled;
 // - liquids are hatched, low things have thin outlines.
-void PlanDrawing::draw_shape(ImDrawList& list, const PlanLayout& layout, const PlanShape& shape) {
+void PlanDrawing::draw_shape(ImDrawList& list, const PlanLayout& layout, const plan::PlanShape& shape) {
     // ImGui smooths borders correctly if corners run clockwise as seen; the flipped y axis makes them so.
     points_.clear();
     Aabb bounds_px;
@@ -204,31 +206,31 @@ void PlanDrawing::draw_shape(ImDrawList& list, const PlanLayout& layout, const P
     const int count = static_cast<int>(points_.size());
     const ImU32 white = IM_COL32(255, 255, 255, 255), black = IM_COL32(0, 0, 0, 255);
     switch (shape.kind) {
-        case PlanKind::Floor:
+        case plan::PlanKind::Floor:
             list.AddConvexPolyFilled(points_.data(), count, IM_COL32(34, 42, 66, 255));
             break;
-        case PlanKind::Wall:
+        case plan::PlanKind::Wall:
             list.AddConvexPolyFilled(points_.data(), count, kWallColour);
             break;
-        case PlanKind::Object:
+        case plan::PlanKind::Object:
             list.AddConvexPolyFilled(points_.data(), count, IM_COL32(130, 100, 60, 255));
             list.AddPolyline(points_.data(), count, white, ImDrawFlags_Closed, 2.0F);
             break;
-        case PlanKind::Door:
+        case plan::PlanKind::Door:
             list.AddConvexPolyFilled(points_.data(), count, black);
             list.AddPolyline(points_.data(), count, IM_COL32(255, 240, 120, 255), ImDrawFlags_Closed, 3.0F);
             for (int i = 0; i < count / 2; ++i)
                 list.AddLine(points_[static_cast<std::size_t>(i)], points_[static_cast<std::size_t>(i + count / 2)],
                              IM_COL32(255, 240, 120, 255), 2.0F);
             break;
-        case PlanKind::Mover:
+        case plan::PlanKind::Mover:
             list.AddConvexPolyFilled(points_.data(), count, black);
             list.AddPolyline(points_.data(), count, IM_COL32(190, 230, 255, 255), ImDrawFlags_Closed, 3.0F);
             break;
-        case PlanKind::Liquid:
+        case plan::PlanKind::Liquid:
             draw_hatch(list, bounds_px);
             break;
-        case PlanKind::Low:
+        case plan::PlanKind::Low:
             list.AddPolyline(points_.data(), count, IM_COL32(150, 150, 150, 255), ImDrawFlags_Closed, 2.5F);
             break;
     }
@@ -236,7 +238,8 @@ void PlanDrawing::draw_shape(ImDrawList& list, const PlanLayout& layout, const P
 
 // Outlines the rooms of the storey. The current one comes last and is three times as thick: white on black, like
 // everything that matters here.
-void PlanDrawing::draw_room_outlines(ImDrawList& list, const PlanLayout& layout, const ViewState& view, float unit_px) {
+void PlanDrawing::draw_room_outlines(ImDrawList& list, const PlanLayout& layout, const core::ViewState& view,
+                                     float unit_px) {
     for (const std::size_t r : rooms_of_storey(view)) {
         const float thick_px = (r == view.room ? 1.2F : 0.4F) * unit_px;
         for (const std::vector<Vec2>& loop : (*view.rooms)[r].outline.loops_m) {
@@ -267,4 +270,4 @@ void PlanDrawing::draw_hatch(ImDrawList& list, const Aabb& bounds_px) {
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::window

@@ -11,12 +11,12 @@
 #include "app/window/plan.h"
 #include "app/window/renderer.h"
 
-namespace handrail {
+namespace handrail::window {
 
 class PlanDrawing {
 public:
     // Draws into ImGui's background list; its context must be current.
-    void draw(const ViewState& view, ImFont& font, PixelSize picture);
+    void draw(const core::ViewState& view, ImFont& font, PixelSize picture);
     // Call it when the view gets another scene.
     void forget_scene() {
         cut_.reset();
@@ -24,14 +24,14 @@ public:
     }
 
 private:
-    void cut(const ViewState& view);
-    void draw_shape(ImDrawList& list, const PlanLayout& layout, const PlanShape& shape);
-    void draw_room_outlines(ImDrawList& list, const PlanLayout& layout, const ViewState& view, float unit_px);
+    void cut(const core::ViewState& view);
+    void draw_shape(ImDrawList& list, const PlanLayout& layout, const plan::PlanShape& shape);
+    void draw_room_outlines(ImDrawList& list, const PlanLayout& layout, const core::ViewState& view, float unit_px);
     void draw_hatch(ImDrawList& list, const Aabb& bounds_px);
 
-    std::optional<PlanCut> cut_;  // without freely moving bodies
-    std::vector<bool> free_;      // for each thing of Scene::placed; empty: not known yet
-    std::vector<ImVec2> points_;  // of the current shape
+    std::optional<plan::PlanCut> cut_;  // without freely moving bodies
+    std::vector<bool> free_;            // for each thing of Scene::placed; empty: not known yet
+    std::vector<ImVec2> points_;        // of the current shape
 };
 
-}  // namespace handrail
+}  // namespace handrail::window

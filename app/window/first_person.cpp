@@ -5,7 +5,7 @@
 #include <glm/ext/matrix_clip_space.hpp>
 #include <vector>
 
-namespace handrail {
+namespace handrail::window {
 namespace {
 
 constexpr double kFieldOfView_rad = kPi / 3.0;  // vertical
@@ -148,12 +148,12 @@ Part moved_part(UploadedMesh& mesh, const Placement& from, const Placement& to, 
 }
 
 // Returns the building first, then the bodies that move freely in it.
-std::vector<Part> parts_of(const ViewState& view, UploadedScene& scene) {
+std::vector<Part> parts_of(const core::ViewState& view, UploadedScene& scene) {
     std::vector<Part> parts{{&scene.building(), glm::mat3(1.0F), scene.building().origin_m() - view.eyes_m}};
     for (const UploadedScene::Body& body : scene.bodies()) {
         const Placement& stood = view.scene->placed[body.thing].at;
         const auto moved = std::find_if(view.moved.begin(), view.moved.end(),
-                                        [&](const MovedThing& one) { return one.thing == body.thing; });
+                                        [&](const core::MovedThing& one) { return one.thing == body.thing; });
         parts.push_back(moved_part(*body.mesh, stood, moved == view.moved.end() ? stood : moved->at, view.eyes_m));
         body.mesh->choose_all();
     }
@@ -170,7 +170,7 @@ Result<void> FirstPerson::start() {
     return {};
 }
 
-void FirstPerson::draw(const ViewState& view, UploadedScene& scene, PixelSize picture, int bottom_px) {
+void FirstPerson::draw(const core::ViewState& view, UploadedScene& scene, PixelSize picture, int bottom_px) {
     glViewport(0, bottom_px, picture.width, picture.height);
     const Vec3 level = forward_of_heading(view.heading_rad);
     const Vec3 right = right_of_heading(view.heading_rad);
@@ -227,7 +227,8 @@ void FirstPerson::draw(const ViewState& view, UploadedScene& scene, PixelSize pi
     glDisable(GL_DEPTH_TEST);
 }
 
-void FirstPerson::draw_ball(const ViewState& view, const glm::mat4& clip_from_eye, const Vec3& right, const Vec3& up) {
+void FirstPerson::draw_ball(const core::ViewState& view, const glm::mat4& clip_from_eye, const Vec3& right,
+                            const Vec3& up) {
     const Vec3 centre = view.proxy_m - view.eyes_m;
     const double distance_m = glm::length(centre);
     const double radius_m = std::max(view.ball_radius_m, kSmallestBallPart * distance_m);
@@ -245,4 +246,4 @@ void FirstPerson::draw_ball(const ViewState& view, const glm::mat4& clip_from_ey
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-}  // namespace handrail
+}  // namespace handrail::window

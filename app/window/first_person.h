@@ -9,7 +9,7 @@
 #include "app/window/renderer.h"
 #include "app/window/uploaded_scene.h"
 
-namespace handrail {
+namespace handrail::window {
 
 class FirstPerson {
 public:
@@ -17,13 +17,13 @@ public:
     Result<void> start();
     // Draws into a picture that begins `bottom_px` above the framebuffer's lower edge. `scene` must be that of the
     // view.
-    void draw(const ViewState& view, UploadedScene& scene, PixelSize picture, int bottom_px);
+    void draw(const core::ViewState& view, UploadedScene& scene, PixelSize picture, int bottom_px);
 
 private:
-    void draw_ball(const ViewState& view, const glm::mat4& clip_from_eye, const Vec3& right, const Vec3& up);
+    void draw_ball(const core::ViewState& view, const glm::mat4& clip_from_eye, const Vec3& right, const Vec3& up);
 
     GlProgram surface_program_, edge_program_, ball_program_;
     GlVertexArray no_vertices_;  // core profiles require one to be bound even for shaders that make their own vertices
 };
 
-}  // namespace handrail
+}  // namespace handrail::window

@@ -5,7 +5,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::window {
 
 Result<void> GlProgram::build(const char* vertex, const char* fragment) {
     for (const auto& [kind, text] : {std::pair(GL_VERTEX_SHADER, vertex), std::pair(GL_FRAGMENT_SHADER, fragment)}) {
@@ -24,4 +24,4 @@ Result<void> GlProgram::build(const char* vertex, const char* fragment) {
     return fail(phrase("window.driver_refuses", {{"reason", log.data()}}));
 }
 
-}  // namespace handrail
+}  // namespace handrail::window

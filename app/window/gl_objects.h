@@ -12,7 +12,7 @@
 
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::window {
 
 // Owns one OpenGL name. The context must be current on destruction.
 class GlName {
@@ -69,4 +69,4 @@ private:
 
 inline const void* byte_offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
-}  // namespace handrail
+}  // namespace handrail::window

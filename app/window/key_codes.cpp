@@ -5,7 +5,7 @@
 
 #include "app/window/key_labels.h"
 
-namespace handrail {
+namespace handrail::window {
 
 unsigned modifier_bits(int glfw_modifiers) {
     return ((glfw_modifiers & GLFW_MOD_SHIFT) ? kShiftBit : 0U) |
@@ -30,4 +30,4 @@ KeysByCode keys_by_code() {
     return keys;
 }
 
-}  // namespace handrail
+}  // namespace handrail::window

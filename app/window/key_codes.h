@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace handrail {
+namespace handrail::window {
 
 inline constexpr unsigned kShiftBit = 1, kControlBit = 4, kAltBit = 8;
 
@@ -15,4 +15,4 @@ int glfw_modifiers(unsigned modifier_bits);
 using KeysByCode = std::array<int, 256>;
 KeysByCode keys_by_code();
 
-}  // namespace handrail
+}  // namespace handrail::window

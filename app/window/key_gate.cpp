@@ -1,6 +1,6 @@
 #include "app/window/key_gate.h"
 
-namespace handrail {
+namespace handrail::window {
 
 void KeyGate::take(const Key& key, const KeyStroke& stroke, double now_s) {
     waiting_.push_back({key, reader_.offer ? reader_.offer(stroke) : 0, now_s, {}});
@@ -27,4 +27,4 @@ std::vector<KeyGate::Passed> KeyGate::decided(double now_s) {
     return passed;
 }
 
-}  // namespace handrail
+}  // namespace handrail::window

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace handrail {
+namespace handrail::window {
 
 // A key in the terms of X and screen readers.
 struct KeyStroke {
@@ -61,4 +61,4 @@ private:
     std::deque<Waiting> waiting_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::window

@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-namespace handrail {
+namespace handrail::window {
 namespace {
 
 constexpr std::array kSigns{
@@ -75,4 +75,4 @@ std::map<int, int> keys_by_label(const KeyLabels& labels) {
     return named;
 }
 
-}  // namespace handrail
+}  // namespace handrail::window

@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-namespace handrail {
+namespace handrail::window {
 
 // For each key that types something: what it types without modifiers, UTF-8. The map is keyed by GLFW's token, which
 // stands for the place of the key.
@@ -23,4 +23,4 @@ KeyLabels key_labels();
 //   the sign, if there is one.
 std::map<int, int> keys_by_label(const KeyLabels& labels);
 
-}  // namespace handrail
+}  // namespace handrail::window

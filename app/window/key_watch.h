@@ -8,7 +8,7 @@
 #include <functional>
 #include <string>
 
-namespace handrail {
+namespace handrail::window {
 
 struct KeyWatchCalls {
     // Is given a key's name as in KeyEvent::key. Called at each press; on X11 also when a held key repeats.
@@ -27,4 +27,4 @@ protected:
     KeyWatch() = default;
 };
 
-}  // namespace handrail
+}  // namespace handrail::window

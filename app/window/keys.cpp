@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace handrail {
+namespace handrail::window {
 namespace {
 
 struct NamedKey {
@@ -182,4 +182,4 @@ std::vector<KeyEvent> KeyTracker::let_go() {
     return events;
 }
 
-}  // namespace handrail
+}  // namespace handrail::window

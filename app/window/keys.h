@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace handrail {
+namespace handrail::window {
 
 enum class KeyAction { Press, Repeat, Release };
 
@@ -46,4 +46,4 @@ private:
     int lone_modifier_ = 0;  // GLFW's token of a modifier that is down with no key after it, or 0
 };
 
-}  // namespace handrail
+}  // namespace handrail::window

@@ -7,7 +7,7 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::window {
 namespace {
 
 constexpr ImU32 kWhite = IM_COL32(255, 255, 255, 255), kBlack = IM_COL32(0, 0, 0, 255);
@@ -28,7 +28,7 @@ std::string cut_short(ImFont& font, float line_px, const std::string& text, floa
     return std::string(lines.front()) + " ...";
 }
 
-std::string words_of(const ListItem& item) {
+std::string words_of(const core::ListItem& item) {
     return item.value.empty() ? item.name : fmt::format("{}, {}", item.name, item.value);
 }
 
@@ -87,12 +87,12 @@ ListWindow list_window(std::span<const std::size_t> lines, std::size_t at, std::
     return window;
 }
 
-void draw_dialogue(ImDrawList& list, ImFont& font, const DialogueView& dialogue, ImVec2 min_px, ImVec2 max_px,
+void draw_dialogue(ImDrawList& list, ImFont& font, const core::DialogueView& dialogue, ImVec2 min_px, ImVec2 max_px,
                    float line_px) {
-    if (dialogue.kind == DialogueView::Kind::None || max_px.x - min_px.x < 3.0F * line_px ||
+    if (dialogue.kind == core::DialogueView::Kind::None || max_px.x - min_px.x < 3.0F * line_px ||
         max_px.y - min_px.y < 2.0F * line_px)
         return;
-    const bool is_list = dialogue.kind == DialogueView::Kind::List;
+    const bool is_list = dialogue.kind == core::DialogueView::Kind::List;
     list.AddRectFilled(min_px, max_px, kBlack);
     const float margin = line_px / 6.0F, pointer_px = 0.8F * line_px;
     const float left = min_px.x + margin, right = max_px.x - margin;
@@ -161,4 +161,4 @@ void draw_dialogue(ImDrawList& list, ImFont& font, const DialogueView& dialogue,
         draw_arrow(list, {right - 0.5F * pointer_px, y - 0.5F * line_px}, 0.3F * line_px, false);
 }
 
-}  // namespace handrail
+}  // namespace handrail::window

@@ -15,7 +15,7 @@ struct ImDrawList;
 struct ImFont;
 struct ImVec2;
 
-namespace handrail {
+namespace handrail::window {
 
 // Splits a text of this height into lines no wider than wrap_px, at blanks and at line feeds. The lines are views into
 // `text`.
@@ -32,7 +32,7 @@ ListWindow list_window(std::span<const std::size_t> lines, std::size_t at, std::
 
 // Covers the box. Title and place ("2/7") are at the top; arrows show that there is more beyond either end. A question
 // shows the typed text, or the end of it if it is long.
-void draw_dialogue(ImDrawList& list, ImFont& font, const DialogueView& dialogue, ImVec2 min_px, ImVec2 max_px,
+void draw_dialogue(ImDrawList& list, ImFont& font, const core::DialogueView& dialogue, ImVec2 min_px, ImVec2 max_px,
                    float line_px);
 
-}  // namespace handrail
+}  // namespace handrail::window

@@ -7,7 +7,7 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::window {
 
 struct Picture {
     int width = 0;
@@ -22,4 +22,4 @@ struct Picture {
     }
 };
 
-}  // namespace handrail
+}  // namespace handrail::window

@@ -3,7 +3,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::window {
 
 Vec2 PlanLayout::to_pixels(const Vec2& world_m) const {
     const Vec2 from_centre = world_m - centre_m;
@@ -53,4 +53,4 @@ ScaleBar scale_bar(double pixels_per_m, double widest_px) {
     return bar;
 }
 
-}  // namespace handrail
+}  // namespace handrail::window

@@ -6,7 +6,7 @@
 
 #include "worlds/plan/plan_cut.h"
 
-namespace handrail {
+namespace handrail::window {
 
 struct PixelBox {
     Vec2 min_px{0.0}, max_px{0.0};  // y grows downwards
@@ -38,4 +38,4 @@ struct ScaleBar {
 };
 ScaleBar scale_bar(double pixels_per_m, double widest_px);
 
-}  // namespace handrail
+}  // namespace handrail::window

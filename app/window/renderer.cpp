@@ -17,7 +17,7 @@
 #include "app/window/uploaded_scene.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::window {
 namespace {
 
 constexpr float kFontBaked_px = 64.0F;
@@ -65,7 +65,7 @@ public:
         ImGui::DestroyContext(imgui_);
     }
 
-    void draw(const ViewState& view, PixelSize size) {
+    void draw(const core::ViewState& view, PixelSize size) {
         if (size.width < 1 || size.height < 1) return;
         glViewport(0, 0, size.width, size.height);
         glDisable(GL_SCISSOR_TEST);
@@ -87,7 +87,7 @@ public:
                                 size.height - static_cast<int>(std::ceil(2.0 * line_px + 2.0 * margin_px(size)))};
         // Drawn instead of the picture, which a person who reads a list does not need; the sentence then gets the two
         // lines below it.
-        const bool open = view.dialogue.kind != DialogueView::Kind::None;
+        const bool open = view.dialogue.kind != core::DialogueView::Kind::None;
         if (open)
             draw_dialogue(*ImGui::GetForegroundDrawList(), *font_, view.dialogue, {0.0F, 0.0F},
                           {static_cast<float>(picture.width), static_cast<float>(picture.height)},
@@ -138,7 +138,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create() {
     return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));
 }
 
-void Renderer::draw(const ViewState& view, PixelSize size) { impl_->draw(view, size); }
+void Renderer::draw(const core::ViewState& view, PixelSize size) { impl_->draw(view, size); }
 
 Picture Renderer::read_back(PixelSize size) {
     Picture picture{size.width, size.height, {}};
@@ -153,4 +153,4 @@ Picture Renderer::read_back(PixelSize size) {
     return picture;
 }
 
-}  // namespace handrail
+}  // namespace handrail::window

@@ -9,7 +9,7 @@
 #include "app/window/picture.h"
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::window {
 
 struct PixelSize {
     int width = 0;
@@ -35,7 +35,7 @@ public:
 
     // The first call with another scene uploads it (build_draw_mesh). After that a frame costs only the card's own
     // work.
-    void draw(const ViewState& view, PixelSize size);
+    void draw(const core::ViewState& view, PixelSize size);
 
     // Reads the picture in the read buffer of the current framebuffer.
     static Picture read_back(PixelSize size);
@@ -46,4 +46,4 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::window

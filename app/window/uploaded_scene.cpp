@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace handrail {
+namespace handrail::window {
 
 UploadedScene::UploadedScene(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
     std::vector<bool> free(scene_->features.size(), false);
@@ -100,4 +100,4 @@ void UploadedMesh::draw_translucent() const {
                    byte_offset(opaque_count_ * sizeof(std::uint32_t)));
 }
 
-}  // namespace handrail
+}  // namespace handrail::window

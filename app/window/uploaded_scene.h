@@ -11,7 +11,7 @@
 #include "app/window/gl_objects.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::window {
 
 class UploadedMesh {
 public:
@@ -65,4 +65,4 @@ private:
     std::vector<Body> bodies_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::window

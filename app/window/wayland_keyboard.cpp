@@ -10,7 +10,7 @@
 #include "app/window/key_codes.h"
 #include "worlds/base/descriptor.h"
 
-namespace handrail {
+namespace handrail::window {
 namespace {
 
 constexpr std::uint32_t kSeatVersion = 5;  // the first version whose seat can be released
@@ -154,4 +154,4 @@ void WaylandKeyboard::let_go_of_keyboard() {
     if (keyboard_) wl_keyboard_release(std::exchange(keyboard_, nullptr));
 }
 
-}  // namespace handrail
+}  // namespace handrail::window

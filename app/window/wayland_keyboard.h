@@ -11,7 +11,7 @@
 
 #include "app/window/window_system.h"
 
-namespace handrail {
+namespace handrail::window {
 
 struct FreeKeymap {
     void operator()(xkb_keymap* keymap) const { xkb_keymap_unref(keymap); }
@@ -64,4 +64,4 @@ private:
     unsigned modifiers_ = 0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::window

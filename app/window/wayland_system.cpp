@@ -16,7 +16,7 @@
 // A weak symbol, because GLFW before 3.4, and a GLFW built for X11 alone, does not have it.
 extern "C" __attribute__((weak)) wl_display* glfwGetWaylandDisplay();
 
-namespace handrail {
+namespace handrail::window {
 namespace {
 
 class WaylandKeyWatch final : public KeyWatch {
@@ -89,4 +89,4 @@ std::unique_ptr<WindowSystem> wayland_system() {
     return std::make_unique<WaylandSystem>(display);
 }
 
-}  // namespace handrail
+}  // namespace handrail::window

@@ -9,7 +9,7 @@
 #include "app/window/window_system.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::window {
 namespace {
 
 // After a change of size, drivers may still present a buffer of the old size.
@@ -98,7 +98,7 @@ public:
         never_waits_ = std::move(never_waits);
     }
 
-    void draw(const ViewState& view) {
+    void draw(const core::ViewState& view) {
         if (system_->lost()) return;
         const PixelSize size = framebuffer_size();
         if (size != shown_size_) frames_in_size_ = 0;
@@ -115,7 +115,7 @@ public:
         shown_size_ = size;
     }
 
-    Picture picture(const ViewState& view) {
+    Picture picture(const core::ViewState& view) {
         if (system_->lost()) return {};
         const PixelSize size = framebuffer_size();
         renderer_->draw(view, size);
@@ -222,8 +222,8 @@ private:
     KeyGate gate_;
     std::function<bool(const std::string&)> never_waits_;  // empty: no screen reader is asked
     std::vector<WindowEvent> events_;
-    std::optional<Vec2> cursor_;      // position in the last motion event; GLFW itself would return the present one
-    std::optional<ViewState> shown_;  // shown in the window; none if it must be drawn again
+    std::optional<Vec2> cursor_;  // position in the last motion event; GLFW itself would return the present one
+    std::optional<core::ViewState> shown_;  // shown in the window; none if it must be drawn again
     PixelSize shown_size_;
     int frames_in_size_ = 0;
     double rest_until_s_ = 0.0;  // in GLFW's time
@@ -245,7 +245,7 @@ bool Window::watch_keys(KeyWatchCalls calls) { return impl_->watch_keys(std::mov
 void Window::offer_keys(KeyReader reader, std::function<bool(const std::string&)> never_waits) {
     impl_->offer_keys(std::move(reader), std::move(never_waits));
 }
-void Window::draw(const ViewState& view) { impl_->draw(view); }
-Picture Window::picture(const ViewState& view) { return impl_->picture(view); }
+void Window::draw(const core::ViewState& view) { impl_->draw(view); }
+Picture Window::picture(const core::ViewState& view) { return impl_->picture(view); }
 
-}  // namespace handrail
+}  // namespace handrail::window

@@ -16,7 +16,7 @@
 #include "app/window/picture.h"
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::window {
 
 // A mouse movement of the simulated hand, in hand metres to the right, forward and up. Dragging with the left button
 // moves it in the level plane, with the right button to the right and up. A notch of the wheel is one
@@ -75,10 +75,10 @@ public:
     // Shows the view; call it each time round the loop. It never waits for the screen's refresh, because the same
     // thread also serves sound and hand. It costs nothing if neither view nor window has changed. If drawing is slow,
     // it skips pictures to take at most a third of the time; a later call shows what was skipped.
-    void draw(const ViewState& view);
+    void draw(const core::ViewState& view);
 
     // A picture of the view as draw() would show it.
-    Picture picture(const ViewState& view);
+    Picture picture(const core::ViewState& view);
 
 private:
     class Impl;
@@ -86,4 +86,4 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::window

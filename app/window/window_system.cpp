@@ -7,7 +7,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::window {
 namespace {
 
 // These hints came with GLFW 3.4. An older library rejects them and continues.
@@ -56,4 +56,4 @@ Result<std::unique_ptr<WindowSystem>> WindowSystem::open() {
     return fail(phrase("window.no_display", {{"reason", phrase("window.no_reason")}}));
 }
 
-}  // namespace handrail
+}  // namespace handrail::window

@@ -12,7 +12,7 @@
 
 struct GLFWwindow;
 
-namespace handrail {
+namespace handrail::window {
 
 // The meaning of a key in the person's layout, in the terms of X and of screen readers.
 struct KeySymbol {
@@ -50,4 +50,4 @@ std::string glfw_problem();
 std::unique_ptr<WindowSystem> x11_system();
 std::unique_ptr<WindowSystem> wayland_system();
 
-}  // namespace handrail
+}  // namespace handrail::window

@@ -15,7 +15,7 @@
 #include "worlds/base/descriptor.h"
 #include "worlds/base/executor.h"
 
-namespace handrail {
+namespace handrail::window {
 namespace {
 
 class X11KeyWatch final : public KeyWatch {
@@ -87,4 +87,4 @@ std::unique_ptr<KeyWatch> x11_key_watch(const char* display_name, unsigned long 
     return std::make_unique<X11KeyWatch>(display, window, std::move(calls));
 }
 
-}  // namespace handrail
+}  // namespace handrail::window

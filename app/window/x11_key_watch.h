@@ -5,9 +5,9 @@
 
 #include "app/window/key_watch.h"
 
-namespace handrail {
+namespace handrail::window {
 
 // `display_name` and `window` are Xlib's. Returns null if the display accepts no second connection. GLFW's thread.
 std::unique_ptr<KeyWatch> x11_key_watch(const char* display_name, unsigned long window, KeyWatchCalls calls);
 
-}  // namespace handrail
+}  // namespace handrail::window

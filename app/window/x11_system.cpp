@@ -12,7 +12,7 @@
 extern "C" __attribute__((weak)) Display* glfwGetX11Display();
 extern "C" __attribute__((weak)) XID glfwGetX11Window(GLFWwindow*);
 
-namespace handrail {
+namespace handrail::window {
 namespace {
 
 class X11System final : public WindowSystem {
@@ -58,4 +58,4 @@ std::unique_ptr<WindowSystem> x11_system() {
     return std::make_unique<X11System>(display);
 }
 
-}  // namespace handrail
+}  // namespace handrail::window

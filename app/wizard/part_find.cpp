@@ -3,7 +3,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::wizard {
 namespace {
 
 constexpr double kFirstAnswer_s = 0.2;  // a device needs a moment after opening before it reports its position
@@ -32,4 +32,4 @@ void Wizard::watch_search() {
     go_on();
 }
 
-}  // namespace handrail
+}  // namespace handrail::wizard

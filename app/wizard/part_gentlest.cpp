@@ -9,7 +9,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::wizard {
 namespace {
 
 constexpr double kPressAfter_s = 1.5;  // earliest time after the question began; never before it has been spoken
@@ -17,11 +17,11 @@ constexpr double kLetGoAfter_s = 5.0;  // time at this part's greatest force unt
 constexpr double kNoticed_n = 0.05;    // an answer below this force is not an answer to the force
 
 // Fills the whole workspace and pushes the hand towards the person. The ceiling decides how strongly.
-std::shared_ptr<const HapticScene> pressing_scene() {
-    EffectVolume push;
-    push.region = SphereRegion{Vec3(0.0), 1.0};
-    push.law = ForceLaw{{0.0, -1.0, 0.0}, Wizard::kGentlestMost_n};
-    HapticSceneBuilder builder;
+std::shared_ptr<const render::HapticScene> pressing_scene() {
+    render::EffectVolume push;
+    push.region = render::SphereRegion{Vec3(0.0), 1.0};
+    push.law = render::ForceLaw{{0.0, -1.0, 0.0}, Wizard::kGentlestMost_n};
+    render::HapticSceneBuilder builder;
     builder.add_effect(push);
     return builder.build();
 }
@@ -59,4 +59,4 @@ void Wizard::keep_gentlest(double felt_n) {
     go_on();
 }
 
-}  // namespace handrail
+}  // namespace handrail::wizard

@@ -3,7 +3,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::wizard {
 namespace {
 
 constexpr double kBellEvery_s = 2.5;
@@ -40,8 +40,8 @@ void Wizard::hear_bell() {
     if (paused_ || now_s_ < bell_due_s_) return;
     bell_due_s_ = now_s_ + kBellEvery_s;
     const Vec3 right = right_of_heading(sense_.listener.heading_rad);
-    play(SoundKind::Bell,
+    play(cues::SoundKind::Bell,
          sense_.listener.ears_m + right * (asked_.step == Step::BellLeft ? -kBellAside_m : kBellAside_m));
 }
 
-}  // namespace handrail
+}  // namespace handrail::wizard

@@ -5,7 +5,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::wizard {
 
 std::string Wizard::ask_pull() const { return phrase("wizard.pull"); }
 std::string Wizard::ask_push() const { return phrase("wizard.push"); }
@@ -35,4 +35,4 @@ bool Wizard::watch_homing(double) {
     return true;
 }
 
-}  // namespace handrail
+}  // namespace handrail::wizard

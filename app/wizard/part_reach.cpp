@@ -10,7 +10,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::wizard {
 namespace {
 
 constexpr double kSideShare = 0.3;        // share of the device's radius that counts as one side of the sweep
@@ -71,7 +71,7 @@ void Wizard::begin_scale() { reach_.scale = own_profile().scale.value_or(setting
 std::string Wizard::ask_scale() const { return phrase("wizard.scale", {{"span", span_words()}}); }
 
 std::string Wizard::span_words() const {
-    const DeviceProfile own = own_profile();
+    const settings::DeviceProfile own = own_profile();
     const double width_m = reach_.measured_m.x > 0.0 ? reach_.measured_m.x : own.width_m.value_or(2.0 * radius_m());
     const double depth_m = reach_.measured_m.y > 0.0 ? reach_.measured_m.y : own.depth_m.value_or(2.0 * radius_m());
     return phrase("wizard.span",
@@ -89,8 +89,8 @@ bool Wizard::adjust_scale(WizardKey key) {
         if (next != kScales.begin()) reach_.scale = *(next - 1);
     }
     asked_.text = ask_scale();
-    if (before == reach_.scale) play(SoundKind::Denied, sense_.listener.ears_m);
-    say(sentence_case(phrase("wizard.said", {{"words", span_words()}})));
+    if (before == reach_.scale) play(cues::SoundKind::Denied, sense_.listener.ears_m);
+    say(core::sentence_case(phrase("wizard.said", {{"words", span_words()}})));
     return true;
 }
 
@@ -119,4 +119,4 @@ void Wizard::keep_beyond() {
     go_on();
 }
 
-}  // namespace handrail
+}  // namespace handrail::wizard

@@ -8,7 +8,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::wizard {
 namespace {
 
 constexpr double kStepStep_m = 0.05, kShortestStep_m = 0.2, kLongestStep_m = 1.5;
@@ -48,4 +48,4 @@ void Wizard::keep_step_length() {
     go_on();
 }
 
-}  // namespace handrail
+}  // namespace handrail::wizard

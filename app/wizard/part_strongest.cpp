@@ -12,14 +12,14 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::wizard {
 namespace {
 
 constexpr double kLeastCeiling_n = 0.5;
 constexpr double kFineCeiling_n = 0.1;
 
-std::shared_ptr<const HapticScene> wall_scene(double face_y_m) {
-    HapticSceneBuilder builder;
+std::shared_ptr<const render::HapticScene> wall_scene(double face_y_m) {
+    render::HapticSceneBuilder builder;
     builder.add_box({{-1.0, face_y_m, -1.0}, {1.0, face_y_m + 1.0, 1.0}});
     return builder.build();
 }
@@ -32,7 +32,7 @@ double Wizard::weakest_ceiling_n() const {
 }
 
 // A person who has never chosen begins with light force, so that nobody is startled.
-double Wizard::first_ceiling_n() const { return own_profile().ceiling_n.value_or(kLightCeiling_n); }
+double Wizard::first_ceiling_n() const { return own_profile().ceiling_n.value_or(settings::kLightCeiling_n); }
 
 void Wizard::begin_wall() {
     found_.ceiling_n = std::clamp(first_ceiling_n(), weakest_ceiling_n(), strongest_n());
@@ -44,8 +44,8 @@ std::string Wizard::ask_wall() const { return phrase("wizard.wall", {{"force", c
 std::string Wizard::ceiling_words() const {
     const auto is = [this](double level_n) { return std::abs(found_.ceiling_n - level_n) < 1e-6; };
     const std::string force = newtons(found_.ceiling_n);
-    if (is(kLightCeiling_n)) return phrase("wizard.light", {{"force", force}});
-    if (is(kNormalCeiling_n)) return phrase("wizard.normal", {{"force", force}});
+    if (is(settings::kLightCeiling_n)) return phrase("wizard.light", {{"force", force}});
+    if (is(settings::kNormalCeiling_n)) return phrase("wizard.normal", {{"force", force}});
     return is(strongest_n()) ? phrase("wizard.full", {{"force", force}}) : force;
 }
 
@@ -53,7 +53,7 @@ bool Wizard::adjust_wall(WizardKey key) {
     const double sign = is_upward(key) ? 1.0 : -1.0;
     double wanted_n = found_.ceiling_n + sign * kFineCeiling_n;
     if (!is_across(key)) {  // moves to the next of the three levels
-        const std::array levels{kLightCeiling_n, kNormalCeiling_n, strongest_n()};
+        const std::array levels{settings::kLightCeiling_n, settings::kNormalCeiling_n, strongest_n()};
         wanted_n = sign > 0.0 ? strongest_n() : weakest_ceiling_n();
         for (const double level_n : levels)
             if ((level_n - found_.ceiling_n) * sign > 1e-6 &&
@@ -62,8 +62,8 @@ bool Wizard::adjust_wall(WizardKey key) {
     }
     const double before_n = std::exchange(found_.ceiling_n, std::clamp(wanted_n, weakest_ceiling_n(), strongest_n()));
     asked_.text = ask_wall();
-    if (before_n == found_.ceiling_n) play(SoundKind::Denied, sense_.listener.ears_m);
-    say(sentence_case(phrase("wizard.said", {{"words", ceiling_words()}})));
+    if (before_n == found_.ceiling_n) play(cues::SoundKind::Denied, sense_.listener.ears_m);
+    say(core::sentence_case(phrase("wizard.said", {{"words", ceiling_words()}})));
     return true;
 }
 
@@ -76,11 +76,13 @@ bool Wizard::watch_wall(double dt_s) {
 void Wizard::keep_ceiling() {
     change_profile("ceiling_n", fmt::format("{:.1f}", found_.ceiling_n));
     // Raises the force level that all devices share if it would be too low here. Never lowers it because of one device.
-    const bool above_normal = found_.ceiling_n > kNormalCeiling_n, above_light = found_.ceiling_n > kLightCeiling_n;
-    if (above_normal && settings_.haptic.ceiling != ForceCeiling::Full) change("haptic.ceiling", "full");
-    else if (above_light && settings_.haptic.ceiling == ForceCeiling::Light) change("haptic.ceiling", "normal");
+    const bool above_normal = found_.ceiling_n > settings::kNormalCeiling_n,
+               above_light = found_.ceiling_n > settings::kLightCeiling_n;
+    if (above_normal && settings_.haptic.ceiling != settings::ForceCeiling::Full) change("haptic.ceiling", "full");
+    else if (above_light && settings_.haptic.ceiling == settings::ForceCeiling::Light)
+        change("haptic.ceiling", "normal");
     say(phrase("wizard.ceiling", {{"force", newtons(found_.ceiling_n)}}));
     go_on();
 }
 
-}  // namespace handrail
+}  // namespace handrail::wizard

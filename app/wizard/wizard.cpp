@@ -8,14 +8,14 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::wizard {
 namespace {
 
 constexpr double kLongestTick_s = 0.05;  // a late frame must not be made up for by more force
 
 }  // namespace
 
-Wizard::Wizard(const Settings& settings, std::span<const WizardPart> parts)
+Wizard::Wizard(const settings::Settings& settings, std::span<const WizardPart> parts)
     : settings_(settings),
       plan_(plan_of(parts)),
       home_wanted_(std::find(parts.begin(), parts.end(), WizardPart::Home) != parts.end()) {
@@ -26,14 +26,14 @@ Wizard::Wizard(const Settings& settings, std::span<const WizardPart> parts)
     felt_.tuning.touch.damping_ns_per_m = settings.haptic.damping_ns_per_m;
 }
 
-WorkspacePose Wizard::pose() const {
-    WorkspacePose pose;  // device metres equal world metres here
+servo::WorkspacePose Wizard::pose() const {
+    servo::WorkspacePose pose;  // device metres equal world metres here
     pose.time_s = now_s_;
     pose.jump = kFirstJump + felt_.jump;
     return pose;
 }
 
-bool Wizard::homed() const { return sense_.tool.ticks > 0 && sense_.tool.fault != Fault::Unhomed; }
+bool Wizard::homed() const { return sense_.tool.ticks > 0 && sense_.tool.fault != servo::Fault::Unhomed; }
 double Wizard::radius_m() const { return sense_.hand.spec.workspace_radius_m; }
 
 std::string Wizard::newtons(double force_n) {
@@ -41,27 +41,27 @@ std::string Wizard::newtons(double force_n) {
 }
 
 void Wizard::say(std::string text) {
-    CueRequest request;
-    request.kind = CueRequestKind::Say;
+    cues::CueRequest request;
+    request.kind = cues::CueRequestKind::Say;
     request.time_s = reply_s_;
     request.text = std::move(text);
     request.repeatable = true;
     cues_.push_back(std::move(request));
 }
 
-void Wizard::play(SoundKind kind, const Vec3& position_m) {
-    CueRequest request;
-    request.kind = CueRequestKind::Play;
+void Wizard::play(cues::SoundKind kind, const Vec3& position_m) {
+    cues::CueRequest request;
+    request.kind = cues::CueRequestKind::Play;
     request.sound = kind;
     request.time_s = now_s_;
     request.position_m = position_m;
     cues_.push_back(std::move(request));
 }
 
-void Wizard::click() { play(SoundKind::TurnTick, sense_.listener.ears_m); }
+void Wizard::click() { play(cues::SoundKind::TurnTick, sense_.listener.ears_m); }
 
 void Wizard::change_profile(std::string_view field, std::string value) {
-    change(fmt::format("profile.{}.{}", profile_key(sense_.hand.spec.name, sense_.hand.serial), field),
+    change(fmt::format("profile.{}.{}", settings::profile_key(sense_.hand.spec.name, sense_.hand.serial), field),
            std::move(value));
 }
 
@@ -94,7 +94,7 @@ void Wizard::enter(std::size_t index) {
 }
 
 void Wizard::finish() {
-    play(SoundKind::Arrived, sense_.listener.ears_m);
+    play(cues::SoundKind::Arrived, sense_.listener.ears_m);
     say(phrase("wizard.done"));
     finished_ = true;
 }
@@ -111,9 +111,9 @@ void Wizard::ask() {
     say(asked_.text);
 }
 
-DeviceProfile Wizard::own_profile() const {
-    const auto found = settings_.profiles.find(profile_key(sense_.hand.spec.name, sense_.hand.serial));
-    return found == settings_.profiles.end() ? DeviceProfile{} : found->second;
+settings::DeviceProfile Wizard::own_profile() const {
+    const auto found = settings_.profiles.find(settings::profile_key(sense_.hand.spec.name, sense_.hand.serial));
+    return found == settings_.profiles.end() ? settings::DeviceProfile{} : found->second;
 }
 
 // ---- the person's answers ----
@@ -124,21 +124,21 @@ void Wizard::answer(const WizardEvent& event, double now_s) {
     reply_s_ = now_s_;
     const WizardKey* key = std::get_if<WizardKey>(&event);
     if (key && *key == WizardKey::Stop) {
-        CueRequest silence;
-        silence.kind = CueRequestKind::SilenceAll;
+        cues::CueRequest silence;
+        silence.kind = cues::CueRequestKind::SilenceAll;
         silence.time_s = now_s_;
         cues_.push_back(std::move(silence));
         pause(phrase("wizard.stopped"));
         felt_.tuning.panic = true;
         return;
     }
-    CueRequest quiet;  // any key interrupts the current sentence
-    quiet.kind = CueRequestKind::StopSpeech;
+    cues::CueRequest quiet;  // any key interrupts the current sentence
+    quiet.kind = cues::CueRequestKind::StopSpeech;
     quiet.time_s = now_s_;
     cues_.push_back(std::move(quiet));
     if (paused_ && !(key && *key == WizardKey::Leave)) return resume();
     if (!key) {
-        if (asked_.step != Step::StepLength) return play(SoundKind::Denied, sense_.listener.ears_m);
+        if (asked_.step != Step::StepLength) return play(cues::SoundKind::Denied, sense_.listener.ears_m);
         const std::string& figures = std::get<std::string>(event);
         asked_.typed += figures;
         return say(figures);
@@ -192,7 +192,7 @@ void Wizard::accept() {
 void Wizard::adjust(WizardKey key) {
     if (const auto adjust = row(asked_.step).adjust; adjust && (this->*adjust)(key)) return;
     if (key == WizardKey::Up) return go_back();
-    play(SoundKind::Denied, sense_.listener.ears_m);
+    play(cues::SoundKind::Denied, sense_.listener.ears_m);
 }
 
 // ---- what happens on each tick ----
@@ -213,12 +213,12 @@ void Wizard::tick(const WizardSense& sense) {
 }
 
 void Wizard::watch_hand(double dt_s) {
-    const ToolState& tool = sense_.tool;
-    if (is_gone(tool.fault) && !lost_device_) {
+    const servo::ToolState& tool = sense_.tool;
+    if (servo::is_gone(tool.fault) && !lost_device_) {
         lost_device_ = true;
         reply_s_ = now_s_;
-        say(phrase(tool.fault == Fault::Unplugged ? "wizard.unplugged"
-                                                  : "wizard.lost"));  // the alarm says what has happened
+        say(phrase(tool.fault == servo::Fault::Unplugged ? "wizard.unplugged"
+                                                         : "wizard.lost"));  // the alarm says what has happened
         return go_on();
     }
     if (tool.fault_latched && felt_.tuning.forces_on && !paused_) {  // ignored if no force is wanted
@@ -232,7 +232,7 @@ void Wizard::watch_hand(double dt_s) {
     if (pressed) answer(WizardKey::Enter, now_s_);
 }
 
-void Wizard::begin_force(std::shared_ptr<const HapticScene> scene) {
+void Wizard::begin_force(std::shared_ptr<const render::HapticScene> scene) {
     felt_.scene = std::move(scene);
     felt_.tuning.forces_on = true;
     felt_.tuning.force_ceiling_n = 0.0;
@@ -241,4 +241,4 @@ void Wizard::begin_force(std::shared_ptr<const HapticScene> scene) {
     ++felt_.jump;
 }
 
-}  // namespace handrail
+}  // namespace handrail::wizard

@@ -24,7 +24,7 @@
 #include "haptic/servo/servo_tick.h"
 #include "settings/settings.h"
 
-namespace handrail {
+namespace handrail::wizard {
 
 // `Forces` switches the force on again after a fault, as the announced fault suggests.
 enum class WizardKey : std::uint8_t { Enter, Repeat, Back, Leave, Left, Right, Up, Down, Stop, Forces };
@@ -38,11 +38,11 @@ struct WizardSense {
     double now_s = 0.0;     // above zero, never decreases
     bool audible = true;    // a sound device exists
     bool speaking = false;  // a sentence is being spoken
-    Listener listener;
+    cues::Listener listener;
     WizardSearch search = WizardSearch::NotBegun;
     std::vector<std::string> news;  // news of the search since the last tick
-    HandFacts hand;                 // valid once the search is Ready
-    ToolState tool;                 // the newest state
+    core::HandFacts hand;           // valid once the search is Ready
+    servo::ToolState tool;          // the newest state
 };
 
 class Wizard {
@@ -54,18 +54,20 @@ public:
 
     // `parts` are in order, none twice. A part that uses a device adds the search for it, and homing if the device
     // needs it.
-    Wizard(const Settings& settings, std::span<const WizardPart> parts);
+    Wizard(const settings::Settings& settings, std::span<const WizardPart> parts);
 
     void answer(const WizardEvent& event, double now_s);
     void tick(const WizardSense& sense);
 
     // The host reads these after each tick.
     bool wants_search() const { return wants_search_; }  // the host should search for a device now
-    std::vector<CueRequest> take_cues() { return std::exchange(cues_, {}); }
+    std::vector<cues::CueRequest> take_cues() { return std::exchange(cues_, {}); }
     std::vector<std::pair<std::string, std::string>> take_setting_changes() { return std::exchange(changes_, {}); }
-    const ServoTuning& tuning() const { return felt_.tuning; }
-    std::shared_ptr<const HapticScene> haptic_scene() const { return felt_.scene; }  // null: nothing can be felt
-    WorkspacePose pose() const;
+    const servo::ServoTuning& tuning() const { return felt_.tuning; }
+    std::shared_ptr<const render::HapticScene> haptic_scene() const {
+        return felt_.scene;
+    }  // null: nothing can be felt
+    servo::WorkspacePose pose() const;
     bool waits_for_person() const { return asked_.step != Step::Search && !finished_; }
     bool finished() const { return finished_; }
     std::string_view question() const { return asked_.text; }  // as Space repeats it
@@ -117,7 +119,7 @@ private:
     void ask();
     void repeat_question() { say(asked_.text); }
     void say(std::string text);
-    void play(SoundKind kind, const Vec3& position_m);
+    void play(cues::SoundKind kind, const Vec3& position_m);
     void click();
     void change(std::string_view key, std::string value) { changes_.emplace_back(key, std::move(value)); }
     void change_profile(std::string_view field, std::string value);
@@ -127,7 +129,7 @@ private:
     void pause(std::string words);
     void resume();
     void watch_hand(double dt_s);
-    void begin_force(std::shared_ptr<const HapticScene> scene);
+    void begin_force(std::shared_ptr<const render::HapticScene> scene);
 
     // Each is in the file of its part; the table says to which question they belong.
     void begin_bell();
@@ -150,7 +152,7 @@ private:
     void accept_hand();
     bool adjust_hand(WizardKey key);
     bool watch_aside(double dt_s);
-    void keep_hand(HoldingHand hand);
+    void keep_hand(settings::HoldingHand hand);
 
     void begin_press();
     std::string ask_press() const;
@@ -187,9 +189,9 @@ private:
     double strongest_n() const;
     double weakest_ceiling_n() const;
     double first_ceiling_n() const;
-    DeviceProfile own_profile() const;
+    settings::DeviceProfile own_profile() const;
 
-    Settings settings_;
+    settings::Settings settings_;
     std::vector<Step> plan_;
     bool home_wanted_ = false;  // else homes only if the device does not know its position
     std::size_t index_ = 0;
@@ -220,13 +222,13 @@ private:
     // What was found out about the person's touch and step; the initial values are defaults.
     struct Found {
         double gentlest_n = 0.3;
-        double ceiling_n = kLightCeiling_n;
+        double ceiling_n = settings::kLightCeiling_n;
         double step_length_m = 0.7;
     };
     // What the servo receives.
     struct Felt {
-        ServoTuning tuning;
-        std::shared_ptr<const HapticScene> scene;
+        servo::ServoTuning tuning;
+        std::shared_ptr<const render::HapticScene> scene;
         std::uint32_t jump = 0;
     };
 
@@ -239,8 +241,8 @@ private:
     Asked asked_;
     Found found_;
     Felt felt_;
-    std::vector<CueRequest> cues_;
+    std::vector<cues::CueRequest> cues_;
     std::vector<std::pair<std::string, std::string>> changes_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::wizard

@@ -8,7 +8,7 @@
 
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::wizard {
 
 enum class WizardPart : std::uint8_t { Headphones, Find, Home, Hand, Gentlest, Strongest, Reach, Step };
 
@@ -22,4 +22,4 @@ std::span<const WizardPartInfo> wizard_parts();
 // word.
 Result<std::vector<WizardPart>> parse_wizard_parts(std::string_view words);
 
-}  // namespace handrail
+}  // namespace handrail::wizard

@@ -9,7 +9,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::wizard {
 namespace {
 
 constexpr double kHandSettles_s = 0.4;  // a simulated hand needs this long to reach its target
@@ -65,24 +65,24 @@ Result<WizardLine> parse_wizard_line(std::string_view line) {
     }
     const std::size_t blank = std::min(line.find_first_of(kBlank), line.size());
     const std::string typed = lower_ascii(line.substr(0, blank));
-    std::string word = english_word("wizard_word", kTypedWords, typed);
-    if (const auto command = command_of_word(typed);
-        command && (info(*command).word.starts_with("hand-") || *command == Command::ToggleForces))
-        word = info(*command).word;
+    std::string word = core::english_word("wizard_word", kTypedWords, typed);
+    if (const auto command = core::command_of_word(typed);
+        command && (core::info(*command).word.starts_with("hand-") || *command == core::Command::ToggleForces))
+        word = core::info(*command).word;
     std::string_view rest = line.substr(blank);
     rest.remove_prefix(std::min(rest.find_first_not_of(kBlank), rest.size()));
     number = 1.0;
     if (!rest.empty() && !(parse_finite(rest, number) && number > 0.0 && number <= kMostTaps))
         return fail(phrase("wizard.only_number", {{"word", typed}, {"most", kMostTaps}}));
     std::vector<std::string> known;
-    for (const std::string_view one : kTypedWords) known.push_back(spoken_word("wizard_word", one));
+    for (const std::string_view one : kTypedWords) known.push_back(core::spoken_word("wizard_word", one));
     for (const WordKey& row : kWordKeys)
         if (row.word == word) parsed.events = {row.key};
     for (const HandWord& row : kHandWords) {
-        known.push_back(spoken_word("command_word", row.word));
+        known.push_back(core::spoken_word("command_word", row.word));
         if (row.word == word) parsed.hand_by_m = row.direction * (kHandTap_m * number);
     }
-    if (is_quit_word(typed) || word == "exit") parsed.events = {WizardKey::Leave, WizardKey::Leave};
+    if (core::is_quit_word(typed) || word == "exit") parsed.events = {WizardKey::Leave, WizardKey::Leave};
     parsed.button = word == "button";
     parsed.help = word == "help";
     if (word == "wait") parsed.wait_s = std::min(number, kLongestWait_s);
@@ -119,8 +119,8 @@ void WizardSession::take_line(double now_s) {
     lines_.pop_front();
     auto parsed = parse_wizard_line(line);
     if (!parsed || parsed->help) {
-        CueRequest request;
-        request.kind = CueRequestKind::Say;
+        cues::CueRequest request;
+        request.kind = cues::CueRequestKind::Say;
         request.time_s = now_s;
         request.text = parsed ? wizard_help() : parsed.error().message;
         request.repeatable = true;
@@ -150,11 +150,11 @@ void WizardSession::tick(const WizardSense& sense) {
     hand_.buttons = sense.now_s < button_until_s_ ? 1U : 0U;
 }
 
-std::vector<CueRequest> WizardSession::take_cues() {
-    std::vector<CueRequest> cues = wizard_.take_cues();
+std::vector<cues::CueRequest> WizardSession::take_cues() {
+    std::vector<cues::CueRequest> cues = wizard_.take_cues();
     cues.insert(cues.end(), std::make_move_iterator(told_.begin()), std::make_move_iterator(told_.end()));
     told_.clear();
     return cues;
 }
 
-}  // namespace handrail
+}  // namespace handrail::wizard

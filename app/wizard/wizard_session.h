@@ -9,7 +9,7 @@
 #include "app/wizard/wizard.h"
 #include "haptic/device/simulated_device.h"
 
-namespace handrail {
+namespace handrail::wizard {
 
 // One parsed line:
 // - "" is Enter; repeat, back, left, right, up, down, stop and leave are keys;
@@ -30,7 +30,7 @@ std::string wizard_help();
 
 class WizardSession {
 public:
-    WizardSession(const Settings& settings, std::span<const WizardPart> parts) : wizard_(settings, parts) {}
+    WizardSession(const settings::Settings& settings, std::span<const WizardPart> parts) : wizard_(settings, parts) {}
 
     // Queues a line. It is carried out when the wizard waits for an answer and earlier lines have taken effect.
     void type(std::string line) { lines_.push_back(std::move(line)); }
@@ -49,8 +49,8 @@ public:
     const Wizard& wizard() const { return wizard_; }
     bool finished() const { return wizard_.finished(); }
     // The commands for a simulated hand; a real one ignores them.
-    const HandCommand& simulated_hand() const { return hand_; }
-    std::vector<CueRequest> take_cues();
+    const device::HandCommand& simulated_hand() const { return hand_; }
+    std::vector<cues::CueRequest> take_cues();
 
 private:
     void take_line(double now_s);
@@ -62,8 +62,8 @@ private:
     double settle_until_s_ = 0.0;
     double button_until_s_ = 0.0;
     double reach_m_ = 0.0;
-    HandCommand hand_;
-    std::vector<CueRequest> told_;  // answers to lines that were not understood
+    device::HandCommand hand_;
+    std::vector<cues::CueRequest> told_;  // answers to lines that were not understood
 };
 
-}  // namespace handrail
+}  // namespace handrail::wizard

@@ -8,7 +8,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::wizard {
 namespace {
 
 constexpr std::array kParts{
@@ -91,4 +91,4 @@ std::vector<Wizard::Step> Wizard::plan_of(std::span<const WizardPart> parts) {
     return plan;
 }
 
-}  // namespace handrail
+}  // namespace handrail::wizard

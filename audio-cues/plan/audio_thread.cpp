@@ -6,10 +6,10 @@
 #include "haptic/servo/hand_recording.h"
 #include "worlds/base/executor.h"
 
-namespace handrail {
+namespace handrail::cues {
 
 AudioThread::AudioThread(std::shared_ptr<AudioSink> audio, std::shared_ptr<SpeechSink> speech, Clock& clock,
-                         ContactRing* contacts, const Settings& settings, ContactRing* left_contacts)
+                         ContactRing* contacts, const settings::Settings& settings, ContactRing* left_contacts)
     : clock_(clock),
       contacts_{contacts, left_contacts},
       audio_(std::move(audio)),
@@ -40,7 +40,7 @@ void AudioThread::post(CueRequest request) {
     inbox_.requests.push_back(std::move(request));
 }
 
-void AudioThread::set_settings(const Settings& settings) {
+void AudioThread::set_settings(const settings::Settings& settings) {
     const std::lock_guard lock(mutex_);
     ++inbox_.posts;
     inbox_.settings = settings;
@@ -89,7 +89,7 @@ void AudioThread::step() {
         const std::lock_guard lock(mutex_);
         std::swap(inbox, inbox_);
     }
-    const double now_s = step_listener_.ends ? in_whole_microseconds(clock_.now_s()) : clock_.now_s();
+    const double now_s = step_listener_.ends ? servo::in_whole_microseconds(clock_.now_s()) : clock_.now_s();
     if (step_listener_.begins) step_listener_.begins(now_s);
     if (inbox.settings) {
         planner_.set_settings(*inbox.settings);
@@ -104,7 +104,7 @@ void AudioThread::step() {
     events_.clear();
     for (std::size_t hand = 0; hand < contacts_.size(); ++hand) {
         if (contacts_[hand] == nullptr) continue;
-        contacts_[hand]->consume_all([&](const ContactEvent& event) {
+        contacts_[hand]->consume_all([&](const servo::ContactEvent& event) {
             events_.push_back(event);
             events_.back().hand = static_cast<std::uint8_t>(hand);
         });
@@ -114,8 +114,8 @@ void AudioThread::step() {
                   *audio_, *speech_);
     owed_.fetch_or(planner_.take_owed(now_s, *speech_).bits, std::memory_order_relaxed);
     if (step_listener_.ends) {
-        const auto left = static_cast<std::uint32_t>(
-            std::count_if(events_.begin(), events_.end(), [](const ContactEvent& event) { return event.hand == 1; }));
+        const auto left = static_cast<std::uint32_t>(std::count_if(
+            events_.begin(), events_.end(), [](const servo::ContactEvent& event) { return event.hand == 1; }));
         step_listener_.ends({now_s, static_cast<std::uint32_t>(events_.size()) - left, left, inbox.posts});
     }
     speaking_.store(speech_->speaking() || planner_.waiting(), std::memory_order_relaxed);
@@ -158,4 +158,4 @@ void AudioThread::run() {
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::cues

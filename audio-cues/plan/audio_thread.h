@@ -21,18 +21,18 @@
 #include "worlds/base/latest_value.h"
 #include "worlds/base/spsc_ring.h"
 
-namespace handrail {
+namespace handrail::cues {
 
 class AudioThread final : public EarsInbox {
 public:
-    using ContactRing = SpscRing<ContactEvent, 1024>;  // ServoLoop::EventRing
+    using ContactRing = SpscRing<servo::ContactEvent, 1024>;  // ServoLoop::EventRing
     static constexpr double kPeriod_s = 0.005;
     static constexpr double kFade_s = 0.030;  // keeps ticking for this long at the end, so that nothing clicks
 
     // Clock and rings must outlive this object. A ring may be null if there is no such hand; the second one is the left
     // hand's, if there are two. The clock must be the one that times contact events.
     AudioThread(std::shared_ptr<AudioSink> audio, std::shared_ptr<SpeechSink> speech, Clock& clock,
-                ContactRing* contacts, const Settings& settings, ContactRing* left_contacts = nullptr);
+                ContactRing* contacts, const settings::Settings& settings, ContactRing* left_contacts = nullptr);
     ~AudioThread() override;
     AudioThread(const AudioThread&) = delete;
     AudioThread& operator=(const AudioThread&) = delete;
@@ -63,7 +63,7 @@ public:
 
     // App thread; each holds a mutex for microseconds at most.
     void post(CueRequest request) override;
-    void set_settings(const Settings& settings) override;
+    void set_settings(const settings::Settings& settings) override;
     void enter_world(std::shared_ptr<const Scene> scene) override;
     void follow_edit(std::shared_ptr<const Scene> scene) override;
     void set_two_hands(bool two) override;
@@ -82,7 +82,7 @@ public:
 private:
     struct Inbox {
         std::vector<CueRequest> requests;
-        std::optional<Settings> settings;
+        std::optional<settings::Settings> settings;
         std::optional<std::shared_ptr<const Scene>> scene, edited;
         std::optional<bool> two_hands, hand_stands_in;
         std::uint32_t posts = 0;
@@ -110,12 +110,12 @@ private:
     std::shared_ptr<AudioSink> audio_;
     std::shared_ptr<SpeechSink> speech_;
     CuePlanner planner_;
-    std::vector<ContactEvent> events_;  // of this tick; kept to reuse its memory
-    std::uint64_t published_ = 0;       // the value of planner_.spoken_in_all() up to which lines were published
+    std::vector<servo::ContactEvent> events_;  // of this tick; kept to reuse its memory
+    std::uint64_t published_ = 0;              // the value of planner_.spoken_in_all() up to which lines were published
     std::string told_who_;
     StepListener step_listener_;
 
     std::atomic<bool> drops_out_{false};  // audio thread to app thread
 };
 
-}  // namespace handrail
+}  // namespace handrail::cues

@@ -11,7 +11,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::cues {
 namespace {
 
 constexpr double kSayAgain_s = 5.0;  // project decision: nothing is spoken twice within 5 s
@@ -66,9 +66,9 @@ std::string describe_feature(const Scene& scene, FeatureId id, int verbosity) {
     return sentence_case(text);
 }
 
-CuePlanner::CuePlanner(Settings settings) : settings_(std::move(settings)) { hands_[1].number = 1; }
+CuePlanner::CuePlanner(settings::Settings settings) : settings_(std::move(settings)) { hands_[1].number = 1; }
 
-void CuePlanner::set_settings(const Settings& settings) { settings_ = settings; }
+void CuePlanner::set_settings(const settings::Settings& settings) { settings_ = settings; }
 
 void CuePlanner::enter_world(std::shared_ptr<const Scene> scene) {
     scene_ = std::move(scene);
@@ -95,7 +95,7 @@ void CuePlanner::tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& spe
     if (const auto news = audio.news()) alarm(*news, inputs.now_s, false);
     if (const auto news = speech.news()) alarm(*news, inputs.now_s, false);
     // 2. What happened, then what is asked for.
-    for (const ContactEvent& event : inputs.contacts) on_contact(event, audio);
+    for (const servo::ContactEvent& event : inputs.contacts) on_contact(event, audio);
     for (const CueRequest& request : inputs.requests) on_request(request, inputs.now_s, audio, speech);
     // 3. Ends loops whose cause is gone.
     for (Hand& hand : hands_)
@@ -126,7 +126,7 @@ SoundClass CuePlanner::sound_of(MaterialId material) const {
 
 double CuePlanner::volume_of(SoundKind kind) const {
     const SoundInfo& row = info(kind);
-    const Settings::Sound& sound = settings_.sound;
+    const settings::Settings::Sound& sound = settings_.sound;
     if (row.on != nullptr && !(sound.*row.on)) return 0.0;
     const double volume = sound.volume * (sound.*row.volume);
     return kind == SoundKind::Alarm ? std::max(volume, kAlarmFloor) : volume;
@@ -157,7 +157,7 @@ void CuePlanner::stop_slide(Hand& hand, AudioSink& audio) {
 }
 
 // Marks the feature as touched, and names it unless the hand is known to touch it.
-void CuePlanner::touch(Hand& hand, const ContactEvent& event) {
+void CuePlanner::touch(Hand& hand, const servo::ContactEvent& event) {
     if (event.feature && !is_touched(hand, event.feature)) hand.touched.push_back(event.feature);
     name_touched(hand.number, {event.feature, event.time_s, kSettle_s, kKeepName_s, event.position_m});
 }
@@ -205,10 +205,10 @@ std::optional<double> CuePlanner::side_of(const Vec3& place_m) const {
     return std::remainder(std::atan2(way.x, way.y) - listener_.heading_rad, 2.0 * kPi);
 }
 
-void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
+void CuePlanner::on_contact(const servo::ContactEvent& event, AudioSink& audio) {
     Hand& hand = hands_[event.hand];
     switch (event.kind) {
-        case ContactEventKind::Begin: {
+        case servo::ContactEventKind::Begin: {
             hushed_ = false;
             std::erase_if(hand.recent, [&](const RecentContact& r) { return event.time_s - r.time_s >= kChatter_s; });
             const bool chatter = std::any_of(hand.recent.begin(), hand.recent.end(),
@@ -229,7 +229,7 @@ void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
             touch(hand, event);
             return;
         }
-        case ContactEventKind::Slide: {
+        case servo::ContactEventKind::Slide: {
             // The hand slid onto another feature without leaving the surface.
             if (event.feature && !is_touched(hand, event.feature)) touch(hand, event);
             // In a corner the hand slides along two surfaces at once. One of them is heard until it stops, not both in
@@ -251,13 +251,13 @@ void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
                             .source = hand.number});
             return;
         }
-        case ContactEventKind::End:
+        case servo::ContactEventKind::End:
             std::erase(hand.touched, event.feature);
             if (hand.touched.empty() || hand.slide_feature == event.feature) stop_slide(hand, audio);
             return;
-        case ContactEventKind::EnterLiquid:
-        case ContactEventKind::LeaveLiquid: {
-            const bool entering = event.kind == ContactEventKind::EnterLiquid;
+        case servo::ContactEventKind::EnterLiquid:
+        case servo::ContactEventKind::LeaveLiquid: {
+            const bool entering = event.kind == servo::ContactEventKind::EnterLiquid;
             if (entering) hushed_ = false;
             play({.kind = SoundKind::Splash,
                   .material = SoundClass::Water,
@@ -269,34 +269,34 @@ void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
             else std::erase(hand.touched, event.feature);
             return;
         }
-        case ContactEventKind::FaultRaised:
+        case servo::ContactEventKind::FaultRaised:
             stop_slide(hand, audio);
             if (hand_stands_in_) return;
-            play(
-                {.kind = is_pause(event.fault) ? SoundKind::ForcesOff : SoundKind::Alarm, .event_time_s = event.time_s},
-                audio);
+            play({.kind = servo::is_pause(event.fault) ? SoundKind::ForcesOff : SoundKind::Alarm,
+                  .event_time_s = event.time_s},
+                 audio);
             // What waits for a confirmation is told again when it comes again at once: the person has just asked for
             // the force.
-            alarm(whose(event.hand, fault_sentence(event.fault)), event.time_s, !passes_by_itself(event.fault),
-                  is_gone(event.fault));
+            alarm(whose(event.hand, servo::fault_sentence(event.fault)), event.time_s,
+                  !servo::passes_by_itself(event.fault), servo::is_gone(event.fault));
             return;
-        case ContactEventKind::RimPassed:
+        case servo::ContactEventKind::RimPassed:
             play({.kind = SoundKind::Rim, .event_time_s = event.time_s}, audio);
             return;
-        case ContactEventKind::RimLeft:
+        case servo::ContactEventKind::RimLeft:
             play({.kind = SoundKind::RimBack, .event_time_s = event.time_s}, audio);
             return;
-        case ContactEventKind::Grabbed:
+        case servo::ContactEventKind::Grabbed:
             play({.kind = SoundKind::Grab, .event_time_s = event.time_s}, audio);
             return;
-        case ContactEventKind::LetGo:
+        case servo::ContactEventKind::LetGo:
             play({.kind = SoundKind::LetGo, .event_time_s = event.time_s}, audio);
             return;
-        case ContactEventKind::DeskEntered:
-        case ContactEventKind::DeskLeft:
+        case servo::ContactEventKind::DeskEntered:
+        case servo::ContactEventKind::DeskLeft:
             play({.kind = SoundKind::Click, .event_time_s = event.time_s}, audio);
             return;
-        case ContactEventKind::FaultCleared:
+        case servo::ContactEventKind::FaultCleared:
             if (!hand_stands_in_) play({.kind = SoundKind::ForcesOn, .event_time_s = event.time_s}, audio);
             return;
     }
@@ -536,4 +536,4 @@ void CuePlanner::end_demonstration(AudioSink& audio) {
     demonstration_.reset();
 }
 
-}  // namespace handrail
+}  // namespace handrail::cues

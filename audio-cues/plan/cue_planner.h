@@ -17,7 +17,7 @@
 #include "settings/settings.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::cues {
 
 enum class CueRequestKind : std::uint8_t {
     Say,          // text, speech_class; `repeatable` lifts the 5 s rule (answers to keys)
@@ -68,7 +68,7 @@ struct SpokenLine {
 
 struct CueInputs {
     double now_s = 0.0;
-    std::span<const ContactEvent> contacts;
+    std::span<const servo::ContactEvent> contacts;
     std::span<const CueRequest> requests;
     Listener listener;
 };
@@ -88,8 +88,8 @@ std::string describe_feature(const Scene& scene, FeatureId id, int verbosity);
 // rule; only the same feature within 50 ms is chatter and is heard once.
 class CuePlanner {
 public:
-    explicit CuePlanner(Settings settings);
-    void set_settings(const Settings& settings);
+    explicit CuePlanner(settings::Settings settings);
+    void set_settings(const settings::Settings& settings);
     // The scene is the source of names and materials. Also forgets what the hand touched.
     void enter_world(std::shared_ptr<const Scene> scene);
     // The same world with something added, moved or removed. Names are looked up in it from now on, and nothing is said
@@ -122,7 +122,7 @@ private:
         double time_s = 0.0;
     };
 
-    void on_contact(const ContactEvent& event, AudioSink& audio);
+    void on_contact(const servo::ContactEvent& event, AudioSink& audio);
     void on_request(const CueRequest& request, double now_s, AudioSink& audio, SpeechSink& speech);
     // Gives it to the order, unless nothing of it can be spoken, or verbosity 0 forbids it.
     void ask(SpeechLine line);
@@ -146,7 +146,7 @@ private:
         bool by_hand = true;
     };
     void name_touched(std::size_t hand, const Naming& naming);
-    void touch(Hand& hand, const ContactEvent& event);
+    void touch(Hand& hand, const servo::ContactEvent& event);
     static bool is_touched(const Hand& hand, FeatureId feature);
     void stop_slide(Hand& hand, AudioSink& audio);
     // "Left hand: door" where there are two.
@@ -166,7 +166,7 @@ private:
     void warn(const CueRequest& request, double asked_s, double now_s, SpeechSink& speech);
     SoundClass sound_of(MaterialId material) const;
 
-    Settings settings_;
+    settings::Settings settings_;
     std::shared_ptr<const Scene> scene_;
 
     std::vector<SpokenLine> spoken_;
@@ -194,4 +194,4 @@ private:
     std::optional<Demonstration> demonstration_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::cues

@@ -9,13 +9,13 @@
 #include "settings/settings.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::cues {
 
 class EarsInbox {
 public:
     virtual ~EarsInbox() = default;
     virtual void post(CueRequest request) = 0;
-    virtual void set_settings(const Settings& settings) = 0;
+    virtual void set_settings(const settings::Settings& settings) = 0;
     virtual void enter_world(std::shared_ptr<const Scene> scene) = 0;
     virtual void follow_edit(std::shared_ptr<const Scene> scene) = 0;  // see CuePlanner
     virtual void set_two_hands(bool two) = 0;
@@ -25,4 +25,4 @@ public:
     virtual SpeechTopics take_owed() { return {}; }
 };
 
-}  // namespace handrail
+}  // namespace handrail::cues

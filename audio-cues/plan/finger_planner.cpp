@@ -5,7 +5,7 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::cues {
 namespace {
 
 constexpr double kFullForce_n = 1.5;        // force of a surface on the hand at which the trigger is stiffest
@@ -55,7 +55,7 @@ double grain_hz(SoundClass sound) noexcept {
 }
 
 void FingerPlanner::enter_world(std::shared_ptr<const Scene> scene) {
-    const Settings::Pads kept = settings_;
+    const settings::Settings::Pads kept = settings_;
     *this = FingerPlanner{};
     settings_ = kept;
     scene_ = std::move(scene);
@@ -117,8 +117,8 @@ void FingerPlanner::on_passage(double width_m, double now_s) {
     }
 }
 
-void FingerPlanner::on_hand(const FingerInputs& inputs, FingerCue& cue) {
-    const ToolState& tool = *inputs.tool;
+void FingerPlanner::on_hand(const FingerInputs& inputs, device::FingerCue& cue) {
+    const servo::ToolState& tool = *inputs.tool;
     const double since_s = inputs.now_s - last_hand_s_;
     const double speed = last_hand_m_ && since_s > 0.0 ? glm::length(tool.hand_m - *last_hand_m_) / since_s : 0.0;
     last_hand_m_ = tool.hand_m;
@@ -127,7 +127,7 @@ void FingerPlanner::on_hand(const FingerInputs& inputs, FingerCue& cue) {
         touched_door_ = kNoFeature;
         return;
     }
-    const Contact& met = tool.contacts.contacts[tool.contacts.strongest];
+    const render::Contact& met = tool.contacts.contacts[tool.contacts.strongest];
     const Surface surface = surface_of(met.material);
     cue.nearness = std::max(cue.nearness, 0.4 + 0.6 * std::min(1.0, glm::length(tool.force_n) / kFullForce_n));
     cue.hardness = surface.hardness;
@@ -144,11 +144,11 @@ void FingerPlanner::on_hand(const FingerInputs& inputs, FingerCue& cue) {
     if (cue.material_hz > 0.0) cue.grain = 0.2 + 0.4 * pace;
 }
 
-FingerCue FingerPlanner::tick(const FingerInputs& inputs) {
+device::FingerCue FingerPlanner::tick(const FingerInputs& inputs) {
     contract_pre(std::isfinite(inputs.now_s));
     for (const CueRequest& request : inputs.requests) on_request(request);
     on_passage(inputs.passage_width_m, inputs.now_s);
-    FingerCue cue;
+    device::FingerCue cue;
     const auto within = [&](double since_s, double for_s) { return inputs.now_s - since_s < for_s; };
     cue.nearness = 0.5 * wall_nearness_;  // halved, because only a touched surface gets full stiffness
     cue.hardness = 1.0;
@@ -170,4 +170,4 @@ FingerCue FingerPlanner::tick(const FingerInputs& inputs) {
     return cue;
 }
 
-}  // namespace handrail
+}  // namespace handrail::cues

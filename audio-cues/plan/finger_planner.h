@@ -10,13 +10,13 @@
 #include "audio-cues/plan/cue_planner.h"
 #include "haptic/device/finger_cue.h"
 
-namespace handrail {
+namespace handrail::cues {
 
 struct FingerInputs {
     double now_s = 0.0;
-    std::span<const CueRequest> requests;  // the app's requests of this frame: bumps, steps, the wall tone
-    const ToolState* tool = nullptr;       // nullptr: there is no hand
-    double passage_width_m = 0.0;          // free space across the walking direction; 0: open
+    std::span<const CueRequest> requests;    // the app's requests of this frame: bumps, steps, the wall tone
+    const servo::ToolState* tool = nullptr;  // nullptr: there is no hand
+    double passage_width_m = 0.0;            // free space across the walking direction; 0: open
 };
 
 // How inputs become cues:
@@ -31,11 +31,11 @@ public:
                             kSlopeHolds_s = 2.0;
     static constexpr double kDoorWidth_m = 1.4, kWide_m = 1.8;
 
-    void set_settings(const Settings::Pads& settings) { settings_ = settings; }
+    void set_settings(const settings::Settings::Pads& settings) { settings_ = settings; }
     void enter_world(std::shared_ptr<const Scene> scene);  // forgets everything met before
     void follow_edit(std::shared_ptr<const Scene> scene) { scene_ = std::move(scene); }
     // `now_s` must never go back.
-    FingerCue tick(const FingerInputs& inputs);
+    device::FingerCue tick(const FingerInputs& inputs);
 
 private:
     struct Surface {
@@ -46,9 +46,9 @@ private:
     Surface surface_of(MaterialId material) const;
     void on_request(const CueRequest& request);
     void on_passage(double width_m, double now_s);
-    void on_hand(const FingerInputs& inputs, FingerCue& cue);
+    void on_hand(const FingerInputs& inputs, device::FingerCue& cue);
 
-    Settings::Pads settings_;
+    settings::Settings::Pads settings_;
     std::shared_ptr<const Scene> scene_;
     double wall_nearness_ = 0.0;
     double bumped_s_ = -1e9, clicked_s_ = -1e9, stepped_s_ = -1e9;
@@ -63,4 +63,4 @@ private:
 // Grains per second of a material under a foot or a slow hand; 0: smooth.
 double grain_hz(SoundClass sound) noexcept;
 
-}  // namespace handrail
+}  // namespace handrail::cues

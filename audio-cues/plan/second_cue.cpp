@@ -5,7 +5,7 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::cues {
 
 SecondCue second_cue(const Vec3& head_m, double time_s, bool behind, bool height) {
     contract_pre(is_finite(head_m) && std::isfinite(time_s));
@@ -30,4 +30,4 @@ SecondCue second_cue(const Vec3& head_m, double time_s, bool behind, bool height
     return cue;
 }
 
-}  // namespace handrail
+}  // namespace handrail::cues

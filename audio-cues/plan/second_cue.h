@@ -5,7 +5,7 @@
 
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::cues {
 
 struct SecondCue {
     double gain = 1.0;   // factor
@@ -22,4 +22,4 @@ inline constexpr double kLevelWithin_rad = 0.35,
 // `head_m`: position of the sound relative to the head, x right, y ahead, z up. `time_s` may start anywhere.
 SecondCue second_cue(const Vec3& head_m, double time_s, bool behind, bool height);
 
-}  // namespace handrail
+}  // namespace handrail::cues

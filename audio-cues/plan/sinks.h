@@ -11,7 +11,7 @@
 #include "worlds/base/vec.h"
 #include "worlds/scene/material.h"
 
-namespace handrail {
+namespace handrail::cues {
 
 // Who may interrupt whom: a class cuts everything after it in this list, never anything before it. SpeechOrder keeps
 // these rules for every voice; a sink that is told to say something always says it at once.
@@ -63,7 +63,8 @@ public:
     virtual void stop() = 0;  // silences at once
     virtual bool speaking() const = 0;      // from say() until the last sample; text alone takes no time
     virtual void tick(double /*now_s*/) {}  // housekeeping, about every 5 ms
-    virtual void set_speech(const Settings::Speech& /*settings*/) {}  // rate and voice, from the next utterance on
+    virtual void set_speech(const settings::Settings::Speech& /*settings*/) {
+    }  // rate and voice, from the next utterance on
     // A message about the sink itself, suitable for speech ("There is no voice ..."). Each is returned once.
     virtual std::optional<std::string> news() { return std::nullopt; }
     // The name of the current voice inside a sentence: "the speech server", "text alone". Empty while it is not
@@ -165,7 +166,7 @@ public:
     virtual void play(const SoundCue& cue) = 0;
     virtual void set_loop(const SoundCue& cue) = 0;  // one loop per kind and source; loudness 0 fades it out
     virtual void set_listener(const Listener& listener) = 0;
-    virtual void set_sound(const Settings::Sound& /*settings*/) {
+    virtual void set_sound(const settings::Settings::Sound& /*settings*/) {
     }  // balance, mono, reverberation and second cues, from now on; CuePlanner applies the volumes
     virtual void set_speaking(bool /*speaking*/) {
     }  // tells whether a voice speaks that this sink does not play: sounds get quieter for it too
@@ -177,4 +178,4 @@ public:
     virtual std::optional<std::string> news() { return std::nullopt; }
 };
 
-}  // namespace handrail
+}  // namespace handrail::cues

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace handrail {
+namespace handrail::cues {
 namespace {
 
 struct RankRow {
@@ -69,4 +69,4 @@ std::string_view rank_name(SoundRank rank) { return kRanks[static_cast<std::size
 
 double loudness_of(SoundRank rank) { return kRanks[static_cast<std::size_t>(rank)].lufs; }
 
-}  // namespace handrail
+}  // namespace handrail::cues

@@ -7,7 +7,7 @@
 
 #include "audio-cues/plan/sinks.h"
 
-namespace handrail {
+namespace handrail::cues {
 
 // The most important first.
 enum class SoundRank : std::uint8_t { Danger, Blocked, Route, Landmark, Step, Background };
@@ -19,4 +19,4 @@ std::string_view rank_name(SoundRank rank);  // "danger", for the table of sound
 // Momentary loudness of the loudest part at the volumes of a new settings file, before filters for the ears.
 double loudness_of(SoundRank rank);  // LUFS
 
-}  // namespace handrail
+}  // namespace handrail::cues

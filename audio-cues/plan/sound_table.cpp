@@ -10,10 +10,10 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::cues {
 namespace {
 
-using Sound = Settings::Sound;
+using Sound = settings::Settings::Sound;
 
 constexpr SoundInfo world(SoundKind kind, std::string_view name) {
     return {kind, name, &Sound::world_volume, &Sound::world};
@@ -176,4 +176,4 @@ double distance_gain(SoundKind kind, double distance_m) {
     return is_beacon(kind) ? std::max(gain, kBeaconLeast) : gain;
 }
 
-}  // namespace handrail
+}  // namespace handrail::cues

@@ -9,14 +9,14 @@
 
 #include "audio-cues/plan/sinks.h"
 
-namespace handrail {
+namespace handrail::cues {
 
 struct SoundInfo {
     SoundKind kind;
     // The name in scenarios, in every language: "wall tone". The translated names for people are in settings/languages.
     std::string_view name;
-    double Settings::Sound::*volume;
-    bool Settings::Sound::*on;  // nullptr: cannot be switched off
+    double settings::Settings::Sound::*volume;
+    bool settings::Settings::Sound::*on;  // nullptr: cannot be switched off
 };
 
 // In the order of SoundKind.
@@ -42,4 +42,4 @@ SoundKind world_sound_of(std::string_view word);
 double distance_gain(SoundKind kind, double distance_m);
 inline constexpr double kWorldSoundRange_m = 30.0;
 
-}  // namespace handrail
+}  // namespace handrail::cues

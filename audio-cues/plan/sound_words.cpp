@@ -7,7 +7,7 @@
 #include "audio-cues/plan/sound_table.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::cues {
 namespace {
 
 // These sounds always come with words of their own: names of touched things, blocked steps, headings, alarms and
@@ -73,4 +73,4 @@ std::string SoundWords::tell(const SoundCue& cue, const Listener& ears, double n
     return text;
 }
 
-}  // namespace handrail
+}  // namespace handrail::cues

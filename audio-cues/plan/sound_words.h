@@ -9,7 +9,7 @@
 
 #include "audio-cues/plan/sinks.h"
 
-namespace handrail {
+namespace handrail::cues {
 
 class SoundWords {
 public:
@@ -29,4 +29,4 @@ private:
     std::map<std::pair<SoundKind, std::uint32_t>, Told> told_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::cues

@@ -5,7 +5,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::cues {
 namespace {
 
 bool continues(unsigned char byte) { return (byte & 0xc0U) == 0x80U; }
@@ -63,4 +63,4 @@ std::string speakable(std::string_view text) {
 
 std::string sentence_case(std::string_view text) { return capitalised(speakable(text)); }
 
-}  // namespace handrail
+}  // namespace handrail::cues

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace handrail {
+namespace handrail::cues {
 
 // Returns one line of valid UTF-8. Control characters and line ends become single spaces; outer spaces and direction
 // controls are removed. Bytes that are not UTF-8 are read as Latin-1, in which old maps were written. Clean text is
@@ -15,4 +15,4 @@ std::string speakable(std::string_view text);
 // The same with an upper-case first letter, for labels that are spoken and printed.
 std::string sentence_case(std::string_view text);
 
-}  // namespace handrail
+}  // namespace handrail::cues

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace handrail {
+namespace handrail::cues {
 namespace {
 
 constexpr double kKeepSteps_s = 2.0;  // a count of steps that comes later is about another walk
@@ -200,4 +200,4 @@ SpeechTopics SpeechOrder::take_owed(double now_s, bool speaking) {
     return std::exchange(owed_, {});
 }
 
-}  // namespace handrail
+}  // namespace handrail::cues

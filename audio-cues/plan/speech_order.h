@@ -13,7 +13,7 @@
 #include "audio-cues/plan/sinks.h"
 #include "worlds/base/feature_id.h"
 
-namespace handrail {
+namespace handrail::cues {
 
 struct SpeechLine {
     Utterance utterance;
@@ -84,4 +84,4 @@ private:
     double sounded_s_ = -1e9;  // when something was last spoken, or a key pressed
 };
 
-}  // namespace handrail
+}  // namespace handrail::cues

@@ -17,7 +17,7 @@
 #include "audio-cues/sinks/server_client.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::sinks {
 namespace {
 
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -210,7 +210,7 @@ struct BrailleDisplay::Worker {
     }
 };
 
-BrailleDisplay::BrailleDisplay(std::shared_ptr<BrailleLink> link, const Settings::Speech& settings)
+BrailleDisplay::BrailleDisplay(std::shared_ptr<BrailleLink> link, const settings::Settings::Speech& settings)
     : shared_(std::make_shared<Shared>(std::move(link))) {
     shared_->allowed = settings.braille;
     thread_ = start_client(shared_, "braille", [shared = shared_.get()] { Worker(*shared).run(); });
@@ -226,7 +226,7 @@ void BrailleDisplay::want(bool wanted) {
     shared_->rouse();
 }
 
-void BrailleDisplay::write(const Utterance& utterance) {
+void BrailleDisplay::write(const cues::Utterance& utterance) {
     {
         const std::lock_guard lock(shared_->mutex);
         shared_->message = utterance.text;
@@ -240,7 +240,7 @@ void BrailleDisplay::tick(double) {
     if (std::exchange(shown_heading_rad_, heading_rad) != heading_rad) shared_->rouse();
 }
 
-void BrailleDisplay::set_speech(const Settings::Speech& settings) {
+void BrailleDisplay::set_speech(const settings::Settings::Speech& settings) {
     {
         const std::lock_guard lock(shared_->mutex);
         shared_->allowed = settings.braille;
@@ -254,4 +254,4 @@ std::optional<std::string> BrailleDisplay::news() {
     return phrase("braille.gone");
 }
 
-}  // namespace handrail
+}  // namespace handrail::sinks

@@ -13,7 +13,7 @@
 
 #include "audio-cues/sinks/voice_router.h"
 
-namespace handrail {
+namespace handrail::sinks {
 
 // Shared by the app and the display; any thread.
 struct BrailleLink {
@@ -52,19 +52,19 @@ public:
     static constexpr double kSizeEvery_s = 0.5;
 
     // Reads the environment (BRLAPI_HOST, WINDOWPATH), so call it before other threads change the environment.
-    BrailleDisplay(std::shared_ptr<BrailleLink> link, const Settings::Speech& settings);
+    BrailleDisplay(std::shared_ptr<BrailleLink> link, const settings::Settings::Speech& settings);
     // Waits at most half a second for the server. A thread that still waits then is left behind and ends when it can.
     ~BrailleDisplay() override;
     BrailleDisplay(const BrailleDisplay&) = delete;
     BrailleDisplay& operator=(const BrailleDisplay&) = delete;
 
     void want(bool wanted) override;
-    void say(const Utterance& utterance) override { write(utterance); }
-    void write(const Utterance& utterance) override;  // the newest message stays until the next one
+    void say(const cues::Utterance& utterance) override { write(utterance); }
+    void write(const cues::Utterance& utterance) override;  // the newest message stays until the next one
     void stop() override {}
     bool speaking() const override { return false; }
     void tick(double now_s) override;
-    void set_speech(const Settings::Speech& settings) override;
+    void set_speech(const settings::Settings::Speech& settings) override;
     std::optional<std::string> news() override;
 
 private:
@@ -76,4 +76,4 @@ private:
     double shown_heading_rad_ = 0.0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::sinks

@@ -7,7 +7,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::sinks {
 namespace {
 
 // The text is valid UTF-8 (see Utterance), so looking at the lead bytes is enough.
@@ -112,4 +112,4 @@ std::u32string BrailleLine::cells() const {
     return line;
 }
 
-}  // namespace handrail
+}  // namespace handrail::sinks

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace handrail {
+namespace handrail::sinks {
 
 // "N", "NE" and so on if the person faces one of the eight directions, otherwise whole degrees; at most three
 // characters.
@@ -49,4 +49,4 @@ private:
     std::size_t from_ = 0;  // start of the piece that is shown
 };
 
-}  // namespace handrail
+}  // namespace handrail::sinks

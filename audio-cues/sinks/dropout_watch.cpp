@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace handrail {
+namespace handrail::sinks {
 
 bool DropoutWatch::tick(double now_s, double device_s) {
     const double late_s = now_s - device_s;
@@ -26,4 +26,4 @@ bool DropoutWatch::tick(double now_s, double device_s) {
     return too_many_;
 }
 
-}  // namespace handrail
+}  // namespace handrail::sinks

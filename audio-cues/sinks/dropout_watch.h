@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-namespace handrail {
+namespace handrail::sinks {
 
 class DropoutWatch {
 public:
@@ -30,4 +30,4 @@ private:
     std::size_t dropped_ = 0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::sinks

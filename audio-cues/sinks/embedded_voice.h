@@ -8,31 +8,31 @@
 #include "audio-cues/sinks/voice.h"
 #include "audio-cues/sinks/voice_channel.h"
 
-namespace handrail {
+namespace handrail::sinks {
 
 class EmbeddedVoice final : public Voice {
 public:
     // `audible` says whether the channel's sound can be heard; while it cannot, the voice counts as gone. Called on the
     // audio thread.
     EmbeddedVoice(std::shared_ptr<VoiceChannel> channel, std::function<bool()> audible,
-                  const Settings::Speech& settings)
+                  const settings::Settings::Speech& settings)
         : channel_(std::move(channel)), audible_(std::move(audible)), settings_(settings) {}
 
-    SpeechThrough through() const override { return SpeechThrough::Embedded; }
+    settings::SpeechThrough through() const override { return settings::SpeechThrough::Embedded; }
     VoiceState state() const override { return voice_ && audible_() ? VoiceState::Ready : VoiceState::Gone; }
     void want(bool wanted) override;  // opens the voice when it is first wanted, which takes about 3 ms
 
-    void say(const Utterance& utterance) override;
+    void say(const cues::Utterance& utterance) override;
     void stop() override;
     bool speaking() const override { return voice_ && voice_->speaking(); }
-    void set_speech(const Settings::Speech& settings) override;
+    void set_speech(const settings::Settings::Speech& settings) override;
     std::optional<std::string> news() override { return voice_ ? voice_->news() : std::nullopt; }
 
 private:
     std::shared_ptr<VoiceChannel> channel_;
     std::function<bool()> audible_;
-    Settings::Speech settings_;
-    std::unique_ptr<SpeechSink> voice_;
+    settings::Settings::Speech settings_;
+    std::unique_ptr<cues::SpeechSink> voice_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::sinks

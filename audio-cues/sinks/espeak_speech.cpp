@@ -18,7 +18,7 @@
 #include "worlds/base/executor.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::sinks {
 namespace {
 
 // Samples sent at once: 0.19 s, made in about 1 ms. The sink plays pieces without a gap.
@@ -73,7 +73,7 @@ struct EspeakSpeech::Impl {
     std::mutex mutex;  // protects the five members below
     std::condition_variable changed;
     std::optional<Job> job;  // only the newest, because a new text cuts the one before
-    Settings::Speech settings;
+    settings::Settings::Speech settings;
     bool new_settings = false;
     bool quit = false;
     std::optional<std::string> news;
@@ -105,7 +105,7 @@ struct EspeakSpeech::Impl {
 
     // The voice is a language ("en", "pt-br"), the program's language ("auto"), or one of the library's own names.
     // English if the library knows neither.
-    void apply(const Settings::Speech& wanted) {
+    void apply(const settings::Settings::Speech& wanted) {
         const std::string voice = wanted.voice == "auto" ? spoken_language() : wanted.voice;
         if (!choose(voice)) {
             choose("en");
@@ -131,7 +131,7 @@ struct EspeakSpeech::Impl {
         Synthesis synthesis{.channel = channel.get(), .ticket = 0, .piece = {}};
         for (;;) {
             Job next;
-            std::optional<Settings::Speech> changed_settings;
+            std::optional<settings::Settings::Speech> changed_settings;
             {
                 std::unique_lock lock(mutex);
                 changed.wait(lock, [&] { return job || quit; });
@@ -153,7 +153,7 @@ struct EspeakSpeech::Impl {
 EspeakSpeech::EspeakSpeech(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 Result<std::unique_ptr<EspeakSpeech>> EspeakSpeech::open(std::shared_ptr<VoiceChannel> channel,
-                                                         const Settings::Speech& settings) {
+                                                         const settings::Settings::Speech& settings) {
     if (library_taken.exchange(true)) return fail(phrase("voice.in_use"));
     auto impl = std::make_unique<Impl>();
     impl->channel = std::move(channel);
@@ -183,7 +183,7 @@ EspeakSpeech::~EspeakSpeech() {
     library_taken = false;
 }
 
-void EspeakSpeech::say(const Utterance& utterance) {
+void EspeakSpeech::say(const cues::Utterance& utterance) {
     // Beginning on the channel here cuts the utterance before and makes speaking() true from now on.
     const VoiceChannel::Ticket ticket = impl_->channel->begin(impl_->rate_hz, utterance.loudness, utterance.right_rad);
     {
@@ -208,34 +208,34 @@ std::optional<std::string> EspeakSpeech::news() {
     return std::exchange(impl_->news, std::nullopt);
 }
 
-void EspeakSpeech::set_speech(const Settings::Speech& settings) {
+void EspeakSpeech::set_speech(const settings::Settings::Speech& settings) {
     const std::lock_guard lock(impl_->mutex);
     impl_->settings = settings;
     impl_->new_settings = true;
 }
 
-std::span<const Note> BeepSpeech::pattern(SpeechClass speech_class) {
+std::span<const Note> BeepSpeech::pattern(cues::SpeechClass speech_class) {
     static constexpr std::array<Note, 4> kAlarm{
         {{0.0, 0.07, 1200.0, 1.0}, {0.1, 0.07, 1200.0, 1.0}, {0.2, 0.07, 1200.0, 1.0}, {0.3, 0.14, 1200.0, 1.0}}};
     static constexpr std::array<Note, 2> kAnswer{{{0.0, 0.06, 880.0, 0.8}, {0.1, 0.06, 1100.0, 0.8}}};
     static constexpr std::array<Note, 1> kContact{{{0.0, 0.05, 700.0, 0.7}}};
     static constexpr std::array<Note, 1> kAmbient{{{0.0, 0.12, 350.0, 0.5}}};
     switch (speech_class) {
-        case SpeechClass::Alarm:
+        case cues::SpeechClass::Alarm:
             return kAlarm;
-        case SpeechClass::Warning:
-        case SpeechClass::Answer:
-        case SpeechClass::Guidance:
+        case cues::SpeechClass::Warning:
+        case cues::SpeechClass::Answer:
+        case cues::SpeechClass::Guidance:
             return kAnswer;
-        case SpeechClass::Contact:
+        case cues::SpeechClass::Contact:
             return kContact;
-        case SpeechClass::Ambient:
+        case cues::SpeechClass::Ambient:
             break;
     }
     return kAmbient;
 }
 
-void BeepSpeech::say(const Utterance& utterance) {
+void BeepSpeech::say(const cues::Utterance& utterance) {
     std::vector<std::int16_t> samples;
     for (const float s : synthesise_notes(pattern(utterance.speech_class)))
         samples.push_back(static_cast<std::int16_t>(std::lround(32767.0F * s)));
@@ -244,10 +244,11 @@ void BeepSpeech::say(const Utterance& utterance) {
     channel_->end(ticket);
 }
 
-std::unique_ptr<SpeechSink> open_voice(const std::shared_ptr<VoiceChannel>& channel, const Settings::Speech& settings) {
+std::unique_ptr<cues::SpeechSink> open_voice(const std::shared_ptr<VoiceChannel>& channel,
+                                             const settings::Settings::Speech& settings) {
     auto opened = EspeakSpeech::open(channel, settings);
     if (opened) return std::move(*opened);
     return std::make_unique<BeepSpeech>(channel, phrase("voice.beeps", {{"problem", opened.error().sentence()}}));
 }
 
-}  // namespace handrail
+}  // namespace handrail::sinks

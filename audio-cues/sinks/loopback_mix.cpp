@@ -5,7 +5,7 @@
 #include "audio-cues/sinks/synth.h"
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::sinks {
 namespace {
 
 constexpr int kMostPacedFrames = kSampleRate_hz / 4;
@@ -46,4 +46,4 @@ void LoopbackMix::discard_elapsed(double now_s) {
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::sinks

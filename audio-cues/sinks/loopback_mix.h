@@ -9,7 +9,7 @@
 #include "audio-cues/sinks/openal_device.h"
 #include "audio-cues/sinks/whole_blocks.h"
 
-namespace handrail {
+namespace handrail::sinks {
 
 class LoopbackMix {
 public:
@@ -36,4 +36,4 @@ private:
     WholeBlocks ahead_;  // samples rendered beyond the last request of render()
 };
 
-}  // namespace handrail
+}  // namespace handrail::sinks

@@ -7,7 +7,7 @@
 #include "audio-cues/plan/sound_table.h"
 #include "audio-cues/sinks/synth.h"
 
-namespace handrail {
+namespace handrail::sinks {
 namespace {
 
 // A section of two poles and two zeros.
@@ -47,10 +47,11 @@ double momentary_lufs(std::span<const float> samples) {
     return mean > 1e-12 ? -0.691 + 10.0 * std::log10(mean) : -120.0;
 }
 
-std::vector<float> levelled_sound(SoundKind kind, SoundClass material) {
+std::vector<float> levelled_sound(cues::SoundKind kind, SoundClass material) {
     std::vector<float> samples = synthesise(kind, material);
-    const Settings::Sound at_first;
-    const double wanted_lufs = loudness_of(rank_of(kind)) - 20.0 * std::log10(at_first.*info(kind).volume);
+    const settings::Settings::Sound at_first;
+    const double wanted_lufs =
+        cues::loudness_of(cues::rank_of(kind)) - 20.0 * std::log10(at_first.*cues::info(kind).volume);
     float peak = 1e-9F;
     for (const float s : samples) peak = std::max(peak, std::abs(s));
     const double gain =
@@ -59,4 +60,4 @@ std::vector<float> levelled_sound(SoundKind kind, SoundClass material) {
     return samples;
 }
 
-}  // namespace handrail
+}  // namespace handrail::sinks

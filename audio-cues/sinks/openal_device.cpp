@@ -10,7 +10,7 @@
 #include "audio-cues/sinks/synth.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::sinks {
 namespace {
 
 // Settings that OpenAL Soft takes from a file only, and only once in a process. Shorter periods drop out on a loaded
@@ -146,4 +146,4 @@ std::optional<double> OpenALDevice::clock_s() const {
     return static_cast<double>(clock_ns) * 1e-9;
 }
 
-}  // namespace handrail
+}  // namespace handrail::sinks

@@ -13,7 +13,7 @@
 
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::sinks {
 
 // Gives OpenAL the settings that it takes from a file only. The file exists only in memory, while this object lives,
 // and is not used if the person has set their own. Create it before other threads read the environment.
@@ -76,4 +76,4 @@ private:
     LPALCGETINTEGER64VSOFT get_clock_ = nullptr;
 };
 
-}  // namespace handrail
+}  // namespace handrail::sinks

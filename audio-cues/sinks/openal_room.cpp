@@ -4,7 +4,7 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::sinks {
 namespace {
 
 // The reverberation follows a change by this factor, at most this often.
@@ -65,4 +65,4 @@ void OpenALRoom::send(ALuint source, bool in_room, ALuint filter) const {
                in_room && filter != 0 ? static_cast<ALint>(filter) : AL_FILTER_NULL);
 }
 
-}  // namespace handrail
+}  // namespace handrail::sinks

@@ -5,7 +5,7 @@
 #include <AL/al.h>
 #include <AL/efx.h>
 
-namespace handrail {
+namespace handrail::sinks {
 
 class OpenALRoom {
 public:
@@ -34,4 +34,4 @@ private:
     bool hushed_ = false;  // until the next sound
 };
 
-}  // namespace handrail
+}  // namespace handrail::sinks

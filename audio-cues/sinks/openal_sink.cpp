@@ -13,12 +13,14 @@
 #include "audio-cues/sinks/synth.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::sinks {
 namespace {
 
 constexpr double kConnectionPoll_s = 0.5, kReopen_s = 5.0;
 
-bool leads_by_sound(SoundKind kind) { return is_beacon(kind) || kind == SoundKind::Bell || kind == SoundKind::Warmer; }
+bool leads_by_sound(cues::SoundKind kind) {
+    return cues::is_beacon(kind) || kind == cues::SoundKind::Bell || kind == cues::SoundKind::Warmer;
+}
 
 }  // namespace
 
@@ -151,21 +153,21 @@ Result<std::unique_ptr<OpenALSink>> OpenALSink::open(std::shared_ptr<VoiceChanne
     return std::unique_ptr<OpenALSink>(new OpenALSink(std::move(impl)));
 }
 
-void OpenALSink::play(const SoundCue& cue) {
+void OpenALSink::play(const cues::SoundCue& cue) {
     // Missing sound matters once the person must follow a sound, so it is announced only then.
     if (leads_by_sound(cue.kind) && impl_->untold) impl_->news = std::exchange(impl_->untold, std::nullopt);
     if (impl_->device.is_open()) impl_->voices.play(cue);
 }
 
-void OpenALSink::set_loop(const SoundCue& cue) {
+void OpenALSink::set_loop(const cues::SoundCue& cue) {
     if (impl_->device.is_open() && is_loop(cue.kind)) impl_->voices.set_loop(cue);
 }
 
-void OpenALSink::set_sound(const Settings::Sound& settings) { impl_->hearing.sound = settings; }
+void OpenALSink::set_sound(const settings::Settings::Sound& settings) { impl_->hearing.sound = settings; }
 
 void OpenALSink::set_speaking(bool speaking) { impl_->others_speak = speaking; }
 
-void OpenALSink::set_listener(const Listener& listener) { impl_->hearing.listener = listener; }
+void OpenALSink::set_listener(const cues::Listener& listener) { impl_->hearing.listener = listener; }
 
 void OpenALSink::stop_all() { impl_->voices.stop_all(); }
 
@@ -202,4 +204,4 @@ int OpenALSink::sounds_playing() const { return impl_->voices.playing(); }
 
 std::span<const float> OpenALSink::render(int frames) { return impl_->mix.render(frames); }
 
-}  // namespace handrail
+}  // namespace handrail::sinks

@@ -16,9 +16,9 @@
 #include "audio-cues/sinks/voice_channel.h"
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::sinks {
 
-class OpenALSink final : public AudioSink {
+class OpenALSink final : public cues::AudioSink {
 public:
     enum class Output {
         Device,    // the sound card, otherwise loopback paced by tick()
@@ -47,10 +47,10 @@ public:
     static Result<std::unique_ptr<OpenALSink>> open(std::shared_ptr<VoiceChannel> voice, const Options& options);
     ~OpenALSink() override;
 
-    void play(const SoundCue& cue) override;
-    void set_loop(const SoundCue& cue) override;
-    void set_listener(const Listener& listener) override;
-    void set_sound(const Settings::Sound& settings) override;
+    void play(const cues::SoundCue& cue) override;
+    void set_loop(const cues::SoundCue& cue) override;
+    void set_listener(const cues::Listener& listener) override;
+    void set_sound(const settings::Settings::Sound& settings) override;
     void set_speaking(bool speaking) override;
     void stop_all() override;  // fades within one mixing period of 5.3 ms
     void tick(double now_s) override;
@@ -70,4 +70,4 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::sinks

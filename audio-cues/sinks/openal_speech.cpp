@@ -8,7 +8,7 @@
 
 #include "audio-cues/sinks/openal_voices.h"
 
-namespace handrail {
+namespace handrail::sinks {
 
 void OpenALSpeech::make() {
     const ALint best_resampler = alGetInteger(AL_NUM_RESAMPLERS_SOFT) - 1;
@@ -49,14 +49,14 @@ void OpenALSpeech::drop_speech(Speaker& s) {
     s.active = s.ended = s.ending = false;
 }
 
-void OpenALSpeech::place(const Speaker& s, std::optional<double> right_rad, const Settings::Sound& sound) {
+void OpenALSpeech::place(const Speaker& s, std::optional<double> right_rad, const settings::Settings::Sound& sound) {
     double right = 0.0, ahead = 1.0;
     if (right_rad && !sound.mono) right = std::sin(*right_rad), ahead = std::cos(*right_rad);
     if (sound.swap_sides) right = -right;
     alSource3f(s.source, AL_POSITION, static_cast<float>(right), 0.0F, static_cast<float>(-ahead));
 }
 
-void OpenALSpeech::update(double now_s, const Settings::Sound& sound) {
+void OpenALSpeech::update(double now_s, const settings::Settings::Sound& sound) {
     const VoiceChannel::Update update = channel_->take();
     if (update.ticket != speakers_[speaker_].ticket) {
         Speaker& cut = speakers_[speaker_];
@@ -100,4 +100,4 @@ void OpenALSpeech::update(double now_s, const Settings::Sound& sound) {
     if (other.ending && now_s >= other.stop_at_s) drop_speech(other);
 }
 
-}  // namespace handrail
+}  // namespace handrail::sinks

@@ -10,7 +10,7 @@
 #include "audio-cues/sinks/voice_channel.h"
 #include "settings/settings.h"
 
-namespace handrail {
+namespace handrail::sinks {
 
 class OpenALSpeech {
 public:
@@ -19,7 +19,7 @@ public:
     void make();
     void stop();  // also drops what still waits to be said
     void drop();
-    void update(double now_s, const Settings::Sound& sound);
+    void update(double now_s, const settings::Settings::Sound& sound);
     bool playing() const { return channel_->playing(); }
     // Ends the utterance that was lost with its device, so that code waiting for its end continues.
     VoiceChannel::Ticket ticket() const { return speakers_[speaker_].ticket; }
@@ -39,11 +39,11 @@ private:
 
     static void delete_played(const Speaker& s);
     static void drop_speech(Speaker& s);
-    static void place(const Speaker& s, std::optional<double> right_rad, const Settings::Sound& sound);
+    static void place(const Speaker& s, std::optional<double> right_rad, const settings::Settings::Sound& sound);
 
     std::shared_ptr<VoiceChannel> channel_;
     std::array<Speaker, 2> speakers_{};
     std::size_t speaker_ = 0;  // the source in use
 };
 
-}  // namespace handrail
+}  // namespace handrail::sinks

@@ -12,7 +12,7 @@
 #include "audio-cues/plan/sound_table.h"
 #include "audio-cues/sinks/loudness.h"
 
-namespace handrail {
+namespace handrail::sinks {
 namespace {
 
 constexpr double kLoopFade_s = 0.030;  // fade time of loops
@@ -23,35 +23,37 @@ constexpr double kMuffle_db_per_s = 120.0;
 constexpr double kPulseLow = 0.25;  // level of a pulsing loop between its swells
 constexpr double kDuckDown_s = 0.040, kDuckUp_s = 0.250;
 
-int importance(SoundKind kind) {
-    if (is_world_sound(kind)) return -1;
+int importance(cues::SoundKind kind) {
+    if (cues::is_world_sound(kind)) return -1;
     switch (kind) {
-        case SoundKind::WallTone:
+        case cues::SoundKind::WallTone:
             return 0;
-        case SoundKind::Slide:
+        case cues::SoundKind::Slide:
             return 1;
-        case SoundKind::Footstep:
+        case cues::SoundKind::Footstep:
             return 2;
-        case SoundKind::Splash:
-        case SoundKind::DoorMoves:
-        case SoundKind::DoorShuts:
-        case SoundKind::Bump:
-        case SoundKind::Contact:
+        case cues::SoundKind::Splash:
+        case cues::SoundKind::DoorMoves:
+        case cues::SoundKind::DoorShuts:
+        case cues::SoundKind::Bump:
+        case cues::SoundKind::Contact:
             return 3;
         default:
-            return rank_of(kind) == SoundRank::Danger ? 5 : 4;  // earcons answer a key
+            return cues::rank_of(kind) == cues::SoundRank::Danger ? 5 : 4;  // earcons answer a key
     }
 }
 
 // Sounds that are in the room get its reverberation; signals and the wall tone do not.
-bool is_in_room(SoundKind kind) { return !is_earcon(kind) && kind != SoundKind::WallTone && kind != SoundKind::Bell; }
+bool is_in_room(cues::SoundKind kind) {
+    return !cues::is_earcon(kind) && kind != cues::SoundKind::WallTone && kind != cues::SoundKind::Bell;
+}
 
 }  // namespace
 
 // ---- buffers, filters and sources ----
 
 // A buffer is made when its sound is first heard; OpenAL keeps the samples.
-ALuint OpenALVoices::buffer_of(const SoundCue& cue) {
+ALuint OpenALVoices::buffer_of(const cues::SoundCue& cue) {
     ALuint& buffer = buffers_[sound_index(cue.kind, cue.material)];
     if (buffer == 0) {
         const std::vector<float> samples = levelled_sound(cue.kind, cue.material);
@@ -119,19 +121,19 @@ bool OpenALVoices::muffle(SinkVoice& voice) const {
 void OpenALVoices::apply(SinkVoice& voice) const {
     Vec3 head_m{0.0, 0.0, -1.0};
     double near = 1.0;
-    if (!is_earcon(voice.cue.kind)) {
+    if (!cues::is_earcon(voice.cue.kind)) {
         const Vec3 offset_m = voice.cue.position_m - hearing_.listener.ears_m;
-        near = distance_gain(voice.cue.kind, glm::length(offset_m));
+        near = cues::distance_gain(voice.cue.kind, glm::length(offset_m));
         const double side = hearing_.sound.swap_sides ? -1.0 : 1.0;
         head_m = {side * glm::dot(offset_m, right_of_heading(hearing_.listener.heading_rad)), offset_m.z,
                   -glm::dot(offset_m, forward_of_heading(hearing_.listener.heading_rad))};
     }
-    SecondCue second;
-    if (is_world_sound(voice.cue.kind))
-        second =
-            second_cue({head_m.x, -head_m.z, head_m.y}, hearing_.now_s, hearing_.sound.behind, hearing_.sound.height);
+    cues::SecondCue second;
+    if (cues::is_world_sound(voice.cue.kind))
+        second = cues::second_cue({head_m.x, -head_m.z, head_m.y}, hearing_.now_s, hearing_.sound.behind,
+                                  hearing_.sound.height);
     if (hearing_.sound.mono) head_m = {0.0, 0.0, -1.0};
-    const double ducked = rank_of(voice.cue.kind) == SoundRank::Danger ? 1.0 : duck_;
+    const double ducked = cues::rank_of(voice.cue.kind) == cues::SoundRank::Danger ? 1.0 : duck_;
     const double swell = voice.cue.pulses_per_s > 0.0 && voice.pulse >= 0.5 ? kPulseLow : 1.0;
     const double gain = voice.ending ? 0.0
                                      : voice.cue.loudness * voice.level * ducked * near * swell * second.gain *
@@ -147,7 +149,7 @@ void OpenALVoices::send_to_room(const SinkVoice& voice) const {
     room_.send(voice.source, is_in_room(voice.cue.kind), voice.filtered_db > 0.0 ? voice.filter : 0);
 }
 
-void OpenALVoices::start(SinkVoice& voice, const SoundCue& cue, double level) {
+void OpenALVoices::start(SinkVoice& voice, const cues::SoundCue& cue, double level) {
     alSourceStop(voice.source);
     alSourcei(voice.source, AL_BUFFER, static_cast<ALint>(buffer_of(cue)));
     voice = SinkVoice{.source = voice.source,
@@ -168,7 +170,7 @@ void OpenALVoices::start(SinkVoice& voice, const SoundCue& cue, double level) {
 // first.
 void OpenALVoices::end(SinkVoice& voice, bool at_once) {
     if (!voice.active || voice.ending) return;
-    if (!at_once && is_world_sound(voice.cue.kind)) {
+    if (!at_once && cues::is_world_sound(voice.cue.kind)) {
         voice.leaving = true;
         return;
     }
@@ -187,8 +189,9 @@ SinkVoice& OpenALVoices::free_one_shot() {
 
 // Returns the voice that plays this loop, or one where it may begin. Returns nullptr if there is no room, or nothing to
 // end.
-SinkVoice* OpenALVoices::loop_of(const SoundCue& cue) {
-    if (!is_world_sound(cue.kind)) return &loops_[cue.kind == SoundKind::Slide ? 1 + std::min(cue.source, 1U) : 0];
+SinkVoice* OpenALVoices::loop_of(const cues::SoundCue& cue) {
+    if (!cues::is_world_sound(cue.kind))
+        return &loops_[cue.kind == cues::SoundKind::Slide ? 1 + std::min(cue.source, 1U) : 0];
     const std::span<SinkVoice> world = std::span(loops_).subspan(kOwnLoops);
     const auto same = std::find_if(world.begin(), world.end(), [&](const SinkVoice& v) {
         return v.active && !v.ending && v.cue.kind == cue.kind && v.cue.source == cue.source;
@@ -202,7 +205,7 @@ SinkVoice* OpenALVoices::loop_of(const SoundCue& cue) {
 // Its loudness at the ears, apart from the level of its samples.
 double OpenALVoices::strength(const SinkVoice& voice) const {
     return voice.cue.loudness *
-           distance_gain(voice.cue.kind, glm::length(voice.cue.position_m - hearing_.listener.ears_m)) *
+           cues::distance_gain(voice.cue.kind, glm::length(voice.cue.position_m - hearing_.listener.ears_m)) *
            std::pow(10.0, -voice.cue.muffled_db / 20.0);
 }
 
@@ -220,13 +223,13 @@ std::vector<SinkVoice*> OpenALVoices::competing() {
 void OpenALVoices::limit() {
     std::vector<SinkVoice*> all = competing();
     const auto rank = [&](const SinkVoice* v) {
-        return std::tuple(importance(v->cue.kind), is_world_sound(v->cue.kind) ? strength(*v) : 0.0, v->order);
+        return std::tuple(importance(v->cue.kind), cues::is_world_sound(v->cue.kind) ? strength(*v) : 0.0, v->order);
     };
     std::sort(all.begin(), all.end(), [&](const SinkVoice* a, const SinkVoice* b) { return rank(a) > rank(b); });
     for (std::size_t i = 0; i < all.size(); ++i) {
         SinkVoice& voice = *all[i];
         const bool room = i < static_cast<std::size_t>(most_);
-        if (!room) voice.may_sound_at_s = hearing_.now_s + (is_world_sound(voice.cue.kind) ? kRoomFor_s : 0.0);
+        if (!room) voice.may_sound_at_s = hearing_.now_s + (cues::is_world_sound(voice.cue.kind) ? kRoomFor_s : 0.0);
         voice.audible = room && hearing_.now_s >= voice.may_sound_at_s;
         if (!room && !is_loop(voice.cue.kind)) end(voice);
     }
@@ -234,12 +237,12 @@ void OpenALVoices::limit() {
 
 // ---- requests ----
 
-void OpenALVoices::play(const SoundCue& cue) {
+void OpenALVoices::play(const cues::SoundCue& cue) {
     start(free_one_shot(), cue, 1.0);
     limit();
 }
 
-void OpenALVoices::set_loop(const SoundCue& cue) {
+void OpenALVoices::set_loop(const cues::SoundCue& cue) {
     SinkVoice* loop = loop_of(cue);
     if (loop == nullptr) return;
     if (cue.loudness <= 0.0) return end(*loop, false);
@@ -282,7 +285,7 @@ void OpenALVoices::stop_ended_one_shots() {
 void OpenALVoices::update_loop(SinkVoice& voice, double dt_s) {
     voice.pulse += dt_s * voice.cue.pulses_per_s;
     voice.pulse -= std::floor(voice.pulse);
-    const double step = dt_s / (is_world_sound(voice.cue.kind) ? kWorldFade_s : kLoopFade_s);
+    const double step = dt_s / (cues::is_world_sound(voice.cue.kind) ? kWorldFade_s : kLoopFade_s);
     voice.level += std::clamp((voice.audible && !voice.leaving ? 1.0 : 0.0) - voice.level, -step, step);
     const double muffle_step = dt_s * kMuffle_db_per_s;
     voice.muffled_db += std::clamp(voice.cue.muffled_db - voice.muffled_db, -muffle_step, muffle_step);
@@ -307,4 +310,4 @@ void OpenALVoices::update(double dt_s, bool spoken_over, double ducking_db) {
         if (voice.active) apply(voice);
 }
 
-}  // namespace handrail
+}  // namespace handrail::sinks

@@ -15,7 +15,7 @@
 #include "audio-cues/sinks/synth.h"
 #include "settings/settings.h"
 
-namespace handrail {
+namespace handrail::sinks {
 
 // A silenced source is stopped this much later; the mixer's ramp takes 5.3 ms.
 inline constexpr double kFadeOut_s = 0.020;
@@ -27,7 +27,7 @@ struct SinkVoice {
     bool leaving = false;  // a loop that fades to level 0 and then ends
     bool ending = false;   // fading, and to be stopped at stop_at_s
     double stop_at_s = 0.0;
-    SoundCue cue;
+    cues::SoundCue cue;
     double level = 1.0;           // of the fade, 0 to 1
     bool audible = true;          // false: muted, because there are too many sounds
     double may_sound_at_s = 0.0;  // a sound that gave way stays muted until this time
@@ -40,8 +40,8 @@ struct SinkVoice {
 
 // The person's hearing settings and position at this moment.
 struct Listening {
-    Listener listener;
-    Settings::Sound sound;
+    cues::Listener listener;
+    settings::Settings::Sound sound;
     double now_s = 0.0;
 };
 
@@ -62,8 +62,8 @@ public:
     void drop_sources();
     void drop_buffers();
 
-    void play(const SoundCue& cue);
-    void set_loop(const SoundCue& cue);
+    void play(const cues::SoundCue& cue);
+    void set_loop(const cues::SoundCue& cue);
     void stop_all();
     // `spoken_over`: the voice speaks, so all but danger is quieter.
     void update(double dt_s, bool spoken_over, double ducking_db);
@@ -74,14 +74,14 @@ public:
     void go_on(const Loops& before);
 
 private:
-    ALuint buffer_of(const SoundCue& cue);
+    ALuint buffer_of(const cues::SoundCue& cue);
     bool muffle(SinkVoice& voice) const;
     void send_to_room(const SinkVoice& voice) const;
     void apply(SinkVoice& voice) const;
-    void start(SinkVoice& voice, const SoundCue& cue, double level);
+    void start(SinkVoice& voice, const cues::SoundCue& cue, double level);
     void end(SinkVoice& voice, bool at_once = true);
     SinkVoice& free_one_shot();
-    SinkVoice* loop_of(const SoundCue& cue);
+    SinkVoice* loop_of(const cues::SoundCue& cue);
     double strength(const SinkVoice& voice) const;
     std::vector<SinkVoice*> competing();
     void limit();
@@ -102,4 +102,4 @@ private:
     std::uint64_t order_ = 0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::sinks

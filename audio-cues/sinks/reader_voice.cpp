@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace handrail {
+namespace handrail::sinks {
 
 void ReaderChannel::changed() {
     const std::lock_guard lock(call_mutex_);
@@ -23,11 +23,12 @@ VoiceState ReaderChannel::state() const {
     return state_;
 }
 
-void ReaderChannel::say(const Utterance& utterance) {
+void ReaderChannel::say(const cues::Utterance& utterance) {
     {
         const std::lock_guard lock(mutex_);
         if (state_ != VoiceState::Ready) return;
-        if (waiting_ && waiting_->speech_class == SpeechClass::Alarm && utterance.speech_class != SpeechClass::Alarm)
+        if (waiting_ && waiting_->speech_class == cues::SpeechClass::Alarm &&
+            utterance.speech_class != cues::SpeechClass::Alarm)
             return;
         waiting_ = utterance;
     }
@@ -63,7 +64,7 @@ void ReaderChannel::on_change(std::function<void()> call) {
     call_ = std::move(call);
 }
 
-void ReaderVoice::say(const Utterance& utterance) {
+void ReaderVoice::say(const cues::Utterance& utterance) {
     channel_->say(utterance);
     speaks_until_s_ = now_s_ + kStart_s + kLetter_s * static_cast<double>(utterance.text.size());
 }
@@ -73,4 +74,4 @@ void ReaderVoice::stop() {
     speaks_until_s_ = now_s_;
 }
 
-}  // namespace handrail
+}  // namespace handrail::sinks

@@ -11,7 +11,7 @@
 
 #include "audio-cues/sinks/voice.h"
 
-namespace handrail {
+namespace handrail::sinks {
 
 // Contains one message, the newest: a message that was not taken before the next one came is not read. Only an alarm
 // replaces an alarm. Any thread; each call holds a mutex for microseconds.
@@ -20,7 +20,7 @@ public:
     // For the voice.
     void want(bool wanted);
     VoiceState state() const;
-    void say(const Utterance& utterance);
+    void say(const cues::Utterance& utterance);
     void stop();
 
     // For the owner of the accessible objects.
@@ -37,7 +37,7 @@ private:
     mutable std::mutex mutex_;  // protects all members below
     bool wanted_ = false;
     VoiceState state_ = VoiceState::Gone;
-    std::optional<Utterance> waiting_;
+    std::optional<cues::Utterance> waiting_;
     std::mutex call_mutex_;  // protects call_
     std::function<void()> call_;
 };
@@ -57,12 +57,12 @@ public:
     ReaderVoice(const ReaderVoice&) = delete;
     ReaderVoice& operator=(const ReaderVoice&) = delete;
 
-    SpeechThrough through() const override { return SpeechThrough::ScreenReader; }
+    settings::SpeechThrough through() const override { return settings::SpeechThrough::ScreenReader; }
     VoiceState state() const override { return channel_->state(); }
     void want(bool wanted) override { channel_->want(wanted); }
     double patience_s() const override { return kPatience_s; }
 
-    void say(const Utterance& utterance) override;
+    void say(const cues::Utterance& utterance) override;
     // Withdraws what has not been read yet. Reading itself is stopped by the key with which the person requests
     // silence, because the reader receives every key first.
     void stop() override;
@@ -75,4 +75,4 @@ private:
     double speaks_until_s_ = 0.0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::sinks

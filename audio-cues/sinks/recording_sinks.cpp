@@ -3,21 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
-namespace handrail {
+namespace handrail::sinks {
 
-HeardSound RecordingAudio::heard(const SoundCue& cue) const {
+HeardSound RecordingAudio::heard(const cues::SoundCue& cue) const {
     // The small allowance keeps a time at the start of a period in that period despite rounding.
     const double start_s = std::ceil(now_s_ / kPeriod_s - 1e-6) * kPeriod_s;
     return {cue, start_s, start_s - cue.event_time_s};
 }
 
-void RecordingAudio::play(const SoundCue& cue) { sounds_.push_back(heard(cue)); }
+void RecordingAudio::play(const cues::SoundCue& cue) { sounds_.push_back(heard(cue)); }
 
-void RecordingAudio::set_loop(const SoundCue& cue) {
+void RecordingAudio::set_loop(const cues::SoundCue& cue) {
     const std::pair key{cue.kind, cue.source};
     const auto loop = loops_.find(key);
     const bool was_on = loop != loops_.end(), is_on = cue.loudness > 0.0;
-    const auto alike = [](const SoundCue& a, const SoundCue& b) {
+    const auto alike = [](const cues::SoundCue& a, const cues::SoundCue& b) {
         return a.loudness == b.loudness && a.pitch == b.pitch && a.position_m == b.position_m &&
                a.material == b.material && a.muffled_db == b.muffled_db;
     };
@@ -31,15 +31,15 @@ void RecordingAudio::stop_all() {
     loops_.clear();
 }
 
-std::optional<SoundCue> RecordingAudio::loop(SoundKind kind, std::uint32_t source) const {
+std::optional<cues::SoundCue> RecordingAudio::loop(cues::SoundKind kind, std::uint32_t source) const {
     const auto found = loops_.find({kind, source});
     return found == loops_.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::vector<SoundCue> RecordingAudio::world_sounds() const {
-    std::vector<SoundCue> sounds;
+std::vector<cues::SoundCue> RecordingAudio::world_sounds() const {
+    std::vector<cues::SoundCue> sounds;
     for (const auto& [key, cue] : loops_)
-        if (is_world_sound(key.first)) sounds.push_back(cue);
+        if (cues::is_world_sound(key.first)) sounds.push_back(cue);
     return sounds;
 }
 
@@ -49,7 +49,7 @@ void RecordingSpeech::cut() {
     lines_[*voiced_].cut = true;
 }
 
-void RecordingSpeech::say(const Utterance& utterance) {
+void RecordingSpeech::say(const cues::Utterance& utterance) {
     cut();
     double length_s = 0.0;
     if (words_per_minute_ > 0.0) {
@@ -60,7 +60,7 @@ void RecordingSpeech::say(const Utterance& utterance) {
     lines_.push_back({.utterance = utterance, .time_s = now_s_, .end_s = now_s_ + length_s});
 }
 
-void RecordingSpeech::write(const Utterance& utterance) {
+void RecordingSpeech::write(const cues::Utterance& utterance) {
     lines_.push_back({.utterance = utterance, .time_s = now_s_, .end_s = now_s_, .voiced = false});
 }
 
@@ -71,4 +71,4 @@ void RecordingSpeech::stop() {
 
 bool RecordingSpeech::speaking() const { return voiced_ && now_s_ < lines_[*voiced_].end_s; }
 
-}  // namespace handrail
+}  // namespace handrail::sinks

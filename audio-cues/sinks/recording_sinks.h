@@ -10,24 +10,24 @@
 
 #include "audio-cues/plan/sinks.h"
 
-namespace handrail {
+namespace handrail::sinks {
 
 // A sound, with the time at which it would have started.
 struct HeardSound {
-    SoundCue cue;
+    cues::SoundCue cue;
     double time_s = 0.0;     // stream time of its first sample
     double latency_s = 0.0;  // time_s - cue.event_time_s
 };
 
 // The first sample of a sound is at the start of the mixing period after play(): 256 samples at 48 kHz, as OpenALSink
 // mixes.
-class RecordingAudio final : public AudioSink {
+class RecordingAudio final : public cues::AudioSink {
 public:
     static constexpr double kPeriod_s = 256.0 / 48000.0;
 
-    void play(const SoundCue& cue) override;
-    void set_loop(const SoundCue& cue) override;
-    void set_listener(const Listener& listener) override { listener_ = listener; }
+    void play(const cues::SoundCue& cue) override;
+    void set_loop(const cues::SoundCue& cue) override;
+    void set_listener(const cues::Listener& listener) override { listener_ = listener; }
     void stop_all() override;
     void tick(double now_s) override { now_s_ = now_s; }
 
@@ -35,25 +35,26 @@ public:
     const std::vector<HeardSound>& loop_changes() const {
         return changes_;
     }  // one entry for each call that changed a loop's loudness, pitch, place or material
-    std::optional<SoundCue> loop(SoundKind kind,
-                                 std::uint32_t source = 0) const;  // the loop that sounds now with this kind and source
-    std::vector<SoundCue> world_sounds() const;                    // the world's loops that sound now
+    std::optional<cues::SoundCue> loop(
+        cues::SoundKind kind,
+        std::uint32_t source = 0) const;               // the loop that sounds now with this kind and source
+    std::vector<cues::SoundCue> world_sounds() const;  // the world's loops that sound now
     const std::vector<double>& silences_s() const { return silences_s_; }  // times of the stop_all() calls
-    const Listener& listener() const { return listener_; }
+    const cues::Listener& listener() const { return listener_; }
 
 private:
-    HeardSound heard(const SoundCue& cue) const;
+    HeardSound heard(const cues::SoundCue& cue) const;
 
     double now_s_ = 0.0;
-    Listener listener_;
+    cues::Listener listener_;
     std::vector<HeardSound> sounds_, changes_;
-    std::map<std::pair<SoundKind, std::uint32_t>, SoundCue> loops_;  // the loops that sound now
+    std::map<std::pair<cues::SoundKind, std::uint32_t>, cues::SoundCue> loops_;  // the loops that sound now
     std::vector<double> silences_s_;
 };
 
 // An utterance, with the times at which it would have been spoken.
 struct HeardSpeech {
-    Utterance utterance;
+    cues::Utterance utterance;
     double time_s = 0.0;
     double end_s = 0.0;  // when it was finished or cut
     bool cut = false;    // by stop() or by another utterance
@@ -62,12 +63,12 @@ struct HeardSpeech {
 
 // By default speech takes no time. With a rate, each utterance lasts as long as a voice at that rate would take (0.1 s
 // plus its words).
-class RecordingSpeech final : public SpeechSink {
+class RecordingSpeech final : public cues::SpeechSink {
 public:
     explicit RecordingSpeech(double words_per_minute = 0.0) : words_per_minute_(words_per_minute) {}
 
-    void say(const Utterance& utterance) override;
-    void write(const Utterance& utterance) override;
+    void say(const cues::Utterance& utterance) override;
+    void write(const cues::Utterance& utterance) override;
     void stop() override;
     bool speaking() const override;
     void tick(double now_s) override { now_s_ = now_s; }
@@ -85,4 +86,4 @@ private:
     std::vector<double> stops_s_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::sinks

@@ -12,7 +12,7 @@
 
 #include "worlds/base/executor.h"
 
-namespace handrail {
+namespace handrail::sinks {
 
 ServerClient::ServerClient() : wake(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
 ServerClient::~ServerClient() { ::close(wake); }
@@ -62,4 +62,4 @@ void end_client(ServerClient& shared, std::thread& thread) {
     else thread.detach();
 }
 
-}  // namespace handrail
+}  // namespace handrail::sinks

@@ -9,7 +9,7 @@
 #include <mutex>
 #include <thread>
 
-namespace handrail {
+namespace handrail::sinks {
 
 struct ServerClient {
     static constexpr double kPatienceAtTheEnd_s = 0.5;
@@ -38,4 +38,4 @@ std::thread start_client(std::shared_ptr<ServerClient> shared, const char* name,
 // A thread that still waits then is left to end when it can.
 void end_client(ServerClient& shared, std::thread& thread);
 
-}  // namespace handrail
+}  // namespace handrail::sinks

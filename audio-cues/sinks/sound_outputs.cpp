@@ -14,16 +14,16 @@
 #include "audio-cues/sinks/voice_router.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::sinks {
 namespace {
 
 // Used if even OpenAL's loopback device is unavailable: reports so once and is silent.
-class SilentAudio final : public AudioSink {
+class SilentAudio final : public cues::AudioSink {
 public:
     explicit SilentAudio(std::string news) : news_(std::move(news)) {}
-    void play(const SoundCue&) override {}
-    void set_loop(const SoundCue&) override {}
-    void set_listener(const Listener&) override {}
+    void play(const cues::SoundCue&) override {}
+    void set_loop(const cues::SoundCue&) override {}
+    void set_listener(const cues::Listener&) override {}
     void stop_all() override {}
     void tick(double) override {}
     std::optional<std::string> news() override { return std::exchange(news_, std::nullopt); }
@@ -34,7 +34,7 @@ private:
 
 }  // namespace
 
-SoundOutputs open_sound_outputs(const Settings& settings, int text_fd, std::shared_ptr<ReaderChannel> reader,
+SoundOutputs open_sound_outputs(const settings::Settings& settings, int text_fd, std::shared_ptr<ReaderChannel> reader,
                                 std::shared_ptr<BrailleLink> braille) {
     SoundOutputs outputs;
     std::vector<std::unique_ptr<Voice>> voices;
@@ -61,4 +61,4 @@ SoundOutputs open_sound_outputs(const Settings& settings, int text_fd, std::shar
     return outputs;
 }
 
-}  // namespace handrail
+}  // namespace handrail::sinks

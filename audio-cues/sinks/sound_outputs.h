@@ -10,11 +10,11 @@
 #include "audio-cues/sinks/reader_voice.h"
 #include "settings/settings.h"
 
-namespace handrail {
+namespace handrail::sinks {
 
 struct SoundOutputs {
-    std::unique_ptr<AudioSink> audio;
-    std::unique_ptr<SpeechSink> speech;
+    std::unique_ptr<cues::AudioSink> audio;
+    std::unique_ptr<cues::SpeechSink> speech;
     // Such as "Sound goes to Built-in Audio, for headphones."; empty if the sinks' news() reports what is missing.
     std::string description;
 };
@@ -23,7 +23,8 @@ struct SoundOutputs {
 // sound device, the embedded voice or its beeps (see VoiceRouter). If there is none, there is only text, so that no
 // line waits for a voice that nobody hears. `reader` leads to the screen reader; null: there is no window to read. The
 // same is true of `braille`. The sinks' news() reports what is missing. The audio sink must outlive the speech sink.
-SoundOutputs open_sound_outputs(const Settings& settings, int text_fd, std::shared_ptr<ReaderChannel> reader = nullptr,
+SoundOutputs open_sound_outputs(const settings::Settings& settings, int text_fd,
+                                std::shared_ptr<ReaderChannel> reader = nullptr,
                                 std::shared_ptr<BrailleLink> braille = nullptr);
 
-}  // namespace handrail
+}  // namespace handrail::sinks

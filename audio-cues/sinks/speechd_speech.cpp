@@ -16,7 +16,7 @@
 #include "audio-cues/sinks/server_client.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::sinks {
 namespace {
 
 constexpr double kLongestStart_s = 5.0;   // from say() to the first word, for a slow server
@@ -36,7 +36,7 @@ struct SpeechdSpeech::Shared : ServerClient {
     bool wanted = false;
     VoiceState state = VoiceState::Gone;
     std::string language;
-    std::optional<Utterance> job;  // only the newest, because a new text cuts the one before
+    std::optional<cues::Utterance> job;  // only the newest, because a new text cuts the one before
     bool silence = false;
     // Languages that the server does not speak: one still to be announced, and the one announced last.
     std::string refused, refused_before;
@@ -142,13 +142,13 @@ struct SpeechdSpeech::Worker {
         volume_percent = 100;
     }
 
-    bool say(const Utterance& utterance, std::uint64_t number) {
+    bool say(const cues::Utterance& utterance, std::uint64_t number) {
         if (call([&] { return spd_cancel(connection.get()); }) != 0) return false;
         const int percent = static_cast<int>(std::lround(100.0 * utterance.loudness));
         if (percent != volume_percent && call([&] { return spd_set_volume(connection.get(), 2 * percent - 100); }) != 0)
             return false;
         volume_percent = percent;
-        const SPDPriority priority = utterance.speech_class == SpeechClass::Alarm ? SPD_IMPORTANT : SPD_MESSAGE;
+        const SPDPriority priority = utterance.speech_class == cues::SpeechClass::Alarm ? SPD_IMPORTANT : SPD_MESSAGE;
         const int message = call([&] { return spd_say(connection.get(), priority, utterance.text.c_str()); });
         if (message < 0) return false;
         const std::lock_guard lock(shared.mutex);
@@ -161,7 +161,7 @@ struct SpeechdSpeech::Worker {
 
     // Returns false if the server has gone.
     bool work_off() {
-        std::optional<Utterance> job;
+        std::optional<cues::Utterance> job;
         std::string wanted_language;
         bool silence = false;
         std::uint64_t number = 0;
@@ -239,7 +239,7 @@ void SpeechdSpeech::work(const std::shared_ptr<Shared>& shared) {
     Worker{.shared = *shared, .connection = nullptr}.run();
 }
 
-SpeechdSpeech::SpeechdSpeech(const Settings::Speech& settings) : shared_(std::make_shared<Shared>()) {
+SpeechdSpeech::SpeechdSpeech(const settings::Settings::Speech& settings) : shared_(std::make_shared<Shared>()) {
     shared_->start_server = std::getenv("SPEECHD_ADDRESS") == nullptr;
     set_speech(settings);
     thread_ = start_client(shared_, "speechd", [shared = std::weak_ptr(shared_)] {
@@ -263,7 +263,7 @@ void SpeechdSpeech::want(bool wanted) {
     shared_->rouse();
 }
 
-void SpeechdSpeech::say(const Utterance& utterance) {
+void SpeechdSpeech::say(const cues::Utterance& utterance) {
     {
         const std::lock_guard lock(shared_->mutex);
         if (shared_->state != VoiceState::Ready) return;
@@ -311,7 +311,7 @@ void SpeechdSpeech::tick(double now_s) {
     if (shared_->socket >= 0) ::shutdown(shared_->socket, SHUT_RDWR);
 }
 
-void SpeechdSpeech::set_speech(const Settings::Speech& settings) {
+void SpeechdSpeech::set_speech(const settings::Settings::Speech& settings) {
     const std::lock_guard lock(shared_->mutex);
     // The name of an espeak-ng voice may be longer; its language comes first.
     const std::string voice = settings.voice == "auto" ? spoken_language() : settings.voice;
@@ -319,4 +319,4 @@ void SpeechdSpeech::set_speech(const Settings::Speech& settings) {
     shared_->language = letters == 2 || letters == 3 ? voice.substr(0, letters) : "en";
 }
 
-}  // namespace handrail
+}  // namespace handrail::sinks

@@ -12,7 +12,7 @@
 
 #include "audio-cues/sinks/voice.h"
 
-namespace handrail {
+namespace handrail::sinks {
 
 // Owned and called by the audio thread.
 class SpeechdSpeech final : public Voice {
@@ -24,22 +24,22 @@ public:
 
     // If the person names a server (SPEECHD_ADDRESS), only that one is used. Otherwise it uses the default one, and
     // starts it if it does not run. Reads the environment, so call it before other threads change the environment.
-    explicit SpeechdSpeech(const Settings::Speech& settings);
+    explicit SpeechdSpeech(const settings::Settings::Speech& settings);
     // Waits at most half a second for the server. A thread that still waits then is left behind and ends when it can.
     ~SpeechdSpeech() override;
     SpeechdSpeech(const SpeechdSpeech&) = delete;
     SpeechdSpeech& operator=(const SpeechdSpeech&) = delete;
 
-    SpeechThrough through() const override { return SpeechThrough::SpeechDispatcher; }
+    settings::SpeechThrough through() const override { return settings::SpeechThrough::SpeechDispatcher; }
     VoiceState state() const override;
     void want(bool wanted) override;
 
-    void say(const Utterance& utterance) override;
+    void say(const cues::Utterance& utterance) override;
     void stop() override;
     bool speaking() const override;
     std::optional<std::string> news() override;
     void tick(double now_s) override;
-    void set_speech(const Settings::Speech& settings) override;
+    void set_speech(const settings::Settings::Speech& settings) override;
 
 private:
     struct Shared;
@@ -54,4 +54,4 @@ private:
     double speaks_until_s_ = 0.0;  // limit for a server that never reports the end
 };
 
-}  // namespace handrail
+}  // namespace handrail::sinks

@@ -8,7 +8,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::sinks {
 namespace {
 
 constexpr double kRate = kSampleRate_hz;
@@ -78,7 +78,7 @@ private:
     std::minstd_rand engine_;
 };
 
-unsigned seed_of(SoundKind kind, SoundClass material) {
+unsigned seed_of(cues::SoundKind kind, SoundClass material) {
     return static_cast<unsigned>(kind) * 64U + static_cast<unsigned>(material);
 }
 
@@ -334,7 +334,7 @@ std::vector<float> falls() {
 
 // Signs along a route: they differ in rhythm first, then in pitch, as earcons do. They sound at a place, so each
 // contains breath that lets the ears locate it.
-std::vector<float> waymark(SoundKind kind, Noise& noise) {
+std::vector<float> waymark(cues::SoundKind kind, Noise& noise) {
     struct Strike {
         double at_s, hz, ring_s;
     };
@@ -351,19 +351,19 @@ std::vector<float> waymark(SoundKind kind, Noise& noise) {
         return out;
     };
     switch (kind) {
-        case SoundKind::Corner:
+        case cues::SoundKind::Corner:
             return struck({{0.0, 880.0, 0.12}, {0.13, 1319.0, 0.25}}, 0.15);
-        case SoundKind::Opening:
+        case cues::SoundKind::Opening:
             return struck({{0.0, 300.0, 0.25}, {0.05, 450.0, 0.25}, {0.10, 675.0, 0.3}}, 0.5);
-        case SoundKind::DropNear:
+        case cues::SoundKind::DropNear:
             return struck({{0.0, 1900.0, 0.1}, {0.035, 1250.0, 0.12}, {0.08, 1900.0, 0.12}}, 0.2);
-        case SoundKind::StairsUp:
+        case cues::SoundKind::StairsUp:
             return struck({{0.0, 523.0, 0.1}, {0.09, 659.0, 0.1}, {0.18, 784.0, 0.1}, {0.27, 1047.0, 0.25}}, 0.2);
-        case SoundKind::StairsDown:
+        case cues::SoundKind::StairsDown:
             return struck({{0.0, 1047.0, 0.1}, {0.09, 784.0, 0.1}, {0.18, 659.0, 0.1}, {0.27, 523.0, 0.25}}, 0.2);
-        case SoundKind::Knock:  // a hollow board
+        case cues::SoundKind::Knock:  // a hollow board
             return struck({{0.0, 130.0, 0.16}, {0.09, 110.0, 0.22}}, 0.3);
-        case SoundKind::Border:  // one low thud
+        case cues::SoundKind::Border:  // one low thud
             return struck({{0.0, 70.0, 0.3}}, 0.1);
         default:  // DoorNear: knuckles on wood, twice
             return struck({{0.0, 240.0, 0.07}, {0.12, 240.0, 0.09}}, 0.4);
@@ -431,40 +431,40 @@ void add_ring(std::vector<float>& out, double start_s, double hz, double ring_s,
             ring[i] * static_cast<float>(std::min(1.0, static_cast<double>(i) / static_cast<double>(attack)));
 }
 
-std::vector<float> world_loop(SoundKind kind, Noise& noise) {
+std::vector<float> world_loop(cues::SoundKind kind, Noise& noise) {
     const auto steady = [](double hz, double level) { return [=](double) { return std::pair(hz, level); }; };
     const auto between = [&](double low, double high) { return low + (high - low) * noise.uniform(); };
     std::vector<float> out(samples_of(4.0));
     const double length_s = 4.0;
     switch (kind) {
-        case SoundKind::Hum:
+        case cues::SoundKind::Hum:
             add_harmonics(out, 120.0, 4, 0.5, 0.45);
             add_air(out, noise, 0.7, steady(900.0, 0.35));
             break;
-        case SoundKind::Buzz:
+        case cues::SoundKind::Buzz:
             add_harmonics(out, 100.0, 40, 0.12, 0.97);
             for (std::size_t i = 0; i < out.size(); ++i)  // flickers eight times a second
                 out[i] *= static_cast<float>(0.75 + 0.25 * std::sin(2.0 * kPi * 8.0 * static_cast<double>(i) / kRate));
             break;
-        case SoundKind::Drone:
+        case cues::SoundKind::Drone:
             add_harmonics(out, 55.0, 6, 0.5, 0.6);
             // Beats against the tone above: the lowest harmonic once in two seconds, the fourth twice a second.
             add_harmonics(out, 55.5, 6, 0.5, 0.6);
             add_air(out, noise, 0.8, steady(320.0, 0.5));
             break;
-        case SoundKind::Drip:
+        case cues::SoundKind::Drip:
             for (const double at_s : {0.1, 0.95, 1.3, 2.4, 3.15}) {
                 const double hz = between(900.0, 1500.0);
                 add_bubble(out, samples_of(at_s), hz, 0.12, between(0.6, 1.0));
             }
             break;
-        case SoundKind::Wind:
+        case cues::SoundKind::Wind:
             add_air(out, noise, 3.0, [](double t) {
                 return std::pair(420.0 + 180.0 * std::sin(2.0 * kPi * t),
                                  0.7 + 0.3 * std::sin(2.0 * kPi * (2.0 * t + 0.3)));
             });
             break;
-        case SoundKind::Swamp:
+        case cues::SoundKind::Swamp:
             for (int k = 0; k < 24; ++k) add_call(out, k / 6.0, 0.06, 4300.0, 4400.0, 0.35);
             for (const double at_s : {0.5, 0.72, 2.6}) add_call(out, at_s, 0.18, 180.0, 120.0, 1.0);
             for (int k = 0; k < 8; ++k) {
@@ -472,21 +472,21 @@ std::vector<float> world_loop(SoundKind kind, Noise& noise) {
                 add_bubble(out, samples_of(between(0.0, length_s)), hz, 0.15, 0.4);
             }
             break;
-        case SoundKind::Thunder:
+        case cues::SoundKind::Thunder:
             add_air(out, noise, 0.7, [](double t) {
                 return std::pair(
                     90.0,
                     t < 0.5 ? (0.3 + 0.7 * std::sin(40.0 * t) * std::sin(40.0 * t)) * std::sin(2.0 * kPi * t) : 0.0);
             });
             break;
-        case SoundKind::Stream:
+        case cues::SoundKind::Stream:
             add_air(out, noise, 0.6, steady(1800.0, 0.25));
             for (int k = 0; k < 260; ++k) {
                 const double hz = between(450.0, 2200.0), ring_s = between(0.02, 0.09), level = between(0.05, 0.4);
                 add_bubble(out, samples_of(between(0.0, length_s)), hz, ring_s, level);
             }
             break;
-        case SoundKind::Fire:
+        case cues::SoundKind::Fire:
             add_air(out, noise, 0.7,
                     [](double t) { return std::pair(260.0, 0.5 + 0.2 * std::sin(2.0 * kPi * 5.0 * t)); });
             for (int k = 0; k < 70; ++k) {
@@ -495,19 +495,19 @@ std::vector<float> world_loop(SoundKind kind, Noise& noise) {
                 add_noise_burst(out, samples_of(at_s), edge_hz, ring_s, between(0.05, 0.5), noise);
             }
             break;
-        case SoundKind::Clock:
+        case cues::SoundKind::Clock:
             for (int k = 0; k < 4; ++k) {
                 const double hz = k % 2 == 0 ? 2600.0 : 2050.0;
                 add_ring(out, k + 0.1, hz, 0.045, 1.0);
                 add_ring(out, k + 0.1, 1.73 * hz, 0.03, 0.6);
             }
             break;
-        case SoundKind::Fan:
+        case cues::SoundKind::Fan:
             add_air(out, noise, 0.6, [](double) { return std::pair(700.0, 0.6); });
             for (std::size_t i = 0; i < out.size(); ++i)  // a blade passes twenty times a second
                 out[i] *= static_cast<float>(0.7 + 0.3 * std::sin(2.0 * kPi * 20.0 * static_cast<double>(i) / kRate));
             break;
-        case SoundKind::Rain:
+        case cues::SoundKind::Rain:
             add_air(out, noise, 0.5, steady(5200.0, 0.25));
             for (int k = 0; k < 500; ++k) {
                 const double at_s = between(0.0, length_s), hz = between(2500.0, 7000.0),
@@ -515,27 +515,27 @@ std::vector<float> world_loop(SoundKind kind, Noise& noise) {
                 add_ring(out, at_s, hz, ring_s, between(0.05, 0.4));
             }
             break;
-        case SoundKind::Birds:
+        case cues::SoundKind::Birds:
             for (int song = 0; song < 4; ++song)
                 for (int k = 0; k < 3 + song % 2; ++k) {
                     const double from_hz = between(2600.0, 3400.0), to_hz = between(3600.0, 4800.0);
                     add_call(out, song + 0.1 + 0.17 * k, 0.09, from_hz, to_hz, between(0.5, 1.0));
                 }
             break;
-        case SoundKind::Tolling:
+        case cues::SoundKind::Tolling:
             // The partials of a bell: hum, prime, tierce, quint and nominal (Fletcher & Rossing, chapter 21).
             for (const auto& [ratio, level] : {std::pair(0.5, 0.5), std::pair(1.0, 0.8), std::pair(1.2, 0.7),
                                                std::pair(1.5, 0.4), std::pair(2.0, 1.0)})
                 add_ring(out, 0.0, 392.0 * ratio, 3.6 / std::sqrt(ratio), level);
             break;
-        case SoundKind::Music:
+        case cues::SoundKind::Music:
             for (int k = 0; k < 8; ++k) {
                 constexpr std::array kTune{262.0, 330.0, 392.0, 523.0, 392.0, 330.0, 294.0, 392.0};
                 for (int h = 1; h <= 4; ++h)
                     add_ring(out, 0.5 * k, kTune[static_cast<std::size_t>(k)] * h, 0.9 / h, 0.8 / (h * h));
             }
             break;
-        case SoundKind::HiddenClock:
+        case cues::SoundKind::HiddenClock:
             // Ticks five times a second, a little brass bell, and twice in its four seconds a cuckoo. A clock of a
             // world is different: it ticks once a second and has no call.
             for (int k = 0; k < 20; ++k) {
@@ -562,10 +562,10 @@ std::vector<float> world_loop(SoundKind kind, Noise& noise) {
 // A beacon is found by its breath: noise from 3 to 8 kHz, where the head shades the far ear, in the rhythm of its
 // pitch. It has most of the energy, since the head hardly shades the tone. Behind there is none, so what is behind is
 // dull.
-std::vector<float> beacon(SoundKind kind, Noise& noise) {
+std::vector<float> beacon(cues::SoundKind kind, Noise& noise) {
     constexpr double kPitch_hz = 659.0, kBreath = 4.5;
-    if (kind == SoundKind::BeaconBehind) return synthesise_notes(std::array{Note{0.0, 0.12, 277.0, 1.0}});
-    const bool ahead = kind == SoundKind::BeaconAhead;
+    if (kind == cues::SoundKind::BeaconBehind) return synthesise_notes(std::array{Note{0.0, 0.12, 277.0, 1.0}});
+    const bool ahead = kind == cues::SoundKind::BeaconAhead;
     std::vector<float> out =
         ahead ? synthesise_notes(std::array{Note{0.0, 0.09, kPitch_hz, 0.54}, Note{0.0, 0.12, 2.0 * kPitch_hz, 0.54},
                                             Note{0.02, 0.14, 3.0 * kPitch_hz, 0.36}})
@@ -583,51 +583,51 @@ std::vector<float> beacon(SoundKind kind, Noise& noise) {
 }
 
 // Earcons differ in rhythm first and in pitch second, so that they survive a mild hearing loss.
-std::vector<float> earcon(SoundKind kind) {
+std::vector<float> earcon(cues::SoundKind kind) {
     switch (kind) {
-        case SoundKind::Denied:
+        case cues::SoundKind::Denied:
             return synthesise_notes(std::array{Note{0.0, 0.07, 196.0, 1.0}, Note{0.11, 0.11, 165.0, 1.0}});
-        case SoundKind::ForcesOn:
+        case cues::SoundKind::ForcesOn:
             return synthesise_notes(std::array{Note{0.0, 0.08, 523.0, 0.8}, Note{0.08, 0.16, 784.0, 1.0}});
-        case SoundKind::ForcesOff:
+        case cues::SoundKind::ForcesOff:
             return synthesise_notes(std::array{Note{0.0, 0.08, 784.0, 1.0}, Note{0.08, 0.16, 523.0, 0.8}});
-        case SoundKind::TurnTick:
+        case cues::SoundKind::TurnTick:
             return synthesise_notes(std::array{Note{0.0, 0.03, 1300.0, 0.7}});
-        case SoundKind::FrameSwitch:
+        case cues::SoundKind::FrameSwitch:
             return synthesise_notes(
                 std::array{Note{0.0, 0.06, 600.0, 0.8}, Note{0.06, 0.06, 900.0, 1.0}, Note{0.12, 0.1, 600.0, 0.8}});
-        case SoundKind::Arrived:
+        case cues::SoundKind::Arrived:
             return synthesise_notes(
                 std::array{Note{0.0, 0.06, 784.0, 0.8}, Note{0.09, 0.06, 988.0, 0.9}, Note{0.18, 0.2, 1175.0, 1.0}});
-        case SoundKind::Rim:
+        case cues::SoundKind::Rim:
             return synthesise_notes(
                 std::array{Note{0.0, 0.02, 330.0, 1.0}, Note{0.035, 0.02, 440.0, 1.0}, Note{0.07, 0.05, 550.0, 0.9}});
-        case SoundKind::RimBack:
+        case cues::SoundKind::RimBack:
             return synthesise_notes(std::array{Note{0.0, 0.02, 550.0, 0.8}, Note{0.035, 0.04, 330.0, 0.8}});
-        case SoundKind::Grab:
+        case cues::SoundKind::Grab:
             return synthesise_notes(std::array{Note{0.0, 0.025, 220.0, 1.0}, Note{0.03, 0.07, 294.0, 1.0}});
-        case SoundKind::LetGo:
+        case cues::SoundKind::LetGo:
             return synthesise_notes(std::array{Note{0.0, 0.07, 294.0, 0.8}, Note{0.09, 0.03, 220.0, 0.8}});
-        case SoundKind::Click:
+        case cues::SoundKind::Click:
             return synthesise_notes(std::array{Note{0.0, 0.012, 1800.0, 1.0}, Note{0.03, 0.02, 900.0, 0.8}});
-        case SoundKind::GuideStart:
+        case cues::SoundKind::GuideStart:
             return synthesise_notes(
                 std::array{Note{0.0, 0.09, 392.0, 0.8}, Note{0.1, 0.09, 494.0, 0.9}, Note{0.2, 0.22, 587.0, 1.0}});
-        case SoundKind::GuideStop:
+        case cues::SoundKind::GuideStop:
             return synthesise_notes(std::array{Note{0.0, 0.09, 587.0, 1.0}, Note{0.1, 0.2, 392.0, 0.9}});
-        case SoundKind::Warmer:
+        case cues::SoundKind::Warmer:
             return synthesise_notes(std::array{Note{0.0, 0.035, 880.0, 0.9}});
-        case SoundKind::Colder:
+        case cues::SoundKind::Colder:
             return synthesise_notes(std::array{Note{0.0, 0.07, 311.0, 0.9}});
         // Marks, landmarks and clues differ in the number of their notes.
-        case SoundKind::Mark:
+        case cues::SoundKind::Mark:
             return synthesise_notes(std::array{Note{0.0, 0.14, 740.0, 0.9}});
-        case SoundKind::Landmark:
+        case cues::SoundKind::Landmark:
             return synthesise_notes(
                 std::array{Note{0.0, 0.07, 494.0, 0.8}, Note{0.09, 0.07, 622.0, 0.9}, Note{0.18, 0.16, 494.0, 0.8}});
-        case SoundKind::Clue:
+        case cues::SoundKind::Clue:
             return synthesise_notes(std::array{Note{0.0, 0.03, 988.0, 0.7}, Note{0.06, 0.03, 831.0, 0.7}});
-        case SoundKind::Alarm:
+        case cues::SoundKind::Alarm:
             return synthesise_notes(std::array{Note{0.0, 0.11, 1047.0, 1.0}, Note{0.13, 0.11, 740.0, 1.0},
                                                Note{0.26, 0.11, 1047.0, 1.0}, Note{0.39, 0.16, 740.0, 1.0}});
         default:
@@ -637,51 +637,53 @@ std::vector<float> earcon(SoundKind kind) {
 
 }  // namespace
 
-bool varies_by_material(SoundKind kind) {
-    return kind == SoundKind::Contact || kind == SoundKind::Slide || kind == SoundKind::Footstep ||
-           kind == SoundKind::Bump;
+bool varies_by_material(cues::SoundKind kind) {
+    return kind == cues::SoundKind::Contact || kind == cues::SoundKind::Slide || kind == cues::SoundKind::Footstep ||
+           kind == cues::SoundKind::Bump;
 }
 
-bool is_loop(SoundKind kind) { return kind == SoundKind::Slide || kind == SoundKind::WallTone || is_world_sound(kind); }
+bool is_loop(cues::SoundKind kind) {
+    return kind == cues::SoundKind::Slide || kind == cues::SoundKind::WallTone || cues::is_world_sound(kind);
+}
 
-std::vector<float> synthesise(SoundKind kind, SoundClass material) {
+std::vector<float> synthesise(cues::SoundKind kind, SoundClass material) {
     Noise noise(seed_of(kind, varies_by_material(kind) ? material : SoundClass::Generic));
     switch (kind) {
-        case SoundKind::Contact:
+        case cues::SoundKind::Contact:
             return contact(material, noise);
-        case SoundKind::Slide:
+        case cues::SoundKind::Slide:
             return slide(material, noise);
-        case SoundKind::Footstep:
+        case cues::SoundKind::Footstep:
             return footstep(material, noise);
-        case SoundKind::Bump:
+        case cues::SoundKind::Bump:
             return bump(material, noise);
-        case SoundKind::WallTone:
+        case cues::SoundKind::WallTone:
             return wall_tone(noise);
-        case SoundKind::Splash:
+        case cues::SoundKind::Splash:
             return splash(noise);
-        case SoundKind::DoorMoves:
+        case cues::SoundKind::DoorMoves:
             return door_moves(noise);
-        case SoundKind::DoorShuts:
+        case cues::SoundKind::DoorShuts:
             return door_shuts(noise);
-        case SoundKind::Bell:
+        case cues::SoundKind::Bell:
             return bell();
-        case SoundKind::Corner:
-        case SoundKind::Opening:
-        case SoundKind::DropNear:
-        case SoundKind::StairsUp:
-        case SoundKind::StairsDown:
-        case SoundKind::DoorNear:
-        case SoundKind::Knock:
-        case SoundKind::Border:
+        case cues::SoundKind::Corner:
+        case cues::SoundKind::Opening:
+        case cues::SoundKind::DropNear:
+        case cues::SoundKind::StairsUp:
+        case cues::SoundKind::StairsDown:
+        case cues::SoundKind::DoorNear:
+        case cues::SoundKind::Knock:
+        case cues::SoundKind::Border:
             return waymark(kind, noise);
-        case SoundKind::Falls:
+        case cues::SoundKind::Falls:
             return falls();
-        case SoundKind::Beacon:
-        case SoundKind::BeaconAhead:
-        case SoundKind::BeaconBehind:
+        case cues::SoundKind::Beacon:
+        case cues::SoundKind::BeaconAhead:
+        case cues::SoundKind::BeaconBehind:
             return beacon(kind, noise);
         default:
-            return is_world_sound(kind) ? world_loop(kind, noise) : earcon(kind);
+            return cues::is_world_sound(kind) ? world_loop(kind, noise) : earcon(kind);
     }
 }
 
@@ -707,9 +709,9 @@ std::vector<float> synthesise_notes(std::span<const Note> notes) {
     return out;
 }
 
-std::size_t sound_index(SoundKind kind, SoundClass material) {
+std::size_t sound_index(cues::SoundKind kind, SoundClass material) {
     const auto column = varies_by_material(kind) ? static_cast<std::size_t>(material) : 0U;
     return static_cast<std::size_t>(kind) * kSoundClasses + column;
 }
 
-}  // namespace handrail
+}  // namespace handrail::sinks

@@ -11,17 +11,17 @@
 
 #include "audio-cues/plan/sinks.h"
 
-namespace handrail {
+namespace handrail::sinks {
 
 inline constexpr int kSampleRate_hz = 48000;
 inline constexpr int kSoundClasses = static_cast<int>(SoundClass::Generic) + 1;
 
 // Returns true for sounds that depend on the material; the others ignore it.
-bool varies_by_material(SoundKind kind);
+bool varies_by_material(cues::SoundKind kind);
 // Returns true for sounds that repeat without a seam.
-bool is_loop(SoundKind kind);
+bool is_loop(cues::SoundKind kind);
 
-std::vector<float> synthesise(SoundKind kind, SoundClass material);
+std::vector<float> synthesise(cues::SoundKind kind, SoundClass material);
 
 // A tone of an earcon.
 struct Note {
@@ -33,7 +33,7 @@ struct Note {
 std::vector<float> synthesise_notes(std::span<const Note> notes);
 
 // The index of a sound among all. A kind that does not vary has the same index for all materials. Less than kSounds.
-inline constexpr std::size_t kSounds = static_cast<std::size_t>(kSoundKinds) * kSoundClasses;
-std::size_t sound_index(SoundKind kind, SoundClass material);
+inline constexpr std::size_t kSounds = static_cast<std::size_t>(cues::kSoundKinds) * kSoundClasses;
+std::size_t sound_index(cues::SoundKind kind, SoundClass material);
 
-}  // namespace handrail
+}  // namespace handrail::sinks

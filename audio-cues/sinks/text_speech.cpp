@@ -10,7 +10,7 @@
 #include <cerrno>
 #include <ctime>
 
-namespace handrail {
+namespace handrail::sinks {
 namespace {
 
 // A write(2) that reports a vanished reader as EPIPE and leaves no SIGPIPE behind, whatever the process does with that
@@ -39,8 +39,8 @@ ssize_t write_without_sigpipe(int fd, const char* data, std::size_t size) {
 
 TextSpeech::~TextSpeech() { drain(200); }
 
-void TextSpeech::write(const Utterance& utterance) {
-    const char* prefix = utterance.speech_class == SpeechClass::Alarm ? "alert: " : "say: ";
+void TextSpeech::write(const cues::Utterance& utterance) {
+    const char* prefix = utterance.speech_class == cues::SpeechClass::Alarm ? "alert: " : "say: ";
     const std::string line = prefix + utterance.text + '\n';
     if (gone_ || backlog_.size() + line.size() > kMostBacklog) return;
     backlog_ += line;
@@ -69,11 +69,11 @@ void TextSpeech::drain(int timeout_ms) {
     if (gone_) backlog_.clear();
 }
 
-void TeeSpeech::say(const Utterance& utterance) {
+void TeeSpeech::say(const cues::Utterance& utterance) {
     for (const auto& sink : sinks_) sink->say(utterance);
 }
 
-void TeeSpeech::write(const Utterance& utterance) {
+void TeeSpeech::write(const cues::Utterance& utterance) {
     for (const auto& sink : sinks_) sink->write(utterance);
 }
 
@@ -89,7 +89,7 @@ void TeeSpeech::tick(double now_s) {
     for (const auto& sink : sinks_) sink->tick(now_s);
 }
 
-void TeeSpeech::set_speech(const Settings::Speech& settings) {
+void TeeSpeech::set_speech(const settings::Settings::Speech& settings) {
     for (const auto& sink : sinks_) sink->set_speech(settings);
 }
 
@@ -99,4 +99,4 @@ std::optional<std::string> TeeSpeech::news() {
     return std::nullopt;
 }
 
-}  // namespace handrail
+}  // namespace handrail::sinks

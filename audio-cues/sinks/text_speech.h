@@ -9,12 +9,12 @@
 
 #include "audio-cues/plan/sinks.h"
 
-namespace handrail {
+namespace handrail::sinks {
 
 // Writes each line at once, unbuffered, to a file descriptor that the caller keeps (standard output: 1). Never waits
 // and never raises SIGPIPE. If the reader is slow, up to kMostBacklog bytes are kept for later ticks and further lines
 // are dropped. If the reader has gone, the sink writes nothing more.
-class TextSpeech final : public SpeechSink {
+class TextSpeech final : public cues::SpeechSink {
 public:
     static constexpr std::size_t kMostBacklog = 64 * 1024;
 
@@ -23,8 +23,8 @@ public:
     TextSpeech(const TextSpeech&) = delete;
     TextSpeech& operator=(const TextSpeech&) = delete;
 
-    void say(const Utterance& utterance) override { write(utterance); }
-    void write(const Utterance& utterance) override;
+    void say(const cues::Utterance& utterance) override { write(utterance); }
+    void write(const cues::Utterance& utterance) override;
     void stop() override {}
     bool speaking() const override { return false; }
     void tick(double now_s) override;
@@ -40,20 +40,20 @@ private:
 };
 
 // Passes everything to each of several sinks, in order.
-class TeeSpeech final : public SpeechSink {
+class TeeSpeech final : public cues::SpeechSink {
 public:
-    explicit TeeSpeech(std::vector<std::unique_ptr<SpeechSink>> sinks) : sinks_(std::move(sinks)) {}
+    explicit TeeSpeech(std::vector<std::unique_ptr<cues::SpeechSink>> sinks) : sinks_(std::move(sinks)) {}
 
-    void say(const Utterance& utterance) override;
-    void write(const Utterance& utterance) override;
+    void say(const cues::Utterance& utterance) override;
+    void write(const cues::Utterance& utterance) override;
     void stop() override;
     bool speaking() const override;  // true if any of them speaks
     void tick(double now_s) override;
-    void set_speech(const Settings::Speech& settings) override;
+    void set_speech(const settings::Settings::Speech& settings) override;
     std::optional<std::string> news() override;
 
 private:
-    std::vector<std::unique_ptr<SpeechSink>> sinks_;
+    std::vector<std::unique_ptr<cues::SpeechSink>> sinks_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::sinks

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace handrail {
+namespace handrail::sinks {
 
 VoiceChannel::Ticket VoiceChannel::begin(int rate_hz, double gain, std::optional<double> right_rad) {
     const std::lock_guard lock(mutex_);
@@ -61,4 +61,4 @@ void VoiceChannel::finished(Ticket ticket) {
     if (ticket > finished_) finished_ = ticket;
 }
 
-}  // namespace handrail
+}  // namespace handrail::sinks

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace handrail {
+namespace handrail::sinks {
 
 class VoiceChannel {
 public:
@@ -42,4 +42,4 @@ private:
     Ticket finished_ = 0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::sinks

@@ -8,31 +8,31 @@
 #include "audio-cues/plan/speakable.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::sinks {
 
-std::string voice_name(SpeechThrough through) {
+std::string voice_name(settings::SpeechThrough through) {
     switch (through) {
-        case SpeechThrough::ScreenReader:
+        case settings::SpeechThrough::ScreenReader:
             return phrase("voice.screen_reader");
-        case SpeechThrough::SpeechDispatcher:
+        case settings::SpeechThrough::SpeechDispatcher:
             return phrase("voice.speech_server");
-        case SpeechThrough::Embedded:
+        case settings::SpeechThrough::Embedded:
             return phrase("voice.built_in");
-        case SpeechThrough::Auto:
-        case SpeechThrough::Text:
+        case settings::SpeechThrough::Auto:
+        case settings::SpeechThrough::Text:
             break;
     }
     return phrase("voice.text");
 }
 
-VoiceRouter::VoiceRouter(std::vector<std::unique_ptr<Voice>> voices, std::unique_ptr<SpeechSink> text,
-                         std::unique_ptr<BrailleSink> braille, const Settings::Speech& settings)
+VoiceRouter::VoiceRouter(std::vector<std::unique_ptr<Voice>> voices, std::unique_ptr<cues::SpeechSink> text,
+                         std::unique_ptr<BrailleSink> braille, const settings::Settings::Speech& settings)
     : voices_(std::move(voices)), text_(std::move(text)), braille_(std::move(braille)), through_(settings.through) {
     want_what_is_allowed();
 }
 
 // The enumerators have the order of the voices, so a comparison says which of them are passed over.
-bool VoiceRouter::allowed(SpeechThrough voice) const { return voice >= through_; }
+bool VoiceRouter::allowed(settings::SpeechThrough voice) const { return voice >= through_; }
 
 void VoiceRouter::want_what_is_allowed() {
     for (const auto& voice : voices_) voice->want(allowed(voice->through()));
@@ -49,7 +49,7 @@ bool VoiceRouter::waits_for_better(const Voice* best) const {
     return false;
 }
 
-void VoiceRouter::say(const Utterance& utterance) {
+void VoiceRouter::say(const cues::Utterance& utterance) {
     if (text_) text_->say(utterance);
     if (braille_) braille_->say(utterance);
     owed_.reset();
@@ -61,7 +61,7 @@ void VoiceRouter::say(const Utterance& utterance) {
     }
 }
 
-void VoiceRouter::write(const Utterance& utterance) {
+void VoiceRouter::write(const cues::Utterance& utterance) {
     if (text_) text_->write(utterance);
     if (braille_) braille_->write(utterance);
 }
@@ -104,7 +104,7 @@ void VoiceRouter::hand_over_to(Voice* next) {
     if (before && before->state() == VoiceState::Ready) before->stop();
     if (current_) owed_ = std::exchange(current_, std::nullopt);
     if (!next) owed_.reset();
-    if (braille_) braille_->want(!next || next->through() != SpeechThrough::ScreenReader);
+    if (braille_) braille_->want(!next || next->through() != settings::SpeechThrough::ScreenReader);
     tell_change(before, next);
     chosen_ = true;
     choosing_again_ = false;
@@ -115,16 +115,17 @@ void VoiceRouter::tell_change(const Voice* before, const Voice* after) {
     const bool lost = before && before->state() != VoiceState::Ready && !choosing_again_;
     if (lost) {
         const std::string gone = voice_name(before->through());
-        news_ = sentence_case(after ? phrase("voice.gone", {{"gone", gone}, {"voice", voice}})
-                                    : phrase("voice.gone_only_text", {{"gone", gone}}));
+        news_ = cues::sentence_case(after ? phrase("voice.gone", {{"gone", gone}, {"voice", voice}})
+                                          : phrase("voice.gone_only_text", {{"gone", gone}}));
     } else if (chosen_) {
-        news_ = after ? sentence_case(phrase("voice.speaks_now", {{"voice", voice}})) : phrase("voice.only_text_now");
-    } else if (through_ != SpeechThrough::Auto && through_ != SpeechThrough::Text &&
+        news_ =
+            after ? cues::sentence_case(phrase("voice.speaks_now", {{"voice", voice}})) : phrase("voice.only_text_now");
+    } else if (through_ != settings::SpeechThrough::Auto && through_ != settings::SpeechThrough::Text &&
                (!after || after->through() != through_)) {
         // The person chose a voice by name; without an announcement they would think it broken.
         const std::string wanted = voice_name(through_);
-        news_ = sentence_case(after ? phrase("voice.not_reached", {{"wanted", wanted}, {"voice", voice}})
-                                    : phrase("voice.not_reached_only_text", {{"wanted", wanted}}));
+        news_ = cues::sentence_case(after ? phrase("voice.not_reached", {{"wanted", wanted}, {"voice", voice}})
+                                          : phrase("voice.not_reached_only_text", {{"wanted", wanted}}));
     }
 }
 
@@ -133,7 +134,7 @@ std::string VoiceRouter::who() const {
     return active_ ? voice_name(active_->through()) : phrase("voice.text_alone");
 }
 
-void VoiceRouter::set_speech(const Settings::Speech& settings) {
+void VoiceRouter::set_speech(const settings::Settings::Speech& settings) {
     for (const auto& voice : voices_) voice->set_speech(settings);
     if (braille_) braille_->set_speech(settings);
     if (std::exchange(through_, settings.through) == settings.through) return;
@@ -149,4 +150,4 @@ std::optional<std::string> VoiceRouter::news() {
     return braille_ ? braille_->news() : std::nullopt;
 }
 
-}  // namespace handrail
+}  // namespace handrail::sinks

@@ -8,7 +8,7 @@
 #include <array>
 #include <cstddef>
 
-namespace handrail {
+namespace handrail::sinks {
 
 class WholeBlocks {
 public:
@@ -43,4 +43,4 @@ private:
     int at_ = kFrames;  // the first frame of block_ that was not delivered yet
 };
 
-}  // namespace handrail
+}  // namespace handrail::sinks

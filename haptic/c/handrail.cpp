@@ -13,16 +13,16 @@ using handrail::Vec3;
 
 struct handrail_world {
     handrail::Scene scene;
-    std::shared_ptr<const handrail::HapticScene> felt;
+    std::shared_ptr<const handrail::render::HapticScene> felt;
 };
 
 struct handrail_hand {
-    std::shared_ptr<const handrail::HapticScene> felt;
-    handrail::TouchState state;
-    handrail::TouchTuning tuning;
-    handrail::ForceLimiter limiter;
+    std::shared_ptr<const handrail::render::HapticScene> felt;
+    handrail::render::TouchState state;
+    handrail::render::TouchTuning tuning;
+    handrail::render::ForceLimiter limiter;
     double ceiling_n = 0.0;
-    handrail::ForceFlow flow = handrail::ForceFlow::Run;
+    handrail::render::ForceFlow flow = handrail::render::ForceFlow::Run;
 };
 
 namespace handrail {
@@ -72,7 +72,7 @@ handrail_world* world_of(Read read, char* error, std::size_t error_size) noexcep
             return nullptr;
         }
         auto world = std::make_unique<handrail_world>();
-        world->felt = compile_haptic(*scene, MaterialSource::Library);
+        world->felt = compile::compile_haptic(*scene, compile::MaterialSource::Library);
         world->scene = std::move(*scene);
         copy_text("", error, error_size);
         return world.release();
@@ -88,12 +88,14 @@ handrail_world* world_of(Read read, char* error, std::size_t error_size) noexcep
 uint32_t handrail_api_version(void) { return HANDRAIL_API_VERSION; }
 
 handrail_world* handrail_world_read(const char* path, char* error, size_t error_size) {
-    return handrail::world_of([&] { return handrail::read_world(path ? path : ""); }, error, error_size);
+    return handrail::world_of([&] { return handrail::readers::read_world(path ? path : ""); }, error, error_size);
 }
 
 handrail_world* handrail_world_from_map(const char* text, size_t length, char* error, size_t error_size) {
     return handrail::world_of(
-        [&] { return handrail::read_quake_map(text ? std::string_view(text, length) : std::string_view(), "map"); },
+        [&] {
+            return handrail::readers::read_quake_map(text ? std::string_view(text, length) : std::string_view(), "map");
+        },
         error, error_size);
 }
 
@@ -120,7 +122,7 @@ size_t handrail_world_name(const handrail_world* world, uint32_t feature, char* 
 }
 
 void handrail_feel_default(handrail_feel* feel) {
-    const handrail::TouchTuning tuning;
+    const handrail::render::TouchTuning tuning;
     *feel = {sizeof(handrail_feel),
              0,
              tuning.radius_m,
@@ -151,9 +153,9 @@ int handrail_hand_set_feel(handrail_hand* hand, const handrail_feel* feel) {
 }
 
 void handrail_hand_set_flow(handrail_hand* hand, enum handrail_flow flow) {
-    hand->flow = flow == HANDRAIL_RUN    ? handrail::ForceFlow::Run
-                 : flow == HANDRAIL_FADE ? handrail::ForceFlow::Fade
-                                         : handrail::ForceFlow::Cut;
+    hand->flow = flow == HANDRAIL_RUN    ? handrail::render::ForceFlow::Run
+                 : flow == HANDRAIL_FADE ? handrail::render::ForceFlow::Fade
+                                         : handrail::render::ForceFlow::Cut;
 }
 
 void handrail_hand_tick(handrail_hand* hand, const double place_m[3], double dt_s, handrail_touch* touch) {
@@ -164,11 +166,12 @@ void handrail_hand_tick(handrail_hand* hand, const double place_m[3], double dt_
     for (int axis = 0; axis < 3; ++axis) good = good && std::abs(goal_m[axis]) <= handrail::kFarthest_m;
     if (!good) {
         hand->state.reset_filters();
-        hand->limiter.limit(Vec3(0.0), hand->ceiling_n, handrail::ForceFlow::Cut, 1e-3);
+        hand->limiter.limit(Vec3(0.0), hand->ceiling_n, handrail::render::ForceFlow::Cut, 1e-3);
         touch->refused = 1;
         return;
     }
-    const handrail::TouchResult felt = handrail::touch_tick(hand->state, *hand->felt, hand->tuning, goal_m, dt_s);
+    const handrail::render::TouchResult felt =
+        handrail::render::touch_tick(hand->state, *hand->felt, hand->tuning, goal_m, dt_s);
     const Vec3 force_n = hand->limiter.limit(felt.force_n, hand->ceiling_n, hand->flow, dt_s);
     touch->contacts = felt.contacts.count;
     for (int axis = 0; axis < 3; ++axis) {
@@ -176,7 +179,7 @@ void handrail_hand_tick(handrail_hand* hand, const double place_m[3], double dt_
         touch->ball_m[axis] = felt.proxy_m[axis];
     }
     if (felt.contacts.count == 0) return;
-    const handrail::Contact& strongest = felt.contacts.contacts[felt.contacts.strongest];
+    const handrail::render::Contact& strongest = felt.contacts.contacts[felt.contacts.strongest];
     for (int axis = 0; axis < 3; ++axis) touch->normal[axis] = strongest.normal[axis];
     touch->feature = strongest.feature.value;
 }

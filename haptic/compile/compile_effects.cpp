@@ -5,7 +5,7 @@
 
 #include "worlds/base/overloaded.h"
 
-namespace handrail {
+namespace handrail::compile {
 namespace {
 
 Aabb bounds_of(const Effect& effect) {
@@ -20,28 +20,28 @@ Aabb bounds_of(const Effect& effect) {
                       effect.where);
 }
 
-EffectRegion region_of(const Effect& effect) {
+render::EffectRegion region_of(const Effect& effect) {
     return std::visit(
         Overloaded{
-            [](const ConvexSolid& solid) -> EffectRegion {
+            [](const ConvexSolid& solid) -> render::EffectRegion {
                 const bool box =
                     solid.planes.size() == 6 &&
                     std::all_of(solid.planes.begin(), solid.planes.end(), [](const Plane& p) {
                         return std::max({std::abs(p.normal.x), std::abs(p.normal.y), std::abs(p.normal.z)}) == 1.0;
                     });
                 if (box) return solid.bounds_m;
-                return ConvexRegion{solid.planes};
+                return render::ConvexRegion{solid.planes};
             },
-            [](const EffectBall& ball) -> EffectRegion {
-                return SphereRegion{ball.centre_m, ball.radius_m};
+            [](const EffectBall& ball) -> render::EffectRegion {
+                return render::SphereRegion{ball.centre_m, ball.radius_m};
             },
-            [](const EffectCapsule& capsule) -> EffectRegion {
-                return CapsuleRegion{capsule.a_m, capsule.b_m, capsule.radius_m};
+            [](const EffectCapsule& capsule) -> render::EffectRegion {
+                return render::CapsuleRegion{capsule.a_m, capsule.b_m, capsule.radius_m};
             }},
         effect.where);
 }
 
-std::vector<MagnetTarget> targets_of(const Effect& effect, const Scene& scene) {
+std::vector<render::MagnetTarget> targets_of(const Effect& effect, const Scene& scene) {
     if (const auto* capsule = std::get_if<EffectCapsule>(&effect.where); capsule && effect.pull == MagnetPull::Line)
         return {{0.5 * (capsule->a_m + capsule->b_m), 0.5 * (capsule->b_m - capsule->a_m)}};
     const Feature* thing = effect.pull == MagnetPull::Object ? scene.find(effect.belongs_to) : nullptr;
@@ -59,7 +59,7 @@ std::vector<MagnetTarget> targets_of(const Effect& effect, const Scene& scene) {
         case MagnetPull::Surface:
             return {{middle, half[0], half[1]}};
         case MagnetPull::Object: {
-            std::vector<MagnetTarget> faces;
+            std::vector<render::MagnetTarget> faces;
             for (std::size_t out = 0; out < 3; ++out)
                 for (const double side : {-1.0, 1.0})
                     faces.push_back({middle + half[out] * side, half[(out + 1) % 3], half[(out + 2) % 3]});
@@ -69,35 +69,35 @@ std::vector<MagnetTarget> targets_of(const Effect& effect, const Scene& scene) {
     return {{middle}};
 }
 
-EffectLaw law_of(const Effect& effect, const Scene& scene) {
+render::EffectLaw law_of(const Effect& effect, const Scene& scene) {
     const Vec3 middle = bounds_of(effect).centre_m();
     switch (effect.kind) {
         case EffectKind::Magnet:
-            return MagnetLaw{targets_of(effect, scene), effect.strength_n, effect.width_hand_m};
+            return render::MagnetLaw{targets_of(effect, scene), effect.strength_n, effect.width_hand_m};
         case EffectKind::Detent:
-            return DetentLaw{middle, effect.direction, effect.strength_n, effect.width_hand_m};
+            return render::DetentLaw{middle, effect.direction, effect.strength_n, effect.width_hand_m};
         case EffectKind::Button:
-            return ButtonLaw{middle, effect.direction, effect.strength_n, effect.width_hand_m};
+            return render::ButtonLaw{middle, effect.direction, effect.strength_n, effect.width_hand_m};
         case EffectKind::FlyPaper:
-            return FlyPaperLaw{effect.strength_n};
+            return render::FlyPaperLaw{effect.strength_n};
         case EffectKind::Inertia:
-            return InertiaLaw{effect.mass_kg};
+            return render::InertiaLaw{effect.mass_kg};
         case EffectKind::Force:
-            return ForceLaw{effect.direction, effect.strength_n};
+            return render::ForceLaw{effect.direction, effect.strength_n};
         case EffectKind::Vibration:
             break;
     }
-    return VibrationLaw{effect.direction, effect.strength_n, effect.frequency_hz};
+    return render::VibrationLaw{effect.direction, effect.strength_n, effect.frequency_hz};
 }
 
 // Converts the effect to the frame of a body at that pose.
-void bring_into(EffectVolume& effect, const PlacedFrame& frame) {
+void bring_into(render::EffectVolume& effect, const PlacedFrame& frame) {
     const auto plane = [&](const Vec3& normal, double offset_m) {
         return Plane{frame.turned_back(normal), (offset_m - glm::dot(normal, frame.position_m)) / frame.scale};
     };
     effect.region =
-        std::visit(Overloaded{[&](const Aabb& box) -> EffectRegion {
-                                  ConvexRegion region;
+        std::visit(Overloaded{[&](const Aabb& box) -> render::EffectRegion {
+                                  render::ConvexRegion region;
                                   for (int axis = 0; axis < 3; ++axis) {
                                       Vec3 normal(0.0);
                                       normal[axis] = 1.0;
@@ -106,45 +106,46 @@ void bring_into(EffectVolume& effect, const PlacedFrame& frame) {
                                   }
                                   return region;
                               },
-                              [&](const SphereRegion& ball) -> EffectRegion {
-                                  return SphereRegion{frame.to_own(ball.centre_m), ball.radius_m / frame.scale};
+                              [&](const render::SphereRegion& ball) -> render::EffectRegion {
+                                  return render::SphereRegion{frame.to_own(ball.centre_m), ball.radius_m / frame.scale};
                               },
-                              [&](const CapsuleRegion& capsule) -> EffectRegion {
-                                  return CapsuleRegion{frame.to_own(capsule.a_m), frame.to_own(capsule.b_m),
-                                                       capsule.radius_m / frame.scale};
+                              [&](const render::CapsuleRegion& capsule) -> render::EffectRegion {
+                                  return render::CapsuleRegion{frame.to_own(capsule.a_m), frame.to_own(capsule.b_m),
+                                                               capsule.radius_m / frame.scale};
                               },
-                              [&](const ConvexRegion& convex) -> EffectRegion {
-                                  ConvexRegion region;
+                              [&](const render::ConvexRegion& convex) -> render::EffectRegion {
+                                  render::ConvexRegion region;
                                   for (const Plane& p : convex.planes)
                                       region.planes.push_back(plane(p.normal, p.offset_m));
                                   return region;
                               }},
                    effect.region);
-    std::visit(Overloaded{[&](MagnetLaw& law) {
-                              for (MagnetTarget& target : law.targets) {
-                                  target.centre_m = frame.to_own(target.centre_m);
-                                  target.half_u_m = frame.turned_back(target.half_u_m) / frame.scale;
-                                  target.half_v_m = frame.turned_back(target.half_v_m) / frame.scale;
-                              }
-                          },
-                          [&](DetentLaw& law) {
-                              law.origin_m = frame.to_own(law.origin_m);
-                              law.direction = frame.turned_back(law.direction);
-                          },
-                          [&](ButtonLaw& law) {
-                              law.origin_m = frame.to_own(law.origin_m);
-                              law.direction = frame.turned_back(law.direction);
-                          },
-                          [&](ForceLaw& law) { law.direction = frame.turned_back(law.direction); },
-                          [&](VibrationLaw& law) { law.direction = frame.turned_back(law.direction); }, [](auto&) {}},
-               effect.law);
+    std::visit(
+        Overloaded{[&](render::MagnetLaw& law) {
+                       for (render::MagnetTarget& target : law.targets) {
+                           target.centre_m = frame.to_own(target.centre_m);
+                           target.half_u_m = frame.turned_back(target.half_u_m) / frame.scale;
+                           target.half_v_m = frame.turned_back(target.half_v_m) / frame.scale;
+                       }
+                   },
+                   [&](render::DetentLaw& law) {
+                       law.origin_m = frame.to_own(law.origin_m);
+                       law.direction = frame.turned_back(law.direction);
+                   },
+                   [&](render::ButtonLaw& law) {
+                       law.origin_m = frame.to_own(law.origin_m);
+                       law.direction = frame.turned_back(law.direction);
+                   },
+                   [&](render::ForceLaw& law) { law.direction = frame.turned_back(law.direction); },
+                   [&](render::VibrationLaw& law) { law.direction = frame.turned_back(law.direction); }, [](auto&) {}},
+        effect.law);
 }
 
 }  // namespace
 
-void add_effects(HapticSceneBuilder& builder, const Scene& scene) {
+void add_effects(render::HapticSceneBuilder& builder, const Scene& scene) {
     for (const Effect& effect : scene.effects) {
-        EffectVolume volume;
+        render::EffectVolume volume;
         volume.feature = effect.belongs_to;
         volume.region = region_of(effect);
         volume.edge_hand_m = effect.edge_hand_m;
@@ -159,4 +160,4 @@ void add_effects(HapticSceneBuilder& builder, const Scene& scene) {
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::compile

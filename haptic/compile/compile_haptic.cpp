@@ -9,14 +9,14 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/overloaded.h"
 
-namespace handrail {
+namespace handrail::compile {
 namespace {
 
-Relief relief_of(const TextureWave& wave) {
-    Relief relief;
-    relief.kind = wave.shape == WaveShape::Sine     ? ReliefKind::Sine
-                  : wave.shape == WaveShape::Square ? ReliefKind::Square
-                                                    : ReliefKind::Level;
+render::Relief relief_of(const TextureWave& wave) {
+    render::Relief relief;
+    relief.kind = wave.shape == WaveShape::Sine     ? render::ReliefKind::Sine
+                  : wave.shape == WaveShape::Square ? render::ReliefKind::Square
+                                                    : render::ReliefKind::Level;
     relief.depth_hand_m = wave.depth_hand_m;
     relief.period_hand_m = wave.period_hand_m;
     relief.friction_share = wave.friction_share;
@@ -32,33 +32,33 @@ public:
         std::optional<TextureWave> wave = material.wave;
         if (!wave && known && known->wave != TextureWave{}) wave = known->wave;
         if (!wave && !material.picture) return -1;
-        Relief relief = relief_of(wave.value_or(TextureWave{}));
+        render::Relief relief = relief_of(wave.value_or(TextureWave{}));
         if (const auto& picture = material.picture) {
-            relief.kind = ReliefKind::Picture;
+            relief.kind = render::ReliefKind::Picture;
             relief.depth_hand_m = picture->depth_hand_m;
             relief.turn_cos = std::cos(picture->turn_rad);
             relief.turn_sin = std::sin(picture->turn_rad);
             relief.low_m = picture->box_m.min_m;
             relief.high_m = picture->box_m.max_m;
             relief.size_m = picture->size_m;
-            std::shared_ptr<const HeightField>& field = fields_[picture->heights.get()];
+            std::shared_ptr<const render::HeightField>& field = fields_[picture->heights.get()];
             if (!field)
-                field = std::make_shared<const HeightField>(picture->heights->width, picture->heights->height,
-                                                            picture->heights->depths);
+                field = std::make_shared<const render::HeightField>(picture->heights->width, picture->heights->height,
+                                                                    picture->heights->depths);
             relief.picture = field;
         }
         list_.push_back(std::move(relief));
         return static_cast<std::int32_t>(list_.size() - 1);
     }
-    std::vector<Relief> take() { return std::move(list_); }
+    std::vector<render::Relief> take() { return std::move(list_); }
 
 private:
-    std::vector<Relief> list_;
-    std::map<const HeightPicture*, std::shared_ptr<const HeightField>> fields_;
+    std::vector<render::Relief> list_;
+    std::map<const HeightPicture*, std::shared_ptr<const render::HeightField>> fields_;
 };
 
-HapticMaterial compile_material(const Material& material, MaterialSource source, Reliefs& reliefs) {
-    HapticMaterial compiled;
+render::HapticMaterial compile_material(const Material& material, MaterialSource source, Reliefs& reliefs) {
+    render::HapticMaterial compiled;
     const MaterialSpec* known =
         source == MaterialSource::Library && !material.name.empty() ? find_material(material.name) : nullptr;
     if (known) {
@@ -98,8 +98,8 @@ std::vector<std::uint8_t> mesh_axes(const Scene& scene) {
 }
 
 // An object, mover or volume has one name as a whole; a wall has one for each face.
-std::vector<SurfaceLabel> labels_of(const Solid& solid) {
-    std::vector<SurfaceLabel> labels(solid.shape.planes.size());
+std::vector<render::SurfaceLabel> labels_of(const Solid& solid) {
+    std::vector<render::SurfaceLabel> labels(solid.shape.planes.size());
     for (std::size_t face = 0; face < labels.size(); ++face) {
         labels[face].feature = solid.face_features[face] ? solid.face_features[face] : solid.feature;
         labels[face].material = solid.face_materials[face];
@@ -119,9 +119,10 @@ void add_coarser(std::vector<CoarserMesh>& all, const CoarserMesh& one) {
 
 // Triangles of one feature and material that are touched from the same side are one surface. label: instead of their
 // own. scale: how much larger they are in the world.
-void add_triangles_of(HapticSceneBuilder& builder, const std::vector<MeshTriangle>& triangles, TouchSide side,
-                      const SurfaceLabel* label, double scale, const CompileOptions& options, CompileReport& report) {
-    std::vector<SurfaceLabel> labels;
+void add_triangles_of(render::HapticSceneBuilder& builder, const std::vector<MeshTriangle>& triangles, TouchSide side,
+                      const render::SurfaceLabel* label, double scale, const CompileOptions& options,
+                      CompileReport& report) {
+    std::vector<render::SurfaceLabel> labels;
     std::map<std::pair<std::uint32_t, MaterialId>, std::uint32_t> known;
     std::vector<Vec3> corners_m;
     std::vector<std::uint32_t> surfaces;
@@ -130,7 +131,7 @@ void add_triangles_of(HapticSceneBuilder& builder, const std::vector<MeshTriangl
     for (const MeshTriangle& t : triangles) {
         if (t.side != side) continue;
         corners_m.insert(corners_m.end(), {t.a_m, t.b_m, t.c_m});
-        const SurfaceLabel own = label ? *label : SurfaceLabel{t.feature, t.material, false};
+        const render::SurfaceLabel own = label ? *label : render::SurfaceLabel{t.feature, t.material, false};
         const auto [surface, is_new] =
             known.try_emplace({own.feature.value, own.material}, static_cast<std::uint32_t>(labels.size()));
         if (is_new) labels.push_back(own);
@@ -143,7 +144,7 @@ void add_triangles_of(HapticSceneBuilder& builder, const std::vector<MeshTriangl
         if (options.simplifies) options.simplifies(labels[surface].feature, count);
     };
     const PreparedMesh mesh = prepare_mesh(corners_m, surfaces, how, options.stop, begins);
-    std::vector<SurfaceLabel> of_triangles;
+    std::vector<render::SurfaceLabel> of_triangles;
     of_triangles.reserve(mesh.surfaces.size());
     for (const std::uint32_t surface : mesh.surfaces) of_triangles.push_back(labels[surface]);
     builder.add_mesh(mesh.mesh, of_triangles, side);
@@ -154,15 +155,16 @@ void add_triangles_of(HapticSceneBuilder& builder, const std::vector<MeshTriangl
         add_coarser(report.coarser, {labels[one.surface].feature, one.before, one.after, one.measured_m * scale});
 }
 
-void add_triangles(HapticSceneBuilder& builder, const std::vector<MeshTriangle>& triangles, const SurfaceLabel* label,
-                   double scale, const CompileOptions& options, CompileReport& report) {
+void add_triangles(render::HapticSceneBuilder& builder, const std::vector<MeshTriangle>& triangles,
+                   const render::SurfaceLabel* label, double scale, const CompileOptions& options,
+                   CompileReport& report) {
     for (const TouchSide side : {TouchSide::Both, TouchSide::Front, TouchSide::Back})
         add_triangles_of(builder, triangles, side, label, scale, options, report);
 }
 
 // A round solid keeps its exact shape, under the name of its first face.
-void add_touchable(HapticSceneBuilder& builder, const Solid& solid, std::span<const SurfaceLabel> labels,
-                   const RoundedSolid* rounded) {
+void add_touchable(render::HapticSceneBuilder& builder, const Solid& solid,
+                   std::span<const render::SurfaceLabel> labels, const RoundedSolid* rounded) {
     std::visit(Overloaded{[&](std::monostate) {
                               if (rounded)
                                   builder.add_solid(rounded->planes, rounded->bounds_m, labels, rounded->rounding_m);
@@ -176,15 +178,15 @@ void add_touchable(HapticSceneBuilder& builder, const Solid& solid, std::span<co
 }
 
 // Adds the hard rest of a solid, and the patch that gives way above it.
-void add_soft_solid(HapticSceneBuilder& builder, const Solid& solid) {
+void add_soft_solid(render::HapticSceneBuilder& builder, const Solid& solid) {
     const SoftFace& soft = *solid.soft;
     std::vector<Plane> planes = solid.shape.planes;
     planes[soft.face].offset_m -= soft.depth_m;
-    const std::vector<SurfaceLabel> labels = labels_of(solid);
+    const std::vector<render::SurfaceLabel> labels = labels_of(solid);
     builder.add_solid(planes, solid.shape.bounds_m, labels);
 
     const std::vector<Vec3>& corners = solid.shape.faces[soft.face].points_m;
-    SoftPatch patch;
+    render::SoftPatch patch;
     patch.feature = labels[soft.face].feature;
     patch.material = labels[soft.face].material;
     patch.depth_m = soft.depth_m;
@@ -230,11 +232,11 @@ std::vector<RoundedSolid> rounded_solids(const Scene& scene, double radius_m, co
 
 // The touchable parts of a model, all with one name and one material. The rounding is for the hand, so a model that is
 // placed enlarged gets a smaller rounding in its own metres.
-std::shared_ptr<const HapticScene> compile_model(const PlacedModel& placed, const CompileOptions& options,
-                                                 CompileReport& report) {
+std::shared_ptr<const render::HapticScene> compile_model(const PlacedModel& placed, const CompileOptions& options,
+                                                         CompileReport& report) {
     const Scene& model = *placed.model;
-    const SurfaceLabel label{placed.feature, placed.material, false};
-    HapticSceneBuilder builder;
+    const render::SurfaceLabel label{placed.feature, placed.material, false};
+    render::HapticSceneBuilder builder;
     const std::vector<RoundedSolid> rounded =
         rounded_solids(model, options.edge_rounding_m / placed.at.scale, options.stop, report);
     for (std::size_t i = 0; i < model.solids.size(); ++i)
@@ -264,24 +266,24 @@ bool has_dense_mesh(const Scene& scene) {
                        [](const PlacedModel& placed) { return placed.model->triangles.size() >= kDenseFrom; });
 }
 
-std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSource materials) {
+std::shared_ptr<const render::HapticScene> compile_haptic(const Scene& scene, MaterialSource materials) {
     CompileOptions options;
     options.materials = materials;
     options.shade_meshes = materials == MaterialSource::Library;
     return compile_haptic(scene, options);
 }
 
-std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, const CompileOptions& options,
-                                                  CompileReport* report) {
+std::shared_ptr<const render::HapticScene> compile_haptic(const Scene& scene, const CompileOptions& options,
+                                                          CompileReport* report) {
     contract_pre(options.edge_rounding_m >= 0.0 && std::isfinite(options.edge_rounding_m));
     CompileReport done;
-    std::vector<HapticMaterial> compiled;
+    std::vector<render::HapticMaterial> compiled;
     compiled.reserve(scene.materials.size());
     Reliefs reliefs;
     for (const Material& material : scene.materials)
         compiled.push_back(compile_material(material, options.materials, reliefs));
-    HapticSceneBuilder builder(std::move(compiled));
-    if (std::vector<Relief> list = reliefs.take(); !list.empty())
+    render::HapticSceneBuilder builder(std::move(compiled));
+    if (std::vector<render::Relief> list = reliefs.take(); !list.empty())
         builder.set_reliefs(std::move(list), mesh_axes(scene));
     const std::vector<RoundedSolid> rounded = rounded_solids(scene, options.edge_rounding_m, options.stop, done);
     for (std::size_t i = 0; i < scene.solids.size(); ++i) {
@@ -291,7 +293,7 @@ std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, const Comp
             if (solid.soft) add_soft_solid(builder, solid);
             else add_touchable(builder, solid, labels_of(solid), rounded.empty() ? nullptr : &rounded[i]);
         } else if (solid.role == SolidRole::Liquid) {
-            LiquidVolume liquid;
+            render::LiquidVolume liquid;
             liquid.planes = solid.shape.planes;
             liquid.hidden = solid.face_hidden;
             liquid.feature = solid.feature;
@@ -318,4 +320,4 @@ std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, const Comp
     return builder.build(options.world);
 }
 
-}  // namespace handrail
+}  // namespace handrail::compile

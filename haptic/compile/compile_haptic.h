@@ -12,7 +12,7 @@
 #include "haptic/render/haptic_scene.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::compile {
 
 // Where surfaces get the values that the file does not set.
 enum class MaterialSource {
@@ -62,9 +62,9 @@ struct CompileReport {
 // become convex obstacles (boxes are recognised as boxes), mesh triangles become sheets, liquids become volumes. The
 // generation is unique among the compiled scenes of this process. What was done is added to the report, if one is
 // given.
-std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, const CompileOptions& options,
-                                                  CompileReport* report = nullptr);
+std::shared_ptr<const render::HapticScene> compile_haptic(const Scene& scene, const CompileOptions& options,
+                                                          CompileReport* report = nullptr);
 // Compiles everything sharp and exact; with a library's materials also with shading.
-std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSource materials);
+std::shared_ptr<const render::HapticScene> compile_haptic(const Scene& scene, MaterialSource materials);
 
-}  // namespace handrail
+}  // namespace handrail::compile

@@ -6,7 +6,7 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::compile {
 namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
@@ -370,4 +370,4 @@ FlatMerge merge_flat(const TriangleMesh& mesh, std::span<const std::uint32_t> gr
     return Merger(mesh, groups, bound_m).run(keep_curves);
 }
 
-}  // namespace handrail
+}  // namespace handrail::compile

@@ -8,7 +8,7 @@
 
 #include "worlds/geometry/triangle_mesh.h"
 
-namespace handrail {
+namespace handrail::compile {
 
 struct FlatPolygon {
     std::vector<Vec3> points_m;  // convex, in one plane, counter-clockwise seen from the front of its triangles
@@ -31,4 +31,4 @@ struct FlatMerge {
 FlatMerge merge_flat(const TriangleMesh& mesh, std::span<const std::uint32_t> groups, double bound_m,
                      bool keep_curves = false);
 
-}  // namespace handrail
+}  // namespace handrail::compile

@@ -9,7 +9,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::compile {
 namespace {
 
 constexpr std::uint32_t kNoPoint = 0xFFFFFFFFU;
@@ -345,4 +345,4 @@ std::vector<std::string> MeshReport::sentences() const {
     return said;
 }
 
-}  // namespace handrail
+}  // namespace handrail::compile

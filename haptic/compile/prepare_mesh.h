@@ -14,7 +14,7 @@
 #include "haptic/compile/merge_flat.h"
 #include "worlds/geometry/triangle_mesh.h"
 
-namespace handrail {
+namespace handrail::compile {
 
 struct MeshOptions {
     // Points at most this far apart are merged into the first of them; 0: only identical points. Above a millimetre,
@@ -87,4 +87,4 @@ PreparedMesh prepare_mesh(std::span<const Vec3> corners_m, std::span<const std::
 // Triangles keep their order.
 TriangleMesh weld_corners(std::span<const Vec3> corners_m, double tolerance_m, MeshReport& report);
 
-}  // namespace handrail
+}  // namespace handrail::compile

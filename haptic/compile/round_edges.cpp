@@ -9,7 +9,7 @@
 #include "worlds/geometry/box_index.h"
 #include "worlds/geometry/clip.h"
 
-namespace handrail {
+namespace handrail::compile {
 namespace {
 
 constexpr double kOfThickness = 0.25;  // a solid is rounded by at most this share of its thickness
@@ -521,4 +521,4 @@ std::vector<RoundedSolid> round_edges(const Scene& scene, double radius_m, Round
     return Rounder(scene, radius_m, stop).run(report);
 }
 
-}  // namespace handrail
+}  // namespace handrail::compile

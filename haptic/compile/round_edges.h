@@ -12,7 +12,7 @@
 
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::compile {
 
 struct RoundingReport {
     static constexpr std::size_t kMostNames = 3;
@@ -49,4 +49,4 @@ double edge_rounding_m(double rounding_hand_mm, double world_m_per_hand_m);
 std::vector<RoundedSolid> round_edges(const Scene& scene, double radius_m, RoundingReport& report,
                                       const std::stop_token& stop = {});
 
-}  // namespace handrail
+}  // namespace handrail::compile

@@ -13,7 +13,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/geometry/box_index.h"
 
-namespace handrail {
+namespace handrail::compile {
 namespace {
 
 using namespace doorway;
@@ -268,4 +268,4 @@ Scene simplified(const Scene& scene, const Simplification& plan) {
     return felt;
 }
 
-}  // namespace handrail
+}  // namespace handrail::compile

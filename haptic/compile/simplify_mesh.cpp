@@ -21,7 +21,7 @@
 #include "worlds/geometry/bvh.h"
 #include "worlds/geometry/closest_point.h"
 
-namespace handrail {
+namespace handrail::compile {
 namespace {
 
 struct Traits : OpenMesh::DefaultTraits {
@@ -159,4 +159,4 @@ SimplifiedMesh simplify_mesh(const TriangleMesh& mesh, const std::vector<bool>& 
     return as_it_was;
 }
 
-}  // namespace handrail
+}  // namespace handrail::compile

@@ -10,7 +10,7 @@
 
 #include "worlds/geometry/triangle_mesh.h"
 
-namespace handrail {
+namespace handrail::compile {
 
 struct SimplifiedMesh {
     TriangleMesh mesh;        // with the points of the given one; some are not used any more
@@ -30,4 +30,4 @@ SimplifiedMesh simplify_mesh(const TriangleMesh& mesh, const std::vector<bool>& 
 double measured_distance(const TriangleMesh& a, const TriangleMesh& b, double spacing_m,
                          const std::stop_token& stop = {});
 
-}  // namespace handrail
+}  // namespace handrail::compile

@@ -11,7 +11,7 @@
 #include "haptic/compile/simplify_shapes.h"
 #include "worlds/geometry/box_index.h"
 
-namespace handrail {
+namespace handrail::compile {
 namespace {
 
 constexpr double kDeepest_m = 1.5;  // greatest depth of a wall; a deeper passage is a corridor and stays as it is
@@ -533,4 +533,4 @@ Simplification plan_simplification(const Scene& scene, const SimplifyOptions& op
     return Planner(scene, options, stop, looks).run();
 }
 
-}  // namespace handrail
+}  // namespace handrail::compile

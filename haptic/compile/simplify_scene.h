@@ -14,7 +14,7 @@
 #include "worlds/geometry/placement.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::compile {
 
 // A quarter and an eighth of an inch, from tactile graphics: the smallest gap that people find, and the smallest thing
 // that they feel at all.
@@ -80,4 +80,4 @@ Scene simplified(const Scene& scene, const Simplification& plan);
 // The felt pose of a placed thing whose true pose is `at`.
 Placement felt_placement(const Simplification& plan, FeatureId thing, const Placement& at);
 
-}  // namespace handrail
+}  // namespace handrail::compile

@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-namespace handrail::doorway {
+namespace handrail::compile::doorway {
 
 void include(Range& range, double value) {
     range[0] = std::min(range[0], value);
@@ -71,4 +71,4 @@ bool is_standing(const Scene& scene, const Solid& solid) {
     return (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) && !is_leaf(scene, solid);
 }
 
-}  // namespace handrail::doorway
+}  // namespace handrail::compile::doorway

@@ -10,7 +10,7 @@
 #include "worlds/geometry/clip.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail::doorway {
+namespace handrail::compile::doorway {
 
 inline constexpr double kStep_m = 0.3;  // lower parts count as floor, and are neither cut nor in the way
 inline constexpr CutTolerance kTolerance{1e-7, 1e-6};
@@ -44,4 +44,4 @@ bool is_wall(const Scene& scene, const Solid& solid);
 // Returns true for a solid that stands still and stops the hand, except a door's leaf.
 bool is_standing(const Scene& scene, const Solid& solid);
 
-}  // namespace handrail::doorway
+}  // namespace handrail::compile::doorway

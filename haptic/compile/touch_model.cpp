@@ -5,19 +5,19 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::compile {
 namespace {
 
 // In the order of ObstacleKind.
-constexpr std::array<std::string_view, kObstacleKinds> kKinds{
+constexpr std::array<std::string_view, render::kObstacleKinds> kKinds{
     "triangles", "polygons", "boxes", "brushes", "spheres", "capsules", "cylinders", "cones", "shapes_of_their_own"};
 // In the order of EffectLaw's alternatives.
-constexpr std::array<std::string_view, std::variant_size_v<EffectLaw>> kLaws{
+constexpr std::array<std::string_view, std::variant_size_v<render::EffectLaw>> kLaws{
     "magnets", "detents", "buttons", "fly_papers", "masses", "steady_forces", "vibrations", "custom_effects"};
 
 }  // namespace
 
-TouchModel touch_model(const HapticScene& scene) {
+TouchModel touch_model(const render::HapticScene& scene) {
     TouchModel model;
     const auto count = [&](std::string_view key, std::size_t n) {
         model.parts.push_back({key, n});
@@ -30,29 +30,29 @@ TouchModel touch_model(const HapticScene& scene) {
         return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), chosen));
     };
 
-    std::array<std::size_t, kObstacleKinds> obstacles = scene.obstacle_counts();
+    std::array<std::size_t, render::kObstacleKinds> obstacles = scene.obstacle_counts();
     bool one_sided = scene.one_sided_sheets;
-    for (const HapticBody& body : scene.bodies) {
-        const std::array<std::size_t, kObstacleKinds> of_body = body.shape->obstacle_counts();
-        for (std::size_t kind = 0; kind < kObstacleKinds; ++kind) obstacles[kind] += of_body[kind];
+    for (const render::HapticBody& body : scene.bodies) {
+        const std::array<std::size_t, render::kObstacleKinds> of_body = body.shape->obstacle_counts();
+        for (std::size_t kind = 0; kind < render::kObstacleKinds; ++kind) obstacles[kind] += of_body[kind];
         one_sided = one_sided || body.shape->one_sided_sheets;
     }
-    for (std::size_t kind = 0; kind < kObstacleKinds; ++kind) count(kKinds[kind], obstacles[kind]);
+    for (std::size_t kind = 0; kind < render::kObstacleKinds; ++kind) count(kKinds[kind], obstacles[kind]);
     stage("sheets of one side", one_sided);
     stage("bodies", count("bodies", scene.bodies.size()));
 
     std::size_t soft_sides = scene.soft_patches.size();
-    for (const HapticBody& body : scene.bodies) soft_sides += body.shape->soft_patches.size();
+    for (const render::HapticBody& body : scene.bodies) soft_sides += body.shape->soft_patches.size();
     count("soft_sides", soft_sides);
 
-    const auto drags = [](const LiquidVolume& l) { return l.viscosity_ns_per_m > 0.0; };
+    const auto drags = [](const render::LiquidVolume& l) { return l.viscosity_ns_per_m > 0.0; };
     count("liquids", scene.liquids.size());
     count("liquids_with_drag", count_if(scene.liquids, drags));
     stage("liquids", !scene.liquids.empty());
     stage("liquid surfaces", scene.liquid_surfaces);
 
     for (std::size_t law = 0; law < kLaws.size(); ++law)
-        count(kLaws[law], count_if(scene.effects, [&](const EffectVolume& e) { return e.law.index() == law; }));
+        count(kLaws[law], count_if(scene.effects, [&](const render::EffectVolume& e) { return e.law.index() == law; }));
     stage("effects", !scene.effects.empty());
 
     count("textures", scene.reliefs.size());
@@ -60,12 +60,12 @@ TouchModel touch_model(const HapticScene& scene) {
 
     count("touch_materials", scene.materials.size());
     count("materials_with_stiffness",
-          count_if(scene.materials, [](const HapticMaterial& m) { return m.stiffness_fraction >= 0.0; }));
+          count_if(scene.materials, [](const render::HapticMaterial& m) { return m.stiffness_fraction >= 0.0; }));
     count("materials_with_friction",
-          count_if(scene.materials, [](const HapticMaterial& m) { return m.friction_kinetic >= 0.0; }));
-    const auto is_rounded = [](const Obstacle& o) { return o.rounding != 0; };
+          count_if(scene.materials, [](const render::HapticMaterial& m) { return m.friction_kinetic >= 0.0; }));
+    const auto is_rounded = [](const render::Obstacle& o) { return o.rounding != 0; };
     std::size_t rounded = count_if(scene.obstacles, is_rounded);
-    for (const HapticBody& body : scene.bodies) rounded += count_if(body.shape->obstacles, is_rounded);
+    for (const render::HapticBody& body : scene.bodies) rounded += count_if(body.shape->obstacles, is_rounded);
     count("rounded_solids", rounded);
     return model;
 }
@@ -80,4 +80,4 @@ std::string spoken_stage(std::string_view stage) {
     return phrase(key);
 }
 
-}  // namespace handrail
+}  // namespace handrail::compile

@@ -9,7 +9,7 @@
 
 #include "haptic/render/haptic_scene.h"
 
-namespace handrail {
+namespace handrail::compile {
 
 struct TouchModel {
     struct Part {
@@ -21,10 +21,10 @@ struct TouchModel {
     // on, and those that cost it nothing.
     std::vector<std::string_view> stages_on, stages_off;
 };
-TouchModel touch_model(const HapticScene& scene);
+TouchModel touch_model(const render::HapticScene& scene);
 
 // Suitable for speech: "3 liquids with drag", "liquid surfaces".
 std::string spoken_part(const TouchModel::Part& part);
 std::string spoken_stage(std::string_view stage);
 
-}  // namespace handrail
+}  // namespace handrail::compile

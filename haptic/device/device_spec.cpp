@@ -6,7 +6,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::device {
 namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
@@ -76,4 +76,4 @@ double effective_stiffness_n_per_m(const DeviceSpec& spec, double period_s, doub
     return stable < spec.rated_stiffness_n_per_m ? stable : spec.rated_stiffness_n_per_m;
 }
 
-}  // namespace handrail
+}  // namespace handrail::device

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace handrail {
+namespace handrail::device {
 
 struct DeviceSpec {
     std::string_view name;                    // as `--device` accepts it, case-insensitive: "sim-t", "falcon"
@@ -39,4 +39,4 @@ const DeviceSpec& ideal_device_spec();
 // 1997; Diolaiti et al., Stability of haptic rendering, 2006.
 double effective_stiffness_n_per_m(const DeviceSpec& spec, double period_s, double damping_ns_per_m) noexcept;
 
-}  // namespace handrail
+}  // namespace handrail::device

@@ -2,7 +2,7 @@
 // haptic/drivers. Plain data.
 #pragma once
 
-namespace handrail {
+namespace handrail::device {
 
 // All values are 0 to 1 except the frequency. On a pad with triggers, the right one resists by nearness and hardness,
 // clicks at a doorway and trembles by material; the left one resists on a slope. Coils give knocks and grain; a pad
@@ -18,4 +18,4 @@ struct FingerCue {
     bool operator==(const FingerCue&) const = default;
 };
 
-}  // namespace handrail
+}  // namespace handrail::device

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace handrail {
+namespace handrail::device {
 
 void advance_hand(HandBody& hand, const HandMechanics& mechanics, const Vec3& target_m, const Vec3& force_n,
                   double step_s) noexcept {
@@ -53,4 +53,4 @@ void HeldForces::clear() noexcept {
     now_n_ = Vec3(0.0);
 }
 
-}  // namespace handrail
+}  // namespace handrail::device

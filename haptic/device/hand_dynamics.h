@@ -10,7 +10,7 @@
 
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::device {
 
 struct HandMechanics {
     double mass_kg = 0.4;                                      // hand and device together
@@ -54,4 +54,4 @@ private:
     Vec3 now_n_{0.0};
 };
 
-}  // namespace handrail
+}  // namespace handrail::device

@@ -10,7 +10,7 @@
 #include "worlds/base/result.h"
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::device {
 
 // Why a device is not connected.
 enum class DeviceLoss : std::uint8_t {
@@ -51,4 +51,4 @@ public:
     virtual void close() noexcept = 0;  // sends zero force, then releases the device
 };
 
-}  // namespace handrail
+}  // namespace handrail::device

@@ -6,7 +6,7 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::device {
 namespace {
 
 constexpr double kHandMassKg = 0.3;
@@ -130,4 +130,4 @@ Vec3 SimulatedDevice::measured_m() const noexcept {
     return command_.mode == HandMode::Move ? body_.position_m : encoded_m(body_.position_m, spec_.encoder_quantum_m);
 }
 
-}  // namespace handrail
+}  // namespace handrail::device

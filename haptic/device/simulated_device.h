@@ -12,7 +12,7 @@
 #include "haptic/device/haptic_device.h"
 #include "worlds/base/latest_value.h"
 
-namespace handrail {
+namespace handrail::device {
 
 enum class HandMode : std::uint8_t {
     // The device's point moves to target_m in a straight line at speed_m_per_s, whatever force acts, and stays exactly
@@ -91,4 +91,4 @@ private:
     HeldForces held_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::device

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace handrail {
+namespace handrail::drivers {
 
 class ByteLink {
 public:
@@ -22,4 +22,4 @@ public:
     virtual int read(std::span<std::uint8_t> room, double timeout_s) noexcept = 0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::drivers

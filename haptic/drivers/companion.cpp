@@ -10,7 +10,7 @@
 #include "haptic/drivers/space_mouse.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::drivers {
 namespace {
 
 constexpr double kStickDeadBand = 0.1;
@@ -67,7 +67,7 @@ public:
         state.buttons = translated(input_.buttons, kPadButtons) | hat_buttons(input_.hat);
         return !pad_->lost();
     }
-    bool cue(const FingerCue& cue) noexcept override { return pad_->write(pad_output_for(cue)); }
+    bool cue(const device::FingerCue& cue) noexcept override { return pad_->write(pad_output_for(cue)); }
 
 private:
     std::unique_ptr<PlaystationPad> pad_;
@@ -86,7 +86,7 @@ public:
         state.buttons = translated(puck.buttons, kPuckButtons);
         return !puck_.lost();
     }
-    bool cue(const FingerCue&) noexcept override { return !puck_.lost(); }
+    bool cue(const device::FingerCue&) noexcept override { return !puck_.lost(); }
 
 private:
     SpaceMouse puck_;
@@ -106,7 +106,7 @@ public:
         state.buttons = translated(stick.buttons, kEventButtons);
         return there;
     }
-    bool cue(const FingerCue& cue) noexcept override {
+    bool cue(const device::FingerCue& cue) noexcept override {
         constexpr double kHum = 0.3;
         const double hum = kHum * cue.nearness * cue.hardness;
         return link_->rumble(std::max(cue.knock, cue.doorway ? 1.0 : 0.0), std::max(cue.grain, hum));
@@ -179,4 +179,4 @@ std::string companion_model(std::string_view name) {
     return phrase("companion.rumble_pad");
 }
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -12,7 +12,7 @@
 #include "haptic/device/finger_cue.h"
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 // Buttons, named by their place on most pads; a device has only some of them. The value is the bit in
 // CompanionState::buttons.
@@ -45,7 +45,7 @@ public:
     // Returns the newest state in `state`; false if the device is gone.
     virtual bool read(CompanionState& state, double now_s) noexcept = 0;
     // Returns false if the device is gone. A device without coils ignores the cue.
-    virtual bool cue(const FingerCue& cue) noexcept = 0;
+    virtual bool cue(const device::FingerCue& cue) noexcept = 0;
 };
 
 struct FoundCompanion {
@@ -68,4 +68,4 @@ std::string companion_model(std::string_view name);
 // at rest.
 double stick_curve(double share) noexcept;
 
-}  // namespace handrail
+}  // namespace handrail::drivers

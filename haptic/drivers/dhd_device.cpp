@@ -9,7 +9,7 @@
 #include "haptic/drivers/vendor_library.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::drivers {
 namespace {
 
 constexpr char kDefaultDevice = -1;
@@ -40,12 +40,12 @@ struct Functions {
     int (*watchdog)(unsigned char, char);
 };
 
-class DhdDevice final : public HapticDevice {
+class DhdDevice final : public device::HapticDevice {
 public:
     DhdDevice(VendorLibrary library, const Functions& call) : library_(std::move(library)), call_(call) {}
     ~DhdDevice() override { DhdDevice::close(); }
 
-    const DeviceSpec& spec() const override { return spec_; }
+    const device::DeviceSpec& spec() const override { return spec_; }
 
     Result<void> open() override {
         if (call_.count() <= 0) return fail(phrase("drivers.dhd_none"));
@@ -54,7 +54,7 @@ public:
         const int code = call_.type(kDefaultDevice);
         const auto model = std::find_if(kModels.begin(), kModels.end(), [&](const Model& m) { return m.code == code; });
         if (model == kModels.end()) return fail(phrase("drivers.dhd_unknown", {{"type", code}}));
-        spec_ = *find_device_spec(model->spec);
+        spec_ = *device::find_device_spec(model->spec);
         call_.max_force(spec_.peak_force_n, kDefaultDevice);
         call_.watchdog(kWatchdogTens, kDefaultDevice);
         if (call_.enable_force(1, kDefaultDevice) < 0)
@@ -62,8 +62,8 @@ public:
         return {};
     }
 
-    DeviceSample read(double) noexcept override {
-        DeviceSample sample;
+    device::DeviceSample read(double) noexcept override {
+        device::DeviceSample sample;
         Vec3 theirs{0.0};
         sample.connected = open_ && call_.position(&theirs.x, &theirs.y, &theirs.z, kDefaultDevice) >= 0;
         sample.fresh = sample.connected;
@@ -75,7 +75,7 @@ public:
     }
 
     // After an impossible position the force is zero until a possible one arrives.
-    void write(const ForceCommand& command) noexcept override {
+    void write(const device::ForceCommand& command) noexcept override {
         if (!open_) return;
         const Vec3 force = believed_ ? held_to(command.force_n, spec_.peak_force_n) : Vec3(0.0);
         call_.set_force(-force.y, force.x, force.z, kDefaultDevice);
@@ -92,13 +92,13 @@ public:
 private:
     VendorLibrary library_;
     Functions call_;
-    DeviceSpec spec_ = *find_device_spec("omega");
+    device::DeviceSpec spec_ = *device::find_device_spec("omega");
     bool open_ = false, believed_ = false;
 };
 
 }  // namespace
 
-Result<std::unique_ptr<HapticDevice>> open_dhd_device(const std::string& path) {
+Result<std::unique_ptr<device::HapticDevice>> open_dhd_device(const std::string& path) {
     auto library = path.empty() ? VendorLibrary::load({"libdhd.so.3", "libdhd.so"}, "Force Dimension")
                                 : VendorLibrary::load({path}, "Force Dimension");
     if (!library) return tl::unexpected(library.error());
@@ -118,7 +118,7 @@ Result<std::unique_ptr<HapticDevice>> open_dhd_device(const std::string& path) {
     if (!complete) return tl::unexpected(complete.error());
     auto device = std::make_unique<DhdDevice>(std::move(*library), call);
     if (const auto opened = device->open(); !opened) return tl::unexpected(opened.error());
-    return std::unique_ptr<HapticDevice>(std::move(device));
+    return std::unique_ptr<device::HapticDevice>(std::move(device));
 }
 
-}  // namespace handrail
+}  // namespace handrail::drivers

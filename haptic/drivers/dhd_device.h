@@ -9,9 +9,9 @@
 
 #include "haptic/device/haptic_device.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 // `library`: a path that replaces the installed one, for tests. The spec is the row of the model that is found.
-Result<std::unique_ptr<HapticDevice>> open_dhd_device(const std::string& library = {});
+Result<std::unique_ptr<device::HapticDevice>> open_dhd_device(const std::string& library = {});
 
-}  // namespace handrail
+}  // namespace handrail::drivers

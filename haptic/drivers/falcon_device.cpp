@@ -12,7 +12,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/patience.h"
 
-namespace handrail {
+namespace handrail::drivers {
 namespace fs = std::filesystem;
 namespace {
 
@@ -76,7 +76,7 @@ std::vector<fs::path> falcon_firmware_files() {
 bool falcon_firmware_is_sound(const fs::path& file) { return read_firmware(file).has_value(); }
 
 FalconDevice::FalconDevice(std::unique_ptr<ByteLink> link, Clock& clock, FalconOptions options)
-    : spec_(*find_device_spec("falcon")), link_(std::move(link)), clock_(clock), options_(std::move(options)) {
+    : spec_(*device::find_device_spec("falcon")), link_(std::move(link)), clock_(clock), options_(std::move(options)) {
     contract_pre(link_);
 }
 
@@ -279,8 +279,8 @@ bool FalconDevice::is_stuck(const std::array<int, 3>& encoders) noexcept {
     return farthest > kStuckCounts;
 }
 
-DeviceSample FalconDevice::read(double) noexcept {
-    DeviceSample sample;
+device::DeviceSample FalconDevice::read(double) noexcept {
+    device::DeviceSample sample;
     sample.fresh = false;
     if (in_flight_ == 0) send({0, 0, 0});
     const bool answered = wait_for_answer(clock_.now_s() + kAnswerDeadlineS);
@@ -315,7 +315,7 @@ DeviceSample FalconDevice::read(double) noexcept {
     return sample;
 }
 
-void FalconDevice::write(const ForceCommand& command) noexcept {
+void FalconDevice::write(const device::ForceCommand& command) noexcept {
     std::array<int, 3> motors{};
     if (knows_place_ && clock_.now_s() - answered_s_ < kZeroAfterSilenceS) {
         const Vec3 force_n = held_to(command.force_n, kShareOfPeak * spec_.peak_force_n) * trust_;
@@ -335,4 +335,4 @@ void FalconDevice::close() noexcept {
     lost_ = true;
 }
 
-}  // namespace handrail
+}  // namespace handrail::drivers

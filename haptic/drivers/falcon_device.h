@@ -15,7 +15,7 @@
 #include "haptic/drivers/falcon_protocol.h"
 #include "worlds/base/clock.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 struct FalconOptions {
     std::vector<std::filesystem::path> firmware_files;  // tried in this order; needed only if none runs yet
@@ -33,7 +33,7 @@ bool falcon_firmware_is_sound(const std::filesystem::path& file);
 // The folder to put the file in, for a sentence: the first of the folders above.
 std::filesystem::path falcon_firmware_folder();
 
-class FalconDevice final : public HapticDevice {
+class FalconDevice final : public device::HapticDevice {
 public:
     static constexpr double kAnswerDeadlineS = 0.005;
     static constexpr double kZeroAfterSilenceS = 0.020;
@@ -54,11 +54,11 @@ public:
     FalconDevice(std::unique_ptr<ByteLink> link, Clock& clock, FalconOptions options = {});
     ~FalconDevice() override;
 
-    const DeviceSpec& spec() const override { return spec_; }
+    const device::DeviceSpec& spec() const override { return spec_; }
     // Takes up to a few seconds if the firmware must be sent. Errors are sentences.
     Result<void> open() override;
-    DeviceSample read(double now_s) noexcept override;
-    void write(const ForceCommand& command) noexcept override;
+    device::DeviceSample read(double now_s) noexcept override;
+    void write(const device::ForceCommand& command) noexcept override;
     void close() noexcept override;
 
     bool firmware_was_running() const { return firmware_was_running_; }
@@ -79,7 +79,7 @@ private:
     void forget_place() noexcept;
     bool is_stuck(const std::array<int, 3>& encoders) noexcept;
 
-    DeviceSpec spec_;
+    device::DeviceSpec spec_;
     std::unique_ptr<ByteLink> link_;
     Clock& clock_;
     FalconOptions options_;
@@ -101,4 +101,4 @@ private:
     std::array<Stillness, 3> stillness_{};
 };
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace handrail {
+namespace handrail::drivers {
 namespace {
 
 constexpr double kThighM = 0.060;
@@ -144,4 +144,4 @@ std::optional<Vec3> falcon_torques(const Vec3& grip_m, const Vec3& leg_angles_ra
            volume;
 }
 
-}  // namespace handrail
+}  // namespace handrail::drivers

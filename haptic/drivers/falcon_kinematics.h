@@ -10,7 +10,7 @@
 
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 // The middle of the workspace for the driver: z reaches from about 0.085 to 0.165.
 inline constexpr Vec3 kFalconMiddleM{0.0, 0.0, 0.125};
@@ -40,4 +40,4 @@ std::optional<std::array<Vec3, 3>> falcon_jacobian(const Vec3& grip_m, const Vec
 // Torques of the thighs in Nm that give this force on the grip: J^T torque = force, by the principle of virtual work.
 std::optional<Vec3> falcon_torques(const Vec3& grip_m, const Vec3& leg_angles_rad, const Vec3& force_n) noexcept;
 
-}  // namespace handrail
+}  // namespace handrail::drivers

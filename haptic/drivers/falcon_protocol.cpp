@@ -5,7 +5,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::drivers {
 namespace {
 
 constexpr std::uint8_t kZero = 0x41;  // added to every small number on the wire
@@ -116,4 +116,4 @@ Result<void> check_falcon_firmware(std::span<const std::uint8_t> image, const st
     return {};
 }
 
-}  // namespace handrail
+}  // namespace handrail::drivers

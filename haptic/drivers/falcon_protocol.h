@@ -12,7 +12,7 @@
 #include "worlds/base/result.h"
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 inline constexpr int kFalconMostCounts = 4095;  // greatest motor command, in either direction
 inline constexpr std::size_t kFalconFrameBytes = 16;
@@ -60,4 +60,4 @@ private:
 // the name of the file.
 Result<void> check_falcon_firmware(std::span<const std::uint8_t> image, const std::string& name);
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -16,7 +16,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::drivers {
 namespace {
 
 constexpr std::size_t kBitsPerByte = 8;
@@ -156,4 +156,4 @@ Result<std::unique_ptr<FfLink>> open_ff_link(const std::string& path) {
     return std::unique_ptr<FfLink>(std::make_unique<EvdevLink>(fd));
 }
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -9,7 +9,7 @@
 
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 struct FfAbilities {
     bool rumble = false, constant = false, gain = false, stick = false;  // stick: it has the axes x and y
@@ -46,4 +46,4 @@ struct FfDeviceInfo {
 std::vector<FfDeviceInfo> list_ff_devices(const std::string& folder = "/dev/input");
 Result<std::unique_ptr<FfLink>> open_ff_link(const std::string& path);
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -7,7 +7,7 @@
 
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 // Returns the force unchanged if it is at most the peak, otherwise the peak in the same direction, however large the
 // force was. Returns zero if it is not finite.
@@ -20,4 +20,4 @@ inline Vec3 held_to(const Vec3& force_n, double peak_n) noexcept {
     return largest <= peak_n / length ? force_n : direction * (peak_n / length);
 }
 
-}  // namespace handrail
+}  // namespace handrail::drivers

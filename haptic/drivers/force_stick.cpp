@@ -5,7 +5,7 @@
 #include "haptic/drivers/force_packing.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 Result<void> ForceStick::open() {
     const FfAbilities can = link_->abilities();
@@ -16,10 +16,10 @@ Result<void> ForceStick::open() {
     return {};
 }
 
-DeviceSample ForceStick::read(double) noexcept {
+device::DeviceSample ForceStick::read(double) noexcept {
     FfLink::Stick stick;
     if (open_ && !lost_) lost_ = !link_->poll(stick);
-    DeviceSample sample;
+    device::DeviceSample sample;
     sample.connected = sample.fresh = open_ && !lost_;
     // The kernel's y is positive towards the person.
     sample.position_m = {stick.x * spec_.workspace_radius_m, -stick.y * spec_.workspace_radius_m, 0.0};
@@ -27,7 +27,7 @@ DeviceSample ForceStick::read(double) noexcept {
     return sample;
 }
 
-void ForceStick::write(const ForceCommand& command) noexcept {
+void ForceStick::write(const device::ForceCommand& command) noexcept {
     if (!open_ || lost_) return;
     // The stick cannot give an upward force. A command that is not finite is rejected as a whole.
     if (!is_finite(command.force_n)) {
@@ -46,4 +46,4 @@ void ForceStick::close() noexcept {
     open_ = false;
 }
 
-}  // namespace handrail
+}  // namespace handrail::drivers

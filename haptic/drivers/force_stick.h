@@ -9,24 +9,24 @@
 #include "haptic/device/haptic_device.h"
 #include "haptic/drivers/ff_link.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
-class ForceStick final : public HapticDevice {
+class ForceStick final : public device::HapticDevice {
 public:
     explicit ForceStick(std::unique_ptr<FfLink> link)
-        : link_(std::move(link)), spec_(*find_device_spec("force-stick")) {}
+        : link_(std::move(link)), spec_(*device::find_device_spec("force-stick")) {}
     ~ForceStick() override { ForceStick::close(); }
 
-    const DeviceSpec& spec() const override { return spec_; }
+    const device::DeviceSpec& spec() const override { return spec_; }
     Result<void> open() override;
-    DeviceSample read(double now_s) noexcept override;
-    void write(const ForceCommand& command) noexcept override;
+    device::DeviceSample read(double now_s) noexcept override;
+    void write(const device::ForceCommand& command) noexcept override;
     void close() noexcept override;
 
 private:
     std::unique_ptr<FfLink> link_;
-    DeviceSpec spec_;
+    device::DeviceSpec spec_;
     bool open_ = false, lost_ = false;
 };
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -19,7 +19,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::drivers {
 namespace {
 
 constexpr int kZeroExchanges = 5;  // most exchanges of zero force, until two of them are answered
@@ -76,7 +76,7 @@ void find_falcons(std::vector<FoundDevice>& found) {
         device.driver = phrase("device.own_driver", {{"library", "libusb"}});
         device.connection = place_of(usb);
         device.serial = usb.serial;
-        device.spec = *find_device_spec("falcon");
+        device.spec = *device::find_device_spec("falcon");
         device.rate_hz = 1000.0;
         device.usable = usb.problem.empty();
         if (device.usable) look_at_falcon(usb, device);
@@ -172,7 +172,7 @@ void find_makers_devices(std::vector<FoundDevice>& found) {
         for (const UsbDeviceInfo& usb : *plugged) {
             FoundDevice device;
             device.name = model_of(maker, usb);
-            device.spec = *find_device_spec(device.name);
+            device.spec = *device::find_device_spec(device.name);
             device.model = std::string(maker.name) + " " +
                            (usb.product_name.empty() ? device.spec->spoken_name() : usb.product_name);
             device.driver = phrase("device.makers_library", {{"library", maker.libraries.front()}});
@@ -203,7 +203,7 @@ void find_inverse3(std::vector<FoundDevice>& found) {
     device.firmware = facts->firmware.empty() ? phrase("device.own_firmware") : facts->firmware;
     device.needs_calibration = !facts->calibrated;
     device.calibration = phrase(facts->calibrated ? "device.calibrated" : "device.not_calibrated");
-    device.spec = *find_device_spec("inverse3");
+    device.spec = *device::find_device_spec("inverse3");
     device.rate_hz = 1000.0;
     found.push_back(std::move(device));
 }
@@ -220,28 +220,28 @@ void find_ff_devices(std::vector<FoundDevice>& found, bool known) {
         device.driver = phrase("device.kernels_driver");
         device.connection = ff.path;
         device.calibration = phrase("device.no_calibration");
-        if (stick) device.spec = *find_device_spec("force-stick");
+        if (stick) device.spec = *device::find_device_spec("force-stick");
         device.rate_hz = stick ? 250.0 : 20.0;
         found.push_back(std::move(device));
     }
 }
 
-Result<std::unique_ptr<HapticDevice>> open_force_stick() {
+Result<std::unique_ptr<device::HapticDevice>> open_force_stick() {
     for (const FfDeviceInfo& ff : list_ff_devices()) {
         if (!ff.abilities.constant || !ff.abilities.stick) continue;
         auto link = open_ff_link(ff.path);
         if (!link) return tl::unexpected(link.error());
         auto device = std::make_unique<ForceStick>(std::move(*link));
         if (const auto opened = device->open(); !opened) return tl::unexpected(opened.error());
-        return std::unique_ptr<HapticDevice>(std::move(device));
+        return std::unique_ptr<device::HapticDevice>(std::move(device));
     }
     return fail(phrase("drivers.no_force_stick"));
 }
 
 // Without `firmware_files` this opens only a Falcon whose firmware runs.
-Result<std::unique_ptr<HapticDevice>> open_falcon(std::string_view serial, Clock& clock,
-                                                  std::vector<std::filesystem::path> firmware_files,
-                                                  const std::function<void(const std::string&)>& tell) {
+Result<std::unique_ptr<device::HapticDevice>> open_falcon(std::string_view serial, Clock& clock,
+                                                          std::vector<std::filesystem::path> firmware_files,
+                                                          const std::function<void(const std::string&)>& tell) {
     const auto plugged = list_usb_devices(kFalconIds);
     if (!plugged) return tl::unexpected(plugged.error());
     const auto wanted = std::find_if(plugged->begin(), plugged->end(),
@@ -255,7 +255,7 @@ Result<std::unique_ptr<HapticDevice>> open_falcon(std::string_view serial, Clock
     options.tell = tell;
     auto device = std::make_unique<FalconDevice>(std::move(*link), clock, std::move(options));
     if (const auto opened = device->open(); !opened) return tl::unexpected(opened.error());
-    return std::unique_ptr<HapticDevice>(std::move(device));
+    return std::unique_ptr<device::HapticDevice>(std::move(device));
 }
 
 }  // namespace
@@ -286,7 +286,7 @@ std::vector<PluggedHand> plugged_hands() {
         const auto plugged = list_usb_devices(ids);
         if (!plugged) return;
         for (const UsbDeviceInfo& usb : *plugged) {
-            const DeviceSpec& spec = *find_device_spec(name_of(usb));
+            const device::DeviceSpec& spec = *device::find_device_spec(name_of(usb));
             hands.push_back({std::string(spec.name), spec.spoken_name(), place_of(usb),
                              usb.problem.empty() ? std::string() : why_not(usb)});
         }
@@ -297,7 +297,7 @@ std::vector<PluggedHand> plugged_hands() {
     for (const FfDeviceInfo& ff : list_ff_devices())
         if (ff.abilities.constant && ff.abilities.stick)
             hands.push_back({"force-stick",
-                             ff.name.empty() ? find_device_spec("force-stick")->spoken_name() : ff.name,
+                             ff.name.empty() ? device::find_device_spec("force-stick")->spoken_name() : ff.name,
                              ff.path,
                              {}});
     return hands;
@@ -318,8 +318,8 @@ bool is_found_only_by_opening(std::string_view name) {
     return name == "touch" || name == "omni" || name.starts_with("phantom-");
 }
 
-Result<std::unique_ptr<HapticDevice>> open_device(std::string_view name, std::string_view serial, Clock& clock,
-                                                  const std::function<void(const std::string&)>& tell) {
+Result<std::unique_ptr<device::HapticDevice>> open_device(std::string_view name, std::string_view serial, Clock& clock,
+                                                          const std::function<void(const std::string&)>& tell) {
     if (name == "falcon") return open_falcon(serial, clock, falcon_firmware_files(), tell);
     if (is_found_only_by_opening(name)) return open_hd_device();
     if (name == "omega" || name == "sigma" || name == "lambda" || name == "delta") return open_dhd_device();
@@ -333,7 +333,7 @@ Result<void> zero_device(std::string_view name, std::string_view serial, Clock& 
     auto device = name == "falcon" ? open_falcon(serial, clock, {}, nullptr)
                                    : open_device(name, serial, clock, [](const std::string&) {});
     if (!device) return tl::unexpected(device.error());
-    DeviceSample sample;
+    device::DeviceSample sample;
     for (int i = 0; i < kZeroExchanges && !(sample.connected && sample.fresh && i > 0); ++i) {
         (*device)->write({});
         sample = (*device)->read(clock.now_s());
@@ -344,4 +344,4 @@ Result<void> zero_device(std::string_view name, std::string_view serial, Clock& 
     return {};
 }
 
-}  // namespace handrail
+}  // namespace handrail::drivers

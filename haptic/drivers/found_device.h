@@ -13,7 +13,7 @@
 #include "haptic/device/haptic_device.h"
 #include "worlds/base/clock.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 enum class DeviceKind {
     Kinesthetic,
@@ -31,8 +31,8 @@ struct FoundDevice {
     std::string firmware;     // a short phrase: "running", "must be sent when it is opened"
     std::string calibration;  // "homed", "not homed: 1 of 3 legs"
     bool needs_calibration = false;
-    std::optional<DeviceSpec> spec;  // for Kinesthetic: workspace, force limit, stiffness
-    double rate_hz = 0.0;            // exchanges per second that the device is built for; 0: unknown
+    std::optional<device::DeviceSpec> spec;  // for Kinesthetic: workspace, force limit, stiffness
+    double rate_hz = 0.0;                    // exchanges per second that the device is built for; 0: unknown
     // The driver has been tested with such hardware and not only with emulators; so far none has.
     bool met_hardware = false;
     bool usable = true;
@@ -68,8 +68,8 @@ std::string permission_advice();
 bool is_meant(const FoundDevice& device, std::string_view name_or_serial);
 
 // Opens a kinesthetic device by name, and by serial number if one is given. For the guard process.
-Result<std::unique_ptr<HapticDevice>> open_device(std::string_view name, std::string_view serial, Clock& clock,
-                                                  const std::function<void(const std::string&)>& tell);
+Result<std::unique_ptr<device::HapticDevice>> open_device(std::string_view name, std::string_view serial, Clock& clock,
+                                                          const std::function<void(const std::string&)>& tell);
 // Opens such a device, sends it zero force and closes it. The second guard does nothing else. Succeeds only if the
 // device accepted the zero and answered.
 Result<void> zero_device(std::string_view name, std::string_view serial, Clock& clock);
@@ -78,4 +78,4 @@ std::vector<std::string> openable_device_names();
 // Returns true for models on older wires than USB: only their maker's library knows whether one is present.
 bool is_found_only_by_opening(std::string_view name);
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -7,13 +7,13 @@
 #include "haptic/drivers/found_device.h"
 #include "haptic/drivers/haply_device.h"
 
-namespace handrail {
+namespace handrail::drivers {
 namespace {
 
 namespace fs = std::filesystem;
 
 // What libusb and udev read about devices, and what the C library reads about the process itself.
-void permit_finding_devices(Permissions& permissions) {
+void permit_finding_devices(confine::Permissions& permissions) {
     permissions.read.insert(permissions.read.end(), {"/sys", "/run/udev", "/etc/udev", "/proc/self"});
     permissions.device_events = true;
 }
@@ -36,23 +36,23 @@ void permit_folders_of(const char* variable, std::vector<fs::path>& paths) {
 }
 
 // A maker's library is loaded after the guard is confined, and reads its settings where its installer put them.
-void permit_makers_library(Permissions& permissions) {
+void permit_makers_library(confine::Permissions& permissions) {
     permissions.read.insert(permissions.read.end(), {"/usr", "/lib", "/lib64", "/opt", "/etc", "/var/lib"});
     for (const char* variable : {"LD_LIBRARY_PATH", "GTDD_HOME", "OH_SDK_BASE"})
         permit_folders_of(variable, permissions.read);
     permissions.read_and_write.insert(permissions.read_and_write.end(), {"/dev/null", "/dev/urandom"});
 }
 
-void permit_falcon(Permissions& permissions) {
+void permit_falcon(confine::Permissions& permissions) {
     for (const fs::path& file : falcon_firmware_files()) permissions.read.push_back(file.parent_path());
     permissions.read.push_back(falcon_firmware_folder());
 }
 
 }  // namespace
 
-Permissions guard_permissions(std::string_view device) {
-    Permissions permissions;
-    permissions.calls = Calls::Drive;
+confine::Permissions guard_permissions(std::string_view device) {
+    confine::Permissions permissions;
+    permissions.calls = confine::Calls::Drive;
 #if defined(HANDRAIL_SANITIZED)
     permissions.read.emplace_back("/proc");  // a sanitizer looks for leaks there
 #endif
@@ -74,4 +74,4 @@ Permissions guard_permissions(std::string_view device) {
     return permissions;
 }
 
-}  // namespace handrail
+}  // namespace handrail::drivers

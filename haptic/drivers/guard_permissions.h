@@ -7,7 +7,7 @@
 
 #include "worlds/confine/confine.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 // The environment variables that a guard inherits: the places of makers' libraries and their settings, of the Falcon's
 // firmware, and those with which umockdev emulates devices.
@@ -15,6 +15,6 @@ inline constexpr std::array<std::string_view, 8> kGuardVariables{
     "LD_LIBRARY_PATH", "GTDD_HOME", "OH_SDK_BASE", "HOME", "XDG_DATA_HOME", "HANDRAIL_*", "LD_PRELOAD", "UMOCKDEV_DIR"};
 
 // `device`: a name as for open_device.
-Permissions guard_permissions(std::string_view device);
+confine::Permissions guard_permissions(std::string_view device);
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -24,7 +24,7 @@ extern "C" {  // missing in the headers of glibc 2.36
 #include "worlds/base/descriptor.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::drivers {
 namespace {
 
 constexpr int kGuardPriority = 71;   // just above the servo thread, which waits for it
@@ -147,7 +147,7 @@ int guard_process(int argc, char** argv, const NamedDevices& devices) {
     const std::string name = argv[7], serial = argc > 8 ? argv[8] : "";
     if (role == kRelieveRole) {
         protect(*mailbox, kReliefPriority);
-        (void)confine(devices.permissions(name));
+        (void)confine::confine(devices.permissions(name));
         // A driver that does not return must not keep this process for ever.
         const auto zero_in_time = [&] {
             ::alarm(kMostOfOneTryS);
@@ -159,11 +159,11 @@ int guard_process(int argc, char** argv, const NamedDevices& devices) {
                              [third_fd] { ::pidfd_send_signal(third_fd, SIGKILL, nullptr, 0); });
     }
     protect(*mailbox, kGuardPriority);
-    (void)confine(devices.permissions(name));  // `handrail devices` reports what the kernel lacks
+    (void)confine::confine(devices.permissions(name));  // `handrail devices` reports what the kernel lacks
     return guard_hand(
         *mailbox, third_fd, life_fd,
         [&](const std::function<void(const std::string&)>& tell) { return devices.open(name, serial, tell); },
         [] { ::_exit(3); });
 }
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -13,17 +13,17 @@
 #include "worlds/base/clock.h"
 #include "worlds/confine/confine.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 struct NamedDevices {
     // Finds and opens a device, and reports progress in sentences.
-    std::function<Result<std::unique_ptr<HapticDevice>>(const std::string& name, const std::string& serial,
-                                                        const std::function<void(const std::string&)>& tell)>
+    std::function<Result<std::unique_ptr<device::HapticDevice>>(const std::string& name, const std::string& serial,
+                                                                const std::function<void(const std::string&)>& tell)>
         open;
     // Opens the device, sends zero and closes it; succeeds only if the device accepted the zero.
     std::function<Result<void>(const std::string& name, const std::string& serial)> zero;
     // The permissions for opening it, also when it is plugged in again.
-    std::function<Permissions(const std::string& name)> permissions;
+    std::function<confine::Permissions(const std::string& name)> permissions;
 };
 
 // The devices that the drivers find, each with the permissions that its driver needs.
@@ -41,4 +41,4 @@ inline constexpr const char* kRelieveRole = "relieve";
 // itself to what the device needs (worlds/confine).
 int guard_process(int argc, char** argv, const NamedDevices& devices);
 
-}  // namespace handrail
+}  // namespace handrail::drivers

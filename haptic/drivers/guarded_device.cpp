@@ -31,7 +31,7 @@ extern "C" {  // missing in the headers of glibc 2.36
 #include "worlds/base/language.h"
 #include "worlds/confine/confine.h"
 
-namespace handrail {
+namespace handrail::drivers {
 namespace fs = std::filesystem;
 namespace {
 
@@ -69,7 +69,7 @@ fs::path find_guard_program() {
     return {};
 }
 
-GuardedDevice::GuardedDevice(const DeviceSpec& spec, fs::path guard_program, std::vector<std::string> arguments)
+GuardedDevice::GuardedDevice(const device::DeviceSpec& spec, fs::path guard_program, std::vector<std::string> arguments)
     : spec_(spec), guard_program_(std::move(guard_program)), arguments_(std::move(arguments)) {}
 
 GuardedDevice::~GuardedDevice() { GuardedDevice::close(); }
@@ -100,7 +100,7 @@ Result<void> GuardedDevice::start(const char* role, int third_fd, int& life_fd, 
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     const int status = ::posix_spawn(&process, guard_program_.c_str(), &actions, nullptr, argv.data(),
-                                     environment_with(kGuardVariables).data());
+                                     confine::environment_with(kGuardVariables).data());
     posix_spawn_file_actions_destroy(&actions);
     if (status != 0) {
         process = -1;
@@ -199,13 +199,13 @@ bool GuardedDevice::guard_ended() const noexcept {
     return (relief == ReliefState::Zero || relief == ReliefState::Failed) && !guard_lives();
 }
 
-DeviceLoss GuardedDevice::loss() const noexcept {
-    if (!mailbox_->holds.load(std::memory_order_acquire)) return DeviceLoss::Unplugged;
-    return mailbox_->relief.load(std::memory_order_acquire) == ReliefState::Zero ? DeviceLoss::ForceOff
-                                                                                 : DeviceLoss::MayPush;
+device::DeviceLoss GuardedDevice::loss() const noexcept {
+    if (!mailbox_->holds.load(std::memory_order_acquire)) return device::DeviceLoss::Unplugged;
+    return mailbox_->relief.load(std::memory_order_acquire) == ReliefState::Zero ? device::DeviceLoss::ForceOff
+                                                                                 : device::DeviceLoss::MayPush;
 }
 
-DeviceSample GuardedDevice::read(double) noexcept {
+device::DeviceSample GuardedDevice::read(double) noexcept {
     if (!mailbox_) {
         last_.fresh = last_.connected = false;
         return last_;
@@ -223,7 +223,7 @@ DeviceSample GuardedDevice::read(double) noexcept {
     return last_;
 }
 
-void GuardedDevice::write(const ForceCommand& command) noexcept {
+void GuardedDevice::write(const device::ForceCommand& command) noexcept {
     if (!mailbox_) return;
     mailbox_->command.publish(command);
     const std::uint64_t one = 1;
@@ -355,4 +355,4 @@ std::vector<std::string> GuardedDevice::unprotected() const {
     return sentences;
 }
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -19,24 +19,25 @@
 #include "haptic/device/haptic_device.h"
 #include "haptic/drivers/hand_mailbox.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
-class GuardedDevice final : public HapticDevice {
+class GuardedDevice final : public device::HapticDevice {
 public:
     // open() starts `guard_program` twice (see guard_process.h): once to hold the device, once to take its force away
     // if the first one fails. `arguments`: the device's name, and its serial number if it has one.
-    GuardedDevice(const DeviceSpec& spec, std::filesystem::path guard_program, std::vector<std::string> arguments);
+    GuardedDevice(const device::DeviceSpec& spec, std::filesystem::path guard_program,
+                  std::vector<std::string> arguments);
     ~GuardedDevice() override;
     GuardedDevice(const GuardedDevice&) = delete;
     GuardedDevice& operator=(const GuardedDevice&) = delete;
 
-    const DeviceSpec& spec() const override { return spec_; }
+    const device::DeviceSpec& spec() const override { return spec_; }
     // Starts the guard and waits until it holds the device, at most kOpenS, because firmware may have to be sent. On
     // failure it returns the guard's own sentence. Any single thread until it returns; does nothing if it is open
     // already.
     Result<void> open() override;
-    DeviceSample read(double now_s) noexcept override;
-    void write(const ForceCommand& command) noexcept override;
+    device::DeviceSample read(double now_s) noexcept override;
+    void write(const device::ForceCommand& command) noexcept override;
     // Lets the guard zero the force and end; waits for it at most kEndS. If the guard does not end, or ended with the
     // device open, waits for the second guard at most kZeroS more. Afterwards may_push() says whether the device may
     // still push.
@@ -72,7 +73,7 @@ public:
 private:
     bool guard_lives() const noexcept;
     bool relief_lives() const noexcept;
-    DeviceLoss loss() const noexcept;
+    device::DeviceLoss loss() const noexcept;
     Result<void> start_guards();
     Result<void> start_relief();
     Result<void> start(const char* role, int third_fd, int& life_fd, pid_t& process);
@@ -83,7 +84,7 @@ private:
     void replace_relief();
     void notice_long_zeroing();
 
-    DeviceSpec spec_;
+    device::DeviceSpec spec_;
     std::filesystem::path guard_program_;
     std::vector<std::string> arguments_;
     HandMailbox* mailbox_ = nullptr;
@@ -101,10 +102,10 @@ private:
     std::vector<std::string> news_;
     std::function<void(const std::string&)> tell_;
     // Used by the servo thread only.
-    DeviceSample last_;
+    device::DeviceSample last_;
 };
 
 // Finds the guard's program, next to the running one or in ../libexec/handrail. Empty if it is in neither.
 std::filesystem::path find_guard_program();
 
-}  // namespace handrail
+}  // namespace handrail::drivers

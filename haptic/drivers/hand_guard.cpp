@@ -13,7 +13,7 @@
 
 #include "worlds/base/executor.h"
 
-namespace handrail {
+namespace handrail::drivers {
 namespace {
 
 constexpr int kTickMs = 5;
@@ -90,13 +90,13 @@ int guard_hand(HandMailbox& mailbox, int wake_fd, int life_fd, const OpenDevice&
         send_message(life_fd, GuardMessage::Failed, opened.error().sentence());
         return 1;
     }
-    std::unique_ptr<HapticDevice> device = std::move(*opened);
+    std::unique_ptr<device::HapticDevice> device = std::move(*opened);
     mailbox.holds = true;
     StuckWatch watch(stuck);
     send_message(life_fd, GuardMessage::Ready, "");
 
-    DeviceSample answer;
-    ForceCommand command;
+    device::DeviceSample answer;
+    device::ForceCommand command;
     double commanded_s = clock.now_s(), exchanged_s = 0.0, looked_s = 0.0;
     bool gone = false;
     while (!gone) {
@@ -142,4 +142,4 @@ int guard_hand(HandMailbox& mailbox, int wake_fd, int life_fd, const OpenDevice&
     return 0;
 }
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -17,7 +17,7 @@
 #include "haptic/drivers/hand_mailbox.h"
 #include "worlds/base/clock.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 inline constexpr double kZeroAfterS = 0.020;
 inline constexpr double kLookAgainS = 0.5;
@@ -25,7 +25,7 @@ inline constexpr double kStuckS = 0.25;
 
 // Finds and opens the device, also after it was unplugged. Reports progress in sentences.
 using OpenDevice =
-    std::function<Result<std::unique_ptr<HapticDevice>>(const std::function<void(const std::string&)>& tell)>;
+    std::function<Result<std::unique_ptr<device::HapticDevice>>(const std::function<void(const std::string&)>& tell)>;
 
 // The first byte of each message from the guard to the program; the rest is a sentence.
 enum class GuardMessage : char { News = 'n', Ready = 'r', Failed = 'f' };
@@ -39,4 +39,4 @@ void send_message(int life_fd, GuardMessage kind, const std::string& sentence);
 int guard_hand(HandMailbox& mailbox, int wake_fd, int life_fd, const OpenDevice& open_device,
                const std::function<void()>& stuck);
 
-}  // namespace handrail
+}  // namespace handrail::drivers

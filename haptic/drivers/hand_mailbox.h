@@ -10,7 +10,7 @@
 #include "haptic/device/haptic_device.h"
 #include "worlds/base/latest_value.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 // What the second guard is doing.
 enum class ReliefState : std::uint8_t {
@@ -22,11 +22,11 @@ enum class ReliefState : std::uint8_t {
 
 struct HandMailbox {
     static constexpr std::uint64_t kMailboxMark =
-        0x68616e647261696cULL + sizeof(ForceCommand) * 256 + sizeof(DeviceSample);
+        0x68616e647261696cULL + sizeof(device::ForceCommand) * 256 + sizeof(device::DeviceSample);
 
     std::uint64_t mark = kMailboxMark;
-    LatestValue<ForceCommand> command;    // program to guard; device frame
-    LatestValue<DeviceSample> answer;     // guard to program; one for each exchange
+    LatestValue<device::ForceCommand> command;  // program to guard; device frame
+    LatestValue<device::DeviceSample> answer;   // guard to program; one for each exchange
     std::atomic<std::uint32_t> beats{0};  // counts the guard's rounds, at least one in 5 ms while it holds the device
     std::atomic<std::uint32_t> relief_beats{0};              // counts the second guard's looks, one in 10 ms
     std::atomic<bool> holds{false};                          // set by the guard: a device is open, so it may push
@@ -36,9 +36,9 @@ struct HandMailbox {
         spared{true};
 };
 
-static_assert(std::is_trivially_copyable_v<ForceCommand> && std::is_trivially_copyable_v<DeviceSample>);
+static_assert(std::is_trivially_copyable_v<device::ForceCommand> && std::is_trivially_copyable_v<device::DeviceSample>);
 static_assert(std::atomic<std::uint8_t>::is_always_lock_free && std::atomic<std::uint32_t>::is_always_lock_free &&
                   std::atomic<bool>::is_always_lock_free,
               "a lock in shared memory would be held by a dead program for ever");
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -13,7 +13,7 @@
 #include "haptic/drivers/force_packing.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::drivers {
 namespace {
 
 namespace beast = boost::beast;
@@ -61,12 +61,12 @@ std::string firmware_of(const Json& device) {
     return number(*info, "minor_version", minor) ? fmt::format("{:g}.{:g}", major, minor) : fmt::format("{:g}", major);
 }
 
-class HaplyDevice final : public HapticDevice {
+class HaplyDevice final : public device::HapticDevice {
 public:
     HaplyDevice(Clock& clock, std::uint16_t port) : clock_(clock), port_(port) {}
     ~HaplyDevice() override { HaplyDevice::close(); }
 
-    const DeviceSpec& spec() const override { return spec_; }
+    const device::DeviceSpec& spec() const override { return spec_; }
     HaplyFacts facts() const { return {device_id_, firmware_, state_.homed}; }
 
     Result<void> open() override {
@@ -94,7 +94,7 @@ public:
         }
     }
 
-    DeviceSample read(double) noexcept override {
+    device::DeviceSample read(double) noexcept override {
         if (in_flight_ == 0) write({});
         const double deadline_s = clock_.now_s() + kAnswerDeadlineS;
         bool fresh = false;
@@ -102,13 +102,13 @@ public:
             fresh = guarded([&] { return receive(deadline_s); }) || fresh;
         if (!fresh && clock_.now_s() - sent_s_ > kZeroAfterSilenceS) in_flight_ = 0;
         if (fresh) answered_s_ = clock_.now_s();
-        DeviceSample sample = state_;
+        device::DeviceSample sample = state_;
         sample.fresh = fresh;
         sample.connected = open_ && !lost_;
         return sample;
     }
 
-    void write(const ForceCommand& command) noexcept override {
+    void write(const device::ForceCommand& command) noexcept override {
         // The service answers every message; more of them would only queue up.
         if (!open_ || lost_ || in_flight_ > 1) return;
         const bool allowed = state_.homed && clock_.now_s() - answered_s_ <= kZeroAfterSilenceS;
@@ -203,12 +203,12 @@ private:
 
     Clock& clock_;
     std::uint16_t port_;
-    DeviceSpec spec_ = *find_device_spec("inverse3");
+    device::DeviceSpec spec_ = *device::find_device_spec("inverse3");
     boost::asio::io_context io_;
     websocket::stream<beast::tcp_stream> socket_{io_};
     beast::flat_buffer incoming_;
     std::string outgoing_, device_id_, firmware_;
-    DeviceSample state_;
+    device::DeviceSample state_;
     bool open_ = false, lost_ = false, reading_ = false, arrived_ = false, written_ = false, closed_ = false;
     int in_flight_ = 0;
     double sent_s_ = 0.0, answered_s_ = 0.0;
@@ -216,7 +216,7 @@ private:
 
 }  // namespace
 
-bool parse_haply_state(std::string_view text, std::string& device_id, DeviceSample& sample) {
+bool parse_haply_state(std::string_view text, std::string& device_id, device::DeviceSample& sample) {
     const Json json = Json::parse(text, nullptr, false);
     const Json* devices = json.is_discarded() ? nullptr : member(json, "inverse3");
     if (!devices || !devices->is_array()) return false;
@@ -239,10 +239,10 @@ bool parse_haply_state(std::string_view text, std::string& device_id, DeviceSamp
     return false;
 }
 
-Result<std::unique_ptr<HapticDevice>> open_haply_device(Clock& clock, std::uint16_t port) {
+Result<std::unique_ptr<device::HapticDevice>> open_haply_device(Clock& clock, std::uint16_t port) {
     auto device = std::make_unique<HaplyDevice>(clock, port);
     if (const auto opened = device->open(); !opened) return tl::unexpected(opened.error());
-    return std::unique_ptr<HapticDevice>(std::move(device));
+    return std::unique_ptr<device::HapticDevice>(std::move(device));
 }
 
 Result<HaplyFacts> look_at_haply(Clock& clock, std::uint16_t port) {
@@ -251,4 +251,4 @@ Result<HaplyFacts> look_at_haply(Clock& clock, std::uint16_t port) {
     return device.facts();
 }
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -13,12 +13,12 @@
 #include "haptic/device/haptic_device.h"
 #include "worlds/base/clock.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 inline constexpr std::uint16_t kHaplyPort = 10001;
 
 // Connects to the service on this computer and takes its first Inverse3. The clock must outlive the device.
-Result<std::unique_ptr<HapticDevice>> open_haply_device(Clock& clock, std::uint16_t port = kHaplyPort);
+Result<std::unique_ptr<device::HapticDevice>> open_haply_device(Clock& clock, std::uint16_t port = kHaplyPort);
 
 // Facts that the service states about its first Inverse3; requests no force. firmware is empty if it states none.
 struct HaplyFacts {
@@ -29,6 +29,6 @@ Result<HaplyFacts> look_at_haply(Clock& clock, std::uint16_t port = kHaplyPort);
 
 // Parses one message of the service. Returns false if it contains no valid state of this device. An empty `device_id`
 // is set from the message.
-bool parse_haply_state(std::string_view json, std::string& device_id, DeviceSample& sample);
+bool parse_haply_state(std::string_view json, std::string& device_id, device::DeviceSample& sample);
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -10,7 +10,7 @@
 #include "worlds/base/latest_value.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::drivers {
 namespace {
 
 using Handle = unsigned int;
@@ -51,12 +51,12 @@ struct Functions {
     void (*stop)();
 };
 
-class HdDevice final : public HapticDevice {
+class HdDevice final : public device::HapticDevice {
 public:
     HdDevice(VendorLibrary library, const Functions& call) : library_(std::move(library)), call_(call) {}
     ~HdDevice() override { HdDevice::close(); }
 
-    const DeviceSpec& spec() const override { return spec_; }
+    const device::DeviceSpec& spec() const override { return spec_; }
 
     Result<void> open() override {
         handle_ = call_.init(nullptr);
@@ -75,9 +75,9 @@ public:
         return {};
     }
 
-    DeviceSample read(double) noexcept override {
+    device::DeviceSample read(double) noexcept override {
         const bool fresh = sample_.refresh();
-        DeviceSample sample = sample_.read();
+        device::DeviceSample sample = sample_.read();
         sample.fresh = fresh;
         // lost_ is read before hot_ and failed_, because the library's thread sets the reason first.
         sample.connected = handle_ != kInvalid && !lost_.load(std::memory_order_acquire);
@@ -86,7 +86,7 @@ public:
         return sample;
     }
 
-    void write(const ForceCommand& command) noexcept override { force_.publish(command.force_n); }
+    void write(const device::ForceCommand& command) noexcept override { force_.publish(command.force_n); }
 
     void close() noexcept override {
         if (handle_ == kInvalid) return;
@@ -131,7 +131,7 @@ private:
         call_.set_double(kForce, out);
         call_.end_frame(handle_);
 
-        DeviceSample sample;
+        device::DeviceSample sample;
         sample.position_m = Vec3(theirs.x, -theirs.z, theirs.y) * kMetresPerMillimetre;
         sample.buttons = static_cast<std::uint32_t>(buttons);
         if (is_finite(gimbal)) sample.gimbal_rad = gimbal;
@@ -158,7 +158,7 @@ private:
                           : model.find("desktop") != std::string::npos ? "phantom-desktop"
                           : model.find("omni") != std::string::npos    ? "omni"
                                                                        : "touch";
-        spec_ = *find_device_spec(row);
+        spec_ = *device::find_device_spec(row);
         double value = 0.0;
         call_.get_double(kMaxForce, &value);
         if (value > 0.0 && std::isfinite(value)) spec_.peak_force_n = std::min(spec_.peak_force_n, value);
@@ -173,19 +173,19 @@ private:
 
     VendorLibrary library_;
     Functions call_;
-    DeviceSpec spec_ = *find_device_spec("touch");
+    device::DeviceSpec spec_ = *device::find_device_spec("touch");
     Handle handle_ = kInvalid;
     unsigned long scheduled_ = 0;
     bool running_ = false;
     bool stopped_ = false;  // library thread only
     std::atomic<bool> ending_{false}, lost_{false}, hot_{false}, failed_{false};
-    LatestValue<Vec3> force_{Vec3(0.0)};  // owner to library thread
-    LatestValue<DeviceSample> sample_;    // library thread to owner
+    LatestValue<Vec3> force_{Vec3(0.0)};        // owner to library thread
+    LatestValue<device::DeviceSample> sample_;  // library thread to owner
 };
 
 }  // namespace
 
-Result<std::unique_ptr<HapticDevice>> open_hd_device(const std::string& path) {
+Result<std::unique_ptr<device::HapticDevice>> open_hd_device(const std::string& path) {
     auto library = path.empty() ? VendorLibrary::load({"libHD.so", "libHD.so.3.4", "libHD.so.3.0"}, "3D Systems")
                                 : VendorLibrary::load({path}, "3D Systems");
     if (!library) return tl::unexpected(library.error());
@@ -211,7 +211,7 @@ Result<std::unique_ptr<HapticDevice>> open_hd_device(const std::string& path) {
     if (!complete) return tl::unexpected(complete.error());
     auto device = std::make_unique<HdDevice>(std::move(*library), call);
     if (const auto opened = device->open(); !opened) return tl::unexpected(opened.error());
-    return std::unique_ptr<HapticDevice>(std::move(device));
+    return std::unique_ptr<device::HapticDevice>(std::move(device));
 }
 
-}  // namespace handrail
+}  // namespace handrail::drivers

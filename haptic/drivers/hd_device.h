@@ -10,10 +10,10 @@
 
 #include "haptic/device/haptic_device.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 // `library`: a path that replaces the installed one, for tests. The spec is the row of the model that the library
 // names, limited to the force and stiffness that the library states.
-Result<std::unique_ptr<HapticDevice>> open_hd_device(const std::string& library = {});
+Result<std::unique_ptr<device::HapticDevice>> open_hd_device(const std::string& library = {});
 
-}  // namespace handrail
+}  // namespace handrail::drivers

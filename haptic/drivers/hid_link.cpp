@@ -9,7 +9,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::drivers {
 namespace {
 
 struct DeviceEnd {
@@ -84,4 +84,4 @@ Result<std::unique_ptr<HidLink>> open_hid_link(const HidDeviceInfo& device) {
     return std::unique_ptr<HidLink>(std::make_unique<HidapiLink>(opened));
 }
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -10,7 +10,7 @@
 
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 class HidLink {
 public:
@@ -36,4 +36,4 @@ struct HidDeviceInfo {
 std::vector<HidDeviceInfo> list_hid_devices();
 Result<std::unique_ptr<HidLink>> open_hid_link(const HidDeviceInfo& device);
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -9,7 +9,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::drivers {
 namespace {
 
 constexpr std::uint8_t kOutputCrc = 0xA2, kInputCrc = 0xA1;
@@ -93,7 +93,7 @@ TriggerEffect trigger_vibrates(int from_zone, int strength, int frequency_hz) no
     return effect;
 }
 
-PadOutput pad_output_for(const FingerCue& cue) noexcept {
+PadOutput pad_output_for(const device::FingerCue& cue) noexcept {
     PadOutput output;
     const int resistance =
         level(cue.nearness * (0.4 + 0.6 * std::clamp(std::isfinite(cue.hardness) ? cue.hardness : 0.0, 0.0, 1.0)));
@@ -231,4 +231,4 @@ void PlaystationPad::close() noexcept {
     open_ = false;
 }
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -17,7 +17,7 @@
 #include "haptic/device/finger_cue.h"
 #include "haptic/drivers/hid_link.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 enum class PadModel : std::uint8_t { DualSense, DualShock4 };
 enum class PadBus : std::uint8_t { Usb, Bluetooth };
@@ -52,7 +52,7 @@ struct PadOutput {
     std::uint8_t strong = 0, weak = 0;  // rumble of the left coil (strong) and the right coil (weak)
 };
 
-PadOutput pad_output_for(const FingerCue& cue) noexcept;
+PadOutput pad_output_for(const device::FingerCue& cue) noexcept;
 
 // Convert reports to and from bytes. A Bluetooth input with a wrong checksum, and anything that is not a full input
 // report, gives nothing.
@@ -89,4 +89,4 @@ private:
     std::string firmware_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -10,7 +10,7 @@
 #include "worlds/base/clock.h"
 #include "worlds/base/executor.h"
 
-namespace handrail {
+namespace handrail::drivers {
 namespace {
 
 // Time for the kernel to end the first guard, which may be in a driver that does not return.
@@ -96,4 +96,4 @@ int relieve_guard(HandMailbox& mailbox, int guard_fd, int life_fd, const ZeroDev
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -15,7 +15,7 @@
 #include "haptic/drivers/hand_mailbox.h"
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 inline constexpr int kLookMs = 10;
 inline constexpr int kStillLooks = 10;
@@ -49,4 +49,4 @@ using ZeroDevice = std::function<Result<void>()>;
 int relieve_guard(HandMailbox& mailbox, int guard_fd, int life_fd, const ZeroDevice& zero_device,
                   const std::function<void()>& end_guard);
 
-}  // namespace handrail
+}  // namespace handrail::drivers

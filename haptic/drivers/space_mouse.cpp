@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace handrail {
+namespace handrail::drivers {
 namespace {
 
 constexpr double kFullDeflection = 350.0;
@@ -75,4 +75,4 @@ bool SpaceMouse::light(bool on) noexcept {
     return link_->write(report);
 }
 
-}  // namespace handrail
+}  // namespace handrail::drivers

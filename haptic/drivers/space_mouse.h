@@ -10,7 +10,7 @@
 #include "haptic/drivers/hid_link.h"
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 // Device frame: x right, y forward, z up; rotations about the same axes, right-handed. All -1 to 1, 0 at rest, after
 // dead band and curve.
@@ -44,4 +44,4 @@ private:
     bool lost_ = false;
 };
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -8,7 +8,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::drivers {
 namespace {
 
 constexpr unsigned char kBulkOut = 0x02, kBulkIn = 0x81;
@@ -158,4 +158,4 @@ Result<std::unique_ptr<ByteLink>> open_usb_link(const UsbDeviceInfo& wanted) {
     return std::unique_ptr<ByteLink>(std::make_unique<LibusbLink>(std::move(context), std::move(handle)));
 }
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -11,7 +11,7 @@
 #include "haptic/drivers/byte_link.h"
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 struct UsbId {
     std::uint16_t vendor = 0;
@@ -32,4 +32,4 @@ Result<std::vector<UsbDeviceInfo>> list_usb_devices(std::span<const UsbId> wante
 // Claims interface 0; bulk endpoints 0x02 out and 0x81 in, vendor requests to the device, as on the FTDI chips.
 Result<std::unique_ptr<ByteLink>> open_usb_link(const UsbDeviceInfo& device);
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -6,7 +6,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 Result<VendorLibrary> VendorLibrary::load(std::initializer_list<std::string> names, const std::string& maker) {
     for (const std::string& name : names)
@@ -34,4 +34,4 @@ Result<void> VendorLibrary::complete() const {
     return fail(phrase("drivers.library_lacks", {{"library", name_}, {"function", missing_}}));
 }
 
-}  // namespace handrail
+}  // namespace handrail::drivers

@@ -8,7 +8,7 @@
 
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::drivers {
 
 class VendorLibrary {
 public:
@@ -35,4 +35,4 @@ private:
     std::string name_, missing_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::drivers

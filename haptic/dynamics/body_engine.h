@@ -8,7 +8,7 @@
 
 #include "haptic/render/hand_channel.h"
 
-namespace handrail {
+namespace handrail::dynamics {
 
 class BodyEngine {
 public:
@@ -16,7 +16,7 @@ public:
     struct Order {
         enum class Kind : std::uint8_t { Restart, Lead, LetGo, Walker, Shove };
         Kind kind = Kind::Restart;
-        std::uint32_t body = kNoBody;
+        std::uint32_t body = render::kNoBody;
         Vec3 at_m{0.0};  // Lead: the target; Walker: position of the feet
         double most_n = 0.0;
         Rotation turn{};
@@ -25,7 +25,7 @@ public:
         double radius_m = 0.0, height_m = 0.0;  // for Walker; a height of 0: no walker
     };
     // Poses of all driven things; index as in DynamicsScene::driven. Allocated and freed off the servo thread.
-    using DrivenPoses = std::shared_ptr<const std::vector<BodyPose>>;
+    using DrivenPoses = std::shared_ptr<const std::vector<render::BodyPose>>;
 
     BodyEngine() = default;
     virtual ~BodyEngine() = default;
@@ -33,16 +33,16 @@ public:
     BodyEngine& operator=(const BodyEngine&) = delete;
 
     // The channel for the servo of hand 0 or 1; its user may keep it beyond the engine's end.
-    virtual std::shared_ptr<HandChannel> hand(unsigned which) const = 0;
+    virtual std::shared_ptr<render::HandChannel> hand(unsigned which) const = 0;
 
     // App thread. Returns false if the engine's queue is full; the request is then dropped.
     virtual bool order(const Order& order) = 0;
     virtual void drive(const DrivenPoses& poses) = 0;
     virtual bool newer_frame_for_app() = 0;
-    virtual const DynamicsFrame& frame_for_app() const = 0;
+    virtual const render::DynamicsFrame& frame_for_app() const = 0;
     // Takes the next sound event, in order; returns false if there is none at the moment. If nobody takes them, the
     // oldest stay and newer ones are dropped.
-    virtual bool take_event(BodyEvent& event) = 0;
+    virtual bool take_event(render::BodyEvent& event) = 0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::dynamics

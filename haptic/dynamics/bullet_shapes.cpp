@@ -7,7 +7,7 @@
 #include "worlds/base/overloaded.h"
 #include "worlds/geometry/clip.h"
 
-namespace handrail {
+namespace handrail::dynamics {
 namespace {
 
 // Bullet rounds its convex shapes by a margin, 40 mm by default; thin shapes get less. The outer surface stays where it
@@ -49,7 +49,7 @@ BulletShapes::~BulletShapes() {
     while (!shapes_.empty()) shapes_.pop_back();
 }
 
-BulletShapes::Part BulletShapes::part(const DynamicsPiece& piece) {
+BulletShapes::Part BulletShapes::part(const render::DynamicsPiece& piece) {
     return std::visit(
         Overloaded{[&](std::monostate) {
                        const Vec3 middle = piece.bounds_m.centre_m(), half = 0.5 * piece.bounds_m.size_m();
@@ -97,9 +97,9 @@ BulletShapes::Part BulletShapes::part(const DynamicsPiece& piece) {
         piece.round);
 }
 
-btCollisionShape* BulletShapes::together(const std::vector<DynamicsPiece>& pieces, bool compound) {
+btCollisionShape* BulletShapes::together(const std::vector<render::DynamicsPiece>& pieces, bool compound) {
     std::vector<Part> parts;
-    for (const DynamicsPiece& piece : pieces) parts.push_back(part(piece));
+    for (const render::DynamicsPiece& piece : pieces) parts.push_back(part(piece));
     if (!compound && parts.size() == 1 && parts[0].at.getOrigin().length() < 1e-12 &&
         parts[0].at.getRotation().getAngleShortestPath() < 1e-12)
         return parts[0].shape;
@@ -128,4 +128,4 @@ btCollisionShape* BulletShapes::sheets(const TriangleMesh& mesh) {
     return shape;
 }
 
-}  // namespace handrail
+}  // namespace handrail::dynamics

@@ -10,7 +10,7 @@
 
 #include "haptic/render/dynamics_scene.h"
 
-namespace handrail {
+namespace handrail::dynamics {
 
 inline btVector3 bullet(const Vec3& v) { return {v.x, v.y, v.z}; }
 inline Vec3 ours(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
@@ -30,10 +30,10 @@ public:
         btCollisionShape* shape = nullptr;
         btTransform at = btTransform::getIdentity();
     };
-    Part part(const DynamicsPiece& piece);
+    Part part(const render::DynamicsPiece& piece);
     // Combines all parts into one shape; child i is pieces[i]. A single part at zero without rotation stays as it is,
     // unless `compound` is set.
-    btCollisionShape* together(const std::vector<DynamicsPiece>& pieces, bool compound);
+    btCollisionShape* together(const std::vector<render::DynamicsPiece>& pieces, bool compound);
     // Null if the mesh is empty. The shape knows its inner edges.
     btCollisionShape* sheets(const TriangleMesh& mesh);
 
@@ -52,4 +52,4 @@ private:
     std::unique_ptr<btTriangleInfoMap> edges_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::dynamics

@@ -14,7 +14,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/geometry/clip.h"
 
-namespace handrail {
+namespace handrail::dynamics {
 namespace {
 
 constexpr double kH = Dynamics::kStep_s;
@@ -55,7 +55,7 @@ btVector3 lowest(const btCollisionObjectWrapper& part, const btVector3& on_body,
 }
 
 // Moves a contact of a body with part `piece` of the building to a face that can be touched.
-void put_on_open_face(const DynamicsScene& scene, std::uint32_t piece, btManifoldPoint& contact,
+void put_on_open_face(const render::DynamicsScene& scene, std::uint32_t piece, btManifoldPoint& contact,
                       const btCollisionObjectWrapper& body, const btCollisionObject& building, bool building_is_b) {
     const btVector3 on_building = building_is_b ? contact.m_positionWorldOnB : contact.m_positionWorldOnA;
     btVector3 on_body = building_is_b ? contact.m_positionWorldOnA : contact.m_positionWorldOnB;
@@ -93,7 +93,7 @@ bool contact_added(btManifoldPoint& contact, const btCollisionObjectWrapper* a, 
     if (kind_a == kBuilding || kind_b == kBuilding) {
         const bool b_is = kind_b == kBuilding;
         const int child = b_is ? index_b : index_a;
-        const auto& scene = *static_cast<const DynamicsScene*>((b_is ? object_b : object_a).getUserPointer());
+        const auto& scene = *static_cast<const render::DynamicsScene*>((b_is ? object_b : object_a).getUserPointer());
         if (child >= 0 && static_cast<std::size_t>(child) < scene.building.size())
             put_on_open_face(scene, static_cast<std::uint32_t>(child), contact, b_is ? *a : *b,
                              b_is ? object_b : object_a, b_is);
@@ -128,14 +128,14 @@ public:
 private:
     static double reach_m(const btCollisionObject& object) {
         if (kind_of(object) != kBody) return kMostReach_m;
-        const auto& scene = *static_cast<const DynamicsScene*>(object.getUserPointer());
+        const auto& scene = *static_cast<const render::DynamicsScene*>(object.getUserPointer());
         return std::min(kMostReach_m, 0.5 * scene.bodies[static_cast<std::size_t>(object.getUserIndex())].half_width_m);
     }
 };
 
 struct Body {
     std::unique_ptr<btRigidBody> rigid;
-    Stick stick;
+    render::Stick stick;
     double inertial_kg = 0.0;  // effective mass at present; pushes of two hands may raise it above the body's mass
     bool waiting = false;      // held still until fewer bodies move
     bool forced = false;       // some of the forces below act in this step
@@ -166,7 +166,7 @@ struct Driven {
 };
 
 struct Lead {
-    std::uint32_t body = kNoBody;
+    std::uint32_t body = render::kNoBody;
     Vec3 to_m{0.0};  // local
     double most_n = 0.0;
     Rotation turn;
@@ -174,7 +174,7 @@ struct Lead {
 
 // A push by the walker.
 struct Shove {
-    std::uint32_t body = kNoBody;
+    std::uint32_t body = render::kNoBody;
     Vec3 speed_m_per_s{0.0};  // level, not zero
     double most_n = 0.0, left_s = 0.0;
 };
@@ -183,7 +183,7 @@ struct Shove {
 struct Touched {
     double impulse = 0.0;
     FeatureId feature = kNoFeature;
-    std::uint32_t body = kNoBody;
+    std::uint32_t body = render::kNoBody;
     btVector3 at{0, 0, 0}, own{0, 0, 0};
     bool any = false;
 };
@@ -213,33 +213,33 @@ struct World {
     std::vector<Body> bodies;
     std::unique_ptr<btCapsuleShapeZ> walker_shape;
     std::unique_ptr<btRigidBody> walker;
-    std::array<std::vector<HandPush>, 2> pushes;
+    std::array<std::vector<render::HandPush>, 2> pushes;
     std::vector<Lead> leads;
     std::vector<Shove> shoves;
     // Scratch buffers, kept to avoid allocations.
     std::vector<Touched> touched;
     std::vector<std::pair<double, std::uint32_t>> order;
 
-    explicit World(const DynamicsScene& scene);
+    explicit World(const render::DynamicsScene& scene);
     ~World();
 
     // Returns true if a body overlapped the walker in the last step.
     bool walker_pressed();
-    btRigidBody* kinematic(std::unique_ptr<btRigidBody>& owner, btCollisionShape* shape, const DynamicsScene& scene,
-                           Kind kind, int index, const Placement& at);
+    btRigidBody* kinematic(std::unique_ptr<btRigidBody>& owner, btCollisionShape* shape,
+                           const render::DynamicsScene& scene, Kind kind, int index, const Placement& at);
 };
 
 constexpr int kStillGroup = 2, kFreeGroup = 1;  // still and driven objects do not collide with each other
 
-void mark(btCollisionObject& object, const DynamicsScene& scene, Kind kind, int index) {
-    object.setUserPointer(const_cast<DynamicsScene*>(&scene));
+void mark(btCollisionObject& object, const render::DynamicsScene& scene, Kind kind, int index) {
+    object.setUserPointer(const_cast<render::DynamicsScene*>(&scene));
     object.setUserIndex(index);
     object.setUserIndex2(kind);
     object.setCollisionFlags(object.getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
 }
 
-btRigidBody* World::kinematic(std::unique_ptr<btRigidBody>& owner, btCollisionShape* shape, const DynamicsScene& scene,
-                              Kind kind, int index, const Placement& at) {
+btRigidBody* World::kinematic(std::unique_ptr<btRigidBody>& owner, btCollisionShape* shape,
+                              const render::DynamicsScene& scene, Kind kind, int index, const Placement& at) {
     owner = std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(0.0, nullptr, shape));
     mark(*owner, scene, kind, index);
     owner->setCollisionFlags((owner->getCollisionFlags() & ~btCollisionObject::CF_STATIC_OBJECT) |
@@ -253,7 +253,7 @@ btRigidBody* World::kinematic(std::unique_ptr<btRigidBody>& owner, btCollisionSh
     return owner.get();
 }
 
-World::World(const DynamicsScene& scene) {
+World::World(const render::DynamicsScene& scene) {
     world.setGravity(bullet(scene.gravity_m_per_s2));
     world.setLatencyMotionStateInterpolation(false);
     world.setForceUpdateAllAabbs(false);
@@ -280,7 +280,7 @@ World::World(const DynamicsScene& scene) {
     }
     bodies.resize(scene.bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const DynamicsBody& body = scene.bodies[i];
+        const render::DynamicsBody& body = scene.bodies[i];
         Body& made = bodies[i];
         made.inertial_kg = body.nature.mass_kg;
         btRigidBody::btRigidBodyConstructionInfo info(body.nature.mass_kg, nullptr, shapes.together(body.pieces, false),
@@ -318,9 +318,9 @@ World::~World() {
 }  // namespace
 
 struct Dynamics::Impl {
-    std::shared_ptr<const DynamicsScene> scene;
+    std::shared_ptr<const render::DynamicsScene> scene;
     std::unique_ptr<World> world;
-    std::array<HandPlace, 2> hands{};
+    std::array<render::HandPlace, 2> hands{};
     double begin_s = 0.0;
     std::uint64_t steps = 0;
     std::uint32_t game = 1;
@@ -341,30 +341,30 @@ struct Dynamics::Impl {
     void rub(std::size_t body);
     void wake_near_hands();
     void drive_things();
-    void limit_awake(DynamicsFrame& out);
-    void put_back(std::size_t body, std::vector<BodyEvent>& events);
+    void limit_awake(render::DynamicsFrame& out);
+    void put_back(std::size_t body, std::vector<render::BodyEvent>& events);
     double gap_to_m(std::size_t body, const Vec3& local_m) const;
     // Returns true if the body rests or is held still, and that was reported.
     bool is_silent(std::size_t i) const {
         const Body& body = world->bodies[i];
         return !body.rigid->isActive() && (body.rested || body.waiting);
     }
-    void hear(std::vector<BodyEvent>& events);
+    void hear(std::vector<render::BodyEvent>& events);
     void note_touched();
     FeatureId feature_of(const btCollisionObject& object, int child) const;
-    void hear_body(std::size_t i, const Touched& t, std::vector<BodyEvent>& events);
-    void tell(DynamicsFrame& out);
-    void tell_near(DynamicsFrame& out, unsigned hand);
-    void add_planes(DynamicsFrame& out);
+    void hear_body(std::size_t i, const Touched& t, std::vector<render::BodyEvent>& events);
+    void tell(render::DynamicsFrame& out);
+    void tell_near(render::DynamicsFrame& out, unsigned hand);
+    void add_planes(render::DynamicsFrame& out);
     void jam(const btCollisionObject& thing, const btVector3& to_body, const btManifoldPoint& contact);
 };
 
 // Applies the part of each push that is in this step or before it.
 void Dynamics::Impl::take_pushes(unsigned hand) {
     const double end_s = now_s() + kH;
-    std::vector<HandPush>& list = world->pushes[hand];
+    std::vector<render::HandPush>& list = world->pushes[hand];
     std::size_t kept = 0;
-    for (HandPush push : list) {
+    for (render::HandPush push : list) {
         Body& body = world->bodies[push.body];
         double part = (end_s - push.time_s) / push.dt_s;
         part = part < kWhole         ? 0.0
@@ -397,7 +397,7 @@ void Dynamics::Impl::take_pushes(unsigned hand) {
 void Dynamics::Impl::apply_lead(const Lead& lead) {
     constexpr double kRate = 12.0;  // 1/s
     Body& body = world->bodies[lead.body];
-    const DynamicsBody& is = scene->bodies[lead.body];
+    const render::DynamicsBody& is = scene->bodies[lead.body];
     const btRigidBody& r = *body.rigid;
     body.forced = true;
     const Vec3 away = at_most(lead.to_m - ours(r.getWorldTransform().getOrigin()), 0.5);
@@ -417,7 +417,7 @@ void Dynamics::Impl::apply_lead(const Lead& lead) {
 void Dynamics::Impl::apply_shove(Shove& shove) {
     constexpr double kWithin_s = 4.0 * kH;
     Body& body = world->bodies[shove.body];
-    const BodyNature& nature = scene->bodies[shove.body].nature;
+    const render::BodyNature& nature = scene->bodies[shove.body].nature;
     const double speed = glm::length(shove.speed_m_per_s);
     const Vec3 along = shove.speed_m_per_s / speed;
     const double missing = speed - glm::dot(ours(body.rigid->getLinearVelocity()), along);
@@ -432,7 +432,7 @@ void Dynamics::Impl::apply_shove(Shove& shove) {
 // not move it stably otherwise.
 void Dynamics::Impl::weigh(std::size_t i) {
     Body& body = world->bodies[i];
-    const DynamicsBody& is = scene->bodies[i];
+    const render::DynamicsBody& is = scene->bodies[i];
     const bool both = now_s() - body.pushed_s[0] < 0.1 && now_s() - body.pushed_s[1] < 0.1;
     const double kg = both ? std::max({is.nature.mass_kg, body.least_kg[0], body.least_kg[1]}) : is.nature.mass_kg;
     if (kg == body.inertial_kg) return;
@@ -444,7 +444,7 @@ void Dynamics::Impl::weigh(std::size_t i) {
 
 void Dynamics::Impl::rub(std::size_t i) {
     Body& body = world->bodies[i];
-    const BodyNature& nature = scene->bodies[i].nature;
+    const render::BodyNature& nature = scene->bodies[i].nature;
     if (!body.rigid->isActive()) return;
     body.stick.go(body.rigid->getLinearVelocity().length(), kH);
     body.rigid->setFriction(nature.friction *
@@ -469,7 +469,7 @@ void Dynamics::Impl::apply_forces() {
         Vec3 force = body.hand_n[0] + body.hand_n[1] + body.lead_n + body.shove_n;
         if (const auto& string = scene->bodies[i].nature.string)
             force += (string->at_m - ours(body.rigid->getWorldTransform().getOrigin())) * string->stiffness_n_per_m -
-                     ours(body.rigid->getLinearVelocity()) * string_damping_ns_per_m(scene->bodies[i].nature);
+                     ours(body.rigid->getLinearVelocity()) * render::string_damping_ns_per_m(scene->bodies[i].nature);
         body.rigid->applyCentralForce(bullet(force));
         body.rigid->applyTorque(bullet(body.hand_nm[0] + body.hand_nm[1] + body.lead_nm));
         body.speed_before += (force / body.inertial_kg + ours(body.rigid->getGravity())) * kH;
@@ -477,18 +477,18 @@ void Dynamics::Impl::apply_forces() {
 }
 
 double Dynamics::Impl::gap_to_m(std::size_t body, const Vec3& local_m) const {
-    const DynamicsBody& is = scene->bodies[body];
+    const render::DynamicsBody& is = scene->bodies[body];
     const btTransform& at = world->bodies[body].rigid->getWorldTransform();
     const double far = glm::length(local_m - ours(at.getOrigin())) - is.reach_m;
     if (far > 1.0) return far;
     const Vec3 own = PlacedFrame(ours(at)).to_own(local_m);
     double least = 1e9;
-    for (const DynamicsPiece& piece : is.pieces) least = std::min(least, gap_m(piece, own));
+    for (const render::DynamicsPiece& piece : is.pieces) least = std::min(least, render::gap_m(piece, own));
     return std::max(least, far);
 }
 
 void Dynamics::Impl::wake_near_hands() {
-    for (const HandPlace& hand : hands) {
+    for (const render::HandPlace& hand : hands) {
         if (!hand.present()) continue;
         for (std::size_t i = 0; i < world->bodies.size(); ++i) {
             if (rigid(i).isActive() || !(gap_to_m(i, local(hand.at_m)) < 3.0 * hand.radius_m)) continue;
@@ -535,7 +535,7 @@ void Dynamics::Impl::drive_things() {
 
 // If too many bodies move, holds some still and lets them continue when there is room: first those that a person moves
 // or is about to touch, then in the order of the scene.
-void Dynamics::Impl::limit_awake(DynamicsFrame& out) {
+void Dynamics::Impl::limit_awake(render::DynamicsFrame& out) {
     std::size_t active = 0;
     for (const Body& body : world->bodies) active += body.rigid->isActive();
     const auto wanted = [this](std::size_t i) {
@@ -595,7 +595,7 @@ void Dynamics::Impl::limit_awake(DynamicsFrame& out) {
         std::count_if(world->bodies.begin(), world->bodies.end(), [](const Body& body) { return body.waiting; }));
 }
 
-void Dynamics::Impl::put_back(std::size_t i, std::vector<BodyEvent>& events) {
+void Dynamics::Impl::put_back(std::size_t i, std::vector<render::BodyEvent>& events) {
     Body& body = world->bodies[i];
     btRigidBody& r = *body.rigid;
     if (!r.isActive()) return;  // it did not move
@@ -618,7 +618,7 @@ void Dynamics::Impl::put_back(std::size_t i, std::vector<BodyEvent>& events) {
     world->world.updateSingleAabb(&r);
     body.speed_before = Vec3(0.0);
     body.stick = {};
-    events.push_back({BodyEvent::Kind::PutBack, static_cast<std::uint32_t>(i), now_s(),
+    events.push_back({render::BodyEvent::Kind::PutBack, static_cast<std::uint32_t>(i), now_s(),
                       scene->origin_m + scene->bodies[i].start.position_m});
 }
 
@@ -656,7 +656,7 @@ void Dynamics::Impl::note_touched() {
                 t.impulse = p.getAppliedImpulse();
                 t.at = side ? p.getPositionWorldOnB() : p.getPositionWorldOnA();
                 t.own = t.at - mine.getWorldTransform().getOrigin();
-                t.body = kind_of(other) == kBody ? static_cast<std::uint32_t>(other.getUserIndex()) : kNoBody;
+                t.body = kind_of(other) == kBody ? static_cast<std::uint32_t>(other.getUserIndex()) : render::kNoBody;
                 t.feature = feature_of(other, side ? p.m_index0 : p.m_index1);
             }
         }
@@ -680,29 +680,29 @@ FeatureId Dynamics::Impl::feature_of(const btCollisionObject& object, int child)
     }
 }
 
-void Dynamics::Impl::hear(std::vector<BodyEvent>& events) {
+void Dynamics::Impl::hear(std::vector<render::BodyEvent>& events) {
     note_touched();
     for (std::size_t i = 0; i < world->bodies.size(); ++i)
         if (!is_silent(i)) hear_body(i, std::exchange(world->touched[i], {}), events);
 }
 
 // Detects impacts by a change of speed that no force explains; rolling, sliding, falling and resting by the contacts.
-void Dynamics::Impl::hear_body(std::size_t i, const Touched& t, std::vector<BodyEvent>& events) {
+void Dynamics::Impl::hear_body(std::size_t i, const Touched& t, std::vector<render::BodyEvent>& events) {
     Body& body = world->bodies[i];
     const Vec3 v = ours(body.rigid->getLinearVelocity()), w = ours(body.rigid->getAngularVelocity());
-    BodyEvent event;
+    render::BodyEvent event;
     event.body = static_cast<std::uint32_t>(i);
     event.time_s = now_s();
     event.at_m = scene->origin_m + ours(t.any ? t.at : body.rigid->getWorldTransform().getOrigin());
     event.other = t.feature;
     event.other_body = t.body;
-    const auto say = [&](BodyEvent::Kind kind, double speed) {
+    const auto say = [&](render::BodyEvent::Kind kind, double speed) {
         event.kind = kind;
         event.speed_m_per_s = speed;
         events.push_back(event);
     };
     if (!body.rigid->isActive()) {
-        if (!body.rested && !body.waiting) say(BodyEvent::Kind::Rests, 0.0);
+        if (!body.rested && !body.waiting) say(render::BodyEvent::Kind::Rests, 0.0);
         body.rested = body.rested || !body.waiting;
         return;
     }
@@ -711,23 +711,23 @@ void Dynamics::Impl::hear_body(std::size_t i, const Touched& t, std::vector<Body
     if (jolt > kHit_m_per_s && t.any && event.time_s - body.hit_s > kHitAgain_s) {
         body.hit_s = event.time_s;
         event.impulse_ns = jolt * body.inertial_kg;
-        say(BodyEvent::Kind::Hit, jolt);
+        say(render::BodyEvent::Kind::Hit, jolt);
         event.impulse_ns = 0.0;
     }
     body.airborne = t.any ? 0 : body.airborne + 1;
     if (t.any) body.falling = false;
     else if (body.airborne >= kFallingSteps && !body.falling && glm::dot(v, scene->gravity_m_per_s2) > 0.0) {
         body.falling = true;
-        say(BodyEvent::Kind::Falls, speed);
+        say(render::BodyEvent::Kind::Falls, speed);
     }
     if (!t.any || speed < 0.02) body.moving = 0;
     else if (++body.moving % kMovingSteps == 0) {
         const double slips = glm::length(v + glm::cross(w, ours(t.own)));
-        say(slips < 0.5 * speed ? BodyEvent::Kind::Rolls : BodyEvent::Kind::Slides, speed);
+        say(slips < 0.5 * speed ? render::BodyEvent::Kind::Rolls : render::BodyEvent::Kind::Slides, speed);
     }
 }
 
-void Dynamics::Impl::tell_near(DynamicsFrame& out, unsigned hand) {
+void Dynamics::Impl::tell_near(render::DynamicsFrame& out, unsigned hand) {
     out.near_count[hand] = 0;
     if (!hands[hand].present()) return;
     auto& order = world->order;
@@ -736,14 +736,14 @@ void Dynamics::Impl::tell_near(DynamicsFrame& out, unsigned hand) {
         const bool mine = now_s() - world->bodies[i].pushed_s[hand] < 0.5;
         order[i] = {gap_to_m(i, local(hands[hand].at_m)) - (mine ? 1e6 : 0.0), static_cast<std::uint32_t>(i)};
     }
-    const std::size_t count = std::min(DynamicsFrame::kNear, world->bodies.size());
+    const std::size_t count = std::min(render::DynamicsFrame::kNear, world->bodies.size());
     std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count),
                       order.begin() + static_cast<std::ptrdiff_t>(world->bodies.size()));
     for (std::size_t k = 0; k < count; ++k) {
         const std::uint32_t i = order[k].second;
         const Body& body = world->bodies[i];
-        const DynamicsBody& is = scene->bodies[i];
-        RigidBodyState& word = out.near[hand][k];
+        const render::DynamicsBody& is = scene->bodies[i];
+        render::RigidBodyState& word = out.near[hand][k];
         word = {};
         word.body = i;
         word.time_s = out.time_s;
@@ -759,7 +759,7 @@ void Dynamics::Impl::tell_near(DynamicsFrame& out, unsigned hand) {
         if (is.nature.string) {
             word.string_at_m = is.nature.string->at_m + scene->origin_m;
             word.string_n_per_m = is.nature.string->stiffness_n_per_m;
-            word.string_ns_per_m = string_damping_ns_per_m(is.nature);
+            word.string_ns_per_m = render::string_damping_ns_per_m(is.nature);
         }
         word.sticks = is.nature.friction > 0.0 ? is.nature.friction_static / is.nature.friction : 1.0;
         word.rolling_m = is.nature.rolling * is.half_width_m;
@@ -769,8 +769,8 @@ void Dynamics::Impl::tell_near(DynamicsFrame& out, unsigned hand) {
 }
 
 // Adds the contacts of the reported bodies. If there are too many, the deepest stay.
-void Dynamics::Impl::add_planes(DynamicsFrame& out) {
-    const auto gap = [](const RigidBodyState& word, const ContactPlane& plane) {
+void Dynamics::Impl::add_planes(render::DynamicsFrame& out) {
+    const auto gap = [](const render::RigidBodyState& word, const render::ContactPlane& plane) {
         return glm::dot(plane.normal, PlacedFrame(word.at).to_world(plane.own_m)) - plane.offset_m;
     };
     for (int m = 0; m < world->dispatcher.getNumManifolds(); ++m) {
@@ -780,15 +780,15 @@ void Dynamics::Impl::add_planes(DynamicsFrame& out) {
                                     &other = side ? *manifold.getBody0() : *manifold.getBody1();
             if (kind_of(mine) != kBody || !other.hasContactResponse()) continue;
             const auto index = static_cast<std::uint32_t>(mine.getUserIndex());
-            const DynamicsBody& is = scene->bodies[index];
+            const render::DynamicsBody& is = scene->bodies[index];
             for (unsigned hand = 0; hand < 2; ++hand)
                 for (std::size_t w = 0; w < out.near_count[hand]; ++w) {
-                    RigidBodyState& word = out.near[hand][w];
+                    render::RigidBodyState& word = out.near[hand][w];
                     if (word.body != index) continue;
                     for (int k = 0; k < manifold.getNumContacts(); ++k) {
                         const btManifoldPoint& p = manifold.getContactPoint(k);
                         const btVector3 there = other.getWorldTransform() * (side ? p.m_localPointA : p.m_localPointB);
-                        ContactPlane plane;
+                        render::ContactPlane plane;
                         plane.normal = ours(p.m_normalWorldOnB) * (side ? -1.0 : 1.0);
                         plane.own_m = ours(side ? p.m_localPointB : p.m_localPointA);
                         plane.offset_m = glm::dot(plane.normal, ours(there) + scene->origin_m);
@@ -802,13 +802,15 @@ void Dynamics::Impl::add_planes(DynamicsFrame& out) {
                                 ours(moving->getVelocityInLocalPoint(there - moving->getWorldTransform().getOrigin()));
                         plane.round = is.ball;
                         plane.radius_m = is.ball ? is.half_width_m : 0.0;
-                        if (word.count < RigidBodyState::kMostPlanes) {
+                        if (word.count < render::RigidBodyState::kMostPlanes) {
                             word.planes[word.count++] = plane;
                             continue;
                         }
-                        auto shallow = std::max_element(
-                            word.planes.begin(), word.planes.end(),
-                            [&](const ContactPlane& a, const ContactPlane& b) { return gap(word, a) < gap(word, b); });
+                        auto shallow =
+                            std::max_element(word.planes.begin(), word.planes.end(),
+                                             [&](const render::ContactPlane& a, const render::ContactPlane& b) {
+                                                 return gap(word, a) < gap(word, b);
+                                             });
                         if (gap(word, plane) < gap(word, *shallow)) *shallow = plane;
                     }
                 }
@@ -816,7 +818,7 @@ void Dynamics::Impl::add_planes(DynamicsFrame& out) {
     }
 }
 
-void Dynamics::Impl::tell(DynamicsFrame& out) {
+void Dynamics::Impl::tell(render::DynamicsFrame& out) {
     out.number = steps;
     out.game = game;
     out.time_s = now_s();
@@ -827,7 +829,7 @@ void Dynamics::Impl::tell(DynamicsFrame& out) {
         const bool active = body.rigid->isActive();
         if (body.told && !active) continue;
         body.told = !active;
-        Placement thing = thing_of(scene->bodies[i], ours(body.rigid->getWorldTransform()));
+        Placement thing = render::thing_of(scene->bodies[i], ours(body.rigid->getWorldTransform()));
         thing.position_m += scene->origin_m;
         if (std::exchange(things[i], thing) == thing) continue;
         out.moved.push_back(static_cast<std::uint32_t>(i));
@@ -836,12 +838,12 @@ void Dynamics::Impl::tell(DynamicsFrame& out) {
     tell_near(out, 0);
     tell_near(out, 1);
     add_planes(out);
-    out.blocked = kNoBody;
+    out.blocked = render::kNoBody;
     for (std::size_t i = world->driven.size(); i-- > 0;)
         if (world->driven[i].blocked) out.blocked = static_cast<std::uint32_t>(i);
 }
 
-Dynamics::Dynamics(std::shared_ptr<const DynamicsScene> scene) : impl_(std::make_unique<Impl>()) {
+Dynamics::Dynamics(std::shared_ptr<const render::DynamicsScene> scene) : impl_(std::make_unique<Impl>()) {
     contract_pre(scene != nullptr);
     set_up_bullet();
     impl_->scene = std::move(scene);
@@ -850,7 +852,7 @@ Dynamics::Dynamics(std::shared_ptr<const DynamicsScene> scene) : impl_(std::make
 
 Dynamics::~Dynamics() = default;
 
-void Dynamics::push(unsigned hand, const HandPush& push) {
+void Dynamics::push(unsigned hand, const render::HandPush& push) {
     contract_pre(hand < 2);
     if (push.game != impl_->game || push.body >= impl_->scene->bodies.size()) return;
     if (!(push.dt_s > 0.0) || !std::isfinite(push.dt_s) || !std::isfinite(push.time_s) || !is_finite(push.force_n) ||
@@ -859,7 +861,7 @@ void Dynamics::push(unsigned hand, const HandPush& push) {
     impl_->world->pushes[hand].push_back(push);
 }
 
-void Dynamics::place_hand(unsigned hand, const HandPlace& place) {
+void Dynamics::place_hand(unsigned hand, const render::HandPlace& place) {
     contract_pre(hand < 2);
     impl_->hands[hand] = place;
     if (!is_finite(place.at_m) || !std::isfinite(place.radius_m)) impl_->hands[hand] = {};
@@ -929,7 +931,7 @@ void Dynamics::shove(std::uint32_t body, const Vec3& speed_m_per_s, double most_
     shoves.push_back({body, level, most_n, for_s});
 }
 
-void Dynamics::step(DynamicsFrame& out, std::vector<BodyEvent>& events) {
+void Dynamics::step(render::DynamicsFrame& out, std::vector<render::BodyEvent>& events) {
     Impl& s = *impl_;
     s.wake_near_hands();
     s.drive_things();
@@ -952,10 +954,10 @@ double Dynamics::time_s() const { return impl_->now_s(); }
 void Dynamics::skip(double seconds) {
     contract_pre(seconds >= 0.0 && std::isfinite(seconds));
     impl_->begin_s += seconds;
-    for (std::vector<HandPush>& pushes : impl_->world->pushes)
-        std::erase_if(pushes, [&](const HandPush& push) { return push.time_s < impl_->now_s(); });
+    for (std::vector<render::HandPush>& pushes : impl_->world->pushes)
+        std::erase_if(pushes, [&](const render::HandPush& push) { return push.time_s < impl_->now_s(); });
 }
-const DynamicsScene& Dynamics::scene() const { return *impl_->scene; }
+const render::DynamicsScene& Dynamics::scene() const { return *impl_->scene; }
 Placement Dynamics::middle(std::uint32_t body) const {
     contract_pre(body < impl_->scene->bodies.size());
     Placement at = ours(impl_->rigid(body).getWorldTransform());
@@ -975,4 +977,4 @@ bool Dynamics::blocked(std::uint32_t thing) const {
     return impl_->world->driven[thing].blocked;
 }
 
-}  // namespace handrail
+}  // namespace handrail::dynamics

@@ -12,23 +12,23 @@
 
 #include "haptic/render/rigid_body_state.h"
 
-namespace handrail {
+namespace handrail::dynamics {
 
 class Dynamics {
 public:
     static constexpr double kStep_s = 1.0 / 240.0;
     static constexpr std::size_t kMostAwake = 100;
 
-    explicit Dynamics(std::shared_ptr<const DynamicsScene> scene);
+    explicit Dynamics(std::shared_ptr<const render::DynamicsScene> scene);
     ~Dynamics();
     Dynamics(const Dynamics&) = delete;
     Dynamics& operator=(const Dynamics&) = delete;
 
     // A push from hand 0 or 1. It counts for the part of its tick that is in a step; if it comes late, it counts in the
     // next step. Ignores pushes from before the last restart, of bodies that do not exist, or that are not finite.
-    void push(unsigned hand, const HandPush& push);
+    void push(unsigned hand, const render::HandPush& push);
     // Wakes the bodies that the hand approaches, and decides which bodies are reported first.
-    void place_hand(unsigned hand, const HandPlace& place);
+    void place_hand(unsigned hand, const render::HandPlace& place);
     // Sets the pose of a driven thing from the next step on; index as in DynamicsScene::driven. More than half a metre
     // or 60 degrees in a step is a jump, which pushes nothing.
     void drive(std::uint32_t thing, const Placement& at, bool present = true);
@@ -43,7 +43,7 @@ public:
     void shove(std::uint32_t body, const Vec3& speed_m_per_s, double most_n, double for_s);
 
     // One step of kStep_s. Adds to events and overwrites `out`.
-    void step(DynamicsFrame& out, std::vector<BodyEvent>& events);
+    void step(render::DynamicsFrame& out, std::vector<render::BodyEvent>& events);
     // Restores the start while time goes on. Builds Bullet's world again, because its internal state from the last game
     // would change the next one.
     void restart();
@@ -52,7 +52,7 @@ public:
     // Lets time pass without a step, and drops the pushes in it. For joining a clock that runs already, or after a
     // stall.
     void skip(double seconds);
-    const DynamicsScene& scene() const;
+    const render::DynamicsScene& scene() const;
     // The pose of a body's frame, and its motion; for tests and for drawing.
     Placement middle(std::uint32_t body) const;
     Vec3 speed_m_per_s(std::uint32_t body) const;
@@ -65,4 +65,4 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::dynamics

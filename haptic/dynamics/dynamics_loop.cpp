@@ -5,9 +5,10 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/executor.h"
 
-namespace handrail {
+namespace handrail::dynamics {
 
-DynamicsLoop::DynamicsLoop(std::shared_ptr<const DynamicsScene> scene, double begin_s, EngineRecording* recording)
+DynamicsLoop::DynamicsLoop(std::shared_ptr<const render::DynamicsScene> scene, double begin_s,
+                           EngineRecording* recording)
     : recording_(recording), dynamics_(std::move(scene)) {
     dynamics_.skip(begin_s);
     if (recording_) row_.engine = ++recording_->engines;
@@ -49,7 +50,7 @@ void carry_out(Dynamics& dynamics, const BodyEngine::Order& order) {
         case Kind::Lead:
             return dynamics.lead(order.body, order.at_m, order.most_n, order.turn);
         case Kind::LetGo:
-            return dynamics.lead(kNoBody, Vec3(0.0), 0.0);
+            return dynamics.lead(render::kNoBody, Vec3(0.0), 0.0);
         case Kind::Shove:
             return dynamics.shove(order.body, order.speed_m_per_s, order.most_n, order.for_s);
         case Kind::Walker:
@@ -57,7 +58,7 @@ void carry_out(Dynamics& dynamics, const BodyEngine::Order& order) {
     }
 }
 
-void carry_out(Dynamics& dynamics, const std::vector<BodyPose>& driven) {
+void carry_out(Dynamics& dynamics, const std::vector<render::BodyPose>& driven) {
     const std::size_t count = std::min(driven.size(), dynamics.scene().driven.size());
     for (std::size_t i = 0; i < count; ++i)
         dynamics.drive(static_cast<std::uint32_t>(i), driven[i].at, driven[i].present);
@@ -72,14 +73,14 @@ void DynamicsLoop::take() {
         row_.driven = driven_.read().number;
     }
     for (unsigned hand = 0; hand < 2; ++hand) {
-        HandChannel& channel = *hands_[hand];
+        render::HandChannel& channel = *hands_[hand];
         if (channel.place.refresh()) {
-            const HandPlace& place = channel.place.read();
+            const render::HandPlace& place = channel.place.read();
             dynamics_.place_hand(hand, place);
             row_.places_s[hand] = place.present() ? place.time_s : EngineRow::kNoHand_s;
         }
         row_.pushes[hand] = 0;
-        for (HandPush push; channel.pushes.pop(push); ++row_.pushes[hand]) dynamics_.push(hand, push);
+        for (render::HandPush push; channel.pushes.pop(push); ++row_.pushes[hand]) dynamics_.push(hand, push);
     }
 }
 
@@ -87,7 +88,7 @@ void DynamicsLoop::one_step() {
     heard_.clear();
     dynamics_.step(now_, heard_);
     row_.events = 0;
-    for (const BodyEvent& event : heard_) {
+    for (const render::BodyEvent& event : heard_) {
         if (!events_.push(event)) break;
         ++row_.events;
     }
@@ -123,4 +124,4 @@ bool DynamicsLoop::step_until(double now_s) {
     return true;
 }
 
-}  // namespace handrail
+}  // namespace handrail::dynamics

@@ -17,18 +17,18 @@
 #include "worlds/base/latest_value.h"
 #include "worlds/base/spsc_ring.h"
 
-namespace handrail {
+namespace handrail::dynamics {
 
 // Carry out a request of the app, and set the poses of driven things.
 void carry_out(Dynamics& dynamics, const BodyEngine::Order& order);
-void carry_out(Dynamics& dynamics, const std::vector<BodyPose>& driven);
+void carry_out(Dynamics& dynamics, const std::vector<render::BodyPose>& driven);
 
 class DynamicsLoop : public BodyEngine {
 public:
-    using EventRing = SpscRing<BodyEvent, 256>;
+    using EventRing = SpscRing<render::BodyEvent, 256>;
 
     // recording: gets each step, and must outlive the loop; null: no recording.
-    explicit DynamicsLoop(std::shared_ptr<const DynamicsScene> scene, double begin_s = 0.0,
+    explicit DynamicsLoop(std::shared_ptr<const render::DynamicsScene> scene, double begin_s = 0.0,
                           EngineRecording* recording = nullptr);
     ~DynamicsLoop() override;
 
@@ -43,18 +43,18 @@ public:
     bool step_until(double now_s);
 
     // Servo thread of each hand.
-    std::shared_ptr<HandChannel> hand(unsigned which) const override { return hands_[which]; }
-    HandPushRing& pushes(unsigned hand) { return hands_[hand]->pushes; }
-    void place_hand(unsigned hand, const HandPlace& place) { hands_[hand]->place.publish(place); }
+    std::shared_ptr<render::HandChannel> hand(unsigned which) const override { return hands_[which]; }
+    render::HandPushRing& pushes(unsigned hand) { return hands_[hand]->pushes; }
+    void place_hand(unsigned hand, const render::HandPlace& place) { hands_[hand]->place.publish(place); }
     bool newer_frame(unsigned hand) { return hands_[hand]->frame.refresh(); }
-    const DynamicsFrame& frame(unsigned hand) const { return hands_[hand]->frame.read(); }
+    const render::DynamicsFrame& frame(unsigned hand) const { return hands_[hand]->frame.read(); }
 
     // App thread.
     bool order(const Order& order) override;
     void drive(const DrivenPoses& poses) override { driven_.publish({poses, ++drives_}); }
     bool newer_frame_for_app() override { return for_app_.refresh(); }
-    const DynamicsFrame& frame_for_app() const override { return for_app_.read(); }
-    bool take_event(BodyEvent& event) override { return events_.pop(event); }
+    const render::DynamicsFrame& frame_for_app() const override { return for_app_.read(); }
+    bool take_event(render::BodyEvent& event) override { return events_.pop(event); }
 
     // Steps made up for late, and seconds dropped, since the start; any thread.
     std::uint64_t late_steps() const { return late_steps_.load(std::memory_order_relaxed); }
@@ -73,20 +73,20 @@ private:
 
     EngineRecording* const recording_;
     Dynamics dynamics_;
-    const std::array<std::shared_ptr<HandChannel>, 2> hands_{std::make_shared<HandChannel>(),
-                                                             std::make_shared<HandChannel>()};
-    LatestValue<DynamicsFrame> for_app_;
+    const std::array<std::shared_ptr<render::HandChannel>, 2> hands_{std::make_shared<render::HandChannel>(),
+                                                                     std::make_shared<render::HandChannel>()};
+    LatestValue<render::DynamicsFrame> for_app_;
     SpscRing<Order, 64> orders_;
     LatestValue<Driven> driven_;
     std::uint32_t drives_ = 0;  // app thread
     EventRing events_;
-    DynamicsFrame now_;
+    render::DynamicsFrame now_;
     EngineRow row_;  // row of the current step
-    std::vector<BodyEvent> heard_;
+    std::vector<render::BodyEvent> heard_;
     std::atomic<std::uint64_t> late_steps_{0};
     std::atomic<double> lost_s_{0.0};
     std::atomic<bool> stop_{false};
     std::thread thread_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::dynamics

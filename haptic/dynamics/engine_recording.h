@@ -10,7 +10,7 @@
 
 #include "worlds/base/spsc_ring.h"
 
-namespace handrail {
+namespace handrail::dynamics {
 
 struct EngineRow {
     static constexpr double kNoHand_s = -1.0;
@@ -44,4 +44,4 @@ struct EngineRecording {
     }
 };
 
-}  // namespace handrail
+}  // namespace handrail::dynamics

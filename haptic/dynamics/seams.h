@@ -8,7 +8,7 @@
 
 #include "haptic/render/dynamics_scene.h"
 
-namespace handrail {
+namespace handrail::dynamics {
 
 struct SeamVerdict {
     enum class Kind : std::uint8_t {
@@ -29,7 +29,7 @@ constexpr double kSeamPressed_m = 0.02;
 // pressed slightly into a wall stands on floor that the wall covers. A face therefore also counts as open if it is open
 // slightly nearer to the body's centre.
 template <class Covered>
-SeamVerdict judge_seam(const DynamicsPiece& piece, const Vec3& at_m, const Vec3& normal, const Vec3& body_m,
+SeamVerdict judge_seam(const render::DynamicsPiece& piece, const Vec3& at_m, const Vec3& normal, const Vec3& body_m,
                        Covered&& covered) {
     const auto shut = [&](std::uint32_t face, const Plane& plane) {
         const Vec3 ahead = plane.normal * kSeamAhead_m;
@@ -58,14 +58,14 @@ SeamVerdict judge_seam(const DynamicsPiece& piece, const Vec3& at_m, const Vec3&
 }
 
 // Returns true if the point is in the solid grown by kLip_m.
-inline bool in_grown(const DynamicsPiece& piece, const Vec3& point_m) noexcept {
-    return contains(piece.solid, point_m, DynamicsScene::kLip_m);
+inline bool in_grown(const render::DynamicsPiece& piece, const Vec3& point_m) noexcept {
+    return contains(piece.solid, point_m, render::DynamicsScene::kLip_m);
 }
 
 // Local coordinates of the scene; normal: away from the building; body_m: the body's centre. Round parts have no faces,
 // so a contact on them is always real.
-inline SeamVerdict judge_seam(const DynamicsScene& scene, std::uint32_t piece, const Vec3& at_m, const Vec3& normal,
-                              const Vec3& body_m) noexcept {
+inline SeamVerdict judge_seam(const render::DynamicsScene& scene, std::uint32_t piece, const Vec3& at_m,
+                              const Vec3& normal, const Vec3& body_m) noexcept {
     return judge_seam(scene.building[piece], at_m, normal, body_m, [&](std::uint32_t face, const Vec3& p) {
         for (const std::uint32_t other : scene.beside(piece, face))
             if (in_grown(scene.building[other], p)) return true;
@@ -73,4 +73,4 @@ inline SeamVerdict judge_seam(const DynamicsScene& scene, std::uint32_t piece, c
     });
 }
 
-}  // namespace handrail
+}  // namespace handrail::dynamics

@@ -6,7 +6,7 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::loop {
 namespace {
 
 constexpr double kTremor_hz[3] = {8.0, 10.0, 12.0};
@@ -66,7 +66,7 @@ LoopTick ClosedLoop::tick(const Intent& intent, const Render& render) {
     if (last_.stalled) {
         since_s_ += settings_.period_s;
     } else {
-        last_.measured_m = encoded_m(body_.position_m + noise_m(), settings_.encoder_quantum_m);
+        last_.measured_m = device::encoded_m(body_.position_m + noise_m(), settings_.encoder_quantum_m);
         last_.commanded_n = render(last_.measured_m, begin_s, since_s_);
         held_.give(begin_s + settings_.delay_s, last_.commanded_n);
         since_s_ = settings_.period_s;
@@ -76,7 +76,7 @@ LoopTick ClosedLoop::tick(const Intent& intent, const Render& render) {
         const double now_s = begin_s + i * step_s;
         const Vec3 motor_n = held_.at(now_s), before = body_.position_m;
         const HandIntent wish = intent(now_s);
-        advance_hand(body_, settings_.hand, wish.target_m + tremor_m(now_s), motor_n + wish.push_n, step_s);
+        device::advance_hand(body_, settings_.hand, wish.target_m + tremor_m(now_s), motor_n + wish.push_n, step_s);
         last_.work_j += glm::dot(motor_n, body_.position_m - before);
     }
     ++periods_;
@@ -150,4 +150,4 @@ double stable_stiffness_n_per_m(LoopSettings settings, const std::function<Close
     return last_stable;
 }
 
-}  // namespace handrail
+}  // namespace handrail::loop

@@ -13,10 +13,10 @@
 
 #include "haptic/device/hand_dynamics.h"
 
-namespace handrail {
+namespace handrail::loop {
 
 struct LoopSettings {
-    HandMechanics hand;  // includes the device
+    device::HandMechanics hand;  // includes the device
     double period_s = 1e-3;
     double delay_s = 1e-3;  // from reading the position to the force on the hand, beyond the hold
     double encoder_quantum_m = 0.06e-3;
@@ -64,8 +64,8 @@ private:
 
     LoopSettings settings_;
     std::mt19937 random_;
-    HandBody body_;
-    HeldForces held_;
+    device::HandBody body_;
+    device::HeldForces held_;
     double phases_[3 * kTremors] = {};
     std::uint64_t periods_ = 0;
     double since_s_ = 0.0;
@@ -90,4 +90,4 @@ double stable_stiffness_n_per_m(LoopSettings settings,
                                 const std::function<ClosedLoop::Render(double stiffness_n_per_m)>& wall, double press_n,
                                 double seconds_s = 3.0, double factor = 1.08);
 
-}  // namespace handrail
+}  // namespace handrail::loop

@@ -7,7 +7,7 @@
 #include "worlds/geometry/box_index.h"
 #include "worlds/geometry/clip.h"
 
-namespace handrail {
+namespace handrail::render {
 namespace {
 
 // A contact is at most this far from the face that it belongs to, and is queried this far in front of it
@@ -286,4 +286,4 @@ std::shared_ptr<const DynamicsScene> DynamicsSceneBuilder::build() {
     return out;
 }
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -19,7 +19,7 @@
 #include "worlds/geometry/round_shapes.h"
 #include "worlds/geometry/triangle_mesh.h"
 
-namespace handrail {
+namespace handrail::render {
 
 inline constexpr std::uint32_t kNoBody = 0xffffffffU;
 
@@ -141,4 +141,4 @@ private:
     DynamicsScene scene_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -16,7 +16,7 @@
 #include "worlds/base/vec.h"
 #include "worlds/geometry/convex.h"
 
-namespace handrail {
+namespace handrail::render {
 
 // ---- regions ----
 
@@ -135,4 +135,4 @@ bool is_sound(const EffectVolume& effect);
 // The steepest slope that the law can have anywhere and at any scale, in N per hand metre.
 double stiffness_bound_n_per_m(const EffectLaw& law);
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -7,7 +7,7 @@
 #include "haptic/render/tick_math.h"
 #include "worlds/base/overloaded.h"
 
-namespace handrail {
+namespace handrail::render {
 namespace {
 
 constexpr double kFlyPaper_n_per_m = 400.0;
@@ -419,4 +419,4 @@ Vec3 EffectState::force_n(const HapticScene& scene, const HandMotion& hand) noex
     return sum;
 }
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -9,7 +9,7 @@
 
 #include "haptic/render/haptic_scene.h"
 
-namespace handrail {
+namespace handrail::render {
 
 // How a hand moved since the last tick, for liquids, soft patches and effects.
 struct HandMotion {
@@ -59,4 +59,4 @@ private:
     bool truncated_ = false;
 };
 
-}  // namespace handrail
+}  // namespace handrail::render

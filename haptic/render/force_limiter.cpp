@@ -6,7 +6,7 @@
 
 #include "haptic/render/tick_assert.h"
 
-namespace handrail {
+namespace handrail::render {
 
 Vec3 ForceLimiter::limit(const Vec3& wanted_n, double ceiling_n, ForceFlow flow, double dt_s, double fade_s) noexcept {
     tick_assert(dt_s >= 0.0 && fade_s > 0.0);
@@ -65,4 +65,4 @@ Vec3 ForceLimiter::limit(const Vec3& wanted_n, double ceiling_n, ForceFlow flow,
 
 void ForceLimiter::drop_out() noexcept { dropped_ = true; }
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -6,7 +6,7 @@
 
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::render {
 
 // What the force may do in this tick.
 enum class ForceFlow {
@@ -52,4 +52,4 @@ private:
     Vec3 last_n_{0.0};
 };
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace handrail {
+namespace handrail::render {
 namespace {
 
 constexpr int kDirections = 128;
@@ -67,4 +67,4 @@ std::optional<Vec3> nearest_free_place(const HapticScene& scene, std::span<const
     return std::nullopt;
 }
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -8,7 +8,7 @@
 
 #include "haptic/render/haptic_scene.h"
 
-namespace handrail {
+namespace handrail::render {
 
 // Signed distance from a world place to the nearest obstacle, bodies included; negative inside a solid. `far_m` if
 // nothing is nearer than that. Names the feature of the obstacle, or of the deepest of several.
@@ -24,4 +24,4 @@ Surrounding surrounding_of(const HapticScene& scene, std::span<const BodyPose> b
 std::optional<Vec3> nearest_free_place(const HapticScene& scene, std::span<const BodyPose> bodies, const Vec3& from_m,
                                        double clearance_m, double farthest_m);
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -6,7 +6,7 @@
 #include "worlds/base/latest_value.h"
 #include "worlds/base/spsc_ring.h"
 
-namespace handrail {
+namespace handrail::render {
 
 using HandPushRing = SpscRing<HandPush, 64>;
 
@@ -17,4 +17,4 @@ struct HandChannel {
     LatestValue<DynamicsFrame> frame;  // engine to servo
 };
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -9,7 +9,7 @@
 
 #include "worlds/base/overloaded.h"
 
-namespace handrail {
+namespace handrail::render {
 namespace {
 
 // Bounds of brushes come from computed corners. They are enlarged by this much, so that rounding cannot hide a solid
@@ -547,4 +547,4 @@ std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world
     return std::make_shared<const HapticScene>(std::move(scene_));
 }
 
-}  // namespace handrail
+}  // namespace handrail::render

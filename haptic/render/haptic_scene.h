@@ -26,7 +26,7 @@
 #include "worlds/geometry/round_shapes.h"
 #include "worlds/geometry/triangle_mesh.h"
 
-namespace handrail {
+namespace handrail::render {
 
 // Negative: the default of the tuning applies.
 struct HapticMaterial {
@@ -343,4 +343,4 @@ private:
     std::vector<Aabb> obstacle_bounds_, liquid_bounds_, effect_bounds_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::render

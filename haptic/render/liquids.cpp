@@ -4,7 +4,7 @@
 
 #include "haptic/render/tick_math.h"
 
-namespace handrail {
+namespace handrail::render {
 namespace {
 
 constexpr double kDrag_n_per_m = 400.0;
@@ -185,4 +185,4 @@ Vec3 LiquidState::force_n(const HapticScene& scene, const HandMotion& hand, cons
     return force;
 }
 
-}  // namespace handrail
+}  // namespace handrail::render

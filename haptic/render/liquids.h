@@ -9,7 +9,7 @@
 
 #include "haptic/render/effects.h"
 
-namespace handrail {
+namespace handrail::render {
 
 class LiquidState {
 public:
@@ -48,4 +48,4 @@ private:
     std::size_t liquids_ = 0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace handrail {
+namespace handrail::render {
 namespace {
 
 constexpr double kFlat_m = 1e-9;  // smaller rises are rounding errors
@@ -128,4 +128,4 @@ MeshShading shade_mesh(std::span<const Vec3> points, std::span<const Corners> tr
     return shading;
 }
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -15,7 +15,7 @@
 
 #include "worlds/geometry/triangle_mesh.h"
 
-namespace handrail {
+namespace handrail::render {
 
 struct MeshShading {
     static constexpr double kCreaseCosine = 0.8660254037844386;  // 30 degrees
@@ -36,4 +36,4 @@ struct MeshShading {
 MeshShading shade_mesh(std::span<const Vec3> points_m, std::span<const Corners> triangles,
                        double crease_cosine = MeshShading::kCreaseCosine);
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -13,7 +13,7 @@
 #include "haptic/render/tick_assert.h"
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::render {
 
 class PassivityGuard {
 public:
@@ -58,4 +58,4 @@ private:
     std::size_t newest_ = 0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace handrail {
+namespace handrail::render {
 
 using namespace proxy_parts;
 
@@ -398,4 +398,4 @@ void ProxySolver::make_room(const HapticScene& scene, const Vec3& wish_m) noexce
     take();
 }
 
-}  // namespace handrail
+}  // namespace handrail::render

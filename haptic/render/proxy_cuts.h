@@ -11,7 +11,7 @@
 #include "haptic/render/tick_assert.h"
 #include "worlds/geometry/half_space_projection.h"
 
-namespace handrail {
+namespace handrail::render {
 
 // An obstacle of a body, or of the still scene.
 struct OwnedObstacle {
@@ -145,4 +145,4 @@ struct ProxyCuts {
     }
 };
 
-}  // namespace handrail
+}  // namespace handrail::render

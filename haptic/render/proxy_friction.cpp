@@ -5,7 +5,7 @@
 
 #include "haptic/render/tick_assert.h"
 
-namespace handrail {
+namespace handrail::render {
 
 using namespace proxy_parts;
 
@@ -193,4 +193,4 @@ void ProxySolver::hold_back(const HapticScene& scene, double reach_m) noexcept {
 template void ProxySolver::hold_back<PlainFeatures>(const HapticScene&, double) noexcept;
 template void ProxySolver::hold_back<AllFeatures>(const HapticScene&, double) noexcept;
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace handrail {
+namespace handrail::render {
 
 using namespace proxy_parts;
 
@@ -279,4 +279,4 @@ void ProxySolver::gather_waiting(const HapticScene& scene, double reach_m, doubl
     cuts_.awake_count = 0;
 }
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -6,7 +6,7 @@
 #include "haptic/render/proxy_solver.h"
 #include "haptic/render/tick_assert.h"
 
-namespace handrail::proxy_parts {
+namespace handrail::render::proxy_parts {
 
 inline constexpr double kTouching_m = 1e-8;     // a cut that is this near to its obstacle touches it
 inline constexpr double kFarthestLook_m = 4.0;  // bounds on the free distance beyond this save nothing more
@@ -34,9 +34,9 @@ inline constexpr std::size_t kFewBodies = 16;  // up to this many bodies the wor
 // Moves that the proxy takes to reach its goal after the thing in its way vanished.
 inline constexpr int kHurryMoves = 8;
 
-}  // namespace handrail::proxy_parts
+}  // namespace handrail::render::proxy_parts
 
-namespace handrail {
+namespace handrail::render {
 
 template <class Has>
 HalfSpace ProxySolver::support(const HapticScene& scene, int candidate, const Vec3& at,
@@ -68,4 +68,4 @@ void ProxySolver::drop_candidates_of(const Leaves& leaves) noexcept {
     basis_.count = 0;
 }
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -8,7 +8,7 @@
 #include "haptic/render/tick_assert.h"
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::render {
 
 // The points of the path, relative to the solver's anchor.
 struct ProxyPath {
@@ -51,4 +51,4 @@ struct ProxyWork {
     int looks = 0;       // total of this move
 };
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace handrail {
+namespace handrail::render {
 
 using namespace proxy_parts;
 
@@ -84,4 +84,4 @@ double ProxySolver::fraction_to_waking(const HapticScene& scene, const Vec3& ste
     return fraction;
 }
 
-}  // namespace handrail
+}  // namespace handrail::render

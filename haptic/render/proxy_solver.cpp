@@ -5,7 +5,7 @@
 
 #include "haptic/render/tick_assert.h"
 
-namespace handrail {
+namespace handrail::render {
 
 using namespace proxy_parts;
 
@@ -350,4 +350,4 @@ template bool ProxySolver::renew_holding_cuts<AllFeatures>(const HapticScene&) n
 template const ProxySolver::Step& ProxySolver::move<PlainFeatures>(const HapticScene&, const Request&) noexcept;
 template const ProxySolver::Step& ProxySolver::move<AllFeatures>(const HapticScene&, const Request&) noexcept;
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -27,7 +27,7 @@
 #include "haptic/render/tick_features.h"
 #include "worlds/geometry/half_space_projection.h"
 
-namespace handrail {
+namespace handrail::render {
 
 class ProxySolver {
 public:
@@ -305,4 +305,4 @@ private:
     std::uint64_t moves_ = 0, gatherings_ = 0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::render

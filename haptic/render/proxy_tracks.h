@@ -12,7 +12,7 @@
 #include "haptic/render/haptic_scene.h"
 #include "haptic/render/tick_assert.h"
 
-namespace handrail {
+namespace handrail::render {
 
 // A body as the proxy last met it.
 struct ProxyTrack {
@@ -127,4 +127,4 @@ private:
     }
 };
 
-}  // namespace handrail
+}  // namespace handrail::render

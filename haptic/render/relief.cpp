@@ -6,7 +6,7 @@
 
 #include "haptic/render/tick_assert.h"
 
-namespace handrail {
+namespace handrail::render {
 namespace {
 
 // Averages one row of samples to a new length; each new sample covers an equal part of the old row.
@@ -269,4 +269,4 @@ void ReliefBorder::apply() noexcept {
     value_.swing_to_depth *= weight;
 }
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -17,7 +17,7 @@
 
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::render {
 
 // The depths of a picture, from 0 (plain) to 1 (deepest), at several resolutions, each half of the one before. They are
 // the coefficients of a cubic B-spline. Depth and slope thus change without a step, and the largest differences bound
@@ -109,4 +109,4 @@ private:
     Vec3 gradient_{0.0};
 };
 
-}  // namespace handrail
+}  // namespace handrail::render

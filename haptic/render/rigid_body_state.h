@@ -10,7 +10,7 @@
 #include "haptic/render/dynamics_scene.h"
 #include "haptic/render/haptic_scene.h"
 
-namespace handrail {
+namespace handrail::render {
 
 // A place where a body touches or is about to touch. Its point stays on the plane's side: normal . point >= offset.
 struct ContactPlane {
@@ -112,4 +112,4 @@ struct Stick {
     }
 };
 
-}  // namespace handrail
+}  // namespace handrail::render

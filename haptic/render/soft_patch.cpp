@@ -8,7 +8,7 @@
 #include "haptic/render/tick_assert.h"
 #include "haptic/render/tick_math.h"
 
-namespace handrail {
+namespace handrail::render {
 namespace {
 
 constexpr double kShear = 0.5;                // c, for each neighbour
@@ -190,4 +190,4 @@ Vec3 SoftState::force_n(const HapticScene& scene, const HandMotion& hand, const 
     return sum;
 }
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -29,7 +29,7 @@
 #include "worlds/base/feature_id.h"
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::render {
 
 struct HapticScene;
 struct HandMotion;
@@ -85,4 +85,4 @@ private:
     std::size_t patches_ = 0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::render

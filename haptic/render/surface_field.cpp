@@ -5,7 +5,7 @@
 
 #include "haptic/render/tick_math.h"
 
-namespace handrail {
+namespace handrail::render {
 namespace {
 
 constexpr double kFlat = 1.0 - 1e-12;  // least cosine between a hold's and its face's normal; less is an edge
@@ -191,4 +191,4 @@ SurfaceField surface_field(const HapticScene& scene, const HapticScene& shape, c
     return field;
 }
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -5,7 +5,7 @@
 
 #include "haptic/render/haptic_scene.h"
 
-namespace handrail {
+namespace handrail::render {
 
 struct SurfaceField {
     double shift_m = 0.0;   // how much lower the surface is felt; negative: higher
@@ -31,4 +31,4 @@ struct FieldRequest {
 // the scene's.
 SurfaceField surface_field(const HapticScene& scene, const HapticScene& shape, const FieldRequest& request) noexcept;
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -5,7 +5,7 @@
 // are correct for every scene that has none of the omitted features.
 #pragma once
 
-namespace handrail {
+namespace handrail::render {
 
 struct PlainFeatures {
     static constexpr bool kBodies = false;    // bodies that move
@@ -18,4 +18,4 @@ struct AllFeatures {
     static constexpr bool kBodies = true, kOneSided = true, kFields = true, kMedia = true;
 };
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -8,7 +8,7 @@
 #include "haptic/render/tick_assert.h"
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::render {
 
 // exp(-u) for u >= 0: within 0.4 % for u <= 1, falling for every u. For shares and recovery, where only the trend
 // matters.
@@ -76,4 +76,4 @@ inline Vec3 shortened(const Vec3& v, double longest) noexcept {
     return length > longest ? v * (longest / length) : v;
 }
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -14,7 +14,7 @@
 #include "haptic/render/tick_features.h"
 #include "haptic/render/tick_math.h"
 
-namespace handrail {
+namespace handrail::render {
 namespace {
 
 // Hand lengths and times of the touch law. Every length is multiplied by the scale before the solver sees it.
@@ -388,4 +388,4 @@ template TouchResult touch_tick_with<PlainFeatures>(TouchState&, const HapticSce
 template TouchResult touch_tick_with<AllFeatures>(TouchState&, const HapticScene&, const TouchTuning&, const Vec3&,
                                                   double, const Vec3&, const BodyPoses&) noexcept;
 
-}  // namespace handrail
+}  // namespace handrail::render

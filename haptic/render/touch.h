@@ -16,7 +16,7 @@
 #include "worlds/base/feature_id.h"
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::render {
 
 class ProxySolver;
 
@@ -123,4 +123,4 @@ inline TouchResult touch_tick(TouchState& state, const HapticScene& scene, const
                        : touch_tick_with<AllFeatures>(state, scene, tuning, goal_m, dt_s, carried_m, bodies);
 }
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <span>
 
-namespace handrail {
+namespace handrail::render {
 namespace {
 
 bool is_unit(const Vec3& direction) { return std::abs(glm::length(direction) - 1.0) < 1e-6; }
@@ -121,4 +121,4 @@ Result<void> validate(const HapticScene& scene) {
     return {};
 }
 
-}  // namespace handrail
+}  // namespace handrail::render

@@ -6,10 +6,10 @@
 #include "haptic/render/haptic_scene.h"
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::render {
 
 // Reports the first fault: an index out of range, a place that is not finite, a direction without length, a body
 // without a shape. The message is for developers.
 Result<void> validate(const HapticScene& scene);
 
-}  // namespace handrail
+}  // namespace handrail::render

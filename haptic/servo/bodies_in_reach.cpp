@@ -6,7 +6,7 @@
 #include "haptic/render/tick_assert.h"
 #include "haptic/servo/vectors.h"
 
-namespace handrail {
+namespace handrail::servo {
 namespace {
 
 constexpr double kStrain_n = 1.2, kStrainShare = 0.9, kStrain_s = 0.6, kStrainMoves_hand_m = 1e-3;
@@ -17,7 +17,7 @@ constexpr double kLeastFelt_kg = 0.2;
 
 }  // namespace
 
-void BodiesInReach::enter(const DynamicsScene* scene) {
+void BodiesInReach::enter(const render::DynamicsScene* scene) {
     scene_ = scene;
     const std::size_t count = scene ? scene->bodies.size() : 0;
     if (shown_.size() < count) {
@@ -35,7 +35,7 @@ void BodiesInReach::forget() noexcept {
     for (Slot& slot : slots_) slot = {};
     shown_all_ = holding_ = letting_go_ = has_hand_ = false;
     carried_m_ = grip_force_n_ = hand_m_per_s_ = Vec3(0.0);
-    heavy_ = kNoBody;
+    heavy_ = render::kNoBody;
 }
 
 // Marks that the body moved since the frame before. lively_ never holds more than all bodies, for which room is
@@ -45,7 +45,7 @@ void BodiesInReach::moved(std::uint32_t body) noexcept {
     moved_at_[body] = heard_;
 }
 
-void BodiesInReach::hear(const DynamicsFrame& frame) noexcept {
+void BodiesInReach::hear(const render::DynamicsFrame& frame) noexcept {
     if (!scene_ || frame.number == 0 || frame.things.size() < scene_->bodies.size()) return;
     if (frame.game != game_) {
         const std::uint32_t heavy = heavy_;
@@ -100,8 +100,9 @@ BodyModel::State BodiesInReach::played(std::size_t body, double play_s) const no
         earlier = (newest_ + frames_.size() - back) % frames_.size();
         if (frames_[earlier].time_s <= play_s) break;
     }
-    const DynamicsBody& is = scene_->bodies[body];
-    const Placement a = middle_of(is, frames_[earlier].things[body]), b = middle_of(is, frames_[later].things[body]);
+    const render::DynamicsBody& is = scene_->bodies[body];
+    const Placement a = render::middle_of(is, frames_[earlier].things[body]),
+                    b = render::middle_of(is, frames_[later].things[body]);
     const double span = frames_[later].time_s - frames_[earlier].time_s;
     if (!(span > 0.0) || a == b) return {play_s, b, Vec3(0.0), Vec3(0.0)};
     const double part = std::clamp((play_s - frames_[earlier].time_s) / span, 0.0, 1.0);
@@ -110,7 +111,7 @@ BodyModel::State BodiesInReach::played(std::size_t body, double play_s) const no
             goes ? turn_between(a.rotation, b.rotation) / span : Vec3(0.0)};
 }
 
-void BodiesInReach::open(const RigidBodyState& word, double now_s) noexcept {
+void BodiesInReach::open(const render::RigidBodyState& word, double now_s) noexcept {
     Slot* free = nullptr;
     for (Slot& slot : slots_)
         if (!slot.used) {
@@ -126,7 +127,8 @@ void BodiesInReach::open(const RigidBodyState& word, double now_s) noexcept {
     free->model.begin(word, seen);
 }
 
-bool BodiesInReach::place(double now_s, const Vec3& hand_m, const BodyFeel& feel, std::span<BodyPose> bodies) noexcept {
+bool BodiesInReach::place(double now_s, const Vec3& hand_m, const BodyFeel& feel,
+                          std::span<render::BodyPose> bodies) noexcept {
     carried_m_ = Vec3(0.0);
     if (!scene_ || known_ == 0) return false;
     for (std::size_t i = 0; i < word_count_; ++i)
@@ -169,9 +171,9 @@ bool BodiesInReach::place(double now_s, const Vec3& hand_m, const BodyFeel& feel
 // Returns true if the body is not where it was in the last tick. `slot`: null, or the slot of this body; a slot that is
 // no longer needed is freed.
 bool BodiesInReach::show(std::uint32_t body, Slot* slot, double now_s, const BodyFeel& feel,
-                      std::span<BodyPose> bodies) noexcept {
+                         std::span<render::BodyPose> bodies) noexcept {
     const double play_s = now_s - kPlayedLate_s, same_m = kSame_hand_m * feel.world_m_per_hand_m;
-    const DynamicsBody& is = scene_->bodies[body];
+    const render::DynamicsBody& is = scene_->bodies[body];
     Placement middle;
     if (!slot) {
         middle = played(body, play_s).at;
@@ -197,10 +199,10 @@ bool BodiesInReach::show(std::uint32_t body, Slot* slot, double now_s, const Bod
         slot->contact = false;
         slot->shown = middle;
     }
-    const Placement thing = thing_of(is, middle);
+    const Placement thing = render::thing_of(is, middle);
     bool elsewhere = !(shown_[body] == thing);
     if (is.haptic < bodies.size()) {
-        const BodyPose pose{thing, !gripped};
+        const render::BodyPose pose{thing, !gripped};
         elsewhere = elsewhere || !(bodies[is.haptic] == pose);
         bodies[is.haptic] = pose;
     }
@@ -217,8 +219,8 @@ std::uint32_t BodiesInReach::take(double now_s, const Vec3& hand_m, const BodyFe
         if (!slot.used) continue;
         double gap = 1e300;
         const Vec3 own = PlacedFrame(slot.model.state().at).to_own(hand_m);
-        for (const DynamicsPiece& piece : scene_->bodies[slot.model.body()].pieces)
-            gap = std::min(gap, gap_m(piece, own));
+        for (const render::DynamicsPiece& piece : scene_->bodies[slot.model.body()].pieces)
+            gap = std::min(gap, render::gap_m(piece, own));
         const bool touched =
             glm::length(slot.contact_m) > 0.0 && now_s - slot.touched_s < 0.2 && gap < 1.5 * feel.ball_m;
         if (!touched && gap > 2.0 * feel.ball_m) continue;
@@ -227,7 +229,7 @@ std::uint32_t BodiesInReach::take(double now_s, const Vec3& hand_m, const BodyFe
             best = i;
         }
     }
-    if (best == kMost) return kNoBody;
+    if (best == kMost) return render::kNoBody;
     holding_ = true;
     letting_go_ = false;
     held_ = best;
@@ -278,7 +280,7 @@ Vec3 BodiesInReach::grip_force_n(const Vec3& hand_m, double dt_s, const BodyFeel
         grip_offset_m_ += (most - grip_force_n_) * (scale / feel.grip_n_per_m);
         grip_force_n_ = most;
         // The grip slipped off entirely: farther than a good part of the body's size or of the hand's range.
-        const DynamicsBody& is = scene_->bodies[slots_[held_].model.body()];
+        const render::DynamicsBody& is = scene_->bodies[slots_[held_].model.body()];
         if (glm::length(grip_offset_m_) > 2.0 * is.reach_m + 0.02 * scale) {
             heavy_ = slots_[held_].model.body();
             let_go(feel);
@@ -311,7 +313,7 @@ void BodiesInReach::strain(Slot& slot, double force_n, double dt_s, const BodyFe
     heavy_ = slot.model.body();
 }
 
-void BodiesInReach::send(Slot& slot, HandPush push, HandPushRing& pushes) noexcept {
+void BodiesInReach::send(Slot& slot, render::HandPush push, render::HandPushRing& pushes) noexcept {
     push.force_n += slot.unsent_ns / push.dt_s;
     push.moment_nm += slot.unsent_nms / push.dt_s;
     slot.unsent_ns = slot.unsent_nms = Vec3(0.0);
@@ -320,30 +322,30 @@ void BodiesInReach::send(Slot& slot, HandPush push, HandPushRing& pushes) noexce
     keep(slot, push);
 }
 
-void BodiesInReach::keep(Slot& slot, const HandPush& push) noexcept {
+void BodiesInReach::keep(Slot& slot, const render::HandPush& push) noexcept {
     slot.unsent_ns = push.force_n * push.dt_s;
     slot.unsent_nms = push.moment_nm * push.dt_s;
 }
 
-bool BodiesInReach::take_back(std::uint32_t refused, const HandPush& push) noexcept {
+bool BodiesInReach::take_back(std::uint32_t refused, const render::HandPush& push) noexcept {
     Slot* const slot = slot_of(push.body);
     if (!slot || !(refused >> (slot - slots_.data()) & 1U)) return false;
     keep(*slot, push);
     return true;
 }
 
-void BodiesInReach::react(const TouchResult& touch, double share, double now_s, double dt_s, const BodyFeel& feel,
-                       HandPushRing& pushes) noexcept {
+void BodiesInReach::react(const render::TouchResult& touch, double share, double now_s, double dt_s,
+                          const BodyFeel& feel, render::HandPushRing& pushes) noexcept {
     if (!scene_) return;
     tick_assert(share >= 0.0 && share <= 1.0 + 1e-9 && feel.felt_gain > 0.0);
-    const ContactSet& set = touch.contacts;
+    const render::ContactSet& set = touch.contacts;
     Vec3 sum(0.0);
     for (std::size_t k = 0; k < set.count; ++k) sum += set.contacts[k].normal * set.contacts[k].share;
     const double whole = glm::length(sum) > 1e-12 ? glm::length(touch.contact_force_n) / glm::length(sum) : 0.0;
     for (std::size_t i = 0; i < kMost; ++i) {
         Slot& slot = slots_[i];
         if (!slot.used) continue;
-        const DynamicsBody& is = scene_->bodies[slot.model.body()];
+        const render::DynamicsBody& is = scene_->bodies[slot.model.body()];
         const bool held = holding_ && held_ == i, leaves = letting_go_ && held_ == i;
         Vec3 force(0.0), moment(0.0);
         const auto act = [&](const Vec3& on_hand_n, const Vec3& at_m) {
@@ -352,7 +354,7 @@ void BodiesInReach::react(const TouchResult& touch, double share, double now_s, 
             moment += glm::cross(at_m - slot.model.state().at.position_m, f);
         };
         for (std::size_t k = 0; k < set.count && !held; ++k) {
-            const Contact& c = set.contacts[k];
+            const render::Contact& c = set.contacts[k];
             if (c.feature != is.feature) continue;
             slot.contact_m = touch.proxy_m - c.normal * touch.radius_m;
             slot.contact = true;
@@ -366,7 +368,7 @@ void BodiesInReach::react(const TouchResult& touch, double share, double now_s, 
         // A held body that is too heavy slips out of the grip at the ceiling instead.
         if (!held) strain(slot, glm::length(force) * feel.felt_gain, dt_s, feel);
         if (slot.contact || held || leaves || slot.unsent_ns != Vec3(0.0)) {
-            HandPush push;
+            render::HandPush push;
             push.time_s = now_s;
             push.dt_s = dt_s;
             push.body = slot.model.body();
@@ -386,8 +388,8 @@ void BodiesInReach::react(const TouchResult& touch, double share, double now_s, 
 
 std::uint32_t BodiesInReach::heavy() noexcept {
     const std::uint32_t said = heavy_;
-    heavy_ = kNoBody;
+    heavy_ = render::kNoBody;
     return said;
 }
 
-}  // namespace handrail
+}  // namespace handrail::servo

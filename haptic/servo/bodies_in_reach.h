@@ -16,7 +16,7 @@
 #include "haptic/render/touch.h"
 #include "haptic/servo/body_model.h"
 
-namespace handrail {
+namespace handrail::servo {
 
 // Tuning of the feel; it changes only while nothing is touched or held.
 struct BodyFeel {
@@ -35,7 +35,7 @@ constexpr double felt_gain(double ceiling_n, double strength_n) noexcept {
 
 class BodiesInReach {
 public:
-    static constexpr std::size_t kMost = DynamicsFrame::kNear;  // most bodies modelled at once
+    static constexpr std::size_t kMost = render::DynamicsFrame::kNear;  // most bodies modelled at once
     static constexpr double kPlayedLate_s = 1.0 / 240.0 + 1e-3;
     static constexpr double kSilent_s = 0.25;           // a body stops after this long without data from the engine
     static constexpr double kLeaves_s = 0.1;            // a body untouched for this long is played back again
@@ -45,17 +45,17 @@ public:
 
     // Null: no free bodies. The owner of the scene keeps it alive while it is set here. Allocates room for its bodies,
     // so call it before the servo's first tick in that world.
-    void enter(const DynamicsScene* scene);
+    void enter(const render::DynamicsScene* scene);
     // Lets go of everything and discards all frames; knows nothing until the next frame of the same scene.
     void forget() noexcept;
-    void hear(const DynamicsFrame& frame) noexcept;
+    void hear(const render::DynamicsFrame& frame) noexcept;
     // Makes the next place() write the poses of all bodies, because the table they are written to is new.
     void show_all() noexcept { shown_all_ = false; }
     // Writes where the free bodies are in this tick to their places in `bodies` (HapticScene::bodies), a table that
     // keeps its content between calls. The body that this hand holds is marked as absent for this hand's proxy. Returns
     // true if any free body is not where it was in the last tick. Looks only at the bodies that moved in the last
     // frames and those that this hand has a model of, so a resting body costs nothing.
-    bool place(double now_s, const Vec3& hand_m, const BodyFeel& feel, std::span<BodyPose> bodies) noexcept;
+    bool place(double now_s, const Vec3& hand_m, const BodyFeel& feel, std::span<render::BodyPose> bodies) noexcept;
     // How far the touched body moved its contact point since the last tick. Damping acts on the hand's speed relative
     // to the body.
     Vec3 carried_m() const noexcept { return carried_m_; }
@@ -67,21 +67,21 @@ public:
     // Turns the held body, for example by a quarter turn about a world axis when a key is pressed. Does nothing for a
     // ball.
     void turn_held(const Rotation& by) noexcept;
-    std::uint32_t holds() const noexcept { return holding_ ? slots_[held_].model.body() : kNoBody; }
+    std::uint32_t holds() const noexcept { return holding_ ? slots_[held_].model.body() : render::kNoBody; }
     // Force of the grip on the hand in hand newtons, at most the ceiling: above it the grip slips.
     Vec3 grip_force_n(const Vec3& hand_m, double dt_s, const BodyFeel& feel) noexcept;
 
     // Call it after the limiter let `share` (0 to 1) of the tick's force through. Advances the models to now_s + dt_s
     // and sends the pushes to the engine.
-    void react(const TouchResult& touch, double share, double now_s, double dt_s, const BodyFeel& feel,
-               HandPushRing& pushes) noexcept;
+    void react(const render::TouchResult& touch, double share, double now_s, double dt_s, const BodyFeel& feel,
+               render::HandPushRing& pushes) noexcept;
 
     // For recordings: one bit for each model whose push did not fit into the ring since the last call. Such a push is
     // kept and sent with the next one.
     std::uint32_t take_refused() noexcept { return std::exchange(refused_, 0U); }
     // For replaying such a tick with a ring that had room for all: takes a push back. Returns false if the push is not
     // one of the refused.
-    bool take_back(std::uint32_t refused, const HandPush& push) noexcept;
+    bool take_back(std::uint32_t refused, const render::HandPush& push) noexcept;
 
     // Returns, once, a body that was pushed or lifted with all available force and did not move; kNoBody: none. It is
     // announced with its weight.
@@ -122,16 +122,17 @@ private:
     BodyModel::State played(std::size_t body, double play_s) const noexcept;
     Slot* slot_of(std::uint32_t body) noexcept;
     void moved(std::uint32_t body) noexcept;
-    bool show(std::uint32_t body, Slot* slot, double now_s, const BodyFeel& feel, std::span<BodyPose> bodies) noexcept;
-    void open(const RigidBodyState& word, double now_s) noexcept;
+    bool show(std::uint32_t body, Slot* slot, double now_s, const BodyFeel& feel,
+              std::span<render::BodyPose> bodies) noexcept;
+    void open(const render::RigidBodyState& word, double now_s) noexcept;
     void strain(Slot& slot, double force_n, double dt_s, const BodyFeel& feel) noexcept;
-    void send(Slot& slot, HandPush push, HandPushRing& pushes) noexcept;
-    static void keep(Slot& slot, const HandPush& push) noexcept;
+    void send(Slot& slot, render::HandPush push, render::HandPushRing& pushes) noexcept;
+    static void keep(Slot& slot, const render::HandPush& push) noexcept;
     Vec3 grip_point_m() const noexcept;
     Vec3 wrist_nm() const noexcept;
 
     unsigned hand_;
-    const DynamicsScene* scene_ = nullptr;
+    const render::DynamicsScene* scene_ = nullptr;
     std::uint32_t game_ = 0;
     std::array<Played, 4> frames_{};  // ring; newest_ is the last
     std::size_t newest_ = 0, known_ = 0;
@@ -141,7 +142,7 @@ private:
     std::vector<std::uint32_t> lively_;
     // For each body the value of heard_ when it last moved; 0: it is not in lively_.
     std::vector<std::uint64_t> moved_at_;
-    std::array<RigidBodyState, kMost> words_{};
+    std::array<render::RigidBodyState, kMost> words_{};
     std::size_t word_count_ = 0;
     std::array<Slot, kMost> slots_{};
     std::vector<Placement> shown_;
@@ -156,9 +157,9 @@ private:
     Rotation grip_turn_;
     Vec3 last_hand_m_{0.0}, hand_m_per_s_{0.0};
     bool has_hand_ = false;
-    std::uint32_t heavy_ = kNoBody;
+    std::uint32_t heavy_ = render::kNoBody;
     std::uint32_t refused_ = 0;
     double most_speed_m_per_s_ = 0.0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::servo

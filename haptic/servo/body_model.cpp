@@ -5,7 +5,7 @@
 
 #include "haptic/servo/vectors.h"
 
-namespace handrail {
+namespace handrail::servo {
 namespace {
 
 Rotation turned(const Rotation& q, const Vec3& by_rad) noexcept {
@@ -48,7 +48,7 @@ struct BodyModel::Point {
     double friction = 0.0;
 };
 
-void BodyModel::begin(const RigidBodyState& word, const State& seen) noexcept {
+void BodyModel::begin(const render::RigidBodyState& word, const State& seen) noexcept {
     *this = {};
     state_ = seen;
     word_ = word;
@@ -58,10 +58,10 @@ void BodyModel::begin(const RigidBodyState& word, const State& seen) noexcept {
     hear(word);
 }
 
-void BodyModel::hear(const RigidBodyState& word) noexcept {
+void BodyModel::hear(const render::RigidBodyState& word) noexcept {
     if (!(word.time_s > word_.time_s)) return;
     // Contacts that continue keep their impulses, so that a resting body does not sag with every new message.
-    std::array<Vec3, RigidBodyState::kMostPlanes> kept{};
+    std::array<Vec3, render::RigidBodyState::kMostPlanes> kept{};
     for (std::size_t i = 0; i < word.count; ++i)
         for (std::size_t k = 0; k < word_.count; ++k)
             if (glm::dot(word.planes[i].normal, word_.planes[k].normal) > 0.99 &&
@@ -108,7 +108,7 @@ void BodyModel::solve(double dt_s) noexcept {
     const InverseInertia inverse(state_.at, word_.inertia_kg_m2);
     const PlacedFrame frame(state_.at);
     const double inverse_kg = 1.0 / word_.mass_kg, stick = stick_.factor(word_.sticks);
-    std::array<Point, RigidBodyState::kMostPlanes> points;
+    std::array<Point, render::RigidBodyState::kMostPlanes> points;
     Vec3 &v = state_.speed_m_per_s, &w = state_.turn_rad_per_s;
     const auto kick = [&](const Direction& d, double impulse) {
         v += d.along * (impulse * inverse_kg);
@@ -116,7 +116,7 @@ void BodyModel::solve(double dt_s) noexcept {
     };
     const auto speed = [&](const Direction& d) { return glm::dot(d.along, v) + glm::dot(d.turns, w); };
     for (std::size_t i = 0; i < word_.count; ++i) {
-        const ContactPlane& plane = word_.planes[i];
+        const render::ContactPlane& plane = word_.planes[i];
         Point& p = points[i];
         const Vec3 arm = plane.round ? plane.normal * -plane.radius_m : frame.turned(plane.own_m);
         const double gap =
@@ -191,4 +191,4 @@ void BodyModel::limit_speed(double most_m_per_s) noexcept {
     if (speed > most_m_per_s) state_.speed_m_per_s *= most_m_per_s / speed;
 }
 
-}  // namespace handrail
+}  // namespace handrail::servo

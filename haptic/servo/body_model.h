@@ -11,7 +11,7 @@
 
 #include "haptic/render/rigid_body_state.h"
 
-namespace handrail {
+namespace handrail::servo {
 
 class BodyModel {
 public:
@@ -24,10 +24,10 @@ public:
 
     // Starts from a message of the engine and from where the hand has seen the body until now. The difference is
     // corrected over kCorrect_s.
-    void begin(const RigidBodyState& word, const State& seen) noexcept;
+    void begin(const render::RigidBodyState& word, const State& seen) noexcept;
     // Takes a message about a moment within the last kHistory ticks or earlier. A message newer than the model's time
     // also counts. The times of messages must rise.
-    void hear(const RigidBodyState& word) noexcept;
+    void hear(const render::RigidBodyState& word) noexcept;
     // One tick from the state's time on. force_n in world newtons; moment_nm about the centre of mass.
     void tick(const Vec3& force_n, const Vec3& moment_nm, double dt_s) noexcept;
     // Stops the body until the next message, because the engine is silent.
@@ -37,7 +37,7 @@ public:
     const State& state() const noexcept { return state_; }
     double word_s() const noexcept { return word_.time_s; }
     std::uint32_t body() const noexcept { return word_.body; }
-    const RigidBodyState& word() const noexcept { return word_; }
+    const render::RigidBodyState& word() const noexcept { return word_; }
     Vec3 speed_at(const Vec3& world_m) const noexcept {
         return state_.speed_m_per_s + glm::cross(state_.turn_rad_per_s, world_m - state_.at.position_m);
     }
@@ -54,13 +54,14 @@ private:
     void solve(double dt_s) noexcept;
 
     State state_;
-    RigidBodyState word_;
+    render::RigidBodyState word_;
     std::array<State, kHistory> history_{};  // ring; every correction shifts all of it
     std::size_t first_ = 0, count_ = 0;
-    std::array<Vec3, RigidBodyState::kMostPlanes> impulse_{};  // impulses of the last tick: along the normal and two tangents
-    Stick stick_;
+    std::array<Vec3, render::RigidBodyState::kMostPlanes>
+        impulse_{};  // impulses of the last tick: along the normal and two tangents
+    render::Stick stick_;
     Vec3 owed_m_{0.0}, owed_m_per_s_{0.0}, owed_rad_{0.0}, owed_rad_per_s_{0.0};
     double apart_m_ = 0.0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::servo

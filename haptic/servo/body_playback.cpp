@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace handrail {
+namespace handrail::servo {
 namespace {
 
 // A body that stood still for longer than this starts from where it stood, one frame before the new pose.
@@ -13,7 +13,7 @@ constexpr double kStillS = 0.1;
 constexpr double kUsualFrameS = 1.0 / 60.0;
 std::atomic<std::uint64_t> frames_pushed{0};
 
-MovingBody on_the_way(std::size_t body, const Placement& from, const Placement& to) {
+render::MovingBody on_the_way(std::size_t body, const Placement& from, const Placement& to) {
     const Vec3 way = glm::abs(to.position_m - from.position_m);
     return {static_cast<std::uint32_t>(body), 0.5 * (way.x + way.y + way.z), std::max(from.scale, to.scale),
             0.5 * (from.position_m + to.position_m)};
@@ -21,7 +21,7 @@ MovingBody on_the_way(std::size_t body, const Placement& from, const Placement& 
 
 }  // namespace
 
-void BodyFrame::push(std::uint32_t scene, double time_s, std::vector<BodyPose> poses) {
+void BodyFrame::push(std::uint32_t scene, double time_s, std::vector<render::BodyPose> poses) {
     const auto last = [this]() -> Moment& { return moments_[(first_ + count_ - 1) % kMoments]; };
     if (count_ > 0 && (scene != scene_ || !(time_s > last().time_s) || poses.size() != last().poses->size())) {
         moments_ = {};
@@ -36,22 +36,23 @@ void BodyFrame::push(std::uint32_t scene, double time_s, std::vector<BodyPose> p
         count_ = 1;
     }
     scene_ = scene;
-    std::vector<MovingBody> moved;
+    std::vector<render::MovingBody> moved;
     for (std::size_t i = 0; count_ > 0 && i < poses.size(); ++i)
-        if (const BodyPose& before = (*last().poses)[i]; !(poses[i] == before))
+        if (const render::BodyPose& before = (*last().poses)[i]; !(poses[i] == before))
             moved.push_back(on_the_way(i, before.at, poses[i].at));
     number_ = ++frames_pushed;
     if (count_ == kMoments) {
         first_ = (first_ + 1) % kMoments;
         --count_;
     }
-    moments_[(first_ + count_) % kMoments] = {number_, time_s,
-                                              std::make_shared<const std::vector<BodyPose>>(std::move(poses)),
-                                              std::make_shared<const std::vector<MovingBody>>(std::move(moved))};
+    moments_[(first_ + count_) % kMoments] = {
+        number_, time_s, std::make_shared<const std::vector<render::BodyPose>>(std::move(poses)),
+        std::make_shared<const std::vector<render::MovingBody>>(std::move(moved))};
     ++count_;
 }
 
-BodyPoses BodyPlayback::find(const BodyFrame& frame, const HapticScene& scene, double play_s, bool jump) noexcept {
+render::BodyPoses BodyPlayback::find(const BodyFrame& frame, const render::HapticScene& scene, double play_s,
+                                     bool jump) noexcept {
     if (frame.size() == 0 || frame.scene() != scene.generation) {
         if (scene_ != 0) ++played_;
         scene_ = 0;
@@ -90,4 +91,4 @@ BodyPoses BodyPlayback::find(const BodyFrame& frame, const HapticScene& scene, d
     return {poses_, played_, &ways_};
 }
 
-}  // namespace handrail
+}  // namespace handrail::servo

@@ -12,7 +12,7 @@
 
 #include "haptic/render/touch.h"
 
-namespace handrail {
+namespace handrail::servo {
 
 // The poses of all bodies of a scene at the last moments at which something moved. The app makes and publishes it, and
 // is the only one that allocates and frees; the servo only reads.
@@ -23,14 +23,14 @@ public:
     struct Moment {
         std::uint64_t number = 0;
         double time_s = 0.0;
-        std::shared_ptr<const std::vector<BodyPose>> poses;
+        std::shared_ptr<const std::vector<render::BodyPose>> poses;
         // Bodies that moved since the moment before, in rising order.
-        std::shared_ptr<const std::vector<MovingBody>> moved;
+        std::shared_ptr<const std::vector<render::MovingBody>> moved;
     };
 
     // Adds the poses that all bodies of a scene (HapticScene::generation) have from this moment on. The times of one
     // scene must rise. Another scene, or a time that does not rise, clears the earlier moments.
-    void push(std::uint32_t scene, double time_s, std::vector<BodyPose> poses);
+    void push(std::uint32_t scene, double time_s, std::vector<render::BodyPose> poses);
 
     std::uint32_t scene() const noexcept { return scene_; }  // 0: none
     // Rises with every push and is unique in this process, so two frames with the same number hold the same tables. 0:
@@ -39,8 +39,9 @@ public:
     std::size_t size() const noexcept { return count_; }
     const Moment& moment(std::size_t i) const noexcept { return moments_[(first_ + i) % kMoments]; }  // 0: the oldest
     // Poses at the last moment.
-    std::span<const BodyPose> poses() const noexcept {
-        return count_ > 0 ? std::span<const BodyPose>(*moment(count_ - 1).poses) : std::span<const BodyPose>{};
+    std::span<const render::BodyPose> poses() const noexcept {
+        return count_ > 0 ? std::span<const render::BodyPose>(*moment(count_ - 1).poses)
+                          : std::span<const render::BodyPose>{};
     }
 
 private:
@@ -56,7 +57,8 @@ public:
     // Returns the bodies at the moment being played. The result is valid until the next call and while the frame
     // exists. Pass the newest known frame; passing the same frame again is fine. jump: what was felt before is no
     // longer valid, so playback starts at the newest moment.
-    BodyPoses at(const BodyFrame& frame, const HapticScene& scene, double play_s, bool jump = false) noexcept {
+    render::BodyPoses at(const BodyFrame& frame, const render::HapticScene& scene, double play_s,
+                         bool jump = false) noexcept {
         // Fast path for most ticks: still between the same two moments as in the tick before, or at rest at the last
         // one.
         if (frame.number() != frame_ || scene.generation != scene_ || !(play_s > from_s_ && play_s < until_s_) || jump)
@@ -70,7 +72,7 @@ public:
     }
 
 private:
-    BodyPoses find(const BodyFrame& frame, const HapticScene& scene, double play_s, bool jump) noexcept;
+    render::BodyPoses find(const BodyFrame& frame, const render::HapticScene& scene, double play_s, bool jump) noexcept;
 
     std::uint64_t first_number_ = 0;  // moments before this one are no longer played
     std::uint64_t played_ = 0;        // the number that the renderer got last
@@ -79,8 +81,8 @@ private:
     // Number of the frame whose tables poses_ and ways_ refer to, valid while from_s_ < play_s < until_s_. 0: none.
     std::uint64_t frame_ = 0;
     double from_s_ = 0.0, until_s_ = 0.0, long_s_ = 0.0;  // long_s_: until_s_ - from_s_
-    std::span<const BodyPose> poses_{};
-    BodyPaths ways_;
+    std::span<const render::BodyPose> poses_{};
+    render::BodyPaths ways_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::servo

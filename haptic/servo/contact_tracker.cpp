@@ -5,7 +5,7 @@
 
 #include "haptic/servo/vectors.h"
 
-namespace handrail {
+namespace handrail::servo {
 namespace {
 
 constexpr double kSlidePoleS = 0.005;
@@ -19,21 +19,21 @@ void ContactTracker::end(std::size_t index, double now_s, TickEvents& events) no
     --count_;
 }
 
-void ContactTracker::update(const TouchResult& touch, const Vec3& velocity_m_per_s, double world_m_per_hand_m,
+void ContactTracker::update(const render::TouchResult& touch, const Vec3& velocity_m_per_s, double world_m_per_hand_m,
                             double now_s, double dt_s, TickEvents& events) noexcept {
     // A surface that gives way counts as a contact like a hard one.
     const double contact_n = length(touch.contact_force_n), soft_n = length(touch.soft_force_n);
-    std::array<Contact, 4> felt;
+    std::array<render::Contact, 4> felt;
     std::size_t count = 0;
     for (; count < touch.contacts.count; ++count) felt[count] = touch.contacts.contacts[count];
     const std::size_t hard = count;
-    const auto same = [&](const Contact& contact) {
+    const auto same = [&](const render::Contact& contact) {
         return contact.feature == touch.soft;
     };  // also in contact, because it is pressed down to its hard floor
     if (soft_n > 0.0 && std::none_of(felt.begin(), felt.begin() + hard, same))
         felt[count++] = {touch.soft, touch.soft_material, touch.soft_force_n / soft_n, 1.0};
     for (std::size_t i = 0; i < count; ++i) {
-        const Contact& contact = felt[i];
+        const render::Contact& contact = felt[i];
         const double force_n = i < hard ? contact_n : soft_n;
         std::size_t index = 0;
         while (index < count_ &&
@@ -98,4 +98,4 @@ void ContactTracker::clear(double now_s, TickEvents& events) noexcept {
     liquid_ = kNoFeature;
 }
 
-}  // namespace handrail
+}  // namespace handrail::servo

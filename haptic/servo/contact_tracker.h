@@ -9,7 +9,7 @@
 #include "haptic/render/touch.h"
 #include "haptic/servo/fault.h"
 
-namespace handrail {
+namespace handrail::servo {
 
 enum class ContactEventKind : std::uint8_t {
     Begin,
@@ -70,7 +70,7 @@ public:
     static constexpr double kSlideStartsMPerS = 0.001, kSlideStopsMPerS = 0.0005;
 
     // velocity_m_per_s: of the hand relative to the world, in world axes, in hand metres per second.
-    void update(const TouchResult& touch, const Vec3& velocity_m_per_s, double world_m_per_hand_m, double now_s,
+    void update(const render::TouchResult& touch, const Vec3& velocity_m_per_s, double world_m_per_hand_m, double now_s,
                 double dt_s, TickEvents& events) noexcept;
     // Ends every contact and leaves the liquid, because the hand is gone or somewhere else.
     void clear(double now_s, TickEvents& events) noexcept;
@@ -95,4 +95,4 @@ private:
     Vec3 liquid_position_m_{0.0};
 };
 
-}  // namespace handrail
+}  // namespace handrail::servo

@@ -2,7 +2,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::servo {
 
 std::string fault_sentence(Fault fault) {
     switch (fault) {
@@ -40,4 +40,4 @@ std::string fault_sentence(Fault fault) {
     return "";
 }
 
-}  // namespace handrail
+}  // namespace handrail::servo

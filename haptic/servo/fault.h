@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace handrail {
+namespace handrail::servo {
 
 enum class Fault : std::uint8_t {
     None,
@@ -40,4 +40,4 @@ inline bool passes_by_itself(Fault fault) {
 // Suitable for speech; empty for None.
 std::string fault_sentence(Fault fault);
 
-}  // namespace handrail
+}  // namespace handrail::servo

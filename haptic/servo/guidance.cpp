@@ -6,7 +6,7 @@
 #include "haptic/render/tick_assert.h"
 #include "haptic/servo/vectors.h"
 
-namespace handrail {
+namespace handrail::servo {
 namespace {
 
 constexpr double kVelocityPole_s = 0.020;
@@ -197,4 +197,4 @@ Vec3 Guidance::tick(const GuidancePath& path, const Vec3& hand_m, double scale, 
     return state_.force_n;
 }
 
-}  // namespace handrail
+}  // namespace handrail::servo

@@ -12,7 +12,7 @@
 
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::servo {
 
 enum class GuidanceKind : std::uint8_t {
     Pull,        // along points_m, to the last point
@@ -102,4 +102,4 @@ private:
     Vec3 last_n_{0.0};   // the force at the moment it ended
 };
 
-}  // namespace handrail
+}  // namespace handrail::servo

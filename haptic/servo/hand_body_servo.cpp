@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace handrail {
+namespace handrail::servo {
 namespace {
 
 // Sine and cosine of 45 degrees, for a quaternion of a quarter turn.
@@ -10,14 +10,14 @@ constexpr double kHalfRoot = 0.70710678118654752440;
 
 }  // namespace
 
-HandBodyServo::HandBodyServo(std::shared_ptr<const DynamicsScene> scene, std::shared_ptr<HandChannel> channel, unsigned hand,
-                       std::size_t bodies)
+HandBodyServo::HandBodyServo(std::shared_ptr<const render::DynamicsScene> scene,
+                             std::shared_ptr<render::HandChannel> channel, unsigned hand, std::size_t bodies)
     : scene_(std::move(scene)),
       channel_(std::move(channel)),
       bodies_(hand),
       poses_(bodies + kMoreBodies),
       free_(bodies + kMoreBodies, 0) {
-    for (const DynamicsBody& body : scene_->bodies)
+    for (const render::DynamicsBody& body : scene_->bodies)
         if (body.haptic < free_.size()) free_[body.haptic] = 1;
     bodies_.enter(scene_.get());
 }
@@ -29,13 +29,13 @@ bool HandBodyServo::grip(const BodyTuning& tuning, std::uint32_t buttons, double
             held_by_button_ = false;
             if (!held_by_key_) bodies_.let_go(feel_);
         } else if (!held_by_button_ && pressed != 0 && buttons_ == 0) {
-            held_by_button_ = bodies_.take(now_s, hand_m, feel_) != kNoBody;
+            held_by_button_ = bodies_.take(now_s, hand_m, feel_) != render::kNoBody;
         }
         if (held_by_key_ && !tuning.hold) {
             held_by_key_ = false;
             if (!held_by_button_) bodies_.let_go(feel_);
         } else if (!held_by_key_ && tuning.hold) {
-            held_by_key_ = bodies_.take(now_s, hand_m, feel_) != kNoBody;
+            held_by_key_ = bodies_.take(now_s, hand_m, feel_) != render::kNoBody;
         }
     }
     buttons_ = pressed;
@@ -52,15 +52,15 @@ bool HandBodyServo::grip(const BodyTuning& tuning, std::uint32_t buttons, double
     return held_by_button_;
 }
 
-BodyPoses HandBodyServo::place(const BodyPoses& told, const HapticScene& scene, double now_s, const Vec3& hand_m,
-                            const BodyFeel& feel) noexcept {
+render::BodyPoses HandBodyServo::place(const render::BodyPoses& told, const render::HapticScene& scene, double now_s,
+                                       const Vec3& hand_m, const BodyFeel& feel) noexcept {
     if (channel_->frame.refresh()) bodies_.hear(channel_->frame.read());
     if (bodies_.idle()) feel_ = feel;
     here_ = true;
     const std::size_t count = std::min(scene.bodies.size(), poses_.size());
     const auto take = [&](std::size_t b) {
         if (free_[b]) return;
-        poses_[b] = told.know(b) ? told.at(b) : BodyPose{scene.bodies[b].start, scene.bodies[b].present};
+        poses_[b] = told.know(b) ? told.at(b) : render::BodyPose{scene.bodies[b].start, scene.bodies[b].present};
     };
     bool moved = false;
     if (generation_ != scene.generation) {
@@ -75,7 +75,7 @@ BodyPoses HandBodyServo::place(const BodyPoses& told, const HapticScene& scene, 
         moved = true;
         // Between the same two moments as in the last tick, only the bodies that move between them have changed.
         if (told.ways && told.ways_number() == told_ways_ && told.ways->number_before != 0) {
-            for (const MovingBody& moving : told.ways->moving)
+            for (const render::MovingBody& moving : told.ways->moving)
                 if (moving.body < count) take(moving.body);
         } else {
             for (std::size_t b = 0; b < count; ++b) take(b);
@@ -96,4 +96,4 @@ void HandBodyServo::leave() noexcept {
     channel_->place.publish({});
 }
 
-}  // namespace handrail
+}  // namespace handrail::servo

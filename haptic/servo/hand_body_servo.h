@@ -12,7 +12,7 @@
 #include "haptic/render/touch.h"
 #include "haptic/servo/bodies_in_reach.h"
 
-namespace handrail {
+namespace handrail::servo {
 
 // The person's settings for free bodies. Comes from the app as part of ServoTuning.
 struct BodyTuning {
@@ -28,8 +28,8 @@ public:
     static constexpr std::size_t kMoreBodies = 256;  // room for bodies that are set down in a world later
 
     // hand: 0 or 1. bodies: number of bodies of the touched scene (HapticScene::bodies). Allocates.
-    HandBodyServo(std::shared_ptr<const DynamicsScene> scene, std::shared_ptr<HandChannel> channel, unsigned hand,
-               std::size_t bodies);
+    HandBodyServo(std::shared_ptr<const render::DynamicsScene> scene, std::shared_ptr<render::HandChannel> channel,
+                  unsigned hand, std::size_t bodies);
     HandBodyServo(const HandBodyServo&) = delete;
     HandBodyServo& operator=(const HandBodyServo&) = delete;
 
@@ -40,12 +40,12 @@ public:
     // 2. Returns where all bodies are: free ones as this hand meets them, the others as `told` has them (for this
     //   scene, or empty).
     // Valid until the next call.
-    BodyPoses place(const BodyPoses& told, const HapticScene& scene, double now_s, const Vec3& hand_m,
-                    const BodyFeel& feel) noexcept;
+    render::BodyPoses place(const render::BodyPoses& told, const render::HapticScene& scene, double now_s,
+                            const Vec3& hand_m, const BodyFeel& feel) noexcept;
     Vec3 carried_m() const noexcept { return bodies_.carried_m(); }
     // 3. Force of the held body on the hand, world axes, hand newtons.
     Vec3 grip_force_n(const Vec3& hand_m, double dt_s) noexcept { return bodies_.grip_force_n(hand_m, dt_s, feel_); }
-    void felt(const TouchResult& result) noexcept { touched_ = result; }
+    void felt(const render::TouchResult& result) noexcept { touched_ = result; }
     // 4. Call it after the limiter let `share` of the wanted force through.
     void react(double share, double now_s, double dt_s) noexcept {
         bodies_.react(touched_, share, now_s, dt_s, feel_, channel_->pushes);
@@ -59,25 +59,27 @@ public:
     const BodiesInReach& bodies() const noexcept { return bodies_; }
 
     // For recordings and their replay.
-    HandChannel& channel() noexcept { return *channel_; }
+    render::HandChannel& channel() noexcept { return *channel_; }
     std::uint32_t take_refused() noexcept { return bodies_.take_refused(); }
-    bool take_back(std::uint32_t refused, const HandPush& push) noexcept { return bodies_.take_back(refused, push); }
+    bool take_back(std::uint32_t refused, const render::HandPush& push) noexcept {
+        return bodies_.take_back(refused, push);
+    }
 
 private:
-    const std::shared_ptr<const DynamicsScene> scene_;
-    const std::shared_ptr<HandChannel> channel_;
+    const std::shared_ptr<const render::DynamicsScene> scene_;
+    const std::shared_ptr<render::HandChannel> channel_;
     BodiesInReach bodies_;
     BodyFeel feel_;
-    std::vector<BodyPose> poses_;  // poses of the touched scene's bodies, with room for more
-    std::vector<char> free_;       // for each body, with room for more: 1 if the engine decides its pose
+    std::vector<render::BodyPose> poses_;  // poses of the touched scene's bodies, with room for more
+    std::vector<char> free_;               // for each body, with room for more: 1 if the engine decides its pose
     std::uint64_t number_ = std::uint64_t{1} << 40;  // number of the table, beyond those of any playback
     std::uint64_t told_ = 0, told_ways_ = 0;         // the numbers in the last `told`
     std::uint32_t generation_ = 0;                   // the scene that the last `told` belonged to
-    TouchResult touched_;
+    render::TouchResult touched_;
     bool here_ = false, held_by_key_ = false, held_by_button_ = false;
     std::uint32_t buttons_ = 0;  // buttons of the grip in the last tick
     std::int32_t quarters_ = 0;
     bool quarters_known_ = false;
 };
 
-}  // namespace handrail
+}  // namespace handrail::servo

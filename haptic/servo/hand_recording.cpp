@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace handrail {
+namespace handrail::servo {
 namespace {
 
 constexpr double kSteps = 1e6;  // steps per metre and per radian
@@ -19,9 +19,9 @@ void round_all(Vec3& v) noexcept {
 
 }  // namespace
 
-void round_to_whole_steps(DeviceSample& sample) noexcept {
+void round_to_whole_steps(device::DeviceSample& sample) noexcept {
     round_all(sample.position_m);
     round_all(sample.gimbal_rad);
 }
 
-}  // namespace handrail
+}  // namespace handrail::servo

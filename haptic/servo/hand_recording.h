@@ -11,7 +11,7 @@
 #include "worlds/base/feature_id.h"
 #include "worlds/base/spsc_ring.h"
 
-namespace handrail {
+namespace handrail::servo {
 
 // For each input: how many times it had been handed over when the tick read it, counted since this servo began; 0:
 // never yet.
@@ -32,9 +32,9 @@ struct EngineReads {
 };
 
 struct HandRow {
-    double time_s = 0.0;  // time of the tick, a whole number of microseconds
-    DeviceSample sample;  // rounded by round_to_whole_steps
-    Vec3 force_n{0.0};    // on the hand, device frame
+    double time_s = 0.0;          // time of the tick, a whole number of microseconds
+    device::DeviceSample sample;  // rounded by round_to_whole_steps
+    Vec3 force_n{0.0};            // on the hand, device frame
     FeatureId contact = kNoFeature;
     std::uint32_t servo = 0;  // which of this hand's servos, counted from 1
     ServoReads reads;
@@ -57,6 +57,6 @@ struct HandRing {
 inline double in_whole_microseconds(double time_s) noexcept { return std::round(time_s * 1e6) / 1e6; }
 // Rounds a sample in the same way: to whole micrometres, and to millionths of a radian for the grip. If one coordinate
 // of a vector is not finite or over a kilometre (1,000 rad) away, the whole vector becomes NaN.
-void round_to_whole_steps(DeviceSample& sample) noexcept;
+void round_to_whole_steps(device::DeviceSample& sample) noexcept;
 
-}  // namespace handrail
+}  // namespace handrail::servo

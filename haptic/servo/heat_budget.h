@@ -5,7 +5,7 @@
 
 #include "haptic/render/tick_assert.h"
 
-namespace handrail {
+namespace handrail::servo {
 
 class HeatBudget {
 public:
@@ -32,4 +32,4 @@ private:
     bool too_warm_ = false;
 };
 
-}  // namespace handrail
+}  // namespace handrail::servo

@@ -5,9 +5,9 @@
 
 #include "haptic/render/tick_assert.h"
 
-namespace handrail {
+namespace handrail::servo {
 
-PersonalWall personal_wall_of(const DeviceSpec& spec, double ceiling_n, double wall_n_per_m) noexcept {
+PersonalWall personal_wall_of(const device::DeviceSpec& spec, double ceiling_n, double wall_n_per_m) noexcept {
     PersonalWall wall;
     wall.at_m = kPersonalWallAt * spec.workspace_radius_m;
     wall.stiffness_n_per_m = std::min(kPersonalWallStiffest_n_per_m, wall_n_per_m);
@@ -81,4 +81,4 @@ void DeskPress::tick(FeatureId touched, double press_n, bool button, double need
     ++presses_;
 }
 
-}  // namespace handrail
+}  // namespace handrail::servo

@@ -22,7 +22,7 @@
 #include "worlds/base/feature_id.h"
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::servo {
 
 // The wall of one device, at one force ceiling and stiffness.
 struct PersonalWall {
@@ -38,7 +38,7 @@ inline constexpr double kPersonalWallMost_n = 1.5, kPersonalWallShare = 0.6, kPe
 
 // The wall breaks at the least of three forces: 1.5 N, 60 % of the ceiling, and the force of its spring halfway between
 // its plane and the end of the workspace. wall_n_per_m: stiffness of the default wall on this device.
-PersonalWall personal_wall_of(const DeviceSpec& spec, double ceiling_n, double wall_n_per_m) noexcept;
+PersonalWall personal_wall_of(const device::DeviceSpec& spec, double ceiling_n, double wall_n_per_m) noexcept;
 
 class PersonalSpace {
 public:
@@ -126,4 +126,4 @@ private:
     bool button_was_ = false, pushed_ = false;
 };
 
-}  // namespace handrail
+}  // namespace handrail::servo

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace handrail {
+namespace handrail::servo {
 
 bool too_slow(RateWatch& watch, double period_s, double min_rate_hz) noexcept {
     if (!(min_rate_hz > 0.0) || !(period_s * min_rate_hz > 1.0)) {
@@ -14,4 +14,4 @@ bool too_slow(RateWatch& watch, double period_s, double min_rate_hz) noexcept {
     return watch.counted_s >= RateWatch::kPatienceS * (1.0 - 1e-9);
 }
 
-}  // namespace handrail
+}  // namespace handrail::servo

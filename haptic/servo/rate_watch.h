@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-namespace handrail {
+namespace handrail::servo {
 
 // Detects a loop that is too slow to hold a wall. A single long gap does not count as slow: a period counts as at most
 // 10 ms, so at least two in a row are needed.
@@ -59,4 +59,4 @@ inline constexpr std::array<double, 11> kDurationEdgesS{2e-6,   5e-6,   10e-6, 2
 using PeriodHistogram = TimeHistogram<kPeriodEdgesS>;      // time from tick to tick
 using DurationHistogram = TimeHistogram<kDurationEdgesS>;  // time spent in a tick
 
-}  // namespace handrail
+}  // namespace handrail::servo

@@ -10,7 +10,7 @@
 #include "worlds/base/executor.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::servo {
 namespace {
 
 constexpr int kRealTimePriority = 70;  // above audio threads (usually 20 to 60), below the kernel's own 99
@@ -46,10 +46,10 @@ std::string scheduling_sentence(Scheduling scheduling) {
     return "";
 }
 
-ServoLoop::ServoLoop(std::unique_ptr<HapticDevice> device, Clock& clock, double period_s)
+ServoLoop::ServoLoop(std::unique_ptr<device::HapticDevice> device, Clock& clock, double period_s)
     : ServoLoop(std::move(device), clock, period_s, Links{}) {}
 
-ServoLoop::ServoLoop(std::unique_ptr<HapticDevice> device, Clock& clock, double period_s, const Links& links)
+ServoLoop::ServoLoop(std::unique_ptr<device::HapticDevice> device, Clock& clock, double period_s, const Links& links)
     : clock_(clock),
       period_s_(period_s),
       device_(std::move(device)),
@@ -102,8 +102,8 @@ void ServoLoop::publish_report() noexcept {
     report_.publish(counted_);
 }
 
-void ServoLoop::hand_over(std::shared_ptr<const HapticScene> scene, std::shared_ptr<const HapticScene> desk,
-                          std::shared_ptr<HandBodyServo> engine) {
+void ServoLoop::hand_over(std::shared_ptr<const render::HapticScene> scene,
+                          std::shared_ptr<const render::HapticScene> desk, std::shared_ptr<HandBodyServo> engine) {
     free_scenes();
     world_ = std::move(scene);
     desk_ = std::move(desk);
@@ -153,17 +153,17 @@ bool ServoLoop::step_as() noexcept {
     if (stopping) tuning.forces_on = false;
     const SceneHandle scene = scene_.read();
 
-    DeviceSample sample = device_->read(start_s);
+    device::DeviceSample sample = device_->read(start_s);
     if constexpr (kRecorded) round_to_whole_steps(sample);
-    const ForceCommand command = servo_tick(state_, {.scene = scene.scene,
-                                                     .tuning = tuning,
-                                                     .pose = pose_.read().value,
-                                                     .sample = sample,
-                                                     .now_s = start_s,
-                                                     .bodies = &bodies_.read().value,
-                                                     .desk = scene.desk,
-                                                     .guidance = &guidance_.read().value,
-                                                     .engine = scene.engine});
+    const device::ForceCommand command = servo_tick(state_, {.scene = scene.scene,
+                                                             .tuning = tuning,
+                                                             .pose = pose_.read().value,
+                                                             .sample = sample,
+                                                             .now_s = start_s,
+                                                             .bodies = &bodies_.read().value,
+                                                             .desk = scene.desk,
+                                                             .guidance = &guidance_.read().value,
+                                                             .engine = scene.engine});
     device_->write(command);
     if constexpr (kRecorded) record(start_s, sample, command, stops, focused, stopping);
 
@@ -177,8 +177,8 @@ bool ServoLoop::step_as() noexcept {
     return !(stopping && state_.tool().force_gain == 0.0);
 }
 
-void ServoLoop::record(double time_s, const DeviceSample& sample, const ForceCommand& command, std::uint32_t stops,
-                       bool focused, bool stopping) noexcept {
+void ServoLoop::record(double time_s, const device::DeviceSample& sample, const device::ForceCommand& command,
+                       std::uint32_t stops, bool focused, bool stopping) noexcept {
     const SceneHandle& scene = scene_.read();
     const ServoReads reads{static_cast<std::uint32_t>(scene.number),
                            tuning_.read().number,
@@ -190,7 +190,7 @@ void ServoLoop::record(double time_s, const DeviceSample& sample, const ForceCom
                            stopping};
     EngineReads bodies;
     if (scene.engine) {
-        HandChannel& channel = scene.engine->channel();
+        render::HandChannel& channel = scene.engine->channel();
         bodies = {channel.engine, channel.frame.read().number, scene.engine->take_refused()};
     }
     recording_->push({time_s, sample, command.force_n, state_.tool().touched(), recorded_as_, reads, bodies});
@@ -219,4 +219,4 @@ void ServoLoop::run_as() noexcept {
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::servo

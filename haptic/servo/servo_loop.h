@@ -19,7 +19,7 @@
 #include "worlds/base/result.h"
 #include "worlds/base/spsc_ring.h"
 
-namespace handrail {
+namespace handrail::servo {
 
 enum class Scheduling : std::uint8_t { NotStarted, RealTime, Ordinary };
 
@@ -46,13 +46,13 @@ public:
     };
 
     // The clock must outlive the loop.
-    ServoLoop(std::unique_ptr<HapticDevice> device, Clock& clock, double period_s = 1e-3);
-    ServoLoop(std::unique_ptr<HapticDevice> device, Clock& clock, double period_s, const Links& links);
+    ServoLoop(std::unique_ptr<device::HapticDevice> device, Clock& clock, double period_s = 1e-3);
+    ServoLoop(std::unique_ptr<device::HapticDevice> device, Clock& clock, double period_s, const Links& links);
     ~ServoLoop() override;
     ServoLoop(const ServoLoop&) = delete;
     ServoLoop& operator=(const ServoLoop&) = delete;
 
-    const DeviceSpec& device_spec() const { return device_->spec(); }
+    const device::DeviceSpec& device_spec() const { return device_->spec(); }
 
     // App thread. Call open() first; start() makes the thread. stop() fades the force over 75 ms, closes the device and
     // joins. Further calls do no harm, and the destructor calls it too.
@@ -61,9 +61,11 @@ public:
     void stop();
 
     // App thread: see ServoInbox.
-    void set_scene(std::shared_ptr<const HapticScene> scene) { set_scene(std::move(scene), engine_); }
-    void set_desk(std::shared_ptr<const HapticScene> desk) override { hand_over(world_, std::move(desk), engine_); }
-    void set_scene(std::shared_ptr<const HapticScene> scene, std::shared_ptr<HandBodyServo> engine) override {
+    void set_scene(std::shared_ptr<const render::HapticScene> scene) { set_scene(std::move(scene), engine_); }
+    void set_desk(std::shared_ptr<const render::HapticScene> desk) override {
+        hand_over(world_, std::move(desk), engine_);
+    }
+    void set_scene(std::shared_ptr<const render::HapticScene> scene, std::shared_ptr<HandBodyServo> engine) override {
         hand_over(std::move(scene), desk_, std::move(engine));
     }
     void set_tuning(const ServoTuning& tuning) override { tuning_.publish({tuning, ++given_.tuning}); }
@@ -87,8 +89,8 @@ public:
 
 private:
     struct SceneHandle {
-        const HapticScene* scene = nullptr;
-        const HapticScene* desk = nullptr;
+        const render::HapticScene* scene = nullptr;
+        const render::HapticScene* desk = nullptr;
         HandBodyServo* engine = nullptr;
         std::uint64_t number = 0;  // rises; the servo reports the number that it has reached
     };
@@ -99,11 +101,11 @@ private:
     };
     struct KeptScene {
         std::uint64_t number;
-        std::shared_ptr<const HapticScene> scene, desk;
+        std::shared_ptr<const render::HapticScene> scene, desk;
         std::shared_ptr<HandBodyServo> engine;
     };
 
-    void hand_over(std::shared_ptr<const HapticScene> scene, std::shared_ptr<const HapticScene> desk,
+    void hand_over(std::shared_ptr<const render::HapticScene> scene, std::shared_ptr<const render::HapticScene> desk,
                    std::shared_ptr<HandBodyServo> engine);
     void run() noexcept;
     void close() noexcept;
@@ -113,20 +115,20 @@ private:
     bool step_as() noexcept;
     template <bool kRecorded>
     void run_as() noexcept;
-    void record(double time_s, const DeviceSample& sample, const ForceCommand& command, std::uint32_t stops,
-                bool focused, bool stopping) noexcept;
+    void record(double time_s, const device::DeviceSample& sample, const device::ForceCommand& command,
+                std::uint32_t stops, bool focused, bool stopping) noexcept;
     void free_scenes();
 
     Clock& clock_;
     const double period_s_;
-    std::unique_ptr<HapticDevice> device_;  // servo thread after start()
+    std::unique_ptr<device::HapticDevice> device_;  // servo thread after start()
     std::thread thread_;
     bool open_ = false;
     std::atomic<bool> stop_asked_{false};
 
-    std::vector<KeptScene> kept_;                      // app thread only
-    std::shared_ptr<const HapticScene> world_, desk_;  // the scenes that were handed over last
-    std::shared_ptr<HandBodyServo> engine_;               // the engine that was handed over last
+    std::vector<KeptScene> kept_;                              // app thread only
+    std::shared_ptr<const render::HapticScene> world_, desk_;  // the scenes that were handed over last
+    std::shared_ptr<HandBodyServo> engine_;                    // the engine that was handed over last
     std::uint64_t last_scene_ = 0;
     std::atomic<std::uint64_t> scene_in_use_{0};
 
@@ -156,4 +158,4 @@ std::string scheduling_sentence(Scheduling scheduling);
 // Says what is missing if memory could not be locked; empty if it is locked.
 std::string memory_sentence(bool locked);
 
-}  // namespace handrail
+}  // namespace handrail::servo

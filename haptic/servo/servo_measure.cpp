@@ -7,7 +7,7 @@
 #include "haptic/servo/servo_loop.h"
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::servo {
 namespace {
 
 constexpr double kSweep_m = 0.035;
@@ -15,13 +15,13 @@ constexpr double kSampleEvery_s = 0.016;
 
 }  // namespace
 
-Result<ServoMeasured> measure_servo(std::shared_ptr<const HapticScene> scene, const WorkspacePose& pose,
+Result<ServoMeasured> measure_servo(std::shared_ptr<const render::HapticScene> scene, const WorkspacePose& pose,
                                     const ServoTuning& tuning, double seconds) {
     contract_pre(scene != nullptr);
     contract_pre(seconds > 0.0);
     SteadyClock clock;
-    auto hand = std::make_shared<SimulatedHand>();
-    ServoLoop loop(std::make_unique<SimulatedDevice>(*find_device_spec("sim-f"), hand), clock);
+    auto hand = std::make_shared<device::SimulatedHand>();
+    ServoLoop loop(std::make_unique<device::SimulatedDevice>(*device::find_device_spec("sim-f"), hand), clock);
     if (const Result<void> opened = loop.open(); !opened) return tl::unexpected(opened.error());
     loop.set_tuning(tuning);
     loop.set_pose(pose);
@@ -33,7 +33,7 @@ Result<ServoMeasured> measure_servo(std::shared_ptr<const HapticScene> scene, co
     for (double at_s = 0.0; at_s < seconds; at_s = clock.now_s() - begun_s) {
         const double turn = 2.0 * kPi * at_s;
         const Vec3 at(std::sin(turn), std::sin(0.7 * turn), std::cos(0.3 * turn));
-        hand->command.publish({HandMode::Follow, at * kSweep_m, 0.0, Vec3(0.0), 0});
+        hand->command.publish({device::HandMode::Follow, at * kSweep_m, 0.0, Vec3(0.0), 0});
         ++samples;
         touching += loop.tool().contacts.count > 0 ? 1 : 0;
         clock.sleep_until_s(clock.now_s() + kSampleEvery_s);
@@ -49,4 +49,4 @@ Result<ServoMeasured> measure_servo(std::shared_ptr<const HapticScene> scene, co
                          scheduling_sentence(report.scheduling)};
 }
 
-}  // namespace handrail
+}  // namespace handrail::servo

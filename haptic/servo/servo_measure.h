@@ -9,7 +9,7 @@
 #include "haptic/servo/servo_tick.h"
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::servo {
 
 struct ServoMeasured {
     double seconds = 0.0;
@@ -22,7 +22,7 @@ struct ServoMeasured {
 
 // The hand, a simulated Falcon, moves up to 35 mm to every side of the middle of its workspace. Fails if the device
 // cannot be opened.
-Result<ServoMeasured> measure_servo(std::shared_ptr<const HapticScene> scene, const WorkspacePose& pose,
+Result<ServoMeasured> measure_servo(std::shared_ptr<const render::HapticScene> scene, const WorkspacePose& pose,
                                     const ServoTuning& tuning, double seconds);
 
-}  // namespace handrail
+}  // namespace handrail::servo

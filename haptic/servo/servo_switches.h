@@ -9,7 +9,7 @@
 
 #include "haptic/servo/servo_tick.h"
 
-namespace handrail {
+namespace handrail::servo {
 
 struct ServoSwitches {
     std::atomic<std::uint32_t> stops{0};  // number of presses of the stop key
@@ -31,4 +31,4 @@ inline ServoTuning with_switches(const ServoTuning& tuning, const ServoSwitches&
                          switches.focused.load(std::memory_order_acquire));
 }
 
-}  // namespace handrail
+}  // namespace handrail::servo

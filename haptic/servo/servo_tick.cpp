@@ -6,7 +6,7 @@
 
 #include "haptic/servo/vectors.h"
 
-namespace handrail {
+namespace handrail::servo {
 namespace {
 
 constexpr double kNominalPeriodS = 1e-3;
@@ -23,10 +23,10 @@ constexpr double kDeskBallRadiusM = 0.002;  // feels like a diameter of 4 mm, as
 // Share of the workspace radius; limits how deep a push must go on a soft device.
 constexpr double kDeskPressDepth = 0.15;
 
-Fault fault_of(DeviceLoss loss) noexcept {
-    return loss == DeviceLoss::MayPush    ? Fault::MayPush
-           : loss == DeviceLoss::ForceOff ? Fault::ForceOff
-                                          : Fault::Unplugged;
+Fault fault_of(device::DeviceLoss loss) noexcept {
+    return loss == device::DeviceLoss::MayPush    ? Fault::MayPush
+           : loss == device::DeviceLoss::ForceOff ? Fault::ForceOff
+                                                  : Fault::Unplugged;
 }
 
 // Faults after which the hand's position does not continue from the one before, or the renderer's state cannot be
@@ -37,7 +37,7 @@ bool loses_place(Fault fault) noexcept {
 
 }  // namespace
 
-ServoState::ServoState(const DeviceSpec& spec) : spec_(spec), mover_(spec) {}
+ServoState::ServoState(const device::DeviceSpec& spec) : spec_(spec), mover_(spec) {}
 
 void ServoState::measure_rate(double dt_s) noexcept {
     counters_.periods.add(dt_s);
@@ -99,7 +99,7 @@ void ServoState::clear_fault() noexcept {
     rate_watch_ = {};
 }
 
-bool ServoState::cause_lasts(const DeviceSample& sample) const noexcept {
+bool ServoState::cause_lasts(const device::DeviceSample& sample) const noexcept {
     return !sample.connected || sample.hot || sample.failed || (fault_ == Fault::TooHot && heat_.too_warm());
 }
 
@@ -124,7 +124,7 @@ void ServoState::watch_pauses(const ServoTuning& tuning) noexcept {
     }
 }
 
-void ServoState::confirm(const DeviceSample& sample, std::uint32_t number) noexcept {
+void ServoState::confirm(const device::DeviceSample& sample, std::uint32_t number) noexcept {
     if (number == confirm_seen_) return;
     confirm_seen_ = number;
     if (!fault_latched_ || cause_lasts(sample)) return;
@@ -156,9 +156,9 @@ void ServoState::start_over() noexcept {
 // Called for a long gap. If another gap comes while the force still ramps in, the force stays off until a whole ramp's
 // time has passed without one. A wall that grows stiffer while it is pressed feeds energy to the hand; with a gap every
 // 400 ms it would do so forever.
-void ServoState::lose_time() noexcept { keep_off_s_ = limiter_.gain() < 1.0 ? ForceLimiter::kRampS : 0.0; }
+void ServoState::lose_time() noexcept { keep_off_s_ = limiter_.gain() < 1.0 ? render::ForceLimiter::kRampS : 0.0; }
 
-ServoState::Answer ServoState::judge(const DeviceSample& sample, const WorkspaceFrame& frame, double scale,
+ServoState::Answer ServoState::judge(const device::DeviceSample& sample, const WorkspaceFrame& frame, double scale,
                                      double dt_s) noexcept {
     since_answer_s_ += dt_s;
     if (!sample.connected) {
@@ -231,7 +231,7 @@ ServoState::Answer ServoState::judge(const DeviceSample& sample, const Workspace
             limiter_.resume_after_gap();
         }
         if (too_slow(rate_watch_, period_s, spec_.min_rate_hz)) {
-            hurry_s_ = std::clamp(kZeroAfterSlowS - rate_watch_.elapsed_s, kShortGapS, ForceLimiter::kFadeS);
+            hurry_s_ = std::clamp(kZeroAfterSlowS - rate_watch_.elapsed_s, kShortGapS, render::ForceLimiter::kFadeS);
             raise(Fault::LateLoop, true);
         }
     }
@@ -259,11 +259,11 @@ void ServoState::move_workspace(WorkspaceFrame& frame, const ServoTuning& tuning
 }
 
 // The touch tuning that the device can render at its measured rate.
-TouchTuning ServoState::tuned(const ServoTuning& tuning) const noexcept {
-    TouchTuning touch = tuning.touch;
+render::TouchTuning ServoState::tuned(const ServoTuning& tuning) const noexcept {
+    render::TouchTuning touch = tuning.touch;
     const double damping =
         touch.override_damping_ns_per_m >= 0.0 ? touch.override_damping_ns_per_m : touch.damping_ns_per_m;
-    const double stiffest = effective_stiffness_n_per_m(spec_, mean_period_s_, damping);
+    const double stiffest = device::effective_stiffness_n_per_m(spec_, mean_period_s_, damping);
     touch.rated_stiffness_n_per_m = std::min(touch.rated_stiffness_n_per_m, stiffest);
     touch.override_stiffness_n_per_m = std::min(touch.override_stiffness_n_per_m, stiffest);
     touch.force_delay_s = spec_.delay_s;
@@ -276,11 +276,11 @@ double ServoState::ceiling_n(const ServoTuning& tuning) const noexcept {
 }
 
 // Handles the wall towards the person's body, from whichever side the hand meets it.
-void ServoState::meet_wall(const HapticScene* desk, const ServoTuning& tuning, WorkspaceFrame& frame, double scale,
-                           double dt_s) noexcept {
+void ServoState::meet_wall(const render::HapticScene* desk, const ServoTuning& tuning, WorkspaceFrame& frame,
+                           double scale, double dt_s) noexcept {
     const bool was_at_desk = tool_.desk.open;
     if (was_at_desk) frame.origin_m += mover_.shift_m();
-    const TouchTuning touch = tuned(tuning);
+    const render::TouchTuning touch = tuned(tuning);
     const PersonalWall wall =
         personal_wall_of(spec_, ceiling_n(tuning), touch.rated_stiffness_n_per_m * touch.default_stiffness_fraction);
     leftover_.tick(met_ ? tool_.hand_m - met_m_ : Vec3(0.0), dt_s);
@@ -339,11 +339,11 @@ void ServoState::stand_up() noexcept {
 }
 
 // The desk is felt at scale 1, in the device's own frame. The hand's state in the world stays unchanged.
-void ServoState::touch_desk(const HapticScene& desk, const ServoTuning& tuning, double dt_s) noexcept {
-    TouchTuning touch = tuned(tuning);
+void ServoState::touch_desk(const render::HapticScene& desk, const ServoTuning& tuning, double dt_s) noexcept {
+    render::TouchTuning touch = tuned(tuning);
     touch.world_m_per_hand_m = 1.0;
     touch.radius_m = kDeskBallRadiusM;
-    const TouchResult result = touch_tick(desk_touch_, desk, touch, tool_.hand_m, dt_s);
+    const render::TouchResult result = render::touch_tick(desk_touch_, desk, touch, tool_.hand_m, dt_s);
     tool_.hip_m = tool_.proxy_m;
     if (!is_finite(result.proxy_m)) {
         wanted_n_ = Vec3(std::numeric_limits<double>::quiet_NaN());  // the limiter turns this into a fault
@@ -366,9 +366,10 @@ void ServoState::touch_desk(const HapticScene& desk, const ServoTuning& tuning, 
 }
 
 template <bool kFree>
-void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame,
-                       const Vec3& goal_m, double dt_s, const BodyPoses& bodies, HandBodyServo* engine) noexcept {
-    const TouchTuning touch = tuned(tuning);
+void ServoState::touch(const render::HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame,
+                       const Vec3& goal_m, double dt_s, const render::BodyPoses& bodies,
+                       HandBodyServo* engine) noexcept {
+    const render::TouchTuning touch = tuned(tuning);
     const double scale = touch.world_m_per_hand_m;
     Vec3 carried_m{0.0};
     if (goal_known_) {
@@ -382,12 +383,13 @@ void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, cons
     hand_at_goal_m_ = tool_.hand_m;
     goal_known_ = true;
 
-    BodyPoses mine;
+    render::BodyPoses mine;
     if constexpr (kFree) {
         mine = engine->place(bodies, scene, tool_.time_s, goal_m, body_feel(tuning, touch));
         carried_m += engine->carried_m();
     }
-    const TouchResult result = touch_tick(touch_, scene, touch, goal_m, dt_s, carried_m, kFree ? mine : bodies);
+    const render::TouchResult result =
+        render::touch_tick(touch_, scene, touch, goal_m, dt_s, carried_m, kFree ? mine : bodies);
     wanted_n_ = frame.turn_to_device(result.force_n) + mover_.rim_force_n();
     if constexpr (kFree) {
         wanted_n_ += frame.turn_to_device(engine->grip_force_n(goal_m, dt_s));
@@ -411,7 +413,7 @@ void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, cons
 }
 
 // Feel of the free bodies, from the person's strength in the world and from what the device can render.
-BodyFeel ServoState::body_feel(const ServoTuning& tuning, const TouchTuning& touch) const noexcept {
+BodyFeel ServoState::body_feel(const ServoTuning& tuning, const render::TouchTuning& touch) const noexcept {
     BodyFeel feel;
     feel.world_m_per_hand_m = touch.world_m_per_hand_m;
     feel.ceiling_n = ceiling_n(tuning);
@@ -431,7 +433,7 @@ void ServoState::move_bodies(HandBodyServo& engine, bool met, bool silent, const
         engine.leave();
     }
     tool_.holds = engine.holds();
-    if (const std::uint32_t heavy = engine.heavy(); heavy != kNoBody) {
+    if (const std::uint32_t heavy = engine.heavy(); heavy != render::kNoBody) {
         tool_.heavy = heavy;
         ++tool_.heavies;
     }
@@ -444,21 +446,21 @@ void ServoState::guide(const GuidancePath& path, const WorkspaceFrame& frame, do
     tool_.guidance = guidance_.state();
 }
 
-ForceFlow ServoState::flow(const ServoTuning& tuning, bool scene_present, bool long_gap,
-                           double& fade_s) const noexcept {
-    fade_s = ForceLimiter::kFadeS;
+render::ForceFlow ServoState::flow(const ServoTuning& tuning, bool scene_present, bool long_gap,
+                                   double& fade_s) const noexcept {
+    fade_s = render::ForceLimiter::kFadeS;
     if (tuning.panic || long_gap || keep_off_s_ > 0.0 || !scene_present || tool_.waiting_for_hand)
-        return ForceFlow::Cut;
+        return render::ForceFlow::Cut;
     if (fault_ == Fault::LateLoop) {
         fade_s = hurry_s_;
-        return ForceFlow::Fade;
+        return render::ForceFlow::Fade;
     }
-    if (fault_ == Fault::TooHot && connected_) return ForceFlow::Fade;
-    if (fault_ != Fault::None) return ForceFlow::Cut;
-    return tuning.forces_on && tool_.pause == Fault::None ? ForceFlow::Run : ForceFlow::Fade;
+    if (fault_ == Fault::TooHot && connected_) return render::ForceFlow::Fade;
+    if (fault_ != Fault::None) return render::ForceFlow::Cut;
+    return tuning.forces_on && tool_.pause == Fault::None ? render::ForceFlow::Run : render::ForceFlow::Fade;
 }
 
-ForceCommand servo_tick(ServoState& state, const TickInputs& given) noexcept {
+device::ForceCommand servo_tick(ServoState& state, const TickInputs& given) noexcept {
     const auto& [scene, tuning, pose, sample, now_s, bodies, desk, guidance, engine] = given;
     ServoState& s = state;
     s.events_.count = 0;
@@ -496,7 +498,7 @@ ForceCommand servo_tick(ServoState& state, const TickInputs& given) noexcept {
     const std::uint32_t world = scene ? scene->world : 0;
     if (world != s.tool_.scene_world) {
         s.limiter_.restart();
-        s.tool_.holds = kNoBody;
+        s.tool_.holds = render::kNoBody;
     }
     s.tool_.scene_world = world;
     s.scale_ = scale;
@@ -526,7 +528,7 @@ ForceCommand servo_tick(ServoState& state, const TickInputs& given) noexcept {
         if (s.tool_.desk.open) {
             s.touch_desk(*desk, tuning, s.since_touch_s_);  // the world is paused
         } else if (scene) {
-            BodyPoses poses;
+            render::BodyPoses poses;
             if (bodies && !scene->bodies.empty()) poses = s.bodies_.at(*bodies, *scene, s.playback_.played_s(), jumped);
             if (engine) {
                 meets_bodies = true;
@@ -536,7 +538,7 @@ ForceCommand servo_tick(ServoState& state, const TickInputs& given) noexcept {
             }
             if (guidance && !s.guidance_.idle(*guidance)) {
                 double unused_s = 0.0;
-                s.guide(*guidance, frame, scale, s.flow(tuning, true, long_gap, unused_s) == ForceFlow::Run,
+                s.guide(*guidance, frame, scale, s.flow(tuning, true, long_gap, unused_s) == render::ForceFlow::Run,
                         s.since_touch_s_);
             }
         } else {
@@ -549,7 +551,7 @@ ForceCommand servo_tick(ServoState& state, const TickInputs& given) noexcept {
 
     // 5. The limiter: the only path by which force reaches the device.
     double fade_s = 0.0;
-    const ForceFlow flow = s.flow(tuning, scene != nullptr, long_gap, fade_s);
+    const render::ForceFlow flow = s.flow(tuning, scene != nullptr, long_gap, fade_s);
     const double ceiling_n = std::min({tuning.force_ceiling_n, s.spec_.peak_force_n, s.mover_.ceiling_n()});
     const Vec3 force_n = s.limiter_.limit(s.wanted_n_, ceiling_n, flow, dt_s, fade_s);
     if (s.limiter_.broken()) s.raise(Fault::BadForce, true);
@@ -574,4 +576,4 @@ ForceCommand servo_tick(ServoState& state, const TickInputs& given) noexcept {
     return {force_n};
 }
 
-}  // namespace handrail
+}  // namespace handrail::servo

@@ -19,12 +19,12 @@
 #include "haptic/servo/workspace_mover.h"
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::servo {
 
 struct ServoTuning {
     // touch.rated_stiffness_n_per_m is the requested stiffness; the servo lowers it to effective_stiffness_n_per_m at
     // the measured rate. A change of touch.world_m_per_hand_m has the effect of a jump of the workspace.
-    TouchTuning touch;
+    render::TouchTuning touch;
     double force_ceiling_n = 2.5;  // chosen by the person; the device's peak also limits the force
     bool forces_on = true;         // f key: true ramps up over 1 s, false fades over 75 ms
     bool panic = false;            // F12: zero force in this very tick, until cleared
@@ -59,7 +59,7 @@ struct ToolState {
     double ball_radius_m = 0.0;
     Vec3 force_n{0.0};        // commanded, world axes, after the limiter
     double force_gain = 0.0;  // of the ramp, 0 to 1
-    ContactSet contacts;
+    render::ContactSet contacts;
     FeatureId soft = kNoFeature;  // the soft feature that yields under the hand
     double soft_n = 0.0;          // force of that soft feature, before any ceiling; 0: none yields
     double contact_n = 0.0;       // force of the contacts, before any ceiling
@@ -85,9 +85,10 @@ struct ToolState {
     std::uint32_t workspace_jump = 0;
     DeskTouch desk;
     GuidanceState guidance;
-    std::uint32_t holds = kNoBody;  // the free body that the hand holds; index in DynamicsScene::bodies
-    std::uint32_t heavy = kNoBody;  // the last body that was pushed or lifted with all available force and did not move
-    std::uint32_t heavies = 0;      // number of such events since the start
+    std::uint32_t holds = render::kNoBody;  // the free body that the hand holds; index in DynamicsScene::bodies
+    std::uint32_t heavy =
+        render::kNoBody;        // the last body that was pushed or lifted with all available force and did not move
+    std::uint32_t heavies = 0;  // number of such events since the start
 
     // Returns true if something resists the hand or yields under it.
     bool touches() const noexcept { return contacts.count > 0 || soft_n > 0.0; }
@@ -114,15 +115,16 @@ struct ServoCounters {
 
 // The inputs of one tick. Nothing is kept beyond the tick.
 struct TickInputs {
-    const HapticScene* scene = nullptr;  // null: none yet, so no contact and no force
+    const render::HapticScene* scene = nullptr;  // null: none yet, so no contact and no force
     const ServoTuning& tuning;
     const WorkspacePose& pose;  // the newest known pose; may be the same as before
-    const DeviceSample& sample;
-    double now_s = 0.0;                      // time of the clock of WorkspacePose::time_s; rises from tick to tick
-    const BodyFrame* bodies = nullptr;       // the newest known frame; null: the bodies stand where the scene has them
-    const HapticScene* desk = nullptr;       // behind the wall of ServoTuning::personal_space, device frame; null: none
+    const device::DeviceSample& sample;
+    double now_s = 0.0;                 // time of the clock of WorkspacePose::time_s; rises from tick to tick
+    const BodyFrame* bodies = nullptr;  // the newest known frame; null: the bodies stand where the scene has them
+    const render::HapticScene* desk =
+        nullptr;                             // behind the wall of ServoTuning::personal_space, device frame; null: none
     const GuidancePath* guidance = nullptr;  // the newest known path; null or number 0: no guidance
-    HandBodyServo* engine = nullptr;            // this hand's side of the scene's free bodies; null: there are none
+    HandBodyServo* engine = nullptr;         // this hand's side of the scene's free bodies; null: there are none
 };
 
 // All state that lasts from tick to tick. Allocates when created; after that one thread owns it.
@@ -134,15 +136,15 @@ public:
     static constexpr double kShortGapS = 0.005;  // shorter gaps are ordinary thread jitter
     static constexpr double kLongGapS = 0.025;
 
-    explicit ServoState(const DeviceSpec& spec);
+    explicit ServoState(const device::DeviceSpec& spec);
 
-    const DeviceSpec& spec() const noexcept { return spec_; }
+    const device::DeviceSpec& spec() const noexcept { return spec_; }
     const ToolState& tool() const noexcept { return tool_; }
     const TickEvents& events() const noexcept { return events_; }  // events of the last tick
     const ServoCounters& counters() const noexcept { return counters_; }
 
 private:
-    friend ForceCommand servo_tick(ServoState& state, const TickInputs& given) noexcept;
+    friend device::ForceCommand servo_tick(ServoState& state, const TickInputs& given) noexcept;
 
     enum class Answer { None, Bad, Good };
 
@@ -150,33 +152,33 @@ private:
     void raise(Fault fault, bool latched) noexcept;
     void lose_device() noexcept;
     void watch_pauses(const ServoTuning& tuning) noexcept;
-    bool cause_lasts(const DeviceSample& sample) const noexcept;
+    bool cause_lasts(const device::DeviceSample& sample) const noexcept;
     void clear_fault() noexcept;
-    void confirm(const DeviceSample& sample, std::uint32_t number) noexcept;
+    void confirm(const device::DeviceSample& sample, std::uint32_t number) noexcept;
     void start_over() noexcept;
     void lose_time() noexcept;
     void move_workspace(WorkspaceFrame& frame, const ServoTuning& tuning, std::uint32_t buttons, double scale,
                         double dt_s) noexcept;
-    Answer judge(const DeviceSample& sample, const WorkspaceFrame& frame, double scale, double dt_s) noexcept;
+    Answer judge(const device::DeviceSample& sample, const WorkspaceFrame& frame, double scale, double dt_s) noexcept;
     // Two instances, so that a world without free bodies pays nothing.
     template <bool kFree>
-    void touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame, const Vec3& goal_m,
-               double dt_s, const BodyPoses& bodies, HandBodyServo* engine) noexcept;
+    void touch(const render::HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame,
+               const Vec3& goal_m, double dt_s, const render::BodyPoses& bodies, HandBodyServo* engine) noexcept;
     void move_bodies(HandBodyServo& engine, bool met, bool silent, const Vec3& force_n, double dt_s) noexcept;
-    BodyFeel body_feel(const ServoTuning& tuning, const TouchTuning& touch) const noexcept;
+    BodyFeel body_feel(const ServoTuning& tuning, const render::TouchTuning& touch) const noexcept;
     double ceiling_n(const ServoTuning& tuning) const noexcept;
-    TouchTuning tuned(const ServoTuning& tuning) const noexcept;
-    void meet_wall(const HapticScene* desk, const ServoTuning& tuning, WorkspaceFrame& frame, double scale,
+    render::TouchTuning tuned(const ServoTuning& tuning) const noexcept;
+    void meet_wall(const render::HapticScene* desk, const ServoTuning& tuning, WorkspaceFrame& frame, double scale,
                    double dt_s) noexcept;
     void sit_down() noexcept;
     void stand_up() noexcept;
-    void touch_desk(const HapticScene& desk, const ServoTuning& tuning, double dt_s) noexcept;
+    void touch_desk(const render::HapticScene& desk, const ServoTuning& tuning, double dt_s) noexcept;
     void guide(const GuidancePath& path, const WorkspaceFrame& frame, double scale, bool allowed, double dt_s) noexcept;
-    ForceFlow flow(const ServoTuning& tuning, bool scene_present, bool long_gap, double& fade_s) const noexcept;
+    render::ForceFlow flow(const ServoTuning& tuning, bool scene_present, bool long_gap, double& fade_s) const noexcept;
 
-    DeviceSpec spec_;
-    TouchState touch_;
-    ForceLimiter limiter_;
+    device::DeviceSpec spec_;
+    render::TouchState touch_;
+    render::ForceLimiter limiter_;
     PosePlayback playback_;
     WorkspaceMover mover_;
     PersonalSpace space_;
@@ -184,7 +186,7 @@ private:
     Vec3 held_n_{0.0};  // device frame, force of what the hand touches in the world
     LeftoverForce leftover_;
     DeskPress press_;
-    TouchState desk_touch_;
+    render::TouchState desk_touch_;
     Vec3 met_m_{0.0};  // device frame, position of the hand when meet_wall() last ran
     bool met_ = false;
     BodyPlayback bodies_;
@@ -214,7 +216,7 @@ private:
     bool trusts_last_ = false;  // the next sample must be near tool_.hand_m
     bool has_first_ = false;
     Vec3 first_m_{0.0};  // position of the hand when it was first seen
-    double hurry_s_ = ForceLimiter::kFadeS;
+    double hurry_s_ = render::ForceLimiter::kFadeS;
     Vec3 wanted_n_{0.0};  // device frame, before the limiter; held while the device is silent
     bool goal_known_ = false;
     Vec3 goal_m_{0.0};
@@ -223,6 +225,6 @@ private:
 };
 
 // Runs one tick. The stages are numbered in the source. Servo thread; never allocates, locks, throws or reads a clock.
-ForceCommand servo_tick(ServoState& state, const TickInputs& given) noexcept;
+device::ForceCommand servo_tick(ServoState& state, const TickInputs& given) noexcept;
 
-}  // namespace handrail
+}  // namespace handrail::servo

@@ -6,7 +6,7 @@
 #include "worlds/base/vec.h"
 #include "worlds/geometry/placement.h"
 
-namespace handrail {
+namespace handrail::servo {
 
 inline double length(const Vec3& v) noexcept { return std::sqrt(glm::dot(v, v)); }
 
@@ -24,4 +24,4 @@ inline Vec3 turn_between(const Rotation& from, const Rotation& to) noexcept {
     return {two * d.x, two * d.y, two * d.z};
 }
 
-}  // namespace handrail
+}  // namespace handrail::servo

@@ -5,7 +5,7 @@
 
 #include "haptic/render/tick_assert.h"
 
-namespace handrail {
+namespace handrail::servo {
 namespace {
 
 constexpr double kMarginS = 0.004;  // a frame may be this late before the playback must wait for it
@@ -116,4 +116,4 @@ WorkspaceFrame PosePlayback::at(double now_s, double dt_s) noexcept {
     return frame(a.origin_m + (b.origin_m - a.origin_m) * part, a.heading_rad + turn * part);
 }
 
-}  // namespace handrail
+}  // namespace handrail::servo

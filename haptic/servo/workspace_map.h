@@ -10,7 +10,7 @@
 
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::servo {
 
 // Where the hand's workspace is in the world at a moment. The servo interpolates between the last poses, so that a
 // moving walker is felt smoothly. world = origin_m + rotate(heading_rad, S * device).
@@ -76,4 +76,4 @@ private:
     double wait_s_ = 1.0 / 60.0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::servo

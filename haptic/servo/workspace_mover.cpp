@@ -6,7 +6,7 @@
 #include "haptic/render/tick_assert.h"
 #include "haptic/servo/vectors.h"
 
-namespace handrail {
+namespace handrail::servo {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -28,7 +28,7 @@ constexpr double kRimGainMoving = 0.2;
 constexpr double kRimGain_per_s = 60.0;
 
 // Removes from the motion every component that goes into a contact.
-Vec3 along_contacts(Vec3 motion, const ContactSet& contacts) noexcept {
+Vec3 along_contacts(Vec3 motion, const render::ContactSet& contacts) noexcept {
     for (int round = 0; round < 2; ++round)
         for (std::size_t i = 0; i < contacts.count; ++i) {
             const Vec3& normal = contacts.contacts[i].normal;
@@ -50,7 +50,7 @@ double within(double at, double step, double low, double high) noexcept {
 
 }  // namespace
 
-Rim rim_of(const DeviceSpec& spec) noexcept {
+Rim rim_of(const device::DeviceSpec& spec) noexcept {
     const double reach = spec.workspace_radius_m;
     Rim rim{kRimFrom * reach, kRimTop * reach, kRimPast * reach, reach, 0.0, 0.0};
     rim.top_n = std::min(kRidge_n, kRidgeStiffness * spec.rated_stiffness_n_per_m * (rim.top_m - rim.from_m));
@@ -148,4 +148,4 @@ void WorkspaceMover::give_way(const Vec3& hip_m, const Vec3& proxy_m, double con
     if (contact_n > contact_ceiling_n_) shift_m_ += (proxy_m - hip_m) * (1.0 - contact_ceiling_n_ / contact_n);
 }
 
-}  // namespace handrail
+}  // namespace handrail::servo

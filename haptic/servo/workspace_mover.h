@@ -15,7 +15,7 @@
 #include "haptic/servo/workspace_map.h"
 #include "worlds/geometry/convex.h"
 
-namespace handrail {
+namespace handrail::servo {
 
 // The person's settings, and what they request by keys.
 struct WorkspaceTuning {
@@ -52,13 +52,13 @@ struct Rim {
     // Speed of the workspace in hand metres per second: zero up to past_m, greatest from end_m on.
     double speed(double distance_m) const noexcept;
 };
-Rim rim_of(const DeviceSpec& spec) noexcept;
+Rim rim_of(const device::DeviceSpec& spec) noexcept;
 
 class WorkspaceMover {
 public:
     static constexpr double kMovingForceN = 0.2;  // the hand feels less than this while the workspace moves
 
-    explicit WorkspaceMover(const DeviceSpec& spec) : rim_(rim_of(spec)) {}
+    explicit WorkspaceMover(const device::DeviceSpec& spec) : rim_(rim_of(spec)) {}
 
     // Position of the hand, and what it felt in the last tick.
     struct Hand {
@@ -66,7 +66,7 @@ public:
         std::uint32_t buttons = 0;
         double wanted_n = 0.0;   // size of the force before the limiter
         double ceiling_n = 0.0;  // the lesser of the person's and the device's
-        const ContactSet* contacts = nullptr;
+        const render::ContactSet* contacts = nullptr;
     };
     // Call it for a good sample, before touching. Moves the workspace and applies the shift to the walker's frame.
     void move(WorkspaceFrame& frame, const WorkspaceTuning& tuning, const Hand& hand, double world_m_per_hand_m,
@@ -111,4 +111,4 @@ private:
     double contact_ceiling_n_ = std::numeric_limits<double>::infinity();
 };
 
-}  // namespace handrail
+}  // namespace handrail::servo

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "app/report/report_page.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"

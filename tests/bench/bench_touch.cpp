@@ -8,6 +8,7 @@
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/compile/simplify_scene.h"
 #include "tests/bench/walk.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/touch_worlds.h"

@@ -10,6 +10,7 @@
 
 #include "haptic/render/proxy_solver.h"
 #include "haptic/servo/body_playback.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 namespace {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/core/session/session.h"
+#include "tests/support/names.h"
 #include "tests/support/office_world.h"
 #include "tests/support/project_root.h"
 #include "worlds/readers/reader.h"

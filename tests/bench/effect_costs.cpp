@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "haptic/render/touch.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 
 namespace handrail::test {

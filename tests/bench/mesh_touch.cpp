@@ -15,6 +15,7 @@
 #include "haptic/render/haptic_scene.h"
 #include "haptic/render/proxy_solver.h"
 #include "haptic/render/touch.h"
+#include "tests/support/names.h"
 #include "tests/support/sphere_mesh.h"
 
 namespace handrail::test {

@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "app/core/world/walker.h"
+#include "tests/support/names.h"
 #include "tests/support/office_world.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/rooms.h"

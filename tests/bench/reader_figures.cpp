@@ -16,6 +16,7 @@
 #include "app/import/reader_process.h"
 #include "app/import/toml_apart.h"
 #include "tests/support/block_mesh.h"
+#include "tests/support/names.h"
 #include "tests/support/office_ifc.h"
 #include "tests/support/office_world.h"
 #include "tests/support/temporary_folder.h"

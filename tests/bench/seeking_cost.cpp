@@ -6,6 +6,7 @@
 
 #include "app/core/wayfinding/hand_way.h"
 #include "app/core/wayfinding/sought_route.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "worlds/navigation/route_place.h"
 #include "worlds/readers/reader.h"

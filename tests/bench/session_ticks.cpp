@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "app/core/session/session.h"
+#include "tests/support/names.h"
 #include "tests/support/office_world.h"
 #include "worlds/base/clock.h"
 #include "worlds/readers/reader.h"

@@ -10,6 +10,7 @@
 
 #include "app/import/kept_scene.h"
 #include "haptic/compile/compile_haptic.h"
+#include "tests/support/names.h"
 #include "worlds/navigation/nav_mesh.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/rooms.h"
@@ -36,7 +37,7 @@ int measure(const char* file) {
     Result<Scene> scene = fail("");
     const double read_s = cpu_s([&] { scene = read_world(file); });
     if (!scene) return std::fprintf(stderr, "%s\n", scene.error().sentence().c_str()), 1;
-    const std::string kept = kept_scene({}, stored(*scene));
+    const std::string kept = kept_scene({}, stored::stored(*scene));
     bool whole = false;
     // A .map is read again each time, so for a .map only the walkable area is cached.
     const bool scene_is_kept = std::filesystem::path(file).extension() != ".map";

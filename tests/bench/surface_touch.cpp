@@ -11,6 +11,7 @@
 #include <string>
 
 #include "haptic/render/touch.h"
+#include "tests/support/names.h"
 #include "tests/support/sphere_mesh.h"
 
 namespace handrail::test {

@@ -15,6 +15,7 @@
 #include "haptic/servo/servo_tick.h"
 #include "tests/bench/walk.h"
 #include "tests/bench/walked_scene.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 namespace {

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "haptic/render/touch.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <optional>
 
+#include "tests/support/names.h"
 #include "tests/support/real_worlds.h"
 #include "worlds/readers/reader.h"
 

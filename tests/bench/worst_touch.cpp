@@ -15,6 +15,7 @@
 #include <iostream>
 
 #include "haptic/render/proxy_solver.h"
+#include "tests/support/names.h"
 #include "tests/support/worst_cases.h"
 
 namespace handrail::test {

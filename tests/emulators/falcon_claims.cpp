@@ -4,6 +4,7 @@
 
 #include "haptic/drivers/falcon_device.h"
 #include "haptic/drivers/falcon_kinematics.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/temporary_folder.h"
 

@@ -7,6 +7,7 @@
 
 #include "haptic/drivers/byte_link.h"
 #include "tests/emulators/falcon_emulator.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

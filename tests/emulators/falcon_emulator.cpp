@@ -1,4 +1,5 @@
 #include "tests/emulators/falcon_emulator.h"
+#include "tests/support/names.h"
 
 #include <algorithm>
 #include <cmath>

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "haptic/drivers/byte_link.h"
+#include "tests/support/names.h"
 #include "worlds/base/clock.h"
 #include "worlds/base/vec.h"
 

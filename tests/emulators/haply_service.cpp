@@ -1,4 +1,5 @@
 #include "tests/emulators/haply_service.h"
+#include "tests/support/names.h"
 
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core.hpp>

@@ -4,6 +4,7 @@
 
 #include "haptic/drivers/space_mouse.h"
 #include "tests/support/child_process.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "worlds/base/clock.h"
 

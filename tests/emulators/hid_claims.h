@@ -7,6 +7,7 @@
 
 #include "haptic/drivers/playstation_pad.h"
 #include "tests/emulators/hid_emulators.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

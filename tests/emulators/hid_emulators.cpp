@@ -1,4 +1,5 @@
 #include "tests/emulators/hid_emulators.h"
+#include "tests/support/names.h"
 
 #include <algorithm>
 

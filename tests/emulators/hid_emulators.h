@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "haptic/drivers/hid_link.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

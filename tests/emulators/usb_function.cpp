@@ -1,4 +1,5 @@
 #include "tests/emulators/usb_function.h"
+#include "tests/support/names.h"
 
 #include <algorithm>
 

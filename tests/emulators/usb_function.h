@@ -11,6 +11,7 @@
 
 #include "tests/emulators/falcon_emulator.h"
 #include "tests/emulators/hid_emulators.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

@@ -4,6 +4,7 @@
 #include "haptic/dynamics/dynamics.h"
 #include "haptic/render/touch.h"
 #include "haptic/servo/bodies_in_reach.h"
+#include "tests/support/names.h"
 
 namespace handrail {
 namespace bodies_in_code_test {

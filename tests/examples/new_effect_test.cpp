@@ -1,6 +1,7 @@
 // A custom force that is computed on each tick; described in docs/developer/examples.md.
 #include "haptic/render/haptic_scene.h"
 #include "haptic/render/touch.h"
+#include "tests/support/names.h"
 
 namespace handrail {
 namespace new_effect_test {

@@ -4,6 +4,7 @@
 
 #include "app/core/context/session_part.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/unit/features/plain_session.h"
 
 namespace handrail {

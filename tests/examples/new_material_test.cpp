@@ -1,6 +1,7 @@
 // A material made in code, described in docs/developer/examples.md.
 #include "haptic/render/haptic_scene.h"
 #include "haptic/render/touch.h"
+#include "tests/support/names.h"
 
 namespace handrail {
 namespace new_material_test {

@@ -3,6 +3,7 @@
 
 #include "haptic/render/haptic_scene.h"
 #include "haptic/render/touch.h"
+#include "tests/support/names.h"
 
 namespace handrail {
 namespace new_obstacle_test {

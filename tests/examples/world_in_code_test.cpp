@@ -1,6 +1,7 @@
 // Worlds made in code, described in docs/developer/examples.md.
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/render/touch.h"
+#include "tests/support/names.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail {

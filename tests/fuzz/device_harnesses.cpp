@@ -6,6 +6,7 @@
 #include "haptic/drivers/playstation_pad.h"
 #include "haptic/drivers/space_mouse.h"
 #include "tests/fuzz/harness.h"
+#include "tests/support/names.h"
 
 namespace handrail::fuzz {
 namespace {

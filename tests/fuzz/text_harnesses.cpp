@@ -14,6 +14,7 @@
 #include "app/teaching/lesson_file.h"
 #include "settings/settings.h"
 #include "tests/fuzz/harness.h"
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"

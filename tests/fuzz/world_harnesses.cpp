@@ -5,6 +5,7 @@
 
 #include "app/import/kept_scene.h"
 #include "tests/fuzz/harness.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/zip_text.h"
@@ -50,7 +51,7 @@ const std::string& kept_scene_bytes() {
         const std::string map =
             test::content_of((test::project_root() / "tests/fuzz/inputs/map/seeds/room.map").string());
         const Result<Scene> scene = read_quake_map(map, "room.map");
-        return scene ? stored(*scene) : std::string();
+        return scene ? stored::stored(*scene) : std::string();
     }();
     return bytes;
 }

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 
 namespace handrail {

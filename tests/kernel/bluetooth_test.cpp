@@ -13,6 +13,7 @@
 
 #include "tests/emulators/hid_claims.h"
 #include "tests/kernel/wait.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 
 namespace handrail {

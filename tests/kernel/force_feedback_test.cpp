@@ -15,6 +15,7 @@
 #include "haptic/drivers/ff_link.h"
 #include "haptic/drivers/force_stick.h"
 #include "tests/kernel/wait.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 
 namespace handrail {

@@ -1,4 +1,5 @@
 #include "tests/kernel/usbip_plug.h"
+#include "tests/support/names.h"
 
 #include <arpa/inet.h>
 #include <errno.h>

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "tests/emulators/usb_function.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

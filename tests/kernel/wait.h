@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "haptic/drivers/hid_link.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

@@ -15,6 +15,7 @@
 #include "haptic/render/proxy_solver.h"
 #include "haptic/render/touch.h"
 #include "tests/bench/walked_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/reference_proxy.h"
 
 namespace handrail::test {

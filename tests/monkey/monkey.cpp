@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/worlds_once.h"
 #include "worlds/base/language.h"

@@ -13,6 +13,7 @@
 
 #include "app/core/session/headless_session.h"
 #include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

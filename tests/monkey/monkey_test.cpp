@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/random_families.h"
 #include "tests/support/real_worlds.h"

@@ -2,6 +2,7 @@
 // command answers its list and is no command of its own.
 #include <gmock/gmock.h>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 

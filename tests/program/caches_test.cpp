@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <thread>
 
+#include "tests/support/names.h"
 #include "tests/support/office_ifc.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"

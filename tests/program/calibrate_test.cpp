@@ -1,4 +1,5 @@
 // `handrail calibrate` as a process: lines go in, sentences come out, and the settings contain the results.
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"

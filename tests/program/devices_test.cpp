@@ -2,6 +2,7 @@
 // always continues or says why not.
 #include <nlohmann/json.hpp>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"

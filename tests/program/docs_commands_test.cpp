@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/run_program.h"

@@ -7,6 +7,7 @@
 
 #include "app/core/dialogue/command.h"
 #include "tests/support/child_process.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"

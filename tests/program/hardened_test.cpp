@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 

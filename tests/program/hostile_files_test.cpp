@@ -18,6 +18,7 @@
 #include "tests/support/child_process.h"
 #include "tests/support/deadly_toml.h"
 #include "tests/support/environment.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scale.h"

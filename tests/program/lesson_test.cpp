@@ -6,6 +6,7 @@
 
 #include "app/report/report_page.h"
 #include "tests/support/child_process.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scale.h"

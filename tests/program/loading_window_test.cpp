@@ -10,6 +10,7 @@
 
 #include "tests/program/endless_world.h"
 #include "tests/support/child_process.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"

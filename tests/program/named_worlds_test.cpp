@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scale.h"

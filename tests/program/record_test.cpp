@@ -6,6 +6,7 @@
 #include "app/record/compute_again.h"
 #include "app/record/recording.h"
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scale.h"

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <future>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"

@@ -7,6 +7,7 @@
 
 #include "tests/program/endless_world.h"
 #include "tests/support/child_process.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/pty_job.h"
 #include "tests/support/run_program.h"

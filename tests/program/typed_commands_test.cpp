@@ -9,6 +9,7 @@
 
 #include "app/core/session/headless_session.h"
 #include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "worlds/base/typist.h"

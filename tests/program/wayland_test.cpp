@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/wayland_session.h"

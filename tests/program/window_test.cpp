@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"

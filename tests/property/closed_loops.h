@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "tests/property/replay.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

@@ -7,6 +7,7 @@
 #include "haptic/render/touch.h"
 #include "tests/property/stiff_ball.h"
 #include "tests/support/block_mesh.h"
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "worlds/geometry/clip.h"
 #include "worlds/readers/reader.h"

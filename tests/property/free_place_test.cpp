@@ -3,6 +3,7 @@
 
 #include "haptic/compile/compile_haptic.h"
 #include "tests/property/replay.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/random_families.h"
 #include "tests/support/real_worlds.h"

@@ -8,6 +8,7 @@
 #include "haptic/render/proxy_solver.h"
 #include "haptic/render/touch.h"
 #include "settings/settings.h"
+#include "tests/support/names.h"
 #include "tests/support/sphere_mesh.h"
 #include "tests/support/touch_worlds.h"
 

@@ -1,5 +1,6 @@
 // The hard cases with their expected numbers. The calculation is next to each number.
 #include "tests/property/replay.h"
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 #include "tests/support/reference_proxy.h"
 

@@ -16,6 +16,7 @@
 // - I17: a solver that is stopped early is as safe.
 // - I18: cuts that are fifty milliseconds old are as safe.
 #include "tests/property/replay.h"
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 
 namespace handrail::test {

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "tests/property/replay.h"
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 
 namespace handrail::test {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "haptic/device/simulated_device.h"
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 #include "tests/support/scale.h"
 #include "tests/support/servo_rig.h"

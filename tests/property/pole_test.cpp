@@ -2,6 +2,7 @@
 // while all of them fit among the candidates.
 #include "haptic/render/proxy_solver.h"
 #include "haptic/render/touch.h"
+#include "tests/support/names.h"
 #include "tests/support/sphere_mesh.h"
 #include "tests/support/touch_worlds.h"
 

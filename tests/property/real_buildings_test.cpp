@@ -12,6 +12,7 @@
 #include "haptic/render/touch.h"
 #include "tests/property/stiff_ball.h"
 #include "tests/support/known_buildings.h"
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/support/way_through.h"
 #include "worlds/geometry/box_index.h"

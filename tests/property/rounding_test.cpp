@@ -4,6 +4,7 @@
 
 #include "haptic/compile/compile_haptic.h"
 #include "tests/property/closed_loops.h"
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 #include "tests/support/touch_worlds.h"
 #include "worlds/geometry/clip.h"

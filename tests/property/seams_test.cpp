@@ -4,6 +4,7 @@
 
 #include "haptic/compile/compile_haptic.h"
 #include "tests/property/replay.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/touch_worlds.h"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "haptic/render/touch.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

@@ -5,6 +5,7 @@
 
 #include "haptic/render/relief.h"
 #include "tests/property/closed_loops.h"
+#include "tests/support/names.h"
 #include "tests/support/sphere_mesh.h"
 
 namespace handrail::test {

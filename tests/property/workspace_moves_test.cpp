@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 #include "tests/support/scale.h"
 #include "tests/support/servo_rig.h"

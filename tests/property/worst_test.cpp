@@ -4,6 +4,7 @@
 
 #include "haptic/servo/body_playback.h"
 #include "tests/property/replay.h"
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 #include "tests/support/worst_cases.h"
 

@@ -16,6 +16,7 @@
 #include <thread>
 
 #include "haptic/drivers/guard_process.h"
+#include "tests/support/names.h"
 #include "worlds/base/language.h"
 
 namespace {

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "haptic/drivers/guard_process.h"
+#include "tests/support/names.h"
 #include "worlds/base/clock.h"
 
 int main(int argc, char** argv) {

@@ -1,4 +1,5 @@
 #include "tests/support/block_mesh.h"
+#include "tests/support/names.h"
 
 #include <fmt/format.h>
 

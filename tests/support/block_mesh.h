@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/names.h"
 #include "worlds/base/vec.h"
 
 namespace handrail::test {

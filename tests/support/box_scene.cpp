@@ -1,4 +1,5 @@
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 namespace {

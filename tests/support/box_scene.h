@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/names.h"
 #include "worlds/scene/scene.h"
 
 namespace handrail::test {

@@ -1,4 +1,5 @@
 #include "tests/support/brute_force.h"
+#include "tests/support/names.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "tests/support/names.h"
 #include "worlds/base/vec.h"
 #include "worlds/geometry/convex.h"
 

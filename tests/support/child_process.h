@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/names.h"
+
 namespace handrail::test {
 
 // Set on top of the test's environment; an empty value removes a variable.

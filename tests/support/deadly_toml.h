@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "tests/support/names.h"
+
 namespace handrail::test {
 
 inline std::string deadly_toml() {

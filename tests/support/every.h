@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 
 namespace handrail::test {

@@ -1,4 +1,5 @@
 #include "tests/support/heard_legs.h"
+#include "tests/support/names.h"
 
 #include <algorithm>
 #include <vector>

@@ -7,6 +7,8 @@
 #include <regex>
 #include <string>
 
+#include "tests/support/names.h"
+
 namespace handrail::test {
 
 // The meaning of a leg, from its words alone.

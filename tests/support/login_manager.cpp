@@ -1,4 +1,5 @@
 #include "tests/support/login_manager.h"
+#include "tests/support/names.h"
 
 #include <fstream>
 #include <iterator>

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tests/support/names.h"
+
 namespace handrail::test {
 
 struct Measured {

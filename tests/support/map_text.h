@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "tests/support/names.h"
+
 namespace handrail::test {
 
 // A box-shaped brush with six faces in the Standard format, all with one texture.

@@ -1,4 +1,5 @@
 #include "tests/support/office_ifc.h"
+#include "tests/support/names.h"
 
 #include <fmt/format.h>
 

@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "tests/support/names.h"
+
 namespace handrail::test {
 
 struct OfficeIfcSize {

@@ -1,4 +1,5 @@
 #include "tests/support/office_world.h"
+#include "tests/support/names.h"
 
 #include <fmt/format.h>
 

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string>
 
+#include "tests/support/names.h"
+
 namespace handrail::test {
 
 struct OfficeSize {

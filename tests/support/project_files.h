@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 
 namespace handrail::test {

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/support/names.h"
+
 namespace handrail::test {
 
 // Absolute paths; the build is the one to which these tests belong.

@@ -1,4 +1,5 @@
 #include "tests/support/random_families.h"
+#include "tests/support/names.h"
 
 #include <algorithm>
 #include <cmath>

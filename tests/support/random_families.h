@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "tests/support/names.h"
 #include "tests/support/touch_worlds.h"
 
 namespace handrail::test {

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 
 namespace handrail::test {

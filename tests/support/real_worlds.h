@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/names.h"
+
 namespace handrail::test {
 
 // The file's path, or nothing if it is absent.

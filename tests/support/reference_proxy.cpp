@@ -1,4 +1,5 @@
 #include "tests/support/reference_proxy.h"
+#include "tests/support/names.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/support/brute_force.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/names.h"
+
 namespace handrail::test {
 
 struct ProgramRun {

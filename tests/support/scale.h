@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include "tests/support/names.h"
+
 namespace handrail::test {
 
 #if defined(HANDRAIL_SANITIZED)

@@ -6,6 +6,7 @@
 
 #include "haptic/render/haptic_scene.h"
 #include "haptic/servo/servo_tick.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

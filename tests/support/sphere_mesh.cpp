@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "tests/support/names.h"
 #include "worlds/base/vec.h"
 
 namespace handrail::test {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "tests/support/names.h"
 #include "worlds/geometry/triangle_mesh.h"
 
 namespace handrail::test {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "worlds/base/vec.h"
 #include "worlds/scene/stated_building.h"
 

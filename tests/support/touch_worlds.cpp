@@ -1,4 +1,5 @@
 #include "tests/support/touch_worlds.h"
+#include "tests/support/names.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,6 +11,7 @@
 
 #include "haptic/render/haptic_scene.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

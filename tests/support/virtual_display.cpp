@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "tests/support/child_process.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

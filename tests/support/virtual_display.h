@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include "tests/support/names.h"
+
 namespace handrail::test {
 
 class VirtualDisplay {

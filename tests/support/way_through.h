@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "tests/support/names.h"
 #include "worlds/scene/scene.h"
 #include "worlds/scene/stated_building.h"
 

@@ -1,4 +1,5 @@
 #include "tests/support/wayland_session.h"
+#include "tests/support/names.h"
 
 #include <cstdlib>
 

@@ -15,6 +15,7 @@
 
 #include "app/core/session/session.h"
 #include "tests/support/heard_legs.h"
+#include "tests/support/names.h"
 #include "worlds/scene/scene.h"
 
 namespace handrail::test {

@@ -2,6 +2,7 @@
 // which force the driver gets when the world pushes that hand.
 #pragma once
 
+#include "tests/support/names.h"
 #include "tests/support/servo_rig.h"
 
 namespace handrail::test {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/core/session/session_options.h"
+#include "tests/support/names.h"
 #include "worlds/base/language.h"
 #include "worlds/readers/reader.h"
 

@@ -4,6 +4,7 @@
 #include <random>
 #include <utility>
 
+#include "tests/support/names.h"
 #include "tests/support/sphere_mesh.h"
 #include "tests/support/touch_worlds.h"
 

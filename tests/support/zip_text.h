@@ -4,6 +4,8 @@
 #include <map>
 #include <string>
 
+#include "tests/support/names.h"
+
 namespace handrail::test {
 
 // All files are stored uncompressed, or deflated.

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "haptic/device/simulated_device.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/servo_rig.h"
 

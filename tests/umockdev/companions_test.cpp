@@ -3,6 +3,7 @@
 #include "app/companions/companion_session.h"
 #include "haptic/drivers/playstation_pad.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"

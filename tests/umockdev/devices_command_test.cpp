@@ -4,6 +4,7 @@
 
 #include "haptic/drivers/found_device.h"
 #include "tests/emulators/usb_function.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"

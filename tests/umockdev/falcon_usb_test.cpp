@@ -2,6 +2,7 @@
 #include "haptic/drivers/falcon_device.h"
 #include "haptic/drivers/usb_link.h"
 #include "tests/emulators/falcon_claims.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/umockdev/mock_usb.h"
 

@@ -12,6 +12,7 @@
 #include "haptic/drivers/found_device.h"
 #include "haptic/drivers/guarded_device.h"
 #include "tests/support/login_manager.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"

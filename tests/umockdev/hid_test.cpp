@@ -4,6 +4,7 @@
 #include "haptic/drivers/found_device.h"
 #include "haptic/drivers/playstation_pad.h"
 #include "tests/emulators/hid_claims.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "tests/support/names.h"
 #include "tests/umockdev/completed.h"
 
 namespace handrail::test {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/support/names.h"
 #include "tests/umockdev/completed.h"
 
 namespace handrail::test {

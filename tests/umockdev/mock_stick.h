@@ -8,6 +8,8 @@
 #include <deque>
 #include <mutex>
 
+#include "tests/support/names.h"
+
 namespace handrail::test {
 
 class MockStick {

@@ -1,4 +1,5 @@
 #include "tests/umockdev/mock_usb.h"
+#include "tests/support/names.h"
 
 #include <errno.h>
 #include <fmt/format.h>

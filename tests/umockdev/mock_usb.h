@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "tests/emulators/usb_function.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/virtual_display.h"
 #include "tests/voices/braille_server.h"

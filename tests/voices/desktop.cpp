@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail::test {

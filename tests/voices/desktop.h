@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tests/support/child_process.h"
+#include "tests/support/names.h"
 #include "tests/support/virtual_display.h"
 #include "tests/voices/speech_server.h"
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <sstream>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/voices/desktop.h"
 #include "tests/voices/exploring.h"

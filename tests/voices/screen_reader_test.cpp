@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "app/core/session/session.h"
+#include "tests/support/names.h"
 #include "tests/support/times_in.h"
 #include "tests/voices/desktop.h"
 #include "tests/voices/exploring.h"

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/times_in.h"
 #include "tests/voices/braille_server.h"

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "audio-cues/sinks/speechd_speech.h"
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/voices/speech_server.h"
 

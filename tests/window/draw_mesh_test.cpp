@@ -1,5 +1,6 @@
 #include "app/window/draw_mesh.h"
 
+#include "tests/support/names.h"
 #include "tests/window/small_room.h"
 
 namespace handrail::test {

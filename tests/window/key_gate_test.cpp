@@ -1,4 +1,5 @@
 #include "app/window/key_gate.h"
+#include "tests/support/names.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

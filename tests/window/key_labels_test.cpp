@@ -1,5 +1,6 @@
 // Finds letter keys by their labels on every keyboard layout with Latin letters that this system has.
 #include "app/window/key_labels.h"
+#include "tests/support/names.h"
 
 #include <gtest/gtest.h>
 #include <xkbcommon/xkbcommon.h>

@@ -4,6 +4,7 @@
 
 #include "app/core/dialogue/command.h"
 #include "settings/key_names.h"
+#include "tests/support/names.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

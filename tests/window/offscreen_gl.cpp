@@ -1,4 +1,5 @@
 #include "tests/window/offscreen_gl.h"
+#include "tests/support/names.h"
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>

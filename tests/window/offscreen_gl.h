@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/window/renderer.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

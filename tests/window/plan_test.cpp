@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "tests/support/names.h"
 #include "tests/window/small_room.h"
 #include "worlds/scene/models.h"
 

@@ -9,6 +9,7 @@
 #include "app/window/large_text.h"
 #include "app/window/plan.h"
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/window/offscreen_gl.h"

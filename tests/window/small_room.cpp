@@ -1,4 +1,5 @@
 #include "tests/window/small_room.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "app/core/context/view.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

@@ -1,4 +1,5 @@
 #include "app/window/wayland_keyboard.h"
+#include "tests/support/names.h"
 
 #include <gtest/gtest.h>
 

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "app/window/window.h"
+#include "tests/support/names.h"
 #include "tests/support/wayland_session.h"
 #include "tests/window/small_room.h"
 

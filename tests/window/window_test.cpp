@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstdlib>
 
+#include "tests/support/names.h"
 #include "tests/support/virtual_display.h"
 #include "tests/window/small_room.h"
 

@@ -14,7 +14,7 @@
 #include "worlds/base/files.h"
 #include "worlds/cache/sha256.h"
 
-namespace handrail {
+namespace handrail::cache {
 namespace {
 
 namespace fs = std::filesystem;
@@ -140,4 +140,4 @@ fs::path user_cache_folder() {
     return {};
 }
 
-}  // namespace handrail
+}  // namespace handrail::cache

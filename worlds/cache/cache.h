@@ -16,7 +16,7 @@
 
 #include "worlds/base/descriptor.h"
 
-namespace handrail {
+namespace handrail::cache {
 
 class Cache {
 public:
@@ -43,4 +43,4 @@ std::optional<std::string> kept_content(int file, const std::string& name, const
 // $XDG_CACHE_HOME/handrail, else ~/.cache/handrail; empty if neither is known.
 std::filesystem::path user_cache_folder();
 
-}  // namespace handrail
+}  // namespace handrail::cache

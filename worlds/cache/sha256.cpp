@@ -8,7 +8,7 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::cache {
 namespace {
 
 // Another library of the program may have initialised libgcrypt before. Only digests are made here, so no memory has to
@@ -60,4 +60,4 @@ std::string sha256_of(std::string_view bytes) {
     return sum.hex();
 }
 
-}  // namespace handrail
+}  // namespace handrail::cache

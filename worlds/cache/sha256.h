@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace handrail {
+namespace handrail::cache {
 
 class Sha256 {
 public:
@@ -27,4 +27,4 @@ private:
 
 std::string sha256_of(std::string_view bytes);
 
-}  // namespace handrail
+}  // namespace handrail::cache

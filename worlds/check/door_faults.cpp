@@ -7,7 +7,7 @@
 #include "worlds/geometry/clip.h"
 #include "worlds/scene/stated_building.h"
 
-namespace handrail {
+namespace handrail::check {
 namespace {
 
 constexpr double kJamb_m = 0.06;       // how far from the side of a leaf its wall or frame must be
@@ -71,7 +71,7 @@ WorldFault fault_of(const Examined& world, const Doorway& door, FaultKind kind) 
 
 // True if a person can walk from one side to the other, over places inside the doorway.
 bool leads_through(const Examined& world, const Doorway& door, const std::vector<std::vector<std::uint32_t>>& within) {
-    const WalkSpace& space = *world.space;
+    const navigation::WalkSpace& space = *world.space;
     std::map<std::uint32_t, bool> seen;
     for (const std::uint32_t m : door.movers)
         for (const std::uint32_t s : within[m]) seen[s] = false;
@@ -84,7 +84,7 @@ bool leads_through(const Examined& world, const Doorway& door, const std::vector
             const std::uint32_t here = open.back();
             open.pop_back();
             for (const std::uint32_t next : space.spans[here].next) {
-                if (next == kNothing) continue;
+                if (next == navigation::kNothing) continue;
                 if (const auto inside = seen.find(next); inside != seen.end()) {
                     if (!inside->second) open.push_back(next);
                     inside->second = true;
@@ -137,7 +137,7 @@ bool has_wall(const Examined& world, const Doorway& door) {
 // The height difference between the floors that the door reaches over.
 double levels_apart(const Examined& world, const Doorway& door) {
     if (!world.space) return door.box.size_m().z > kTallest_m ? door.box.size_m().z : 0.0;
-    const WalkSpace& space = *world.space;
+    const navigation::WalkSpace& space = *world.space;
     const auto cell = [&](double at, double origin, std::uint32_t most) {
         return static_cast<std::uint32_t>(std::clamp((at - origin) / space.cell_m, 0.0, most - 1.0));
     };
@@ -182,4 +182,4 @@ void find_door_faults(const Examined& world, std::vector<WorldFault>& faults) {
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::check

@@ -7,7 +7,7 @@
 #include "worlds/scene/outer_ground.h"
 #include "worlds/scene/stated_building.h"
 
-namespace handrail {
+namespace handrail::check {
 namespace {
 
 constexpr float kOpenSky = 1e6F;  // a height above any ceiling
@@ -53,7 +53,8 @@ std::optional<double> top_on_line(const ConvexSolid& solid, const Vec3& at_m) {
 
 }  // namespace
 
-Examined::Examined(const Scene& the_scene, const WalkSpace* the_space, const RoomGraph* the_graph)
+Examined::Examined(const Scene& the_scene, const navigation::WalkSpace* the_space,
+                   const navigation::RoomGraph* the_graph)
     : scene(the_scene),
       space(the_space),
       graph(the_graph),
@@ -67,11 +68,11 @@ Examined::Examined(const Scene& the_scene, const WalkSpace* the_space, const Roo
     covers_.resize(graph->rooms.size());
     for (std::uint32_t s = 0; s < space->spans.size(); ++s) {
         const std::uint32_t room = graph->room_of_span[s];
-        if (room == kNothing) continue;
+        if (room == navigation::kNothing) continue;
         Cover& cover = covers_[room];
         const bool open = space->spans[s].ceiling_m >= kOpenSky;
         ++(open ? cover.open : cover.under_roof);
-        if (open && cover.first_open == kNothing) cover.first_open = s;
+        if (open && cover.first_open == navigation::kNothing) cover.first_open = s;
     }
 }
 
@@ -130,15 +131,15 @@ SourcePlace Examined::ground_source(const Vec3& at_m) const {
 }
 
 std::uint32_t Examined::room_of(const Feature& feature) const {
-    if (!space || !graph || feature.bounds_m.empty()) return kNothing;
+    if (!space || !graph || feature.bounds_m.empty()) return navigation::kNothing;
     const Vec3 size = feature.bounds_m.size_m(), middle = feature.bounds_m.centre_m();
     const double around = 1.0 + 0.5 * std::max(size.x, size.y);
     const std::uint32_t span = space->nearest({middle.x, middle.y, feature.bounds_m.min_m.z}, around, 0.6, 3.0);
-    return span == kNothing ? kNothing : graph->room_of_span[span];
+    return span == navigation::kNothing ? navigation::kNothing : graph->room_of_span[span];
 }
 
 SourcePlace Examined::room_source(std::uint32_t r) const {
-    const Room& room = graph->rooms[r];
+    const navigation::Room& room = graph->rooms[r];
     if (scene.stated)
         for (const StatedRoom& stated : scene.stated->rooms)
             if (holds(stated, room.middle_m)) return stated.source;
@@ -159,4 +160,4 @@ bool Examined::is_thing(FeatureId id) const {
            !is_outer_ground(*feature);
 }
 
-}  // namespace handrail
+}  // namespace handrail::check

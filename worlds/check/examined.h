@@ -8,12 +8,12 @@
 #include "worlds/check/faults.h"
 #include "worlds/geometry/box_index.h"
 
-namespace handrail {
+namespace handrail::check {
 
 // How many of a room's places to stand are under a roof, and how many are open.
 struct Cover {
     std::size_t under_roof = 0, open = 0;
-    std::uint32_t first_open = kNothing;
+    std::uint32_t first_open = navigation::kNothing;
     bool covered() const { return share(under_roof); }
     bool under_sky() const { return share(open); }
 
@@ -25,11 +25,11 @@ private:
 
 class Examined {
 public:
-    Examined(const Scene& scene, const WalkSpace* space, const RoomGraph* graph);
+    Examined(const Scene& scene, const navigation::WalkSpace* space, const navigation::RoomGraph* graph);
 
     const Scene& scene;
-    const WalkSpace* space;
-    const RoomGraph* graph;
+    const navigation::WalkSpace* space;
+    const navigation::RoomGraph* graph;
 
     // Indices in Scene::solids, rising, of the solids that stop a body and whose box meets this one. The reference is
     // valid until the next query.
@@ -71,4 +71,4 @@ void find_door_faults(const Examined& world, std::vector<WorldFault>& faults);
 void find_shell_faults(const Examined& world, std::vector<WorldFault>& faults);
 void find_thing_faults(const Examined& world, std::vector<WorldFault>& faults);
 
-}  // namespace handrail
+}  // namespace handrail::check

@@ -8,7 +8,7 @@
 #include "worlds/base/text.h"
 #include "worlds/check/examined.h"
 
-namespace handrail {
+namespace handrail::check {
 namespace {
 
 constexpr std::array kRows{
@@ -88,7 +88,8 @@ std::vector<FaultKind> all_fault_kinds() {
     return kinds;
 }
 
-std::vector<WorldFault> find_faults(const Scene& scene, const WalkSpace* space, const RoomGraph* graph) {
+std::vector<WorldFault> find_faults(const Scene& scene, const navigation::WalkSpace* space,
+                                    const navigation::RoomGraph* graph) {
     contract_pre((space == nullptr) == (graph == nullptr));
     const Examined world(scene, space, graph);
     std::vector<WorldFault> faults;
@@ -125,4 +126,4 @@ std::string fault_advice(const Scene& scene, const WorldFault& fault) {
     return say(scene, fault, "world_fault_do." + std::string(row_of(fault.kind).word));
 }
 
-}  // namespace handrail
+}  // namespace handrail::check

@@ -13,7 +13,7 @@
 #include "worlds/navigation/rooms.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::check {
 
 // Ordered by gravity: first what stops or endangers a walker, then what misleads, then what is missing.
 enum class FaultKind : std::uint8_t {
@@ -59,9 +59,10 @@ struct WorldFault {
     // World metres; for places to walk, on the floor. For a room out of reach and for stairs: where the route lacks
     // something.
     Vec3 at_m{0.0};
-    SourcePlace source = {};            // 0: unknown
-    FeatureId feature = kNoFeature;     // the door or thing
-    std::uint32_t room = kNothing;      // index in the graph of the room that it concerns or is in; kNothing: none
+    SourcePlace source = {};         // 0: unknown
+    FeatureId feature = kNoFeature;  // the door or thing
+    std::uint32_t room =
+        navigation::kNothing;           // index in the graph of the room that it concerns or is in; kNothing: none
     std::string name = {}, other = {};  // spoken names of what it concerns: the room or thing, and a second one
     std::string why = {};               // for an impassable door that was tested: the reason, as part of a sentence
     double amount = 0.0;        // metres: the width of a crack or door, the height of a drop, or what the route has
@@ -73,11 +74,13 @@ struct WorldFault {
 // `space` and `graph` belong to the world; null if nobody can stand in it. Returns the gravest faults first; those of
 // one kind are in the order of rooms, doors and things. The time grows with the spans and with the pairs of adjacent
 // solids.
-std::vector<WorldFault> find_faults(const Scene& scene, const WalkSpace* space, const RoomGraph* graph);
+std::vector<WorldFault> find_faults(const Scene& scene, const navigation::WalkSpace* space,
+                                    const navigation::RoomGraph* graph);
 // Why no walking route leads from the base to that room, as in find_faults; empty if there is a route. Makes up to four
 // walkable spaces of the scene.
-std::optional<WorldFault> why_out_of_reach(const Scene& scene, const WalkSpace& space, const RoomGraph& graph,
-                                           std::uint32_t room, const std::stop_token& stop = {});
+std::optional<WorldFault> why_out_of_reach(const Scene& scene, const navigation::WalkSpace& space,
+                                           const navigation::RoomGraph& graph, std::uint32_t room,
+                                           const std::stop_token& stop = {});
 // False for faults of a line in the file, which have no place in the world.
 inline bool has_place(const WorldFault& fault) {
     return fault.kind != FaultKind::DamagedInFile &&
@@ -90,4 +93,4 @@ std::string fault_words(const Scene& scene, const WorldFault& fault);
 // What to do about it, in a sentence that names the candidates.
 std::string fault_advice(const Scene& scene, const WorldFault& fault);
 
-}  // namespace handrail
+}  // namespace handrail::check

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace handrail {
+namespace handrail::check {
 namespace {
 
 constexpr int kDirections = 180;  // directions over half a turn: at 0.5 degrees off, the error is 0.04 mm per metre
@@ -32,7 +32,7 @@ double way_to(const ConvexSolid& solid, const Vec3& from_m, const Vec2& along) {
 }  // namespace
 
 double gap_width(const Examined& world, const Vec3& at_m, double about_m) {
-    const WalkerMeasures& body = world.space->body;
+    const navigation::WalkerMeasures& body = world.space->body;
     const double close_m = 2.0 * body.cell_m;
     Aabb near{at_m - Vec3(kNoGap_m, kNoGap_m, 0.0), at_m + Vec3(kNoGap_m, kNoGap_m, body.height_m)};
     const std::vector<std::uint32_t> solids = world.solids_near(near);
@@ -58,4 +58,4 @@ double gap_width(const Examined& world, const Vec3& at_m, double about_m) {
     return best <= about_m + close_m ? best : about_m;
 }
 
-}  // namespace handrail
+}  // namespace handrail::check

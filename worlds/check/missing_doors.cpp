@@ -9,7 +9,7 @@
 #include "worlds/check/examined.h"
 #include "worlds/geometry/clip.h"
 
-namespace handrail {
+namespace handrail::check {
 namespace {
 
 constexpr double kThickest_m = 0.8, kThinnest_m = 0.03;
@@ -26,7 +26,7 @@ constexpr double kSameWay = 1e-4;     // 1 - cos: directions within 0.8 degrees 
 struct Facing {
     Vec3 in{0.0};  // horizontal, into the wall
     double at_m = 0.0;
-    std::uint32_t other = kNothing;
+    std::uint32_t other = navigation::kNothing;
     struct Place {
         double along_m = 0.0;
         Vec3 middle_m{0.0};  // of the wall, at floor height
@@ -55,8 +55,8 @@ bool is_wall(const Examined& world, const Vec3& from_m, const Vec3& to_m) {
 // The wall faces of a room that have another room behind them. They are found from the edges of the walkable area,
 // whatever direction the walls have.
 std::vector<Facing> walls_to_others(const Examined& world, std::uint32_t room) {
-    const WalkSpace& space = *world.space;
-    const RoomGraph& graph = *world.graph;
+    const navigation::WalkSpace& space = *world.space;
+    const navigation::RoomGraph& graph = *world.graph;
     const double reach_m = space.body.radius_m + 1.5 * space.cell_m;
     const double farthest_m = kThickest_m + 2.0 * (space.body.radius_m + space.cell_m);
     std::vector<Facing> walls;
@@ -64,9 +64,10 @@ std::vector<Facing> walls_to_others(const Examined& world, std::uint32_t room) {
     const auto look_behind = [&](const Vec3& from_m, const Vec3& in, double before_m, double at_m) {
         for (double far_m = before_m + space.cell_m; far_m <= farthest_m; far_m += 0.5 * space.cell_m) {
             const std::uint32_t there = space.at(from_m + in * far_m);
-            if (there == kNothing || std::abs(space.place_m(there).z - from_m.z) > kSameFloor_m) continue;
+            if (there == navigation::kNothing || std::abs(space.place_m(there).z - from_m.z) > kSameFloor_m) continue;
             const std::uint32_t other = graph.room_of_span[there];
-            if (other == kNothing || other == room || graph.rooms[other].kind != RoomKind::Room) return;
+            if (other == navigation::kNothing || other == room || graph.rooms[other].kind != navigation::RoomKind::Room)
+                return;
             auto wall = std::find_if(walls.begin(), walls.end(), [&](const Facing& known) {
                 return known.other == other && std::abs(known.at_m - at_m) < kSameWall_m &&
                        glm::dot(known.in, in) > 1.0 - kSameWay;
@@ -80,9 +81,10 @@ std::vector<Facing> walls_to_others(const Examined& world, std::uint32_t room) {
         }
     };
     for (std::uint32_t s = 0; s < space.spans.size(); ++s) {
-        const WalkSpan& span = space.spans[s];
+        const navigation::WalkSpan& span = space.spans[s];
         if (graph.room_of_span[s] != room || span.liquid ||
-            std::none_of(std::begin(span.next), std::end(span.next), [](std::uint32_t n) { return n == kNothing; }))
+            std::none_of(std::begin(span.next), std::end(span.next),
+                         [](std::uint32_t n) { return n == navigation::kNothing; }))
             continue;
         const Vec3 from_m = space.place_m(s), chest_m = from_m + Vec3(0.0, 0.0, kChest_m);
         const Vec3 around(reach_m, reach_m, 0.0);
@@ -110,8 +112,9 @@ std::vector<Facing> walls_to_others(const Examined& world, std::uint32_t room) {
 
 }  // namespace
 
-std::vector<MissingDoor> missing_doors(const Scene& scene, const WalkSpace& space, const RoomGraph& graph,
-                                       std::uint32_t room, const std::optional<Vec3>& near_m, std::size_t most) {
+std::vector<MissingDoor> missing_doors(const Scene& scene, const navigation::WalkSpace& space,
+                                       const navigation::RoomGraph& graph, std::uint32_t room,
+                                       const std::optional<Vec3>& near_m, std::size_t most) {
     contract_pre(room < graph.rooms.size());
     const Examined world(scene, &space, &graph);
     // By the other room, each with its score: the wall's length or nearness.
@@ -158,7 +161,7 @@ std::vector<MissingDoor> missing_doors(const Scene& scene, const WalkSpace& spac
     }
     std::vector<std::pair<double, MissingDoor>> all;
     for (auto& [other, found] : best)
-        if (found.second.to != kNothing) all.push_back(std::move(found));
+        if (found.second.to != navigation::kNothing) all.push_back(std::move(found));
     // The ground outside comes last, because doors to rooms are more likely.
     std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) {
         const bool a_outside = world.is_ground(a.second.to), b_outside = world.is_ground(b.second.to);
@@ -214,4 +217,4 @@ std::optional<MadeDoor> doorway_cut_free(const Scene& scene, const WorldFault& f
     return door;
 }
 
-}  // namespace handrail
+}  // namespace handrail::check

@@ -5,7 +5,7 @@
 #include "worlds/scene/honest_report.h"
 #include "worlds/scene/stated_building.h"
 
-namespace handrail {
+namespace handrail::check {
 namespace {
 
 constexpr double kLeastOverlap_m2 = 0.5;
@@ -129,4 +129,4 @@ void find_outline_faults(const Examined& world, std::vector<WorldFault>& faults)
     from_the_report(world.scene, faults);
 }
 
-}  // namespace handrail
+}  // namespace handrail::check

@@ -14,7 +14,7 @@
 #include "worlds/navigation/stated_stairs.h"
 #include "worlds/scene/honest_report.h"
 
-namespace handrail {
+namespace handrail::check {
 namespace {
 
 constexpr double kLeastNamed_m2 = 2.0;       // a smaller room is a niche, whatever its shape
@@ -25,14 +25,14 @@ constexpr std::size_t kMostCandidates = 3;
 // Which rooms a person can walk into from the base, with doors open and things in place. More than a doorway's share of
 // a room must be reached, because a strip in front of a blocked door may count as part of the room behind it.
 std::vector<bool> walked_into(const Examined& world) {
-    const WalkSpace& space = *world.space;
-    const Start* const base = base_of(world.scene);
-    const std::uint32_t first = base ? space.nearest(base->feet_m, 0.5, 0.4, 1.0) : kNothing;
-    if (first == kNothing) return {};
-    const std::vector<bool> seen = spans_reached(space, first);
+    const navigation::WalkSpace& space = *world.space;
+    const Start* const base = navigation::base_of(world.scene);
+    const std::uint32_t first = base ? space.nearest(base->feet_m, 0.5, 0.4, 1.0) : navigation::kNothing;
+    if (first == navigation::kNothing) return {};
+    const std::vector<bool> seen = navigation::spans_reached(space, first);
     std::vector<std::size_t> all(world.graph->rooms.size(), 0), walked(all);
     for (std::uint32_t s = 0; s < space.spans.size(); ++s)
-        if (const std::uint32_t room = world.graph->room_of_span[s]; room != kNothing) {
+        if (const std::uint32_t room = world.graph->room_of_span[s]; room != navigation::kNothing) {
             ++all[room];
             walked[room] += seen[s] ? 1 : 0;
         }
@@ -73,7 +73,7 @@ void tell_lack(const Examined& world, WorldFault& fault, const WayLacks& found) 
 // For faults about rooms out of reach that have no explanation yet, stores what the best routes lack.
 void tell_lacks(const Examined& world, std::span<WorldFault> faults, std::span<const Lack> kinds,
                 const std::stop_token& stop) {
-    const Start* const base = base_of(world.scene);
+    const Start* const base = navigation::base_of(world.scene);
     if (!base) return;
     std::vector<WorldFault*> untold;
     std::vector<Vec3> places_m;
@@ -90,8 +90,8 @@ void tell_lacks(const Examined& world, std::span<WorldFault> faults, std::span<c
 // Only routes on the stairs count, because a route elsewhere says nothing about them.
 void in_one_go(const Examined& world, std::vector<WorldFault>& faults) {
     constexpr std::array kKinds{Lack::Headroom, Lack::Step, Lack::Width};
-    for (const WalkLink& link : world.space->links) {
-        if (link.kind != PassageKind::Climb) continue;
+    for (const navigation::WalkLink& link : world.space->links) {
+        if (link.kind != navigation::PassageKind::Climb) continue;
         const Vec3 foot_m = world.space->place_m(link.from);
         const Feature* const stairs = world.scene.find(link.feature);
         WorldFault fault{FaultKind::StairsInOneGo, foot_m, stairs ? stairs->source : world.ground_source(foot_m)};
@@ -103,9 +103,9 @@ void in_one_go(const Examined& world, std::vector<WorldFault>& faults) {
             Aabb around = stairs->bounds_m;
             around.include(foot_m);
             around.include(head_m);
-            tell_lack(
-                world, fault,
-                way_lacks_within(world.scene, *world.space, foot_m, head_m, grown(around, kBesideStairs_m), kKinds));
+            tell_lack(world, fault,
+                      way_lacks_within(world.scene, *world.space, foot_m, head_m,
+                                       grown(around, navigation::kBesideStairs_m), kKinds));
         }
         faults.push_back(std::move(fault));
     }
@@ -117,10 +117,11 @@ std::vector<WorldFault> blocked_by_things(const Examined& world, std::span<const
     const std::vector<bool> reached = walked_into(world);
     std::vector<WorldFault> found;
     for (std::uint32_t r = 0; r < reached.size(); ++r) {
-        const Room& room = world.graph->rooms[r];
+        const navigation::Room& room = world.graph->rooms[r];
         const bool known =
             std::any_of(told.begin(), told.end(), [&](const WorldFault& fault) { return fault.room == r; });
-        if (reached[r] || known || room.kind == RoomKind::Liquid || room.kind == RoomKind::Niche || world.is_ground(r))
+        if (reached[r] || known || room.kind == navigation::RoomKind::Liquid ||
+            room.kind == navigation::RoomKind::Niche || world.is_ground(r))
             continue;
         WorldFault fault{FaultKind::RoomOutOfReach, room.middle_m, world.room_source(r)};
         fault.room = r;
@@ -138,10 +139,12 @@ std::vector<WorldFault> blocked_by_things(const Examined& world, std::span<const
 std::vector<WorldFault> out_of_reach(const Examined& world, std::optional<std::uint32_t> only = std::nullopt,
                                      const std::stop_token& stop = {}) {
     std::vector<WorldFault> found;
-    for (const RoomOutOfReach& room : rooms_out_of_reach(world.scene, *world.space, *world.graph)) {
-        if ((room.room != kNothing && world.is_ground(room.room)) || (only && room.room != *only)) continue;
-        WorldFault fault{FaultKind::RoomOutOfReach, room.at_m,
-                         room.room == kNothing ? world.ground_source(room.at_m) : world.room_source(room.room)};
+    for (const navigation::RoomOutOfReach& room :
+         navigation::rooms_out_of_reach(world.scene, *world.space, *world.graph)) {
+        if ((room.room != navigation::kNothing && world.is_ground(room.room)) || (only && room.room != *only)) continue;
+        WorldFault fault{
+            FaultKind::RoomOutOfReach, room.at_m,
+            room.room == navigation::kNothing ? world.ground_source(room.at_m) : world.room_source(room.room)};
         fault.room = room.room;
         fault.name = room.name;
         found.push_back(std::move(fault));
@@ -151,7 +154,7 @@ std::vector<WorldFault> out_of_reach(const Examined& world, std::optional<std::u
     // Suggests a missing door only if no gap or low opening is the reason, because most of those are in a wall that
     // could also have a door.
     for (WorldFault& fault : found) {
-        if (fault.lack != Lack::Nothing || fault.room == kNothing || stop.stop_requested()) continue;
+        if (fault.lack != Lack::Nothing || fault.room == navigation::kNothing || stop.stop_requested()) continue;
         const std::vector<MissingDoor> doors =
             missing_doors(world.scene, *world.space, *world.graph, fault.room, std::nullopt, 1);
         if (!doors.empty()) fault.other = world.room_name(doors[0].to);
@@ -162,17 +165,17 @@ std::vector<WorldFault> out_of_reach(const Examined& world, std::optional<std::u
 // False for landings, which are part of stairs, and for ground.
 bool is_place_of_its_own(const Examined& world, std::uint32_t r) {
     bool other_ways = false, stairs = false;
-    for (const Portal& portal : world.graph->portals)
+    for (const navigation::Portal& portal : world.graph->portals)
         if (portal.rooms[0] == r || portal.rooms[1] == r)
-            (portal.kind == PassageKind::Stairs ? stairs : other_ways) = true;
-    const Room& room = world.graph->rooms[r];
+            (portal.kind == navigation::PassageKind::Stairs ? stairs : other_ways) = true;
+    const navigation::Room& room = world.graph->rooms[r];
     const bool landing = stairs && !other_ways && !room.given && room.map_name.empty();
-    return room.kind == RoomKind::Room && !landing && !world.is_ground(r);
+    return room.kind == navigation::RoomKind::Room && !landing && !world.is_ground(r);
 }
 
 void unnamed(const Examined& world, std::vector<WorldFault>& faults) {
     for (std::uint32_t r = 0; r < world.graph->rooms.size(); ++r) {
-        const Room& room = world.graph->rooms[r];
+        const navigation::Room& room = world.graph->rooms[r];
         if (room.area_m2 < kLeastNamed_m2 || !is_place_of_its_own(world, r) || room.given || !room.map_name.empty())
             continue;
         WorldFault fault{FaultKind::UnnamedRoom, room.middle_m, world.room_source(r)};
@@ -208,11 +211,11 @@ std::vector<FeatureId> landmark_candidates(const Examined& world, const std::vec
 }
 
 void without_landmark(const Examined& world, std::vector<WorldFault>& faults) {
-    const RoomGraph& graph = *world.graph;
+    const navigation::RoomGraph& graph = *world.graph;
     std::vector<bool> marked(graph.rooms.size(), false);
     std::vector<std::vector<std::uint32_t>> things(graph.rooms.size());
     const auto mark = [&](std::uint32_t room) {
-        if (room != kNothing) marked[room] = true;
+        if (room != navigation::kNothing) marked[room] = true;
     };
     for (std::uint32_t f = 0; f < world.scene.features.size(); ++f) {
         const Feature& feature = world.scene.features[f];
@@ -220,13 +223,13 @@ void without_landmark(const Examined& world, std::vector<WorldFault>& faults) {
         if (!feature.landmark && !thing) continue;
         const std::uint32_t room = world.room_of(feature);
         if (feature.landmark) mark(room);
-        else if (room != kNothing) things[room].push_back(f);
+        else if (room != navigation::kNothing) things[room].push_back(f);
         if (!feature.landmark) continue;
-        for (const Portal& portal : graph.portals)  // a door can be a landmark on both sides
+        for (const navigation::Portal& portal : graph.portals)  // a door can be a landmark on both sides
             if (portal.feature == FeatureId{f}) mark(portal.rooms[0]), mark(portal.rooms[1]);
     }
     for (std::uint32_t r = 0; r < graph.rooms.size(); ++r) {
-        const Room& room = graph.rooms[r];
+        const navigation::Room& room = graph.rooms[r];
         if (room.area_m2 < kLeastLandmarked_m2 || marked[r] || !is_place_of_its_own(world, r)) continue;
         WorldFault fault{FaultKind::NoLandmark, room.middle_m, world.room_source(r)};
         fault.room = r;
@@ -242,13 +245,15 @@ void names_in_one_place(const Examined& world, std::vector<WorldFault>& faults) 
     std::vector<std::uint32_t> spans, rooms;
     for (const RoomName& name : names) {
         spans.push_back(world.space->nearest(name.at_m, 1.0, 0.6, 3.0));
-        rooms.push_back(spans.back() == kNothing ? kNothing : world.graph->room_of_span[spans.back()]);
+        rooms.push_back(spans.back() == navigation::kNothing ? navigation::kNothing
+                                                             : world.graph->room_of_span[spans.back()]);
     }
     for (std::size_t i = 0; i < names.size(); ++i)
         for (std::size_t k = 0; k < i; ++k) {
             const Vec3 apart = names[i].at_m - names[k].at_m;
             const bool near = glm::length(Vec2(apart)) < kOneRoom_m && std::abs(apart.z) < 1.5;
-            if (names[i].name == names[k].name || rooms[i] == kNothing || rooms[k] == kNothing) continue;
+            if (names[i].name == names[k].name || rooms[i] == navigation::kNothing || rooms[k] == navigation::kNothing)
+                continue;
             const bool nothing_between =
                 near && world.space->straight(world.space->place_m(spans[i]), world.space->place_m(spans[k]));
             if (rooms[i] != rooms[k] && !nothing_between) continue;
@@ -273,8 +278,9 @@ void find_room_faults(const Examined& world, std::vector<WorldFault>& faults) {
     without_landmark(world, faults);
 }
 
-std::optional<WorldFault> why_out_of_reach(const Scene& scene, const WalkSpace& space, const RoomGraph& graph,
-                                           std::uint32_t room, const std::stop_token& stop) {
+std::optional<WorldFault> why_out_of_reach(const Scene& scene, const navigation::WalkSpace& space,
+                                           const navigation::RoomGraph& graph, std::uint32_t room,
+                                           const std::stop_token& stop) {
     contract_pre(room < graph.rooms.size());
     const Examined world(scene, &space, &graph);
     if (std::vector<WorldFault> no_way = out_of_reach(world, room, stop); !no_way.empty())
@@ -284,4 +290,4 @@ std::optional<WorldFault> why_out_of_reach(const Scene& scene, const WalkSpace& 
     return std::nullopt;
 }
 
-}  // namespace handrail
+}  // namespace handrail::check

@@ -7,7 +7,7 @@
 #include "worlds/check/examined.h"
 #include "worlds/geometry/clip.h"
 
-namespace handrail {
+namespace handrail::check {
 namespace {
 
 constexpr double kNarrowestCrack_m = 1e-3, kWidestCrack_m = 0.06;
@@ -81,7 +81,8 @@ void cracks(const Examined& world, std::vector<WorldFault>& faults) {
             if (feature) fault->name = spoken_name(*feature);
             fault->source = world.scene.solids[k].source;
             if (world.space)
-                if (const std::uint32_t span = world.space->nearest(fault->at_m, 1.0, 0.6, 3.0); span != kNothing)
+                if (const std::uint32_t span = world.space->nearest(fault->at_m, 1.0, 0.6, 3.0);
+                    span != navigation::kNothing)
                     fault->room = world.graph->room_of_span[span];
             fault->other = world.room_name(fault->room);
             faults.push_back(std::move(*fault));
@@ -90,7 +91,7 @@ void cracks(const Examined& world, std::vector<WorldFault>& faults) {
 }
 
 void roofs(const Examined& world, std::vector<WorldFault>& faults) {
-    const std::vector<Room>& rooms = world.graph->rooms;
+    const std::vector<navigation::Room>& rooms = world.graph->rooms;
     const auto put = [&](FaultKind kind, std::uint32_t room, const Vec3& at_m, const std::string& other) {
         WorldFault fault{kind, at_m, world.ground_source(at_m)};
         fault.room = room;
@@ -100,16 +101,16 @@ void roofs(const Examined& world, std::vector<WorldFault>& faults) {
     };
     for (std::uint32_t r = 0; r < rooms.size(); ++r) {
         const double open_m2 = static_cast<double>(world.cover(r).open) * world.space->cell_area_m2();
-        if (rooms[r].kind == RoomKind::Room && world.cover(r).covered() && open_m2 >= kLeastOpen_m2)
+        if (rooms[r].kind == navigation::RoomKind::Room && world.cover(r).covered() && open_m2 >= kLeastOpen_m2)
             put(FaultKind::OpenRoof, r, world.space->place_m(world.cover(r).first_open), {});
     }
-    for (const Portal& portal : world.graph->portals) {
-        if (portal.kind != PassageKind::Opening) continue;
+    for (const navigation::Portal& portal : world.graph->portals) {
+        if (portal.kind != navigation::PassageKind::Opening) continue;
         const bool first_in = world.cover(portal.rooms[0]).covered() && world.cover(portal.rooms[1]).under_sky(),
                    second_in = world.cover(portal.rooms[1]).covered() && world.cover(portal.rooms[0]).under_sky();
         if (!first_in && !second_in) continue;
         // It is only a niche under the eaves.
-        if (rooms[portal.rooms[first_in ? 0 : 1]].kind != RoomKind::Room) continue;
+        if (rooms[portal.rooms[first_in ? 0 : 1]].kind != navigation::RoomKind::Room) continue;
         const std::uint32_t in = portal.rooms[first_in ? 0 : 1], out = portal.rooms[first_in ? 1 : 0];
         put(FaultKind::OpenToOutside, in, portal.place_m, world.room_name(out));
     }
@@ -124,17 +125,17 @@ bool is_open(const Examined& world, const Vec3& feet_m, const Vec3& way, double 
 }
 
 void edges(const Examined& world, std::vector<WorldFault>& faults) {
-    const WalkSpace& space = *world.space;
+    const navigation::WalkSpace& space = *world.space;
     const std::array<Vec3, 4> ways{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, -1, 0)};
     const double far_m = space.body.radius_m + 2.0 * space.cell_m;
     std::set<std::pair<std::uint32_t, FaultKind>> told;  // reports each kind only once in a room
     for (std::uint32_t s = 0; s < space.spans.size(); ++s) {
-        const WalkSpan& span = space.spans[s];
+        const navigation::WalkSpan& span = space.spans[s];
         const std::uint32_t room = world.graph->room_of_span[s];
-        if (!span.near_edge || span.liquid || room == kNothing || world.is_ground(room)) continue;
+        if (!span.near_edge || span.liquid || room == navigation::kNothing || world.is_ground(room)) continue;
         const Vec3 feet = space.place_m(s);
         for (std::size_t d = 0; d < ways.size(); ++d) {
-            if (span.next[d] != kNothing || !is_open(world, feet, ways[d], far_m)) continue;
+            if (span.next[d] != navigation::kNothing || !is_open(world, feet, ways[d], far_m)) continue;
             const auto top = world.top_below(feet + ways[d] * far_m + Vec3(0.0, 0.0, 0.3));
             const double drop = top ? feet.z - *top : 0.0;
             if (top && drop < kMostDrop_m) continue;
@@ -158,4 +159,4 @@ void find_shell_faults(const Examined& world, std::vector<WorldFault>& faults) {
     edges(world, faults);
 }
 
-}  // namespace handrail
+}  // namespace handrail::check

@@ -6,7 +6,7 @@
 #include "worlds/scene/lint.h"
 #include "worlds/scene/stated_building.h"
 
-namespace handrail {
+namespace handrail::check {
 namespace {
 
 constexpr double kSame_m = 0.005;   // corners of two boxes within this distance are the same
@@ -63,15 +63,15 @@ bool is_under_floors(const Examined& world, FeatureId id) {
     const Aabb& box = world.scene.features[id.value].bounds_m;
     const double around = 0.5 + 0.5 * std::max(box.size_m().x, box.size_m().y);
     const Vec3 top(box.centre_m().x, box.centre_m().y, box.max_m.z);
-    return world.space->nearest(top, around, kHighest_m, 0.0) != kNothing &&
-           world.space->nearest(top, around, 0.01, 1e4) == kNothing;
+    return world.space->nearest(top, around, kHighest_m, 0.0) != navigation::kNothing &&
+           world.space->nearest(top, around, 0.01, 1e4) == navigation::kNothing;
 }
 
 bool is_far_from_floors(const Examined& world, FeatureId id) {
     const Aabb& box = world.scene.features[id.value].bounds_m;
     const double around = kFar_m + 0.5 * std::max(box.size_m().x, box.size_m().y);
     const Vec3 foot(box.centre_m().x, box.centre_m().y, box.min_m.z);
-    return world.space->nearest(foot, around, box.size_m().z + 1.0, kHighest_m) == kNothing;
+    return world.space->nearest(foot, around, box.size_m().z + 1.0, kHighest_m) == navigation::kNothing;
 }
 
 bool touches_nothing(const Examined& world, FeatureId id) {
@@ -94,7 +94,7 @@ bool before_upper_door(const Scene& scene, const Start& start) {
 void starts(const Examined& world, std::vector<WorldFault>& faults) {
     for (const Start& start : world.scene.starts) {
         if (before_upper_door(world.scene, start)) continue;
-        if (world.space->nearest(start.feet_m, 0.5, 0.4, 1.0) != kNothing) continue;
+        if (world.space->nearest(start.feet_m, 0.5, 0.4, 1.0) != navigation::kNothing) continue;
         WorldFault fault{FaultKind::StartLost, start.feet_m, start.source};
         fault.name = start.name;
         faults.push_back(std::move(fault));
@@ -136,4 +136,4 @@ void find_thing_faults(const Examined& world, std::vector<WorldFault>& faults) {
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::check

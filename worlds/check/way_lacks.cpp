@@ -9,7 +9,7 @@
 
 #include "worlds/navigation/reach.h"
 
-namespace handrail {
+namespace handrail::check {
 namespace {
 
 constexpr double kTallEnough = 0.5, kThinEnough = 0.2, kHigher_m = 0.6;
@@ -22,10 +22,10 @@ struct BestWays {
 
 // `worth_of(from, to)`: the worth of the step from one span to the next.
 template <class Worth>
-BestWays best_ways(const WalkSpace& space, std::uint32_t first, const Worth& worth_of) {
+BestWays best_ways(const navigation::WalkSpace& space, std::uint32_t first, const Worth& worth_of) {
     BestWays best{std::vector<double>(space.spans.size(), -std::numeric_limits<double>::infinity()),
-                  std::vector<std::uint32_t>(space.spans.size(), kNothing)};
-    const std::vector<std::vector<std::uint32_t>> leads_to = spans_led_to(space);
+                  std::vector<std::uint32_t>(space.spans.size(), navigation::kNothing)};
+    const std::vector<std::vector<std::uint32_t>> leads_to = navigation::spans_led_to(space);
     struct Open {
         double worth;
         std::uint32_t span;
@@ -50,20 +50,22 @@ BestWays best_ways(const WalkSpace& space, std::uint32_t first, const Worth& wor
             open.push({worth, next});
         };
         for (const std::uint32_t next : space.spans[here.span].next)
-            if (next != kNothing) go(next, worth_of(here.span, next));
+            if (next != navigation::kNothing) go(next, worth_of(here.span, next));
         for (const std::uint32_t next : leads_to[here.span]) go(next, here.worth);
     }
     return best;
 }
 
-std::uint32_t place_in(const WalkSpace& space, const Vec3& at_m) { return space.nearest(at_m, 1.0, 0.6, 1.0); }
+std::uint32_t place_in(const navigation::WalkSpace& space, const Vec3& at_m) {
+    return space.nearest(at_m, 1.0, 0.6, 1.0);
+}
 
 // Finds what the best routes lack for a walker. It uses bodies that are smaller or climb higher, which get through, and
 // handles the places that have no answer yet.
 class Search {
 public:
-    Search(const Scene& scene, const WalkerMeasures& body, const Vec3& from_m, std::span<const Vec3> places_m,
-           std::optional<WalkTrial::Stretch> within, std::stop_token stop)
+    Search(const Scene& scene, const navigation::WalkerMeasures& body, const Vec3& from_m,
+           std::span<const Vec3> places_m, std::optional<navigation::WalkTrial::Stretch> within, std::stop_token stop)
         : scene_(scene),
           body_(body),
           from_m_(from_m),
@@ -73,7 +75,7 @@ public:
           found_(places_m.size()) {}
 
     std::vector<WayLacks> find(std::span<const Lack> kinds) {
-        WalkerMeasures any = low();
+        navigation::WalkerMeasures any = low();
         any.radius_m = thin().radius_m;
         any.step_up_m = climbing().step_up_m;
         // If even a body that is low, thin and climbs high cannot get there, walls are the reason, and this is the only
@@ -84,31 +86,31 @@ public:
     }
 
 private:
-    WalkerMeasures low() const {
-        WalkerMeasures body = body_;
+    navigation::WalkerMeasures low() const {
+        navigation::WalkerMeasures body = body_;
         body.height_m *= kTallEnough;
         return body;
     }
-    WalkerMeasures thin() const {
-        WalkerMeasures body = body_;
+    navigation::WalkerMeasures thin() const {
+        navigation::WalkerMeasures body = body_;
         body.radius_m *= kThinEnough;
         return body;
     }
-    WalkerMeasures climbing() const {
-        WalkerMeasures body = body_;
+    navigation::WalkerMeasures climbing() const {
+        navigation::WalkerMeasures body = body_;
         body.step_up_m += kHigher_m;
         return body;
     }
 
     // True if such a body reaches any of the places.
-    bool comes_to_any(const WalkerMeasures& body) const {
-        const Result<WalkSpace> space = make_trial_space(scene_, body, {false, within_}, stop_);
-        const std::uint32_t first = space ? place_in(*space, from_m_) : kNothing;
-        if (first == kNothing) return false;
-        const std::vector<bool> reached = spans_reached(*space, first);
+    bool comes_to_any(const navigation::WalkerMeasures& body) const {
+        const Result<navigation::WalkSpace> space = navigation::make_trial_space(scene_, body, {false, within_}, stop_);
+        const std::uint32_t first = space ? place_in(*space, from_m_) : navigation::kNothing;
+        if (first == navigation::kNothing) return false;
+        const std::vector<bool> reached = navigation::spans_reached(*space, first);
         return std::any_of(places_m_.begin(), places_m_.end(), [&](const Vec3& at_m) {
             const std::uint32_t span = place_in(*space, at_m);
-            return span != kNothing && reached[span];
+            return span != navigation::kNothing && reached[span];
         });
     }
 
@@ -118,20 +120,20 @@ private:
                 // At a step, the ceiling of the lower place is above the floor of the higher place, so the clear height
                 // is taken between these.
                 return look(kind, low(), body_.height_m,
-                            [](const WalkSpace& space, std::uint32_t from, std::uint32_t to) {
-                                const WalkSpan &a = space.spans[from], &b = space.spans[to];
+                            [](const navigation::WalkSpace& space, std::uint32_t from, std::uint32_t to) {
+                                const navigation::WalkSpan &a = space.spans[from], &b = space.spans[to];
                                 return static_cast<double>(std::min(a.ceiling_m, b.ceiling_m)) -
                                        static_cast<double>(std::max(a.floor_m, b.floor_m)) + space.body.height_m;
                             });
             case Lack::Step:
                 return look(kind, climbing(), -body_.step_up_m,
-                            [](const WalkSpace& space, std::uint32_t from, std::uint32_t to) {
+                            [](const navigation::WalkSpace& space, std::uint32_t from, std::uint32_t to) {
                                 return -std::abs(static_cast<double>(space.spans[from].floor_m) -
                                                  static_cast<double>(space.spans[to].floor_m));
                             });
             case Lack::Width:
                 return look(kind, thin(), 2.0 * body_.radius_m,
-                            [](const WalkSpace& space, std::uint32_t, std::uint32_t to) {
+                            [](const navigation::WalkSpace& space, std::uint32_t, std::uint32_t to) {
                                 return 2.0 * (space.body.radius_m + static_cast<double>(space.spans[to].clearance_m));
                             });
             case Lack::Nothing:
@@ -141,27 +143,30 @@ private:
     }
 
     template <class Worth>
-    void look(Lack lack, const WalkerMeasures& body, double least, const Worth& worth_in) {
+    void look(Lack lack, const navigation::WalkerMeasures& body, double least, const Worth& worth_in) {
         if (std::all_of(found_.begin(), found_.end(), [](const WayLacks& f) { return f.lack != Lack::Nothing; }))
             return;
-        const Result<WalkSpace> space = make_trial_space(scene_, body, {lack == Lack::Width, within_}, stop_);
-        const std::uint32_t first = space ? place_in(*space, from_m_) : kNothing;
-        if (first == kNothing) return;
+        const Result<navigation::WalkSpace> space =
+            navigation::make_trial_space(scene_, body, {lack == Lack::Width, within_}, stop_);
+        const std::uint32_t first = space ? place_in(*space, from_m_) : navigation::kNothing;
+        if (first == navigation::kNothing) return;
         const BestWays ways =
             best_ways(*space, first, [&](std::uint32_t from, std::uint32_t to) { return worth_in(*space, from, to); });
         for (std::size_t i = 0; i < places_m_.size(); ++i) {
             const std::uint32_t span = place_in(*space, places_m_[i]);
-            if (found_[i].lack != Lack::Nothing || span == kNothing || ways.worst[span] == kNothing) continue;
+            if (found_[i].lack != Lack::Nothing || span == navigation::kNothing ||
+                ways.worst[span] == navigation::kNothing)
+                continue;
             if (ways.worth[span] >= least) continue;
             found_[i] = {lack, std::abs(ways.worth[span]), std::abs(least), space->place_m(ways.worst[span])};
         }
     }
 
     const Scene& scene_;
-    WalkerMeasures body_;
+    navigation::WalkerMeasures body_;
     Vec3 from_m_;
     std::span<const Vec3> places_m_;
-    std::optional<WalkTrial::Stretch> within_;
+    std::optional<navigation::WalkTrial::Stretch> within_;
     std::stop_token stop_;
     std::vector<WayLacks> found_;
 };
@@ -173,17 +178,18 @@ std::string_view word_of(Lack lack) {
     return kWords[static_cast<std::size_t>(lack)];
 }
 
-std::vector<WayLacks> way_lacks(const Scene& scene, const WalkSpace& space, const Vec3& from_m,
+std::vector<WayLacks> way_lacks(const Scene& scene, const navigation::WalkSpace& space, const Vec3& from_m,
                                 std::span<const Vec3> places_m, std::span<const Lack> kinds,
                                 const std::stop_token& stop) {
     if (places_m.empty()) return {};
     return Search(scene, space.body, from_m, places_m, std::nullopt, stop).find(kinds);
 }
 
-WayLacks way_lacks_within(const Scene& scene, const WalkSpace& space, const Vec3& from_m, const Vec3& place_m,
-                          const Aabb& box_m, std::span<const Lack> kinds) {
+WayLacks way_lacks_within(const Scene& scene, const navigation::WalkSpace& space, const Vec3& from_m,
+                          const Vec3& place_m, const Aabb& box_m, std::span<const Lack> kinds) {
     const std::array places_m{place_m};
-    return Search(scene, space.body, from_m, places_m, WalkTrial::Stretch{from_m, box_m}, {}).find(kinds)[0];
+    return Search(scene, space.body, from_m, places_m, navigation::WalkTrial::Stretch{from_m, box_m}, {})
+        .find(kinds)[0];
 }
 
-}  // namespace handrail
+}  // namespace handrail::check

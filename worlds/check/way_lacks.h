@@ -9,7 +9,7 @@
 
 #include "worlds/navigation/walk_space.h"
 
-namespace handrail {
+namespace handrail::check {
 
 enum class Lack : std::uint8_t {
     Nothing,   // none of the kinds below alone explains it: walls or several lacks are the reason
@@ -31,13 +31,13 @@ struct WayLacks {
 // tall, or with a fifth of the radius, or that climbs up to 0.6 m more. If several kinds explain it, the first one in
 // `kinds` is returned. Makes a trial space of the scene for each kind, and one more first if there are several kinds.
 // If stopped, it returns what it has found by then. Source: the widest-path problem, Pollack, 1960.
-std::vector<WayLacks> way_lacks(const Scene& scene, const WalkSpace& space, const Vec3& from_m,
+std::vector<WayLacks> way_lacks(const Scene& scene, const navigation::WalkSpace& space, const Vec3& from_m,
                                 std::span<const Vec3> places_m, std::span<const Lack> kinds,
                                 const std::stop_token& stop = {});
 
 // The same for one place, with routes that stay in a box, such as those on one flight of stairs. The cost depends on
 // the content of the box.
-WayLacks way_lacks_within(const Scene& scene, const WalkSpace& space, const Vec3& from_m, const Vec3& place_m,
-                          const Aabb& box_m, std::span<const Lack> kinds);
+WayLacks way_lacks_within(const Scene& scene, const navigation::WalkSpace& space, const Vec3& from_m,
+                          const Vec3& place_m, const Aabb& box_m, std::span<const Lack> kinds);
 
-}  // namespace handrail
+}  // namespace handrail::check

@@ -10,7 +10,7 @@
 
 extern "C" char** environ;
 
-namespace handrail {
+namespace handrail::confine {
 
 Confinement confinement_offered() { return {seccomp_is_offered(), landlock_version()}; }
 
@@ -46,4 +46,4 @@ std::string confinement_sentence(const Confinement& offered) {
     return phrase(offered.landlock > 0 ? "confine.landlock_only" : "confine.none");
 }
 
-}  // namespace handrail
+}  // namespace handrail::confine

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace handrail {
+namespace handrail::confine {
 
 // What the kernel supports, or what is active.
 struct Confinement {
@@ -49,4 +49,4 @@ std::vector<char*> environment_with(std::span<const std::string_view> names);
 // One sentence for the person: what confines the file reader and the device guards, and what is missing.
 std::string confinement_sentence(const Confinement& offered);
 
-}  // namespace handrail
+}  // namespace handrail::confine

@@ -10,7 +10,7 @@
 #include "worlds/base/descriptor.h"
 #include "worlds/confine/parts.h"
 
-namespace handrail {
+namespace handrail::confine {
 namespace {
 
 // The <linux/landlock.h> of Debian 12 ends with version 2. The kernel accepts a longer structure if the parts that it
@@ -92,4 +92,4 @@ int bound_files(const Permissions& permissions) {
     return complete && ::syscall(SYS_landlock_restrict_self, set.get(), 0) == 0 ? version : 0;
 }
 
-}  // namespace handrail
+}  // namespace handrail::confine

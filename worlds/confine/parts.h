@@ -3,7 +3,7 @@
 
 #include "worlds/confine/confine.h"
 
-namespace handrail {
+namespace handrail::confine {
 
 // Both need PR_SET_NO_NEW_PRIVS.
 bool bound_system_calls(const Permissions& permissions);  // true if the filter is active
@@ -12,4 +12,4 @@ int bound_files(const Permissions& permissions);          // the version that is
 bool seccomp_is_offered();
 int landlock_version();
 
-}  // namespace handrail
+}  // namespace handrail::confine

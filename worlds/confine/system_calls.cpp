@@ -14,7 +14,7 @@
 
 #include "worlds/confine/parts.h"
 
-namespace handrail {
+namespace handrail::confine {
 namespace {
 
 #if defined(HANDRAIL_SANITIZED)
@@ -227,4 +227,4 @@ bool bound_system_calls(const Permissions& permissions) {
     return permissions.calls == Calls::Compute ? bound_to_computing() : bound_to_driving(permissions);
 }
 
-}  // namespace handrail
+}  // namespace handrail::confine

@@ -11,7 +11,7 @@
 #include "worlds/base/text.h"
 #include "worlds/geometry/flat_parts.h"
 
-namespace handrail {
+namespace handrail::exports {
 namespace {
 
 constexpr double kFinest_m = 1e-4;
@@ -48,8 +48,8 @@ bool is_hole(const std::vector<Ring>& rings, std::size_t which) {
 
 class Writer {
 public:
-    Writer(const WordsHouse& house, const Scene& scene, WordLanguage language)
-        : house_(house), scene_(scene), german_(language == WordLanguage::German), language_(language) {
+    Writer(const WordsHouse& house, const Scene& scene, words::WordLanguage language)
+        : house_(house), scene_(scene), german_(language == words::WordLanguage::German), language_(language) {
         for (const WordsHouse::Room& room : house.rooms) boxes_.push_back(box_of(room.rings));
         std::map<std::pair<std::size_t, std::string>, int> count;
         for (std::size_t r = 0; r < house.rooms.size(); ++r) {
@@ -60,7 +60,7 @@ public:
                 for (std::size_t at = name.find(mark); at != std::string::npos; at = name.find(mark))
                     name.replace(at, mark.size(), "'");
             if (name.empty()) name = std::string(words("Room", "Raum")) + " " + std::to_string(r + 1);
-            const int same = ++count[{house.rooms[r].storey, folded(name)}];
+            const int same = ++count[{house.rooms[r].storey, words::folded(name)}];
             names_.push_back(same > 1 ? fmt::format("{} {}", name, same) : name);
         }
     }
@@ -101,7 +101,7 @@ private:
 
     std::string quoted(const std::string& name, bool whole = false) const {
         if (whole && name.find_first_of(".;!\"\n,:") == std::string::npos) return name;
-        return needs_quotation_marks(name, language_) ? "\"" + name + "\"" : name;
+        return words::needs_quotation_marks(name, language_) ? "\"" + name + "\"" : name;
     }
 
     std::string way(const Vec2& at) const {
@@ -133,7 +133,7 @@ private:
         for (const std::size_t o : before) {
             const Box& other = boxes_[o];
             const bool alone = std::count_if(before.begin(), before.end(), [&](std::size_t b) {
-                                   return folded(names_[b]) == folded(names_[o]);
+                                   return words::folded(names_[b]) == words::folded(names_[o]);
                                }) == 1;
             if (!other.plain || !exact(other) || !alone) continue;
             for (const int s : {0, 2, 4, 6}) {
@@ -220,13 +220,13 @@ private:
     void write_walls() {
         std::string said;
         if (house_.wall_m > 0.0) said = fmt::format("{} {}", metres(house_.wall_m), words("thick", "dick"));
-        if (!material_of_word(house_.wall_material).empty())
+        if (!words::material_of_word(house_.wall_material).empty())
             said += fmt::format("{}{} {}", said.empty() ? "" : ", ", words("made of", "aus"),
                                 material(house_.wall_material));
         if (!said.empty()) text_ += fmt::format("{}: {}.\n", words("Walls", "Wände"), said);
     }
 
-    std::string material(const std::string& name) const { return word_of_material(name, language_); }
+    std::string material(const std::string& name) const { return words::word_of_material(name, language_); }
 
     void write_lift(const WordsHouse::Lift& lift) {
         text_ += fmt::format("{} {} {} {}, {}, {} {} {}", words("Lift from", "Aufzug von"), quoted(names_[lift.from]),
@@ -322,7 +322,7 @@ private:
         if (thing.box_m.min_m.z - floor_m > 0.01)
             text_ += fmt::format(", {} {}", metres(thing.box_m.min_m.z - floor_m),
                                  words("above the floor", "über dem Boden"));
-        if (!material_of_word(thing.material).empty())
+        if (!words::material_of_word(thing.material).empty())
             text_ += fmt::format(", {} {}", words("made of", "aus"), material(thing.material));
     }
 
@@ -353,7 +353,7 @@ private:
     const WordsHouse& house_;
     const Scene& scene_;
     bool german_ = false;
-    WordLanguage language_;
+    words::WordLanguage language_;
     std::vector<Box> boxes_;
     std::vector<std::string> names_;
     bool base_written_ = false;
@@ -362,8 +362,8 @@ private:
 
 }  // namespace
 
-std::string text_of(const WordsHouse& house, const Scene& scene, WordLanguage language) {
+std::string text_of(const WordsHouse& house, const Scene& scene, words::WordLanguage language) {
     return Writer(house, scene, language).write();
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

@@ -10,7 +10,7 @@
 #include "worlds/scene/stated_building.h"
 #include "worlds/words/word_patterns.h"
 
-namespace handrail {
+namespace handrail::exports {
 
 // The contents of the text: rooms as a file states them, or as they were found. World metres.
 struct WordsHouse {
@@ -72,10 +72,11 @@ struct WordsHouse {
 };
 
 // For a world whose file states its rooms.
-WordsHouse stated_house(const Scene& scene, WordLanguage language);
+WordsHouse stated_house(const Scene& scene, words::WordLanguage language);
 // For any other world. The outlines come from the walkable floor, extended to the middle of the walls. `space` must
 // still have its walls. The time is proportional to its spans.
-WordsHouse found_house(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, WordLanguage language);
+WordsHouse found_house(const Scene& scene, const navigation::RoomGraph& graph, const navigation::WalkSpace& space,
+                       words::WordLanguage language);
 
 // The climbing direction of stairs, judged by their treads; nothing if they have none.
 std::optional<WordsHouse::Flight> flight_of(const Scene& scene, FeatureId stairs);
@@ -99,9 +100,9 @@ private:
 std::string wall_material(const Scene& scene);
 
 // Puts windows and objects into the rooms. `stated_house` and `found_house` call this already.
-void furnish(WordsHouse& house, const Scene& scene, WordLanguage language);
+void furnish(WordsHouse& house, const Scene& scene, words::WordLanguage language);
 
 // Returns the text. The base is taken from the scene.
-std::string text_of(const WordsHouse& house, const Scene& scene, WordLanguage language);
+std::string text_of(const WordsHouse& house, const Scene& scene, words::WordLanguage language);
 
-}  // namespace handrail
+}  // namespace handrail::exports

@@ -9,7 +9,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::exports {
 namespace {
 
 struct TableRow {
@@ -134,4 +134,4 @@ std::vector<BrailleCells> braille_lines(const BrailleCells& cells, std::size_t w
     return lines;
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

@@ -11,7 +11,7 @@
 
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::exports {
 
 enum class BrailleTable : std::uint8_t { EnUebG1, EnUebG2, DeG1, DeG2 };
 
@@ -35,4 +35,4 @@ std::string brf_of(const BrailleCells& cells);
 // cells. `width` must be at least `indent` + 2.
 std::vector<BrailleCells> braille_lines(const BrailleCells& cells, std::size_t width, std::size_t indent);
 
-}  // namespace handrail
+}  // namespace handrail::exports

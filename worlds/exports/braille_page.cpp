@@ -2,7 +2,7 @@
 
 #include "worlds/exports/swell_sheet.h"
 
-namespace handrail {
+namespace handrail::exports {
 
 namespace {
 
@@ -52,4 +52,4 @@ Result<std::vector<SheetPage>> braille_pages(const std::vector<KeyLine>& lines, 
     return pages;
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

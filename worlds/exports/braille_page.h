@@ -7,7 +7,7 @@
 #include "worlds/exports/braille.h"
 #include "worlds/exports/sheet.h"
 
-namespace handrail {
+namespace handrail::exports {
 
 // Lays a line of cells, with the centre of its upper left dot at `first_dot_mm`.
 void lay_braille(SheetPage& page, const BrailleCells& cells, const Vec2& first_dot_mm, int part);
@@ -22,4 +22,4 @@ struct KeyLine {
 Result<std::vector<SheetPage>> braille_pages(const std::vector<KeyLine>& lines, BrailleTable table, double width_mm,
                                              double height_mm, const std::string& title);
 
-}  // namespace handrail
+}  // namespace handrail::exports

@@ -4,7 +4,7 @@
 #include "worlds/exports/braille_page.h"
 #include "worlds/exports/swell_sheet.h"
 
-namespace handrail {
+namespace handrail::exports {
 namespace {
 
 constexpr double kLeft_mm = 12.0, kColumn_mm = 34.0, kSample_mm = 22.0;
@@ -51,4 +51,4 @@ Result<SheetPage> calibration_strip(const PaperSize& paper, BrailleTable table) 
     return page;
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

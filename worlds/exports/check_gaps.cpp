@@ -3,7 +3,7 @@
 #include "worlds/exports/ink.h"
 #include "worlds/exports/sheet.h"
 
-namespace handrail {
+namespace handrail::exports {
 
 GapCheck check_gaps(const SheetPage& page, double least_mm) {
     Ink shapes(page.width_mm, page.height_mm);
@@ -54,4 +54,4 @@ GapCheck check_gaps(const SheetPage& page, double least_mm) {
     return check;
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

@@ -7,7 +7,7 @@
 
 #include "worlds/navigation/walk_space.h"
 
-namespace handrail {
+namespace handrail::exports {
 namespace {
 
 constexpr double kEdgeStep_mm = 0.5;   // between places along an edge at which a line is tried
@@ -37,7 +37,7 @@ private:
 
 class FloorEnds {
 public:
-    FloorEnds(const Storey& storey, const OnPaper& on_paper, const RoomGrid& rooms)
+    FloorEnds(const plan::Storey& storey, const OnPaper& on_paper, const plan::RoomGrid& rooms)
         : storey_(storey), on_paper_(on_paper), rooms_(rooms) {}
 
     // The room whose floor ends along that line; nothing if no floor ends there.
@@ -50,9 +50,9 @@ public:
             const auto beyond = static_cast<std::uint32_t>(storey_.rooms.size());
             if ((left == beyond) == (right == beyond)) return std::nullopt;
             room = left == beyond ? right : left;
-            if (*room == kNothing || leads_on(at) || !on_storey(at)) return std::nullopt;
-            const StoreyRoom& mine = storey_.rooms[*room];
-            if (mine.outside || mine.elsewhere || mine.kind == RoomKind::Stairs) return std::nullopt;
+            if (*room == navigation::kNothing || leads_on(at) || !on_storey(at)) return std::nullopt;
+            const plan::StoreyRoom& mine = storey_.rooms[*room];
+            if (mine.outside || mine.elsewhere || mine.kind == navigation::RoomKind::Stairs) return std::nullopt;
         }
         return room;
     }
@@ -61,7 +61,7 @@ private:
     std::uint32_t room_at(const Vec2& mm) const {
         const int x = static_cast<int>(std::floor(mm.x / kInkPixel_mm)),
                   y = static_cast<int>(std::floor(mm.y / kInkPixel_mm));
-        return rooms_.holds(x, y) ? rooms_.room[rooms_.at(x, y)] : kNothing;
+        return rooms_.holds(x, y) ? rooms_.room[rooms_.at(x, y)] : navigation::kNothing;
     }
     // Next to the storey, a finger's nearest room is no floor.
     bool on_storey(const Vec2& mm) const {
@@ -70,20 +70,20 @@ private:
     }
     bool leads_on(const Vec2& mm) const {
         const Vec2 at = on_paper_.world(mm);
-        return std::any_of(storey_.exits.begin(), storey_.exits.end(), [&](const StoreyExit& exit) {
+        return std::any_of(storey_.exits.begin(), storey_.exits.end(), [&](const plan::StoreyExit& exit) {
             return glm::distance(exit.place_m, at) < 0.5 * exit.width_m + kBesideExit_m;
         });
     }
 
-    const Storey& storey_;
+    const plan::Storey& storey_;
     const OnPaper& on_paper_;
-    const RoomGrid& rooms_;
+    const plan::RoomGrid& rooms_;
 };
 
 }  // namespace
 
-EdgeInk edge_lines(const Storey& storey, const OnPaper& on_paper, const RoomGrid& rooms, Places& places, double line_mm,
-                   double clear_mm) {
+EdgeInk edge_lines(const plan::Storey& storey, const OnPaper& on_paper, const plan::RoomGrid& rooms, Places& places,
+                   double line_mm, double clear_mm) {
     EdgeInk made;
     if (storey.floor.beyond.empty()) return made;
     Ink floors;
@@ -98,7 +98,7 @@ EdgeInk edge_lines(const Storey& storey, const OnPaper& on_paper, const RoomGrid
             const Vec2 from = along.at(far), to = along.at(far + kEdgeLine_mm);
             const double length = glm::distance(from, to);
             constexpr double kBent = 0.9;  // no line across a corner
-            const PlanBox line{
+            const plan::PlanBox line{
                 0.5 * (from + to), length > 0.0 ? (to - from) / length : Vec2(1.0, 0.0), {0.5 * length, 0.5 * line_mm}};
             const auto room = length > kBent * kEdgeLine_mm ? edges.ends_along(from, to) : std::nullopt;
             if (!room || !places.fits(line)) {
@@ -115,4 +115,4 @@ EdgeInk edge_lines(const Storey& storey, const OnPaper& on_paper, const RoomGrid
     return made;
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

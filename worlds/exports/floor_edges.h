@@ -9,17 +9,17 @@
 #include "worlds/exports/wall_ink.h"
 #include "worlds/plan/room_borders.h"
 
-namespace handrail {
+namespace handrail::exports {
 
 struct EdgeInk {
-    std::vector<PlanBox> lines;
+    std::vector<plan::PlanBox> lines;
     std::vector<std::uint32_t> rooms;  // places in Storey::rooms whose edge has some of them
 };
 inline constexpr double kEdgeLine_mm = 4.0;
 // Lines of that length along the edges, `line_mm` wide, with `clear_mm` between them; each takes its place. There are
 // none where a route leads to another storey, and none around flights of stairs and the ground outside. `rooms`: see
 // rooms_on.
-EdgeInk edge_lines(const Storey& storey, const OnPaper& on_paper, const RoomGrid& rooms, Places& places, double line_mm,
-                   double clear_mm);
+EdgeInk edge_lines(const plan::Storey& storey, const OnPaper& on_paper, const plan::RoomGrid& rooms, Places& places,
+                   double line_mm, double clear_mm);
 
-}  // namespace handrail
+}  // namespace handrail::exports

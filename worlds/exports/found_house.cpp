@@ -14,21 +14,21 @@
 #include "worlds/exports/as_words.h"
 #include "worlds/geometry/flat_parts.h"
 
-namespace handrail {
+namespace handrail::exports {
 namespace {
 
 constexpr double kHalfWall_m = 0.1, kDoorway_m = 0.65, kStoreyApart_m = 2.2, kNearSpan_m = 0.3, kLeastPiece_m2 = 0.3;
 
 // The room of each span without furniture: as in the walkable space, and for floor under furniture the adjoining room.
-std::vector<std::uint32_t> rooms_of_walls(const RoomGraph& graph, const WalkSpace& space) {
-    const SpanGrid<WallSpan>& walls = *space.walls;
-    std::vector<std::uint32_t> room(walls.spans.size(), kNothing);
+std::vector<std::uint32_t> rooms_of_walls(const navigation::RoomGraph& graph, const navigation::WalkSpace& space) {
+    const navigation::SpanGrid<navigation::WallSpan>& walls = *space.walls;
+    std::vector<std::uint32_t> room(walls.spans.size(), navigation::kNothing);
     std::deque<std::uint32_t> open;
     const bool alike = walls.width == space.width && walls.depth == space.depth;
     for (std::uint32_t s = 0; s < space.spans.size(); ++s) {
-        if (graph.room_of_span[s] == kNothing) continue;
+        if (graph.room_of_span[s] == navigation::kNothing) continue;
         const Vec3 at = space.place_m(s);
-        std::uint32_t found = kNothing;
+        std::uint32_t found = navigation::kNothing;
         if (alike) {
             const std::uint32_t cell = space.spans[s].cell;
             for (std::uint32_t w = walls.first[cell]; w < walls.first[cell + 1]; ++w)
@@ -36,7 +36,7 @@ std::vector<std::uint32_t> rooms_of_walls(const RoomGraph& graph, const WalkSpac
         } else {
             found = walls.nearest(at, walls.cell_m, kNearSpan_m, kNearSpan_m);
         }
-        if (found == kNothing || room[found] != kNothing) continue;
+        if (found == navigation::kNothing || room[found] != navigation::kNothing) continue;
         room[found] = graph.room_of_span[s];
         open.push_back(found);
     }
@@ -44,24 +44,27 @@ std::vector<std::uint32_t> rooms_of_walls(const RoomGraph& graph, const WalkSpac
         const std::uint32_t s = open.front();
         open.pop_front();
         for (const std::uint32_t next : walls.spans[s].next)
-            if (next != kNothing && room[next] == kNothing) room[next] = room[s], open.push_back(next);
+            if (next != navigation::kNothing && room[next] == navigation::kNothing)
+                room[next] = room[s], open.push_back(next);
     }
     return room;
 }
 
 class Raster {
 public:
-    Raster(std::uint32_t width, std::uint32_t depth) : width_(width), room_(std::size_t{width} * depth, kNothing) {}
+    Raster(std::uint32_t width, std::uint32_t depth)
+        : width_(width), room_(std::size_t{width} * depth, navigation::kNothing) {}
 
     std::uint32_t& at(std::uint32_t cell) { return room_[cell]; }
 
     // Clears areas narrower than `cells`, such as the floor in doorways. Rooms that are mostly narrow stay.
     void open(std::uint32_t cells, std::size_t rooms) {
         const auto depth = static_cast<std::uint32_t>(room_.size() / width_);
-        std::vector<std::uint32_t> along(room_.size(), 0), up(room_.size(), 0), kept(room_.size(), kNothing);
+        std::vector<std::uint32_t> along(room_.size(), 0), up(room_.size(), 0),
+            kept(room_.size(), navigation::kNothing);
         std::vector<std::size_t> before(rooms, 0), after(rooms, 0);
         for (std::uint32_t c = static_cast<std::uint32_t>(room_.size()); c-- > 0;) {
-            if (room_[c] == kNothing) continue;
+            if (room_[c] == navigation::kNothing) continue;
             ++before[room_[c]];
             const bool east = (c + 1) % width_ != 0 && room_[c + 1] == room_[c];
             along[c] = east ? along[c + 1] + 1 : 1;
@@ -70,13 +73,13 @@ public:
         }
         for (std::uint32_t y = 0; y + cells <= depth; ++y)
             for (std::uint32_t x = 0; x + cells <= width_; ++x)
-                if (const std::uint32_t c = y * width_ + x; room_[c] != kNothing && up[c] >= cells)
+                if (const std::uint32_t c = y * width_ + x; room_[c] != navigation::kNothing && up[c] >= cells)
                     for (std::uint32_t row = 0; row < cells; ++row)
                         std::fill_n(kept.begin() + c + row * width_, cells, room_[c]);
         for (const std::uint32_t r : kept)
-            if (r != kNothing) ++after[r];
+            if (r != navigation::kNothing) ++after[r];
         for (std::uint32_t c = 0; c < room_.size(); ++c)
-            if (room_[c] != kNothing && after[room_[c]] * 2 < before[room_[c]]) kept[c] = room_[c];
+            if (room_[c] != navigation::kNothing && after[room_[c]] * 2 < before[room_[c]]) kept[c] = room_[c];
         room_ = std::move(kept);
     }
 
@@ -84,12 +87,13 @@ public:
     void grow(int cells) {
         std::vector<std::uint32_t> edge;
         for (std::uint32_t c = 0; c < room_.size(); ++c)
-            if (room_[c] != kNothing) edge.push_back(c);
+            if (room_[c] != navigation::kNothing) edge.push_back(c);
         for (int step = 0; step < cells; ++step) {
             std::vector<std::uint32_t> next;
             for (const std::uint32_t c : edge)
                 for (const std::uint32_t n : beside(c, true))
-                    if (n != kNothing && room_[n] == kNothing) room_[n] = room_[c], next.push_back(n);
+                    if (n != navigation::kNothing && room_[n] == navigation::kNothing)
+                        room_[n] = room_[c], next.push_back(n);
             edge = std::move(next);
         }
     }
@@ -97,12 +101,12 @@ public:
     // Makes a room a rectangle if it nearly fills its bounding box and there is hardly anything of other rooms in it.
     void square(std::size_t rooms) {
         struct Extent {
-            std::uint32_t west = kNothing, east = 0, south = kNothing, north = 0;
+            std::uint32_t west = navigation::kNothing, east = 0, south = navigation::kNothing, north = 0;
             std::size_t cells = 0;
         };
         std::vector<Extent> extents(rooms);
         for (std::uint32_t c = 0; c < room_.size(); ++c) {
-            if (room_[c] == kNothing) continue;
+            if (room_[c] == navigation::kNothing) continue;
             Extent& e = extents[room_[c]];
             const std::uint32_t x = c % width_, y = c / width_;
             e.west = std::min(e.west, x), e.east = std::max(e.east, x);
@@ -117,7 +121,7 @@ public:
             std::size_t others = 0;
             for (std::uint32_t y = e.south; y <= e.north; ++y)
                 for (std::uint32_t x = e.west; x <= e.east; ++x)
-                    if (const std::uint32_t other = room_[y * width_ + x]; other != kNothing && other != r)
+                    if (const std::uint32_t other = room_[y * width_ + x]; other != navigation::kNothing && other != r)
                         ++others, ++lost[other];
             if (others * 30 > all || e.cells * 10 < all * 7) continue;
             if (std::any_of(lost.begin(), lost.end(),
@@ -130,10 +134,10 @@ public:
 
     // The outlines of the largest piece of a room, in cells: the outer one first, then the holes that other rooms fill.
     std::vector<Ring> outline(std::uint32_t r, double cell_m) const {
-        std::vector<std::uint32_t> piece_of(room_.size(), kNothing);
+        std::vector<std::uint32_t> piece_of(room_.size(), navigation::kNothing);
         std::vector<std::size_t> sizes;
         for (std::uint32_t c = 0; c < room_.size(); ++c) {
-            if (room_[c] != r || piece_of[c] != kNothing) continue;
+            if (room_[c] != r || piece_of[c] != navigation::kNothing) continue;
             const auto piece = static_cast<std::uint32_t>(sizes.size());
             sizes.push_back(0);
             std::vector<std::uint32_t> open{c};
@@ -143,7 +147,7 @@ public:
                 open.pop_back();
                 ++sizes.back();
                 for (const std::uint32_t n : beside(now, false))
-                    if (n != kNothing && room_[n] == r && piece_of[n] == kNothing)
+                    if (n != navigation::kNothing && room_[n] == r && piece_of[n] == navigation::kNothing)
                         piece_of[n] = piece, open.push_back(n);
             }
         }
@@ -210,14 +214,14 @@ private:
         const std::uint32_t x = cell % width_, rows = static_cast<std::uint32_t>(room_.size() / width_),
                             y = cell / width_;
         const bool west = x > 0, east = x + 1 < width_, south = y > 0, north = y + 1 < rows;
-        return {east ? cell + 1 : kNothing,
-                north ? cell + width_ : kNothing,
-                west ? cell - 1 : kNothing,
-                south ? cell - width_ : kNothing,
-                corners && east && north ? cell + width_ + 1 : kNothing,
-                corners && west && north ? cell + width_ - 1 : kNothing,
-                corners && west && south ? cell - width_ - 1 : kNothing,
-                corners && east && south ? cell - width_ + 1 : kNothing};
+        return {east ? cell + 1 : navigation::kNothing,
+                north ? cell + width_ : navigation::kNothing,
+                west ? cell - 1 : navigation::kNothing,
+                south ? cell - width_ : navigation::kNothing,
+                corners && east && north ? cell + width_ + 1 : navigation::kNothing,
+                corners && west && north ? cell + width_ - 1 : navigation::kNothing,
+                corners && west && south ? cell - width_ - 1 : navigation::kNothing,
+                corners && east && south ? cell - width_ + 1 : navigation::kNothing};
     }
 
     bool holds_another(const Ring& hole, std::uint32_t r) const {
@@ -226,7 +230,7 @@ private:
         for (auto y = static_cast<std::size_t>(least.y); y < static_cast<std::size_t>(most.y); ++y)
             for (auto x = static_cast<std::size_t>(least.x); x < static_cast<std::size_t>(most.x); ++x) {
                 const std::uint32_t other = room_[y * width_ + x];
-                if (other != kNothing && other != r) return true;
+                if (other != navigation::kNothing && other != r) return true;
             }
         return false;
     }
@@ -242,7 +246,8 @@ struct DropFound {
 
 // Describes drops. The lower rooms are set below their storey, and the edge becomes an opening with a drop. If a level
 // opening also joins the two rooms, their floors cannot differ, so the drop is lost.
-void lay_drops(WordsHouse& house, const RoomGraph& graph, const std::vector<DropFound>& drops, bool german) {
+void lay_drops(WordsHouse& house, const navigation::RoomGraph& graph, const std::vector<DropFound>& drops,
+               bool german) {
     constexpr double kLeastDrop_m = 0.3;
     const auto level = [&](std::uint32_t room) {
         return graph.rooms[room].floor_m - house.storeys[house.rooms[room].storey].floor_m;
@@ -273,7 +278,7 @@ void lay_drops(WordsHouse& house, const RoomGraph& graph, const std::vector<Drop
 // Builds the house in the order of dependency: storeys, rooms, their outlines, and what joins them.
 class FoundHouse {
 public:
-    FoundHouse(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, bool german)
+    FoundHouse(const Scene& scene, const navigation::RoomGraph& graph, const navigation::WalkSpace& space, bool german)
         : scene_(scene), graph_(graph), space_(space), german_(german) {
         house_.name = spoken_name(scene);
         house_.wall_material = wall_material(scene);
@@ -285,7 +290,7 @@ public:
         add_rooms();
         for (std::size_t storey = 0; storey < house_.storeys.size(); ++storey) outline_rooms(storey);
         outline_small_rooms();
-        for (const Portal& portal : graph_.portals) join(portal);
+        for (const navigation::Portal& portal : graph_.portals) join(portal);
         lay_drops(house_, graph_, drops_, german_);
         return std::move(house_);
     }
@@ -295,8 +300,8 @@ private:
     // frequent floor of each group counts.
     void add_storeys() {
         std::vector<double> floors;
-        for (const Room& room : graph_.rooms)
-            if (room.kind != RoomKind::Stairs) floors.push_back(room.floor_m);
+        for (const navigation::Room& room : graph_.rooms)
+            if (room.kind != navigation::RoomKind::Stairs) floors.push_back(room.floor_m);
         if (floors.empty()) floors.push_back(graph_.rooms[0].floor_m);
         std::sort(floors.begin(), floors.end());
         std::map<long, int> votes;
@@ -329,14 +334,14 @@ private:
 
     void add_rooms() {
         of_wall_ = rooms_of_walls(graph_, space_);
-        const SpanGrid<WallSpan>& walls = *space_.walls;
+        const navigation::SpanGrid<navigation::WallSpan>& walls = *space_.walls;
         std::vector<Aabb> extent(graph_.rooms.size());
         for (std::uint32_t s = 0; s < walls.spans.size(); ++s)
-            if (of_wall_[s] != kNothing) extent[of_wall_[s]].include(walls.place_m(s));
+            if (of_wall_[s] != navigation::kNothing) extent[of_wall_[s]].include(walls.place_m(s));
         const FloorMaterials floor_materials(scene_);
         for (std::size_t r = 0; r < graph_.rooms.size(); ++r) {
-            const Room& room = graph_.rooms[r];
-            const bool stairs = room.kind == RoomKind::Stairs && !extent[r].empty();
+            const navigation::Room& room = graph_.rooms[r];
+            const bool stairs = room.kind == navigation::RoomKind::Stairs && !extent[r].empty();
             WordsHouse::Room made;
             made.name = room.name;
             made.storey = made.to_storey = storey_at(stairs ? extent[r].min_m.z : room.floor_m);
@@ -349,14 +354,14 @@ private:
 
     // Outlines the rooms whose lowest storey is `storey`.
     void outline_rooms(std::size_t storey) {
-        const SpanGrid<WallSpan>& walls = *space_.walls;
+        const navigation::SpanGrid<navigation::WallSpan>& walls = *space_.walls;
         const auto cells = static_cast<int>(std::lround((space_.body.radius_m + kHalfWall_m) / walls.cell_m));
         const auto border = static_cast<std::uint32_t>(cells + 2);
         const std::uint32_t width = walls.width + 2 * border, depth = walls.depth + 2 * border;
         Raster raster(width, depth);
         for (std::uint32_t s = 0; s < walls.spans.size(); ++s) {
             const std::uint32_t room = of_wall_[s];
-            if (room == kNothing || house_.rooms[room].storey != storey) continue;
+            if (room == navigation::kNothing || house_.rooms[room].storey != storey) continue;
             const std::uint32_t x = walls.spans[s].cell % walls.width, y = walls.spans[s].cell / walls.width;
             raster.at((y + border) * width + x + border) = room;
         }
@@ -385,27 +390,27 @@ private:
         }
     }
 
-    void join(const Portal& portal) {
-        if (portal.kind == PassageKind::Door || portal.kind == PassageKind::Opening ||
-            portal.kind == PassageKind::Stairs)
+    void join(const navigation::Portal& portal) {
+        if (portal.kind == navigation::PassageKind::Door || portal.kind == navigation::PassageKind::Opening ||
+            portal.kind == navigation::PassageKind::Stairs)
             return add_door(portal);
         const WordsHouse::Room &a = house_.rooms[portal.rooms[0]], &b = house_.rooms[portal.rooms[1]];
         const bool rooms = a.kind == WordsHouse::Kind::Room && b.kind == WordsHouse::Kind::Room;
-        if (portal.kind == PassageKind::Drop && rooms && a.storey == b.storey)
+        if (portal.kind == navigation::PassageKind::Drop && rooms && a.storey == b.storey)
             return drops_.push_back({portal.rooms[0], portal.rooms[1], portal.place_m});
         const Feature* feature = scene_.find(portal.feature);
-        if (portal.kind == PassageKind::Lift && rooms && feature && a.storey != b.storey)
+        if (portal.kind == navigation::PassageKind::Lift && rooms && feature && a.storey != b.storey)
             return add_lift(portal, *feature);
         const char* kind = german_ ? "Ein Teleporter führt" : "A teleporter leads";
-        if (portal.kind == PassageKind::Lift) kind = german_ ? "Ein Aufzug fährt" : "A lift goes";
-        if (portal.kind == PassageKind::Drop) kind = german_ ? "Hinab geht es" : "One drops";
+        if (portal.kind == navigation::PassageKind::Lift) kind = german_ ? "Ein Aufzug fährt" : "A lift goes";
+        if (portal.kind == navigation::PassageKind::Drop) kind = german_ ? "Hinab geht es" : "One drops";
         house_.lost.push_back(german_ ? fmt::format("{} von {} nach {}.", kind, a.name, b.name)
                                       : fmt::format("{} from {} to {}.", kind, a.name, b.name));
     }
 
-    void add_door(const Portal& portal) {
+    void add_door(const navigation::Portal& portal) {
         WordsHouse::Door door;
-        door.opening = portal.kind != PassageKind::Door;
+        door.opening = portal.kind != navigation::PassageKind::Door;
         door.rooms = {portal.rooms[0], portal.rooms[1]};
         if (house_.rooms[door.rooms[0]].kind == WordsHouse::Kind::Stairs) std::swap(door.rooms[0], door.rooms[1]);
         door.at_m = Vec2(portal.place_m);
@@ -415,7 +420,7 @@ private:
         house_.doors.push_back(std::move(door));
     }
 
-    void add_lift(const Portal& portal, const Feature& lift) {
+    void add_lift(const navigation::Portal& portal, const Feature& lift) {
         std::size_t from = portal.rooms[0], to = portal.rooms[1];
         if (house_.rooms[from].storey > house_.rooms[to].storey) std::swap(from, to);
         const auto fine = [](double value) { return std::round(value * 1e3) * 1e-3; };
@@ -425,8 +430,8 @@ private:
     }
 
     const Scene& scene_;
-    const RoomGraph& graph_;
-    const WalkSpace& space_;
+    const navigation::RoomGraph& graph_;
+    const navigation::WalkSpace& space_;
     const bool german_;
     WordsHouse house_;
     std::vector<std::uint32_t> of_wall_;  // the room of each span without furniture
@@ -435,11 +440,12 @@ private:
 
 }  // namespace
 
-WordsHouse found_house(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, WordLanguage language) {
-    const bool german = language == WordLanguage::German;
+WordsHouse found_house(const Scene& scene, const navigation::RoomGraph& graph, const navigation::WalkSpace& space,
+                       words::WordLanguage language) {
+    const bool german = language == words::WordLanguage::German;
     WordsHouse house = FoundHouse(scene, graph, space, german).write();
     if (!house.rooms.empty()) furnish(house, scene, language);
     return house;
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

@@ -6,7 +6,7 @@
 #include "worlds/exports/as_words.h"
 #include "worlds/geometry/clip.h"
 
-namespace handrail {
+namespace handrail::exports {
 namespace {
 
 constexpr double kTread = 0.7;   // least vertical part of a tread's normal
@@ -67,4 +67,4 @@ std::optional<WordsHouse::Flight> flight_of(const Scene& scene, FeatureId stairs
     return flight;
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

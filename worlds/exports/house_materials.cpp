@@ -7,7 +7,7 @@
 #include "worlds/geometry/clip.h"
 #include "worlds/geometry/flat_parts.h"
 
-namespace handrail {
+namespace handrail::exports {
 namespace {
 
 constexpr double kOnFloor_m = 0.05, kUpwards = 0.9, kUpright = 0.1;
@@ -16,7 +16,7 @@ constexpr double kOnFloor_m = 0.05, kUpwards = 0.9, kUpright = 0.1;
 
 FloorMaterials::FloorMaterials(const Scene& scene) {
     for (const SurfacePolygon& surface : scene.surfaces) {
-        std::string name = material_of_word(scene.material(surface.material).name);
+        std::string name = words::material_of_word(scene.material(surface.material).name);
         if (surface.normal.z < kUpwards || name.empty()) continue;
         Piece piece;
         piece.rings.emplace_back();
@@ -44,11 +44,11 @@ std::string wall_material(const Scene& scene) {
     for (const SurfacePolygon& surface : scene.surfaces) {
         const Feature* feature = scene.find(surface.feature);
         if (!feature || feature->kind != FeatureKind::Wall || std::abs(surface.normal.z) > kUpright) continue;
-        areas[material_of_word(scene.material(surface.material).name)] += area_m2(surface.polygon);
+        areas[words::material_of_word(scene.material(surface.material).name)] += area_m2(surface.polygon);
     }
     const auto most =
         std::max_element(areas.begin(), areas.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
     return most == areas.end() ? std::string() : most->first;
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

@@ -12,7 +12,7 @@
 #include "worlds/geometry/flat_parts.h"
 #include "worlds/words/words_text.h"
 
-namespace handrail {
+namespace handrail::exports {
 namespace {
 
 constexpr double kUnderFloor_m = 0.1, kUnderCeiling_m = 0.2;
@@ -23,14 +23,14 @@ constexpr double kBesideRoom_m = 0.5;
 constexpr double kStoreyFirst = 100.0;
 
 bool is_called_window(const Feature& feature) {
-    const std::string name = folded(feature.name);
+    const std::string name = words::folded(feature.name);
     const Vec3 size_m = feature.bounds_m.size_m();
     return (name.ends_with("window") || name.ends_with("fenster")) && std::min(size_m.x, size_m.y) < kThickestPane_m;
 }
 
 // Stairs of a map become a separate room, in which they are rebuilt.
 bool is_called_stairs(const std::string& of) {
-    const std::string name = folded(of);
+    const std::string name = words::folded(of);
     return name.starts_with("stair") || name.starts_with("treppe");
 }
 
@@ -183,8 +183,8 @@ private:
 
 }  // namespace
 
-void furnish(WordsHouse& house, const Scene& scene, WordLanguage language) {
-    const bool german = language == WordLanguage::German;
+void furnish(WordsHouse& house, const Scene& scene, words::WordLanguage language) {
+    const bool german = language == words::WordLanguage::German;
     Furnisher furnisher(house, scene);
     furnisher.furnish();
     if (const int n = furnisher.without_form(); n > 0)
@@ -200,4 +200,4 @@ void furnish(WordsHouse& house, const Scene& scene, WordLanguage language) {
             fmt::format("{}: {}.", german ? "In keinem Raum" : "In no room", names_list(furnisher.outside())));
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

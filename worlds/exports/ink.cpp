@@ -5,7 +5,7 @@
 #include <limits>
 #include <unordered_map>
 
-namespace handrail {
+namespace handrail::exports {
 namespace {
 
 constexpr double kStraight_mm = 0.13;
@@ -358,4 +358,4 @@ std::vector<std::vector<Vec2>> traced_mm(const Ink& ink) {
     return loops;
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

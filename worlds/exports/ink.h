@@ -10,7 +10,7 @@
 
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::exports {
 
 inline constexpr double kInkPixel_mm = 0.1;
 
@@ -89,4 +89,4 @@ void part_corners(Ink& ink);
 // Traces the borders of black as closed lines, to be filled by the even-odd rule; straight within 0.13 mm.
 std::vector<std::vector<Vec2>> traced_mm(const Ink& ink);
 
-}  // namespace handrail
+}  // namespace handrail::exports

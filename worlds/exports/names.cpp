@@ -8,7 +8,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::exports {
 
 std::string names_list(std::span<const std::string> names) {
     std::vector<std::string> said;
@@ -20,4 +20,4 @@ std::string names_list(std::span<const std::string> names) {
     return fmt::format("{}", fmt::join(said, "; "));
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

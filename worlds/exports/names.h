@@ -4,9 +4,9 @@
 #include <span>
 #include <string>
 
-namespace handrail {
+namespace handrail::exports {
 
 // "Table; 3 of Chair; Stove": in the order of first appearance, with equal names counted.
 std::string names_list(std::span<const std::string> names);
 
-}  // namespace handrail
+}  // namespace handrail::exports

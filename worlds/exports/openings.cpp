@@ -5,7 +5,7 @@
 #include "worlds/navigation/walk_space.h"
 #include "worlds/plan/room_borders.h"
 
-namespace handrail {
+namespace handrail::exports {
 namespace {
 
 // A finger this close to a portal passes through it: half the portal's width, or half of a door's width on paper, plus
@@ -13,32 +13,33 @@ namespace {
 constexpr double kHalfDoor_mm = 3.3, kBesidePortal_mm = 2.0, kBesidePortal_m = 0.5;
 constexpr double kLeastLeak_mm = 0.3;  // narrower leaks come from the pixels
 
-Vec2 middle_of(const RoomGrid& grid, std::size_t square) {
+Vec2 middle_of(const plan::RoomGrid& grid, std::size_t square) {
     return Vec2(static_cast<double>(square % static_cast<std::size_t>(grid.wide)) + 0.5,
                 static_cast<double>(square / static_cast<std::size_t>(grid.wide)) + 0.5) *
            kInkPixel_mm;
 }
 
-bool joins(const StoreyPortal& portal, const RoomBorder& border) {
+bool joins(const plan::StoreyPortal& portal, const plan::RoomBorder& border) {
     return std::min(portal.rooms[0], portal.rooms[1]) == border.rooms[0] &&
            std::max(portal.rooms[0], portal.rooms[1]) == border.rooms[1];
 }
 
 class Checker {
 public:
-    Checker(const RoomGrid& grid, const Storey& storey, const OnPaper& on_paper)
-        : storey_(storey), on_paper_(on_paper), grid_(grid), borders_(borders_of(grid_)) {
+    Checker(const plan::RoomGrid& grid, const plan::Storey& storey, const OnPaper& on_paper)
+        : storey_(storey), on_paper_(on_paper), grid_(grid), borders_(plan::borders_of(grid_)) {
         const auto outside = static_cast<std::uint32_t>(storey.rooms.size());
-        std::erase_if(borders_, [&](const RoomBorder& border) { return border.rooms[1] == outside; });
+        std::erase_if(borders_, [&](const plan::RoomBorder& border) { return border.rooms[1] == outside; });
     }
 
     OpeningCheck check() const {
         OpeningCheck found;
-        for (const StoreyPortal& portal : storey_.portals) {
+        for (const plan::StoreyPortal& portal : storey_.portals) {
             const Vec2 at = on_paper_(portal.place_m);
-            if (portal.kind != PassageKind::Door && portal.kind != PassageKind::Opening) continue;
+            if (portal.kind != navigation::PassageKind::Door && portal.kind != navigation::PassageKind::Opening)
+                continue;
             if (!grid_.holds(static_cast<int>(at.x / kInkPixel_mm), static_cast<int>(at.y / kInkPixel_mm))) continue;
-            const bool open = std::any_of(borders_.begin(), borders_.end(), [&](const RoomBorder& border) {
+            const bool open = std::any_of(borders_.begin(), borders_.end(), [&](const plan::RoomBorder& border) {
                 return joins(portal, border) &&
                        std::any_of(border.squares.begin(), border.squares.end(), [&](std::size_t square) {
                            return glm::distance(middle(square), at) <= reach_mm(portal);
@@ -46,7 +47,7 @@ public:
             });
             if (!open) found.lacking.push_back({portal.rooms, at, {}});
         }
-        for (const RoomBorder& border : borders_)
+        for (const plan::RoomBorder& border : borders_)
             if (WrongOpening leak = leak_of(border); !leak.squares_mm.empty()) found.leaking.push_back(std::move(leak));
         return found;
     }
@@ -54,17 +55,17 @@ public:
 private:
     Vec2 middle(std::size_t square) const { return middle_of(grid_, square); }
 
-    double reach_mm(const StoreyPortal& portal) const {
+    double reach_mm(const plan::StoreyPortal& portal) const {
         return std::max(0.5 * portal.width_m * on_paper_.mm_per_m, kHalfDoor_mm) +
                kBesidePortal_m * on_paper_.mm_per_m + kBesidePortal_mm;
     }
 
     // The lines of a flight show its sides, which have no walls; a line around them would leave no space for them.
-    bool is_flight(std::uint32_t room) const { return storey_.rooms[room].kind == RoomKind::Stairs; }
+    bool is_flight(std::uint32_t room) const { return storey_.rooms[room].kind == navigation::RoomKind::Stairs; }
 
     // Where a route leads to another storey, as at the low end of a ramp, a finger finds no wall.
-    bool leads_on(const RoomBorder& border, const Vec2& at) const {
-        return std::any_of(storey_.exits.begin(), storey_.exits.end(), [&](const StoreyExit& exit) {
+    bool leads_on(const plan::RoomBorder& border, const Vec2& at) const {
+        return std::any_of(storey_.exits.begin(), storey_.exits.end(), [&](const plan::StoreyExit& exit) {
             const double reach = (0.5 * exit.width_m + kBesidePortal_m) * on_paper_.mm_per_m + kBesidePortal_mm;
             return (exit.room == border.rooms[0] || exit.room == border.rooms[1]) &&
                    glm::distance(on_paper_(exit.place_m), at) <= reach;
@@ -72,13 +73,13 @@ private:
     }
 
     // The part of a border that nothing explains.
-    WrongOpening leak_of(const RoomBorder& border) const {
+    WrongOpening leak_of(const plan::RoomBorder& border) const {
         WrongOpening leak{border.rooms, Vec2(0.0), {}};
         if (is_flight(border.rooms[0]) || is_flight(border.rooms[1])) return leak;
         for (const std::size_t square : border.squares) {
             const Vec2 at = middle(square);
             if (!leads_on(border, at) &&
-                std::none_of(storey_.portals.begin(), storey_.portals.end(), [&](const StoreyPortal& portal) {
+                std::none_of(storey_.portals.begin(), storey_.portals.end(), [&](const plan::StoreyPortal& portal) {
                     return joins(portal, border) && glm::distance(on_paper_(portal.place_m), at) <= reach_mm(portal);
                 }))
                 leak.squares_mm.push_back(at);
@@ -88,20 +89,20 @@ private:
         return leak;
     }
 
-    const Storey& storey_;
+    const plan::Storey& storey_;
     const OnPaper& on_paper_;
-    const RoomGrid& grid_;
-    std::vector<RoomBorder> borders_;
+    const plan::RoomGrid& grid_;
+    std::vector<plan::RoomBorder> borders_;
 };
 
 }  // namespace
 
-RoomGrid rooms_on(const Ink& walls, const Storey& storey, const OnPaper& on_paper) {
-    RoomGrid grid(walls.wide, walls.high);
+plan::RoomGrid rooms_on(const Ink& walls, const plan::Storey& storey, const OnPaper& on_paper) {
+    plan::RoomGrid grid(walls.wide, walls.high);
     grid.blocked = walls.black;
     const auto outside = static_cast<std::uint32_t>(storey.rooms.size());
     std::vector<std::size_t> beyond;
-    const StoreyFloor& floor = storey.floor;
+    const plan::StoreyFloor& floor = storey.floor;
     const auto cell_of = [&](int pixel, int axis) {
         const double at_m = on_paper.world(Vec2((pixel + 0.5) * kInkPixel_mm))[axis];
         return static_cast<int>(std::floor((at_m - storey.min_m[axis]) / floor.cell_m));
@@ -126,26 +127,26 @@ RoomGrid rooms_on(const Ink& walls, const Storey& storey, const OnPaper& on_pape
             beyond.push_back(here);
         }
     }
-    spread_rooms(grid);
+    plan::spread_rooms(grid);
     if (beyond.empty()) return grid;
     for (const std::size_t pixel : beyond) grid.blocked[pixel] = 0, grid.room[pixel] = outside;
-    spread_rooms(grid);
+    plan::spread_rooms(grid);
     return grid;
 }
 
-OpeningCheck check_openings(const Ink& walls, const Storey& storey, const OnPaper& on_paper) {
+OpeningCheck check_openings(const Ink& walls, const plan::Storey& storey, const OnPaper& on_paper) {
     return check_openings(rooms_on(walls, storey, on_paper), storey, on_paper);
 }
 
-OpeningCheck check_openings(const RoomGrid& rooms, const Storey& storey, const OnPaper& on_paper) {
+OpeningCheck check_openings(const plan::RoomGrid& rooms, const plan::Storey& storey, const OnPaper& on_paper) {
     return Checker(rooms, storey, on_paper).check();
 }
 
-std::vector<std::uint32_t> rooms_with_open_edges(const RoomGrid& rooms, const Storey& storey, double least_mm,
-                                                 const std::function<bool(const Vec2&)>& shown) {
+std::vector<std::uint32_t> rooms_with_open_edges(const plan::RoomGrid& rooms, const plan::Storey& storey,
+                                                 double least_mm, const std::function<bool(const Vec2&)>& shown) {
     const auto outside = static_cast<std::uint32_t>(storey.rooms.size());
     std::vector<double> edge_mm(storey.rooms.size(), 0.0);
-    for (const RoomBorder& border : borders_of(rooms)) {
+    for (const plan::RoomBorder& border : plan::borders_of(rooms)) {
         if (border.rooms[1] != outside) continue;
         for (const std::size_t square : border.squares)
             if (rooms.room[square] != outside && shown(middle_of(rooms, square)))
@@ -153,12 +154,13 @@ std::vector<std::uint32_t> rooms_with_open_edges(const RoomGrid& rooms, const St
     }
     std::vector<std::uint32_t> open;
     for (std::uint32_t room = 0; room < edge_mm.size(); ++room)
-        if (edge_mm[room] >= least_mm && !storey.rooms[room].outside && storey.rooms[room].kind != RoomKind::Stairs)
+        if (edge_mm[room] >= least_mm && !storey.rooms[room].outside &&
+            storey.rooms[room].kind != navigation::RoomKind::Stairs)
             open.push_back(room);
     return open;
 }
 
-MendedOpenings mend_openings(Ink& walls, const Storey& storey, const OnPaper& on_paper, const WallLook& look) {
+MendedOpenings mend_openings(Ink& walls, const plan::Storey& storey, const OnPaper& on_paper, const WallLook& look) {
     MendedOpenings mended;
     constexpr double kReach_mm = 25.0;
     const auto nearest = [&](std::uint32_t room, const Vec2& from_mm) {
@@ -167,7 +169,7 @@ MendedOpenings mend_openings(Ink& walls, const Storey& storey, const OnPaper& on
         for (double y = -kReach_mm; y <= kReach_mm; y += 0.5)
             for (double x = -kReach_mm; x <= kReach_mm; x += 0.5) {
                 const Vec2 at = from_mm + Vec2(x, y);
-                if (glm::length(Vec2(x, y)) >= least || floor_at(storey, on_paper.world(at)) != room) continue;
+                if (glm::length(Vec2(x, y)) >= least || plan::floor_at(storey, on_paper.world(at)) != room) continue;
                 least = glm::length(Vec2(x, y));
                 found = at;
             }
@@ -182,7 +184,7 @@ MendedOpenings mend_openings(Ink& walls, const Storey& storey, const OnPaper& on
         const auto a = nearest(closed.rooms[0], closed.at_mm), b = nearest(closed.rooms[1], closed.at_mm);
         if (!a || !b || *a == *b) continue;
         const Vec2 along = (*b - *a) / glm::distance(*a, *b);
-        const PlanBox way{0.5 * (*a + *b), along, {0.5 * glm::distance(*a, *b), 0.5 * look.door_mm}};
+        const plan::PlanBox way{0.5 * (*a + *b), along, {0.5 * glm::distance(*a, *b), 0.5 * look.door_mm}};
         fill(walls, std::vector<std::vector<Vec2>>{corners_of(way)}, false);
         ++mended.opened;
     }
@@ -190,4 +192,4 @@ MendedOpenings mend_openings(Ink& walls, const Storey& storey, const OnPaper& on
     return mended;
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

@@ -12,10 +12,10 @@
 #include "worlds/plan/room_borders.h"
 #include "worlds/plan/storey.h"
 
-namespace handrail {
+namespace handrail::exports {
 
 // For every pixel, the room from whose floor a finger reaches it first. The number of rooms stands for the outside.
-RoomGrid rooms_on(const Ink& walls, const Storey& storey, const OnPaper& on_paper);
+plan::RoomGrid rooms_on(const Ink& walls, const plan::Storey& storey, const OnPaper& on_paper);
 
 struct WrongOpening {
     std::array<std::uint32_t, 2> rooms{};  // indices in Storey::rooms
@@ -28,14 +28,14 @@ struct OpeningCheck {
     std::vector<WrongOpening> leaking;  // rooms that the drawing joins and the graph does not
 };
 // `walls` must contain only walls. Doors and openings outside the drawing are not checked.
-OpeningCheck check_openings(const Ink& walls, const Storey& storey, const OnPaper& on_paper);
+OpeningCheck check_openings(const Ink& walls, const plan::Storey& storey, const OnPaper& on_paper);
 // The same for the result of rooms_on for that drawing.
-OpeningCheck check_openings(const RoomGrid& rooms, const Storey& storey, const OnPaper& on_paper);
+OpeningCheck check_openings(const plan::RoomGrid& rooms, const plan::Storey& storey, const OnPaper& on_paper);
 
 // Finds the rooms whose floor meets the outside without a wall, for at least `least_mm` of the part shown. Returns
 // indices in Storey::rooms. `rooms`: see rooms_on.
-std::vector<std::uint32_t> rooms_with_open_edges(const RoomGrid& rooms, const Storey& storey, double least_mm,
-                                                 const std::function<bool(const Vec2&)>& shown);
+std::vector<std::uint32_t> rooms_with_open_edges(const plan::RoomGrid& rooms, const plan::Storey& storey,
+                                                 double least_mm, const std::function<bool(const Vec2&)>& shown);
 
 // Opens missing openings, with the door width of `look`, and closes leaks. Leaks are places too narrow or too low for a
 // walker; missing openings were closed when lines were joined. Black that is too near to a mended place is joined.
@@ -43,6 +43,6 @@ struct MendedOpenings {
     std::size_t opened = 0;
     std::vector<std::array<std::uint32_t, 2>> closed;  // pairs of indices in Storey::rooms
 };
-MendedOpenings mend_openings(Ink& walls, const Storey& storey, const OnPaper& on_paper, const WallLook& look);
+MendedOpenings mend_openings(Ink& walls, const plan::Storey& storey, const OnPaper& on_paper, const WallLook& look);
 
-}  // namespace handrail
+}  // namespace handrail::exports

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-namespace handrail {
+namespace handrail::exports {
 
-std::vector<Vec2> corners_of(const PlanBox& box) {
+std::vector<Vec2> corners_of(const plan::PlanBox& box) {
     const auto corners = box.corners_m();
     return {corners.begin(), corners.end()};
 }
@@ -31,8 +31,8 @@ bool clear_between(const Ink& ink, const Vec2& from_mm, const Vec2& to_mm) {
     return true;
 }
 
-bool is_near_any(const PlanBox& box, const std::vector<PlanBox>& others, double gap_mm) {
-    return std::any_of(others.begin(), others.end(), [&](const PlanBox& other) {
+bool is_near_any(const plan::PlanBox& box, const std::vector<plan::PlanBox>& others, double gap_mm) {
+    return std::any_of(others.begin(), others.end(), [&](const plan::PlanBox& other) {
         const Vec2 apart = glm::abs(box.middle_m - other.middle_m) - box.half_m - other.half_m;
         return glm::length(glm::max(apart, Vec2(0.0))) < gap_mm;
     });
@@ -55,7 +55,8 @@ void Places::take(const std::vector<Vec2>& loop_mm) {
             std::uint8_t& there = taken_.black[taken_.at(x, y)];
             if (there) continue;
             const Vec2 at = Vec2(x + 0.5, y + 0.5) * kInkPixel_mm;
-            there = within_loop(loop_mm, at) || distance_to_loop_mm(loop_mm, at) <= clear_mm_ + kInkPixel_mm ? 1 : 0;
+            there =
+                plan::within_loop(loop_mm, at) || distance_to_loop_mm(loop_mm, at) <= clear_mm_ + kInkPixel_mm ? 1 : 0;
         }
 }
 
@@ -65,7 +66,7 @@ bool Places::is_free(const Vec2& at_mm) const {
     return taken_.holds(x, y) && !taken_.black[taken_.at(x, y)];
 }
 
-bool Places::fits(const PlanBox& box_mm) const {
+bool Places::fits(const plan::PlanBox& box_mm) const {
     const Vec2 across(-box_mm.along.y, box_mm.along.x);
     const auto steps = [](double half) { return std::max(1, static_cast<int>(std::ceil(2.0 * half / 0.5))); };
     const int nx = steps(box_mm.half_m.x), ny = steps(box_mm.half_m.y);
@@ -79,7 +80,7 @@ bool Places::fits(const PlanBox& box_mm) const {
 }
 
 std::optional<Vec2> Places::nearest_fit(const Vec2& from_mm, double reach_mm,
-                                        const std::function<PlanBox(const Vec2&)>& box_at,
+                                        const std::function<plan::PlanBox(const Vec2&)>& box_at,
                                         const std::function<bool(const Vec2&)>& allowed) const {
     constexpr double kStep_mm = 0.5;
     const int reach = static_cast<int>(reach_mm / kStep_mm);
@@ -112,9 +113,9 @@ std::optional<Vec2> Places::nearest_fit(const Vec2& from_mm, double reach_mm,
     return best;
 }
 
-std::optional<PlanBox> Places::largest_fit(const PlanBox& box_mm, double least_half_mm) const {
+std::optional<plan::PlanBox> Places::largest_fit(const plan::PlanBox& box_mm, double least_half_mm) const {
     const Vec2 across(-box_mm.along.y, box_mm.along.x);
-    std::optional<PlanBox> best;
+    std::optional<plan::PlanBox> best;
     double area = 0.0;
     for (int i = 20; i >= 4; --i)
         for (int j = 20; j >= 4; --j) {
@@ -123,9 +124,9 @@ std::optional<PlanBox> Places::largest_fit(const PlanBox& box_mm, double least_h
             for (const double x : {0.0, -1.0, 1.0, -0.5, 0.5})
                 for (const double y : {0.0, -1.0, 1.0, -0.5, 0.5}) {
                     if ((i == 20 && x != 0.0) || (j == 20 && y != 0.0) || half.x * half.y <= area) continue;
-                    const PlanBox tried{box_mm.middle_m + box_mm.along * (x * (box_mm.half_m.x - half.x)) +
-                                            across * (y * (box_mm.half_m.y - half.y)),
-                                        box_mm.along, half};
+                    const plan::PlanBox tried{box_mm.middle_m + box_mm.along * (x * (box_mm.half_m.x - half.x)) +
+                                                  across * (y * (box_mm.half_m.y - half.y)),
+                                              box_mm.along, half};
                     if (!fits(tried)) continue;
                     best = tried;
                     area = half.x * half.y;
@@ -134,4 +135,4 @@ std::optional<PlanBox> Places::largest_fit(const PlanBox& box_mm, double least_h
     return best;
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

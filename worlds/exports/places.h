@@ -9,15 +9,15 @@
 #include "worlds/exports/ink.h"
 #include "worlds/plan/storey.h"
 
-namespace handrail {
+namespace handrail::exports {
 
-std::vector<Vec2> corners_of(const PlanBox& box);
+std::vector<Vec2> corners_of(const plan::PlanBox& box);
 double distance_to_loop_mm(const std::vector<Vec2>& loop, const Vec2& at);
 // Returns whether the straight line between the two places crosses no black.
 bool clear_between(const Ink& ink, const Vec2& from_mm, const Vec2& to_mm);
 
 // Returns whether a box is closer than `gap_mm` to one of the others; all have sides parallel to the axes.
-bool is_near_any(const PlanBox& box, const std::vector<PlanBox>& others, double gap_mm);
+bool is_near_any(const plan::PlanBox& box, const std::vector<plan::PlanBox>& others, double gap_mm);
 
 class Places {
 public:
@@ -28,13 +28,13 @@ public:
     // From now on, keeps others at the same distance from what was drawn in this closed line.
     void take(const std::vector<Vec2>& loop_mm);
     // Tests points half a millimetre apart.
-    bool fits(const PlanBox& box_mm) const;
+    bool fits(const plan::PlanBox& box_mm) const;
     // The nearest allowed place to `from_mm` at which a box fits, on a grid of half a millimetre.
     std::optional<Vec2> nearest_fit(const Vec2& from_mm, double reach_mm,
-                                    const std::function<PlanBox(const Vec2&)>& box_at,
+                                    const std::function<plan::PlanBox(const Vec2&)>& box_at,
                                     const std::function<bool(const Vec2&)>& allowed) const;
     // The largest free part of a box, with half sides of at least `least_half_mm`.
-    std::optional<PlanBox> largest_fit(const PlanBox& box_mm, double least_half_mm) const;
+    std::optional<plan::PlanBox> largest_fit(const plan::PlanBox& box_mm, double least_half_mm) const;
 
 private:
     bool is_free(const Vec2& at_mm) const;
@@ -44,4 +44,4 @@ private:
     Vec2 low_mm_{0.0}, high_mm_{0.0};
 };
 
-}  // namespace handrail
+}  // namespace handrail::exports

@@ -5,7 +5,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::exports {
 namespace {
 
 // The ASCII letters of a name, in lower case; "x" if it has none.
@@ -18,7 +18,7 @@ std::string letters_of(const std::string& name) {
 }
 
 // Removes the storey at the end of a name, as in "Hall, west, storey 4" or "Stairs, Level -1".
-std::string without_storey(const std::string& name, const Storey& storey) {
+std::string without_storey(const std::string& name, const plan::Storey& storey) {
     const std::string made = phrase("room_name.level", {{"room", ""}, {"level", storey.number}});
     for (const std::string& end : {made, storey.name})
         if (!end.empty() && name.size() > end.size() && name.ends_with(end))
@@ -44,10 +44,10 @@ std::string free_letters(const std::string& name, const std::set<std::string>& u
     }
 }
 
-std::vector<RoomSign> room_signs(const Storey& storey) {
+std::vector<RoomSign> room_signs(const plan::Storey& storey) {
     std::set<std::string> used;
     std::vector<RoomSign> signs;
-    for (const StoreyRoom& room : storey.rooms) {
+    for (const plan::StoreyRoom& room : storey.rooms) {
         const std::string name = without_storey(room.name, storey);
         std::string number;
         for (std::size_t i = name.size(); i > 0 && std::isdigit(static_cast<unsigned char>(name[i - 1])); --i)
@@ -64,4 +64,4 @@ std::vector<RoomSign> room_signs(const Storey& storey) {
     return signs;
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

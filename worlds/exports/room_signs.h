@@ -9,7 +9,7 @@
 #include "worlds/base/vec.h"
 #include "worlds/plan/storey.h"
 
-namespace handrail {
+namespace handrail::exports {
 
 // The sign of a room on the sheet.
 struct RoomSign {
@@ -30,10 +30,10 @@ struct RoomSign {
 // One sign for each entry of Storey::rooms, in the same order. A sign is the first letter of the name, followed by the
 // number if the name ends in its only number, otherwise by a later letter of the name. A name that is a number is its
 // own sign. If these are taken, other letters follow, never another number.
-std::vector<RoomSign> room_signs(const Storey& storey);
+std::vector<RoomSign> room_signs(const plan::Storey& storey);
 
 // Two unused letters: the first of the name and a later one, otherwise the first and any other, otherwise any two.
 // After all 676 are used, it continues with more letters.
 std::string free_letters(const std::string& name, const std::set<std::string>& used);
 
-}  // namespace handrail
+}  // namespace handrail::exports

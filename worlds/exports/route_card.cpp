@@ -4,7 +4,7 @@
 
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::exports {
 
 std::string card_text(const std::vector<CardRoute>& ways) {
     std::string text;
@@ -52,4 +52,4 @@ Result<std::string> card_brf(const std::vector<CardRoute>& ways, BrailleTable ta
     return text;
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

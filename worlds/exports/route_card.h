@@ -7,7 +7,7 @@
 
 #include "worlds/exports/braille.h"
 
-namespace handrail {
+namespace handrail::exports {
 
 inline constexpr std::size_t kCardCells = 40, kCardLines = 25;
 
@@ -21,4 +21,4 @@ std::string card_text(const std::vector<CardRoute>& ways);
 // sentence if braille is not available.
 Result<std::string> card_brf(const std::vector<CardRoute>& ways, BrailleTable table);
 
-}  // namespace handrail
+}  // namespace handrail::exports

@@ -6,7 +6,7 @@
 
 #include "worlds/base/markup.h"
 
-namespace handrail {
+namespace handrail::exports {
 namespace {
 
 // A PDF text string: UTF-16 in hexadecimal digits.
@@ -94,4 +94,4 @@ std::string pdf_of(std::span<const SheetPage> pages, const std::string& language
            fmt::format("trailer<</Size {}/Root 1 0 R/Info 3 0 R>>\nstartxref\n{}\n%%EOF\n", objects.size() + 1, table);
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

@@ -8,7 +8,7 @@
 
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::exports {
 
 // A shape that is black at every point inside an odd number of the loops.
 struct SheetShape {
@@ -48,4 +48,4 @@ struct GapCheck {
 // with each other.
 GapCheck check_gaps(const SheetPage& page, double least_mm);
 
-}  // namespace handrail
+}  // namespace handrail::exports

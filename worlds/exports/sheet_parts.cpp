@@ -9,7 +9,7 @@
 #include "worlds/exports/wall_ink.h"
 #include "worlds/navigation/walk_space.h"
 
-namespace handrail {
+namespace handrail::exports {
 namespace {
 
 // How far the part shown extends beyond the floor, to include its walls; as for a whole storey.
@@ -25,14 +25,15 @@ struct Area {
 // Counts the floor squares in any rectangle in constant time.
 class FloorSums {
 public:
-    explicit FloorSums(const Storey& storey) : storey_(storey), floor_(storey.floor) {
-        const bool inside =
-            std::any_of(storey.rooms.begin(), storey.rooms.end(), [](const StoreyRoom& room) { return !room.outside; });
+    explicit FloorSums(const plan::Storey& storey) : storey_(storey), floor_(storey.floor) {
+        const bool inside = std::any_of(storey.rooms.begin(), storey.rooms.end(),
+                                        [](const plan::StoreyRoom& room) { return !room.outside; });
         sums_.assign(static_cast<std::size_t>(floor_.wide + 1) * static_cast<std::size_t>(floor_.high + 1), 0);
         for (int y = 0; y < floor_.high; ++y)
             for (int x = 0; x < floor_.wide; ++x) {
                 const std::uint32_t room = room_at(x, y);
-                const bool counts = (room != kNothing && !(inside && storey.rooms[room].outside)) || is_base(x, y);
+                const bool counts =
+                    (room != navigation::kNothing && !(inside && storey.rooms[room].outside)) || is_base(x, y);
                 sum(x + 1, y + 1) = sum(x, y + 1) + sum(x + 1, y) - sum(x, y) + (counts ? 1 : 0);
             }
     }
@@ -59,7 +60,8 @@ public:
         for (int i = std::max(0, cell(area.low[other], other)); i <= cell(area.high[other], other); ++i) {
             const std::uint32_t before = axis == 0 ? room_at(here - 1, i) : room_at(i, here - 1);
             const std::uint32_t behind = axis == 0 ? room_at(here, i) : room_at(i, here);
-            if (before != kNothing && before == behind && !storey_.rooms[before].outside) crossed += floor_.cell_m;
+            if (before != navigation::kNothing && before == behind && !storey_.rooms[before].outside)
+                crossed += floor_.cell_m;
         }
         return crossed;
     }
@@ -69,7 +71,7 @@ public:
 
 private:
     std::uint32_t room_at(int x, int y) const {
-        if (x < 0 || y < 0 || x >= floor_.wide || y >= floor_.high) return kNothing;
+        if (x < 0 || y < 0 || x >= floor_.wide || y >= floor_.high) return navigation::kNothing;
         return floor_
             .room[static_cast<std::size_t>(y) * static_cast<std::size_t>(floor_.wide) + static_cast<std::size_t>(x)];
     }
@@ -93,14 +95,14 @@ private:
         return of(x1, y1) - of(x0, y1) - of(x1, y0) + of(x0, y0);
     }
 
-    const Storey& storey_;
-    const StoreyFloor& floor_;
+    const plan::Storey& storey_;
+    const plan::StoreyFloor& floor_;
     std::vector<std::int32_t> sums_;
 };
 
 class Cutter {
 public:
-    Cutter(const Storey& storey, const PaperSize& paper, double one_to)
+    Cutter(const plan::Storey& storey, const PaperSize& paper, double one_to)
         : sums_(storey), one_to_(one_to), shared_m_(kShared_mm * one_to / 1000.0) {
         for (const bool across : {false, true})
             pages_m_.push_back(room_on_page(paper, across, true) * (one_to / 1000.0));
@@ -225,16 +227,16 @@ bool has_free_box(const std::vector<std::int32_t>& sums, int wide, int high, int
 }
 
 // The walls without changes, except that none is thinner than a pixel.
-Ink plain_walls(const Storey& storey, const OnPaper& on_paper) {
+Ink plain_walls(const plan::Storey& storey, const OnPaper& on_paper) {
     const Vec2 size_mm = (storey.max_m - storey.min_m) * on_paper.mm_per_m;
     Ink ink(size_mm.x, size_mm.y);
-    const auto draw = [&](PlanBox box) {
+    const auto draw = [&](plan::PlanBox box) {
         box.half_m = glm::max(box.half_m, Vec2(0.75 * kInkPixel_mm));
         fill(ink, std::vector<std::vector<Vec2>>{corners_of(box)}, true);
     };
-    for (const PlanOutline& wall : storey.walls_m) {
+    for (const plan::PlanOutline& wall : storey.walls_m) {
         const std::vector<std::vector<Vec2>> loops = on_paper({wall});
-        if (narrowest_m(loops[0]) < 1.5 * kInkPixel_mm) draw(box_around(loops[0]));
+        if (plan::narrowest_m(loops[0]) < 1.5 * kInkPixel_mm) draw(plan::box_around(loops[0]));
         else fill(ink, loops, true);
     }
     for (const auto& [a, b] : storey.sheets_m) {
@@ -253,15 +255,15 @@ Vec2 room_on_page(const PaperSize& paper, bool across, bool part) {
                                                   (part ? kPartHead_mm + kPartFoot_mm : 0.0));
 }
 
-std::vector<SheetPart> parts_of(const Storey& storey, const PaperSize& paper, double one_to) {
+std::vector<SheetPart> parts_of(const plan::Storey& storey, const PaperSize& paper, double one_to) {
     return Cutter(storey, paper, one_to).cut({storey.min_m, storey.max_m});
 }
 
-std::vector<double> scales_needed(const Storey& storey, const std::vector<double>& scales, const Vec2& box_mm) {
+std::vector<double> scales_needed(const plan::Storey& storey, const std::vector<double>& scales, const Vec2& box_mm) {
     // A picture in which a pixel is 10 cm of the world.
     const OnPaper on_paper{storey.min_m, Vec2(0.0), 1.0};
     const double pixel_m = kInkPixel_mm / on_paper.mm_per_m;
-    const RoomGrid grid = rooms_on(plain_walls(storey, on_paper), storey, on_paper);
+    const plan::RoomGrid grid = rooms_on(plain_walls(storey, on_paper), storey, on_paper);
     std::vector<double> needed(storey.rooms.size(), 0.0);
     for (std::size_t room = 0; room < storey.rooms.size(); ++room) {
         const auto pixel = [&](double at_m, int axis, int most) {
@@ -289,4 +291,4 @@ std::vector<double> scales_needed(const Storey& storey, const std::vector<double
     return needed;
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

@@ -9,7 +9,7 @@
 #include "worlds/base/vec.h"
 #include "worlds/plan/storey.h"
 
-namespace handrail {
+namespace handrail::exports {
 
 struct PaperSize {
     double short_mm = 210.0, long_mm = 297.0;
@@ -47,10 +47,10 @@ struct SheetPart {
 
 // Covers the storey with as few sheets as possible at one scale. Cuts go where they cross the least floor: along walls
 // and between wings. No sheet shows empty corners. Empty if more than kMostSheets would be needed.
-std::vector<SheetPart> parts_of(const Storey& storey, const PaperSize& paper, double one_to);
+std::vector<SheetPart> parts_of(const plan::Storey& storey, const PaperSize& paper, double one_to);
 
 // For every room, the coarsest of `scales` (in rising order) at which a box of that size fits into the empty room; 0 if
 // it fits at none.
-std::vector<double> scales_needed(const Storey& storey, const std::vector<double>& scales, const Vec2& box_mm);
+std::vector<double> scales_needed(const plan::Storey& storey, const std::vector<double>& scales, const Vec2& box_mm);
 
-}  // namespace handrail
+}  // namespace handrail::exports

@@ -7,13 +7,13 @@
 #include "worlds/exports/sheet_parts.h"
 #include "worlds/exports/swell_sheet.h"
 
-namespace handrail {
+namespace handrail::exports {
 namespace {
 
 constexpr std::size_t kTitleLines = 2;
 constexpr double kNorth_mm = 20.0;  // width of the triangle to the right of the title
 
-std::string storey_text(const Storey& storey, bool with_number) {
+std::string storey_text(const plan::Storey& storey, bool with_number) {
     return phrase(storey.name.empty() ? "export.storey_numbered"
                   : with_number       ? "export.storey_named_numbered"
                                       : "export.storey_named",
@@ -51,11 +51,11 @@ std::size_t longest_word(const BrailleCells& cells) {
 
 }  // namespace
 
-std::string sheet_title(const Storey& storey, std::optional<int> sheet) {
+std::string sheet_title(const plan::Storey& storey, std::optional<int> sheet) {
     return title_of(storey.world, storey_text(storey, true), sheet);
 }
 
-Result<std::vector<BrailleCells>> title_lines(const Storey& storey, std::optional<int> sheet, BrailleTable table,
+Result<std::vector<BrailleCells>> title_lines(const plan::Storey& storey, std::optional<int> sheet, BrailleTable table,
                                               double page_mm) {
     const auto width = static_cast<std::size_t>((page_mm - 2.0 * kSheetMargin_mm - kNorth_mm) / kBrailleCell_mm);
     const std::string where = storey_text(storey, false);
@@ -78,4 +78,4 @@ Result<std::vector<BrailleCells>> title_lines(const Storey& storey, std::optiona
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

@@ -8,15 +8,15 @@
 #include "worlds/exports/braille.h"
 #include "worlds/plan/storey.h"
 
-namespace handrail {
+namespace handrail::exports {
 
 // The world, the file's name for the storey, and its number among the storeys. `sheet`: number of the sheet if there
 // are several.
-std::string sheet_title(const Storey& storey, std::optional<int> sheet);
+std::string sheet_title(const plan::Storey& storey, std::optional<int> sheet);
 
 // One or two lines for the head of a page of that width. A long name of the world is cut after its first words. The
 // storey is always kept, without its number if it has a name.
-Result<std::vector<BrailleCells>> title_lines(const Storey& storey, std::optional<int> sheet, BrailleTable table,
+Result<std::vector<BrailleCells>> title_lines(const plan::Storey& storey, std::optional<int> sheet, BrailleTable table,
                                               double page_mm);
 
-}  // namespace handrail
+}  // namespace handrail::exports

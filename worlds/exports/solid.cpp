@@ -6,7 +6,7 @@
 #include <map>
 #include <numeric>
 
-namespace handrail {
+namespace handrail::exports {
 namespace {
 
 // Twice the area of a triangle, positive if counter-clockwise. A plate is under 2 m wide, so there is no overflow.
@@ -262,4 +262,4 @@ std::string stl_of(std::span<const SolidTriangle> triangles) {
     return out;
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

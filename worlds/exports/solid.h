@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace handrail {
+namespace handrail::exports {
 
 struct PlatePoint {
     std::int32_t x_um = 0, y_um = 0;
@@ -54,4 +54,4 @@ SolidCheck check_solid(std::span<const SolidTriangle> triangles);
 // Binary STL in millimetres.
 std::string stl_of(std::span<const SolidTriangle> triangles);
 
-}  // namespace handrail
+}  // namespace handrail::exports

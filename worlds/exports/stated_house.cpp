@@ -11,7 +11,7 @@
 #include "worlds/exports/as_words.h"
 #include "worlds/geometry/flat_parts.h"
 
-namespace handrail {
+namespace handrail::exports {
 namespace {
 
 constexpr double kStatedFinest_m = 1e-4, kSlabs_m = 0.3, kLeastStorey_m = 2.3;
@@ -242,10 +242,10 @@ private:
 
 }  // namespace
 
-WordsHouse stated_house(const Scene& scene, WordLanguage language) {
-    WordsHouse house = StatedHouse(scene, language == WordLanguage::German).write();
+WordsHouse stated_house(const Scene& scene, words::WordLanguage language) {
+    WordsHouse house = StatedHouse(scene, language == words::WordLanguage::German).write();
     furnish(house, scene, language);
     return house;
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

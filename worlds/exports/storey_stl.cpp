@@ -12,7 +12,7 @@
 #include "worlds/exports/wall_ink.h"
 #include "worlds/navigation/walk_space.h"
 
-namespace handrail {
+namespace handrail::exports {
 namespace {
 
 using Loops = std::vector<std::vector<Vec2>>;
@@ -30,7 +30,7 @@ PlateRing ring_of(const std::vector<Vec2>& loop_mm) {
 
 double area_of(const std::vector<Vec2>& loop) {
     double twice = 0.0;
-    for (std::size_t i = 0; i < loop.size(); ++i) twice += cross_of(loop[i], loop[(i + 1) % loop.size()]);
+    for (std::size_t i = 0; i < loop.size(); ++i) twice += plan::cross_of(loop[i], loop[(i + 1) % loop.size()]);
     return 0.5 * twice;
 }
 
@@ -71,7 +71,7 @@ std::vector<PlateArea> areas_of(const Loops& loops_mm) {
 
 class PlateMaker {
 public:
-    PlateMaker(const Storey& storey, BrailleTable table) : storey_(storey), table_(table) {}
+    PlateMaker(const plan::Storey& storey, BrailleTable table) : storey_(storey), table_(table) {}
 
     Result<StoreyPlate> make(double longer_side_mm) {
         const Vec2 size_m = storey_.max_m - storey_.min_m;
@@ -84,7 +84,7 @@ public:
         made_.deep_mm = size_m.y * on_plate_.mm_per_m + 2.0 * kEdge_mm;
         raise_walls();
         stairs_ = stair_lines(storey_, on_plate_, rooms_, places_, kLeastWall_mm, kFree_mm + 1.0, kLeastThing_mm);
-        for (const PlanBox& line : stairs_.lines) {
+        for (const plan::PlanBox& line : stairs_.lines) {
             raise(corners_of(line), kLow_mm);
             beside_things_.take(corners_of(line));
         }
@@ -111,14 +111,14 @@ private:
         for (PlateArea& area : areas_of(traced_mm(walls_.ink))) raised_.push_back({std::move(area), um(kWall_mm)});
         places_ = Places(walls_.ink, kFree_mm, Vec2(2.0), Vec2(made_.wide_mm - 2.0, made_.deep_mm - 2.0));
         beside_things_ = places_;
-        for (const StoreyThing& thing : storey_.things) beside_things_.take(corners_of(on_plate_(thing.box)));
+        for (const plan::StoreyThing& thing : storey_.things) beside_things_.take(corners_of(on_plate_(thing.box)));
     }
 
     // Fills cavities where nobody can walk, such as between the two leaves of a wall. Fingers then feel one wall, and
     // the plate is stronger.
     void fill_cavities() {
         for (std::size_t i = 0; i < rooms_.room.size(); ++i)
-            if (rooms_.room[i] == kNothing) walls_.ink.black[i] = 1;
+            if (rooms_.room[i] == navigation::kNothing) walls_.ink.black[i] = 1;
     }
 
     // A wall that was thickened where the plan is cut off must not reach over the plate's rim.
@@ -149,7 +149,7 @@ private:
 
     void raise_edges() {
         const EdgeInk ink = edge_lines(storey_, on_plate_, rooms_, places_, kLeastWall_mm, kFree_mm + 1.0);
-        for (const PlanBox& line : ink.lines) {
+        for (const plan::PlanBox& line : ink.lines) {
             raise(corners_of(line), kLow_mm);
             beside_things_.take(corners_of(line));
         }
@@ -164,7 +164,7 @@ private:
             const auto place = place_of_sign(storey_, i, on_plate_, rooms_, places_, beside_things_, half, {});
             if (!place) continue;
             made_.signs[i].on_sheet = true;
-            const std::vector<Vec2> corners = corners_of(PlanBox{*place, {1.0, 0.0}, half});
+            const std::vector<Vec2> corners = corners_of(plan::PlanBox{*place, {1.0, 0.0}, half});
             places_.take(corners);
             beside_things_.take(corners);
             SheetPage dots;
@@ -182,7 +182,7 @@ private:
 
     void raise_things() {
         std::vector<std::string> left_out, shrunk;
-        for (const StoreyThing& thing : storey_.things) {
+        for (const plan::StoreyThing& thing : storey_.things) {
             const ThingFit fit = fit_of_thing(thing, on_plate_, places_, kLeastThing_mm);
             if (!fit.box) {
                 left_out.push_back(thing.name);
@@ -213,12 +213,12 @@ private:
                 phrase("export.doors_narrow", {{"names", gap_names(storey_, walls_.narrow_gaps)}, {"mm", kDoor_mm}}));
     }
 
-    const Storey& storey_;
+    const plan::Storey& storey_;
     BrailleTable table_;
     StoreyPlate made_;
     OnPaper on_plate_;
     WallInk walls_;
-    RoomGrid rooms_;
+    plan::RoomGrid rooms_;
     StairInk stairs_;
     Places places_, beside_things_;
     std::vector<RaisedArea> raised_;
@@ -226,8 +226,8 @@ private:
 
 }  // namespace
 
-Result<StoreyPlate> storey_plate(const Storey& storey, BrailleTable table, double longer_side_mm) {
+Result<StoreyPlate> storey_plate(const plan::Storey& storey, BrailleTable table, double longer_side_mm) {
     return PlateMaker(storey, table).make(longer_side_mm);
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

@@ -12,7 +12,7 @@
 #include "worlds/exports/solid.h"
 #include "worlds/exports/swell_sheet.h"
 
-namespace handrail {
+namespace handrail::exports {
 
 struct StoreyPlate {
     std::vector<SolidTriangle> triangles;
@@ -24,6 +24,6 @@ struct StoreyPlate {
 
 // Fails with one sentence if the storey is too large, braille is not available, or the solid is not closed, which is
 // checked each time.
-Result<StoreyPlate> storey_plate(const Storey& storey, BrailleTable table, double longer_side_mm = 200.0);
+Result<StoreyPlate> storey_plate(const plan::Storey& storey, BrailleTable table, double longer_side_mm = 200.0);
 
-}  // namespace handrail
+}  // namespace handrail::exports

@@ -18,7 +18,7 @@
 #include "worlds/exports/wall_ink.h"
 #include "worlds/navigation/walk_space.h"
 
-namespace handrail {
+namespace handrail::exports {
 namespace {
 
 using Loops = std::vector<std::vector<Vec2>>;
@@ -40,7 +40,7 @@ double whole_scale(const Vec2& size_m, const Vec2& room_mm) {
 // Makes one sheet, in the order in which things take their space: walls, stairs, base, signs, objects.
 class SheetMaker {
 public:
-    SheetMaker(const Storey& storey, const SheetWish& wish, std::optional<SheetPart> part,
+    SheetMaker(const plan::Storey& storey, const SheetWish& wish, std::optional<SheetPart> part,
                std::vector<std::string>& letters)
         : storey_(storey), wish_(wish), table_(wish.table), letters_(letters) {
         made_.part = std::move(part);
@@ -108,12 +108,12 @@ private:
         low_mm_ = on_paper_.shift_mm;
         high_mm_ = low_mm_ + size_mm;
         present_.assign(storey_.rooms.size(), false);
-        const StoreyFloor& floor = storey_.floor;
+        const plan::StoreyFloor& floor = storey_.floor;
         for (std::size_t i = 0; i < floor.room.size(); ++i) {
             const auto wide = static_cast<std::size_t>(floor.wide);
             const Vec2 at = storey_.min_m + (Vec2(i % wide, i / wide) + Vec2(0.5)) * floor.cell_m;
-            if (floor.room[i] != kNothing && at.x >= part.min_m.x && at.y >= part.min_m.y && at.x <= part.max_m.x &&
-                at.y <= part.max_m.y)
+            if (floor.room[i] != navigation::kNothing && at.x >= part.min_m.x && at.y >= part.min_m.y &&
+                at.x <= part.max_m.x && at.y <= part.max_m.y)
                 present_[floor.room[i]] = true;
         }
         return {};
@@ -162,7 +162,7 @@ private:
         made_.plan.shapes.push_back({traced_mm(walls_.ink), kWallPart});
         places_ = Places(walls_.ink, kClear_mm, low_mm_, high_mm_);
         beside_things_ = places_;
-        for (const StoreyThing& thing : storey_.things) beside_things_.take(corners_of(on_paper_(thing.box)));
+        for (const plan::StoreyThing& thing : storey_.things) beside_things_.take(corners_of(on_paper_(thing.box)));
     }
 
     void draw(Loops loops) {
@@ -173,7 +173,7 @@ private:
 
     void draw_stairs() {
         stairs_ = stair_lines(storey_, on_paper_, rooms_, places_, kThinLine_mm, kClear_mm, kLeastStair_mm);
-        for (const PlanBox& line : stairs_.lines) draw({corners_of(line)});
+        for (const plan::PlanBox& line : stairs_.lines) draw({corners_of(line)});
         const auto add = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
         add(stairs_.lines, rungs_.lines);
         add(stairs_.drawn, rungs_.drawn);
@@ -182,7 +182,7 @@ private:
 
     void draw_edges() {
         const EdgeInk ink = edge_lines(storey_, on_paper_, whole_, places_, kThinLine_mm, kClear_mm + 0.2);
-        for (const PlanBox& line : ink.lines) draw({corners_of(line)});
+        for (const plan::PlanBox& line : ink.lines) draw({corners_of(line)});
         for (const std::uint32_t room : ink.rooms) edges_.push_back(storey_.rooms[room].name);
         for (const std::uint32_t room :
              rooms_with_open_edges(whole_, storey_, kLeastEdge_m * on_paper_.mm_per_m,
@@ -318,14 +318,15 @@ private:
 
     // Pieces of stairs that lead to the same room are adjacent, and feel like one staircase.
     bool are_flights(std::size_t a, std::size_t b) const {
-        return storey_.rooms[a].kind == RoomKind::Stairs && storey_.rooms[b].kind == RoomKind::Stairs;
+        return storey_.rooms[a].kind == navigation::RoomKind::Stairs &&
+               storey_.rooms[b].kind == navigation::RoomKind::Stairs;
     }
 
     // A corridor may be too narrow for any sign. Then the key names the rooms to which it leads, if that identifies it.
     void find_by_doors() {
         for (const std::uint32_t flight : stairs_.drawn) made_.signs[flight].by_lines = true;
         std::vector<std::set<std::string>> leads_to(storey_.rooms.size()), all(storey_.rooms.size());
-        for (const StoreyPortal& portal : storey_.portals) {
+        for (const plan::StoreyPortal& portal : storey_.portals) {
             if (!shown(portal.place_m)) continue;
             for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
                 const RoomSign& other = made_.signs[portal.rooms[1 - side]];
@@ -348,9 +349,9 @@ private:
 
     void draw_things() {
         thing_drawn_.assign(storey_.things.size(), false);
-        thing_room_.assign(storey_.things.size(), kNothing);
+        thing_room_.assign(storey_.things.size(), navigation::kNothing);
         for (std::size_t i = 0; i < storey_.things.size(); ++i) {
-            const StoreyThing& thing = storey_.things[i];
+            const plan::StoreyThing& thing = storey_.things[i];
             if (wish_.coarse || !shown(thing.box.middle_m)) continue;
             const ThingFit fit = fit_of_thing(thing, on_paper_, places_, kLeastSymbol_mm);
             if (!fit.box) {
@@ -358,7 +359,7 @@ private:
                 continue;
             }
             if (fit.shrunk) shrunk_.push_back(thing.name);
-            PlanBox inner = *fit.box;
+            plan::PlanBox inner = *fit.box;
             inner.half_m -= Vec2(kThinLine_mm);
             std::vector<Vec2> hole = corners_of(inner);
             std::reverse(hole.begin(), hole.end());
@@ -415,11 +416,11 @@ private:
     Result<void> draw_marks() {
         const SheetPart& part = *made_.part;
         const double off = kClear_mm + 0.5 * kMark_mm;
-        std::vector<PlanBox> taken;
+        std::vector<plan::PlanBox> taken;
         const auto mark = [&](const Vec2& at, bool upright) {
             const Vec2 half =
                 upright ? Vec2(0.5 * kThinLine_mm, 0.5 * kMark_mm) : Vec2(0.5 * kMark_mm, 0.5 * kThinLine_mm);
-            const PlanBox box{at, {1.0, 0.0}, half};
+            const plan::PlanBox box{at, {1.0, 0.0}, half};
             if (is_near_any(box, taken, kClear_mm)) return;  // another neighbour has drawn it already
             taken.push_back(box);
             made_.plan.shapes.push_back({{corners_of(box)}, ++parts_});
@@ -444,7 +445,7 @@ private:
     // Places the number of a neighbouring sheet. West and east: on the outer side of the mark, above the plan for
     // neighbours of its northern half and below for the southern. North and south: above and below. If there is no
     // space, only the key names the sheet.
-    Result<void> draw_number(std::size_t side, const NextSheet& next, std::vector<PlanBox>& taken) {
+    Result<void> draw_number(std::size_t side, const NextSheet& next, std::vector<plan::PlanBox>& taken) {
         const Result<BrailleCells> cells = braille_of(std::to_string(next.number), table_);
         if (!cells) return tl::unexpected(cells.error());
         const Vec2 half = 0.5 * braille_size_mm(cells->size());
@@ -456,7 +457,7 @@ private:
         constexpr double kUnprinted_mm = 6.0;
         for (double aside = 0.0; aside < 40.0; aside += 1.0)
             for (const double way : {-1.0, 1.0}) {
-                const PlanBox box{{x + way * aside, y}, {1.0, 0.0}, half};
+                const plan::PlanBox box{{x + way * aside, y}, {1.0, 0.0}, half};
                 if (box.middle_m.x - half.x < kUnprinted_mm ||
                     box.middle_m.x + half.x > made_.plan.width_mm - kUnprinted_mm)
                     continue;
@@ -508,19 +509,20 @@ private:
     std::vector<std::string> undrawn_flights() const {
         std::vector<std::string> names;
         for (std::size_t i = 0; i < storey_.rooms.size(); ++i)
-            if (storey_.rooms[i].kind == RoomKind::Stairs && present_[i] && !made_.signs[i].on_sheet &&
+            if (storey_.rooms[i].kind == navigation::RoomKind::Stairs && present_[i] && !made_.signs[i].on_sheet &&
                 !is_known_by_lines(i))
                 names.push_back(storey_.rooms[i].name);
         for (std::uint32_t i = 0; i < storey_.stairs_of_others.size(); ++i) {
-            const StoreyStairs& flight = storey_.stairs_of_others[i];
+            const plan::StoreyStairs& flight = storey_.stairs_of_others[i];
             if (flight.loops_m.empty() ||
                 std::find(stairs_.of_others.begin(), stairs_.of_others.end(), i) != stairs_.of_others.end())
                 continue;
-            const Vec2 middle = box_around(convex_hull(flight.loops_m.front())).middle_m;
-            const bool above = std::any_of(storey_.rooms.begin(), storey_.rooms.end(), [&](const StoreyRoom& room) {
-                return room.kind == RoomKind::Stairs && middle.x >= room.min_m.x && middle.y >= room.min_m.y &&
-                       middle.x <= room.max_m.x && middle.y <= room.max_m.y;
-            });
+            const Vec2 middle = plan::box_around(plan::convex_hull(flight.loops_m.front())).middle_m;
+            const bool above =
+                std::any_of(storey_.rooms.begin(), storey_.rooms.end(), [&](const plan::StoreyRoom& room) {
+                    return room.kind == navigation::RoomKind::Stairs && middle.x >= room.min_m.x &&
+                           middle.y >= room.min_m.y && middle.x <= room.max_m.x && middle.y <= room.max_m.y;
+                });
             if (shown(middle) && !above) names.push_back(storey_.rooms[flight.room].name);
         }
         return names;
@@ -529,11 +531,12 @@ private:
     // Routes to other storeys, except flights with lines and drops.
     std::vector<std::string> exits() const {
         std::vector<std::string> names;
-        for (const StoreyExit& exit : storey_.exits) {
+        for (const plan::StoreyExit& exit : storey_.exits) {
             if (!shown(exit.place_m)) continue;
-            std::string name = phrase("export.exit", {{"one", storey_.rooms[exit.room].name},
-                                                      {"other", exit.to},
-                                                      {"lift", exit.kind == PassageKind::Lift ? "yes" : "no"}});
+            std::string name =
+                phrase("export.exit", {{"one", storey_.rooms[exit.room].name},
+                                       {"other", exit.to},
+                                       {"lift", exit.kind == navigation::PassageKind::Lift ? "yes" : "no"}});
             if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
         }
         return names;
@@ -548,10 +551,10 @@ private:
     void list_narrow_doors() {
         std::vector<std::size_t> broken, small;
         for (const std::size_t place : walls_.narrow_gaps) {
-            const StoreyGap& gap = storey_.gaps[place];
+            const plan::StoreyGap& gap = storey_.gaps[place];
             if (!shown(gap.place_m)) continue;
             const bool of_small = std::any_of(gap.rooms.begin(), gap.rooms.end(), [&](std::uint32_t room) {
-                return room != kNothing && is_left_to_key(room);
+                return room != navigation::kNothing && is_left_to_key(room);
             });
             (of_small ? small : broken).push_back(place);
         }
@@ -589,8 +592,8 @@ private:
     // The room at a place of the sheet; kNothing outside.
     std::uint32_t room_at_mm(const Vec2& at_mm) const {
         const int x = static_cast<int>(at_mm.x / kInkPixel_mm), y = static_cast<int>(at_mm.y / kInkPixel_mm);
-        const std::uint32_t room = rooms_.holds(x, y) ? rooms_.room[rooms_.at(x, y)] : kNothing;
-        return room < storey_.rooms.size() ? room : kNothing;
+        const std::uint32_t room = rooms_.holds(x, y) ? rooms_.room[rooms_.at(x, y)] : navigation::kNothing;
+        return room < storey_.rooms.size() ? room : navigation::kNothing;
     }
 
     void list_key() {
@@ -612,8 +615,9 @@ private:
             if (goes_on) add(phrase("export.key_marks", {{"metres", kShared_mm / on_paper_.mm_per_m}}));
         }
         if (base_drawn_)
-            add(base_room_ == kNothing ? phrase("export.key_base")
-                                       : phrase("export.key_base_in", {{"room", storey_.rooms[base_room_].name}}));
+            add(base_room_ == navigation::kNothing
+                    ? phrase("export.key_base")
+                    : phrase("export.key_base_in", {{"room", storey_.rooms[base_room_].name}}));
         if (!stairs_.lines.empty()) add(phrase("export.key_stairs"));
         if (!stairs_.of_others.empty()) {
             std::vector<std::string> rooms;
@@ -631,7 +635,8 @@ private:
         std::vector<std::string> outside;
         for (std::size_t i = 0; i < thing_room_.size(); ++i) {
             if (!thing_drawn_[i]) continue;
-            (thing_room_[i] == kNothing ? outside : in_room[thing_room_[i]]).push_back(storey_.things[i].name);
+            (thing_room_[i] == navigation::kNothing ? outside : in_room[thing_room_[i]])
+                .push_back(storey_.things[i].name);
         }
         made_.key_line_of_room.assign(storey_.rooms.size(), kNoKeyLine);
         std::vector<std::size_t> order;
@@ -664,12 +669,12 @@ private:
         if (!outside.empty()) add(phrase("export.key_outside_things", {{"names", names_list(outside)}}));
     }
 
-    const Storey& storey_;
+    const plan::Storey& storey_;
     const SheetWish& wish_;
     BrailleTable table_;
     std::vector<std::string>& letters_;  // see swell_sheet
     std::string taken_letters_;          // used by one-letter signs on this sheet
-    std::vector<PlanBox> sign_boxes_;
+    std::vector<plan::PlanBox> sign_boxes_;
     Vec2 low_mm_{0.0}, high_mm_{0.0};  // corners of the plan on the page
     std::vector<bool> present_;        // rooms with floor on the sheet
     SwellSheet made_;
@@ -682,11 +687,11 @@ private:
     int hollow_ = 0;
     MendedOpenings mended_;
     std::vector<std::string> edges_, undrawn_edges_;  // rooms that end in the open, by whether lines show it
-    RoomGrid rooms_;
-    RoomGrid whole_;           // as rooms_, but one of several sheets does not end them
+    plan::RoomGrid rooms_;
+    plan::RoomGrid whole_;     // as rooms_, but one of several sheets does not end them
     StairInk stairs_, rungs_;  // in the end all of them; those that reach into walls
     bool base_drawn_ = false;
-    std::uint32_t base_room_ = kNothing;
+    std::uint32_t base_room_ = navigation::kNothing;
     std::string base_;
     std::vector<bool> thing_drawn_;
     std::vector<std::uint32_t> thing_room_;  // room in which each object is drawn
@@ -695,7 +700,7 @@ private:
 
 }  // namespace
 
-std::string hidden_names(const Storey& storey) {
+std::string hidden_names(const plan::Storey& storey) {
     std::vector<std::string> names;
     for (const std::uint32_t room : storey.hidden) names.push_back(storey.rooms[room].name);
     return names_list(names);
@@ -718,7 +723,7 @@ Result<void> write_key(SwellSheet& sheet, BrailleTable table) {
     return {};
 }
 
-Result<SwellSheet> swell_sheet(const Storey& storey, const SheetWish& wish) {
+Result<SwellSheet> swell_sheet(const plan::Storey& storey, const SheetWish& wish) {
     std::vector<std::string> letters;
     Result<SwellSheet> sheet = SheetMaker(storey, wish, std::nullopt, letters).make();
     if (!sheet) return sheet;
@@ -726,9 +731,9 @@ Result<SwellSheet> swell_sheet(const Storey& storey, const SheetWish& wish) {
     return sheet;
 }
 
-Result<SwellSheet> swell_sheet(const Storey& storey, const SheetWish& wish, const SheetPart& part,
+Result<SwellSheet> swell_sheet(const plan::Storey& storey, const SheetWish& wish, const SheetPart& part,
                                std::vector<std::string>& letters) {
     return SheetMaker(storey, wish, part, letters).make();
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

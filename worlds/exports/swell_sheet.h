@@ -22,7 +22,7 @@
 #include "worlds/exports/wall_ink.h"
 #include "worlds/plan/storey.h"
 
-namespace handrail {
+namespace handrail::exports {
 
 inline constexpr double kLeastGap_mm = 3.0, kLeastSymbol_mm = 6.4, kWallLine_mm = 1.5, kThinLine_mm = 1.0;
 inline constexpr double kBrailleDot_mm = 1.5, kBraillePitch_mm = 2.5, kBrailleCell_mm = 6.0, kBrailleLine_mm = 10.0;
@@ -40,7 +40,7 @@ inline constexpr double kCoarseRoom_m2 = 6.0;
 inline constexpr int kWallPart = 1;  // SheetShape::part of all walls
 
 // The names of the rooms that the storey's second plan shows; see Storey::hidden.
-std::string hidden_names(const Storey& storey);
+std::string hidden_names(const plan::Storey& storey);
 
 struct SwellSheet {
     SheetPage plan;
@@ -63,10 +63,10 @@ inline constexpr std::size_t kNoKeyLine = static_cast<std::size_t>(-1);
 
 // In portrait or landscape, whichever gives the larger scale. Fails with one sentence if the storey is larger than a
 // sheet at 1 to 1000, if there is nothing to draw, or if braille is not available.
-Result<SwellSheet> swell_sheet(const Storey& storey, const SheetWish& wish);
+Result<SwellSheet> swell_sheet(const plan::Storey& storey, const SheetWish& wish);
 // Makes one of several sheets. `letters`: for every room, the shorter sign that it has on earlier sheets, or nothing;
 // the signs of this sheet are added.
-Result<SwellSheet> swell_sheet(const Storey& storey, const SheetWish& wish, const SheetPart& part,
+Result<SwellSheet> swell_sheet(const plan::Storey& storey, const SheetWish& wish, const SheetPart& part,
                                std::vector<std::string>& letters);
 // Makes the pages of the key from its lines, simplifications and broken promises.
 Result<void> write_key(SwellSheet& sheet, BrailleTable table);
@@ -74,10 +74,10 @@ Result<void> write_key(SwellSheet& sheet, BrailleTable table);
 // most rooms their sign, and there are at most kMostSheets. Rooms that are too small at that scale appear on more
 // sheets, which show their surroundings larger, and each key says on which. If no scale keeps all promises, the one
 // that keeps the most is used. Takes half a second for each sheet.
-Result<std::vector<SwellSheet>> swell_sheets(const Storey& storey, const SheetWish& wish);
+Result<std::vector<SwellSheet>> swell_sheets(const plan::Storey& storey, const SheetWish& wish);
 
 // A page to be printed and swollen first, to choose from by touch. It has dots of 1.2 to 1.8 mm, lines of 0.5 to 2 mm
 // and gaps of 2 to 6 mm, each with its size in braille.
 Result<SheetPage> calibration_strip(const PaperSize& paper, BrailleTable table);
 
-}  // namespace handrail
+}  // namespace handrail::exports

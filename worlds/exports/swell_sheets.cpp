@@ -6,7 +6,7 @@
 #include "worlds/exports/names.h"
 #include "worlds/exports/swell_sheet.h"
 
-namespace handrail {
+namespace handrail::exports {
 namespace {
 
 // At the chosen scale, this share of the rooms has space for at least one cell. At most this many rooms of a sheet have
@@ -25,7 +25,7 @@ Vec2 needed_mm(std::size_t cells) { return braille_size_mm(cells) + Vec2(2.0 * k
 // there.
 class SheetsMaker {
 public:
-    SheetsMaker(const Storey& storey, const SheetWish& wish)
+    SheetsMaker(const plan::Storey& storey, const SheetWish& wish)
         : storey_(storey),
           wish_(wish),
           scales_(kSheetScales.begin(), kSheetScales.end()),
@@ -91,7 +91,7 @@ private:
     double needed_by(const std::vector<double>& of_room, double share) const {
         std::vector<double> needed;
         for (std::size_t i = 0; i < storey_.rooms.size(); ++i)
-            if (needs_sign(i) && storey_.rooms[i].kind != RoomKind::Stairs && of_room[i] > 0.0)
+            if (needs_sign(i) && storey_.rooms[i].kind != navigation::RoomKind::Stairs && of_room[i] > 0.0)
                 needed.push_back(of_room[i]);
         std::sort(needed.begin(), needed.end());
         const auto last = static_cast<double>(needed.size()) - 1.0;
@@ -246,7 +246,7 @@ private:
 
     static constexpr bool kWays[] = {false, true};
 
-    const Storey& storey_;
+    const plan::Storey& storey_;
     const SheetWish& wish_;
     std::vector<double> scales_, for_one_cell_, for_sign_;  // for every room, see scales_needed
     std::vector<SwellSheet> sheets_;
@@ -255,7 +255,7 @@ private:
 
 }  // namespace
 
-Result<std::vector<SwellSheet>> swell_sheets(const Storey& storey, const SheetWish& wish) {
+Result<std::vector<SwellSheet>> swell_sheets(const plan::Storey& storey, const SheetWish& wish) {
     Result<SwellSheet> one = swell_sheet(storey, wish);
     if (one && one->broken.empty()) return std::vector<SwellSheet>{std::move(*one)};
     Result<std::vector<SwellSheet>> sheets = SheetsMaker(storey, wish).make();
@@ -264,4 +264,4 @@ Result<std::vector<SwellSheet>> swell_sheets(const Storey& storey, const SheetWi
     return std::vector<SwellSheet>{std::move(*one)};
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

@@ -7,14 +7,14 @@
 #include "worlds/exports/names.h"
 #include "worlds/navigation/walk_space.h"
 
-namespace handrail {
+namespace handrail::exports {
 namespace {
 
 using Loops = std::vector<std::vector<Vec2>>;
 
 class Inker {
 public:
-    Inker(const Storey& storey, const OnPaper& on_paper, const WallLook& look)
+    Inker(const plan::Storey& storey, const OnPaper& on_paper, const WallLook& look)
         : storey_(storey), on_paper_(on_paper), look_(look) {}
 
     WallInk make(double width_mm, double height_mm) {
@@ -28,8 +28,8 @@ public:
 
 private:
     std::vector<Vec2> thick_enough(std::vector<Vec2> outline) {
-        if (narrowest_m(outline) >= look_.line_mm) return outline;
-        PlanBox box = box_around(outline);
+        if (plan::narrowest_m(outline) >= look_.line_mm) return outline;
+        plan::PlanBox box = plan::box_around(outline);
         if (2.0 * box.half_m.y >= look_.line_mm) return outline;
         ++made_.thicker;
         box.half_m.y = 0.5 * look_.line_mm;
@@ -38,13 +38,13 @@ private:
     }
 
     void draw() {
-        for (const PlanOutline& wall : storey_.walls_m)
+        for (const plan::PlanOutline& wall : storey_.walls_m)
             fill(made_.ink, Loops{thick_enough(std::move(on_paper_(Loops{wall})[0]))}, true);
         for (const auto& sheet : storey_.sheets_m) {
             const Vec2 a = on_paper_(sheet[0]), b = on_paper_(sheet[1]);
             const double length = glm::distance(a, b);
             if (length < 1e-6) continue;
-            const PlanBox box{0.5 * (a + b), (b - a) / length, {0.5 * length + 0.01, 0.5 * look_.line_mm}};
+            const plan::PlanBox box{0.5 * (a + b), (b - a) / length, {0.5 * length + 0.01, 0.5 * look_.line_mm}};
             fill(made_.ink, Loops{corners_of(box)}, true);
         }
     }
@@ -69,7 +69,7 @@ private:
 
     // A door must stay as wide as a finger needs, and no line that was made thicker may stand in it.
     void open_gap(std::size_t place) {
-        const StoreyGap& gap = storey_.gaps[place];
+        const plan::StoreyGap& gap = storey_.gaps[place];
         const Vec2 middle = on_paper_(gap.place_m), along = gap.along, across(-along.y, along.x);
         const double width = gap.width_m * on_paper_.mm_per_m;
         double low = -0.5 * width, high = 0.5 * width;
@@ -99,7 +99,7 @@ private:
             if (pieces.of[i] && small(pieces.of[i])) made_.ink.black[i] = 0;
     }
 
-    const Storey& storey_;
+    const plan::Storey& storey_;
     const OnPaper& on_paper_;
     const WallLook& look_;
     WallInk made_;
@@ -113,13 +113,13 @@ std::vector<std::vector<Vec2>> OnPaper::operator()(std::vector<std::vector<Vec2>
     return loops_m;
 }
 
-PlanBox OnPaper::operator()(PlanBox box_m) const {
+plan::PlanBox OnPaper::operator()(plan::PlanBox box_m) const {
     box_m.middle_m = (*this)(box_m.middle_m);
     box_m.half_m *= mm_per_m;
     return box_m;
 }
 
-std::string gap_names(const Storey& storey, const std::vector<std::size_t>& gaps) {
+std::string gap_names(const plan::Storey& storey, const std::vector<std::size_t>& gaps) {
     std::vector<std::string> names;
     for (const std::size_t gap : gaps)
         names.push_back(storey.gaps[gap].name.empty() ? phrase("export.opening") : storey.gaps[gap].name);
@@ -139,28 +139,28 @@ std::size_t join_near(Ink& walls, double clear_mm) {
     return joined;
 }
 
-WallInk ink_of_walls(const Storey& storey, const OnPaper& on_paper, double width_mm, double height_mm,
+WallInk ink_of_walls(const plan::Storey& storey, const OnPaper& on_paper, double width_mm, double height_mm,
                      const WallLook& look) {
     return Inker(storey, on_paper, look).make(width_mm, height_mm);
 }
 
 namespace {
 
-std::uint32_t room_on(const RoomGrid& rooms, const Vec2& at_mm) {
+std::uint32_t room_on(const plan::RoomGrid& rooms, const Vec2& at_mm) {
     const int x = static_cast<int>(std::floor(at_mm.x / kInkPixel_mm)),
               y = static_cast<int>(std::floor(at_mm.y / kInkPixel_mm));
-    return rooms.holds(x, y) ? rooms.room[rooms.at(x, y)] : kNothing;
+    return rooms.holds(x, y) ? rooms.room[rooms.at(x, y)] : navigation::kNothing;
 }
 
 // Possible places of the lines across a flight, each as long as the flight is wide.
-std::vector<PlanBox> lines_across(const std::vector<std::vector<Vec2>>& loops_m, const OnPaper& on_paper,
-                                  double line_mm, double clear_mm) {
+std::vector<plan::PlanBox> lines_across(const std::vector<std::vector<Vec2>>& loops_m, const OnPaper& on_paper,
+                                        double line_mm, double clear_mm) {
     std::vector<Vec2> all;
     for (const auto& loop : on_paper(loops_m)) all.insert(all.end(), loop.begin(), loop.end());
-    std::vector<PlanBox> lines;
-    const PlanOutline hull = convex_hull(std::move(all));
+    std::vector<plan::PlanBox> lines;
+    const plan::PlanOutline hull = plan::convex_hull(std::move(all));
     if (hull.empty()) return lines;
-    const PlanBox box = box_around(hull);
+    const plan::PlanBox box = plan::box_around(hull);
     const double pitch_mm = line_mm + clear_mm + 0.2;  // a little more, or the next line would not fit
     for (double at = -box.half_m.x; at <= box.half_m.x + 1e-9; at += pitch_mm)
         lines.push_back({box.middle_m + box.along * at,
@@ -171,23 +171,24 @@ std::vector<PlanBox> lines_across(const std::vector<std::vector<Vec2>>& loops_m,
 
 // Calls `draw(line)` for the lines of every flight. `draw` returns whether it drew the line.
 template <class Draw>
-StairInk lines_of_flights(const Storey& storey, const OnPaper& on_paper, const RoomGrid& rooms, double line_mm,
-                          double clear_mm, Draw draw) {
+StairInk lines_of_flights(const plan::Storey& storey, const OnPaper& on_paper, const plan::RoomGrid& rooms,
+                          double line_mm, double clear_mm, Draw draw) {
     StairInk ink;
     const auto draw_flight = [&](const std::vector<std::vector<Vec2>>& loops_m, auto allowed) {
         const std::size_t before = ink.lines.size();
-        for (PlanBox line : lines_across(loops_m, on_paper, line_mm, clear_mm))
+        for (plan::PlanBox line : lines_across(loops_m, on_paper, line_mm, clear_mm))
             if (allowed(line.middle_m) && draw(line)) ink.lines.push_back(line);
         return ink.lines.size() > before;
     };
     for (std::uint32_t i = 0; i < storey.rooms.size(); ++i)
-        if (storey.rooms[i].kind == RoomKind::Stairs &&
+        if (storey.rooms[i].kind == navigation::RoomKind::Stairs &&
             draw_flight(storey.rooms[i].loops_m, [](const Vec2&) { return true; }))
             ink.drawn.push_back(i);
     for (std::uint32_t i = 0; i < storey.stairs_of_others.size(); ++i) {
-        const StoreyStairs& flight = storey.stairs_of_others[i];
+        const plan::StoreyStairs& flight = storey.stairs_of_others[i];
         const auto in_well = [&](const Vec2& at) {
-            return room_on(rooms, at) == flight.room && floor_at(storey, on_paper.world(at)) == kNothing;
+            return room_on(rooms, at) == flight.room &&
+                   plan::floor_at(storey, on_paper.world(at)) == navigation::kNothing;
         };
         if (draw_flight(flight.loops_m, in_well)) ink.of_others.push_back(i);
     }
@@ -202,7 +203,7 @@ bool black_at(const Ink& ink, const Vec2& mm) {
 
 // Makes a line that has no room between walls reach into them, and keeps an end that reaches none away from what is
 // there; false if the line is too short then, or too near to something before or behind it.
-bool reaches_walls(PlanBox& line, const Ink& walls, double clear_mm, double least_mm) {
+bool reaches_walls(plan::PlanBox& line, const Ink& walls, double clear_mm, double least_mm) {
     if (black_at(walls, line.middle_m)) return false;
     constexpr double kIntoWall_mm = 0.3;
     constexpr double kBesideWall_mm = 0.8;  // the walls that it reaches into may slant
@@ -236,9 +237,9 @@ bool contains(const std::vector<std::uint32_t>& places, std::uint32_t place) {
 
 }  // namespace
 
-StairInk stair_lines(const Storey& storey, const OnPaper& on_paper, const RoomGrid& rooms, Places& places,
+StairInk stair_lines(const plan::Storey& storey, const OnPaper& on_paper, const plan::RoomGrid& rooms, Places& places,
                      double line_mm, double clear_mm, double least_mm) {
-    return lines_of_flights(storey, on_paper, rooms, line_mm, clear_mm, [&](PlanBox& line) {
+    return lines_of_flights(storey, on_paper, rooms, line_mm, clear_mm, [&](plan::PlanBox& line) {
         while (line.half_m.x >= 0.5 * least_mm && !places.fits(line)) line.half_m.x -= 0.25;
         if (line.half_m.x < 0.5 * least_mm) return false;
         places.take(corners_of(line));
@@ -246,23 +247,23 @@ StairInk stair_lines(const Storey& storey, const OnPaper& on_paper, const RoomGr
     });
 }
 
-StairInk stair_rungs(const Storey& storey, const OnPaper& on_paper, const RoomGrid& rooms, Places free, Ink& walls,
-                     double line_mm, double clear_mm, double least_mm) {
+StairInk stair_rungs(const plan::Storey& storey, const OnPaper& on_paper, const plan::RoomGrid& rooms, Places free,
+                     Ink& walls, double line_mm, double clear_mm, double least_mm) {
     const StairInk lines = stair_lines(storey, on_paper, rooms, free, line_mm, clear_mm, least_mm);
-    Storey narrow = storey;
+    plan::Storey narrow = storey;
     for (std::uint32_t i = 0; i < narrow.rooms.size(); ++i)
-        if (contains(lines.drawn, i)) narrow.rooms[i].kind = RoomKind::Room;
+        if (contains(lines.drawn, i)) narrow.rooms[i].kind = navigation::RoomKind::Room;
     for (std::uint32_t i = 0; i < narrow.stairs_of_others.size(); ++i)
         if (contains(lines.of_others, i)) narrow.stairs_of_others[i].loops_m.clear();
-    return lines_of_flights(narrow, on_paper, rooms, line_mm, clear_mm, [&](PlanBox& line) {
+    return lines_of_flights(narrow, on_paper, rooms, line_mm, clear_mm, [&](plan::PlanBox& line) {
         if (!reaches_walls(line, walls, clear_mm, least_mm)) return false;
         fill(walls, Loops{corners_of(line)}, true);
         return true;
     });
 }
 
-ThingFit fit_of_thing(const StoreyThing& thing, const OnPaper& on_paper, const Places& places, double least_mm) {
-    PlanBox box = on_paper(thing.box);
+ThingFit fit_of_thing(const plan::StoreyThing& thing, const OnPaper& on_paper, const Places& places, double least_mm) {
+    plan::PlanBox box = on_paper(thing.box);
     const double least = 0.5 * least_mm;
     if (thing.landmark) box.half_m = glm::max(box.half_m, Vec2(least));
     if (box.half_m.y < least - 1e-9) return {};
@@ -271,14 +272,14 @@ ThingFit fit_of_thing(const StoreyThing& thing, const OnPaper& on_paper, const P
     return fit;
 }
 
-std::optional<BaseArrow> arrow_of_base(const StoreyBase& base, const OnPaper& on_paper, const Ink& walls,
+std::optional<BaseArrow> arrow_of_base(const plan::StoreyBase& base, const OnPaper& on_paper, const Ink& walls,
                                        const Places& places, const Vec2& half_mm) {
     const Vec3 forward = forward_of_heading(base.heading_rad);
     const Vec2 ahead(forward.x, forward.y), side(-ahead.y, ahead.x), at = on_paper(base.place_m);
     const auto place = places.nearest_fit(
         at, 12.0,
         [&](const Vec2& p) {
-            return PlanBox{p, ahead, half_mm};
+            return plan::PlanBox{p, ahead, half_mm};
         },
         [&](const Vec2& p) { return clear_between(walls, at, p); });
     if (!place) return std::nullopt;
@@ -293,8 +294,8 @@ namespace {
 constexpr double kBeforeDoor_mm = 2.0, kBeforeHouse_mm = 12.0;
 
 // `clear_mm`: half depth of the area that belongs to a doorway, from the middle of its wall.
-bool in_doorway(const Storey& storey, const OnPaper& on_paper, const PlanBox& box, double clear_mm) {
-    return std::any_of(storey.gaps.begin(), storey.gaps.end(), [&](const StoreyGap& gap) {
+bool in_doorway(const plan::Storey& storey, const OnPaper& on_paper, const plan::PlanBox& box, double clear_mm) {
+    return std::any_of(storey.gaps.begin(), storey.gaps.end(), [&](const plan::StoreyGap& gap) {
         const Vec2 off = box.middle_m - on_paper(gap.place_m), across(-gap.along.y, gap.along.x);
         const auto extent = [&](const Vec2& way) {
             return std::abs(way.x) * box.half_m.x + std::abs(way.y) * box.half_m.y;
@@ -306,12 +307,12 @@ bool in_doorway(const Storey& storey, const OnPaper& on_paper, const PlanBox& bo
 
 }  // namespace
 
-std::optional<Vec2> place_of_sign(const Storey& storey, std::size_t room, const OnPaper& on_paper,
-                                  const RoomGrid& rooms, const Places& places, const Places& beside_things,
-                                  const Vec2& half_mm, const std::vector<PlanBox>& others) {
-    const StoreyRoom& mine = storey.rooms[room];
+std::optional<Vec2> place_of_sign(const plan::Storey& storey, std::size_t room, const OnPaper& on_paper,
+                                  const plan::RoomGrid& rooms, const Places& places, const Places& beside_things,
+                                  const Vec2& half_mm, const std::vector<plan::PlanBox>& others) {
+    const plan::StoreyRoom& mine = storey.rooms[room];
     const double reach = glm::distance(on_paper(mine.min_m), on_paper(mine.max_m)) + 5.0;
-    const auto box_at = [&](const Vec2& p) { return PlanBox{p, {1.0, 0.0}, half_mm}; };
+    const auto box_at = [&](const Vec2& p) { return plan::PlanBox{p, {1.0, 0.0}, half_mm}; };
     // The floor begins a walker's radius inside the walls. Beyond that, nobody would recognise the room, although no
     // wall ends it.
     constexpr double kBesideFloor_m = 0.35;
@@ -341,4 +342,4 @@ std::optional<Vec2> place_of_sign(const Storey& storey, std::size_t room, const 
     return place;
 }
 
-}  // namespace handrail
+}  // namespace handrail::exports

@@ -12,7 +12,7 @@
 #include "worlds/plan/room_borders.h"
 #include "worlds/plan/storey.h"
 
-namespace handrail {
+namespace handrail::exports {
 
 // Converts metres of the world to millimetres on the sheet, north up.
 struct OnPaper {
@@ -22,7 +22,7 @@ struct OnPaper {
     Vec2 operator()(const Vec2& world_m) const { return shift_mm + (world_m - from_m) * mm_per_m; }
     Vec2 world(const Vec2& mm) const { return from_m + (mm - shift_mm) / mm_per_m; }
     std::vector<std::vector<Vec2>> operator()(std::vector<std::vector<Vec2>> loops_m) const;
-    PlanBox operator()(PlanBox box_m) const;
+    plan::PlanBox operator()(plan::PlanBox box_m) const;
 };
 
 struct WallLook {
@@ -39,8 +39,8 @@ struct WallInk {
     std::vector<std::size_t> narrow_gaps;  // places in Storey::gaps, between walls that leave no room to widen them
 };
 // The names of gaps, as a sentence lists them.
-std::string gap_names(const Storey& storey, const std::vector<std::size_t>& gaps);
-WallInk ink_of_walls(const Storey& storey, const OnPaper& on_paper, double width_mm, double height_mm,
+std::string gap_names(const plan::Storey& storey, const std::vector<std::size_t>& gaps);
+WallInk ink_of_walls(const plan::Storey& storey, const OnPaper& on_paper, double width_mm, double height_mm,
                      const WallLook& look);
 
 // Fills the gaps between lines that are narrower than `clear_mm`. Returns how many there were.
@@ -50,32 +50,32 @@ std::size_t join_near(Ink& walls, double clear_mm);
 // each. Lines shorter than `least_mm` are left out. So are lines of another storey's flight outside the room that it
 // leads to. `rooms`: see rooms_on.
 struct StairInk {
-    std::vector<PlanBox> lines;
+    std::vector<plan::PlanBox> lines;
     std::vector<std::uint32_t> drawn;      // indices in Storey::rooms of the storey's own flights that have lines
     std::vector<std::uint32_t> of_others;  // indices in Storey::stairs_of_others, of flights that have lines
 };
-StairInk stair_lines(const Storey& storey, const OnPaper& on_paper, const RoomGrid& rooms, Places& places,
+StairInk stair_lines(const plan::Storey& storey, const OnPaper& on_paper, const plan::RoomGrid& rooms, Places& places,
                      double line_mm, double clear_mm, double least_mm);
 
 // Draws the lines of flights that are too narrow for lines between their walls. Their lines reach into the walls, like
 // the rungs of a ladder. `free`: where the lines of other flights would fit.
-StairInk stair_rungs(const Storey& storey, const OnPaper& on_paper, const RoomGrid& rooms, Places free, Ink& walls,
-                     double line_mm, double clear_mm, double least_mm);
+StairInk stair_rungs(const plan::Storey& storey, const OnPaper& on_paper, const plan::RoomGrid& rooms, Places free,
+                     Ink& walls, double line_mm, double clear_mm, double least_mm);
 
 // The free part of an object's box; nothing if the box or its free part is smaller than `least_mm`. Landmarks count as
 // at least that large.
 struct ThingFit {
-    std::optional<PlanBox> box;
+    std::optional<plan::PlanBox> box;
     bool shrunk = false;  // to under four fifths of its area
 };
-ThingFit fit_of_thing(const StoreyThing& thing, const OnPaper& on_paper, const Places& places, double least_mm);
+ThingFit fit_of_thing(const plan::StoreyThing& thing, const OnPaper& on_paper, const Places& places, double least_mm);
 
 // The arrow at the base, its tip first: as close to the base as there is space, within 12 mm, with no wall between.
 struct BaseArrow {
     std::vector<Vec2> loop_mm;
     double off_mm = 0.0;  // distance from the base
 };
-std::optional<BaseArrow> arrow_of_base(const StoreyBase& base, const OnPaper& on_paper, const Ink& walls,
+std::optional<BaseArrow> arrow_of_base(const plan::StoreyBase& base, const OnPaper& on_paper, const Ink& walls,
                                        const Places& places, const Vec2& half_mm);
 
 // Distance between two signs, so that they are not read as one word.
@@ -84,8 +84,8 @@ inline constexpr double kBetweenSigns_mm = 6.4;
 // Where a sign of these half sides fits into the room with index `room`. All four corners must be in the room and
 // outside doorways, at a distance from the `others`. It avoids objects if possible. Of all such places, returns the
 // nearest to the middle of the room. `rooms`: see rooms_on.
-std::optional<Vec2> place_of_sign(const Storey& storey, std::size_t room, const OnPaper& on_paper,
-                                  const RoomGrid& rooms, const Places& places, const Places& beside_things,
-                                  const Vec2& half_mm, const std::vector<PlanBox>& others);
+std::optional<Vec2> place_of_sign(const plan::Storey& storey, std::size_t room, const OnPaper& on_paper,
+                                  const plan::RoomGrid& rooms, const Places& places, const Places& beside_things,
+                                  const Vec2& half_mm, const std::vector<plan::PlanBox>& others);
 
-}  // namespace handrail
+}  // namespace handrail::exports

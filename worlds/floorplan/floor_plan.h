@@ -9,7 +9,7 @@
 
 #include "worlds/geometry/flat_parts.h"
 
-namespace handrail {
+namespace handrail::floorplan {
 
 struct PlanLevel {
     double number = 0.0;  // as in the file: 0 is at the ground
@@ -161,4 +161,4 @@ struct FloorPlan {
     std::vector<std::pair<std::string, std::string>> warnings;  // what is wrong, and what was done about it
 };
 
-}  // namespace handrail
+}  // namespace handrail::floorplan

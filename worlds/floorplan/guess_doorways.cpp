@@ -7,7 +7,7 @@
 #include "worlds/geometry/box_index.h"
 #include "worlds/geometry/clip.h"
 
-namespace handrail {
+namespace handrail::floorplan {
 namespace {
 
 constexpr double kBesideRoom_m = 0.3, kLeastDoorway_m = 0.9, kStretch_m = 0.3, kLongestEdge_m = 20'000.0;
@@ -111,4 +111,4 @@ int guess_doorways(FloorPlan& plan) {
     return static_cast<int>(guessed.size());
 }
 
-}  // namespace handrail
+}  // namespace handrail::floorplan

@@ -3,7 +3,7 @@
 
 #include "worlds/floorplan/floor_plan.h"
 
-namespace handrail {
+namespace handrail::floorplan {
 
 // Gives each room, staircase and lift an open doorway on each level where no door of the plan touches it. The doorway
 // is in the middle of the longest stretch of its outline that runs along a walkway, else along a room that can be
@@ -11,4 +11,4 @@ namespace handrail {
 // edges of nearby spaces on the same level.
 int guess_doorways(FloorPlan& plan);
 
-}  // namespace handrail
+}  // namespace handrail::floorplan

@@ -3,7 +3,7 @@
 
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::floorplan {
 
 // On the WGS 84 ellipsoid; accurate to millimetres over half a kilometre.
 class LocalPlane {
@@ -29,4 +29,4 @@ private:
     Vec2 origin_deg_{0.0}, metres_per_deg_{1.0};
 };
 
-}  // namespace handrail
+}  // namespace handrail::floorplan

@@ -8,7 +8,7 @@
 #include "worlds/floorplan/plan_walls.h"
 #include "worlds/scene/stated_building.h"
 
-namespace handrail {
+namespace handrail::floorplan {
 
 class PlanBuilder {
 public:
@@ -93,4 +93,4 @@ private:
         no_stairs_ = 0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::floorplan

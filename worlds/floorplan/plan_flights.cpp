@@ -5,7 +5,7 @@
 #include "worlds/floorplan/plan_builder.h"
 #include "worlds/floorplan/upright.h"
 
-namespace handrail {
+namespace handrail::floorplan {
 namespace {
 
 constexpr double kEasyRise_m = 0.185, kSteepestRise_m = 0.22, kShortestGoing_m = 0.19, kUsualGoing_m = 0.28;
@@ -145,4 +145,4 @@ std::vector<Ring> PlanBuilder::without_flight_gaps(const Ring& wall, std::size_t
     return parts;
 }
 
-}  // namespace handrail
+}  // namespace handrail::floorplan

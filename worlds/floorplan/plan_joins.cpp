@@ -11,7 +11,7 @@
 #include "worlds/geometry/clip.h"
 #include "worlds/geometry/exposed_surface.h"
 
-namespace handrail {
+namespace handrail::floorplan {
 namespace {
 
 constexpr double kMeetFloor_m = 0.3, kEndsBeforeDoor_m = 1.5, kOnGround_m = 0.6;
@@ -154,4 +154,4 @@ void PlanBuilder::open_ways_to_the_ground(const std::vector<std::uint32_t>& room
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::floorplan

@@ -10,7 +10,7 @@
 #include "worlds/scene/outer_ground.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::floorplan {
 namespace {
 
 constexpr std::size_t kMostSolids = 150'000;
@@ -469,4 +469,4 @@ Result<Scene> scene_of_plan(FloorPlan plan, const std::string& file_name, const 
     return PlanBuilder(std::move(plan), options).build(file_name);
 }
 
-}  // namespace handrail
+}  // namespace handrail::floorplan

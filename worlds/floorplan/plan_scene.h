@@ -8,7 +8,7 @@
 #include "worlds/floorplan/floor_plan.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::floorplan {
 
 struct PlanOptions {
     std::string world_name;  // used if the plan has no name
@@ -19,4 +19,4 @@ struct PlanOptions {
 // The same plan always gives the same Scene. Fails with one sentence if it contains nothing to touch, or too much.
 Result<Scene> scene_of_plan(FloorPlan plan, const std::string& file_name, const PlanOptions& options);
 
-}  // namespace handrail
+}  // namespace handrail::floorplan

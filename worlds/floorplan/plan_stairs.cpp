@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace handrail {
+namespace handrail::floorplan {
 namespace {
 
 constexpr double kRise_m = 0.185, kSteepRise_m = 0.22, kLeastGoing_m = 0.19, kGoing_m = 0.28;
@@ -145,4 +145,4 @@ std::optional<StairWell> lay_stairs(const std::vector<Ring>& rings, std::span<co
     return laid_with(rings, doors, rise_m, kSteepRise_m);
 }
 
-}  // namespace handrail
+}  // namespace handrail::floorplan

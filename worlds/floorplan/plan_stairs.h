@@ -7,7 +7,7 @@
 
 #include "worlds/geometry/flat_parts.h"
 
-namespace handrail {
+namespace handrail::floorplan {
 
 // The well that the two flights fill, from its open end (`from`) to its far end. The first flight climbs on the right;
 // the second comes back next to it.
@@ -41,4 +41,4 @@ std::optional<StairWell> lay_stairs(const std::vector<Ring>& rings, std::span<co
 // The number of steps for half of `rise_m`, none higher than `step_rise_m`.
 int steps_of_half(double rise_m, double step_rise_m);
 
-}  // namespace handrail
+}  // namespace handrail::floorplan

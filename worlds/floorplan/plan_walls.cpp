@@ -8,7 +8,7 @@
 #include "worlds/geometry/box_index.h"
 #include "worlds/geometry/clip.h"
 
-namespace handrail {
+namespace handrail::floorplan {
 namespace {
 
 constexpr double kStraight_m = 0.03, kBeside_m = 0.25, kNearWall_m = 0.35;
@@ -334,4 +334,4 @@ LevelWalls walls_of_level(const FloorPlan& plan, std::size_t level, const std::v
     return Level(plan, level, here).build();
 }
 
-}  // namespace handrail
+}  // namespace handrail::floorplan

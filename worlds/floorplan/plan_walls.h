@@ -7,7 +7,7 @@
 
 #include "worlds/floorplan/floor_plan.h"
 
-namespace handrail {
+namespace handrail::floorplan {
 
 // A straight wall and its gaps, in rising order and separate from one another.
 struct WallRun {
@@ -49,4 +49,4 @@ struct LevelWalls {
 // `here`: the spaces of this level. The time grows with the number of corners and with how many are close together.
 LevelWalls walls_of_level(const FloorPlan& plan, std::size_t level, const std::vector<std::size_t>& here);
 
-}  // namespace handrail
+}  // namespace handrail::floorplan

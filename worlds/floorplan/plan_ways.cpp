@@ -9,7 +9,7 @@
 
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::floorplan {
 namespace {
 
 constexpr double kClear_m = 0.005, kLeafTravel_s = 1.0, kTwoLeaves_m = 1.4;
@@ -392,4 +392,4 @@ void PlanBuilder::state_way(const PlanWay& way, const std::vector<Ring>& parts) 
     stated_->rooms.push_back(std::move(room));
 }
 
-}  // namespace handrail
+}  // namespace handrail::floorplan

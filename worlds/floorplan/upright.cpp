@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace handrail {
+namespace handrail::floorplan {
 namespace {
 
 constexpr double kLeast_m = 1e-4, kLeastArea_m2 = 1e-6;
@@ -100,4 +100,4 @@ double distance_to_outline(const std::vector<Ring>& rings, const Vec2& at) {
     return nearest_of_outline(rings, at).distance_m;
 }
 
-}  // namespace handrail
+}  // namespace handrail::floorplan

@@ -6,7 +6,7 @@
 #include "worlds/geometry/convex.h"
 #include "worlds/geometry/flat_parts.h"
 
-namespace handrail {
+namespace handrail::floorplan {
 
 inline double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 // The vector turned to its left by 90 degrees.
@@ -30,4 +30,4 @@ NearestOfOutline nearest_of_outline(const std::vector<Ring>& rings, const Vec2& 
 // The distance from the point to the nearest edge of the rings; 1e300 if they have none.
 double distance_to_outline(const std::vector<Ring>& rings, const Vec2& at);
 
-}  // namespace handrail
+}  // namespace handrail::floorplan

@@ -8,7 +8,7 @@
 #include "worlds/geometry/clip.h"
 #include "worlds/geometry/mass_properties.h"
 
-namespace handrail {
+namespace handrail::ifc {
 namespace {
 
 constexpr CutTolerance kTolerance{1e-6, 1e-5};
@@ -382,4 +382,4 @@ bool meets(const Body& body, const ConvexSolid& shape) {
     return false;
 }
 
-}  // namespace handrail
+}  // namespace handrail::ifc

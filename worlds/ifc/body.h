@@ -12,7 +12,7 @@
 #include "worlds/geometry/flat_parts.h"
 #include "worlds/ifc/ifc_model.h"
 
-namespace handrail {
+namespace handrail::ifc {
 
 inline constexpr double kFlush_m = 1e-4;  // overhangs smaller than this are not cut off
 
@@ -81,4 +81,4 @@ bool crosses(const Body& body, const Vec3& low, const Vec3& high);
 // Returns true if `shape` and the body overlap by more than a flush contact.
 bool meets(const Body& body, const ConvexSolid& shape);
 
-}  // namespace handrail
+}  // namespace handrail::ifc

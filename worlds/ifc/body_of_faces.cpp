@@ -8,7 +8,7 @@
 #include "worlds/geometry/exposed_surface.h"
 #include "worlds/ifc/body.h"
 
-namespace handrail {
+namespace handrail::ifc {
 namespace {
 
 constexpr double kFlat_m = 1e-4;
@@ -263,4 +263,4 @@ Body body_of_faces(const std::vector<FlatFace>& flat) {
     return body;
 }
 
-}  // namespace handrail
+}  // namespace handrail::ifc

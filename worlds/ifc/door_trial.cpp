@@ -5,7 +5,7 @@
 
 #include "worlds/geometry/clip.h"
 
-namespace handrail {
+namespace handrail::ifc {
 namespace {
 
 // The size of the walker.
@@ -149,4 +149,4 @@ DoorTrial DoorTrials::try_door(const WallGap& gap) const {
     return first;
 }
 
-}  // namespace handrail
+}  // namespace handrail::ifc

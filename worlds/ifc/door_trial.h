@@ -9,7 +9,7 @@
 #include "worlds/ifc/ifc_building.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::ifc {
 
 // Why the walker does not get through a door.
 enum class DoorTrialEnd : std::uint8_t {
@@ -47,4 +47,4 @@ private:
     BoxIndex solids_, triangles_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::ifc

@@ -20,7 +20,7 @@
 #include "worlds/geometry/closed_mesh.h"
 #include "worlds/geometry/mass_properties.h"
 
-namespace handrail {
+namespace handrail::ifc {
 namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
@@ -359,4 +359,4 @@ std::optional<Body> cut_exactly(const Body& body, const Body& by, ExactCut kind,
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::ifc

@@ -8,7 +8,7 @@
 
 #include "worlds/ifc/body.h"
 
-namespace handrail {
+namespace handrail::ifc {
 
 enum class ExactCut : std::uint8_t { TakeAway, KeepWithin };
 
@@ -26,4 +26,4 @@ struct ExactLimits {
 std::optional<Body> cut_exactly(const Body& body, const Body& by, ExactCut cut, ExactLimits& limits,
                                 const std::stop_token& stop);
 
-}  // namespace handrail
+}  // namespace handrail::ifc

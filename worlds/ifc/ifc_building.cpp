@@ -9,7 +9,7 @@
 #include "worlds/ifc/ifc_scene.h"
 #include "worlds/ifc/ifc_spaces.h"
 
-namespace handrail {
+namespace handrail::ifc {
 namespace {
 
 // Some programs write the file's path as the name of the building: "D:\temp\file.ifc" becomes "file".
@@ -639,4 +639,4 @@ std::vector<std::string> free_the_way(IfcBuilding& building, const WallGap& gap)
     return cut;
 }
 
-}  // namespace handrail
+}  // namespace handrail::ifc

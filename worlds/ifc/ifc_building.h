@@ -12,7 +12,7 @@
 #include "worlds/scene/prefab.h"
 #include "worlds/scene/stated_building.h"
 
-namespace handrail {
+namespace handrail::ifc {
 
 // Coordinates farther from zero than this belong to a national grid.
 inline constexpr double kFarAway_m = 10'000.0;
@@ -78,4 +78,4 @@ bool can_pass(const IfcBuilding& building, const WallGap& gap);
 // The side of a gap that is under open sky, along the y axis of the gap: -1 or 1; 0 if neither or both are.
 double sky_side(const IfcBuilding& building, const WallGap& gap);
 
-}  // namespace handrail
+}  // namespace handrail::ifc

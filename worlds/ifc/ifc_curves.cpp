@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace handrail {
+namespace handrail::ifc {
 namespace {
 
 constexpr int kDeepestCurve = 8;
@@ -174,4 +174,4 @@ std::vector<Vec3> curve_points(const IfcModel& model, std::uint64_t curve) {
     return CurveReader(model).points(curve, 0);
 }
 
-}  // namespace handrail
+}  // namespace handrail::ifc

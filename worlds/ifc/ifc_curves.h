@@ -5,7 +5,7 @@
 #include "worlds/geometry/flat_parts.h"
 #include "worlds/ifc/ifc_model.h"
 
-namespace handrail {
+namespace handrail::ifc {
 
 // The points of a curve in its own frame; a closed curve does not repeat its first point at the end. Empty if the kind
 // is not supported or the curve is damaged.
@@ -18,4 +18,4 @@ std::vector<std::vector<Ring>> profile_rings(const IfcModel& model, std::uint64_
 // The corners of a regular polygon on a circle.
 Ring regular_ring(double radius_m, int corners);
 
-}  // namespace handrail
+}  // namespace handrail::ifc

@@ -13,7 +13,7 @@
 #include "worlds/scene/outer_ground.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::ifc {
 namespace {
 
 constexpr double kPaneThick_m = 0.06, kClear_m = 0.005;
@@ -441,4 +441,4 @@ void IfcScene::add_starts() {
     if (!scene_.starts.empty()) scene_.starts.front().base = true;
 }
 
-}  // namespace handrail
+}  // namespace handrail::ifc

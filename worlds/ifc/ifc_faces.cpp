@@ -5,7 +5,7 @@
 #include "worlds/geometry/flat_parts.h"
 #include "worlds/ifc/ifc_shapes.h"
 
-namespace handrail {
+namespace handrail::ifc {
 namespace {
 
 // Pairs the corners of a curved face's outline across it, so that the strips are as narrow as possible.
@@ -200,4 +200,4 @@ void IfcShapes::weigh_faces(const std::vector<FlatFace>& faces, const Body& body
     account_.made_m3 += volume_m3(body);
 }
 
-}  // namespace handrail
+}  // namespace handrail::ifc

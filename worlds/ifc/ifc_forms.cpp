@@ -7,7 +7,7 @@
 #include "worlds/ifc/ifc_curves.h"
 #include "worlds/ifc/ifc_shapes.h"
 
-namespace handrail {
+namespace handrail::ifc {
 namespace {
 
 constexpr int kDeepestForm = 40;
@@ -262,4 +262,4 @@ void IfcShapes::compare_result(std::uint64_t id, const Body& body, Aabb box) {
     if (std::abs(share) > std::abs(account_.result_share)) account_.result_share = share;
 }
 
-}  // namespace handrail
+}  // namespace handrail::ifc

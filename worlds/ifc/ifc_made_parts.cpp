@@ -6,7 +6,7 @@
 #include "worlds/base/text.h"
 #include "worlds/geometry/clip.h"
 
-namespace handrail {
+namespace handrail::ifc {
 namespace {
 
 constexpr double kFloorThick_m = 0.1, kWallThick_m = 0.05;
@@ -164,4 +164,4 @@ int make_walls(IfcBuilding& building) {
     return made;
 }
 
-}  // namespace handrail
+}  // namespace handrail::ifc

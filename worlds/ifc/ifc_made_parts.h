@@ -4,7 +4,7 @@
 
 #include "worlds/ifc/ifc_building.h"
 
-namespace handrail {
+namespace handrail::ifc {
 
 // Adds a floor under each room that has nothing under it, open where stairs come up. Rooms whose name says that they
 // are open below get none. Returns the indices of the rooms.
@@ -14,4 +14,4 @@ std::vector<std::uint32_t> make_floors(IfcBuilding& building);
 // rooms.
 int make_walls(IfcBuilding& building);
 
-}  // namespace handrail
+}  // namespace handrail::ifc

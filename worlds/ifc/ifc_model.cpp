@@ -5,7 +5,7 @@
 #include "worlds/base/text.h"
 #include "worlds/ifc/ifc_curves.h"
 
-namespace handrail {
+namespace handrail::ifc {
 
 const StepValue& value_at(const Values& values, std::size_t i) {
     static const StepValue kNothing;
@@ -248,4 +248,4 @@ Frame IfcModel::placement(std::uint64_t id) {
     return outer;
 }
 
-}  // namespace handrail
+}  // namespace handrail::ifc

@@ -12,7 +12,7 @@
 #include "worlds/geometry/convex.h"
 #include "worlds/ifc/step_file.h"
 
-namespace handrail {
+namespace handrail::ifc {
 
 // Axes, which may be scaled, and an origin. Right-handed, except in mirrored copies.
 struct Frame {
@@ -77,4 +77,4 @@ private:
     int odd_placements_ = 0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::ifc

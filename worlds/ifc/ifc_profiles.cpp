@@ -4,7 +4,7 @@
 
 #include "worlds/ifc/ifc_curves.h"
 
-namespace handrail {
+namespace handrail::ifc {
 namespace {
 
 constexpr int kDeepestProfile = 8;
@@ -167,4 +167,4 @@ std::vector<std::vector<Ring>> profile_rings(const IfcModel& model, std::uint64_
     return parts;
 }
 
-}  // namespace handrail
+}  // namespace handrail::ifc

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace handrail {
+namespace handrail::ifc {
 namespace {
 
 struct RoleRow {
@@ -146,4 +146,4 @@ std::vector<std::string> material_words(const IfcModel& model, const IfcRelation
     return words;
 }
 
-}  // namespace handrail
+}  // namespace handrail::ifc

@@ -7,7 +7,7 @@
 
 #include "worlds/ifc/ifc_model.h"
 
-namespace handrail {
+namespace handrail::ifc {
 
 enum class PartRole : std::uint8_t {
     Wall,
@@ -59,4 +59,4 @@ struct IfcRelations {
 // The words that state what an element is made of, the innermost layer first. Empty if the file states nothing.
 std::vector<std::string> material_words(const IfcModel& model, const IfcRelations& relations, std::uint64_t element);
 
-}  // namespace handrail
+}  // namespace handrail::ifc

@@ -8,7 +8,7 @@
 #include "worlds/geometry/clip.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::ifc {
 namespace {
 
 constexpr std::size_t kMostSolids = 150'000, kMostTriangles = 1'500'000;
@@ -345,4 +345,4 @@ Result<Scene> read_ifc_building(std::string_view bytes, const std::string& file_
     return scene;
 }
 
-}  // namespace handrail
+}  // namespace handrail::ifc

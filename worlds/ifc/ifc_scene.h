@@ -7,7 +7,7 @@
 #include "worlds/ifc/ifc_spaces.h"
 #include "worlds/ifc/read_ifc.h"
 
-namespace handrail {
+namespace handrail::ifc {
 
 class IfcScene {
 public:
@@ -71,4 +71,4 @@ const Prefab* prefab_for(const std::vector<std::string>& words);
 // The part of a name that can be spoken: "M_Chair-Breuer:M_Chair-Breuer:174845" becomes "Chair-Breuer".
 std::string spoken_part_name(const std::string& name);
 
-}  // namespace handrail
+}  // namespace handrail::ifc

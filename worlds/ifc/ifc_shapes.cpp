@@ -9,7 +9,7 @@
 #include "worlds/geometry/clip.h"
 #include "worlds/ifc/ifc_curves.h"
 
-namespace handrail {
+namespace handrail::ifc {
 namespace {
 
 constexpr double kFarthest_m = 1e7;
@@ -421,4 +421,4 @@ bool IfcShapes::combine_exactly(Body& first, const Cutter& second, ExactCut cut)
     return result.has_value();
 }
 
-}  // namespace handrail
+}  // namespace handrail::ifc

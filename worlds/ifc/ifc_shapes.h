@@ -11,7 +11,7 @@
 #include "worlds/ifc/body.h"
 #include "worlds/ifc/exact_cut.h"
 
-namespace handrail {
+namespace handrail::ifc {
 
 class IfcShapes {
 public:
@@ -96,4 +96,4 @@ private:
     bool within_result_ = false;  // set while reading operands: a boolean result is compared as a whole
 };
 
-}  // namespace handrail
+}  // namespace handrail::ifc

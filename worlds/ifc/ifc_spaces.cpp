@@ -7,7 +7,7 @@
 
 #include "worlds/geometry/clip.h"
 
-namespace handrail {
+namespace handrail::ifc {
 namespace {
 
 constexpr double kLowest_m = 0.05;  // faces this close to a space's lowest point belong to its floor
@@ -177,4 +177,4 @@ std::array<std::uint32_t, 2> rooms_beside(const RoomsByPlace& rooms, const WallG
     return found;
 }
 
-}  // namespace handrail
+}  // namespace handrail::ifc

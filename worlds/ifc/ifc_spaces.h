@@ -3,7 +3,7 @@
 
 #include "worlds/ifc/ifc_building.h"
 
-namespace handrail {
+namespace handrail::ifc {
 
 // Fills storeys, rooms and room_of_id.
 void read_spaces(IfcBuilding& building, IfcModel& model, const IfcRelations& relations, IfcShapes& shapes);
@@ -28,4 +28,4 @@ private:
 // (+y). kNotStated if there is none.
 std::array<std::uint32_t, 2> rooms_beside(const RoomsByPlace& rooms, const WallGap& gap);
 
-}  // namespace handrail
+}  // namespace handrail::ifc

@@ -4,7 +4,7 @@
 #include "worlds/base/text.h"
 #include "worlds/ifc/ifc_model.h"
 
-namespace handrail {
+namespace handrail::ifc {
 namespace {
 
 double prefix(std::string_view word) {
@@ -76,4 +76,4 @@ void IfcModel::read_units() {
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::ifc

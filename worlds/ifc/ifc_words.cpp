@@ -5,7 +5,7 @@
 #include "worlds/base/text.h"
 #include "worlds/ifc/ifc_scene.h"
 
-namespace handrail {
+namespace handrail::ifc {
 namespace {
 
 struct Rule {
@@ -142,4 +142,4 @@ std::string spoken_part_name(const std::string& name) {
     return words ? kept : std::string();
 }
 
-}  // namespace handrail
+}  // namespace handrail::ifc

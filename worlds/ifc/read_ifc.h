@@ -10,7 +10,7 @@
 #include "worlds/base/result.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::ifc {
 
 struct IfcOptions {
     std::string world_name;       // used if the file has no name that can be spoken
@@ -24,4 +24,4 @@ struct IfcOptions {
 // schema, without a building, or too large.
 Result<Scene> read_ifc_building(std::string_view bytes, const std::string& file_name, const IfcOptions& options = {});
 
-}  // namespace handrail
+}  // namespace handrail::ifc

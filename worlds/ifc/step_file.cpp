@@ -7,7 +7,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::ifc {
 namespace {
 
 bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' '; }
@@ -301,4 +301,4 @@ std::vector<StepValue> StepFile::values_of(const StepInstance& instance) const {
     return ValueParser(instance.values).all();
 }
 
-}  // namespace handrail
+}  // namespace handrail::ifc

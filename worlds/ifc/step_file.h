@@ -13,7 +13,7 @@
 
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::ifc {
 
 // One value of an instance. `$` and `*` are Nothing. A typed value such as IFCLABEL('x') is the value inside.
 struct StepValue {
@@ -58,4 +58,4 @@ private:
 // \X4\...\X0\. A byte above 127 that is not UTF-8 is read as Latin-1.
 std::string decoded(std::string_view raw);
 
-}  // namespace handrail
+}  // namespace handrail::ifc

@@ -5,7 +5,7 @@
 #include "worlds/base/text.h"
 #include "worlds/ifc/step_file.h"
 
-namespace handrail {
+namespace handrail::ifc {
 namespace {
 
 void add_utf8(std::string& to, std::uint32_t code) {
@@ -101,4 +101,4 @@ std::string decoded(std::string_view raw) {
     return text;
 }
 
-}  // namespace handrail
+}  // namespace handrail::ifc

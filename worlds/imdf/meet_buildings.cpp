@@ -9,7 +9,7 @@
 #include "worlds/geometry/box_index.h"
 #include "worlds/geometry/clip.h"
 
-namespace handrail {
+namespace handrail::imdf {
 namespace {
 
 constexpr double kSharedDoor_m = 0.3;
@@ -66,7 +66,7 @@ private:
                 const VenueUnit& unit = units_[u];
                 const bool own = door.building == building;
                 if (own == (unit.building == building) || (own && !settled_[unit.building])) continue;
-                if (distance_to_outline(unit.rings, door.at) > kSharedDoor_m) continue;
+                if (floorplan::distance_to_outline(unit.rings, door.at) > kSharedDoor_m) continue;
                 const double there = own ? unit.ordinal + shift_[unit.building] : door.ordinal + shift_[door.building];
                 ++votes[there - (own ? door.ordinal : unit.ordinal)];
             }
@@ -111,4 +111,4 @@ std::vector<double> shifts_of_buildings(std::size_t buildings, const std::vector
     return Meeting(buildings, units, doors).shifts();
 }
 
-}  // namespace handrail
+}  // namespace handrail::imdf

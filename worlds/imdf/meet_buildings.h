@@ -8,7 +8,7 @@
 
 #include "worlds/geometry/flat_parts.h"
 
-namespace handrail {
+namespace handrail::imdf {
 
 struct VenueUnit {
     std::size_t building = 0;
@@ -30,4 +30,4 @@ struct VenueDoor {
 std::vector<double> shifts_of_buildings(std::size_t buildings, const std::vector<VenueUnit>& units,
                                         const std::vector<VenueDoor>& doors);
 
-}  // namespace handrail
+}  // namespace handrail::imdf

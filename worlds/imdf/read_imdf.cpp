@@ -15,7 +15,7 @@
 #include "worlds/imdf/meet_buildings.h"
 #include "worlds/imdf/zip_archive.h"
 
-namespace handrail {
+namespace handrail::imdf {
 namespace {
 
 using Json = nlohmann::json;
@@ -105,7 +105,7 @@ public:
         plan_.storey_m = kUsualStorey_m;
     }
 
-    Result<FloorPlan> build(const std::map<std::string, std::string>& files, const std::string& file_name) {
+    Result<floorplan::FloorPlan> build(const std::map<std::string, std::string>& files, const std::string& file_name) {
         for (const auto& [path, content] : files) {
             const Json read = Json::parse(content, nullptr, false);
             if (read.is_discarded())
@@ -137,7 +137,7 @@ public:
         tell("imdf.damaged_shapes", damaged_);
         tell("imdf.no_level", no_level_);
         if (plan_.doors.empty()) plan_.left_out.push_back(phrase("imdf.no_openings"));
-        if (const int guessed = guess_doorways(plan_); guessed > 0)
+        if (const int guessed = floorplan::guess_doorways(plan_); guessed > 0)
             plan_.guessed.push_back(phrase("imdf.guessed_doorways", {{"n", guessed}}));
         if (occupants_lost_ > 0) plan_.left_out.push_back(phrase("imdf.occupants_lost", {{"n", occupants_lost_}}));
         if (own_categories_ > 0) plan_.simplified.push_back(phrase("imdf.own_categories", {{"n", own_categories_}}));
@@ -246,7 +246,7 @@ private:
             for (const Ring& ring : rings)
                 for (const Vec2& p : ring) least = glm::min(least, p), most = glm::max(most, p);
         }
-        if (least.x <= most.x) plane_ = LocalPlane(0.5 * (least + most));
+        if (least.x <= most.x) plane_ = floorplan::LocalPlane(0.5 * (least + most));
     }
 
     bool placed(std::vector<Ring>& rings) const {
@@ -267,7 +267,7 @@ private:
                 no_level_ += wanted_building_.empty() ? 1 : 0;
                 continue;
             }
-            PlanSpace space;
+            floorplan::PlanSpace space;
             if (!rings_of(at(unit, "geometry"), space.rings) || !placed(space.rings)) {
                 ++damaged_;
                 continue;
@@ -275,19 +275,21 @@ private:
             const std::string category = text(at(properties, "category")), id = text(at(unit, "id"));
             const auto begins = [&](std::string_view word) { return category.starts_with(word); };
             space.id = id;
-            space.kind = begins("stairs")                                                 ? PlanSpaceKind::Stairs
-                         : begins("escalator")                                            ? PlanSpaceKind::Escalator
-                         : begins("elevator")                                             ? PlanSpaceKind::Lift
-                         : begins("walkway") || begins("movingwalkway") || begins("ramp") ? PlanSpaceKind::Corridor
+            space.kind = begins("stairs")      ? floorplan::PlanSpaceKind::Stairs
+                         : begins("escalator") ? floorplan::PlanSpaceKind::Escalator
+                         : begins("elevator")  ? floorplan::PlanSpaceKind::Lift
+                         : begins("walkway") || begins("movingwalkway") || begins("ramp")
+                             ? floorplan::PlanSpaceKind::Corridor
                          : begins("platform") || begins("road") || begins("vegetation") || begins("parking") ||
                                  begins("opentobelow") || begins("unenclosedarea") || begins("lobby")
-                             ? PlanSpaceKind::Area
-                             : PlanSpaceKind::Room;
+                             ? floorplan::PlanSpaceKind::Area
+                             : floorplan::PlanSpaceKind::Room;
             if (begins("opentobelow") || begins("structure")) {
                 ++own_categories_;
                 continue;
             }
-            space.walled = space.kind != PlanSpaceKind::Corridor && space.kind != PlanSpaceKind::Area;
+            space.walled =
+                space.kind != floorplan::PlanSpaceKind::Corridor && space.kind != floorplan::PlanSpaceKind::Area;
             space.name = label(at(properties, "name"));
             if (space.name.empty()) space.name = label(at(properties, "alt_name"));
             if (const auto occupant = occupant_of.find(id); occupant != occupant_of.end())
@@ -350,14 +352,15 @@ private:
         std::vector<std::size_t> into(plan_.spaces.size()), vertical_before;
         for (std::size_t s = 0; s < plan_.spaces.size(); ++s) {
             into[s] = s;
-            PlanSpace& space = plan_.spaces[s];
-            const bool vertical = space.kind == PlanSpaceKind::Stairs || space.kind == PlanSpaceKind::Escalator ||
-                                  space.kind == PlanSpaceKind::Lift;
+            floorplan::PlanSpace& space = plan_.spaces[s];
+            const bool vertical = space.kind == floorplan::PlanSpaceKind::Stairs ||
+                                  space.kind == floorplan::PlanSpaceKind::Escalator ||
+                                  space.kind == floorplan::PlanSpaceKind::Lift;
             if (!vertical || vertical_before.size() > kMostVertical) continue;
             Vec2 middle{0.0};
             for (const Vec2& p : space.rings[0]) middle += p / static_cast<double>(space.rings[0].size());
             for (const std::size_t t : vertical_before) {
-                PlanSpace& other = plan_.spaces[t];
+                floorplan::PlanSpace& other = plan_.spaces[t];
                 if (other.kind != space.kind || !inside(other.rings, middle) ||
                     std::find(other.levels.begin(), other.levels.end(), space.levels[0]) != other.levels.end())
                     continue;
@@ -370,7 +373,7 @@ private:
             if (!gone[s]) vertical_before.push_back(s);
         }
         std::vector<std::size_t> place(plan_.spaces.size());
-        std::vector<PlanSpace> kept;
+        std::vector<floorplan::PlanSpace> kept;
         for (std::size_t s = 0; s < plan_.spaces.size(); ++s)
             if (!gone[s]) {
                 place[s] = kept.size();
@@ -397,7 +400,7 @@ private:
                 continue;
             }
             const Vec2 from = one[0].front(), to = one[0].back();
-            PlanDoor door;
+            floorplan::PlanDoor door;
             door.at = 0.5 * (from + to);
             if (const double width_m = glm::length(to - from); width_m > 0.05) {
                 door.along = (to - from) / width_m;
@@ -405,16 +408,16 @@ private:
             }
             const Json& is = at(properties, "door");
             const std::string type = text(at(is, "type"));
-            door.kind = type == "sliding"                   ? PlanDoorKind::Sliding
-                        : type == "revolving"               ? PlanDoorKind::Revolving
-                        : type == "open" || !is.is_object() ? PlanDoorKind::Opening
-                                                            : PlanDoorKind::Hinged;
+            door.kind = type == "sliding"                   ? floorplan::PlanDoorKind::Sliding
+                        : type == "revolving"               ? floorplan::PlanDoorKind::Revolving
+                        : type == "open" || !is.is_object() ? floorplan::PlanDoorKind::Opening
+                                                            : floorplan::PlanDoorKind::Hinged;
             const Json& automatic = at(is, "automatic");
             door.by_itself = automatic.is_boolean() && automatic.get<bool>();
             const std::string category = text(at(properties, "category"));
-            door.entrance = category.find("principal") != std::string::npos ? PlanEntrance::Main
-                            : category.starts_with("emergencyexit")         ? PlanEntrance::Emergency
-                                                                            : PlanEntrance::Plain;
+            door.entrance = category.find("principal") != std::string::npos ? floorplan::PlanEntrance::Main
+                            : category.starts_with("emergencyexit")         ? floorplan::PlanEntrance::Emergency
+                                                                            : floorplan::PlanEntrance::Plain;
             door.name = label(at(properties, "name"));
             door.id = text(at(opening, "id"));
             door.levels = {level};
@@ -425,7 +428,7 @@ private:
     void add_things() {
         const auto add = [&](const Json& feature, std::vector<Ring> parts, std::size_t level, double height_m) {
             const Json& properties = at(feature, "properties");
-            PlanThing thing;
+            floorplan::PlanThing thing;
             thing.name = label(at(properties, "name"));
             if (thing.name.empty()) thing.name = capitalised(category_words(text(at(properties, "category"))));
             for (const std::string& fact : facts(properties))
@@ -452,7 +455,7 @@ private:
                 if (unit == unit_number_.end()) continue;
                 const Vec2 at_m = plane_.place_m(degrees);
                 if (inside(plan_.spaces[unit->second].rings, at_m))
-                    add(amenity, {strip(at_m - Vec2(0.2, 0.0), at_m + Vec2(0.2, 0.0), 0.2)},
+                    add(amenity, {floorplan::strip(at_m - Vec2(0.2, 0.0), at_m + Vec2(0.2, 0.0), 0.2)},
                         plan_.spaces[unit->second].levels[0], 1.0);
                 break;
             }
@@ -462,7 +465,7 @@ private:
     static constexpr std::size_t kNoLevel = static_cast<std::size_t>(-1);
 
     const ImdfOptions& options_;
-    FloorPlan plan_;
+    floorplan::FloorPlan plan_;
     std::map<std::string, std::vector<Json>> features_;
     std::map<std::string, std::string> building_names_;
     struct Level {
@@ -474,7 +477,7 @@ private:
     std::map<double, std::size_t> level_;  // index in plan_.levels, by shifted ordinal
     std::map<std::string, std::size_t> unit_number_;
     std::string wanted_building_;
-    LocalPlane plane_;
+    floorplan::LocalPlane plane_;
     int damaged_ = 0, no_level_ = 0, occupants_lost_ = 0, own_categories_ = 0;
 };
 
@@ -493,10 +496,10 @@ Result<Scene> read_imdf_venue(std::string_view bytes, const std::string& file_na
         unzip(bytes, file_name, [](std::string_view path) { return !type_of(path).empty(); });
     if (!files) return tl::unexpected(files.error());
     if (options.plan.progress) options.plan.progress(0.1);
-    Result<FloorPlan> plan = ImdfPlan(options).build(*files, file_name);
+    Result<floorplan::FloorPlan> plan = ImdfPlan(options).build(*files, file_name);
     if (!plan) return tl::unexpected(plan.error());
     if (options.plan.stop.stop_requested()) return fail(phrase("files.stopped"), file_name);
-    return scene_of_plan(std::move(*plan), file_name, options.plan);
+    return floorplan::scene_of_plan(std::move(*plan), file_name, options.plan);
 }
 
-}  // namespace handrail
+}  // namespace handrail::imdf

@@ -6,12 +6,12 @@
 
 #include "worlds/floorplan/plan_scene.h"
 
-namespace handrail {
+namespace handrail::imdf {
 
 struct ImdfOptions {
     // If a venue has several buildings, the one to read, by part of its name or its number; empty: all of them.
     std::string building;
-    PlanOptions plan;
+    floorplan::PlanOptions plan;
 };
 
 // Returns true for a ZIP archive that lists a unit.geojson, or a manifest and other GeoJSON files, in any folder.
@@ -21,4 +21,4 @@ bool is_imdf(std::string_view bytes);
 // too many.
 Result<Scene> read_imdf_venue(std::string_view bytes, const std::string& file_name, const ImdfOptions& options);
 
-}  // namespace handrail
+}  // namespace handrail::imdf

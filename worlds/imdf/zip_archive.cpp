@@ -6,7 +6,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::imdf {
 namespace {
 
 constexpr std::size_t kMostFiles = 10'000, kEnd_bytes = 22, kEntry_bytes = 46, kLocal_bytes = 30;
@@ -80,4 +80,4 @@ Result<std::map<std::string, std::string>> unzip(std::string_view bytes, const s
     return files;
 }
 
-}  // namespace handrail
+}  // namespace handrail::imdf

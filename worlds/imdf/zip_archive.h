@@ -7,7 +7,7 @@
 
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::imdf {
 
 inline constexpr std::size_t kMostUnpacked_bytes = std::size_t{1} << 30;
 
@@ -16,4 +16,4 @@ inline constexpr std::size_t kMostUnpacked_bytes = std::size_t{1} << 30;
 Result<std::map<std::string, std::string>> unzip(std::string_view bytes, const std::string& file_name,
                                                  bool (*wanted)(std::string_view path));
 
-}  // namespace handrail
+}  // namespace handrail::imdf

@@ -6,7 +6,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::navigation {
 namespace {
 
 constexpr double kPartOfCell = 0.8;   // length of one stride on the grid, as a part of a cell
@@ -58,7 +58,8 @@ std::vector<DirectionsDoor> word_doors(const Scene& scene, std::span<const int> 
         if (i >= thing_of_mover.size() || thing_of_mover[i] < 0) continue;
         const Aabb& own = scene.placed[static_cast<std::size_t>(thing_of_mover[i])].model->bounds_m;
         if (own.empty() || own.size_m().z < std::min(own.size_m().x, own.size_m().y)) continue;  // a bridge, not a door
-        auto door = std::find_if(doors.begin(), doors.end(), [&](const DirectionsDoor& d) { return d.group == mover.group; });
+        auto door =
+            std::find_if(doors.begin(), doors.end(), [&](const DirectionsDoor& d) { return d.group == mover.group; });
         if (door == doors.end()) {
             doors.push_back({i, mover.feature, mover.group, {}, false});
             door = doors.end() - 1;
@@ -345,4 +346,4 @@ std::optional<double> BlindGround::line_up_m(const BlindWalker& body, double hea
     return std::nullopt;
 }
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -14,7 +14,7 @@
 #include "worlds/geometry/placement.h"
 #include "worlds/navigation/walk_space.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 // A door as people use it: all leaves of one group move together.
 struct DirectionsDoor {
@@ -106,4 +106,4 @@ private:
     std::vector<float> free_m_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -9,7 +9,7 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::navigation {
 namespace {
 
 constexpr std::uint32_t kPiece = 4;  // cells along a side of a piece
@@ -423,9 +423,10 @@ struct DirectionsPlanner::Search {
     }
 };
 
-std::optional<DirectionsRoute> DirectionsPlanner::plan(const Vec3& from_m, double heading_rad, const DirectionsGoal& goal,
-                                           const DoorsOpen& doors, const DirectionsErrors& errors,
-                                           const std::stop_token& stop, const DirectionsParts& parts) const {
+std::optional<DirectionsRoute> DirectionsPlanner::plan(const Vec3& from_m, double heading_rad,
+                                                       const DirectionsGoal& goal, const DoorsOpen& doors,
+                                                       const DirectionsErrors& errors, const std::stop_token& stop,
+                                                       const DirectionsParts& parts) const {
     const WalkSpace& space = ground_.space();
     contract_pre(goal.size() == space.spans.size() && doors.size() == ground_.doors().size());
     const BlindWalker stands = ground_.body_at(from_m);
@@ -512,8 +513,9 @@ std::optional<DirectionsRoute> DirectionsPlanner::plan(const Vec3& from_m, doubl
     return best;
 }
 
-int DirectionsPlanner::try_out(const DirectionsRoute& route, const Vec3& from_m, double heading_rad, const DirectionsGoal& goal,
-                         const DoorsOpen& doors, const DirectionsErrors& errors, int bodies, std::uint64_t seed) const {
+int DirectionsPlanner::try_out(const DirectionsRoute& route, const Vec3& from_m, double heading_rad,
+                               const DirectionsGoal& goal, const DoorsOpen& doors, const DirectionsErrors& errors,
+                               int bodies, std::uint64_t seed) const {
     const BlindWalker stands = ground_.body_at(from_m);
     if (stands.span == kNothing) return 0;
     return try_out(route.legs, {stands, nearest_notch(heading_rad), doors, errors}, bodies, seed,
@@ -521,7 +523,7 @@ int DirectionsPlanner::try_out(const DirectionsRoute& route, const Vec3& from_m,
 }
 
 int DirectionsPlanner::try_out(std::span<const DirectionsLeg> legs, const Trial& trial, int bodies, std::uint64_t seed,
-                         const std::function<bool(const BlindWalker&)>& there) const {
+                               const std::function<bool(const BlindWalker&)>& there) const {
     int came = 0;
     for (int i = 0; i < bodies; ++i) {
         std::uint64_t state = mixed(seed + static_cast<std::uint64_t>(i));
@@ -550,7 +552,7 @@ int DirectionsPlanner::try_out(std::span<const DirectionsLeg> legs, const Trial&
 }
 
 DirectionsGoal goal_in_room(const WalkSpace& space, std::span<const std::uint32_t> room_of_span, std::uint32_t room,
-                      const StatedRoom* outline) {
+                            const StatedRoom* outline) {
     DirectionsGoal all(space.spans.size(), 0);
     for (std::uint32_t s = 0; s < all.size(); ++s) all[s] = room_of_span[s] == room ? 1 : 0;
     if (outline) {
@@ -573,4 +575,4 @@ DirectionsGoal goal_in_room(const WalkSpace& space, std::span<const std::uint32_
     return std::any_of(inside.begin(), inside.end(), [](std::uint8_t in) { return in != 0; }) ? inside : all;
 }
 
-}  // namespace handrail
+}  // namespace handrail::navigation

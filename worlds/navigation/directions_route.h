@@ -20,7 +20,7 @@
 #include "worlds/navigation/blind_ground.h"
 #include "worlds/scene/stated_building.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 // The turning notch: a sixteenth of a circle.
 inline constexpr int kNotches = 16;
@@ -74,9 +74,9 @@ public:
 
     // Plans from a place and a heading, which is rounded to the notch, to the nearest place of the goal. Returns
     // nothing if no way leads there over floor and stairs, if it was stopped, or if no route works even without errors.
-    std::optional<DirectionsRoute> plan(const Vec3& from_m, double heading_rad, const DirectionsGoal& goal, const DoorsOpen& open,
-                                  const DirectionsErrors& errors = {}, const std::stop_token& stop = {},
-                                  const DirectionsParts& parts = {}) const;
+    std::optional<DirectionsRoute> plan(const Vec3& from_m, double heading_rad, const DirectionsGoal& goal,
+                                        const DoorsOpen& open, const DirectionsErrors& errors = {},
+                                        const std::stop_token& stop = {}, const DirectionsParts& parts = {}) const;
     // How many of the given number of walkers, with errors drawn from `seed`, reach the goal by the route.
     int try_out(const DirectionsRoute& route, const Vec3& from_m, double heading_rad, const DirectionsGoal& goal,
                 const DoorsOpen& open, const DirectionsErrors& errors, int bodies, std::uint64_t seed) const;
@@ -102,6 +102,6 @@ private:
 // The spans a little inside a room, and within its outline if the file states one. If there are none, all spans of the
 // room.
 DirectionsGoal goal_in_room(const WalkSpace& space, std::span<const std::uint32_t> room_of_span, std::uint32_t room,
-                      const StatedRoom* outline = nullptr);
+                            const StatedRoom* outline = nullptr);
 
-}  // namespace handrail
+}  // namespace handrail::navigation

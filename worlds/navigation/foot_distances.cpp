@@ -6,7 +6,7 @@
 #include <queue>
 #include <utility>
 
-namespace handrail {
+namespace handrail::navigation {
 namespace {
 
 constexpr double kNever_m = std::numeric_limits<double>::infinity();
@@ -66,4 +66,4 @@ std::optional<double> FootDistances::to_portal(std::uint32_t portal) const {
     return portal < portal_m_.size() ? if_reached(portal_m_[portal]) : std::nullopt;
 }
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -8,7 +8,7 @@
 
 #include "worlds/navigation/rooms.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 class FootDistances {
 public:
@@ -30,4 +30,4 @@ private:
     std::vector<double> portal_m_;                        // distance to each portal; infinity: not reached
 };
 
-}  // namespace handrail
+}  // namespace handrail::navigation

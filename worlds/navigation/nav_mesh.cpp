@@ -14,7 +14,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::navigation {
 namespace {
 
 // In Recast y is up. Its coordinates are (x, z, y) of ours, relative to the origin of the space.
@@ -478,4 +478,4 @@ std::optional<MeshPath> NavMesh::path(std::uint32_t from, std::uint32_t to, Rout
     return found;
 }
 
-}  // namespace handrail
+}  // namespace handrail::navigation

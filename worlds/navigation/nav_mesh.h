@@ -9,7 +9,7 @@
 
 #include "worlds/navigation/walk_space.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 // The cost of a metre over this span: 1 if it is comfortable.
 double cost_per_m(const WalkSpan& span, RouteWish wish);
@@ -49,4 +49,4 @@ private:
     std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -9,7 +9,7 @@
 #include "worlds/base/language.h"
 #include "worlds/navigation/route_place.h"
 
-namespace handrail {
+namespace handrail::navigation {
 namespace {
 
 constexpr double kGoalReach_m = 3.0;  // greatest distance from an object to where people can stand next to it
@@ -607,4 +607,4 @@ Route Navigation::plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish) {
     return route;
 }
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -14,7 +14,7 @@
 #include "worlds/navigation/route.h"
 #include "worlds/navigation/walk_space.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 // The body of a person in a building or of a player in a game map, by the kind of scene, with a suitable cell size.
 WalkerMeasures walk_body(const Scene& scene, double radius_m, double height_m, double step_up_m);
@@ -105,4 +105,4 @@ private:
     std::vector<std::uint8_t> leaf_marks_;  // for each span; empty: no door is open
 };
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -5,7 +5,7 @@
 
 #include "worlds/scene/outer_ground.h"
 
-namespace handrail {
+namespace handrail::navigation {
 namespace {
 
 constexpr double kLeastSquare_m = 0.5, kMostSquares = 2'000.0;  // along a side of the grid
@@ -55,4 +55,4 @@ bool NearGround::leaves_out(std::uint32_t obstacle, const Vec2& at_m) const {
     return x >= wide_ || y >= deep_ || !near_[y * wide_ + x];
 }
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -7,7 +7,7 @@
 
 #include "worlds/navigation/walk_obstacles.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 class NearGround {
 public:
@@ -27,4 +27,4 @@ private:
     std::vector<bool> near_;  // for each square
 };
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace handrail {
+namespace handrail::navigation {
 
 std::vector<std::uint8_t> mark_leaves(const WalkSpace& space, std::span<const OpenLeaf> leaves) {
     std::vector<std::uint8_t> marks;
@@ -39,4 +39,4 @@ std::vector<std::uint8_t> mark_leaves(const WalkSpace& space, std::span<const Op
     return marks;
 }
 
-}  // namespace handrail
+}  // namespace handrail::navigation

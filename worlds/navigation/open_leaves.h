@@ -10,7 +10,7 @@
 #include "worlds/geometry/placement.h"
 #include "worlds/navigation/walk_space.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 struct OpenLeaf {
     Aabb own_m;    // in the leaf's own frame
@@ -27,4 +27,4 @@ inline constexpr double kLeafRoom_m = 0.15;
 // Returns a mark for each span of the space; empty if no leaf is near any span.
 std::vector<std::uint8_t> mark_leaves(const WalkSpace& space, std::span<const OpenLeaf> leaves);
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -11,7 +11,7 @@
 #include "worlds/navigation/stated_rooms.h"
 #include "worlds/scene/outer_ground.h"
 
-namespace handrail {
+namespace handrail::navigation {
 namespace {
 
 constexpr double kDoorwayClear_m = 0.35;  // clearance of the walker's centre in a doorway: an opening of at most 1.2 m
@@ -343,4 +343,4 @@ OpenPlaces open_places(const Scene& scene, const SpanGrid<WallSpan>& walls, doub
     return PlaceFinder(scene, walls, cell_area_m2, radius_m, stop).find();
 }
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -9,7 +9,7 @@
 
 #include "worlds/navigation/walk_space.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 struct OpenPlaces {
     // The place of each span; kNothing: the span belongs to a door, to stairs or to a liquid.
@@ -24,4 +24,4 @@ struct OpenPlaces {
 OpenPlaces open_places(const Scene& scene, const SpanGrid<WallSpan>& walls, double cell_area_m2, double radius_m,
                        const std::stop_token& stop);
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -5,7 +5,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::navigation {
 namespace {
 
 constexpr double kLeastTold_m2 = 1.0;
@@ -131,4 +131,4 @@ std::string unreachable_words(const std::vector<std::string>& names) {
     return phrase("rooms.unreachable", {{"names", list}, {"count", names.size()}});
 }
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -8,7 +8,7 @@
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/rooms.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 // The start at the base; null if the scene has no base.
 const Start* base_of(const Scene& scene);
@@ -40,4 +40,4 @@ std::vector<std::string> unreachable_rooms(const Scene& scene, const WalkSpace& 
 // "Vault cannot be reached on foot." Lists the first few by name; empty if there is none.
 std::string unreachable_words(const std::vector<std::string>& names);
 
-}  // namespace handrail
+}  // namespace handrail::navigation

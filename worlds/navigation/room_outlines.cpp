@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace handrail {
+namespace handrail::navigation {
 namespace {
 
 constexpr double kLeastLoop_m2 = 0.05;
@@ -80,4 +80,4 @@ std::vector<RoomOutline> room_outlines(const RoomGraph& graph, const WalkSpace& 
     return outlines;
 }
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -7,7 +7,7 @@
 
 #include "worlds/navigation/rooms.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 struct RoomOutline {
     double lowest_m = 0.0, highest_m = 0.0;  // of the room's floor
@@ -19,4 +19,4 @@ struct RoomOutline {
 // to be seen.
 std::vector<RoomOutline> room_outlines(const RoomGraph& graph, const WalkSpace& space);
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -20,7 +20,7 @@
 #include "worlds/scene/outer_ground.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::navigation {
 namespace {
 
 // The ground outside that a building's reader added, if the span is on it; else null.
@@ -691,4 +691,4 @@ std::vector<Aabb> door_boxes(const Scene& scene, const RoomGraph& graph, Feature
     return boxes;
 }
 
-}  // namespace handrail
+}  // namespace handrail::navigation

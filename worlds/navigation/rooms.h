@@ -9,7 +9,7 @@
 
 #include "worlds/navigation/walk_space.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 enum class RoomKind : std::uint8_t { Room, Stairs, Liquid, Niche };
 
@@ -106,4 +106,4 @@ std::vector<std::string> give_names(RoomGraph& graph, const WalkSpace& space, co
 // from that heading.
 std::vector<std::uint32_t> exits_of(const RoomGraph& graph, std::uint32_t room, const Vec3& feet_m, double heading_rad);
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -7,7 +7,7 @@
 #include "worlds/base/feature_id.h"
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 // Something that the walker meets on a route, or that joins two rooms.
 enum class PassageKind : std::uint8_t {
@@ -48,4 +48,4 @@ enum class RouteWish : std::uint8_t {
     OnFoot,    // as Safest, and never by a lift, a climb, a teleporter or a drop
 };
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -6,7 +6,7 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 namespace {
 
@@ -37,7 +37,7 @@ RoutePlace nearest_on_way(std::span<const Vec3> points_m, const Vec3& from_m) {
 }
 
 RoutePlace near_on_way(std::span<const Vec3> points_m, const Vec3& from_m, double along_m, double height_counts,
-                     const std::function<bool(const Vec3&)>& sees) {
+                       const std::function<bool(const Vec3&)>& sees) {
     contract_pre(!points_m.empty());
     const auto off = [&](Vec3 way) {
         way.z *= height_counts;
@@ -86,4 +86,4 @@ Vec3 place_along(std::span<const Vec3> points_m, double along_m) {
     return points_m.back();
 }
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -8,7 +8,7 @@
 
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 struct RoutePlace {
     Vec3 place_m{0.0};        // on the route
@@ -33,9 +33,10 @@ inline constexpr double kFartherForEachMetreAlong_m = 0.05;
 inline constexpr double kRoundCorner_m = 1.5;
 inline constexpr double kHeightCountsForWalkers = 0.5;
 RoutePlace near_on_way(std::span<const Vec3> points_m, const Vec3& from_m, double along_m,
-                     double height_counts = kHeightCountsForWalkers, const std::function<bool(const Vec3&)>& sees = {});
+                       double height_counts = kHeightCountsForWalkers,
+                       const std::function<bool(const Vec3&)>& sees = {});
 
 // The place at that distance along the route, or the nearer end if the distance is outside it.
 Vec3 place_along(std::span<const Vec3> points_m, double along_m);
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace handrail {
+namespace handrail::navigation {
 
 template <class Span>
 std::vector<std::uint32_t> stated_rooms_of(const StatedBuilding& stated, const SpanGrid<Span>& grid) {
@@ -42,4 +42,4 @@ const StatedRoom* stated_room_at(const Scene& scene, const Vec3& at_m) {
 template std::vector<std::uint32_t> stated_rooms_of(const StatedBuilding&, const SpanGrid<WalkSpan>&);
 template std::vector<std::uint32_t> stated_rooms_of(const StatedBuilding&, const SpanGrid<WallSpan>&);
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -6,7 +6,7 @@
 #include "worlds/navigation/walk_space.h"
 #include "worlds/scene/stated_building.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 // For each span, the index in StatedBuilding::rooms of the room that contains it, by outline and height; kNothing if
 // none does. Of two overlapping rooms the first counts. The time is proportional to the cells under the rooms'
@@ -17,4 +17,4 @@ std::vector<std::uint32_t> stated_rooms_of(const StatedBuilding& stated, const S
 // The first room that contains the place; null if none does, or the file states no rooms.
 const StatedRoom* stated_room_at(const Scene& scene, const Vec3& at_m);
 
-}  // namespace handrail
+}  // namespace handrail::navigation

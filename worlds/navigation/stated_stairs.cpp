@@ -10,7 +10,7 @@
 #include "worlds/geometry/clip.h"
 #include "worlds/scene/stated_building.h"
 
-namespace handrail {
+namespace handrail::navigation {
 namespace {
 
 constexpr double kLevel = 0.7;         // least vertical part of a tread's normal
@@ -149,4 +149,4 @@ void link_stated_stairs(const Scene& scene, WalkSpace& space) {
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -4,7 +4,7 @@
 
 #include "worlds/navigation/walk_space.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 // Adds a link of PassageKind::Climb for each stairs portal of the file, in file order. There must be a place to stand
 // at its foot and its head, but no walkable way between them within kBesideStairs_m of the stairs. Costs nothing if the
@@ -12,4 +12,4 @@ namespace handrail {
 inline constexpr double kBesideStairs_m = 1.5;
 void link_stated_stairs(const Scene& scene, WalkSpace& space);
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace handrail {
+namespace handrail::navigation {
 namespace {
 
 const char* fault_of_columns(const WalkSpace& space) {
@@ -79,4 +79,4 @@ Result<void> validate(const RoomGraph& graph, const WalkSpace& space) {
     return {};
 }
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -7,7 +7,7 @@
 #include "worlds/navigation/rooms.h"
 #include "worlds/navigation/walk_space.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 // Checks that columns are in order, floors rise and are below ceilings, neighbours are in the next column, and links
 // join existing spans.
@@ -15,4 +15,4 @@ Result<void> validate(const WalkSpace& space);
 // Checks that every room number exists, portals join two rooms, and sizes are possible.
 Result<void> validate(const RoomGraph& graph, const WalkSpace& space);
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -5,7 +5,7 @@
 
 #include "worlds/geometry/box_index.h"
 
-namespace handrail {
+namespace handrail::navigation {
 namespace {
 
 constexpr int kSampledColumns = 8'192;
@@ -58,4 +58,4 @@ double standable_m2(const Obstacles& obstacles, const WalkerMeasures& body, cons
     return so_far.back() * places / kSampledColumns;
 }
 
-}  // namespace handrail
+}  // namespace handrail::navigation

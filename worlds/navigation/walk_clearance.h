@@ -12,7 +12,7 @@
 #include "worlds/navigation/walk_obstacles.h"
 #include "worlds/navigation/walk_space.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 inline constexpr double kLeastRoom_m = 1e-3;  // least distance between the floor and the highest place of the soles
 inline constexpr double kSky = 1e7;
@@ -71,6 +71,7 @@ void free_stretches(std::span<const ColumnInterval> intervals, std::span<const C
 // Estimates the area of floor to stand on in the whole scene, reached or not, without ground that is left out. It
 // decides how fine the columns can be. The error is a few percent: if there are many obstacles, a fixed number of
 // columns is sampled.
-double standable_m2(const Obstacles& obstacles, const WalkerMeasures& body, const NearGround& ground, double exact_enough_m2);
+double standable_m2(const Obstacles& obstacles, const WalkerMeasures& body, const NearGround& ground,
+                    double exact_enough_m2);
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -7,7 +7,7 @@
 
 #include "worlds/navigation/walk_flood.h"
 
-namespace handrail {
+namespace handrail::navigation {
 namespace {
 
 constexpr double kLeast_m2 = 2.0;    // least floor area to stand on; anything smaller is a shaft
@@ -103,4 +103,4 @@ bool Flood::is_closed_room(const Found& from, SeenPlaces& seen) {
     return static_cast<double>(count) * body_.cell_m * body_.cell_m >= kLeast_m2;
 }
 
-}  // namespace handrail
+}  // namespace handrail::navigation

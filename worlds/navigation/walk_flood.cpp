@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace handrail {
+namespace handrail::navigation {
 namespace {
 
 constexpr double kWading_m = 0.3;  // a place under deeper liquid counts as in it
@@ -374,4 +374,4 @@ bool Flood::write(SpanGrid<WallSpan>& walls) {
                           double) { span.door = door != kNothing ? 1U : 0U; });
 }
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -11,7 +11,7 @@
 
 #include "worlds/navigation/walk_tiles.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 class Flood {
 public:
@@ -23,8 +23,8 @@ public:
     // `partly`: if there is too much floor, the flood ends with what it has reached by then.
     // `trial`: see make_trial_space; null: everything is made.
     // All arguments must outlive this object.
-    Flood(const Scene& scene, const WalkerMeasures& body, const Obstacles& obstacles, const NearGround& ground, bool partly,
-          const std::stop_token& stop, const WalkTrial* trial = nullptr);
+    Flood(const Scene& scene, const WalkerMeasures& body, const Obstacles& obstacles, const NearGround& ground,
+          bool partly, const std::stop_token& stop, const WalkTrial* trial = nullptr);
 
     // TooLarge: too much floor, or too large a grid. Only returned if `partly` is false.
     enum class End : std::uint8_t { Done, TooLarge, Stopped };
@@ -96,4 +96,4 @@ private:
     std::array<Extent, 2> layers_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::navigation

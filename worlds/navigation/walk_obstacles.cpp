@@ -8,7 +8,7 @@
 #include "worlds/base/human_measures.h"
 #include "worlds/geometry/clip.h"
 
-namespace handrail {
+namespace handrail::navigation {
 namespace {
 
 constexpr double kFlatMost_m = 1.5;   // a flat door no thicker than this may be a bridge
@@ -231,4 +231,4 @@ std::vector<Aabb> boxes_of(const std::vector<PassingFloor>& all) {
     return found;
 }
 
-}  // namespace handrail
+}  // namespace handrail::navigation

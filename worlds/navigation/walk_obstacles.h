@@ -9,7 +9,7 @@
 #include "worlds/navigation/walk_space.h"
 #include "worlds/scene/stair_rule.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 inline constexpr double kWalkRounding_m = 1e-6;
 
@@ -58,4 +58,4 @@ private:
 std::vector<Aabb> boxes_of(const std::vector<WalkObstacle>& all);
 std::vector<Aabb> boxes_of(const std::vector<PassingFloor>& all);
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -11,7 +11,7 @@
 #include "worlds/navigation/walk_clearance.h"
 #include "worlds/navigation/walk_flood.h"
 
-namespace handrail {
+namespace handrail::navigation {
 namespace {
 
 constexpr double kCoarsest_m = 0.4;
@@ -395,4 +395,4 @@ Result<WalkSpace> make_walk_space(const Scene& scene, const WalkerMeasures& body
     return space;
 }
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -17,7 +17,7 @@
 #include "worlds/navigation/route.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 struct WalkerMeasures {
     double radius_m = 0.25;
@@ -131,4 +131,4 @@ Result<WalkSpace> make_trial_space(const Scene& scene, const WalkerMeasures& bod
 // most 150 bytes for each span during the work.
 Result<WalkSpace> make_walk_space(const Scene& scene, const WalkerMeasures& body, const std::stop_token& stop = {});
 
-}  // namespace handrail
+}  // namespace handrail::navigation

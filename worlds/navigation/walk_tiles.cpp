@@ -5,14 +5,15 @@
 #include <span>
 #include <utility>
 
-namespace handrail {
+namespace handrail::navigation {
 namespace {
 
 constexpr std::size_t kMostInColumn = 60;  // spans; Recast counts at most 62
 
 }  // namespace
 
-WalkTiles::WalkTiles(const Scene& scene, const WalkerMeasures& body, const Obstacles& obstacles, const NearGround& ground)
+WalkTiles::WalkTiles(const Scene& scene, const WalkerMeasures& body, const Obstacles& obstacles,
+                     const NearGround& ground)
     : scene_(scene),
       body_(body),
       obstacles_(obstacles),
@@ -262,4 +263,4 @@ std::uint32_t WalkTiles::drop(const Place& here, const Tile& tile, std::size_t c
     return best;
 }
 
-}  // namespace handrail
+}  // namespace handrail::navigation

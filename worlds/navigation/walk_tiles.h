@@ -14,7 +14,7 @@
 #include "worlds/navigation/walk_clearance.h"
 #include "worlds/navigation/walk_obstacles.h"
 
-namespace handrail {
+namespace handrail::navigation {
 
 class WalkTiles {
 public:
@@ -140,4 +140,4 @@ private:
     std::vector<std::uint32_t> near_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::navigation

@@ -12,7 +12,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::osm {
 namespace {
 
 constexpr std::size_t kMostRefs = 20'000'000, kMostTags = 60, kLongestValue = 1000, kMostLevels = 1'000;
@@ -145,4 +145,4 @@ Result<OsmData> read_osm_data(std::string_view bytes, OsmForm form, const std::s
     return data;
 }
 
-}  // namespace handrail
+}  // namespace handrail::osm

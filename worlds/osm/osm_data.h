@@ -11,7 +11,7 @@
 
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::osm {
 
 struct OsmTags {
     std::vector<std::pair<std::string, std::string>> all;  // in file order
@@ -67,4 +67,4 @@ inline constexpr std::size_t kMostOsmNodes = 4'000'000, kMostOsmWays = 1'000'000
 Result<OsmData> read_osm_data(std::string_view bytes, OsmForm form, const std::string& file_name,
                               const std::stop_token& stop);
 
-}  // namespace handrail
+}  // namespace handrail::osm

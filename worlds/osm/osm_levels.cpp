@@ -5,7 +5,7 @@
 
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::osm {
 namespace {
 
 constexpr double kLowest = -100.0, kHighest = 300.0;
@@ -64,4 +64,4 @@ OsmLevels levels_of(std::string_view level, std::string_view repeat_on) {
     return found;
 }
 
-}  // namespace handrail
+}  // namespace handrail::osm

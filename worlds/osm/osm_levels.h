@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace handrail {
+namespace handrail::osm {
 
 // Levels in rising order without repetition, from -100 to 300, at most 200; empty if the text states none. `damaged`:
 // part of the text was not understood.
@@ -14,4 +14,4 @@ struct OsmLevels {
 };
 OsmLevels levels_of(std::string_view level, std::string_view repeat_on = {});
 
-}  // namespace handrail
+}  // namespace handrail::osm

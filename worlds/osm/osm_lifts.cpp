@@ -8,7 +8,7 @@
 #include "worlds/osm/osm_plan.h"
 #include "worlds/osm/osm_words.h"
 
-namespace handrail {
+namespace handrail::osm {
 namespace {
 
 constexpr double kLift_m = 1.7, kRound_m = 0.3, kBeforeDoor_m = 1.2, kLiftDoor_m = 0.9;
@@ -20,7 +20,7 @@ Ring shaft(const Vec2& at, double half) {
     return {at + Vec2(-half, -half), at + Vec2(half, -half), at + Vec2(half, half), at + Vec2(-half, half)};
 }
 
-bool holds_square(const PlanSpace& space, const Vec2& at) {
+bool holds_square(const floorplan::PlanSpace& space, const Vec2& at) {
     const Ring round = shaft(at, 0.5 * kLift_m + kRound_m);
     for (std::size_t i = 0; i < 4; ++i)
         if (!inside(space.rings, round[i]) || !inside(space.rings, 0.5 * (round[i] + round[(i + 1) % 4]))) return false;
@@ -79,7 +79,7 @@ bool OsmPlan::add_lift_at(std::int64_t node, std::size_t rooms) {
         std::vector<std::size_t> around;  // surrounding space on each level
         for (const std::size_t level : levels)
             for (std::size_t s = 0; s < rooms; ++s) {
-                const PlanSpace& space = plan_.spaces[s];
+                const floorplan::PlanSpace& space = plan_.spaces[s];
                 const bool only_here =
                     std::includes(levels.begin(), levels.end(), space.levels.begin(), space.levels.end());
                 if (!only_here || !std::binary_search(space.levels.begin(), space.levels.end(), level)) continue;
@@ -93,16 +93,16 @@ bool OsmPlan::add_lift_at(std::int64_t node, std::size_t rooms) {
             if (!std::all_of(around.begin(), around.end(),
                              [&](std::size_t s) { return inside(plan_.spaces[s].rings, before); }))
                 continue;
-            PlanSpace lift;
-            lift.kind = PlanSpaceKind::Lift;
+            floorplan::PlanSpace lift;
+            lift.kind = floorplan::PlanSpaceKind::Lift;
             lift.name = name_of_space(tags);
             lift.number = tags["ref"];
             lift.id = phrase("osm.node", {{"id", std::to_string(node)}});
             lift.facts = facts_of(tags);
             lift.rings = {shaft(at, 0.5 * kLift_m)};
             lift.levels = levels;
-            PlanDoor door;
-            door.kind = PlanDoorKind::Sliding;
+            floorplan::PlanDoor door;
+            door.kind = floorplan::PlanDoorKind::Sliding;
             door.at = at + out * (0.5 * kLift_m);
             door.along = Vec2(-out.y, out.x);
             door.width_m = kLiftDoor_m;
@@ -126,9 +126,10 @@ void OsmPlan::add_lift_nodes() {
     int made = 0, without_space = 0;
     for (const std::int64_t n : data_.tagged_nodes) {
         if (!is_lift_node(n) || rooms == 0) continue;
-        const bool indoors = std::any_of(plan_.spaces.begin(), plan_.spaces.end(), [&](const PlanSpace& space) {
-            return space.kind != PlanSpaceKind::Lift && inside(space.rings, place_of(n));
-        });
+        const bool indoors =
+            std::any_of(plan_.spaces.begin(), plan_.spaces.end(), [&](const floorplan::PlanSpace& space) {
+                return space.kind != floorplan::PlanSpaceKind::Lift && inside(space.rings, place_of(n));
+            });
         if (!indoors) continue;
         (add_lift_at(n, rooms) ? made : without_space) += 1;
     }
@@ -136,4 +137,4 @@ void OsmPlan::add_lift_nodes() {
     if (without_space > 0) plan_.left_out.push_back(phrase("osm.lifts_alone", {{"n", without_space}}));
 }
 
-}  // namespace handrail
+}  // namespace handrail::osm

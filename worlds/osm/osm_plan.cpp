@@ -13,7 +13,7 @@
 #include "worlds/osm/osm_levels.h"
 #include "worlds/osm/osm_words.h"
 
-namespace handrail {
+namespace handrail::osm {
 namespace {
 
 constexpr double kLeastStorey_m = 2.5, kMostStorey_m = 6.0;
@@ -27,7 +27,7 @@ void note_id(std::string& ids, const std::string& id) {
 // Finds the spaces whose outlines pass close to a point. Doors are often drawn a few centimetres off the wall.
 class OutlineIndex {
 public:
-    explicit OutlineIndex(const std::vector<PlanSpace>& spaces) : index_(boxes_of(spaces)) {}
+    explicit OutlineIndex(const std::vector<floorplan::PlanSpace>& spaces) : index_(boxes_of(spaces)) {}
 
     struct Beside {
         // The spaces that share the wall of a door, in rising order. A room that only has a corner next to the door is
@@ -36,15 +36,15 @@ public:
         std::size_t nearest = static_cast<std::size_t>(-1);
     };
     // Looks at each edge of the outlines whose boxes contain `at`.
-    Beside spaces_at(const FloorPlan& plan, const Vec2& at) const {
+    Beside spaces_at(const floorplan::FloorPlan& plan, const Vec2& at) const {
         std::vector<std::uint32_t> near;
         index_.find({Vec3(at, 0.0), Vec3(at, 0.0)}, near);
         std::sort(near.begin(), near.end());
-        NearestOfOutline wall;
+        floorplan::NearestOfOutline wall;
         std::vector<std::pair<std::size_t, Vec2>> beside;
         Beside joined;
         for (const std::uint32_t s : near) {
-            const NearestOfOutline found = nearest_of_outline(plan.spaces[s].rings, at);
+            const floorplan::NearestOfOutline found = floorplan::nearest_of_outline(plan.spaces[s].rings, at);
             if (found.distance_m > kBesideOutline_m) continue;
             beside.emplace_back(s, found.at_m);
             if (found.distance_m >= wall.distance_m) continue;
@@ -57,9 +57,9 @@ public:
     }
 
 private:
-    static std::vector<Aabb> boxes_of(const std::vector<PlanSpace>& spaces) {
+    static std::vector<Aabb> boxes_of(const std::vector<floorplan::PlanSpace>& spaces) {
         std::vector<Aabb> boxes;
-        for (const PlanSpace& space : spaces) {
+        for (const floorplan::PlanSpace& space : spaces) {
             Aabb box;
             for (const Ring& ring : space.rings)
                 for (const Vec2& p : ring) box.include(Vec3(p, 0.0));
@@ -79,7 +79,7 @@ OsmPlan::OsmPlan(const OsmData& data, const OsmOptions& options) : data_(data), 
     plan_.storey_m = kUsualStorey_m;
 }
 
-Result<FloorPlan> OsmPlan::build(const std::string& file_name) {
+Result<floorplan::FloorPlan> OsmPlan::build(const std::string& file_name) {
     find_outlines();
     if (outlines_.size() > kMostOutlines) return fail(phrase("osm.too_large"), file_name);
     if (const Result<void> chosen = choose_building(file_name); !chosen) return tl::unexpected(chosen.error());
@@ -324,7 +324,7 @@ void OsmPlan::set_origin() {
         }
     }
     if (least.x > most.x) return;
-    plane_ = LocalPlane(0.5 * (least + most));
+    plane_ = floorplan::LocalPlane(0.5 * (least + most));
     if (!around_building || chosen_ == kNone) return;
     for (Ring ring : buildings_[chosen_].rings) {
         for (Vec2& p : ring) p = plane_.place_m(p);
@@ -369,7 +369,7 @@ void OsmPlan::find_level_names() {
             take((*outline.tags)["level"], phrase("osm.level_ref", {{"ref", std::string(ref)}}));
 }
 
-PlanLevel OsmPlan::level_made(double number) const {
+floorplan::PlanLevel OsmPlan::level_made(double number) const {
     const auto named = level_names_.find(number);
     return {number, named == level_names_.end() ? phrase("plan.level", {{"number", number}}) : named->second,
             number * plan_.storey_m};
@@ -386,17 +386,17 @@ void OsmPlan::add_spaces() {
     for (const Outline& outline : outlines_) {
         const OsmTags& tags = *outline.tags;
         const std::string kind = kind_of_space(tags);
-        PlanSpace space;
+        floorplan::PlanSpace space;
         const bool open_sides = tags.is("indoor", "area"), corridor = tags.is("indoor", "corridor") ||
                                                                       tags.is("buildingpart", "corridor") ||
                                                                       tags.is("buildingpart", "hall");
         space.walled = !open_sides && !corridor;
-        space.kind = kind == "stairs"      ? PlanSpaceKind::Stairs
-                     : kind == "escalator" ? PlanSpaceKind::Escalator
-                     : kind == "lift"      ? PlanSpaceKind::Lift
-                     : open_sides          ? PlanSpaceKind::Area
-                     : corridor            ? PlanSpaceKind::Corridor
-                                           : PlanSpaceKind::Room;
+        space.kind = kind == "stairs"      ? floorplan::PlanSpaceKind::Stairs
+                     : kind == "escalator" ? floorplan::PlanSpaceKind::Escalator
+                     : kind == "lift"      ? floorplan::PlanSpaceKind::Lift
+                     : open_sides          ? floorplan::PlanSpaceKind::Area
+                     : corridor            ? floorplan::PlanSpaceKind::Corridor
+                                           : floorplan::PlanSpaceKind::Room;
         space.name = name_of_space(tags);
         space.number = tags["ref"];
         space.id = outline.id;
@@ -442,20 +442,20 @@ void OsmPlan::add_doors() {
                 for (const std::size_t l : plan_.spaces[s].levels) levels.levels.push_back(plan_.levels[l].number);
         std::sort(levels.levels.begin(), levels.levels.end());
         levels.levels.erase(std::unique(levels.levels.begin(), levels.levels.end()), levels.levels.end());
-        PlanDoor door;
-        door.kind = kind == "no"                                ? PlanDoorKind::Opening
-                    : kind == "sliding" || kind == "overhead"   ? PlanDoorKind::Sliding
-                    : kind == "revolving" || kind == "trapdoor" ? PlanDoorKind::Revolving
-                                                                : PlanDoorKind::Hinged;
+        floorplan::PlanDoor door;
+        door.kind = kind == "no"                                ? floorplan::PlanDoorKind::Opening
+                    : kind == "sliding" || kind == "overhead"   ? floorplan::PlanDoorKind::Sliding
+                    : kind == "revolving" || kind == "trapdoor" ? floorplan::PlanDoorKind::Revolving
+                                                                : floorplan::PlanDoorKind::Hinged;
         door.at = place;
         if (const double width_m = number_in(tags["width"]); width_m > 0.0) door.width_m = width_m;
         else if (const double own_m = number_in(tags["door:width"]); own_m > 0.0) door.width_m = own_m;
         door.name = in_spoken(tags, "name");
         door.id = phrase("osm.node", {{"id", std::to_string(n)}});
         const std::string_view entrance = tags["entrance"];
-        door.entrance = entrance == "main"                              ? PlanEntrance::Main
-                        : entrance == "emergency" || entrance == "exit" ? PlanEntrance::Emergency
-                                                                        : PlanEntrance::Plain;
+        door.entrance = entrance == "main"                              ? floorplan::PlanEntrance::Main
+                        : entrance == "emergency" || entrance == "exit" ? floorplan::PlanEntrance::Emergency
+                                                                        : floorplan::PlanEntrance::Plain;
         if (door.name.empty() && !entrance.empty() && entrance != "no")
             door.name = kind_words(entrance == "main"        ? "entrance_main"
                                    : entrance == "emergency" ? "entrance_emergency"
@@ -481,13 +481,13 @@ void OsmPlan::add_doors() {
 }
 
 bool OsmPlan::rooms_are_joined() const {
-    const bool rooms = std::any_of(plan_.spaces.begin(), plan_.spaces.end(), [](const PlanSpace& space) {
-        return space.kind == PlanSpaceKind::Room || space.kind == PlanSpaceKind::Corridor ||
-               space.kind == PlanSpaceKind::Area;
+    const bool rooms = std::any_of(plan_.spaces.begin(), plan_.spaces.end(), [](const floorplan::PlanSpace& space) {
+        return space.kind == floorplan::PlanSpaceKind::Room || space.kind == floorplan::PlanSpaceKind::Corridor ||
+               space.kind == floorplan::PlanSpaceKind::Area;
     });
     if (!rooms) return false;
     DisjointSets groups(plan_.spaces.size());
-    for (const PlanDoor& door : plan_.doors)
+    for (const floorplan::PlanDoor& door : plan_.doors)
         for (const std::vector<std::size_t>& joined : door.spaces)
             for (std::size_t i = 1; i < joined.size(); ++i)
                 groups.join(static_cast<std::uint32_t>(joined[0]), static_cast<std::uint32_t>(joined[i]));
@@ -497,4 +497,4 @@ bool OsmPlan::rooms_are_joined() const {
     return 2 * most >= size.size();
 }
 
-}  // namespace handrail
+}  // namespace handrail::osm

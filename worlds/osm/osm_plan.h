@@ -8,13 +8,13 @@
 #include "worlds/floorplan/local_plane.h"
 #include "worlds/osm/read_osm.h"
 
-namespace handrail {
+namespace handrail::osm {
 
 class OsmPlan {
 public:
     OsmPlan(const OsmData& data, const OsmOptions& options);
     // Fails with one sentence if there is nothing to walk on, or if the requested building does not exist.
-    Result<FloorPlan> build(const std::string& file_name);
+    Result<floorplan::FloorPlan> build(const std::string& file_name);
 
 private:
     struct Outline {
@@ -58,21 +58,21 @@ private:
     std::vector<Ring> placed(const std::vector<std::vector<std::int64_t>>& rings) const;
     void lay_levels();
     void find_level_names();
-    PlanLevel level_made(double number) const;
+    floorplan::PlanLevel level_made(double number) const;
     std::size_t level_at(double number) const;  // kNone if there is none
     void add_spaces();
     void add_doors();
     void add_walls_and_things();
     std::vector<std::size_t> levels_here(std::string_view level_text, const OsmTags& tags) const;
     void add_drawn(const OsmWay& way);
-    void name_thing(PlanThing& thing, const OsmTags& tags, std::string_view what) const;
+    void name_thing(floorplan::PlanThing& thing, const OsmTags& tags, std::string_view what) const;
     void add_thing_at(std::int64_t node);
     void add_lift_nodes();
     bool add_lift_at(std::int64_t node, std::size_t rooms);
     void add_ways(bool rooms_are_joined);
     bool is_within_rooms(const Walked& walked) const;
     std::vector<Walked> find_walked();
-    PlanWay way_of(const Walked& walked, const std::unordered_map<std::int64_t, double>& height_m) const;
+    floorplan::PlanWay way_of(const Walked& walked, const std::unordered_map<std::int64_t, double>& height_m) const;
     void name_ways(const std::vector<Walked>& walked);
     void tell_ways_apart(const std::vector<Walked>& walked);
     void add_levels(const std::vector<Walked>& walked, const std::unordered_map<std::int64_t, double>& height_m);
@@ -83,16 +83,16 @@ private:
 
     const OsmData& data_;
     const OsmOptions& options_;
-    FloorPlan plan_;
+    floorplan::FloorPlan plan_;
     std::vector<Outline> outlines_;
     std::vector<Building> buildings_;
     std::size_t chosen_ = kNone;
     std::vector<Ring> surroundings_of_;  // ways far from all of these outlines are left out; if empty, none is left out
-    LocalPlane plane_;
+    floorplan::LocalPlane plane_;
     std::map<double, std::string> level_names_;                             // names that the file states
     std::unordered_map<std::int64_t, std::vector<std::size_t>> spaces_of_;  // spaces of each node; never iterated
     int open_ = 0, incomplete_ = 0, without_level_ = 0, odd_levels_ = 0, doors_alone_ = 0;
     std::string open_ids_, incomplete_ids_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::osm

@@ -9,7 +9,7 @@
 #include "worlds/osm/osm_plan.h"
 #include "worlds/osm/osm_words.h"
 
-namespace handrail {
+namespace handrail::osm {
 namespace {
 
 constexpr double kThing_m = 0.5, kPillar_m = 0.4, kStrip_m = 0.3, kStripHigh_m = 0.01, kNearBuilding_m = 40.0;
@@ -66,17 +66,17 @@ void OsmPlan::add_drawn(const OsmWay& way) {
             for (std::size_t i = 1; i < line.size(); ++i) plan_.walls.push_back({line[i - 1], line[i], level});
             continue;
         }
-        PlanThing thing;
+        floorplan::PlanThing thing;
         thing.level = level;
         if (guidance) {
-            thing.kind = PlanThingKind::Guidance;
+            thing.kind = floorplan::PlanThingKind::Guidance;
             thing.name = "tactile paving";
             thing.made_name = true;
             thing.height_m = kStripHigh_m;
             for (std::size_t i = 1; i < line.size(); ++i)
-                thing.parts.push_back(strip(line[i - 1], line[i], 0.5 * kStrip_m));
+                thing.parts.push_back(floorplan::strip(line[i - 1], line[i], 0.5 * kStrip_m));
         } else if (drawn == "pillar") {
-            thing.kind = PlanThingKind::Pillar;
+            thing.kind = floorplan::PlanThingKind::Pillar;
             thing.name = "pillar";
             thing.made_name = true;
             thing.parts = convex_parts({line});
@@ -89,7 +89,7 @@ void OsmPlan::add_drawn(const OsmWay& way) {
 }
 
 // Uses the object's own name, or else its kind.
-void OsmPlan::name_thing(PlanThing& thing, const OsmTags& tags, std::string_view what) const {
+void OsmPlan::name_thing(floorplan::PlanThing& thing, const OsmTags& tags, std::string_view what) const {
     thing.name = in_spoken(tags, "name");
     if (thing.name.empty()) thing.name = capitalised(kind_words(what));
     for (const std::string& fact : facts_of(tags)) thing.message += (thing.message.empty() ? "" : " ") + fact;
@@ -108,11 +108,11 @@ void OsmPlan::add_thing_at(std::int64_t node) {
     const Vec2 at = place_of(node);
     if (glm::length(at) > kMostSide_m) return;
     for (const std::size_t level : levels_here(tags["level"], tags)) {
-        PlanThing thing;
+        floorplan::PlanThing thing;
         thing.level = level;
         name_thing(thing, tags, what);
         if (pillar) {
-            thing.kind = PlanThingKind::Pillar;
+            thing.kind = floorplan::PlanThingKind::Pillar;
             thing.name = "pillar";
             thing.made_name = true;
         }
@@ -125,26 +125,27 @@ void OsmPlan::add_thing_at(std::int64_t node) {
 // because the rooms have their own walls.
 void OsmPlan::add_blocks() {
     Vec2 least{1e300}, most{-1e300};
-    for (const PlanSpace& space : plan_.spaces)
+    for (const floorplan::PlanSpace& space : plan_.spaces)
         for (const Ring& ring : space.rings)
             for (const Vec2& p : ring) least = glm::min(least, p), most = glm::max(most, p);
-    for (const PlanWay& way : plan_.ways)
+    for (const floorplan::PlanWay& way : plan_.ways)
         for (const Vec2& p : way.line) least = glm::min(least, p), most = glm::max(most, p);
     int over_rooms = 0;
     const auto take = [&](const OsmTags& tags, const std::vector<std::vector<std::int64_t>>& rings) {
-        PlanBlock block;
+        floorplan::PlanBlock block;
         block.rings = placed(rings);
         Vec2 low{1e300}, high{-1e300};
         for (const Ring& ring : block.rings)
             for (const Vec2& p : ring) low = glm::min(low, p), high = glm::max(high, p);
         const Vec2 off = glm::max(low - most, least - high);
         if (std::max(off.x, off.y) > kNearBuilding_m || block.rings.empty()) return;
-        const bool holds_rooms = std::any_of(plan_.spaces.begin(), plan_.spaces.end(), [&](const PlanSpace& space) {
-            Vec2 middle{0.0};
-            for (const Vec2& p : space.rings[0]) middle += p / static_cast<double>(space.rings[0].size());
-            return inside(block.rings, middle) || inside(space.rings, 0.5 * (low + high));
-        });
-        const bool over_ways = std::any_of(plan_.ways.begin(), plan_.ways.end(), [&](const PlanWay& way) {
+        const bool holds_rooms =
+            std::any_of(plan_.spaces.begin(), plan_.spaces.end(), [&](const floorplan::PlanSpace& space) {
+                Vec2 middle{0.0};
+                for (const Vec2& p : space.rings[0]) middle += p / static_cast<double>(space.rings[0].size());
+                return inside(block.rings, middle) || inside(space.rings, 0.5 * (low + high));
+            });
+        const bool over_ways = std::any_of(plan_.ways.begin(), plan_.ways.end(), [&](const floorplan::PlanWay& way) {
             return std::any_of(way.line.begin(), way.line.end(), [&](const Vec2& p) { return inside(block.rings, p); });
         });
         if (holds_rooms || over_ways) {
@@ -165,4 +166,4 @@ void OsmPlan::add_blocks() {
     if (!plan_.blocks.empty()) plan_.simplified.push_back(phrase("osm.blocks", {{"n", plan_.blocks.size()}}));
 }
 
-}  // namespace handrail
+}  // namespace handrail::osm

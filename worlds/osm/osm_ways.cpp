@@ -15,7 +15,7 @@
 #include "worlds/osm/osm_words.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::osm {
 namespace {
 
 constexpr double kWay_m = 2.0, kSteps_m = 1.6, kMostWay_m = 20.0, kFarthestWay_m = 2'000.0, kBeside_m = 0.3,
@@ -90,7 +90,7 @@ private:
         std::vector<std::uint32_t> found;
         index_.find({Vec3(at, 0.0), Vec3(at, 0.0)}, found);
         return std::any_of(found.begin(), found.end(), [&](std::uint32_t r) {
-            return inside({rings_[r]}, at) || distance_to_outline({rings_[r]}, at) <= kSurroundings_m;
+            return inside({rings_[r]}, at) || floorplan::distance_to_outline({rings_[r]}, at) <= kSurroundings_m;
         });
     }
 
@@ -150,11 +150,11 @@ std::vector<OsmPlan::Walked> OsmPlan::find_walked() {
 // A level that has only ways becomes a storey too, but only if some point of a way is at its height. A footway that
 // merely slopes up to the level does not make one.
 void OsmPlan::add_levels(const std::vector<Walked>& walked, const std::unordered_map<std::int64_t, double>& height_m) {
-    std::vector<PlanLevel> levels = plan_.levels;
+    std::vector<floorplan::PlanLevel> levels = plan_.levels;
     for (const Walked& way : walked) {
         const double number = way.levels().front();
-        const bool known =
-            std::any_of(levels.begin(), levels.end(), [&](const PlanLevel& level) { return level.number == number; });
+        const bool known = std::any_of(levels.begin(), levels.end(),
+                                       [&](const floorplan::PlanLevel& level) { return level.number == number; });
         const auto is_at_level = [&](std::int64_t node) {
             const auto at = height_m.find(node);
             return at == height_m.end() || at->second == number * plan_.storey_m;
@@ -162,19 +162,22 @@ void OsmPlan::add_levels(const std::vector<Walked>& walked, const std::unordered
         const bool stays = way.area || std::any_of(way.lines[0].begin(), way.lines[0].end(), is_at_level);
         if (!way.steps() && !known && stays) levels.push_back(level_made(number));
     }
-    std::sort(levels.begin(), levels.end(), [](const PlanLevel& a, const PlanLevel& b) { return a.number < b.number; });
-    std::vector<PlanLevel> before = std::move(plan_.levels);
+    std::sort(levels.begin(), levels.end(),
+              [](const floorplan::PlanLevel& a, const floorplan::PlanLevel& b) { return a.number < b.number; });
+    std::vector<floorplan::PlanLevel> before = std::move(plan_.levels);
     plan_.levels = std::move(levels);
     const auto move_level = [&](std::size_t& level) { level = level_at(before[level].number); };
-    for (PlanSpace& space : plan_.spaces) std::for_each(space.levels.begin(), space.levels.end(), move_level);
-    for (PlanDoor& door : plan_.doors) std::for_each(door.levels.begin(), door.levels.end(), move_level);
-    for (PlanWall& wall : plan_.walls) move_level(wall.level);
-    for (PlanThing& thing : plan_.things) move_level(thing.level);
+    for (floorplan::PlanSpace& space : plan_.spaces)
+        std::for_each(space.levels.begin(), space.levels.end(), move_level);
+    for (floorplan::PlanDoor& door : plan_.doors) std::for_each(door.levels.begin(), door.levels.end(), move_level);
+    for (floorplan::PlanWall& wall : plan_.walls) move_level(wall.level);
+    for (floorplan::PlanThing& thing : plan_.things) move_level(thing.level);
 }
 
-PlanWay OsmPlan::way_of(const Walked& walked, const std::unordered_map<std::int64_t, double>& height_m) const {
+floorplan::PlanWay OsmPlan::way_of(const Walked& walked,
+                                   const std::unordered_map<std::int64_t, double>& height_m) const {
     const OsmTags& tags = *walked.tags;
-    PlanWay made;
+    floorplan::PlanWay made;
     made.id = walked.id;
     made.steps = walked.steps();
     made.escalator = is_escalator(tags);
@@ -216,7 +219,7 @@ namespace {
 // Finds what the ways lead to.
 class LedTo {
 public:
-    LedTo(const std::vector<PlanWay>& ways, std::vector<std::vector<std::int64_t>> nodes)
+    LedTo(const std::vector<floorplan::PlanWay>& ways, std::vector<std::vector<std::int64_t>> nodes)
         : ways_(ways), nodes_(std::move(nodes)) {
         std::vector<Aabb> boxes;
         for (std::size_t w = 0; w < ways.size(); ++w) {
@@ -238,19 +241,19 @@ public:
     }
     const std::vector<std::int64_t>& nodes_of(std::size_t way) const { return nodes_[way]; }
     // The named area in which, or next to which, a line ends; null if there is none.
-    const PlanWay* area_at(const Vec2& at, double floor_m) const {
+    const floorplan::PlanWay* area_at(const Vec2& at, double floor_m) const {
         std::vector<std::uint32_t> near;
         index_.find({Vec3(at, floor_m), Vec3(at, floor_m)}, near);
         for (const std::uint32_t a : near) {
-            const PlanWay& area = ways_[areas_[a]];
-            const std::vector<Ring> rings = rings_of_way(area);
-            if (inside(rings, at) || distance_to_outline(rings, at) < kBeside_m) return &area;
+            const floorplan::PlanWay& area = ways_[areas_[a]];
+            const std::vector<Ring> rings = floorplan::rings_of_way(area);
+            if (inside(rings, at) || floorplan::distance_to_outline(rings, at) < kBeside_m) return &area;
         }
         return nullptr;
     }
 
 private:
-    const std::vector<PlanWay>& ways_;
+    const std::vector<floorplan::PlanWay>& ways_;
     std::vector<std::vector<std::int64_t>> nodes_;                        // node ids of each way
     std::unordered_map<std::int64_t, std::vector<std::size_t>> at_node_;  // by node id; never iterated
     std::vector<std::size_t> areas_;
@@ -276,26 +279,26 @@ void OsmPlan::name_ways(const std::vector<Walked>& walked) {
         for (const std::size_t other : led.ways_at(node)) {
             if (std::find(but.begin(), but.end(), other) != but.end()) continue;
             if (!own[other].empty()) return own[other];
-            const PlanWay& met = plan_.ways[other];
+            const floorplan::PlanWay& met = plan_.ways[other];
             if (met.steps && passage.empty()) passage = phrase(met.escalator ? "osm.the_escalator" : "osm.the_stairs");
         }
         if (const auto found = spaces_of_.find(node); found != spaces_of_.end())
             for (const std::size_t s : found->second) {
-                const PlanSpace& space = plan_.spaces[s];
-                if (space.kind == PlanSpaceKind::Lift) passage = phrase("osm.the_lift");
-                else if (space.kind == PlanSpaceKind::Stairs) passage = phrase("osm.the_stairs");
+                const floorplan::PlanSpace& space = plan_.spaces[s];
+                if (space.kind == floorplan::PlanSpaceKind::Lift) passage = phrase("osm.the_lift");
+                else if (space.kind == floorplan::PlanSpaceKind::Stairs) passage = phrase("osm.the_stairs");
                 else if (!space.name.empty()) return space.name;
             }
         return passage;
     };
     // Looks at the end itself first, then through as few unnamed ways as possible.
     const auto led_to = [&](std::size_t w, bool at_end) {
-        const PlanWay& way = plan_.ways[w];
+        const floorplan::PlanWay& way = plan_.ways[w];
         const std::int64_t end = at_end ? walked[w].lines[0].back() : walked[w].lines[0].front();
         std::vector<std::size_t> through{w};
-        const auto in_area = [&](const PlanWay& line, bool last) {
-            const PlanWay* area = led.area_at(last ? line.line.back() : line.line.front(),
-                                              last ? line.floor_m.back() : line.floor_m.front());
+        const auto in_area = [&](const floorplan::PlanWay& line, bool last) {
+            const floorplan::PlanWay* area = led.area_at(last ? line.line.back() : line.line.front(),
+                                                         last ? line.floor_m.back() : line.floor_m.front());
             return area ? area->name : std::string();
         };
         std::string direct = in_area(way, at_end);
@@ -339,7 +342,7 @@ void OsmPlan::name_ways(const std::vector<Walked>& walked) {
 // Tells ways of the same name apart by their levels, then by the side of the site that they are on.
 void OsmPlan::tell_ways_apart(const std::vector<Walked>& walked) {
     Aabb all;
-    for (const PlanWay& way : plan_.ways)
+    for (const floorplan::PlanWay& way : plan_.ways)
         for (const Vec2& p : way.line) all.include(Vec3(p, 0.0));
     const auto level_words = [&](std::size_t w) { return level_made(walked[w].levels().front()).name; };
     const auto side_words = [&](std::size_t w) {
@@ -374,7 +377,7 @@ bool OsmPlan::is_within_rooms(const Walked& walked) const {
         for (const Vec2& p : line) middle += p / static_cast<double>(line.size());
     else middle = 0.5 * (line[(line.size() - 1) / 2] + line[line.size() / 2]);
     const std::vector<double> levels = walked.levels();
-    return std::any_of(plan_.spaces.begin(), plan_.spaces.end(), [&](const PlanSpace& space) {
+    return std::any_of(plan_.spaces.begin(), plan_.spaces.end(), [&](const floorplan::PlanSpace& space) {
         return std::any_of(space.levels.begin(), space.levels.end(),
                            [&](std::size_t level) {
                                return std::find(levels.begin(), levels.end(), plan_.levels[level].number) !=
@@ -388,7 +391,7 @@ bool OsmPlan::is_within_rooms(const Walked& walked) const {
 // If the rooms are joined by doors, ways within rooms are left out.
 void OsmPlan::add_ways(bool rooms_are_joined) {
     if (rooms_are_joined && surroundings_of_.empty()) {
-        for (const PlanSpace& space : plan_.spaces)
+        for (const floorplan::PlanSpace& space : plan_.spaces)
             surroundings_of_.insert(surroundings_of_.end(), space.rings.begin(), space.rings.end());
         for (const OsmWay& way : data_.ways)
             if (is_platform(way.tags) && all_known(way.nodes) && !way.nodes.empty())
@@ -420,4 +423,4 @@ void OsmPlan::add_ways(bool rooms_are_joined) {
         phrase(rooms_are_joined ? "osm.outdoor_ways" : "osm.along_ways", {{"n", plan_.ways.size()}}));
 }
 
-}  // namespace handrail
+}  // namespace handrail::osm

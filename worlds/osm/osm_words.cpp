@@ -5,7 +5,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::osm {
 namespace {
 
 // A fact stated by one tag with one value. `says` is the last part of the text's key.
@@ -140,4 +140,4 @@ bool is_walked(const OsmTags& tags) {
            highway == "path" || is_platform(tags);
 }
 
-}  // namespace handrail
+}  // namespace handrail::osm

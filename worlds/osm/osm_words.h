@@ -7,7 +7,7 @@
 
 #include "worlds/osm/osm_data.h"
 
-namespace handrail {
+namespace handrail::osm {
 
 // The value under `key` in the language spoken (key:de), else the plain value.
 std::string_view in_spoken(const OsmTags& tags, std::string_view key);
@@ -30,4 +30,4 @@ bool is_platform(const OsmTags& tags);
 // Returns true if people walk along it or on it.
 bool is_walked(const OsmTags& tags);
 
-}  // namespace handrail
+}  // namespace handrail::osm

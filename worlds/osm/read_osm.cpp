@@ -3,11 +3,11 @@
 #include "worlds/base/language.h"
 #include "worlds/osm/osm_plan.h"
 
-namespace handrail {
+namespace handrail::osm {
 
 Result<Scene> read_osm_building(std::string_view bytes, OsmForm form, const std::string& file_name,
                                 const OsmOptions& options) {
-    Result<FloorPlan> plan = [&]() -> Result<FloorPlan> {
+    Result<floorplan::FloorPlan> plan = [&]() -> Result<floorplan::FloorPlan> {
         const Result<OsmData> data = read_osm_data(bytes, form, file_name, options.plan.stop);
         if (!data) return tl::unexpected(data.error());
         if (options.plan.progress) options.plan.progress(0.2);
@@ -15,7 +15,7 @@ Result<Scene> read_osm_building(std::string_view bytes, OsmForm form, const std:
     }();
     if (!plan) return tl::unexpected(plan.error());
     if (options.plan.stop.stop_requested()) return fail(phrase("files.stopped"), file_name);
-    return scene_of_plan(std::move(*plan), file_name, options.plan);
+    return floorplan::scene_of_plan(std::move(*plan), file_name, options.plan);
 }
 
-}  // namespace handrail
+}  // namespace handrail::osm

@@ -6,13 +6,13 @@
 #include "worlds/floorplan/plan_scene.h"
 #include "worlds/osm/osm_data.h"
 
-namespace handrail {
+namespace handrail::osm {
 
 struct OsmOptions {
     // If there are several buildings, the one to read, by part of its name, its reference or its number; empty: the one
     // with the most rooms.
     std::string building;
-    PlanOptions plan;
+    floorplan::PlanOptions plan;
 };
 
 // The same bytes always give the same Scene. Fails with one sentence if the file is damaged, or contains nothing to
@@ -20,4 +20,4 @@ struct OsmOptions {
 Result<Scene> read_osm_building(std::string_view bytes, OsmForm form, const std::string& file_name,
                                 const OsmOptions& options);
 
-}  // namespace handrail
+}  // namespace handrail::osm

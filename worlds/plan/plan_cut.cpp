@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace handrail {
+namespace handrail::plan {
 namespace {
 
 PlanKind kind_of(const Scene& scene, const Solid& solid) {
@@ -125,4 +125,4 @@ PlanCut cut_plan(const Scene& scene, double feet_height_m, const SeenAt& seen_at
     return cut;
 }
 
-}  // namespace handrail
+}  // namespace handrail::plan

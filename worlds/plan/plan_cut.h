@@ -9,7 +9,7 @@
 
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::plan {
 
 inline constexpr double kPlanCutAboveFeet_m = 1.0;  // height of a hand; walls and doors are cut here
 inline constexpr double kPlanLowAboveFeet_m = 0.1;  // a solid that ends above this but below the cut is drawn as low
@@ -51,4 +51,4 @@ PlanOutline convex_hull(std::vector<Vec2> points);
 // Positive if b is counter-clockwise of a.
 inline double cross_of(const Vec2& a, const Vec2& b) noexcept { return a.x * b.y - a.y * b.x; }
 
-}  // namespace handrail
+}  // namespace handrail::plan

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace handrail {
+namespace handrail::plan {
 
 std::array<Vec2, 4> PlanBox::corners_m() const {
     const Vec2 x = along * half_m.x, y = Vec2(-along.y, along.x) * half_m.y;
@@ -93,4 +93,4 @@ std::optional<SquaredWall> squared_wall(const PlanOutline& outline) {
     return std::nullopt;
 }
 
-}  // namespace handrail
+}  // namespace handrail::plan

@@ -8,7 +8,7 @@
 
 #include "worlds/plan/plan_cut.h"
 
-namespace handrail {
+namespace handrail::plan {
 
 // A box in any orientation: `along` (length 1) is the direction of its longer side.
 struct PlanBox {
@@ -34,4 +34,4 @@ std::optional<SquaredWall> squared_wall(const PlanOutline& outline);
 // How thin a convex outline is where it is thinnest.
 double narrowest_m(const PlanOutline& outline);
 
-}  // namespace handrail
+}  // namespace handrail::plan

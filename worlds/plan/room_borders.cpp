@@ -5,7 +5,7 @@
 
 #include "worlds/navigation/walk_space.h"
 
-namespace handrail {
+namespace handrail::plan {
 namespace {
 
 // Calls `each` for the four squares next to a square.
@@ -58,19 +58,21 @@ RoomGrid::RoomGrid(int wide_squares, int high_squares)
     : wide(wide_squares),
       high(high_squares),
       blocked(static_cast<std::size_t>(wide) * static_cast<std::size_t>(high), 0),
-      room(blocked.size(), kNothing) {}
+      room(blocked.size(), navigation::kNothing) {}
 
 void spread_rooms(RoomGrid& grid) {
     std::vector<std::size_t> reached;
     for (std::size_t i = 0; i < grid.room.size(); ++i)
-        if (grid.blocked[i]) grid.room[i] = kNothing;
+        if (grid.blocked[i]) grid.room[i] = navigation::kNothing;
     // Only free squares next to a square with a room can be reached next.
-    const auto is_free = [&](std::size_t square) { return grid.room[square] == kNothing && !grid.blocked[square]; };
+    const auto is_free = [&](std::size_t square) {
+        return grid.room[square] == navigation::kNothing && !grid.blocked[square];
+    };
     for (std::size_t i = 0; i < grid.room.size(); ++i)
-        if (grid.room[i] != kNothing && any_side(grid, i, is_free)) reached.push_back(i);
+        if (grid.room[i] != navigation::kNothing && any_side(grid, i, is_free)) reached.push_back(i);
     for (std::size_t i = 0; i < reached.size(); ++i)
         for_sides(grid, reached[i], [&](std::size_t next) {
-            if (grid.blocked[next] || grid.room[next] != kNothing) return;
+            if (grid.blocked[next] || grid.room[next] != navigation::kNothing) return;
             grid.room[next] = grid.room[reached[i]];
             reached.push_back(next);
         });
@@ -80,12 +82,12 @@ std::vector<RoomBorder> borders_of(const RoomGrid& grid) {
     std::map<std::array<std::uint32_t, 2>, std::vector<std::size_t>> squares;
     for (std::size_t i = 0; i < grid.room.size(); ++i) {
         const std::uint32_t mine = grid.room[i];
-        if (mine == kNothing || !any_side(grid, i, [&](std::size_t next) {
-                return grid.room[next] != mine && grid.room[next] != kNothing;
+        if (mine == navigation::kNothing || !any_side(grid, i, [&](std::size_t next) {
+                return grid.room[next] != mine && grid.room[next] != navigation::kNothing;
             }))
             continue;
         for_sides(grid, i, [&](std::size_t next) {
-            if (grid.room[next] == kNothing || grid.room[next] == grid.room[i]) return;
+            if (grid.room[next] == navigation::kNothing || grid.room[next] == grid.room[i]) return;
             std::vector<std::size_t>& of =
                 squares[std::array{std::min(grid.room[i], grid.room[next]), std::max(grid.room[i], grid.room[next])}];
             if (of.empty() || of.back() != i) of.push_back(i);
@@ -96,4 +98,4 @@ std::vector<RoomBorder> borders_of(const RoomGrid& grid) {
     return borders;
 }
 
-}  // namespace handrail
+}  // namespace handrail::plan

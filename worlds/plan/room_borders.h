@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace handrail {
+namespace handrail::plan {
 
 struct RoomGrid {
     int wide = 0, high = 0;
@@ -32,4 +32,4 @@ void spread_rooms(RoomGrid& grid);
 // All borders between the rooms of a grid after spread_rooms.
 std::vector<RoomBorder> borders_of(const RoomGrid& grid);
 
-}  // namespace handrail
+}  // namespace handrail::plan

@@ -10,7 +10,7 @@
 #include "worlds/scene/outer_ground.h"
 #include "worlds/scene/stated_building.h"
 
-namespace handrail {
+namespace handrail::plan {
 namespace {
 
 constexpr double kAround_m = 0.6;       // of what stands round the rooms comes along
@@ -63,7 +63,8 @@ void clear_floor(Storey& storey) {
     const Vec2 size = storey.max_m - storey.min_m;
     floor.wide = std::max(0, static_cast<int>(std::ceil(size.x / floor.cell_m)));
     floor.high = std::max(0, static_cast<int>(std::ceil(size.y / floor.cell_m)));
-    floor.room.assign(static_cast<std::size_t>(floor.wide) * static_cast<std::size_t>(floor.high), kNothing);
+    floor.room.assign(static_cast<std::size_t>(floor.wide) * static_cast<std::size_t>(floor.high),
+                      navigation::kNothing);
 }
 
 // Makes a storey step by step; the members are in the order in which they become known.
@@ -78,15 +79,15 @@ class StoreyMaker {
 
 public:
     // `upper`: the rooms of the graph for the second plan of a storey; empty for the first plan.
-    StoreyMaker(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, int number,
+    StoreyMaker(const Scene& scene, const navigation::RoomGraph& graph, const navigation::WalkSpace& space, int number,
                 std::set<std::uint32_t> upper = {})
         : scene_(scene), graph_(graph), space_(space), level_(number - 1), upper_(std::move(upper)) {
         made_.number = number;
         made_.upper = !upper_.empty();
         made_.count = storey_count(graph);
         made_.world = spoken_name(scene);
-        for (const WalkSpan& span : space.spans)
-            if (span.ground != kNothing && span.ground < space.obstacle_features.size())
+        for (const navigation::WalkSpan& span : space.spans)
+            if (span.ground != navigation::kNothing && span.ground < space.obstacle_features.size())
                 trodden_.insert(space.obstacle_features[span.ground].value);
         for (const FreeBody& body : scene.bodies) moving_.insert(body.feature.value);
     }
@@ -127,18 +128,18 @@ private:
     bool is_shown(std::uint32_t room) const {
         if (graph_.rooms[room].level != level_) return false;
         return !made_.upper || upper_.contains(room) ||
-               std::any_of(graph_.portals.begin(), graph_.portals.end(), [&](const Portal& portal) {
+               std::any_of(graph_.portals.begin(), graph_.portals.end(), [&](const navigation::Portal& portal) {
                    return (portal.rooms[0] == room && upper_.contains(portal.rooms[1])) ||
                           (portal.rooms[1] == room && upper_.contains(portal.rooms[0]));
                });
     }
 
     void take_rooms() {
-        const std::vector<RoomOutline> outlines = room_outlines(graph_, space_);
+        const std::vector<navigation::RoomOutline> outlines = navigation::room_outlines(graph_, space_);
         double floor = 0.0, area = 0.0;
         Vec2 low(std::numeric_limits<double>::infinity()), high(-low);
         for (std::uint32_t i = 0; i < graph_.rooms.size(); ++i) {
-            const Room& room = graph_.rooms[i];
+            const navigation::Room& room = graph_.rooms[i];
             if (!is_shown(i) || outlines[i].loops_m.empty()) continue;
             StoreyRoom mine;
             mine.room = i;
@@ -159,18 +160,18 @@ private:
                 }
             }
             mine.outside = on_outer_ground(i);
-            mine.shut = graph_.rooms.size() > 1 &&
-                        std::none_of(graph_.portals.begin(), graph_.portals.end(), [&](const Portal& portal) {
-                            return portal.rooms[0] == i || portal.rooms[1] == i;
-                        });
+            mine.shut = graph_.rooms.size() > 1 && std::none_of(graph_.portals.begin(), graph_.portals.end(),
+                                                                [&](const navigation::Portal& portal) {
+                                                                    return portal.rooms[0] == i || portal.rooms[1] == i;
+                                                                });
             mine.elsewhere = made_.upper && !upper_.contains(i);
             if (!mine.outside && !mine.elsewhere) {
                 low = glm::min(low, mine.min_m);
                 high = glm::max(high, mine.max_m);
             }
-            const double weight = mine.elsewhere                                  ? 0.0
-                                  : room.kind == RoomKind::Stairs || mine.outside ? 1e-6 * room.area_m2
-                                                                                  : room.area_m2;
+            const double weight = mine.elsewhere                                              ? 0.0
+                                  : room.kind == navigation::RoomKind::Stairs || mine.outside ? 1e-6 * room.area_m2
+                                                                                              : room.area_m2;
             floor += weight * room.floor_m;
             area += weight;
             made_.rooms.push_back(std::move(mine));
@@ -199,16 +200,17 @@ private:
         take_stairs_of_others(outlines);
     }
 
-    void take_stairs_of_others(const std::vector<RoomOutline>& outlines) {
+    void take_stairs_of_others(const std::vector<navigation::RoomOutline>& outlines) {
         std::map<std::uint32_t, std::uint32_t> mine;
         for (std::uint32_t i = 0; i < made_.rooms.size(); ++i) mine[made_.rooms[i].room] = i;
         std::set<std::uint32_t> taken;
-        for (const Portal& portal : graph_.portals)
+        for (const navigation::Portal& portal : graph_.portals)
             for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
                 const std::uint32_t flight = portal.rooms[side];
                 const auto here = mine.find(portal.rooms[1 - side]);
-                if (here == mine.end() || mine.contains(flight) || graph_.rooms[flight].kind != RoomKind::Stairs ||
-                    outlines[flight].loops_m.empty() || !taken.insert(flight).second)
+                if (here == mine.end() || mine.contains(flight) ||
+                    graph_.rooms[flight].kind != navigation::RoomKind::Stairs || outlines[flight].loops_m.empty() ||
+                    !taken.insert(flight).second)
                     continue;
                 made_.stairs_of_others.push_back({here->second, outlines[flight].loops_m});
             }
@@ -222,7 +224,7 @@ private:
         std::vector<Vec2> middles(made_.rooms.size());
         for (std::size_t i = 0; i < floor.room.size(); ++i) {
             const std::uint32_t room = floor.room[i];
-            if (room == kNothing) continue;
+            if (room == navigation::kNothing) continue;
             const auto wide = static_cast<std::size_t>(floor.wide);
             const Vec2 at = made_.min_m + (Vec2(i % wide, i / wide) + Vec2(0.5)) * floor.cell_m;
             const double far = glm::length(at - made_.rooms[room].middle_m);
@@ -232,7 +234,7 @@ private:
         }
         for (std::uint32_t room = 0; room < made_.rooms.size(); ++room) {
             const std::uint32_t there = floor_at(made_, made_.rooms[room].middle_m);
-            if (there != room && there != kNothing && std::isfinite(nearest[room]))
+            if (there != room && there != navigation::kNothing && std::isfinite(nearest[room]))
                 made_.rooms[room].middle_m = middles[room];
         }
     }
@@ -240,7 +242,7 @@ private:
     void take_floor() {
         StoreyFloor& floor = made_.floor;
         clear_floor(made_);
-        std::vector<std::uint32_t> mine(graph_.rooms.size(), kNothing);
+        std::vector<std::uint32_t> mine(graph_.rooms.size(), navigation::kNothing);
         for (std::uint32_t i = 0; i < made_.rooms.size(); ++i) mine[made_.rooms[i].room] = i;
         // A roof that one can stand on may belong to the storey below it, so the lower floor counts. But if a raised
         // walkway or a deck has entrances, the ground that a reader laid under it does not hide it.
@@ -248,7 +250,7 @@ private:
         std::vector<double> height_m(floor.room.size(), std::numeric_limits<double>::infinity());
         for (std::uint32_t i = 0; i < space_.spans.size(); ++i) {
             const std::uint32_t room = graph_.room_of_span[i];
-            if (room == kNothing || mine[room] == kNothing) continue;
+            if (room == navigation::kNothing || mine[room] == navigation::kNothing) continue;
             const Vec3 at = space_.place_m(i);
             const auto place = cell_at(at);
             if (!place) continue;
@@ -256,11 +258,11 @@ private:
             const std::uint32_t known = floor.room[cell], here = mine[room];
             if (made_.upper) {  // the upper rooms first; then other rooms, if they are level with them
                 if (made_.rooms[here].elsewhere &&
-                    (known != kNothing || std::abs(at.z - made_.floor_m) > kFloorsApart_m))
+                    (known != navigation::kNothing || std::abs(at.z - made_.floor_m) > kFloorsApart_m))
                     continue;
-                if (known != kNothing && !made_.rooms[known].elsewhere && at.z <= height_m[cell]) continue;
+                if (known != navigation::kNothing && !made_.rooms[known].elsewhere && at.z <= height_m[cell]) continue;
             } else {
-                const bool same_kind = known == kNothing || is_ground(known) == is_ground(here);
+                const bool same_kind = known == navigation::kNothing || is_ground(known) == is_ground(here);
                 if (same_kind ? at.z >= height_m[cell] : is_ground(here)) continue;
             }
             height_m[cell] = at.z;
@@ -284,7 +286,8 @@ private:
         if (made_.upper) return;
         std::map<std::uint32_t, std::uint32_t> mine;
         for (std::uint32_t i = 0; i < made_.rooms.size(); ++i)
-            if (const StoreyRoom& room = made_.rooms[i]; !room.outside && !room.shut && room.kind != RoomKind::Stairs)
+            if (const StoreyRoom& room = made_.rooms[i];
+                !room.outside && !room.shut && room.kind != navigation::RoomKind::Stairs)
                 mine[room.room] = i;
         std::vector<double> hidden_m2(made_.rooms.size(), 0.0);
         std::vector<double> seen_m2 = hidden_m2;
@@ -296,7 +299,7 @@ private:
             if (!cell) continue;
             const std::uint32_t there = made_.floor.room[*cell];
             if (there == room->second) seen_m2[there] += space_.cell_area_m2();
-            else if (there != kNothing && at.z > floor_height_m_[*cell] + kFloorsApart_m)
+            else if (there != navigation::kNothing && at.z > floor_height_m_[*cell] + kFloorsApart_m)
                 hidden_m2[room->second] += space_.cell_area_m2();
         }
         for (std::uint32_t i = 0; i < made_.rooms.size(); ++i) {
@@ -331,12 +334,12 @@ private:
         for (const Vec2& p : section) middle += p;
         middle /= static_cast<double>(section.size());
         const std::uint32_t span = space_.at(Vec3(middle.x, middle.y, top_m));
-        return span != kNothing && std::abs(space_.place_m(span).z - top_m) < 0.1;
+        return span != navigation::kNothing && std::abs(space_.place_m(span).z - top_m) < 0.1;
     }
 
     std::optional<double> floor_m_at(const Vec3& at) const {
         const std::uint32_t span = space_.at(at);
-        return span == kNothing ? std::nullopt : std::optional<double>(space_.place_m(span).z);
+        return span == navigation::kNothing ? std::nullopt : std::optional<double>(space_.place_m(span).z);
     }
 
     // True for a ramp or a flight of solid steps: a person walks up it through the height of the cut, so it is no wall.
@@ -359,9 +362,9 @@ private:
         for (const Vec2& p : outline) middle += p / static_cast<double>(outline.size());
         const double top_m = solid.bounds_m.max_m.z;
         const std::uint32_t span = space_.at(Vec3(middle.x, middle.y, top_m));
-        if (span == kNothing || std::abs(space_.place_m(span).z - top_m) > kSameFloor_m) return false;
+        if (span == navigation::kNothing || std::abs(space_.place_m(span).z - top_m) > kSameFloor_m) return false;
         const std::uint32_t room = graph_.room_of_span[span];
-        return (room != kNothing && graph_.rooms[room].kind == RoomKind::Stairs) ||
+        return (room != navigation::kNothing && graph_.rooms[room].kind == navigation::RoomKind::Stairs) ||
                (narrowest_m(outline) <= kLongestTread_m && leads_below_cut(span));
     }
 
@@ -370,9 +373,9 @@ private:
         const auto cells = static_cast<int>(std::ceil(kLongestTread_m / std::sqrt(space_.cell_area_m2())));
         for (const std::size_t way : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}}) {
             std::uint32_t span = from;
-            for (int i = 0; i < cells && span != kNothing; ++i) {
+            for (int i = 0; i < cells && span != navigation::kNothing; ++i) {
                 span = space_.spans[span].next[way];
-                if (span != kNothing && space_.place_m(span).z < cut_m()) return true;
+                if (span != navigation::kNothing && space_.place_m(span).z < cut_m()) return true;
             }
         }
         return false;
@@ -411,7 +414,7 @@ private:
             const Vec2 high = glm::max(glm::max(added[0], added[1]), added[2]);
             for (double y = low.y; y <= high.y; y += 0.5 * made_.floor.cell_m)
                 for (double x = low.x; x <= high.x; x += 0.5 * made_.floor.cell_m)
-                    if (within_loop(added, {x, y}) && floor_at(made_, {x, y}) != kNothing) return outline;
+                    if (within_loop(added, {x, y}) && floor_at(made_, {x, y}) != navigation::kNothing) return outline;
             outline = squared->outline;
         }
         return outline;
@@ -516,7 +519,7 @@ private:
         for (std::size_t i = 0; i < floor.room.size(); ++i) {
             const auto wide = static_cast<std::size_t>(floor.wide);
             const Vec2 at = made_.min_m + (Vec2(i % wide, i / wide) + Vec2(0.5)) * floor.cell_m;
-            if (floor.room[i] != kNothing && within(outline, at)) return true;
+            if (floor.room[i] != navigation::kNothing && within(outline, at)) return true;
         }
         return false;
     }
@@ -548,14 +551,16 @@ private:
 
     // Leaves out balconies: they belong to the ground outside, which is on another storey, so they are no exits.
     void take_exits(const std::map<std::uint32_t, std::uint32_t>& mine) {
-        for (const Portal& portal : graph_.portals)
+        for (const navigation::Portal& portal : graph_.portals)
             for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
                 const auto here = mine.find(portal.rooms[side]);
                 const std::uint32_t there = portal.rooms[1 - side];
                 if (here == mine.end() || mine.contains(there) || graph_.rooms[there].level == level_ ||
-                    portal.one_way || portal.kind == PassageKind::Drop || portal.kind == PassageKind::Teleporter ||
-                    made_.rooms[here->second].outside || on_outer_ground(there) || !is_seen(portal) ||
-                    graph_.rooms[there].kind == RoomKind::Stairs || made_.rooms[here->second].kind == RoomKind::Stairs)
+                    portal.one_way || portal.kind == navigation::PassageKind::Drop ||
+                    portal.kind == navigation::PassageKind::Teleporter || made_.rooms[here->second].outside ||
+                    on_outer_ground(there) || !is_seen(portal) ||
+                    graph_.rooms[there].kind == navigation::RoomKind::Stairs ||
+                    made_.rooms[here->second].kind == navigation::RoomKind::Stairs)
                     continue;
                 made_.exits.push_back({portal.kind,
                                        here->second,
@@ -569,7 +574,7 @@ private:
         std::map<std::uint32_t, std::uint32_t> mine;
         for (std::uint32_t i = 0; i < made_.rooms.size(); ++i) mine[made_.rooms[i].room] = i;
         take_exits(mine);
-        for (const Portal& portal : graph_.portals) {
+        for (const navigation::Portal& portal : graph_.portals) {
             const auto a = mine.find(portal.rooms[0]), b = mine.find(portal.rooms[1]);
             if (a == mine.end() || b == mine.end() || a->second == b->second || !is_seen(portal)) continue;
             made_.portals.push_back(
@@ -579,7 +584,7 @@ private:
 
     // True if this plan of the storey shows where the rooms are joined. A portal between rooms that both plans show
     // appears on one of them.
-    bool is_seen(const Portal& portal) const {
+    bool is_seen(const navigation::Portal& portal) const {
         if (made_.upper && !upper_.contains(portal.rooms[0]) && !upper_.contains(portal.rooms[1])) return false;
         const Vec2 place(portal.place_m.x, portal.place_m.y);
         const double reach_m = 0.5 * portal.width_m + kFloorNearJoint_m;
@@ -616,7 +621,7 @@ private:
 
     // A flight is drawn with its own lines; a banister drawn as a wall would leave no space for them.
     bool is_flight(std::uint32_t room) const {
-        return room < made_.rooms.size() && made_.rooms[room].kind == RoomKind::Stairs;
+        return room < made_.rooms.size() && made_.rooms[room].kind == navigation::RoomKind::Stairs;
     }
 
     // Turns barriers between two rooms into walls, unless the route graph leads through there.
@@ -656,8 +661,9 @@ private:
         for (const RoomBorder& border : borders_of(grid))
             if (border.rooms[1] == outside()) {
                 const StoreyRoom& room = made_.rooms[border.rooms[0]];
-                const bool named = !known_as(graph_.rooms[room.room]).empty();
-                if (room.shut && (room.kind == RoomKind::Niche || !named)) kept[border.rooms[0]] = kNothing;
+                const bool named = !navigation::known_as(graph_.rooms[room.room]).empty();
+                if (room.shut && (room.kind == navigation::RoomKind::Niche || !named))
+                    kept[border.rooms[0]] = navigation::kNothing;
             }
         drop_rooms(std::move(kept));
     }
@@ -682,7 +688,7 @@ private:
             if (shut[0] != shut[1] &&
                 std::any_of(border.squares.begin(), border.squares.end(),
                             [&](std::size_t square) { return inside_any(steps, squares().middle(grid, square)); }))
-                kept[border.rooms[shut[0] ? 0 : 1]] = kNothing;
+                kept[border.rooms[shut[0] ? 0 : 1]] = navigation::kNothing;
         }
         drop_rooms(std::move(kept));
     }
@@ -690,12 +696,13 @@ private:
     // `kept`: for each room 0, or kNothing to drop it.
     void drop_rooms(std::vector<std::uint32_t> kept) {
         std::uint32_t count = 0;
-        for (std::uint32_t& place : kept) place = place == kNothing ? kNothing : count++;
+        for (std::uint32_t& place : kept) place = place == navigation::kNothing ? navigation::kNothing : count++;
         if (count == 0 || count == kept.size()) return;
         for (std::uint32_t i = 0; i < kept.size(); ++i)
-            if (kept[i] != kNothing && kept[i] != i) made_.rooms[kept[i]] = std::move(made_.rooms[i]);
+            if (kept[i] != navigation::kNothing && kept[i] != i) made_.rooms[kept[i]] = std::move(made_.rooms[i]);
         made_.rooms.resize(count);
-        for (std::uint32_t& room : made_.floor.room) room = room == kNothing ? kNothing : kept[room];
+        for (std::uint32_t& room : made_.floor.room)
+            room = room == navigation::kNothing ? navigation::kNothing : kept[room];
         for (std::uint32_t& room : made_.hidden) room = kept[room];
         for (StoreyStairs& stairs : made_.stairs_of_others) stairs.room = kept[stairs.room];
         for (StoreyExit& exit : made_.exits) exit.room = kept[exit.room];
@@ -722,7 +729,8 @@ private:
         spread_rooms(grid);
         const std::vector<RoomBorder> borders = borders_of(grid);
         for (const StoreyPortal& portal : made_.portals) {
-            if (portal.kind != PassageKind::Door && portal.kind != PassageKind::Opening) continue;
+            if (portal.kind != navigation::PassageKind::Door && portal.kind != navigation::PassageKind::Opening)
+                continue;
             const bool open = std::any_of(borders.begin(), borders.end(), [&](const RoomBorder& border) {
                 return std::any_of(border.squares.begin(), border.squares.end(), [&](std::size_t square) {
                     return border.rooms[0] == std::min(portal.rooms[0], portal.rooms[1]) &&
@@ -819,10 +827,12 @@ private:
     void take_gaps() {
         std::map<std::uint32_t, std::uint32_t> mine;
         for (std::uint32_t i = 0; i < made_.rooms.size(); ++i) mine[made_.rooms[i].room] = i;
-        for (const Portal& portal : graph_.portals) {
+        for (const navigation::Portal& portal : graph_.portals) {
             const bool here =
                 graph_.rooms[portal.rooms[0]].level == level_ || graph_.rooms[portal.rooms[1]].level == level_;
-            if (!here || (portal.kind != PassageKind::Door && portal.kind != PassageKind::Opening) || !is_seen(portal))
+            if (!here ||
+                (portal.kind != navigation::PassageKind::Door && portal.kind != navigation::PassageKind::Opening) ||
+                !is_seen(portal))
                 continue;
             const Vec2 place(portal.place_m.x, portal.place_m.y);
             if (std::abs(portal.place_m.z - made_.floor_m) > 1.5 || inside_any(made_.walls_m, place)) continue;
@@ -851,15 +861,15 @@ private:
         for (const Start& start : scene_.starts)
             if (!base || (start.base && !base->base)) base = &start;
         if (!base) return;
-        const std::uint32_t room = room_at(graph_, space_, base->feet_m);
-        if (room == kNothing || graph_.rooms[room].level != level_) return;
+        const std::uint32_t room = navigation::room_at(graph_, space_, base->feet_m);
+        if (room == navigation::kNothing || graph_.rooms[room].level != level_) return;
         if (made_.upper && !upper_.contains(room)) return;
         made_.base = StoreyBase{{base->feet_m.x, base->feet_m.y}, base->heading_rad};
     }
 
     const Scene& scene_;
-    const RoomGraph& graph_;
-    const WalkSpace& space_;
+    const navigation::RoomGraph& graph_;
+    const navigation::WalkSpace& space_;
     int level_;
     std::set<std::uint32_t> upper_;
     std::vector<double> floor_height_m_;        // height of the floor for each cell of StoreyFloor::room
@@ -875,7 +885,7 @@ std::uint32_t floor_at(const Storey& storey, const Vec2& at) {
     const StoreyFloor& floor = storey.floor;
     const double x = std::floor((at.x - storey.min_m.x) / floor.cell_m);
     const double y = std::floor((at.y - storey.min_m.y) / floor.cell_m);
-    if (!(x >= 0.0 && y >= 0.0 && x < floor.wide && y < floor.high)) return kNothing;
+    if (!(x >= 0.0 && y >= 0.0 && x < floor.wide && y < floor.high)) return navigation::kNothing;
     return floor.room[static_cast<std::size_t>(y) * static_cast<std::size_t>(floor.wide) + static_cast<std::size_t>(x)];
 }
 
@@ -890,21 +900,22 @@ void lay_floor(Storey& storey) {
     }
 }
 
-int storey_count(const RoomGraph& graph) {
+int storey_count(const navigation::RoomGraph& graph) {
     int count = 0;
-    for (const Room& room : graph.rooms) count = std::max(count, room.level + 1);
+    for (const navigation::Room& room : graph.rooms) count = std::max(count, room.level + 1);
     return count;
 }
 
-int storey_of_start(const Scene& scene, const RoomGraph& graph, const WalkSpace& space) {
+int storey_of_start(const Scene& scene, const navigation::RoomGraph& graph, const navigation::WalkSpace& space) {
     const Start* base = nullptr;
     for (const Start& start : scene.starts)
         if (!base || (start.base && !base->base)) base = &start;
-    const std::uint32_t room = base ? room_at(graph, space, base->feet_m) : kNothing;
-    return room == kNothing ? 1 : graph.rooms[room].level + 1;
+    const std::uint32_t room = base ? navigation::room_at(graph, space, base->feet_m) : navigation::kNothing;
+    return room == navigation::kNothing ? 1 : graph.rooms[room].level + 1;
 }
 
-Result<Storey> storey_of(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, int number) {
+Result<Storey> storey_of(const Scene& scene, const navigation::RoomGraph& graph, const navigation::WalkSpace& space,
+                         int number) {
     const int count = storey_count(graph);
     if (number < 1 || number > count)
         return fail(phrase("export.no_storey", {{"storey", number}, {"count", count}}), scene.source_file);
@@ -914,8 +925,8 @@ Result<Storey> storey_of(const Scene& scene, const RoomGraph& graph, const WalkS
     return made;
 }
 
-std::optional<Storey> upper_part_of(const Scene& scene, const RoomGraph& graph, const WalkSpace& space,
-                                    const Storey& storey) {
+std::optional<Storey> upper_part_of(const Scene& scene, const navigation::RoomGraph& graph,
+                                    const navigation::WalkSpace& space, const Storey& storey) {
     if (storey.upper || storey.hidden.empty()) return std::nullopt;
     std::set<std::uint32_t> upper;
     for (const std::uint32_t place : storey.hidden) upper.insert(storey.rooms[place].room);
@@ -924,4 +935,4 @@ std::optional<Storey> upper_part_of(const Scene& scene, const RoomGraph& graph, 
     return made;
 }
 
-}  // namespace handrail
+}  // namespace handrail::plan

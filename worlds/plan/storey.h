@@ -12,12 +12,12 @@
 #include "worlds/navigation/rooms.h"
 #include "worlds/plan/plan_shapes.h"
 
-namespace handrail {
+namespace handrail::plan {
 
 struct StoreyRoom {
     std::uint32_t room = 0;  // index in the RoomGraph
     std::string name;        // in the spoken language
-    RoomKind kind = RoomKind::Room;
+    navigation::RoomKind kind = navigation::RoomKind::Room;
     std::vector<std::vector<Vec2>> loops_m;  // the outline, a body's radius inside the walls: see RoomOutline
     double area_m2 = 0.0;
     Vec2 min_m{0.0}, max_m{0.0};  // bounds of the loops
@@ -38,18 +38,19 @@ struct StoreyThing {
 
 // A door or an opening in a wall, from jamb to jamb.
 struct StoreyGap {
-    PassageKind kind = PassageKind::Door;
+    navigation::PassageKind kind = navigation::PassageKind::Door;
     std::string name;  // empty for an opening
     Vec2 place_m{0.0};
     Vec2 along{1.0, 0.0};  // direction from jamb to jamb
     double width_m = 0.0;
     double deep_m = 0.0;  // on either side of its place this much is free too; 0: as deep as the wall is
-    std::array<std::uint32_t, 2> rooms{kNothing, kNothing};  // places in Storey::rooms; kNothing: of another storey
+    std::array<std::uint32_t, 2> rooms{navigation::kNothing,
+                                       navigation::kNothing};  // places in Storey::rooms; kNothing: of another storey
 };
 
 // A portal between two rooms of the storey, from RoomGraph::portals.
 struct StoreyPortal {
-    PassageKind kind = PassageKind::Door;
+    navigation::PassageKind kind = navigation::PassageKind::Door;
     std::array<std::uint32_t, 2> rooms{};  // indices into Storey::rooms
     Vec2 place_m{0.0};
     double width_m = 0.0;
@@ -63,7 +64,7 @@ struct StoreyStairs {
 // A connection of a room to another storey without stairs that the plan shows: a lift, a ramp, or steps that belong to
 // the rooms at their ends. Drops do not count.
 struct StoreyExit {
-    PassageKind kind = PassageKind::Opening;
+    navigation::PassageKind kind = navigation::PassageKind::Opening;
     std::uint32_t room = 0;  // index into Storey::rooms
     std::string to;          // the other room, in the spoken language
     Vec2 place_m{0.0};
@@ -113,21 +114,22 @@ struct Storey {
 };
 
 // The number of storeys; 0 if there are no rooms.
-int storey_count(const RoomGraph& graph);
+int storey_count(const navigation::RoomGraph& graph);
 // The storey of the base, else of the first start; 1 if that is in no room.
-int storey_of_start(const Scene& scene, const RoomGraph& graph, const WalkSpace& space);
+int storey_of_start(const Scene& scene, const navigation::RoomGraph& graph, const navigation::WalkSpace& space);
 // Fails with one sentence if there is no such storey, or no room on it. The time grows with the numbers of solids and
 // spans.
-Result<Storey> storey_of(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, int number);
+Result<Storey> storey_of(const Scene& scene, const navigation::RoomGraph& graph, const navigation::WalkSpace& space,
+                         int number);
 
 // The second plan of a storey that has floors above each other. `storey` is the result of storey_of(); empty if it has
 // no second plan.
-std::optional<Storey> upper_part_of(const Scene& scene, const RoomGraph& graph, const WalkSpace& space,
-                                    const Storey& storey);
+std::optional<Storey> upper_part_of(const Scene& scene, const navigation::RoomGraph& graph,
+                                    const navigation::WalkSpace& space, const Storey& storey);
 
 // The index in Storey::rooms of the room whose floor is at this place; kNothing under furniture, in walls and outside.
 std::uint32_t floor_at(const Storey& storey, const Vec2& at);
 // Fills Storey::floor from the rooms' loops, for storeys that were not made from a world.
 void lay_floor(Storey& storey);
 
-}  // namespace handrail
+}  // namespace handrail::plan

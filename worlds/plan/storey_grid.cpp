@@ -6,7 +6,7 @@
 
 #include "worlds/navigation/walk_space.h"
 
-namespace handrail {
+namespace handrail::plan {
 namespace {
 
 constexpr double kSquare_m = 0.05, kMostSquares = 2000.0;  // of the longer side
@@ -39,7 +39,7 @@ RoomGrid StoreyGrid::walls() const {
         for (int x = 0; x < grid.wide; ++x) {
             const bool rim = x == 0 || y == 0 || x == grid.wide - 1 || y == grid.high - 1;
             std::uint32_t& room = grid.room[grid.at(x, y)] = floor_at(*storey_, middle(x, y));
-            if (rim && room == kNothing) room = outside;
+            if (rim && room == navigation::kNothing) room = outside;
         }
     for (const PlanOutline& wall : storey_->walls_m) block(grid, wall);
     for (const auto& sheet : storey_->sheets_m) block_line(grid, sheet[0], sheet[1]);
@@ -74,7 +74,7 @@ void drop_far_walls(Storey& storey) {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(floor.wide) + static_cast<std::size_t>(x);
     };
     const auto is_floor = [&](int x, int y) {
-        return x >= 0 && y >= 0 && x < floor.wide && y < floor.high && floor.room[cell(x, y)] != kNothing;
+        return x >= 0 && y >= 0 && x < floor.wide && y < floor.high && floor.room[cell(x, y)] != navigation::kNothing;
     };
     std::vector<std::uint8_t> near_floor(floor.room.size(), 0);
     const auto lay = [&](const Vec2& at_m) {
@@ -135,7 +135,7 @@ void find_beyond(Storey& storey) {
                         return within_loop(loop, storey.min_m + (Vec2(x, y) + Vec2(0.5)) * floor.cell_m);
                     });
                 });
-            if (floor.room[cell(x, y)] != kNothing || flight) lay_middle(x, y);
+            if (floor.room[cell(x, y)] != navigation::kNothing || flight) lay_middle(x, y);
         }
     for (const StoreyPortal& portal : storey.portals) lay(portal.place_m, 0.5 * portal.width_m + kRoundPortal_m);
 
@@ -158,14 +158,14 @@ void find_beyond(Storey& storey) {
         const int y = static_cast<int>(i / static_cast<std::size_t>(grid.wide));
         const bool rim = x == 0 || y == 0 || x == grid.wide - 1 || y == grid.high - 1;
         if (near_floor[cell_of(i)]) grid.blocked[i] = 1;
-        grid.room[i] = rim ? 0 : kNothing;
+        grid.room[i] = rim ? 0 : navigation::kNothing;
     }
     spread_rooms(grid);
     for (std::size_t i = 0; i < grid.room.size(); ++i)
-        if (grid.room[i] != kNothing) floor.beyond[cell_of(i)] = 1;
+        if (grid.room[i] != navigation::kNothing) floor.beyond[cell_of(i)] = 1;
     // A square may have a room on the other side of a thin wall.
     for (std::size_t i = 0; i < walls.size(); ++i)
         if (walls[i]) floor.beyond[cell_of(i)] = 0;
 }
 
-}  // namespace handrail
+}  // namespace handrail::plan

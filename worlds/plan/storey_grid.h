@@ -5,7 +5,7 @@
 #include "worlds/plan/room_borders.h"
 #include "worlds/plan/storey.h"
 
-namespace handrail {
+namespace handrail::plan {
 
 // Squares of that size from Storey::min_m on.
 class StoreyGrid {
@@ -38,4 +38,4 @@ void drop_far_walls(Storey& storey);
 // Fills StoreyFloor::beyond by the storey's floor, walls and portals.
 void find_beyond(Storey& storey);
 
-}  // namespace handrail
+}  // namespace handrail::plan

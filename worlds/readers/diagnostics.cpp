@@ -1,6 +1,6 @@
 #include "worlds/readers/diagnostics.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 std::string excerpt(std::string_view found, std::size_t most) {
     std::string text(found.substr(0, most));
@@ -19,4 +19,4 @@ tl::unexpected<Error> nothing_to_touch(const Diagnostics& diagnostics, const std
         file, first.line, first.column);
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -13,7 +13,7 @@
 #include "worlds/base/result.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 // Greatest coordinate allowed in a file: replay and rendering accept positions up to here.
 inline constexpr double kFarthestM = 1e6;
@@ -71,4 +71,4 @@ std::string excerpt(std::string_view found, std::size_t most = 24);
 // holds no brushes." `world`: "map" or "mesh".
 tl::unexpected<Error> nothing_to_touch(const Diagnostics& diagnostics, const std::string& file, std::string_view world);
 
-}  // namespace handrail
+}  // namespace handrail::readers

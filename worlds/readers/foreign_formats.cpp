@@ -6,7 +6,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 // How a format is recognised by its bytes.
@@ -152,4 +152,4 @@ std::string foreign_by_ending(const std::filesystem::path& path) {
     return found == kFormats.end() ? std::string() : sentence_of(*found);
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace handrail {
+namespace handrail::readers {
 
 // If the bytes are of such a format, whatever the file's name, returns one sentence that can be spoken; else an empty
 // string.
@@ -14,4 +14,4 @@ std::string foreign_by_content(std::string_view bytes);
 // The same, by the ending of the file name.
 std::string foreign_by_ending(const std::filesystem::path& path);
 
-}  // namespace handrail
+}  // namespace handrail::readers

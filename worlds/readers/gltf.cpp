@@ -16,7 +16,7 @@
 #include "worlds/base/text.h"
 #include "worlds/readers/mesh_scene.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 using Json = nlohmann::json;
@@ -378,4 +378,4 @@ Result<Scene> read_gltf(std::string_view bytes, const std::string& file_name, co
     return GltfReader(bytes, file_name, options).read();
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

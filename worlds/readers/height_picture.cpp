@@ -8,7 +8,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 // Shared by libpng's callbacks and its long jump on errors. Plain data only, made before setjmp and freed after it.
@@ -113,4 +113,4 @@ Result<HeightPicture> read_height_picture(std::string_view bytes, const std::str
     return picture;
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

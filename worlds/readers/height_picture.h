@@ -9,7 +9,7 @@
 #include "worlds/base/result.h"
 #include "worlds/scene/material.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 inline constexpr int kLargestPictureSide = 4096;
 
@@ -17,4 +17,4 @@ inline constexpr int kLargestPictureSide = 4096;
 // Never reads beyond `bytes`.
 Result<HeightPicture> read_height_picture(std::string_view bytes, const std::string& file_name);
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -6,7 +6,7 @@
 #include "worlds/readers/reader.h"
 #include "worlds/readers/spoken_text.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 bool is_model(std::string_view path) {
@@ -17,7 +17,7 @@ bool is_model(std::string_view path) {
 }  // namespace
 
 Result<Scene> read_ifc(std::string_view bytes, const std::string& file_name, const ReadOptions& options) {
-    return read_ifc_building(
+    return ifc::read_ifc_building(
         bytes, file_name,
         {words_of_name(file_name), options.guess_materials, options.progress, options.stage, options.stop});
 }
@@ -33,11 +33,11 @@ bool is_ifczip(const std::filesystem::path& path, std::string_view bytes) {
 }
 
 Result<Scene> read_ifczip(std::string_view bytes, const std::string& file_name, const ReadOptions& options) {
-    const Result<std::map<std::string, std::string>> models = unzip(bytes, file_name, is_model);
+    const Result<std::map<std::string, std::string>> models = imdf::unzip(bytes, file_name, is_model);
     if (!models) return tl::unexpected(models.error());
     if (models->empty()) return fail(phrase("reader.no_ifc_in_zip"), file_name);
     if (models->size() > 1) return fail(phrase("reader.several_ifc_in_zip", {{"n", models->size()}}), file_name);
     return read_ifc(models->begin()->second, file_name, options);
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -3,13 +3,13 @@
 #include "worlds/readers/reader.h"
 #include "worlds/readers/spoken_text.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 Result<Scene> read_imdf(std::string_view bytes, const std::string& file_name, const ReadOptions& options) {
-    return read_imdf_venue(
+    return imdf::read_imdf_venue(
         bytes, file_name,
         {options.building,
          {words_of_name(file_name.substr(0, file_name.find(".imdf"))), options.progress, options.stop}});
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

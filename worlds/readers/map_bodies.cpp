@@ -4,7 +4,7 @@
 
 #include "worlds/geometry/mass_properties.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 constexpr NumberKey kMass{"mass", FreeBody::kLeast_kg, FreeBody::kMost_kg, "map.range_kilograms"};
@@ -90,4 +90,4 @@ void MapBodies::finish(Scene& scene, Diagnostics& diagnostics) const {
                          {{"most", FreeBody::kMost}, {"count", too_many_}});
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

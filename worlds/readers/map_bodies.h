@@ -11,7 +11,7 @@
 #include "worlds/readers/map_keys.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 struct BodyWish {
     FreeBody body;
@@ -50,4 +50,4 @@ private:
     TextPlace first_too_many_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace handrail {
+namespace handrail::readers {
 
 namespace {
 
@@ -107,4 +107,4 @@ int MapBrushes::repeats(const BuiltSolid& built, std::uint32_t owner, int line) 
     return is_new ? 0 : found->second;
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -12,7 +12,7 @@
 #include "worlds/readers/map_syntax.h"
 #include "worlds/readers/map_words.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 class MapBrushes {
 public:
@@ -51,4 +51,4 @@ private:
     std::unordered_map<std::string, int> lines_;  // lines of brushes, by owner and planes
 };
 
-}  // namespace handrail
+}  // namespace handrail::readers

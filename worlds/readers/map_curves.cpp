@@ -4,7 +4,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 // Values below a millionth of a millimetre count as 0 in messages.
@@ -43,4 +43,4 @@ void MapCurves::bend(Scene& scene, double chord_m, const std::stop_token& stop) 
                                                                 {"bound", in_millimetres(chord_m)}}));
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -8,7 +8,7 @@
 #include "worlds/geometry/bezier_patch.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 // A patch in world metres, before it is cut.
 struct MapCurve {
@@ -33,4 +33,4 @@ private:
     int left_out_ = 0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::readers

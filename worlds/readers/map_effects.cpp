@@ -6,7 +6,7 @@
 #include "worlds/base/text.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 constexpr std::array<std::string_view, 4> kPulls{"point", "line", "surface", "object"};
@@ -172,4 +172,4 @@ void attach_effects(std::vector<ReadEffect>& effects, Scene& scene, Diagnostics&
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -9,7 +9,7 @@
 #include "worlds/readers/map_keys.h"
 #include "worlds/scene/effect.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 // An effect with the name of the thing that it belongs to, which may come later in the file.
 struct ReadEffect {
@@ -28,4 +28,4 @@ std::vector<ReadEffect> read_effects(const MapEntity& entity, int index, const s
 // known one; the effect then does not move.
 void attach_effects(std::vector<ReadEffect>& effects, Scene& scene, Diagnostics& diagnostics);
 
-}  // namespace handrail
+}  // namespace handrail::readers

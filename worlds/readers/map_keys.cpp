@@ -7,7 +7,7 @@
 #include "worlds/base/text.h"
 #include "worlds/readers/spoken_text.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 std::string_view trimmed(std::string_view text) {
     while (!text.empty() && static_cast<unsigned char>(text.front()) <= ' ') text.remove_prefix(1);
@@ -125,4 +125,4 @@ MapKeys::AxisTurn MapKeys::axis_of(const MapEntity& entity) const {
     return {2, name == "z" && back ? rotation_about({1, 0, 0}, kPi) : Rotation{}};
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -9,7 +9,7 @@
 #include "worlds/geometry/triangle_mesh.h"
 #include "worlds/readers/map_syntax.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 std::string_view trimmed(std::string_view text);
 
@@ -58,4 +58,4 @@ private:
     double units_;  // metres per map unit
 };
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -7,7 +7,7 @@
 
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 constexpr NumberKey kLabyrinth{"labyrinth", 0.0, 9.0, "map.range"};
@@ -94,4 +94,4 @@ void MapLabyrinth::attach(Scene& scene, Diagnostics& diagnostics) {
     scene.labyrinth = plan_;
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

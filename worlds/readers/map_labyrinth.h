@@ -9,7 +9,7 @@
 #include "worlds/readers/map_keys.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 class MapLabyrinth {
 public:
@@ -28,4 +28,4 @@ private:
     TextPlace world_place_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -5,7 +5,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 std::string_view guessed_name(const MapMeaning& meaning, const TextureFacts& facts) {
@@ -45,4 +45,4 @@ void MapLooks::tell_guesses(ReadReport& report) const {
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -13,7 +13,7 @@
 #include "worlds/scene/scene.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 class MapLooks {
 public:
@@ -35,4 +35,4 @@ private:
     std::map<std::string, std::set<std::string>> guessed_from_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -4,7 +4,7 @@
 #include "worlds/readers/map_words.h"
 #include "worlds/readers/spoken_text.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 constexpr double kMostFlowMPerS = 0.5;
@@ -131,4 +131,4 @@ std::optional<PrimitiveKind> MapMeanings::shape_of(const MapEntity& entity, bool
     return std::nullopt;
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -11,7 +11,7 @@
 #include "worlds/scene/primitive.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 struct MapMeaning {
     SolidRole role = SolidRole::Solid;
@@ -47,4 +47,4 @@ private:
     MapSurfaces& surfaces_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::readers

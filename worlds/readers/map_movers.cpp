@@ -6,7 +6,7 @@
 #include "worlds/base/human_measures.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 // Defaults of the game of 1996, in map units.
@@ -440,4 +440,4 @@ void attach_movers(ReadMovers& found, Scene& scene, Diagnostics& diagnostics) {
     links.hand_over();
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

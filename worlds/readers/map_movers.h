@@ -12,7 +12,7 @@
 #include "worlds/readers/map_keys.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 struct ReadMover {
     Mover mover;
@@ -71,4 +71,4 @@ void note_destination(ReadMovers& found, const MapEntity& entity, const Vec3& fe
 // target that no entity has as its name is reported.
 void attach_movers(ReadMovers& found, Scene& scene, Diagnostics& diagnostics);
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -7,7 +7,7 @@
 
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 const Prefab* prefab_of(const MapEntity& entity, Diagnostics& diagnostics) {
     const MapKey* key = entity.find("prefab");
@@ -52,4 +52,4 @@ MapEntity with_prefab(const MapEntity& entity, const Prefab& prefab, const Vec3&
     return made;
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -7,7 +7,7 @@
 #include "worlds/readers/map_keys.h"
 #include "worlds/scene/prefab.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 // The piece of furniture that the key `prefab` names. Returns null with a warning if there is no such piece, or if the
 // entity also has a shape or no origin.
@@ -17,4 +17,4 @@ const Prefab* prefab_of(const MapEntity& entity, Diagnostics& diagnostics);
 MapEntity with_prefab(const MapEntity& entity, const Prefab& prefab, const Vec3& origin_units, double heading_rad,
                       double metres_per_unit);
 
-}  // namespace handrail
+}  // namespace handrail::readers

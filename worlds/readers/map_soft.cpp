@@ -4,7 +4,7 @@
 
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 constexpr double kLeastStiffness = 0.02, kMostStiffness = 0.6;
@@ -97,4 +97,4 @@ std::optional<SoftFace> soft_face_of(const SoftWish& wish, const ConvexSolid& sh
     return soft;
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

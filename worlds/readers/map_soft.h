@@ -7,7 +7,7 @@
 #include "worlds/readers/map_keys.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 // What an entity's keys request for each of its brushes.
 struct SoftWish {
@@ -25,4 +25,4 @@ std::optional<SoftWish> soft_wish_of(const MapEntity& entity, double metres_per_
 std::optional<SoftFace> soft_face_of(const SoftWish& wish, const ConvexSolid& shape, const std::string& name,
                                      Diagnostics& diagnostics);
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -8,7 +8,7 @@
 #include "worlds/base/text.h"
 #include "worlds/readers/height_picture.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 constexpr double kMostFriction = 2.0;        // that of rubber on rubber; with more, the hand sticks to the wall
@@ -115,4 +115,4 @@ void MapSurfaces::read_picture(const MapEntity& entity, std::optional<double> de
     surface.picture = picture;
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

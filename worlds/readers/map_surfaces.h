@@ -13,7 +13,7 @@
 #include "worlds/readers/reader.h"
 #include "worlds/scene/material.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 // A text that is equal for surfaces that feel alike, whatever they are made of.
 std::string look_of_surface(const Material& surface);
@@ -45,4 +45,4 @@ private:
     std::map<std::string, std::shared_ptr<const HeightPicture>> pictures_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -6,7 +6,7 @@
 #include "worlds/base/text.h"
 #include "worlds/readers/map_keys.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' '; }
@@ -555,4 +555,4 @@ MapFile parse_map(std::string_view bytes, Diagnostics& diagnostics, const std::s
     return Parser(bytes, diagnostics, stop).parse();
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

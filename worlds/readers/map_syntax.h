@@ -13,7 +13,7 @@
 #include "worlds/geometry/bezier_patch.h"
 #include "worlds/readers/diagnostics.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 // The string views point into the parsed bytes.
 struct MapKey {
@@ -65,4 +65,4 @@ MapFile parse_map(std::string_view bytes, Diagnostics& diagnostics, const std::s
 // Decodes a quoted string: \" becomes ", everything else stays.
 std::string unquoted(std::string_view raw);
 
-}  // namespace handrail
+}  // namespace handrail::readers

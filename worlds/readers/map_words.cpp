@@ -6,7 +6,7 @@
 
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 constexpr std::array kClasses{
@@ -106,4 +106,4 @@ TextureFacts facts_of_texture(std::string_view texture) {
     return facts;
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

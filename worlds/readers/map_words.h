@@ -7,7 +7,7 @@
 #include "worlds/scene/material.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 // What an entity of this class makes of its brushes. The first row that matches counts; a name that ends in * matches
 // as a prefix.
@@ -39,4 +39,4 @@ struct TextureFacts {
 };
 TextureFacts facts_of_texture(std::string_view texture);
 
-}  // namespace handrail
+}  // namespace handrail::readers

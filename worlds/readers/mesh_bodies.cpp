@@ -5,7 +5,7 @@
 #include "worlds/geometry/box_index.h"
 #include "worlds/geometry/clip.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 constexpr double kBarelyIn_m = 1e-4;
@@ -164,4 +164,4 @@ MeshBodies mesh_bodies(std::span<const MeshPiece> meshes, const std::stop_token&
     return BodySorter(meshes, stop).sort();
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -8,7 +8,7 @@
 
 #include "worlds/geometry/closed_mesh.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 struct MeshPiece {
     std::span<const Vec3> points_m;
@@ -33,4 +33,4 @@ struct MeshBodies {
 // surface can be touched.
 MeshBodies mesh_bodies(std::span<const MeshPiece> meshes, const std::stop_token& stop = {});
 
-}  // namespace handrail
+}  // namespace handrail::readers

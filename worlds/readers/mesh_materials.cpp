@@ -1,6 +1,6 @@
 #include "worlds/readers/mesh_materials.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 std::optional<Material> mesh_material(const std::string& name, bool guess) {
     Material material;
@@ -15,4 +15,4 @@ std::optional<Material> mesh_material(const std::string& name, bool guess) {
     return material;
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -6,9 +6,9 @@
 
 #include "worlds/scene/material.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 // Finds it by the exact name or, if `guess` is true, by words within the name. Empty if neither fits.
 std::optional<Material> mesh_material(const std::string& name, bool guess);
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -14,7 +14,7 @@
 #include "worlds/readers/spoken_text.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 constexpr double kSurfaceUnit_m = 1.0 / 32.0;  // as in derive_surfaces for maps
@@ -306,4 +306,4 @@ Result<Scene> scene_of_meshes(MeshFile file, Diagnostics diagnostics, const std:
     return MeshSceneBuilder(std::move(file), std::move(diagnostics), file_name, options).build();
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

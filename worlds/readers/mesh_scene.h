@@ -11,7 +11,7 @@
 #include "worlds/readers/diagnostics.h"
 #include "worlds/readers/reader.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 inline constexpr std::size_t kMostMeshTriangles = 2'000'000;
 
@@ -34,4 +34,4 @@ struct MeshFile {
 Result<Scene> scene_of_meshes(MeshFile file, Diagnostics diagnostics, const std::string& file_name,
                               const ReadOptions& options);
 
-}  // namespace handrail
+}  // namespace handrail::readers

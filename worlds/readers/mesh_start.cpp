@@ -10,7 +10,7 @@
 #include "worlds/geometry/box_index.h"
 #include "worlds/geometry/clip.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 constexpr double kHalf_m = 0.3, kTall_m = 1.9;  // half width and height of a body
@@ -48,7 +48,7 @@ public:
         index_.find(body, near_);
         return std::none_of(near_.begin(), near_.end(), [&](std::uint32_t i) {
             return i < scene_.triangles.size() ? meets(scene_.triangles[i], body)
-                                               : handrail::meets(scene_.solids[i - scene_.triangles.size()], body);
+                                               : readers::meets(scene_.solids[i - scene_.triangles.size()], body);
         });
     }
     bool stands_at(const Vec3& feet_m) {
@@ -186,4 +186,4 @@ void start_on_floor(Scene& scene, const std::stop_token& stop) {
     scene.report.guessed.push_back(phrase("mesh.start_on_floor"));
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

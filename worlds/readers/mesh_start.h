@@ -7,7 +7,7 @@
 
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 // True if they overlap by more than a micrometre. May be wrongly true near an edge of the solid.
 bool meets(const Solid& solid, const Aabb& box);
@@ -19,4 +19,4 @@ std::optional<Vec3> place_to_stand(const Scene& scene, const std::stop_token& st
 // Makes that place the scene's start, if there is one, and says so in the scene's report.
 void start_on_floor(Scene& scene, const std::stop_token& stop);
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -18,7 +18,7 @@
 #include "worlds/readers/spoken_text.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 constexpr double kObjSurfaceUnit_m = 1.0 / 32.0;  // as in derive_surfaces for maps
@@ -442,4 +442,4 @@ Result<Scene> read_obj(std::string_view bytes, const std::string& file_name, con
     return upright.build();
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

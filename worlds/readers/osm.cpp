@@ -3,14 +3,14 @@
 #include "worlds/readers/reader.h"
 #include "worlds/readers/spoken_text.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 Result<Scene> read_osm(std::string_view bytes, const std::string& file_name, const ReadOptions& options) {
-    const OsmForm form = osm_form(bytes, file_name);
-    return read_osm_building(
-        bytes, form == OsmForm::None ? OsmForm::Xml : form, file_name,
+    const osm::OsmForm form = osm::osm_form(bytes, file_name);
+    return osm::read_osm_building(
+        bytes, form == osm::OsmForm::None ? osm::OsmForm::Xml : form, file_name,
         {options.building,
          {words_of_name(file_name.substr(0, file_name.find(".osm"))), options.progress, options.stop}});
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

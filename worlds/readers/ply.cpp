@@ -9,7 +9,7 @@
 #include "worlds/readers/map_keys.h"
 #include "worlds/readers/mesh_scene.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 struct PlyType {
@@ -200,4 +200,4 @@ Result<Scene> read_ply(std::string_view bytes, const std::string& file_name, con
     return PlyReader(bytes, file_name, options).read();
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

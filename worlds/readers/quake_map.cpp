@@ -27,7 +27,7 @@
 #include "worlds/scene/primitive.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 constexpr double kOriginAboveSolesUnits = 24;  // height of a player's origin in these maps
@@ -619,4 +619,4 @@ Result<Scene> read_quake_map(std::string_view bytes, const std::string& file_nam
     return MapSceneBuilder(bytes, file_name, options).build();
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

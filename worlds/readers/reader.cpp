@@ -8,7 +8,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 namespace fs = std::filesystem;
@@ -37,11 +37,11 @@ constexpr std::array kReaders{
     MapReader{"ifczip", is_ifczip, read_ifczip},
     MapReader{"osm",
               [](const fs::path& path, std::string_view bytes) {
-                  return osm_form(bytes, path.filename().string()) != OsmForm::None || ends_in(path, ".osm");
+                  return osm::osm_form(bytes, path.filename().string()) != osm::OsmForm::None || ends_in(path, ".osm");
               },
               read_osm},
     MapReader{"rooms", [](const fs::path& path, std::string_view) { return ends_in(path, ".rooms"); }, read_words},
-    MapReader{"imdf", [](const fs::path&, std::string_view bytes) { return is_imdf(bytes); }, read_imdf},
+    MapReader{"imdf", [](const fs::path&, std::string_view bytes) { return imdf::is_imdf(bytes); }, read_imdf},
 };
 
 }  // namespace
@@ -49,7 +49,8 @@ constexpr std::array kReaders{
 Result<Scene> read_world_bytes(const fs::path& path, std::string_view bytes, const ReadOptions& options) {
     const std::string name = path.filename().string();
     if (bytes.empty()) return fail(phrase("reader.empty"), name);
-    const bool ours = osm_form(bytes, name) != OsmForm::None || is_imdf(bytes) || is_ifczip(path, bytes);
+    const bool ours =
+        osm::osm_form(bytes, name) != osm::OsmForm::None || imdf::is_imdf(bytes) || is_ifczip(path, bytes);
     if (!ours)
         if (const std::string foreign = foreign_by_content(bytes); !foreign.empty()) return fail(foreign, name);
     ReadOptions with_folder = options;
@@ -83,4 +84,4 @@ Result<Scene> read_world(const fs::path& path, const ReadOptions& options) {
     return bytes ? read_world_bytes(path, *bytes, options) : tl::unexpected(bytes.error());
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

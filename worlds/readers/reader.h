@@ -12,7 +12,7 @@
 #include "worlds/base/result.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 struct ReadOptions {
     double map_metres_per_unit = 1.0 / 32.0;  // for .map files (Quake: 1/32)
@@ -134,4 +134,4 @@ Result<OpenFile> open_file_beside(const std::filesystem::path& world, const std:
 Result<std::string> read_file_beside(const std::filesystem::path& world, const std::string& name,
                                      const std::stop_token& stop);
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -5,7 +5,7 @@
 
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 constexpr std::size_t kMostBytes = 1000;  // about one minute of speech
@@ -61,4 +61,4 @@ std::string words_of_name(std::string_view name) {
     return spoken_text(text);
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

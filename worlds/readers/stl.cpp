@@ -6,7 +6,7 @@
 #include "worlds/readers/map_keys.h"
 #include "worlds/readers/mesh_scene.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 constexpr std::size_t kHead = 84, kTriangle = 50;
@@ -98,4 +98,4 @@ Result<Scene> read_stl(std::string_view bytes, const std::string& file_name, con
     return scene_of_meshes(std::move(file), std::move(diagnostics), file_name, options);
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -11,7 +11,7 @@
 #include "worlds/base/text.h"
 #include "worlds/geometry/clip.h"
 
-namespace handrail {
+namespace handrail::readers {
 namespace {
 
 constexpr std::size_t kMostWarnings = 20;  // as in ReadReport::warnings
@@ -85,4 +85,4 @@ void ask_about_axes(Scene& scene) {
                   phrase("reader.say_upright"));
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

@@ -6,7 +6,7 @@
 
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 inline constexpr double kWidestWorld_m = 2000.0, kNarrowestWorld_m = 2.0;
 inline constexpr double kHighestMesh_m = 100.0;
@@ -22,4 +22,4 @@ void ask_about_unit(Scene& scene);
 // most of its flat area faces there. Formats without a stated axis are often written with y upwards.
 void ask_about_axes(Scene& scene);
 
-}  // namespace handrail
+}  // namespace handrail::readers

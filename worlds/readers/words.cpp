@@ -3,10 +3,10 @@
 #include "worlds/readers/spoken_text.h"
 #include "worlds/words/read_words.h"
 
-namespace handrail {
+namespace handrail::readers {
 
 Result<Scene> read_words(std::string_view bytes, const std::string& file_name, const ReadOptions& options) {
-    return read_words_building(bytes, file_name, {words_of_name(file_name), options.progress, options.stop});
+    return words::read_words_building(bytes, file_name, {words_of_name(file_name), options.progress, options.stop});
 }
 
-}  // namespace handrail
+}  // namespace handrail::readers

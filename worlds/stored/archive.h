@@ -19,7 +19,7 @@
 
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::stored {
 
 template <class T, class U>
 concept Is = std::is_same_v<std::remove_const_t<T>, U>;
@@ -272,4 +272,4 @@ void Unpacker::operator()(T&... values) {
     (archive::one(*this, values), ...);
 }
 
-}  // namespace handrail
+}  // namespace handrail::stored

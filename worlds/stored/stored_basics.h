@@ -4,7 +4,7 @@
 #include "worlds/scene/scene.h"
 #include "worlds/stored/archive.h"
 
-namespace handrail {
+namespace handrail::stored {
 
 template <class A, Is<FeatureId> T>
 void fields(A& a, T& v) {
@@ -22,4 +22,4 @@ void fields(A& a, T& v) {
     a(least, most);
 }
 
-}  // namespace handrail
+}  // namespace handrail::stored

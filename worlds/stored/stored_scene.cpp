@@ -5,7 +5,7 @@
 #include "worlds/stored/archive.h"
 #include "worlds/stored/stored_basics.h"
 
-namespace handrail {
+namespace handrail::stored {
 
 // Each fields() names all members, so a new member that is forgotten here does not compile.
 
@@ -335,11 +335,11 @@ Result<Scene> scene_from(std::string_view bytes) {
 }
 
 std::string sum_of(const Scene& scene) {
-    Sha256 sum;
+    cache::Sha256 sum;
     Packer pack([&](std::string_view bytes) { sum.add(bytes); });
     all_but_report(pack, scene);
     sum.add(pack.take());
     return sum.hex();
 }
 
-}  // namespace handrail
+}  // namespace handrail::stored

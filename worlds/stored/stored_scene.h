@@ -10,7 +10,7 @@
 #include "worlds/base/result.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::stored {
 
 // Changes with every source in worlds and every text of the program. The keys of the cache contain it.
 extern const std::uint64_t kWorldsVersion;
@@ -22,4 +22,4 @@ Result<Scene> scene_from(std::string_view bytes);
 // SHA-256, in hex, of everything in the Scene except the reader's report.
 std::string sum_of(const Scene& scene);
 
-}  // namespace handrail
+}  // namespace handrail::stored

@@ -9,41 +9,41 @@
 #include "worlds/navigation/validate_ways.h"
 #include "worlds/stored/stored_basics.h"
 
-namespace handrail {
+namespace handrail::stored {
 
 template <>
-inline constexpr int kLastOf<PassageKind> = static_cast<int>(PassageKind::Climb);
+inline constexpr int kLastOf<navigation::PassageKind> = static_cast<int>(navigation::PassageKind::Climb);
 template <>
-inline constexpr int kLastOf<RoomKind> = static_cast<int>(RoomKind::Niche);
+inline constexpr int kLastOf<navigation::RoomKind> = static_cast<int>(navigation::RoomKind::Niche);
 template <>
-inline constexpr int kLastOf<RoomLook> = static_cast<int>(RoomLook::Hall);
+inline constexpr int kLastOf<navigation::RoomLook> = static_cast<int>(navigation::RoomLook::Hall);
 
 template <class A, Is<WalkerMeasures> T>
 void fields(A& a, T& v) {
     auto& [radius, height, step_up, most_drop, cell] = v;
     a(radius, height, step_up, most_drop, cell);
 }
-template <class A, Is<WalkLink> T>
+template <class A, Is<navigation::WalkLink> T>
 void fields(A& a, T& v) {
     auto& [kind, from, to, both_ways, feature] = v;
     a(kind, from, to, both_ways, feature);
 }
-template <class A, Is<MadeRoomName> T>
+template <class A, Is<navigation::MadeRoomName> T>
 void fields(A& a, T& v) {
     auto& [thing, thing_made, thing_in, with_thing, look, wide, deep, side, level, levels, storey] = v;
     a(thing, thing_made, thing_in, with_thing, look, wide, deep, side, level, levels, storey);
 }
-template <class A, Is<Room> T>
+template <class A, Is<navigation::Room> T>
 void fields(A& a, T& v) {
     auto& [kind, name, given, map_name, map_name_in, is_way, made, same_name, level, area, floor, bounds, middle] = v;
     a(kind, name, given, map_name, map_name_in, is_way, made, same_name, level, area, floor, bounds, middle);
 }
-template <class A, Is<Portal> T>
+template <class A, Is<navigation::Portal> T>
 void fields(A& a, T& v) {
     auto& [kind, rooms, place, width, feature, one_way] = v;
     a(kind, rooms[0], rooms[1], place, width, feature, one_way);
 }
-template <class A, Is<RoomGraph> T>
+template <class A, Is<navigation::RoomGraph> T>
 void fields(A& a, T& v) {
     auto& [rooms, portals, room_of_span, language] = v;
     a(rooms, portals, room_of_span, language);
@@ -71,15 +71,15 @@ void fields(A& a, T& v) {
 }
 
 // The neighbour of a cell to the east (0), north (1), west (2) or south (3); kNothing: outside.
-std::uint32_t cell_beside(const WalkSpace& space, std::uint32_t cell, std::size_t way) {
+std::uint32_t cell_beside(const navigation::WalkSpace& space, std::uint32_t cell, std::size_t way) {
     const std::uint32_t x = cell % space.width, y = cell / space.width;
-    if (way == 0) return x + 1 < space.width ? cell + 1 : kNothing;
-    if (way == 1) return y + 1 < space.depth ? cell + space.width : kNothing;
-    if (way == 2) return x > 0 ? cell - 1 : kNothing;
-    return y > 0 ? cell - space.width : kNothing;
+    if (way == 0) return x + 1 < space.width ? cell + 1 : navigation::kNothing;
+    if (way == 1) return y + 1 < space.depth ? cell + space.width : navigation::kNothing;
+    if (way == 2) return x > 0 ? cell - 1 : navigation::kNothing;
+    return y > 0 ? cell - space.width : navigation::kNothing;
 }
 
-std::optional<SpanColumns> columns_of(const WalkSpace& space) {
+std::optional<SpanColumns> columns_of(const navigation::WalkSpace& space) {
     SpanColumns columns;
     const std::size_t cells = static_cast<std::size_t>(space.width) * space.depth, count = space.spans.size();
     columns.counts.reserve(cells);
@@ -92,7 +92,7 @@ std::optional<SpanColumns> columns_of(const WalkSpace& space) {
     for (auto* each : {&columns.ground, &columns.doors, &columns.beside}) each->reserve(count);
     for (auto& each : columns.next) each.reserve(count);
     columns.flags.reserve(count);
-    for (const WalkSpan& span : space.spans) {
+    for (const navigation::WalkSpan& span : space.spans) {
         const auto& [floor, ceiling, cell, next, ground, door, clearance, beside, near_edge, liquid, stairs] = span;
         columns.floors.push_back(floor);
         columns.ceilings.push_back(ceiling);
@@ -103,12 +103,12 @@ std::optional<SpanColumns> columns_of(const WalkSpace& space) {
         columns.flags.push_back(
             static_cast<std::uint8_t>((near_edge ? kEdge : 0) | (liquid ? kLiquid : 0) | (stairs ? kStairs : 0)));
         for (std::size_t way = 0; way < 4; ++way) {
-            if (next[way] == kNothing) {
+            if (next[way] == navigation::kNothing) {
                 columns.next[way].push_back(0);
                 continue;
             }
             const std::uint32_t there = cell_beside(space, cell, way);
-            if (there == kNothing || next[way] < space.first[there] || next[way] >= space.first[there + 1])
+            if (there == navigation::kNothing || next[way] < space.first[there] || next[way] >= space.first[there + 1])
                 return std::nullopt;
             columns.next[way].push_back(static_cast<std::uint8_t>(next[way] - space.first[there] + 1));
         }
@@ -117,7 +117,7 @@ std::optional<SpanColumns> columns_of(const WalkSpace& space) {
 }
 
 // Returns false if the columns do not fit a space of that width and depth.
-bool put(const SpanColumns& columns, WalkSpace& space) {
+bool put(const SpanColumns& columns, navigation::WalkSpace& space) {
     const std::size_t cells = static_cast<std::size_t>(space.width) * space.depth, count = columns.floors.size();
     if (columns.counts.size() != cells) return false;
     for (const auto* each : {&columns.ceilings, &columns.clearances})
@@ -137,7 +137,7 @@ bool put(const SpanColumns& columns, WalkSpace& space) {
     space.spans.resize(count);
     for (std::uint32_t cell = 0; cell < cells; ++cell)
         for (std::uint32_t s = space.first[cell]; s < space.first[cell + 1]; ++s) {
-            WalkSpan& span = space.spans[s];
+            navigation::WalkSpan& span = space.spans[s];
             span.floor_m = columns.floors[s];
             span.ceiling_m = columns.ceilings[s];
             span.cell = cell;
@@ -152,7 +152,7 @@ bool put(const SpanColumns& columns, WalkSpace& space) {
                 const std::uint8_t place = columns.next[way][s];
                 if (place == 0) continue;
                 const std::uint32_t there = cell_beside(space, cell, way);
-                if (there == kNothing || place > columns.counts[there]) return false;
+                if (there == navigation::kNothing || place > columns.counts[there]) return false;
                 span.next[way] = space.first[there] + place - 1;
             }
         }
@@ -189,14 +189,14 @@ bool inflate_into(std::string& bytes, std::string_view packed) {
            size == bytes.size();
 }
 
-template <class A, Is<WalkSpace> T>
+template <class A, Is<navigation::WalkSpace> T>
 void all_but_spans(A& a, T& space) {
     a(space.origin_m, space.cell_m, space.width, space.depth, space.body, space.links, space.obstacle_features,
       space.outdoors_m, space.part);
 }
 
 // Empty if the space must not be kept.
-std::string plain_ways(const WalkSpace& space, const RoomGraph& graph) {
+std::string plain_ways(const navigation::WalkSpace& space, const navigation::RoomGraph& graph) {
     const std::optional<SpanColumns> columns = columns_of(space);
     if (!columns || graph.room_of_span.size() != space.spans.size()) return {};
     Packer all;
@@ -213,40 +213,44 @@ std::optional<FoundWays> whole_ways(std::string_view plain) {
     all_but_spans(all, found.space);
     all(columns, found.graph);
     if (!all.good() || !all.rest().empty() || !put(columns, found.space)) return std::nullopt;
-    if (!validate(found.space) || !validate(found.graph, found.space)) return std::nullopt;
+    if (!navigation::validate(found.space) || !navigation::validate(found.graph, found.space)) return std::nullopt;
     return found;
 }
 
 // Checks what needs the scene, and that the space can belong to a body of this size.
-bool belong_to(const Scene& scene, const WalkerMeasures& asked, const WalkSpace& space, const RoomGraph& graph) {
+bool belong_to(const Scene& scene, const navigation::WalkerMeasures& asked, const navigation::WalkSpace& space,
+               const navigation::RoomGraph& graph) {
     const auto known = [&](FeatureId id) { return !id || id.value < scene.features.size(); };
-    WalkerMeasures body = space.body;
+    navigation::WalkerMeasures body = space.body;
     if (space.cell_m != body.cell_m || !(body.cell_m >= asked.cell_m) || !(body.cell_m <= 1.0)) return false;
     body.cell_m = asked.cell_m;
     return body == asked && std::all_of(space.obstacle_features.begin(), space.obstacle_features.end(), known) &&
            std::all_of(space.links.begin(), space.links.end(),
-                       [&](const WalkLink& link) { return known(link.feature); }) &&
-           std::all_of(
-               space.spans.begin(), space.spans.end(),
-               [&](const WalkSpan& span) { return span.door == kNothing || span.door < scene.movers.size(); }) &&
+                       [&](const navigation::WalkLink& link) { return known(link.feature); }) &&
+           std::all_of(space.spans.begin(), space.spans.end(),
+                       [&](const navigation::WalkSpan& span) {
+                           return span.door == navigation::kNothing || span.door < scene.movers.size();
+                       }) &&
            std::all_of(graph.portals.begin(), graph.portals.end(),
-                       [&](const Portal& portal) { return known(portal.feature); }) &&
-           std::none_of(graph.rooms.begin(), graph.rooms.end(), [](const Room& room) { return room.given; });
+                       [&](const navigation::Portal& portal) { return known(portal.feature); }) &&
+           std::none_of(graph.rooms.begin(), graph.rooms.end(),
+                        [](const navigation::Room& room) { return room.given; });
 }
 
 }  // namespace
 
-std::string ways_key(const Scene& scene, const WalkerMeasures& body) {
+std::string ways_key(const Scene& scene, const navigation::WalkerMeasures& body) {
     Packer pack;
     archive::count(pack, kWorldsVersion);
     pack(body);
-    Sha256 sum;
+    cache::Sha256 sum;
     sum.add_counted(pack.take());
     sum.add_counted(sum_of(scene));
     return sum.hex();
 }
 
-std::string stored_ways(const WalkSpace& space, const RoomGraph& graph, const std::stop_token& stop) {
+std::string stored_ways(const navigation::WalkSpace& space, const navigation::RoomGraph& graph,
+                        const std::stop_token& stop) {
     const std::string plain = plain_ways(space, graph);
     if (plain.empty() || plain.size() > kMostKept_bytes) return {};
     const std::string packed = deflated(plain, stop);
@@ -266,16 +270,16 @@ std::string unpacked_ways(std::string_view packed) {
     return found ? plain_ways(found->space, found->graph) : std::string();
 }
 
-std::optional<FoundWays> ways_from(std::string_view plain, const WalkerMeasures& body, const Scene& scene) {
+std::optional<FoundWays> ways_from(std::string_view plain, const navigation::WalkerMeasures& body, const Scene& scene) {
     std::optional<FoundWays> found = whole_ways(plain);
     if (!found || !belong_to(scene, body, found->space, found->graph)) return std::nullopt;
-    found->space.said = said_of(found->space, body);
-    number_room_names(found->graph);  // in the language spoken now, which may be the person's own texts
+    found->space.said = navigation::said_of(found->space, body);
+    navigation::number_room_names(found->graph);  // in the language spoken now, which may be the person's own texts
     return found;
 }
 
-bool worth_keeping(const WalkSpace& space, const Scene& scene) {
+bool worth_keeping(const navigation::WalkSpace& space, const Scene& scene) {
     return space.spans.size() >= kLeastKeptSpans || scene.solids.size() + scene.triangles.size() >= kLeastKeptShapes;
 }
 
-}  // namespace handrail
+}  // namespace handrail::stored

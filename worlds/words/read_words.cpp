@@ -2,16 +2,17 @@
 
 #include "worlds/words/words_plan.h"
 
-namespace handrail {
+namespace handrail::words {
 
-Result<Scene> read_words_building(std::string_view bytes, const std::string& file_name, const PlanOptions& options) {
+Result<Scene> read_words_building(std::string_view bytes, const std::string& file_name,
+                                  const floorplan::PlanOptions& options) {
     constexpr std::size_t kLargest = std::size_t{8} << 20, kMostKept = 20;
     if (bytes.size() > kLargest) return fail(phrase("rooms_text.too_large"), file_name);
     WordsPlan words(file_name);
-    Result<FloorPlan> plan = words.build(bytes);
+    Result<floorplan::FloorPlan> plan = words.build(bytes);
     if (!plan) return tl::unexpected(plan.error());
     if (options.stop.stop_requested()) return fail(phrase("files.stopped"), file_name);
-    Result<Scene> scene = scene_of_plan(std::move(*plan), file_name, options);
+    Result<Scene> scene = floorplan::scene_of_plan(std::move(*plan), file_name, options);
     if (!scene) return scene;
     // The warnings about the text come first, in the order of its lines.
     std::vector<Diagnostic> warnings = words.warnings();
@@ -22,4 +23,4 @@ Result<Scene> read_words_building(std::string_view bytes, const std::string& fil
     return scene;
 }
 
-}  // namespace handrail
+}  // namespace handrail::words

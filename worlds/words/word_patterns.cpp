@@ -10,7 +10,7 @@
 #include "worlds/base/text.h"
 #include "worlds/scene/material.h"
 
-namespace handrail {
+namespace handrail::words {
 namespace {
 
 constexpr std::size_t kMostWords = 120, kMostNumbers = 4000, kMostOfName = 12;
@@ -668,7 +668,8 @@ std::size_t kind_of(const WordSentence& sentence, WordLanguage language, SaidSen
 }
 
 // The patterns that match in a sentence if it is of this kind.
-std::set<Statement> said_as(const WordSentence& sentence, const SpeakersOf& speaker, SentenceKind kind, std::size_t from) {
+std::set<Statement> said_as(const WordSentence& sentence, const SpeakersOf& speaker, SentenceKind kind,
+                            std::size_t from) {
     std::set<Statement> says;
     Matcher matcher(sentence, speaker, kind);
     for (std::size_t i = from; i < std::min(sentence.tokens.size(), kMostWords); ++i)
@@ -687,12 +688,14 @@ bool is_room(const WordSentence& sentence, const SpeakersOf& speaker, std::size_
     };
     const std::set<Statement> as_thing = said_as(sentence, speaker, SentenceKind::Thing, from);
     if (any(as_thing, {Statement::Size3, Statement::AboveFloor})) return false;
-    if (any(as_room, {Statement::SideOf, Statement::Above, Statement::Flush, Statement::Further, Statement::CornerAt, Statement::CornerList,
-                      Statement::Stairs, Statement::Lift, Statement::Floor, Statement::Raised, Statement::Sunk}))
+    if (any(as_room, {Statement::SideOf, Statement::Above, Statement::Flush, Statement::Further, Statement::CornerAt,
+                      Statement::CornerList, Statement::Stairs, Statement::Lift, Statement::Floor, Statement::Raised,
+                      Statement::Sunk}))
         return true;
-    if (any(as_thing, {Statement::Size3, Statement::At, Statement::Offset, Statement::Along, Statement::FromWall, Statement::InWall, Statement::MiddleOf,
-                       Statement::Middle, Statement::InCorner, Statement::ByWindow, Statement::ByDoor, Statement::NextTo, Statement::Landmark,
-                       Statement::Clue, Statement::MadeOf}))
+    if (any(as_thing,
+            {Statement::Size3, Statement::At, Statement::Offset, Statement::Along, Statement::FromWall,
+             Statement::InWall, Statement::MiddleOf, Statement::Middle, Statement::InCorner, Statement::ByWindow,
+             Statement::ByDoor, Statement::NextTo, Statement::Landmark, Statement::Clue, Statement::MadeOf}))
         return false;
     return as_room.contains(Statement::Size2);
 }
@@ -1024,4 +1027,4 @@ Vec3 usual_size_m(std::string_view name) {
     return row ? Vec3(row->x, row->y, row->z) : Vec3(0.6, 0.6, 0.8);
 }
 
-}  // namespace handrail
+}  // namespace handrail::words

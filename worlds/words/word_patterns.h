@@ -8,7 +8,7 @@
 #include "worlds/base/vec.h"
 #include "worlds/words/words_text.h"
 
-namespace handrail {
+namespace handrail::words {
 
 enum class WordLanguage { English, German };
 
@@ -134,4 +134,4 @@ std::optional<std::string> one_of_several(std::string_view names);
 // True if the usual size of such things is known.
 bool usually_known(std::string_view name);
 
-}  // namespace handrail
+}  // namespace handrail::words

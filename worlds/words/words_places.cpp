@@ -5,7 +5,7 @@
 #include "worlds/base/text.h"
 #include "worlds/words/words_plan.h"
 
-namespace handrail {
+namespace handrail::words {
 
 Vec2 side_direction(int side) {
     constexpr std::array<Vec2, 8> kSides{Vec2(0, 1),  Vec2(1, 1),   Vec2(1, 0),  Vec2(1, -1),
@@ -310,7 +310,7 @@ void WordsPlan::add_spaces() {
         room.levels = {own};
         const SaidPart *stairs = room.said.words.find(Statement::Stairs), *lift = room.said.words.find(Statement::Lift),
                        *up = room.said.words.find(Statement::UpTo);
-        PlanSpace space;
+        floorplan::PlanSpace space;
         space.name = one_line(room.said.words.name.substr(0, 200));
         space.id = phrase("rooms_text.line", {{"line", room.said.line}});
         space.line = room.said.line;
@@ -332,7 +332,7 @@ void WordsPlan::add_spaces() {
                 (lift || own_key.find("lift") != std::string::npos || own_key.find("elevator") != std::string::npos ||
                  own_key.find("aufzug") != std::string::npos || own_key.find("fahrstuhl") != std::string::npos);
             if (to != own) {
-                space.kind = is_lift ? PlanSpaceKind::Lift : PlanSpaceKind::Stairs;
+                space.kind = is_lift ? floorplan::PlanSpaceKind::Lift : floorplan::PlanSpaceKind::Stairs;
                 room.levels.clear();
                 for (std::size_t l = std::min(own, to); l <= std::max(own, to); ++l) room.levels.push_back(l);
             }
@@ -349,4 +349,4 @@ void WordsPlan::add_spaces() {
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::words

@@ -6,7 +6,7 @@
 #include "worlds/base/human_measures.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::words {
 namespace {
 
 constexpr std::size_t kMostSentences = 60'000, kMostRooms = 4'000, kMostStoreys = 60;
@@ -22,7 +22,7 @@ void WordsPlan::warn(int line, const std::string& message, const std::string& ac
         warnings_.push_back({Severity::Warning, file_, line, 0, one_line(message), one_line(action)});
 }
 
-Result<FloorPlan> WordsPlan::build(std::string_view bytes) {
+Result<floorplan::FloorPlan> WordsPlan::build(std::string_view bytes) {
     plan_.format = "rooms";
     plan_.schema = phrase("rooms_text.schema");
     plan_.measures_known = true;
@@ -99,7 +99,8 @@ void WordsPlan::take(SaidSentence said, int line) {
     for (const std::string& words : read_before ? std::vector<std::string>() : said.not_understood)
         warn(line, phrase("rooms_text.not_understood", {{"words", one_line(words.substr(0, 120))}}),
              phrase("rooms_text.then_rest_counts"));
-    const SaidPart *high = said.find(Statement::High), *thick = said.find(Statement::Thick), *walls = said.find(Statement::Walls);
+    const SaidPart *high = said.find(Statement::High), *thick = said.find(Statement::Thick),
+                   *walls = said.find(Statement::Walls);
     const auto needs_room = [&] {
         if (!rooms_.empty()) return false;
         warn(line, phrase("rooms_text.before_rooms"), phrase("rooms_text.then_left_out"));
@@ -222,4 +223,4 @@ std::string WordsPlan::nearest_room(const std::string& name) const {
     return one_line(nearest_name(name.substr(0, 60), names));
 }
 
-}  // namespace handrail
+}  // namespace handrail::words

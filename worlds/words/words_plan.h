@@ -10,7 +10,7 @@
 #include "worlds/floorplan/floor_plan.h"
 #include "worlds/words/word_patterns.h"
 
-namespace handrail {
+namespace handrail::words {
 
 // A compass direction as a vector east and north; diagonal directions go one metre both ways. Left, right, front and
 // back are as on a page with north at the top.
@@ -22,7 +22,7 @@ class WordsPlan {
 public:
     explicit WordsPlan(std::string file_name) : file_(std::move(file_name)) {}
     // Fails if the text has no room, or too much content.
-    Result<FloorPlan> build(std::string_view bytes);
+    Result<floorplan::FloorPlan> build(std::string_view bytes);
 
     const std::vector<Diagnostic>& warnings() const { return warnings_; }  // at most 20
     int warnings_in_all() const { return warnings_in_all_; }
@@ -84,7 +84,7 @@ private:
     std::size_t room_over(std::size_t room, const std::string& name, const Vec2& place) const;
     void set_raises();
     std::size_t room_from(std::size_t room, const Said& said) const;
-    bool told_before(const PlanDoor& door, bool placed) const;
+    bool told_before(const floorplan::PlanDoor& door, bool placed) const;
     InWall place_of_window(const Said& said, const WordRoom& room);
     void add_windows(std::size_t room);
     void add_things(std::size_t room);
@@ -114,7 +114,7 @@ private:
 
     static constexpr std::size_t kNoRoom = static_cast<std::size_t>(-1);
     std::string file_;
-    FloorPlan plan_;
+    floorplan::FloorPlan plan_;
     SpeakersOf speaker_;
     std::vector<Storey> storeys_;
     std::vector<std::size_t> level_of_;  // level of each storey
@@ -132,4 +132,4 @@ private:
     std::size_t work_ = 0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::words

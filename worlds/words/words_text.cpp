@@ -5,7 +5,7 @@
 
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::words {
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -165,4 +165,4 @@ std::vector<WordSentence> sentences_of(std::string_view bytes) {
     return Cutter().cut(as_utf8(bytes));
 }
 
-}  // namespace handrail
+}  // namespace handrail::words

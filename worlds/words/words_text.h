@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace handrail {
+namespace handrail::words {
 
 struct WordToken {
     enum class Kind { Word, Number, Name, Comma, Colon };  // Name: text in quotation marks
@@ -30,4 +30,4 @@ std::string folded(std::string_view text);
 // digit directly follows the comma.
 std::vector<WordSentence> sentences_of(std::string_view bytes);
 
-}  // namespace handrail
+}  // namespace handrail::words

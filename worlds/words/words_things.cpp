@@ -5,7 +5,7 @@
 #include "worlds/base/text.h"
 #include "worlds/words/words_plan.h"
 
-namespace handrail {
+namespace handrail::words {
 namespace {
 
 constexpr double kBesideDoor_m = 0.15, kWindow_m = 1.2, kWindowHigh_m = 1.2, kSill_m = 0.9, kProud_m = 0.02;
@@ -108,9 +108,9 @@ double WordsPlan::along_wall(const Said& said, const WordRoom& room, const Borde
     return at;
 }
 
-bool WordsPlan::told_before(const PlanDoor& door, bool placed) const {
+bool WordsPlan::told_before(const floorplan::PlanDoor& door, bool placed) const {
     constexpr double kSame_m = 0.6;
-    for (const PlanDoor& other : plan_.doors) {
+    for (const floorplan::PlanDoor& other : plan_.doors) {
         if (other.levels != door.levels || other.spaces != door.spaces || other.line == door.line) continue;
         if (door.spaces[0].size() < 2) continue;
         if (!placed || glm::length(other.at - door.at) < kSame_m) return true;
@@ -156,7 +156,7 @@ void WordsPlan::add_flight(std::size_t paragraph, const Said& said) {
         warn(said.line, phrase("rooms_text.stairs_to_nowhere", {{"name", name}}), phrase("rooms_text.then_left_out"));
         return;
     }
-    PlanFlight flight;
+    floorplan::PlanFlight flight;
     flight.name = called ? one_line(called->name.substr(0, 200)) : std::string();
     flight.line = said.line;
     // From a room on several storeys stairs begin at its highest storey; to such a room they lead to its lowest.
@@ -196,7 +196,7 @@ void WordsPlan::add_lift(std::size_t paragraph, const Said& said) {
     }
     Vec2 wide = size ? Vec2(size->numbers[0], size->numbers[1]) : Vec2(kPlatform_m);
     wide = glm::clamp(wide, Vec2(kLeastPlatform_m), Vec2(kMostPlatform_m));
-    PlanLift lift;
+    floorplan::PlanLift lift;
     lift.name = called ? one_line(called->name.substr(0, 200)) : std::string();
     lift.ring = {place - 0.5 * wide, place + Vec2(0.5, -0.5) * wide, place + 0.5 * wide,
                  place + Vec2(-0.5, 0.5) * wide};
@@ -215,11 +215,11 @@ void WordsPlan::add_door(std::size_t r, const Said& said) {
         if (const SaidPart* part = said.words.find(says); part && !part->sides.empty()) wall_said = part;
     if (wall_said && wall_said->sides[0] >= 8) left_and_right_ = true;
     const SaidPart* at = said.words.find(Statement::At);
-    PlanDoor door;
+    floorplan::PlanDoor door;
     door.kind = said.words.kind == SentenceKind::Opening || said.words.kind == SentenceKind::Drop
-                    ? PlanDoorKind::Opening
-                : said.words.kind == SentenceKind::SlidingDoor ? PlanDoorKind::Sliding
-                                                               : PlanDoorKind::Hinged;
+                    ? floorplan::PlanDoorKind::Opening
+                : said.words.kind == SentenceKind::SlidingDoor ? floorplan::PlanDoorKind::Sliding
+                                                               : floorplan::PlanDoorKind::Hinged;
     door.by_itself = said.words.find(Statement::ByItself) != nullptr;
     door.line = said.line;
     door.id = phrase("rooms_text.line", {{"line", said.line}});
@@ -300,9 +300,9 @@ void WordsPlan::add_door(std::size_t r, const Said& said) {
         }
         door.at = wall.at(along);
         border = to ? border : wall;
-        if (!placed && door.kind != PlanDoorKind::Opening) ++middle_doors_;
+        if (!placed && door.kind != floorplan::PlanDoorKind::Opening) ++middle_doors_;
     }
-    if (door.kind == PlanDoorKind::Opening && !wide)
+    if (door.kind == floorplan::PlanDoorKind::Opening && !wide)
         door.width_m = std::max(border.length() - plan_.wall_m - 0.04, 0.6);
     const WordRoom* there = other == kNoRoom ? nullptr : &rooms_[other];
     door.levels = {level_for(room, there)};
@@ -358,7 +358,7 @@ void WordsPlan::add_windows(std::size_t r) {
         const SaidPart *wide = said.words.find(Statement::Wide), *high = said.words.find(Statement::High),
                        *sill = said.words.find(Statement::AboveFloor);
         const double width = std::clamp(wide ? wide->numbers[0] : kWindow_m, 0.2, std::max(wall.length() - 0.1, 0.2));
-        PlanThing window;
+        floorplan::PlanThing window;
         const SaidPart* called = said.words.find(Statement::Called);
         window.name = called ? one_line(called->name.substr(0, 200)) : phrase("rooms_text.window");
         window.window = true;
@@ -606,7 +606,7 @@ void WordsPlan::add_thing(const WordRoom& room, const Said& said, bool first) {
              phrase("rooms_text.then_moved_in"));
         at = within;
     }
-    PlanThing thing;
+    floorplan::PlanThing thing;
     thing.name = one_line(said.words.name.substr(0, 200));
     thing.level = level_of_[room.storey];
     thing.height_m = size.z;
@@ -634,7 +634,7 @@ void WordsPlan::add_start(const Said& said) {
         else r = named;
     }
     const WordRoom& room = rooms_[r];
-    PlanStart start;
+    floorplan::PlanStart start;
     start.level = level_of_[room.storey];
     start.raised_m = room.raised_m.value_or(0.0);
     start.line = said.line;
@@ -664,4 +664,4 @@ void WordsPlan::add_start(const Said& said) {
     plan_.starts.push_back(std::move(start));
 }
 
-}  // namespace handrail
+}  // namespace handrail::words

@@ -12,7 +12,7 @@
 #include "worlds/base/human_measures.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kMoved_m = 1e-4;          // smaller movements are the jitter of a resting body
@@ -38,7 +38,7 @@ bool differs(const Placement& a, const Placement& b) {
 
 }  // namespace
 
-void Bodies::enter_world(std::shared_ptr<const DynamicsScene> scene, double now_s) {
+void Bodies::enter_world(std::shared_ptr<const render::DynamicsScene> scene, double now_s) {
     engine_.reset();
     stepped_ = nullptr;
     read_ = {};
@@ -48,23 +48,23 @@ void Bodies::enter_world(std::shared_ptr<const DynamicsScene> scene, double now_
     sounds_.enter_world(scene ? scene->bodies.size() : 0, now_s);
     scene_ = std::move(scene);
     driven_.clear();
-    pushed_ = in_the_way_ = kNoBody;
+    pushed_ = in_the_way_ = render::kNoBody;
     hit_ = kNoFeature;
     hit_s_ = moved_s_ = pushed_s_ = -1e9;
     moving_ = rested_ = false;
     if (!scene_) return;
-    DynamicsLoop* own = nullptr;
+    dynamics::DynamicsLoop* own = nullptr;
     if (how_.played) {
         engine_ = how_.played(scene_, now_s);
     } else {
-        auto loop = std::make_unique<DynamicsLoop>(scene_, now_s, how_.recording);
+        auto loop = std::make_unique<dynamics::DynamicsLoop>(scene_, now_s, how_.recording);
         own = loop.get();
         engine_ = std::move(loop);
     }
     read_.engine = engine_->hand(0)->engine;
     for (unsigned which = 0; which < hand_engines_.size(); ++which)
         hand_engines_[which] =
-            std::make_shared<HandBodyServo>(scene_, engine_->hand(which), which, world_.scene->placed.size());
+            std::make_shared<servo::HandBodyServo>(scene_, engine_->hand(which), which, world_.scene->placed.size());
     walker_m_ = Vec3(std::numeric_limits<double>::infinity());
     tell_engine();
     if (own && how_.clock) own->start(*how_.clock);
@@ -73,12 +73,12 @@ void Bodies::enter_world(std::shared_ptr<const DynamicsScene> scene, double now_
 
 std::optional<double> Bodies::mass_kg(FeatureId feature) const {
     const std::uint32_t body = body_of(feature);
-    return body == kNoBody ? std::nullopt : std::optional(scene_->bodies[body].nature.mass_kg);
+    return body == render::kNoBody ? std::nullopt : std::optional(scene_->bodies[body].nature.mass_kg);
 }
 
 Placement Bodies::middle(std::uint32_t body) const {
-    const DynamicsBody& is = scene_->bodies[body];
-    return middle_of(is, world_.things.at(is.haptic));
+    const render::DynamicsBody& is = scene_->bodies[body];
+    return render::middle_of(is, world_.things.at(is.haptic));
 }
 
 // True if nothing but the body itself is between the eyes and its nearest point, or between the eyes and its middle.
@@ -94,15 +94,16 @@ bool Bodies::in_sight(std::uint32_t body, const Aabb& box_m) const {
 // Returns the body that the hand touches; else the one straight ahead; else the nearest one in front.
 std::uint32_t Bodies::in_reach() const {
     if (context_.hands.tool.touches())
-        if (const std::uint32_t touched = body_of(context_.hands.tool.touched()); touched != kNoBody) return touched;
+        if (const std::uint32_t touched = body_of(context_.hands.tool.touched()); touched != render::kNoBody)
+            return touched;
     const Vec3 feet = context_.body.feet_m();
     const double top_m = context_.body.walker->size().height_m;
     if (const auto seen = look(*world_.solids, feet, kLookHeight_m, context_.body.heading_rad, kArmsReach_m))
         if (const std::uint32_t ahead = body_of(seen->feature);
-            ahead != kNoBody || mover_of(world_, seen->feature) >= 0)
+            ahead != render::kNoBody || mover_of(world_, seen->feature) >= 0)
             return ahead;
     const Vec3 forward = forward_of_heading(context_.body.heading_rad);
-    std::uint32_t nearest = kNoBody;
+    std::uint32_t nearest = render::kNoBody;
     double nearest_m = kArmsReach_m;
     for (std::uint32_t i = 0; i < scene_->bodies.size(); ++i) {
         const Aabb& box = world_.solids->box_of_placed(scene_->bodies[i].haptic);
@@ -128,7 +129,7 @@ bool Bodies::act(Command command, double now_s, int times) {
     if (grip_.holds()) return grip_.act(command, *engine_, *scene_, middle(grip_.held()), now_s, times);
     if (command != Command::Use) return false;
     const std::uint32_t body = in_reach();
-    if (body == kNoBody) return false;
+    if (body == render::kNoBody) return false;
     grip_.take(*engine_, *scene_, body, middle(body), now_s);
     return true;
 }
@@ -142,8 +143,8 @@ void Bodies::put_back(double now_s) {
 void Bodies::restart() {
     if (!engine_) return;
     grip_.let_go();
-    engine_->order({.kind = BodyEngine::Order::Kind::LetGo});
-    engine_->order({.kind = BodyEngine::Order::Kind::Restart});
+    engine_->order({.kind = dynamics::BodyEngine::Order::Kind::LetGo});
+    engine_->order({.kind = dynamics::BodyEngine::Order::Kind::Restart});
     walker_m_ = Vec3(std::numeric_limits<double>::infinity());  // after the restart the engine knows no walker
     driven_.clear();
 }
@@ -151,9 +152,9 @@ void Bodies::restart() {
 // Sends the places of doors and of the person to the engine.
 void Bodies::tell_engine() {
     std::vector<Placement> now;
-    for (const DrivenThing& thing : scene_->driven) now.push_back(world_.things.at(thing.haptic));
+    for (const render::DrivenThing& thing : scene_->driven) now.push_back(world_.things.at(thing.haptic));
     if (now != driven_) {
-        auto poses = std::make_shared<std::vector<BodyPose>>();
+        auto poses = std::make_shared<std::vector<render::BodyPose>>();
         for (const Placement& at : now) poses->push_back({at, true});
         engine_->drive(poses);
         driven_ = std::move(now);
@@ -161,13 +162,13 @@ void Bodies::tell_engine() {
     if (!context_.body.walker) return;
     // A small ball could roll under the capsule's round end, below the soles. So the capsule reaches into the floor,
     // except while the person is in the air or stands on a body.
-    const bool lifted = !context_.body.walker->state().on_ground || body_of(context_.body.ground) != kNoBody;
+    const bool lifted = !context_.body.walker->state().on_ground || body_of(context_.body.ground) != render::kNoBody;
     const Vec3 feet = context_.body.feet_m();
     if (feet == walker_m_ && lifted == walker_lifted_) return;
     const WalkerSize& size = context_.body.walker->size();
     const double into_m = lifted ? 0.0 : size.radius_m;
-    BodyEngine::Order order;
-    order.kind = BodyEngine::Order::Kind::Walker;
+    dynamics::BodyEngine::Order order;
+    order.kind = dynamics::BodyEngine::Order::Kind::Walker;
     order.at_m = feet - Vec3(0.0, 0.0, into_m);
     order.radius_m = size.radius_m;
     order.height_m = size.height_m + into_m;
@@ -204,12 +205,13 @@ void Bodies::tick(double now_s) {
 std::vector<MovedThing> Bodies::moved() const {
     std::vector<MovedThing> moved;
     if (!moving_) return moved;
-    for (const DynamicsBody& body : scene_->bodies) moved.push_back({body.haptic, world_.things.at(body.haptic)});
+    for (const render::DynamicsBody& body : scene_->bodies)
+        moved.push_back({body.haptic, world_.things.at(body.haptic)});
     return moved;
 }
 
 void Bodies::take_places(double now_s) {
-    const DynamicsFrame& frame = engine_->frame_for_app();
+    const render::DynamicsFrame& frame = engine_->frame_for_app();
     for (std::size_t i = 0; i < scene_->bodies.size(); ++i) {
         const std::uint32_t thing = scene_->bodies[i].haptic;
         if (!differs(frame.things[i], world_.things.at(thing))) continue;
@@ -222,16 +224,17 @@ void Bodies::take_places(double now_s) {
 }
 
 void Bodies::hear(double now_s) {
-    BodyEvent event;
+    render::BodyEvent event;
     while (engine_->take_event(event)) {
         ++read_.events;
         sounds_.hear(event, *scene_, now_s);
         const bool mine = event.body == grip_.held() || (event.body == pushed_ && now_s - pushed_s_ < kHeard_s);
-        if (event.kind == BodyEvent::Kind::PutBack)
+        if (event.kind == render::BodyEvent::Kind::PutBack)
             context_.say(phrase("bodies.fell_out", {{"name", body_name(context_, scene_->bodies[event.body].feature)}}),
-                         SpeechClass::Answer, now_s);
-        if (event.kind != BodyEvent::Kind::Hit) continue;
-        const FeatureId met = event.other_body != kNoBody ? scene_->bodies[event.other_body].feature : event.other;
+                         cues::SpeechClass::Answer, now_s);
+        if (event.kind != render::BodyEvent::Kind::Hit) continue;
+        const FeatureId met =
+            event.other_body != render::kNoBody ? scene_->bodies[event.other_body].feature : event.other;
         if (on_hit) on_hit(scene_->bodies[event.body].feature, met, now_s);
         if (!mine) continue;
         // A hit underneath the body stops nothing.
@@ -243,8 +246,8 @@ void Bodies::hear(double now_s) {
 }
 
 void Bodies::shove(std::uint32_t body, const Vec3& speed_m_per_s) {
-    BodyEngine::Order order;
-    order.kind = BodyEngine::Order::Kind::Shove;
+    dynamics::BodyEngine::Order order;
+    order.kind = dynamics::BodyEngine::Order::Kind::Shove;
     order.body = body;
     order.speed_m_per_s = speed_m_per_s;
     order.most_n = FreeBody::kWalkersPush_n;
@@ -255,7 +258,7 @@ void Bodies::shove(std::uint32_t body, const Vec3& speed_m_per_s) {
 // The engine lets bodies overlap a little, and the walker can pass through the overlap, so nobody is trapped for ever.
 // Returns the body that the walker meets; kNoBody: none.
 std::uint32_t Bodies::keep_apart(Vec3& wish_m_per_s) {
-    std::uint32_t met = kNoBody;
+    std::uint32_t met = render::kNoBody;
     const Vec3 feet = context_.body.feet_m();
     const WalkerShape shape = context_.body.walker->shape();
     for (std::uint32_t i = 0; i < scene_->bodies.size(); ++i) {
@@ -285,8 +288,8 @@ void Bodies::tell_in_the_way(std::uint32_t body, double now_s) {
     in_the_way_ = body;
     in_the_way_s_ = now_s;
     if (told) return;
-    CueRequest bump;
-    bump.kind = CueRequestKind::Bump;
+    cues::CueRequest bump;
+    bump.kind = cues::CueRequestKind::Bump;
     bump.time_s = now_s;
     bump.feature = scene_->bodies[body].feature;
     bump.position_m = middle(body).position_m;
@@ -299,14 +302,14 @@ bool Bodies::push_ahead(Vec3& wish_m_per_s, double now_s) {
     const double wished = std::hypot(wish_m_per_s.x, wish_m_per_s.y);
     const std::uint32_t met = keep_apart(wish_m_per_s);
     const double speed = std::hypot(wish_m_per_s.x, wish_m_per_s.y);
-    if (met != kNoBody && speed < kHeldBack * wished) tell_in_the_way(met, now_s);
+    if (met != render::kNoBody && speed < kHeldBack * wished) tell_in_the_way(met, now_s);
     if (!(speed > 0.0)) return false;
     const Vec3 along = Vec3(wish_m_per_s.x, wish_m_per_s.y, 0.0) / speed;
     const Vec3 feet = context_.body.feet_m();
     const TraceHit hit = world_.solids->trace(feet, feet + along * kBeforeFeet_m, context_.body.walker->shape());
-    const std::uint32_t body = hit.hit ? body_of(hit.feature) : kNoBody;
-    if (body == kNoBody || body == grip_.held()) return false;
-    const DynamicsBody& is = scene_->bodies[body];
+    const std::uint32_t body = hit.hit ? body_of(hit.feature) : render::kNoBody;
+    if (body == render::kNoBody || body == grip_.held()) return false;
+    const render::DynamicsBody& is = scene_->bodies[body];
     const FreeBody* free = nullptr;
     for (const FreeBody& known : context_.world.scene->bodies)
         if (known.feature == is.feature) free = &known;
@@ -319,7 +322,8 @@ bool Bodies::push_ahead(Vec3& wish_m_per_s, double now_s) {
     pushed_ = body;
     pushed_s_ = now_s;
     if (!free || !free->gives_way_to_walkers()) {
-        if (begins) context_.say(heavy_words(context_, is.feature, is.nature.mass_kg), SpeechClass::Contact, now_s);
+        if (begins)
+            context_.say(heavy_words(context_, is.feature, is.nature.mass_kg), cues::SpeechClass::Contact, now_s);
         return false;
     }
     const double against = -glm::dot(hit.normal, along);
@@ -329,8 +333,9 @@ bool Bodies::push_ahead(Vec3& wish_m_per_s, double now_s) {
     const Vec3 way = across > 0.1 ? -level / across : along;
     shove(body, way * (speed * std::max(0.3, against)));
     if (begins)
-        context_.say(phrase("bodies.pushed", {{"name", body_name(context_, is.feature)}}), SpeechClass::Contact, now_s);
+        context_.say(phrase("bodies.pushed", {{"name", body_name(context_, is.feature)}}), cues::SpeechClass::Contact,
+                     now_s);
     return now_s - pushed_since_s_ < kGivesWayWithin_s;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

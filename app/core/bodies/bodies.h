@@ -12,15 +12,15 @@
 #include <vector>
 
 #include "app/core/bodies/body_engines.h"
-#include "app/core/bodies/keyboard_grip.h"
 #include "app/core/bodies/body_sounds.h"
 #include "app/core/bodies/device_grip.h"
+#include "app/core/bodies/keyboard_grip.h"
 #include "app/core/context/session_part.h"
 #include "app/core/context/view.h"
 #include "haptic/dynamics/dynamics_loop.h"
 #include "haptic/servo/hand_body_servo.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class Bodies : SessionPart {
 public:
@@ -31,7 +31,7 @@ public:
     // Applies to every world entered from now on.
     void make_engines(BodyEngines how) { how_ = std::move(how); }
     // Null: nothing in this world is movable. Call it after the world and its things have been entered.
-    void enter_world(std::shared_ptr<const DynamicsScene> scene, double now_s);
+    void enter_world(std::shared_ptr<const render::DynamicsScene> scene, double now_s);
 
     // Takes hold, lets go, puts back and, while something is held, moves it. Returns false if the command belongs to
     // another feature.
@@ -62,7 +62,7 @@ public:
     // Mass of a movable feature; no value: the feature is not movable.
     std::optional<double> mass_kg(FeatureId feature) const;
     // The engine of this world; null: nothing in it is movable.
-    const BodyEngine* engine() const { return engine_.get(); }
+    const dynamics::BodyEngine* engine() const { return engine_.get(); }
     // How much of the engine's output has been read up to now.
     struct EngineRead {
         std::uint32_t engine = 0;  // HandChannel::engine
@@ -71,17 +71,19 @@ public:
     };
     const EngineRead& read_of_engine() const { return read_; }
     // For the servo of a hand: 0 is the only or right hand, 1 the left. Null: nothing in this world is movable.
-    const std::shared_ptr<HandBodyServo>& hand_engine(std::size_t which) const { return hand_engines_[which]; }
+    const std::shared_ptr<servo::HandBodyServo>& hand_engine(std::size_t which) const { return hand_engines_[which]; }
     // What a hand holds; kNoFeature: nothing.
     FeatureId held_by_hand(std::size_t which) const {
-        return hand_grip_.held(which) == kNoBody ? kNoFeature : scene_->bodies[hand_grip_.held(which)].feature;
+        return hand_grip_.held(which) == render::kNoBody ? kNoFeature : scene_->bodies[hand_grip_.held(which)].feature;
     }
 
     // Set by a game; called when one thing hits another or a part of the building.
     std::function<void(FeatureId thing, FeatureId met, double now_s)> on_hit;
 
 private:
-    std::uint32_t body_of(FeatureId feature) const { return scene_ ? handrail::body_of(*scene_, feature) : kNoBody; }
+    std::uint32_t body_of(FeatureId feature) const {
+        return scene_ ? handrail::render::body_of(*scene_, feature) : render::kNoBody;
+    }
     Placement middle(std::uint32_t body) const;
     std::uint32_t in_reach() const;
     bool in_sight(std::uint32_t body, const Aabb& box_m) const;
@@ -95,14 +97,14 @@ private:
 
     WorldState& world_;
     BodyEngines how_;
-    std::shared_ptr<const DynamicsScene> scene_;  // null: nothing is movable
-    std::unique_ptr<BodyEngine> engine_;
-    DynamicsLoop* stepped_ = nullptr;  // the same engine if this class steps it; otherwise null
+    std::shared_ptr<const render::DynamicsScene> scene_;  // null: nothing is movable
+    std::unique_ptr<dynamics::BodyEngine> engine_;
+    dynamics::DynamicsLoop* stepped_ = nullptr;  // the same engine if this class steps it; otherwise null
     EngineRead read_;
     KeyboardGrip grip_{context_};
     BodySounds sounds_{context_};
     DeviceGrip hand_grip_;
-    std::array<std::shared_ptr<HandBodyServo>, 2> hand_engines_;
+    std::array<std::shared_ptr<servo::HandBodyServo>, 2> hand_engines_;
     std::vector<Placement> driven_;  // as last sent to the engine
     Vec3 walker_m_{0.0};             // as last sent to the engine
     bool walker_lifted_ = false;
@@ -111,12 +113,12 @@ private:
     FeatureId hit_ = kNoFeature;  // last hit by the held thing
     double hit_s_ = -1e9;
     // What the walker pushes, since when without progress, when last, and from where.
-    std::uint32_t pushed_ = kNoBody;
+    std::uint32_t pushed_ = render::kNoBody;
     double pushed_since_s_ = 0.0, pushed_s_ = -1e9;
     Vec3 pushed_from_m_{0.0};
     // The body that last stopped the walker, and when.
-    std::uint32_t in_the_way_ = kNoBody;
+    std::uint32_t in_the_way_ = render::kNoBody;
     double in_the_way_s_ = -1e9;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

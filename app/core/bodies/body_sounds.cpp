@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kLoudest_ns = 20.0;          // a crate of 4 kg that falls from more than a metre
@@ -26,10 +26,10 @@ SoundClass BodySounds::sound_of(FeatureId feature) const {
 }
 
 void BodySounds::loop(std::size_t body, double loudness, SoundClass material, double now_s) {
-    CueRequest request;
-    request.kind = CueRequestKind::WorldSound;
+    cues::CueRequest request;
+    request.kind = cues::CueRequestKind::WorldSound;
     request.time_s = now_s;
-    request.sound = SoundKind::Slide;
+    request.sound = cues::SoundKind::Slide;
     request.material = material;
     request.position_m = loops_[body].at_m;
     request.loudness = loudness;
@@ -38,14 +38,14 @@ void BodySounds::loop(std::size_t body, double loudness, SoundClass material, do
     loops_[body].sounds = loudness > 0.0;
 }
 
-void BodySounds::hear(const BodyEvent& event, const DynamicsScene& scene, double now_s) {
+void BodySounds::hear(const render::BodyEvent& event, const render::DynamicsScene& scene, double now_s) {
     const FeatureId own = scene.bodies[event.body].feature;
-    const FeatureId other = event.other_body != kNoBody ? scene.bodies[event.other_body].feature : event.other;
+    const FeatureId other = event.other_body != render::kNoBody ? scene.bodies[event.other_body].feature : event.other;
     switch (event.kind) {
-        case BodyEvent::Kind::Hit: {
+        case render::BodyEvent::Kind::Hit: {
             const double loudness = std::min(1.0, std::sqrt(event.impulse_ns / kLoudest_ns));
             if (loudness < kFaintest) return;
-            CueRequest knock = sound_at(SoundKind::Contact, event.at_m, now_s);
+            cues::CueRequest knock = sound_at(cues::SoundKind::Contact, event.at_m, now_s);
             knock.loudness = loudness;
             knock.material = sound_of(own);
             context_.cues.cue(knock);
@@ -54,20 +54,20 @@ void BodySounds::hear(const BodyEvent& event, const DynamicsScene& scene, double
             context_.cues.cue(std::move(knock));
             return;
         }
-        case BodyEvent::Kind::Rolls:
-        case BodyEvent::Kind::Slides: {
+        case render::BodyEvent::Kind::Rolls:
+        case render::BodyEvent::Kind::Slides: {
             Loop& heard = loops_[event.body];
             heard.heard_s = now_s;
             heard.at_m = event.at_m;
             // Sliding scrapes loudly, rolling only murmurs.
-            const double most = event.kind == BodyEvent::Kind::Slides ? 1.0 : 0.5;
+            const double most = event.kind == render::BodyEvent::Kind::Slides ? 1.0 : 0.5;
             const double loudness = most * std::min(1.0, event.speed_m_per_s / kLoudestRoll_m_per_s);
             loop(event.body, loudness < kFaintest ? 0.0 : loudness, sound_of(other), now_s);
             return;
         }
-        case BodyEvent::Kind::Falls:
-        case BodyEvent::Kind::Rests:
-        case BodyEvent::Kind::PutBack:
+        case render::BodyEvent::Kind::Falls:
+        case render::BodyEvent::Kind::Rests:
+        case render::BodyEvent::Kind::PutBack:
             return;
     }
 }
@@ -78,4 +78,4 @@ void BodySounds::tick(double now_s) {
             loop(body, 0.0, SoundClass::Generic, now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

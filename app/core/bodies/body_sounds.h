@@ -7,7 +7,7 @@
 #include "app/core/context/session_part.h"
 #include "haptic/render/rigid_body_state.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class BodySounds : SessionPart {
 public:
@@ -15,7 +15,7 @@ public:
 
     // Call it when another world, or none, is entered: all sounds stop.
     void enter_world(std::size_t bodies, double now_s);
-    void hear(const BodyEvent& event, const DynamicsScene& scene, double now_s);
+    void hear(const render::BodyEvent& event, const render::DynamicsScene& scene, double now_s);
     // Stops the sound of each body that no longer rolls or slides.
     void tick(double now_s);
 
@@ -31,4 +31,4 @@ private:
     std::vector<Loop> loops_;  // per body
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -5,7 +5,7 @@
 #include "app/core/dialogue/words.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 
 std::string body_name(const SessionContext& context, FeatureId feature) {
     return sentence_case(spoken_name(context.world.scene->features[feature.value]));
@@ -20,4 +20,4 @@ std::string heavy_words(const SessionContext& context, FeatureId feature, double
     return phrase("bodies.heavy", {{"name", body_name(context, feature)}, {"mass", mass_words(mass_kg)}});
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -5,7 +5,7 @@
 
 #include "app/core/context/session_context.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // The name as a sentence begins with it, without the material: "Crate".
 std::string body_name(const SessionContext& context, FeatureId feature);
@@ -14,4 +14,4 @@ std::string mass_words(double mass_kg);
 // "Safe. Heavy, 400 kilograms."
 std::string heavy_words(const SessionContext& context, FeatureId feature, double mass_kg);
 
-}  // namespace handrail
+}  // namespace handrail::core

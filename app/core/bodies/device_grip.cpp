@@ -8,7 +8,7 @@
 #include "haptic/servo/bodies_in_reach.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kAnswers_s = 0.3;  // time that the servo has to take hold after a request
@@ -20,10 +20,10 @@ void DeviceGrip::enter_world() {
     hands_.tuning.bodies.hold = hands_.left_bodies.hold = false;
 }
 
-bool DeviceGrip::act(Command command, const DynamicsScene& scene, double now_s) {
+bool DeviceGrip::act(Command command, const render::DynamicsScene& scene, double now_s) {
     for (std::size_t which = 0; which < sides_.size(); ++which) {
         const std::uint32_t held = sides_[which].held;
-        if (held == kNoBody) continue;
+        if (held == render::kNoBody) continue;
         if (command == Command::Use) {
             tuning(which).hold = !tuning(which).hold;
             return true;
@@ -39,7 +39,7 @@ bool DeviceGrip::act(Command command, const DynamicsScene& scene, double now_s) 
     }
     if (command != Command::Use) return false;
     for (std::size_t which = 0; which < sides_.size(); ++which) {
-        if (!tool(which).touches() || body_of(scene, tool(which).touched()) == kNoBody) continue;
+        if (!tool(which).touches() || render::body_of(scene, tool(which).touched()) == render::kNoBody) continue;
         tuning(which).hold = true;
         sides_[which].asked_s = now_s;
         return true;
@@ -47,38 +47,38 @@ bool DeviceGrip::act(Command command, const DynamicsScene& scene, double now_s) 
     return false;
 }
 
-void DeviceGrip::told_held(const DynamicsScene& scene, std::uint32_t body, double now_s) {
-    const DynamicsBody& is = scene.bodies[body];
-    context_.play(SoundKind::Grab, now_s);
+void DeviceGrip::told_held(const render::DynamicsScene& scene, std::uint32_t body, double now_s) {
+    const render::DynamicsBody& is = scene.bodies[body];
+    context_.play(cues::SoundKind::Grab, now_s);
     std::string said =
         phrase("bodies.held", {{"name", body_name(context_, is.feature)}, {"mass", mass_words(is.nature.mass_kg)}});
     if (!gain_told_) {
-        const double gain = felt_gain(hands_.tuning.force_ceiling_n, context_.settings.dynamics.strength_n);
+        const double gain = servo::felt_gain(hands_.tuning.force_ceiling_n, context_.settings.dynamics.strength_n);
         said += " " + phrase("bodies.felt_gain", {{"newtons", std::round(1.0 / gain)}});
         gain_told_ = true;
     }
     context_.answer(std::move(said), now_s);
 }
 
-void DeviceGrip::tick(const DynamicsScene& scene, double now_s) {
+void DeviceGrip::tick(const render::DynamicsScene& scene, double now_s) {
     for (std::size_t which = 0; which < sides_.size(); ++which) {
         Side& side = sides_[which];
-        const ToolState& is = tool(which);
+        const servo::ToolState& is = tool(which);
         if (is.scene_world != context_.world.felt) continue;  // still the state from the world that was left
         const bool heavy = std::exchange(side.heavies, is.heavies) != is.heavies && side.heavies_known;
         side.heavies_known = true;
         if (heavy && is.heavy < scene.bodies.size()) {
-            const DynamicsBody& body = scene.bodies[is.heavy];
-            context_.say(heavy_words(context_, body.feature, body.nature.mass_kg), SpeechClass::Answer, now_s);
+            const render::DynamicsBody& body = scene.bodies[is.heavy];
+            context_.say(heavy_words(context_, body.feature, body.nature.mass_kg), cues::SpeechClass::Answer, now_s);
         }
-        const std::uint32_t was = std::exchange(side.held, is.holds < scene.bodies.size() ? is.holds : kNoBody);
-        if (side.held == kNoBody && now_s - side.asked_s > kAnswers_s) tuning(which).hold = false;
+        const std::uint32_t was = std::exchange(side.held, is.holds < scene.bodies.size() ? is.holds : render::kNoBody);
+        if (side.held == render::kNoBody && now_s - side.asked_s > kAnswers_s) tuning(which).hold = false;
         if (was == side.held) continue;
-        if (side.held != kNoBody) {
+        if (side.held != render::kNoBody) {
             told_held(scene, side.held, now_s);
         } else {
             tuning(which).hold = false;
-            context_.play(SoundKind::LetGo, now_s);
+            context_.play(cues::SoundKind::LetGo, now_s);
             if (!heavy)
                 context_.answer(phrase("bodies.let_go", {{"name", body_name(context_, scene.bodies[was].feature)}}),
                                 now_s);
@@ -86,4 +86,4 @@ void DeviceGrip::tick(const DynamicsScene& scene, double now_s) {
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

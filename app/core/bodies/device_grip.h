@@ -8,7 +8,7 @@
 #include "app/core/context/session_part.h"
 #include "haptic/render/dynamics_scene.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class DeviceGrip : SessionPart {
 public:
@@ -18,24 +18,24 @@ public:
     void enter_world();
     // Takes hold of what a hand touches, lets go, turns by quarters. Returns false if the command belongs to another
     // feature.
-    bool act(Command command, const DynamicsScene& scene, double now_s);
-    void tick(const DynamicsScene& scene, double now_s);
+    bool act(Command command, const render::DynamicsScene& scene, double now_s);
+    void tick(const render::DynamicsScene& scene, double now_s);
     // The body that the hand holds; kNoBody: nothing. 0: the only or right hand, 1: the left one.
     std::uint32_t held(std::size_t which) const { return sides_[which].held; }
 
 private:
     struct Side {
-        std::uint32_t held = kNoBody, heavies = 0;
+        std::uint32_t held = render::kNoBody, heavies = 0;
         bool heavies_known = false;
         double asked_s = -1e9;
     };
-    const ToolState& tool(std::size_t which) const { return which == 0 ? hands_.tool : hands_.left_tool; }
-    BodyTuning& tuning(std::size_t which) { return which == 0 ? hands_.tuning.bodies : hands_.left_bodies; }
-    void told_held(const DynamicsScene& scene, std::uint32_t body, double now_s);
+    const servo::ToolState& tool(std::size_t which) const { return which == 0 ? hands_.tool : hands_.left_tool; }
+    servo::BodyTuning& tuning(std::size_t which) { return which == 0 ? hands_.tuning.bodies : hands_.left_bodies; }
+    void told_held(const render::DynamicsScene& scene, std::uint32_t body, double now_s);
 
     HandsState& hands_;
     std::array<Side, 2> sides_;
     bool gain_told_ = false;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

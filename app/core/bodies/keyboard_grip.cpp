@@ -9,7 +9,7 @@
 #include "worlds/base/human_measures.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kStep_m = 0.25;   // one tap; a ball moves by two of its diameters
@@ -28,9 +28,9 @@ bool KeyboardGrip::keeps(Command command) const {
     return holds() && std::find(kSteps.begin(), kSteps.end(), command) != kSteps.end();
 }
 
-void KeyboardGrip::take(BodyEngine& engine, const DynamicsScene& scene, std::uint32_t body, const Placement& middle,
-                    double now_s) {
-    const DynamicsBody& is = scene.bodies[body];
+void KeyboardGrip::take(dynamics::BodyEngine& engine, const render::DynamicsScene& scene, std::uint32_t body,
+                        const Placement& middle, double now_s) {
+    const render::DynamicsBody& is = scene.bodies[body];
     if (is.nature.mass_kg * kGravity_m_per_s2 > context_.settings.dynamics.strength_n)
         return context_.answer(heavy_words(context_, is.feature, is.nature.mass_kg), now_s);
     held_ = body;
@@ -39,7 +39,7 @@ void KeyboardGrip::take(BodyEngine& engine, const DynamicsScene& scene, std::uin
     stepped_s_.reset();
     keys_.release_all();
     lead(engine);
-    context_.play(SoundKind::Grab, now_s);
+    context_.play(cues::SoundKind::Grab, now_s);
     std::string said =
         phrase("bodies.held", {{"name", body_name(context_, is.feature)}, {"mass", mass_words(is.nature.mass_kg)}});
     if (!hints_told_)
@@ -50,22 +50,22 @@ void KeyboardGrip::take(BodyEngine& engine, const DynamicsScene& scene, std::uin
 }
 
 void KeyboardGrip::let_go() {
-    held_ = kNoBody;
+    held_ = render::kNoBody;
     stepped_s_.reset();
     keys_.release_all();
 }
 
-void KeyboardGrip::let_go(BodyEngine& engine, const DynamicsScene& scene, double now_s) {
+void KeyboardGrip::let_go(dynamics::BodyEngine& engine, const render::DynamicsScene& scene, double now_s) {
     const FeatureId feature = scene.bodies[held_].feature;
     let_go();
-    engine.order({.kind = BodyEngine::Order::Kind::LetGo});
-    context_.play(SoundKind::LetGo, now_s);
+    engine.order({.kind = dynamics::BodyEngine::Order::Kind::LetGo});
+    context_.play(cues::SoundKind::LetGo, now_s);
     context_.answer(phrase("bodies.let_go", {{"name", body_name(context_, feature)}}), now_s);
 }
 
-void KeyboardGrip::lead(BodyEngine& engine) const {
-    BodyEngine::Order order;
-    order.kind = BodyEngine::Order::Kind::Lead;
+void KeyboardGrip::lead(dynamics::BodyEngine& engine) const {
+    dynamics::BodyEngine::Order order;
+    order.kind = dynamics::BodyEngine::Order::Kind::Lead;
     order.body = held_;
     order.at_m = to_m_;
     order.most_n = context_.settings.dynamics.strength_n;
@@ -75,7 +75,8 @@ void KeyboardGrip::lead(BodyEngine& engine) const {
 
 // On a map, ahead is north; otherwise it is where the walker faces.
 Vec3 KeyboardGrip::way_of(Command command) const {
-    const double ahead = context_.settings.workspace.frame == FrameChoice::Map ? 0.0 : context_.body.heading_goal_rad;
+    const double ahead =
+        context_.settings.workspace.frame == settings::FrameChoice::Map ? 0.0 : context_.body.heading_goal_rad;
     switch (command) {
         case Command::Forward:
             return forward_of_heading(ahead);
@@ -94,11 +95,13 @@ Vec3 KeyboardGrip::way_of(Command command) const {
     }
 }
 
-double KeyboardGrip::step_m(const DynamicsBody& body) const { return body.ball ? 4.0 * body.half_width_m : kStep_m; }
+double KeyboardGrip::step_m(const render::DynamicsBody& body) const {
+    return body.ball ? 4.0 * body.half_width_m : kStep_m;
+}
 
-void KeyboardGrip::step(Command command, BodyEngine& engine, const DynamicsScene& scene, const Placement& middle,
-                    double now_s, int times) {
-    const DynamicsBody& is = scene.bodies[held_];
+void KeyboardGrip::step(Command command, dynamics::BodyEngine& engine, const render::DynamicsScene& scene,
+                        const Placement& middle, double now_s, int times) {
+    const render::DynamicsBody& is = scene.bodies[held_];
     const bool lifts = command == Command::TiltUp || command == Command::TiltDown;
     if (is.ball && lifts) return context_.answer(phrase("bodies.ball_rolls"), now_s);
     // A step begins at the previous target, unless the thing was stopped before it.
@@ -108,8 +111,8 @@ void KeyboardGrip::step(Command command, BodyEngine& engine, const DynamicsScene
     lead(engine);
 }
 
-bool KeyboardGrip::act(Command command, BodyEngine& engine, const DynamicsScene& scene, const Placement& middle,
-                   double now_s, int times) {
+bool KeyboardGrip::act(Command command, dynamics::BodyEngine& engine, const render::DynamicsScene& scene,
+                       const Placement& middle, double now_s, int times) {
     if (!holds()) return false;
     if (keeps(command)) {
         keys_.press(command);
@@ -137,8 +140,8 @@ bool KeyboardGrip::act(Command command, BodyEngine& engine, const DynamicsScene&
     }
 }
 
-void KeyboardGrip::tick(BodyEngine& engine, const DynamicsScene& scene, const Placement& middle, FeatureId hit,
-                    double now_s) {
+void KeyboardGrip::tick(dynamics::BodyEngine& engine, const render::DynamicsScene& scene, const Placement& middle,
+                        FeatureId hit, double now_s) {
     if (!holds()) return;
     if (glm::length(middle.position_m - last_m_) > kStill_m) {
         last_m_ = middle.position_m;
@@ -151,7 +154,7 @@ void KeyboardGrip::tick(BodyEngine& engine, const DynamicsScene& scene, const Pl
     const bool begun = now_s - *stepped_s_ > 2.0 * kRests_s;
     if (now_s - *stepped_s_ < kMost_s && !(begun && now_s - rests_since_s_ > kRests_s)) return;
     stepped_s_.reset();
-    const DynamicsBody& is = scene.bodies[held_];
+    const render::DynamicsBody& is = scene.bodies[held_];
     Vec3 missing = to_m_ - middle.position_m;
     if (is.ball) missing.z = 0.0;
     const std::string name = body_name(context_, is.feature);
@@ -164,4 +167,4 @@ void KeyboardGrip::tick(BodyEngine& engine, const DynamicsScene& scene, const Pl
                     now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -10,14 +10,14 @@
 #include "app/core/dialogue/held_keys.h"
 #include "haptic/dynamics/body_engine.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class KeyboardGrip : SessionPart {
 public:
     explicit KeyboardGrip(const SessionContext& context) : SessionPart(context) {}
 
     void enter_world() { let_go(); }
-    bool holds() const { return held_ != kNoBody; }
+    bool holds() const { return held_ != render::kNoBody; }
     std::uint32_t held() const { return held_; }
     bool idle() const { return !stepped_s_; }  // no step is under way
     // While a key of such a command is down, it moves the held thing instead of the walker.
@@ -26,27 +26,28 @@ public:
 
     // Takes hold of the body at its present place and announces it. A body that is too heavy is announced and not
     // taken.
-    void take(BodyEngine& engine, const DynamicsScene& scene, std::uint32_t body, const Placement& middle,
-              double now_s);
+    void take(dynamics::BodyEngine& engine, const render::DynamicsScene& scene, std::uint32_t body,
+              const Placement& middle, double now_s);
     // Returns false if the command is not one of the grip's.
-    bool act(Command command, BodyEngine& engine, const DynamicsScene& scene, const Placement& middle, double now_s,
-             int times);
+    bool act(Command command, dynamics::BodyEngine& engine, const render::DynamicsScene& scene, const Placement& middle,
+             double now_s, int times);
     // Somebody else announces where this step ended.
     void step_is_told() { stepped_s_.reset(); }
     // Announces the result of a step when the thing comes to rest. hit: what it met last; kNoFeature: nothing.
-    void tick(BodyEngine& engine, const DynamicsScene& scene, const Placement& middle, FeatureId hit, double now_s);
+    void tick(dynamics::BodyEngine& engine, const render::DynamicsScene& scene, const Placement& middle, FeatureId hit,
+              double now_s);
     void let_go();
-    void let_go(BodyEngine& engine, const DynamicsScene& scene, double now_s);
+    void let_go(dynamics::BodyEngine& engine, const render::DynamicsScene& scene, double now_s);
 
 private:
     Vec3 way_of(Command command) const;
-    double step_m(const DynamicsBody& body) const;
-    void step(Command command, BodyEngine& engine, const DynamicsScene& scene, const Placement& middle, double now_s,
-              int times);
-    void lead(BodyEngine& engine) const;
+    double step_m(const render::DynamicsBody& body) const;
+    void step(Command command, dynamics::BodyEngine& engine, const render::DynamicsScene& scene,
+              const Placement& middle, double now_s, int times);
+    void lead(dynamics::BodyEngine& engine) const;
 
     HeldKeys keys_;
-    std::uint32_t held_ = kNoBody;
+    std::uint32_t held_ = render::kNoBody;
     Vec3 to_m_{0.0};  // the place to which the engine leads it
     Rotation turn_;
     std::optional<double> stepped_s_;  // start of the step that is under way
@@ -55,4 +56,4 @@ private:
     bool hints_told_ = false;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

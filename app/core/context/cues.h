@@ -10,17 +10,17 @@
 #include "app/core/world/walker_state.h"
 #include "audio-cues/plan/cue_planner.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // A sound that is played once at this place.
-CueRequest sound_at(SoundKind kind, const Vec3& place_m, double now_s);
+cues::CueRequest sound_at(cues::SoundKind kind, const Vec3& place_m, double now_s);
 
 class Cues {
 public:
     // body: its ears are the place of sounds that have no place themselves.
     explicit Cues(const WalkerState& body) : body_(body) {}
 
-    void say(std::string text, SpeechClass speech_class, double now_s);
+    void say(std::string text, cues::SpeechClass speech_class, double now_s);
     // A line about this topic, with the class that belongs to it. anew: it was cut, so that it was said before does not
     // matter. place_m: what it is about, if it is about a place.
     struct Telling {
@@ -28,22 +28,22 @@ public:
         bool answers = false;  // a key, or what somebody has waited for: said at every verbosity
         std::optional<Vec3> place_m = {};
     };
-    void tell(SpeechTopic topic, std::string text, double now_s, const Telling& how);
+    void tell(cues::SpeechTopic topic, std::string text, double now_s, const Telling& how);
     // What a foot must know at once: drops, stairs, what is shut or blocks. Said each time.
-    void warn(std::string text, double now_s) { say(std::move(text), SpeechClass::Warning, now_s); }
+    void warn(std::string text, double now_s) { say(std::move(text), cues::SpeechClass::Warning, now_s); }
     // A response to what the person asked or did.
-    void answer(std::string text, double now_s) { say(std::move(text), SpeechClass::Answer, now_s); }
-    void play(SoundKind kind, double now_s) { cue(sound_at(kind, body_.ears_m(), now_s)); }
-    void play_at(SoundKind kind, const Vec3& place_m, double now_s) { cue(sound_at(kind, place_m, now_s)); }
+    void answer(std::string text, double now_s) { say(std::move(text), cues::SpeechClass::Answer, now_s); }
+    void play(cues::SoundKind kind, double now_s) { cue(sound_at(kind, body_.ears_m(), now_s)); }
+    void play_at(cues::SoundKind kind, const Vec3& place_m, double now_s) { cue(sound_at(kind, place_m, now_s)); }
     // A key was pressed: what is being said ends, but for alarms and warnings.
     void quiet(double now_s);
-    void cue(CueRequest request) { waiting.push_back(std::move(request)); }
-    std::vector<CueRequest> take() { return std::exchange(waiting, {}); }
+    void cue(cues::CueRequest request) { waiting.push_back(std::move(request)); }
+    std::vector<cues::CueRequest> take() { return std::exchange(waiting, {}); }
 
-    std::vector<CueRequest> waiting;  // not taken yet
+    std::vector<cues::CueRequest> waiting;  // not taken yet
 
 private:
     const WalkerState& body_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

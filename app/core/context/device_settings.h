@@ -5,14 +5,14 @@
 #include "app/core/context/hands_state.h"
 #include "settings/settings.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // What was measured with exactly this device; null: nothing was measured, or there is no hand.
-const DeviceProfile* profile_of(const Settings& settings, const HandFacts& hand);
+const settings::DeviceProfile* profile_of(const settings::Settings& settings, const HandFacts& hand);
 // Overrides the general workspace settings with those for devices of this name, and these with what was measured with
 // exactly this device.
-void lay_device_overrides(Settings& settings, const HandFacts& hand);
+void lay_device_overrides(settings::Settings& settings, const HandFacts& hand);
 // Newtons; the lower of two limits: the person's choice for all devices, and what was found comfortable with this one.
-double ceiling_n(const Settings& settings, const HandFacts& hand);
+double ceiling_n(const settings::Settings& settings, const HandFacts& hand);
 
-}  // namespace handrail
+}  // namespace handrail::core

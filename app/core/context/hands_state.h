@@ -9,22 +9,22 @@
 #include "haptic/device/device_spec.h"
 #include "haptic/servo/servo_tick.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // The device of one hand, or none. Of `spec`, only workspace size, force and stiffness are used.
 struct HandFacts {
     bool present = false;
     bool simulated = false;
-    DeviceSpec spec{};
+    device::DeviceSpec spec{};
     std::string serial = {};  // empty: it has none
 };
 
 struct HandsState {
     HandFacts right, left;  // right: also the only one
-    ToolState tool, left_tool;
-    ServoTuning tuning;
-    BodyTuning left_bodies;  // what the left hand's servo receives about holding; everything else as in `tuning`
-    WorkspacePose pose;
+    servo::ToolState tool, left_tool;
+    servo::ServoTuning tuning;
+    servo::BodyTuning left_bodies;  // what the left hand's servo receives about holding; everything else as in `tuning`
+    servo::WorkspacePose pose;
     std::optional<NamedScale> named_scale;  // none: the scale of the settings
     bool keys_alone = false;                // the keyboard moves a simulated hand because there is no device
     bool left_behind = false;               // the walker moved on, and a solid is between it and the only or right hand
@@ -38,4 +38,4 @@ struct HandsState {
     bool at_desk() const { return tool.desk.open; }
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -2,7 +2,7 @@
 // without asking again. Plain state; app thread only.
 #pragma once
 
-namespace handrail {
+namespace handrail::core {
 
 struct LeaveRequested {
     static constexpr double kWindow_s = 5.0;
@@ -11,4 +11,4 @@ struct LeaveRequested {
     double at_s = -1e9;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -7,7 +7,7 @@
 
 #include "worlds/geometry/convex.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct LessonDraft {
     // A thing or a room under its name in files; otherwise just a position.
@@ -28,4 +28,4 @@ struct LessonDraft {
     std::string world_checksum;         // empty: unknown
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -7,7 +7,7 @@
 #include "app/core/context/cues.h"
 #include "app/core/dialogue/dialogue.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class Lists {
 public:
@@ -29,4 +29,4 @@ private:
     Cues& cues_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -9,7 +9,7 @@
 #include "app/core/kept/last_place.h"
 #include "app/core/kept/world_request.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct OwnerRequests {
     // The set-up by voice was requested; true once for each request.
@@ -48,4 +48,4 @@ struct OwnerRequests {
     bool leave = false;  // the session is to end
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

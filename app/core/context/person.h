@@ -8,15 +8,15 @@
 #include "app/core/dialogue/key_map.h"
 #include "settings/settings.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct Person {
-    explicit Person(const Settings& chosen) : settings(chosen), keys(chosen.keys, chosen.keyboard.hand) {}
+    explicit Person(const settings::Settings& chosen) : settings(chosen), keys(chosen.keys, chosen.keyboard.hand) {}
 
-    Settings settings;
+    settings::Settings settings;
     KeyMap keys;
     // Settings changed by a command, to store and save: key and value.
     std::vector<std::pair<std::string, std::string>> changes;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

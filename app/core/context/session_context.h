@@ -23,7 +23,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class RoomsKept;
 
@@ -44,7 +44,7 @@ struct SessionRequests {
 };
 
 struct SessionContext {
-    const Settings& settings;
+    const settings::Settings& settings;
     const KeyMap& keys;
     const WorldState& world;
     const WalkerState& body;
@@ -60,10 +60,10 @@ struct SessionContext {
     SessionRequests asks = {};
     double tick_s = -1.0;  // time of the last tick; what a list or question triggers happens at this time
 
-    void say(std::string text, SpeechClass speech_class, double now_s) const {
+    void say(std::string text, cues::SpeechClass speech_class, double now_s) const {
         cues.say(std::move(text), speech_class, now_s);
     }
-    void tell(SpeechTopic topic, std::string text, double now_s, const Cues::Telling& how = {}) const {
+    void tell(cues::SpeechTopic topic, std::string text, double now_s, const Cues::Telling& how = {}) const {
         cues.tell(topic, std::move(text), now_s, how);
     }
     void warn(std::string text, double now_s) const { cues.warn(std::move(text), now_s); }
@@ -77,10 +77,10 @@ struct SessionContext {
         const bool fits = asks.set(key, value, now_s).has_value();
         contract_pre(fits);
     }
-    void play(SoundKind kind, double now_s) const { cues.play(kind, now_s); }
-    void play_at(SoundKind kind, const Vec3& place_m, double now_s) const { cues.play_at(kind, place_m, now_s); }
+    void play(cues::SoundKind kind, double now_s) const { cues.play(kind, now_s); }
+    void play_at(cues::SoundKind kind, const Vec3& place_m, double now_s) const { cues.play_at(kind, place_m, now_s); }
     void open_list(ListSpec list, double now_s) const { lists.open(std::move(list), now_s); }
     void ask_text(TextSpec question, double now_s) const { lists.ask(std::move(question), now_s); }
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace handrail {
+namespace handrail::core {
 
 void Events::tell(Happening what, double now_s) {
     SessionEvent event{now_s, std::move(what)};
@@ -19,4 +19,4 @@ std::vector<SessionEvent> Events::take() {
     return std::exchange(waiting_, {});
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -12,7 +12,7 @@
 #include "app/core/dialogue/command.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // A hand began to touch another feature, or nothing.
 struct Touched {
@@ -95,8 +95,8 @@ struct LessonWished {
     LessonWish wish = LessonWish::Done;
 };
 
-using Happening = std::variant<Touched, RoomEntered, ThingVisited, Answered, WallDone, HelpRequested, DoorUsed, Teleported,
-                               Led, LeftRoute, StopPassed, Arrived, Leading, ListShown, LessonWished>;
+using Happening = std::variant<Touched, RoomEntered, ThingVisited, Answered, WallDone, HelpRequested, DoorUsed,
+                               Teleported, Led, LeftRoute, StopPassed, Arrived, Leading, ListShown, LessonWished>;
 
 struct SessionEvent {
     double time_s = 0.0;
@@ -118,4 +118,4 @@ private:
     std::size_t oldest_ = 0;  // start of the ring buffer once it is full
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

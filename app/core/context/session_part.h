@@ -3,7 +3,7 @@
 
 #include "app/core/context/session_context.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // Not copyable: the session, other features, open lists and questions keep the address of a feature.
 class SessionPart {
@@ -18,4 +18,4 @@ protected:
     const SessionContext& context_;  // outlives the feature
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

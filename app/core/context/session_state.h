@@ -7,11 +7,12 @@
 #include "app/core/context/owner_requests.h"
 #include "app/core/context/session_context.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct SessionState {
-    explicit SessionState(const Settings& settings, const HandFacts& hand = {}, const Executor& executor = at_once(),
-                          Arrivals* arrivals = nullptr, RoomsKept* rooms_kept = nullptr)
+    explicit SessionState(const settings::Settings& settings, const HandFacts& hand = {},
+                          const Executor& executor = at_once(), Arrivals* arrivals = nullptr,
+                          RoomsKept* rooms_kept = nullptr)
         : person(settings), context{person.settings, person.keys, world,    body,     hands,    cues,      lists,
                                     additions,       events,      requests, executor, arrivals, rooms_kept} {
         hands.right = hand;
@@ -32,4 +33,4 @@ struct SessionState {
     SessionContext context;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

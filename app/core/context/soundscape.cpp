@@ -8,7 +8,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr std::size_t kFollowedPerTick = 8;
@@ -126,7 +126,7 @@ void Soundscape::enter(const Scene& scene) {
     next_room_s_ = -1.0;
     for (const SoundSource& sound : scene.sounds)
         sources_.push_back(
-            {.kind = world_sound_of(sound.sound), .position_m = sound.position_m, .loudness = sound.loudness});
+            {.kind = cues::world_sound_of(sound.sound), .position_m = sound.position_m, .loudness = sound.loudness});
 }
 
 void Soundscape::add(const std::vector<AddedSound>& sounds) {
@@ -145,14 +145,14 @@ void Soundscape::add(const std::vector<AddedSound>& sounds) {
     }
 }
 
-void Soundscape::tick(const WalkerWorld& world, const Vec3& ears_m, double now_s, std::vector<CueRequest>& cues) {
+void Soundscape::tick(const WalkerWorld& world, const Vec3& ears_m, double now_s, std::vector<cues::CueRequest>& cues) {
     contract_pre(is_finite(ears_m) && std::isfinite(now_s));
     // 1. Compute the level of each source at the ears, and the muffling of some of them.
     std::size_t followed = 0;
     for (std::size_t i = 0; i < sources_.size(); ++i) {
         Source& source = sources_[(next_ + i) % sources_.size()];
         const double plain_db =
-            decibels(source.loudness * distance_gain(source.kind, glm::length(source.position_m - ears_m)));
+            decibels(source.loudness * cues::distance_gain(source.kind, glm::length(source.position_m - ears_m)));
         if (plain_db > kSilent_db && followed < kFollowedPerTick) {
             source.muffled_db = muffling_db(world, ears_m, source.position_m);
             source.known = true;
@@ -163,15 +163,15 @@ void Soundscape::tick(const WalkerWorld& world, const Vec3& ears_m, double now_s
     choose(now_s);
     if (next_room_s_ < 0.0 || now_s >= next_room_s_) {
         next_room_s_ = now_s + kRoomEvery_s;
-        reverberation_s_ = handrail::reverberation_s(world, ears_m);
+        reverberation_s_ = core::reverberation_s(world, ears_m);
     }
     // 2. Send the changes to the planner, stopped sounds first to make room.
-    const auto source_of = [&](const CueRequest& told) -> const Source* {
+    const auto source_of = [&](const cues::CueRequest& told) -> const Source* {
         if (told.source >= sources_.size()) return nullptr;
         const Source& source = sources_[told.source];
         return source.heard && source.kind == told.sound ? &source : nullptr;
     };
-    std::erase_if(told_, [&](CueRequest& told) {
+    std::erase_if(told_, [&](cues::CueRequest& told) {
         if (source_of(told) != nullptr) return false;
         told.loudness = 0.0;
         told.time_s = now_s;
@@ -181,14 +181,15 @@ void Soundscape::tick(const WalkerWorld& world, const Vec3& ears_m, double now_s
     for (std::uint32_t i = 0; i < sources_.size(); ++i) {
         const Source& source = sources_[i];
         if (!source.heard) continue;
-        const auto told = std::find_if(told_.begin(), told_.end(), [&](const CueRequest& t) { return t.source == i; });
+        const auto told =
+            std::find_if(told_.begin(), told_.end(), [&](const cues::CueRequest& t) { return t.source == i; });
         const bool known = told != told_.end();
         if (known && glm::length(told->position_m - source.position_m) < kMoved_m &&
             std::abs(told->muffled_db - source.muffled_db) < kChanged_db &&
             std::abs(told->pulses_per_s - source.pulses_per_s) < kChanged_pulses_per_s)
             continue;
-        CueRequest request;
-        request.kind = CueRequestKind::WorldSound;
+        cues::CueRequest request;
+        request.kind = cues::CueRequestKind::WorldSound;
         request.time_s = now_s;
         request.sound = source.kind;
         request.position_m = source.position_m;
@@ -233,13 +234,13 @@ void Soundscape::choose(double now_s) {
     }
 }
 
-CueRequest SoundDictionary::step(int by, const Listener& listener, double now_s) {
-    const std::vector<DictionaryEntry> entries = sound_dictionary();
+cues::CueRequest SoundDictionary::step(int by, const cues::Listener& listener, double now_s) {
+    const std::vector<cues::DictionaryEntry> entries = cues::sound_dictionary();
     const int count = static_cast<int>(entries.size());
     shown_ = shown_ < 0 && by < 0 ? count - 1 : (shown_ + by + count) % count;
-    const DictionaryEntry& entry = entries[static_cast<std::size_t>(shown_)];
-    CueRequest request;
-    request.kind = CueRequestKind::Demonstrate;
+    const cues::DictionaryEntry& entry = entries[static_cast<std::size_t>(shown_)];
+    cues::CueRequest request;
+    request.kind = cues::CueRequestKind::Demonstrate;
     request.time_s = now_s;
     request.sound = entry.kind;
     request.material = entry.material;
@@ -248,4 +249,4 @@ CueRequest SoundDictionary::step(int by, const Listener& listener, double now_s)
     return request;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

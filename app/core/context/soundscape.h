@@ -10,7 +10,7 @@
 #include "app/core/world/walker_world.h"
 #include "audio-cues/plan/cue_planner.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // How many dB doors, walls and things between two places take from a sound, at high frequencies. Several lines around
 // the head are averaged, not a single one, so a sound half behind an edge is half as audible. Whatever contains one of
@@ -27,7 +27,7 @@ double reverberation_s(const WalkerWorld& world, const Vec3& ears_m);
 
 // A sound that a feature adds at a place.
 struct AddedSound {
-    SoundKind kind = SoundKind::Shimmer;
+    cues::SoundKind kind = cues::SoundKind::Shimmer;
     Vec3 position_m{0.0};
     double loudness = 1.0;      // 0 to 1
     double pulses_per_s = 0.0;  // swells per second; 0: steady
@@ -47,11 +47,11 @@ public:
     void add(const std::vector<AddedSound>& sounds);
     double reverberation_s() const { return reverberation_s_; }  // of the room around; measured twice a second
     // Follows the ears; adds what has changed since the last tick to `cues`.
-    void tick(const WalkerWorld& world, const Vec3& ears_m, double now_s, std::vector<CueRequest>& cues);
+    void tick(const WalkerWorld& world, const Vec3& ears_m, double now_s, std::vector<cues::CueRequest>& cues);
 
 private:
     struct Source {
-        SoundKind kind = SoundKind::Shimmer;
+        cues::SoundKind kind = cues::SoundKind::Shimmer;
         Vec3 position_m{0.0};
         double loudness = 1.0, pulses_per_s = 0.0;
         double muffled_db = 0.0;
@@ -63,9 +63,9 @@ private:
     void choose(double now_s);
 
     std::vector<Source> sources_;
-    std::size_t added_ = 0;         // number of added sounds, at the end of sources_
-    std::size_t next_ = 0;          // source whose muffling is computed next
-    std::vector<CueRequest> told_;  // as last sent to the planner
+    std::size_t added_ = 0;               // number of added sounds, at the end of sources_
+    std::size_t next_ = 0;                // source whose muffling is computed next
+    std::vector<cues::CueRequest> told_;  // as last sent to the planner
     double reverberation_s_ = 0.0;
     double next_room_s_ = -1.0;  // when to measure the room again; negative: at once
 };
@@ -74,10 +74,10 @@ private:
 class SoundDictionary {
 public:
     // The request to the planner: plays the entry `by` places further on in front of the listener.
-    CueRequest step(int by, const Listener& listener, double now_s);
+    cues::CueRequest step(int by, const cues::Listener& listener, double now_s);
 
 private:
     int shown_ = -1;  // none yet
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

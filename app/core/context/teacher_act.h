@@ -8,7 +8,7 @@
 
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct TeacherActed {
     enum class Kind : std::uint8_t {
@@ -38,4 +38,4 @@ struct TeacherActed {
     double number = 0.0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

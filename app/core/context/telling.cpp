@@ -10,7 +10,7 @@
 #include "worlds/base/language.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kUnderfoot_m = 0.1;
@@ -41,12 +41,13 @@ double scale(const SessionContext& context) {
 
 DistanceWords distances(const SessionContext& context) { return distances(context.settings); }
 
-DistanceWords distances(const Settings& settings) {
+DistanceWords distances(const settings::Settings& settings) {
     return {settings.speech.distances_in_steps, settings.walk.step_length_m, settings.speech.rounded};
 }
 
 double workspace_heading_rad(const SessionContext& context) {
-    const double frame = context.settings.workspace.frame == FrameChoice::Walk ? context.body.heading_rad : 0.0;
+    const double frame =
+        context.settings.workspace.frame == settings::FrameChoice::Walk ? context.body.heading_rad : 0.0;
     return frame + radians_from_degrees(context.settings.workspace.turn_deg);
 }
 
@@ -79,7 +80,7 @@ std::string storey_words(const SessionContext& context, double floor_z_m) {
 
 std::string hand_words(const HandsState& hands) {
     if (!hands.right.present) return phrase("devices.none");
-    const DeviceSpec& spec = hands.right.spec;
+    const device::DeviceSpec& spec = hands.right.spec;
     return phrase(
         hands.keys_alone ? "devices.keys_alone" : "devices.hand",
         {{"device", spec.spoken_name()}, {"reach", 100.0 * spec.workspace_radius_m}, {"force", spec.peak_force_n}});
@@ -108,11 +109,12 @@ std::string lock_words(const SessionContext& context, FeatureId door) {
                       : "questions.opened_from_elsewhere");
 }
 
-std::string passage_name(const SessionContext& context, PassageKind kind, FeatureId feature, double rise_m) {
+std::string passage_name(const SessionContext& context, navigation::PassageKind kind, FeatureId feature,
+                         double rise_m) {
     return passage_name(*context.world.scene, kind, feature, rise_m);
 }
 
-std::string passage_name(const Scene& scene, PassageKind kind, FeatureId feature, double rise_m) {
+std::string passage_name(const Scene& scene, navigation::PassageKind kind, FeatureId feature, double rise_m) {
     const auto rising = [rise_m](const std::string& passage) {
         if (rise_m == 0.0) return passage;
         return phrase(rise_m > 0.0 ? "rooms.passage_up" : "rooms.passage_down",
@@ -121,27 +123,28 @@ std::string passage_name(const Scene& scene, PassageKind kind, FeatureId feature
     const Feature* found = scene.find(feature);
     const std::string name = found ? spoken_name(*found) : std::string();
     switch (kind) {
-        case PassageKind::Door:
+        case navigation::PassageKind::Door:
             return name.empty() ? phrase("rooms.door") : name;
-        case PassageKind::Stairs:
+        case navigation::PassageKind::Stairs:
             return rising(name.empty() || (found && found->kind != FeatureKind::Object) ? phrase("rooms.stairs")
                                                                                         : name);
-        case PassageKind::Climb:
-            return phrase("rooms.climb", {{"stairs", passage_name(scene, PassageKind::Stairs, feature, rise_m)}});
-        case PassageKind::Lift:
+        case navigation::PassageKind::Climb:
+            return phrase("rooms.climb",
+                          {{"stairs", passage_name(scene, navigation::PassageKind::Stairs, feature, rise_m)}});
+        case navigation::PassageKind::Lift:
             return rising(name.empty() ? phrase("rooms.lift") : name);
-        case PassageKind::Drop:
+        case navigation::PassageKind::Drop:
             return rise_m == 0.0 ? phrase("rooms.edge_to_step_down") : rising(phrase("rooms.edge"));
-        case PassageKind::Teleporter:
+        case navigation::PassageKind::Teleporter:
             return name.empty() ? phrase("rooms.teleporter") : name;
-        case PassageKind::Opening:
+        case navigation::PassageKind::Opening:
             break;
     }
     return phrase("rooms.opening");
 }
 
-std::string passage_now(const SessionContext& context, PassageKind kind, FeatureId feature, double rise_m) {
+std::string passage_now(const SessionContext& context, navigation::PassageKind kind, FeatureId feature, double rise_m) {
     return joined(passage_name(context, kind, feature, rise_m), lock_words(context, feature));
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

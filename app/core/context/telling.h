@@ -8,14 +8,14 @@
 #include "app/core/dialogue/words.h"
 #include "worlds/navigation/route.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // World metres per hand metre.
 double scale(const SessionContext& context);
 // The world direction of the hand's "ahead".
 double workspace_heading_rad(const SessionContext& context);
 // Distances in words, as the person has set them.
-DistanceWords distances(const Settings& settings);
+DistanceWords distances(const settings::Settings& settings);
 DistanceWords distances(const SessionContext& context);
 // "9 steps at 1 o'clock", relative to the direction that the walker faces once it has finished turning.
 std::string where_words(const SessionContext& context, double distance_m, double bearing_rad);
@@ -35,9 +35,9 @@ std::string name_of(const SessionContext& context, FeatureId feature);
 Vec3 finding_place_m(const SessionContext& context);
 // "locked"; empty if nothing keeps that door shut, or it is open now.
 std::string lock_words(const SessionContext& context, FeatureId door);
-std::string passage_name(const Scene& scene, PassageKind kind, FeatureId feature, double rise_m);
-std::string passage_name(const SessionContext& context, PassageKind kind, FeatureId feature, double rise_m);
+std::string passage_name(const Scene& scene, navigation::PassageKind kind, FeatureId feature, double rise_m);
+std::string passage_name(const SessionContext& context, navigation::PassageKind kind, FeatureId feature, double rise_m);
 // The name with what blocks the passage now: "Door, locked".
-std::string passage_now(const SessionContext& context, PassageKind kind, FeatureId feature, double rise_m);
+std::string passage_now(const SessionContext& context, navigation::PassageKind kind, FeatureId feature, double rise_m);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -2,11 +2,11 @@
 
 #include <utility>
 
-namespace handrail {
+namespace handrail::core {
 
 void TouchEvents::tick(double now_s) {
     for (const bool left : {false, true}) {
-        const ToolState& tool = left ? context_.hands.left_tool : context_.hands.tool;
+        const servo::ToolState& tool = left ? context_.hands.left_tool : context_.hands.tool;
         const FeatureId now = tool.touched();
         const FeatureId before = std::exchange(touched_[left ? 1 : 0], now);
         if (now == before || now == kNoFeature) continue;
@@ -14,4 +14,4 @@ void TouchEvents::tick(double now_s) {
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -5,7 +5,7 @@
 
 #include "app/core/context/session_part.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class TouchEvents : SessionPart {
 public:
@@ -17,4 +17,4 @@ private:
     std::array<FeatureId, 2> touched_{kNoFeature, kNoFeature};  // by the only or right hand, and by the left one
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -12,14 +12,14 @@
 #include "worlds/navigation/room_outlines.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // A room as the plan draws it.
 struct DrawnRoom {
     std::string name;  // as it is spoken
     Vec3 middle_m{0.0};
     double area_m2 = 0.0;
-    RoomOutline outline;
+    navigation::RoomOutline outline;
 };
 
 // A movable thing that is on its way.
@@ -45,13 +45,13 @@ struct ViewState {
     bool forces_on = true;
     bool north_up = true;  // Map frame
     std::shared_ptr<const std::vector<DrawnRoom>>
-        rooms;                      // of the room graph, in its order; null: not known, or no plan is shown
-    std::uint32_t room = kNothing;  // index of the walker's room in `rooms`
-    std::string last_spoken;        // shown as large text
-    std::vector<Vec3> path_m;       // walked path, oldest first
-    DialogueView dialogue;          // the list or question that is open
+        rooms;                                  // of the room graph, in its order; null: not known, or no plan is shown
+    std::uint32_t room = navigation::kNothing;  // index of the walker's room in `rooms`
+    std::string last_spoken;                    // shown as large text
+    std::vector<Vec3> path_m;                   // walked path, oldest first
+    DialogueView dialogue;                      // the list or question that is open
 
     bool operator==(const ViewState&) const = default;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

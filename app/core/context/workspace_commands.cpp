@@ -1,6 +1,6 @@
 #include "app/core/context/workspace_commands.h"
 
-namespace handrail {
+namespace handrail::core {
 
 bool lays_workspace(Command command) {
     return is_one_of(command, {Command::ScaleBuilding, Command::ScaleFloor, Command::ScaleRoom, Command::ScaleDetail,
@@ -14,4 +14,4 @@ bool pushes_workspace(Command command) {
                                Command::WorkspaceRight, Command::WorkspaceUp, Command::WorkspaceDown});
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -3,10 +3,10 @@
 
 #include "app/core/dialogue/command.h"
 
-namespace handrail {
+namespace handrail::core {
 
 bool lays_workspace(Command command);
 // Those of them that push the workspace in one of six directions.
 bool pushes_workspace(Command command);
 
-}  // namespace handrail
+}  // namespace handrail::core

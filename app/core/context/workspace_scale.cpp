@@ -8,7 +8,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kLeast = 1.0, kMost = 500.0;  // limits of workspace.scale
@@ -41,7 +41,7 @@ double world_m_per_hand_m(NamedScale scale, const Aabb& bounds_m, double reach_h
     }
     if (bounds_m.empty() || !(reach_hand_m > 0.0)) return 120.0;
     const Vec3 size = bounds_m.size_m();
-    return std::clamp(0.5 * std::hypot(size.x, size.y) / (kRimFrom * reach_hand_m), kLeast, kMost);
+    return std::clamp(0.5 * std::hypot(size.x, size.y) / (servo::kRimFrom * reach_hand_m), kLeast, kMost);
 }
 
 std::string scale_sentence(NamedScale scale, double world_m_per_hand_m, double reach_hand_m, const DistanceWords& how) {
@@ -51,16 +51,16 @@ std::string scale_sentence(NamedScale scale, double world_m_per_hand_m, double r
 }
 
 double ball_radius_m(const Scene& scene, double felt_diameter_m, double world_m_per_hand_m,
-                     const Simplification& plan) {
+                     const compile::Simplification& plan) {
     contract_pre(felt_diameter_m > 0.0 && world_m_per_hand_m > 0.0);
     double radius = 0.5 * std::clamp(felt_diameter_m * 60.0 / world_m_per_hand_m, 0.002, 0.006) * world_m_per_hand_m;
     for (std::uint32_t i = 0; i < scene.features.size(); ++i)
         if (scene.features[i].kind == FeatureKind::Door) {
             const Vec3 size = scene.features[i].bounds_m.size_m();
-            const NarrowOpening* widened = plan.of_door(FeatureId{i});
+            const compile::NarrowOpening* widened = plan.of_door(FeatureId{i});
             radius = std::min(radius, std::max(size.x, size.y) * (widened ? widened->times() : 1.0) / 6.0);
         }
     return radius;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -10,7 +10,7 @@
 #include "haptic/compile/simplify_scene.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::core {
 
 enum class NamedScale : std::uint8_t { Building, Floor, Room, Detail };
 
@@ -26,6 +26,6 @@ std::string scale_sentence(NamedScale scale, double world_m_per_hand_m, double r
 // Radius of the proxy. It corresponds to felt_diameter_m at scale 60 and keeps that size in the world at other scales,
 // within 2 to 6 mm at the hand. It is also at most a third of the width of the narrowest door as rendered.
 double ball_radius_m(const Scene& scene, double felt_diameter_m, double world_m_per_hand_m,
-                     const Simplification& plan = {});
+                     const compile::Simplification& plan = {});
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -10,7 +10,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 // The value of a setting as a number; 0 if it is not a number.
@@ -30,8 +30,8 @@ std::string level(const std::string& value) { return phrase("desk.level", {{"lev
 std::string on_off(const std::string& value) { return phrase(value == "true" ? "desk.on" : "desk.off"); }
 std::string one_to(const std::string& value) { return phrase("desk.one_to", {{"scale", number(value)}}); }
 std::string ceiling(const std::string& value) {
-    if (value == "light") return phrase("desk.light", {{"newtons", kLightCeiling_n}});
-    if (value == "normal") return phrase("desk.normal", {{"newtons", kNormalCeiling_n}});
+    if (value == "light") return phrase("desk.light", {{"newtons", settings::kLightCeiling_n}});
+    if (value == "normal") return phrase("desk.normal", {{"newtons", settings::kNormalCeiling_n}});
     return phrase("desk.full");
 }
 
@@ -201,4 +201,4 @@ std::string Desk::press(std::size_t control) {
     return words(control);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -14,7 +14,7 @@
 #include "app/core/dialogue/dialogue.h"
 #include "settings/settings.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // How a control feels to the hand and is operated by it. With keys, controls with positions go up and down; all others
 // are pressed.
@@ -94,4 +94,4 @@ int beside(const DeskSetting& row, const std::string& value, int step);
 DeskControl bound(const DeskSetting& row, std::function<std::string()> read,
                   std::function<void(const std::string&)> write);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 // The knob detent at the hand, clockwise from the top; a fraction between two detents.
@@ -13,12 +13,12 @@ double detent_at(const PlacedControl& knob, const Vec3& at_m) {
 
 }  // namespace
 
-void DeskHand::begin(const DeskTouch& touch) {
+void DeskHand::begin(const servo::DeskTouch& touch) {
     presses_ = touch.presses;
     met_ = coming_ = kNoFeature;
 }
 
-void DeskHand::press(const PlacedControl& control, const DeskTouch& touch, std::vector<DeskNews>& news) {
+void DeskHand::press(const PlacedControl& control, const servo::DeskTouch& touch, std::vector<DeskNews>& news) {
     switch (control.kind) {
         case DeskKind::Slider:
             at_ = std::round(control.position_at(touch.proxy_m.x));
@@ -36,7 +36,7 @@ void DeskHand::press(const PlacedControl& control, const DeskTouch& touch, std::
     }
 }
 
-void DeskHand::drag(const PlacedControl& control, const DeskTouch& touch, std::vector<DeskNews>& news) {
+void DeskHand::drag(const PlacedControl& control, const servo::DeskTouch& touch, std::vector<DeskNews>& news) {
     if (control.kind == DeskKind::Slider) {
         const double position = control.position_at(touch.proxy_m.x);
         if (std::abs(position - at_) <= kHysteresis) return;
@@ -52,7 +52,7 @@ void DeskHand::drag(const PlacedControl& control, const DeskTouch& touch, std::v
     }
 }
 
-std::vector<DeskNews> DeskHand::follow(const DeskTouch& touch, const DeskPanel& panel, double now_s) {
+std::vector<DeskNews> DeskHand::follow(const servo::DeskTouch& touch, const DeskPanel& panel, double now_s) {
     std::vector<DeskNews> news;
     const PlacedControl* touched = panel.find(touch.touched);
     if (page_ != panel.page) {
@@ -91,4 +91,4 @@ std::vector<DeskNews> DeskHand::follow(const DeskTouch& touch, const DeskPanel& 
     return news;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -7,7 +7,7 @@
 #include "app/core/desk/desk_panel.h"
 #include "haptic/servo/servo_tick.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct DeskNews {
     enum class Kind {
@@ -27,12 +27,12 @@ public:
     // In positions; at this distance from the middle of one, the next begins.
     static constexpr double kHysteresis = 0.6;
 
-    void begin(const DeskTouch& touch);
-    std::vector<DeskNews> follow(const DeskTouch& touch, const DeskPanel& panel, double now_s);
+    void begin(const servo::DeskTouch& touch);
+    std::vector<DeskNews> follow(const servo::DeskTouch& touch, const DeskPanel& panel, double now_s);
 
 private:
-    void press(const PlacedControl& control, const DeskTouch& touch, std::vector<DeskNews>& news);
-    void drag(const PlacedControl& control, const DeskTouch& touch, std::vector<DeskNews>& news);
+    void press(const PlacedControl& control, const servo::DeskTouch& touch, std::vector<DeskNews>& news);
+    void drag(const PlacedControl& control, const servo::DeskTouch& touch, std::vector<DeskNews>& news);
 
     std::uint32_t presses_ = 0;
     FeatureId met_ = kNoFeature;     // already announced
@@ -42,4 +42,4 @@ private:
     double at_ = 0.0;  // last reported position of the slider, or detent of the knob
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

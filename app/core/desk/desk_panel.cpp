@@ -8,7 +8,7 @@
 #include "worlds/base/language.h"
 #include "worlds/scene/primitive.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kPitchM = kControlM + kControlGapM;
@@ -165,7 +165,7 @@ const PlacedControl* DeskPanel::of(std::size_t control) const {
     return found == placed.end() ? nullptr : &*found;
 }
 
-DeskGrid desk_grid(const DeviceSpec& spec) {
+DeskGrid desk_grid(const device::DeviceSpec& spec) {
     const double reach = kMostReach * spec.workspace_radius_m,
                  most = std::sqrt(std::max(0.0, reach * reach - std::pow(kPanelAt * spec.workspace_radius_m, 2)));
     const auto half = [](int cells) { return 0.5 * (cells * kPitchM - kControlGapM); };
@@ -182,7 +182,7 @@ std::vector<std::size_t> desk_pages(std::span<const DeskControl> controls, const
     return pages;
 }
 
-DeskPanel lay_out_desk(std::span<const DeskControl> controls, const DeviceSpec& spec, std::size_t page) {
+DeskPanel lay_out_desk(std::span<const DeskControl> controls, const device::DeviceSpec& spec, std::size_t page) {
     const DeskGrid grid = desk_grid(spec);
     const std::vector<Cell> cells = cells_of(controls, grid);
     DeskPanel panel;
@@ -217,8 +217,8 @@ DeskPanel lay_out_desk(std::span<const DeskControl> controls, const DeviceSpec& 
     if (panel.pages > 1)
         place(std::nullopt, DeskKind::Button, 0, {panel.page, grid.columns - 1, grid.rows - 1, 1}, turn);
     panel.scene = builder.take();
-    panel.haptic = compile_haptic(*panel.scene, MaterialSource::KeysOnly);
+    panel.haptic = compile::compile_haptic(*panel.scene, compile::MaterialSource::KeysOnly);
     return panel;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

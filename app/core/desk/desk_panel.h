@@ -14,7 +14,7 @@
 #include "haptic/render/haptic_scene.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::core {
 
 inline constexpr double kControlM = 0.013;      // least width and height of a control
 inline constexpr double kControlGapM = 0.0064;  // free space between two controls
@@ -42,7 +42,7 @@ struct PlacedControl {
 
 struct DeskPanel {
     std::shared_ptr<const Scene> scene;
-    std::shared_ptr<const HapticScene> haptic;
+    std::shared_ptr<const render::HapticScene> haptic;
     std::vector<PlacedControl> placed;
     std::size_t page = 0, pages = 1;
 
@@ -54,10 +54,10 @@ struct DeskPanel {
 struct DeskGrid {
     int columns = 1, rows = 1;
 };
-DeskGrid desk_grid(const DeviceSpec& spec);
+DeskGrid desk_grid(const device::DeviceSpec& spec);
 // The page of each control.
 std::vector<std::size_t> desk_pages(std::span<const DeskControl> controls, const DeskGrid& grid);
 // page: numbers beyond the last page start again from the first.
-DeskPanel lay_out_desk(std::span<const DeskControl> controls, const DeviceSpec& spec, std::size_t page);
+DeskPanel lay_out_desk(std::span<const DeskControl> controls, const device::DeviceSpec& spec, std::size_t page);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -13,7 +13,7 @@
 #include "worlds/base/text.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 // True for commands that need the world to run.
@@ -185,7 +185,7 @@ std::string DeskVisit::value_of(std::string_view key) const {
     if (key == "workspace.scale" && scale_waits_) return *scale_waits_;
     if (key == "workspace.scale" && context_.hands.named_scale && context_.world.scene)
         return fmt::format("{}", scale(context_));
-    return setting_text(context_.settings, key).value_or("");
+    return settings::setting_text(context_.settings, key).value_or("");
 }
 
 // Lays the panel out again for another device or another page.
@@ -205,7 +205,7 @@ std::optional<Vec3> DeskVisit::place_m(std::string_view control) const {
 
 bool DeskVisit::refuses(Command command, double now_s) {
     if (!context_.hands.at_desk() || !needs_world(command)) return false;
-    context_.play(SoundKind::Denied, now_s);
+    context_.play(cues::SoundKind::Denied, now_s);
     context_.answer(phrase("desk.world_waits"), now_s);
     return true;
 }
@@ -234,7 +234,7 @@ void DeskVisit::go_back(double now_s) {
 }
 
 void DeskVisit::hear(const DeskNews& news, double now_s) {
-    if (news.kind != DeskNews::Kind::Met) context_.play(SoundKind::Click, now_s);
+    if (news.kind != DeskNews::Kind::Met) context_.play(cues::SoundKind::Click, now_s);
     if (!news.on.control) {
         if (news.kind == DeskNews::Kind::Pressed) {
             lay(panel_.page + 1);
@@ -284,4 +284,4 @@ std::string DeskVisit::after_change(std::string words) {
     return words;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

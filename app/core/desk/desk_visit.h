@@ -17,7 +17,7 @@
 #include "app/core/desk/desk_panel.h"
 #include "app/core/kept/world_shelf.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class DeskVisit : SessionPart {
 public:
@@ -39,7 +39,7 @@ public:
 
     const Desk& desk() const { return desk_; }
     // The surfaces that the hand can touch; null without a hand.
-    std::shared_ptr<const HapticScene> scene() const { return panel_.haptic; }
+    std::shared_ptr<const render::HapticScene> scene() const { return panel_.haptic; }
     // Device frame: where the proxy touches a control of the present page, or the button that turns the pages. No
     // value: on another page.
     std::optional<Vec3> place_m(std::string_view control) const;
@@ -84,4 +84,4 @@ private:
     std::optional<std::string> scale_waits_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

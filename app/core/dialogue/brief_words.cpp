@@ -8,13 +8,13 @@
 #include "worlds/base/language.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::core {
 
-std::string brief_direction_words(double bearing_rad, double heading_rad, DirectionChoice choice) {
+std::string brief_direction_words(double bearing_rad, double heading_rad, settings::DirectionChoice choice) {
     contract_pre(std::isfinite(bearing_rad) && std::isfinite(heading_rad));
-    if (choice == DirectionChoice::Compass) return compass_word(bearing_rad);
+    if (choice == settings::DirectionChoice::Compass) return compass_word(bearing_rad);
     const double turn_rad = wrap_angle(bearing_rad - heading_rad);
-    if (choice == DirectionChoice::Clock) return phrase("direction.hour", {{"hour", hour_of(turn_rad)}});
+    if (choice == settings::DirectionChoice::Clock) return phrase("direction.hour", {{"hour", hour_of(turn_rad)}});
     // The index counts sixteenths of a full turn: 1 is slightly, 2 is half, 3 to 5 are to the side, 6 and 7 are behind
     // it.
     constexpr std::array kRight{"direction.ahead",        "direction.slightly_right", "direction.half_right",
@@ -27,13 +27,13 @@ std::string brief_direction_words(double bearing_rad, double heading_rad, Direct
     return phrase(turn_rad >= 0.0 ? kRight[sixteenths] : kLeft[sixteenths]);
 }
 
-std::string brief_place_words(double distance_m, double bearing_rad, double heading_rad, DirectionChoice choice,
-                              const DistanceWords& how) {
+std::string brief_place_words(double distance_m, double bearing_rad, double heading_rad,
+                              settings::DirectionChoice choice, const DistanceWords& how) {
     const std::string distance = distance_words(distance_m, how),
                       direction = brief_direction_words(bearing_rad, heading_rad, choice);
     const std::string ahead = phrase("direction.ahead"), behind = phrase("direction.behind");
     const bool runs_on = !is_close_by(distance_m, how) &&
-                         (direction == ahead || direction == behind || choice == DirectionChoice::Compass);
+                         (direction == ahead || direction == behind || choice == settings::DirectionChoice::Compass);
     return runs_on ? phrase("place.runs_on", {{"distance", distance}, {"direction", direction}})
                    : joined(distance, direction);
 }
@@ -62,4 +62,4 @@ std::string brief_text(const std::vector<std::string>& sentences, std::size_t mo
     return text;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -7,7 +7,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 // The keys for arrows, PageUp and PageDown, F, Home and Escape are those of the walking demo of Handrail's predecessor,
@@ -165,4 +165,4 @@ bool steps_or_turns(Command command) {
                                Command::SideLeft, Command::SideRight});
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace handrail {
+namespace handrail::core {
 
 enum class Command : std::uint8_t {
     // Walking and learning a place.
@@ -162,4 +162,4 @@ enum class InList : std::uint8_t {
 };
 InList in_list(Command command);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -8,7 +8,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 struct WrittenOut {
@@ -84,4 +84,4 @@ std::string spoken_word(std::string_view table, std::string_view word) {
     return words.substr(0, words.find(' '));
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

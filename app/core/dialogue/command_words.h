@@ -11,7 +11,7 @@
 
 #include "app/core/dialogue/command.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // The form in which words are compared: lower case, umlauts written out.
 std::string plain_word(std::string_view word);
@@ -34,4 +34,4 @@ std::string english_word(std::string_view table, std::span<const std::string_vie
 // The name of such a word in the language spoken: the first that its table lists.
 std::string spoken_word(std::string_view table, std::string_view word);
 
-}  // namespace handrail
+}  // namespace handrail::core

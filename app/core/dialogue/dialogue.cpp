@@ -10,7 +10,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 // Adds a full stop unless the text already ends a sentence.
@@ -351,4 +351,4 @@ DialogueView Dialogue::view() const {
     return {DialogueView::Kind::Text, question.question, {}, 0, question.text, where()};
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

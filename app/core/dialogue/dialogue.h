@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-namespace handrail {
+namespace handrail::core {
 
 // A quantity for a screen reader; the item's `value` gives it in words.
 struct ItemNumber {
@@ -145,4 +145,4 @@ private:
     double searched_s_ = -1e9;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -6,7 +6,7 @@
 
 #include "app/core/dialogue/command.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class HeldKeys {
 public:
@@ -24,4 +24,4 @@ private:
     std::vector<bool> down_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

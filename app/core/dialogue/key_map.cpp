@@ -8,7 +8,7 @@
 #include "worlds/base/text.h"
 #include "worlds/base/typist.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 std::vector<std::string> words_of(std::string_view text) {
@@ -37,7 +37,7 @@ std::string spoken_key(std::string_view key_name) {
     return text;
 }
 
-KeyMap::KeyMap(const std::map<std::string, std::string>& changes, KeyboardHand hand) : hand_(hand) {
+KeyMap::KeyMap(const std::map<std::string, std::string>& changes, settings::KeyboardHand hand) : hand_(hand) {
     by_command_.resize(command_table().size());
     for (const CommandInfo& row : command_table())
         by_command_[static_cast<std::size_t>(row.command)] = words_of(default_keys(row.command));
@@ -107,4 +107,4 @@ std::string KeyMap::keys_of(Command command) const {
     return text;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

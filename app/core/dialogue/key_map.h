@@ -11,7 +11,7 @@
 #include "app/core/dialogue/key_sets.h"
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // The spoken name of a key in the language spoken: "Shift+PageUp", "Umschalt+Bild auf". What is typed and stored is the
 // name itself.
@@ -22,7 +22,8 @@ public:
     // `changes`: command word -> key names separated by blanks, which replace that command's default keys. The key name
     // "none" removes all keys. hand: the set of keys for one hand, which overrides the built-in table and is overridden
     // by `changes`.
-    explicit KeyMap(const std::map<std::string, std::string>& changes, KeyboardHand hand = KeyboardHand::Both);
+    explicit KeyMap(const std::map<std::string, std::string>& changes,
+                    settings::KeyboardHand hand = settings::KeyboardHand::Both);
 
     std::optional<Command> find(std::string_view key_name) const;  // ASCII case is ignored
     std::string keys_of(Command command) const;  // "F2 or 1" for help; a person who types gets the word instead
@@ -37,8 +38,8 @@ public:
 private:
     std::map<std::string, Command> by_key_;  // lower case
     std::vector<std::vector<std::string>> by_command_;
-    KeyboardHand hand_;
+    settings::KeyboardHand hand_;
     std::vector<std::string> problems_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr std::array kLeft{
@@ -63,15 +63,15 @@ constexpr std::string_view kRightHalf =
 
 }  // namespace
 
-std::span<const SetKeys> keys_for(KeyboardHand hand) {
-    if (hand == KeyboardHand::Left) return kLeft;
-    if (hand == KeyboardHand::Right) return kRight;
+std::span<const SetKeys> keys_for(settings::KeyboardHand hand) {
+    if (hand == settings::KeyboardHand::Left) return kLeft;
+    if (hand == settings::KeyboardHand::Right) return kRight;
     return {};
 }
 
-bool reaches(KeyboardHand hand, std::string_view key_name) {
-    if (hand == KeyboardHand::Both) return true;
-    const std::string_view half = hand == KeyboardHand::Left ? kLeftHalf : kRightHalf;
+bool reaches(settings::KeyboardHand hand, std::string_view key_name) {
+    if (hand == settings::KeyboardHand::Both) return true;
+    const std::string_view half = hand == settings::KeyboardHand::Left ? kLeftHalf : kRightHalf;
     const std::size_t plus = key_name.rfind('+');
     const std::string_view plain = plus == std::string_view::npos ? key_name : key_name.substr(plus + 1);
     for (std::size_t at = half.find(plain); at != std::string_view::npos; at = half.find(plain, at + 1))
@@ -79,4 +79,4 @@ bool reaches(KeyboardHand hand, std::string_view key_name) {
     return false;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -7,7 +7,7 @@
 
 #include "settings/settings.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct SetKeys {
     std::string_view word;  // word of a command
@@ -15,8 +15,8 @@ struct SetKeys {
 };
 
 // Empty for both hands. F12, Escape and Control are in every set.
-std::span<const SetKeys> keys_for(KeyboardHand hand);
+std::span<const SetKeys> keys_for(settings::KeyboardHand hand);
 // True if that hand reaches the key while it rests on its half of the keyboard. Space and the modifiers belong to both.
-bool reaches(KeyboardHand hand, std::string_view key_name);
+bool reaches(settings::KeyboardHand hand, std::string_view key_name);
 
-}  // namespace handrail
+}  // namespace handrail::core

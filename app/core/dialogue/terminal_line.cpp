@@ -8,7 +8,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 std::string_view trimmed(std::string_view text) {
@@ -64,4 +64,4 @@ Result<TerminalLine> parse_terminal_line(std::string_view line) {
     return parsed;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

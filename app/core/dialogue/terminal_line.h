@@ -9,7 +9,7 @@
 #include "app/core/dialogue/command.h"
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // The meaning of one line: a command done `times` times, or leaving.
 struct TerminalLine {
@@ -25,4 +25,4 @@ struct TerminalLine {
 // sentence says that it is unknown.
 Result<TerminalLine> parse_terminal_line(std::string_view line);
 
-}  // namespace handrail
+}  // namespace handrail::core

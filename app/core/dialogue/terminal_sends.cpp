@@ -6,7 +6,7 @@
 
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 // Names in lower case, because a person may write keys in any case.
@@ -43,4 +43,4 @@ bool terminal_sends(std::string_view key_name) {
     return !control || !(key == "tab" || key.size() == 1 || is_one_of(kSigns, key));
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -8,7 +8,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr std::string_view kCount = "<count>", kName = "<name>";
@@ -151,4 +151,4 @@ std::optional<TypedSentence> typed_sentence(std::string_view line) {
     return with_name;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

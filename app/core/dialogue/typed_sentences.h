@@ -9,7 +9,7 @@
 
 #include "app/core/dialogue/command.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct TypedSentence {
     Command command = Command::Help;
@@ -30,4 +30,4 @@ bool takes_choice(Command command);
 // left, the text stays whole.
 std::string without_fillers(std::string_view typed);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -7,7 +7,7 @@
 #include "worlds/base/language.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kRoundedTo_deg = 5.0;
@@ -73,10 +73,11 @@ long whole_degrees(double heading_rad) {
     return std::lrint(std::fmod(degrees_from_radians(heading_rad) + 360.0, 360.0));
 }
 
-std::string direction_words(double bearing_rad, double heading_rad, DirectionChoice choice, bool rounded) {
+std::string direction_words(double bearing_rad, double heading_rad, settings::DirectionChoice choice, bool rounded) {
     contract_pre(std::isfinite(bearing_rad) && std::isfinite(heading_rad));
-    if (choice == DirectionChoice::Compass) return rounded ? compass_word(bearing_rad) : fine_compass_word(bearing_rad);
-    if (choice == DirectionChoice::Clock)
+    if (choice == settings::DirectionChoice::Compass)
+        return rounded ? compass_word(bearing_rad) : fine_compass_word(bearing_rad);
+    if (choice == settings::DirectionChoice::Clock)
         return phrase("direction.clock", {{"hour", hour_of(wrap_angle(bearing_rad - heading_rad))}});
     const double turn_deg = told_turn_deg(bearing_rad, heading_rad, rounded), degrees = std::abs(turn_deg);
     if (degrees == 0.0) return phrase("direction.ahead");
@@ -85,15 +86,15 @@ std::string direction_words(double bearing_rad, double heading_rad, DirectionCho
     return phrase(turn_deg > 0.0 ? "direction.degrees_right" : "direction.degrees_left", {{"degrees", degrees}});
 }
 
-std::string place_words(double distance_m, double bearing_rad, double heading_rad, DirectionChoice choice,
+std::string place_words(double distance_m, double bearing_rad, double heading_rad, settings::DirectionChoice choice,
                         const DistanceWords& how) {
     const std::string distance = distance_words(distance_m, how);
     const TextValue far{"distance", distance}, near{"near", is_close_by(distance_m, how) ? "yes" : "no"};
-    if (choice == DirectionChoice::Compass) {
+    if (choice == settings::DirectionChoice::Compass) {
         const std::string compass = how.rounded ? compass_word(bearing_rad) : fine_compass_word(bearing_rad);
         return phrase("place.compass", {far, near, {"compass", compass}});
     }
-    if (choice == DirectionChoice::Clock)
+    if (choice == settings::DirectionChoice::Clock)
         return phrase("place.clock", {far, near, {"hour", hour_of(wrap_angle(bearing_rad - heading_rad))}});
     const double turn_deg = told_turn_deg(bearing_rad, heading_rad, how.rounded), degrees = std::abs(turn_deg);
     if (degrees == 0.0) return phrase("place.ahead", {far, near});
@@ -102,10 +103,11 @@ std::string place_words(double distance_m, double bearing_rad, double heading_ra
     return phrase(turn_deg > 0.0 ? "place.degrees_right" : "place.degrees_left", {far, {"degrees", degrees}});
 }
 
-std::string side_words(int quarter, double heading_rad, DirectionChoice choice) {
+std::string side_words(int quarter, double heading_rad, settings::DirectionChoice choice) {
     contract_pre(quarter >= 0 && quarter < 4);
-    if (choice == DirectionChoice::Compass) return compass_word(heading_rad + quarter * kPi / 2.0);
-    if (choice == DirectionChoice::Clock) return phrase("direction.hour", {{"hour", quarter == 0 ? 12 : 3 * quarter}});
+    if (choice == settings::DirectionChoice::Compass) return compass_word(heading_rad + quarter * kPi / 2.0);
+    if (choice == settings::DirectionChoice::Clock)
+        return phrase("direction.hour", {{"hour", quarter == 0 ? 12 : 3 * quarter}});
     return phrase(kSides[static_cast<std::size_t>(quarter)]);
 }
 
@@ -137,4 +139,4 @@ std::string sentence_case(std::string text) {
     return text;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

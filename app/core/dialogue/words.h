@@ -8,7 +8,7 @@
 #include "settings/settings.h"
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct DistanceWords {
     bool in_steps = true;
@@ -25,7 +25,8 @@ bool is_close_by(double distance_m, const DistanceWords& how);
 std::string size_words(double width_m, double depth_m, const DistanceWords& how);
 // The direction of `bearing_rad` for a person who faces `heading_rad`, in the person's own choice of words: "ahead",
 // "25 degrees left", "left", "behind"; "at 11 o'clock"; "north-west".
-std::string direction_words(double bearing_rad, double heading_rad, DirectionChoice choice, bool rounded = true);
+std::string direction_words(double bearing_rad, double heading_rad, settings::DirectionChoice choice,
+                            bool rounded = true);
 // The turn as announced, in degrees, positive to the right; 0 is ahead, 180 is behind. Rounded to 5 degrees, or to one
 // degree if not `rounded`.
 double told_turn_deg(double bearing_rad, double heading_rad, bool rounded = true);
@@ -35,10 +36,10 @@ long hour_of(double turn_rad);
 // A heading in whole degrees clockwise from north, 0 to 360.
 long whole_degrees(double heading_rad);
 // "9 steps at 1 o'clock", "9 steps ahead", "9 steps, 25 degrees right", "9 steps north-east", "close by, ahead".
-std::string place_words(double distance_m, double bearing_rad, double heading_rad, DirectionChoice choice,
+std::string place_words(double distance_m, double bearing_rad, double heading_rad, settings::DirectionChoice choice,
                         const DistanceWords& how);
 // A label for a side. quarter: quarter circles clockwise from straight ahead, 0 to 3. "ahead", "3 o'clock", "south".
-std::string side_words(int quarter, double heading_rad, DirectionChoice choice);
+std::string side_words(int quarter, double heading_rad, settings::DirectionChoice choice);
 // The 16 compass points: "north", "north-north-east", ...
 std::string fine_compass_word(double heading_rad);
 // "12 minutes", "1 minute".
@@ -53,4 +54,4 @@ std::string sentence_case(std::string text);
 // Wraps an angle into (-pi, pi].
 double wrap_angle(double radians);
 
-}  // namespace handrail
+}  // namespace handrail::core

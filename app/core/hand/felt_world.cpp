@@ -7,11 +7,11 @@
 #include "haptic/render/validate_scene.h"
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::core {
 
 bool FeltOrder::same_as(const FeltOrder& other) const {
-    const auto wish = [](const FeltOrder& order) { return order.simplify.value_or(SimplifyOptions{}); };
-    const SimplifyOptions mine = wish(*this), others = wish(other);
+    const auto wish = [](const FeltOrder& order) { return order.simplify.value_or(compile::SimplifyOptions{}); };
+    const compile::SimplifyOptions mine = wish(*this), others = wish(other);
     return edit == other.edit && simplify.has_value() == other.simplify.has_value() &&
            mine.world_m_per_hand_m == others.world_m_per_hand_m && mine.openings_m == others.openings_m &&
            mine.kept_m == others.kept_m && world_m_per_hand_m == other.world_m_per_hand_m &&
@@ -20,30 +20,31 @@ bool FeltOrder::same_as(const FeltOrder& other) const {
 }
 
 double felt_rounding_m(double edge_rounding_hand_mm, double world_m_per_hand_m, double ball_radius_m) {
-    return std::min(edge_rounding_m(edge_rounding_hand_mm, world_m_per_hand_m), ball_radius_m);
+    return std::min(compile::edge_rounding_m(edge_rounding_hand_mm, world_m_per_hand_m), ball_radius_m);
 }
 
 FeltWorld make_felt(const FeltOrder& order, const FeltWorld& before, const std::stop_token& stop) {
     FeltWorld felt;
     felt.portals = order.portals;
-    if (order.simplify) felt.plan = plan_simplification(*order.scene, *order.simplify, stop);
+    if (order.simplify) felt.plan = compile::plan_simplification(*order.scene, *order.simplify, stop);
     if (stop.stop_requested()) return felt;
     const double radius_m =
         ball_radius_m(*order.scene, order.ball_diameter_hand_m, order.world_m_per_hand_m, felt.plan);
     felt.rounding_m = felt_rounding_m(order.edge_rounding_hand_mm, order.world_m_per_hand_m, radius_m);
-    if (has_dense_mesh(*order.scene))
+    if (compile::has_dense_mesh(*order.scene))
         felt.mesh_tolerance_m = order.mesh_tolerance_hand_mm * 1e-3 * order.world_m_per_hand_m;
     if (felt.plan == before.plan && felt.rounding_m == before.rounding_m &&
         felt.mesh_tolerance_m == before.mesh_tolerance_m)
         return felt;
-    CompileOptions options = exploring(felt.rounding_m, order.world, felt.mesh_tolerance_m);
+    compile::CompileOptions options = compile::exploring(felt.rounding_m, order.world, felt.mesh_tolerance_m);
     options.stop = stop;
-    CompileReport report;
-    felt.haptic = felt.plan.changes_nothing() ? compile_haptic(*order.scene, options, &report)
-                                              : compile_haptic(simplified(*order.scene, felt.plan), options, &report);
+    compile::CompileReport report;
+    felt.haptic = felt.plan.changes_nothing()
+                      ? compile::compile_haptic(*order.scene, options, &report)
+                      : compile::compile_haptic(compile::simplified(*order.scene, felt.plan), options, &report);
     felt.coarser = std::move(report.coarser);
     if (felt.haptic) contract_valid(validate(*felt.haptic));
     return felt;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

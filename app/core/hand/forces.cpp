@@ -5,7 +5,7 @@
 #include "app/core/dialogue/words.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kSamePress_s = 0.25;
@@ -27,27 +27,27 @@ void Forces::toggle(double now_s) {
         return;
     }
     if (!hands_.right.present && !stopped) return context_.answer(phrase("session.no_hand"), now_s);
-    const bool wake = stopped || hands_.tool.fault != Fault::None || hands_.left_tool.fault != Fault::None ||
-                      !hands_.tuning.forces_on;
+    const bool wake = stopped || hands_.tool.fault != servo::Fault::None ||
+                      hands_.left_tool.fault != servo::Fault::None || !hands_.tuning.forces_on;
     hands_.tuning.panic = false;
     hands_.tuning.stops_let_go = stops_known_;
     hands_.tuning.forces_on = wake;
     if (wake) ++hands_.tuning.confirm;
     if (wake && hands_.tool.fault_lasts) return context_.answer(why_none_yet(), now_s);
     if (!hands_.right.present) return context_.answer(phrase("session.sounds_again"), now_s);
-    context_.play(wake ? SoundKind::ForcesOn : SoundKind::ForcesOff, now_s);
+    context_.play(wake ? cues::SoundKind::ForcesOn : cues::SoundKind::ForcesOff, now_s);
     context_.answer(phrase(wake ? "session.forces_on" : "session.forces_off"), now_s);
 }
 
 // The answer to the force key while the cause that switched the force off persists.
 std::string Forces::why_none_yet() const {
     switch (hands_.tool.fault) {
-        case Fault::Unplugged:
+        case servo::Fault::Unplugged:
             return phrase("session.unplugged");
-        case Fault::TooHot:
+        case servo::Fault::TooHot:
             return phrase("session.too_warm");
         default:
-            return fault_sentence(hands_.tool.fault);
+            return servo::fault_sentence(hands_.tool.fault);
     }
 }
 
@@ -56,13 +56,13 @@ bool Forces::stop(double now_s) {
     stopped_s_ = now_s;
     hands_.tuning.panic = true;
     hands_.tuning.workspace.grab_key = false;
-    CueRequest silence;
-    silence.kind = CueRequestKind::SilenceAll;
+    cues::CueRequest silence;
+    silence.kind = cues::CueRequestKind::SilenceAll;
     silence.time_s = now_s;
     context_.cues.cue(std::move(silence));
     context_.say(phrase(hands_.right.present ? "session.stopped" : "session.stopped_sounds",
                         {{"key", context_.keys.keys_of(Command::ToggleForces)}}),
-                 SpeechClass::Alarm, now_s);
+                 cues::SpeechClass::Alarm, now_s);
     return true;
 }
 
@@ -72,7 +72,7 @@ bool Forces::know_stops(std::uint32_t stops) {
 
 void Forces::take(const HandFacts& hand) {
     contact_before_s_ += hands_.tool.contact_s;
-    hands_.tool = ToolState{};
+    hands_.tool = servo::ToolState{};
     fault_lasted_ = false;
     hands_.right = hand;
 }
@@ -81,24 +81,25 @@ void Forces::offer(const std::string& spoken_name, double now_s) {
     offered_ = true;
     context_.say(found_words(spoken_name) + " " +
                      phrase("session.press_to_use", {{"key", context_.keys.keys_of(Command::ToggleForces)}}),
-                 SpeechClass::Answer, now_s);
+                 cues::SpeechClass::Answer, now_s);
 }
 
 void Forces::tick(double now_s) {
     const bool was_waiting = std::exchange(fault_lasted_, hands_.tool.fault_lasts);
     if (!was_waiting || hands_.tool.fault_lasts || !hands_.tool.fault_latched) return;
     const std::string key = context_.keys.keys_of(Command::ToggleForces);
-    if (is_gone(hands_.tool.fault))
-        context_.say(phrase("session.plugged_in_again", {{"key", key}}), SpeechClass::Alarm, now_s);
-    if (hands_.tool.fault == Fault::TooHot)
-        context_.say(phrase("session.cooled", {{"key", key}}), SpeechClass::Alarm, now_s);
+    if (servo::is_gone(hands_.tool.fault))
+        context_.say(phrase("session.plugged_in_again", {{"key", key}}), cues::SpeechClass::Alarm, now_s);
+    if (hands_.tool.fault == servo::Fault::TooHot)
+        context_.say(phrase("session.cooled", {{"key", key}}), cues::SpeechClass::Alarm, now_s);
 }
 
 void Forces::tell_break(double now_s) {
     const double contact_s = contact_before_s_ + hands_.tool.contact_s;
     if (contact_s < (breaks_told_ + 1.0) * kBreakEvery_s) return;
     breaks_told_ = std::floor(contact_s / kBreakEvery_s);
-    context_.say(phrase("session.take_a_break", {{"time", minutes_words(contact_s)}}), SpeechClass::Ambient, now_s);
+    context_.say(phrase("session.take_a_break", {{"time", minutes_words(contact_s)}}), cues::SpeechClass::Ambient,
+                 now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -8,7 +8,7 @@
 
 #include "app/core/context/session_part.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class Forces : SessionPart {
 public:
@@ -45,4 +45,4 @@ private:
     double contact_before_s_ = 0.0;  // seconds of contact with devices used earlier
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

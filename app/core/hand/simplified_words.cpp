@@ -6,12 +6,12 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::core {
 
-OpenPortals open_portals(const RoomGraph& graph) {
+OpenPortals open_portals(const navigation::RoomGraph& graph) {
     OpenPortals open;
     for (std::uint32_t p = 0; p < graph.portals.size(); ++p)
-        if (graph.portals[p].kind == PassageKind::Opening) {
+        if (graph.portals[p].kind == navigation::PassageKind::Opening) {
             open.portals.push_back(p);
             open.places_m.push_back(graph.portals[p].place_m);
         }
@@ -19,10 +19,10 @@ OpenPortals open_portals(const RoomGraph& graph) {
 }
 
 bool asks_for_openings(double world_m_per_hand_m, double body_radius_m) {
-    return kLeastGap_hand_m * world_m_per_hand_m > 2.0 * body_radius_m;
+    return compile::kLeastGap_hand_m * world_m_per_hand_m > 2.0 * body_radius_m;
 }
 
-std::string simplified_sentence(const Simplification& plan, std::size_t coarser) {
+std::string simplified_sentence(const compile::Simplification& plan, std::size_t coarser) {
     std::string list;
     const auto add = [&](const char* key, std::size_t count) {
         if (count == 0) return;
@@ -36,22 +36,22 @@ std::string simplified_sentence(const Simplification& plan, std::size_t coarser)
     return list.empty() ? list : phrase("simplify.sentence", {{"what", list}});
 }
 
-std::string opening_name(const Scene& scene, const NarrowOpening& opening, const RoomGraph* graph,
+std::string opening_name(const Scene& scene, const compile::NarrowOpening& opening, const navigation::RoomGraph* graph,
                          const OpenPortals& portals) {
     if (!opening.doors.empty()) return sentence_case(spoken_name(scene.features[opening.doors.front().value]));
     if (!graph) return sentence_case(phrase("rooms.opening"));
-    const Portal& portal = graph->portals[portals.portals[static_cast<std::size_t>(opening.place)]];
+    const navigation::Portal& portal = graph->portals[portals.portals[static_cast<std::size_t>(opening.place)]];
     return phrase("simplify.opening_between",
                   {{"one", graph->rooms[portal.rooms[0]].name}, {"other", graph->rooms[portal.rooms[1]].name}});
 }
 
-std::string coarser_words(const CoarserMesh& mesh, double world_m_per_hand_m) {
+std::string coarser_words(const compile::CoarserMesh& mesh, double world_m_per_hand_m) {
     return phrase("simplify.is_coarser", {{"after", mesh.after},
                                           {"before", mesh.before},
                                           {"off", std::ceil(1e5 * mesh.off_m / world_m_per_hand_m) / 100.0}});
 }
 
-std::string opening_words(const NarrowOpening& opening) {
+std::string opening_words(const compile::NarrowOpening& opening) {
     const auto metres = [](double width_m) {
         return phrase("words.metres", {{"metres", std::round(width_m * 10.0) / 10.0}});
     };
@@ -62,4 +62,4 @@ std::string opening_words(const NarrowOpening& opening) {
                                           {"enough", opening.stays_narrow() ? "no" : "yes"}});
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -12,9 +12,9 @@
 #include "worlds/base/language.h"
 #include "worlds/scene/lint.h"
 
-namespace handrail {
+namespace handrail::core {
 
-void TouchView::enter_world(std::shared_ptr<const HapticScene> sharp, double now_s) {
+void TouchView::enter_world(std::shared_ptr<const render::HapticScene> sharp, double now_s) {
     felt_.give_up();
     ++edits_;
     ordered_.reset();
@@ -22,7 +22,7 @@ void TouchView::enter_world(std::shared_ptr<const HapticScene> sharp, double now
     plan_ = {};
     rounded_m_ = mesh_tolerance_m_ = 0.0;
     coarser_.clear();
-    haptic_ = sharp ? std::move(sharp) : compile_haptic(*world_.scene, exploring(0.0));
+    haptic_ = sharp ? std::move(sharp) : compile::compile_haptic(*world_.scene, compile::exploring(0.0));
     retune();
     adapt();
     world_.felt = haptic_->world;
@@ -36,9 +36,9 @@ void TouchView::change_world(double now_s) {
     // Dense meshes are felt as they are until the background task has simplified them again, which takes seconds.
     mesh_tolerance_m_ = 0.0;
     coarser_.clear();
-    const CompileOptions options = exploring(rounded_m_, haptic_->world);
-    haptic_ = plan_.changes_nothing() ? compile_haptic(*world_.scene, options)
-                                      : compile_haptic(simplified(*world_.scene, plan_), options);
+    const compile::CompileOptions options = compile::exploring(rounded_m_, haptic_->world);
+    haptic_ = plan_.changes_nothing() ? compile::compile_haptic(*world_.scene, options)
+                                      : compile::compile_haptic(compile::simplified(*world_.scene, plan_), options);
     contract_valid(validate(*world_.scene));
     contract_valid(validate(*haptic_));
     world_.things.enter(*world_.scene, *haptic_, plan_, now_s);
@@ -55,9 +55,9 @@ void TouchView::adapt() {
 }
 
 void TouchView::retune() {
-    const Settings& settings = context_.settings;
-    ServoTuning& tuning = hands_.tuning;
-    tuning.touch = TouchTuning{};
+    const settings::Settings& settings = context_.settings;
+    servo::ServoTuning& tuning = hands_.tuning;
+    tuning.touch = render::TouchTuning{};
     tuning.touch.world_m_per_hand_m = scale(context_);
     tuning.touch.radius_m =
         ball_radius_m(*world_.scene, settings.haptic.ball_diameter_mm * 1e-3, scale(context_), plan_);
@@ -81,8 +81,8 @@ void TouchView::retune() {
     tuning.bodies.grip_buttons = settings.haptic.button_to_feel ? 0U : 1U;
 }
 
-ServoTuning TouchView::left_tuning() const {
-    ServoTuning tuning = hands_.tuning;
+servo::ServoTuning TouchView::left_tuning() const {
+    servo::ServoTuning tuning = hands_.tuning;
     tuning.touch.rated_stiffness_n_per_m = hands_.left.spec.rated_stiffness_n_per_m;
     tuning.force_ceiling_n = ceiling_n(context_.settings, hands_.left);
     tuning.bodies.hold = hands_.left_bodies.hold;
@@ -98,7 +98,7 @@ TouchView::Wish TouchView::wish() {
     openings_awaited_ = false;
     if (!hands_.right.present || !context_.settings.haptic.simplify) return {};
     Wish wish;
-    SimplifyOptions& options = wish.simplify.emplace();
+    compile::SimplifyOptions& options = wish.simplify.emplace();
     options.world_m_per_hand_m = scale(context_);
     for (const Mark& mark : world_.marks) options.kept_m.push_back(mark.place_m);
     if (openings && asks_for_openings(scale(context_), context_.settings.walk.body_radius_m)) {
@@ -164,9 +164,10 @@ Vec3 TouchView::out_of_solids_m(const Vec3& hand_m) const {
     constexpr double kTouching = 0.999;  // share of the radius: a proxy that rests on a surface fits
     const auto poses = world_.things.frame().poses();
     const double radius_m = hands_.tuning.touch.radius_m;
-    const double room_m = surrounding_of(*haptic_, poses, hand_m, radius_m).distance_m;
+    const double room_m = render::surrounding_of(*haptic_, poses, hand_m, radius_m).distance_m;
     if (room_m >= kTouching * radius_m) return Vec3(0.0);
-    const auto free = nearest_free_place(*haptic_, poses, hand_m, (room_m > 0.0 ? 1.0 : 1.2) * radius_m, farthest_m());
+    const auto free =
+        render::nearest_free_place(*haptic_, poses, hand_m, (room_m > 0.0 ? 1.0 : 1.2) * radius_m, farthest_m());
     return free ? *free - hand_m : Vec3(0.0);
 }
 
@@ -185,4 +186,4 @@ Vec3 TouchView::out_of_solids_m(const Vec3& right_m, const Vec3& left_m) const {
     return alone_m;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

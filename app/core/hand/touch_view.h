@@ -12,7 +12,7 @@
 #include "app/core/hand/felt_world.h"
 #include "worlds/base/background_task.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // The openings between rooms that have no door, as far as they are known.
 struct KnownOpenings {
@@ -31,7 +31,7 @@ public:
     bool busy() const { return felt_.busy(); }
 
     // Another world was entered. sharp: see EnteringWorld; null: it is made now.
-    void enter_world(std::shared_ptr<const HapticScene> sharp, double now_s);
+    void enter_world(std::shared_ptr<const render::HapticScene> sharp, double now_s);
     // Something was added to the present world or removed from it.
     void change_world(double now_s);
     // Tunes the servo by scale and settings; the rendered scene stays.
@@ -45,12 +45,12 @@ public:
     // rooms_known: the rooms have been found, so openings that depended on them are widened now.
     void widen_openings(bool rooms_known);
 
-    const std::shared_ptr<const HapticScene>& felt() const { return haptic_; }
-    const Simplification& plan() const { return plan_; }     // of what is felt
-    const OpenPortals& portals() const { return portals_; }  // that its openings are those of
+    const std::shared_ptr<const render::HapticScene>& felt() const { return haptic_; }
+    const compile::Simplification& plan() const { return plan_; }  // of what is felt
+    const OpenPortals& portals() const { return portals_; }        // that its openings are those of
     // The things of what is felt whose meshes are coarser than in truth.
-    const std::vector<CoarserMesh>& coarser() const { return coarser_; }
-    ServoTuning left_tuning() const;
+    const std::vector<compile::CoarserMesh>& coarser() const { return coarser_; }
+    servo::ServoTuning left_tuning() const;
     // The sentence on simplifications if it differs from the last one announced; otherwise empty.
     std::string news();
     // How far the hands must move so that the proxy fits at its place. It may have grown with the scale, or walls may
@@ -64,7 +64,7 @@ public:
 
 private:
     struct Wish {
-        std::optional<SimplifyOptions> simplify;
+        std::optional<compile::SimplifyOptions> simplify;
         OpenPortals portals;
     };
     Wish wish();
@@ -74,17 +74,17 @@ private:
     WorldState& world_;
     WalkerState& body_;
     HandsState& hands_;
-    std::shared_ptr<const HapticScene> haptic_;
-    double rounded_m_ = 0.0;            // edges in it
-    double mesh_tolerance_m_ = 0.0;     // of its dense meshes
-    std::vector<CoarserMesh> coarser_;  // in it
-    Simplification plan_;               // by which it was made
-    OpenPortals portals_;               // that the plan knew
-    bool openings_awaited_ = false;     // the plan would know more if the rooms were found
-    int edits_ = 0;                     // of any world
-    std::optional<FeltOrder> ordered_;  // the last one of this world
+    std::shared_ptr<const render::HapticScene> haptic_;
+    double rounded_m_ = 0.0;                     // edges in it
+    double mesh_tolerance_m_ = 0.0;              // of its dense meshes
+    std::vector<compile::CoarserMesh> coarser_;  // in it
+    compile::Simplification plan_;               // by which it was made
+    OpenPortals portals_;                        // that the plan knew
+    bool openings_awaited_ = false;              // the plan would know more if the rooms were found
+    int edits_ = 0;                              // of any world
+    std::optional<FeltOrder> ordered_;           // the last one of this world
     BackgroundTask<FeltWorld> felt_{context_.executor, "touch", context_.arrivals};
     std::string told_;  // of what is simplified
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -15,7 +15,7 @@
 #include "worlds/base/language.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kHandKeySpeed_m_per_s = 0.06;
@@ -104,15 +104,15 @@ bool Workspace::act(Command command, double now_s) {
     }
 }
 
-WorkspacePose Workspace::pose_beside(const Vec3& others_shift_m) const {
-    WorkspacePose pose = hands_.pose;
+servo::WorkspacePose Workspace::pose_beside(const Vec3& others_shift_m) const {
+    servo::WorkspacePose pose = hands_.pose;
     pose.origin_m += others_shift_m;
     return pose;
 }
 
 // Where the middle belongs before any shift.
 Vec3 Workspace::origin_m() const {
-    const Settings::Workspace& workspace = context_.settings.workspace;
+    const settings::Settings::Workspace& workspace = context_.settings.workspace;
     const Aabb& bounds_m = context_.world.building_m;
     Vec3 origin = workspace.follows_walk ? context_.body.feet_m() : anchor_feet_m_;
     if (hands_.named_scale == NamedScale::Building && !bounds_m.empty()) {
@@ -153,9 +153,9 @@ void Workspace::take_settings(double now_s) {
 }
 
 void Workspace::switch_frame(double now_s) {
-    const bool to_walk = context_.settings.workspace.frame == FrameChoice::Map;
+    const bool to_walk = context_.settings.workspace.frame == settings::FrameChoice::Map;
     context_.set("workspace.frame", to_walk ? "walk" : "map", now_s);
-    context_.play(SoundKind::FrameSwitch, now_s);
+    context_.play(cues::SoundKind::FrameSwitch, now_s);
     context_.answer(phrase(to_walk ? "session.frame_walk" : "session.frame_map"), now_s);
 }
 
@@ -166,7 +166,7 @@ void Workspace::change_under_hand(const std::function<bool()>& change, double no
     touch_.retune();
     touch_.adapt();
     const auto hand_m = [&](const Vec3& origin_m) {
-        return frame_of(origin_m, workspace_heading_rad(context_)).to_world(hands_.tool.hand_m, scale(context_));
+        return servo::frame_of(origin_m, workspace_heading_rad(context_)).to_world(hands_.tool.hand_m, scale(context_));
     };
     Vec3 shift{0.0};
     if (keeps_place) shift = place_m - hand_m(origin_m());
@@ -191,7 +191,7 @@ void Workspace::turn(double by_deg, double now_s) {
     const double turned_rad = wrap_angle(radians_from_degrees(context_.settings.workspace.turn_deg + by_deg));
     const double turned_deg = std::round(degrees_from_radians(turned_rad) * 1e6) / 1e6;
     context_.set("workspace.turn_deg", fmt::format("{}", turned_deg), now_s);
-    context_.play(SoundKind::TurnTick, now_s);
+    context_.play(cues::SoundKind::TurnTick, now_s);
     context_.answer(turned_deg == 0.0
                         ? phrase("session.workspace_straight")
                         : phrase(turned_deg > 0.0 ? "session.workspace_turned_right" : "session.workspace_turned_left",
@@ -210,22 +210,24 @@ void Workspace::push(const Vec3& carried_hand_m_per_s, double now_s) {
 }
 
 void Workspace::tell_motion(double now_s) {
-    const WorkspaceMotion now = hands_.tool.workspace_motion != WorkspaceMotion::Still
-                                    ? hands_.tool.workspace_motion
-                                    : hands_.left_tool.workspace_motion;
-    const WorkspaceMotion before = std::exchange(motion_told_, now);
-    if (before != motion_told_ && motion_told_ == WorkspaceMotion::Still && !(rests_untold && rests_untold()))
-        context_.say(words(), before == WorkspaceMotion::Scrolled ? SpeechClass::Ambient : SpeechClass::Answer, now_s);
+    const servo::WorkspaceMotion now = hands_.tool.workspace_motion != servo::WorkspaceMotion::Still
+                                           ? hands_.tool.workspace_motion
+                                           : hands_.left_tool.workspace_motion;
+    const servo::WorkspaceMotion before = std::exchange(motion_told_, now);
+    if (before != motion_told_ && motion_told_ == servo::WorkspaceMotion::Still && !(rests_untold && rests_untold()))
+        context_.say(
+            words(),
+            before == servo::WorkspaceMotion::Scrolled ? cues::SpeechClass::Ambient : cues::SpeechClass::Answer, now_s);
     if (std::exchange(limit_told_, hands_.tool.workspace_at_limit || hands_.left_tool.workspace_at_limit) ||
         !limit_told_)
         return;
-    context_.play(SoundKind::Denied, now_s);
-    context_.say(phrase("session.world_ends"), SpeechClass::Ambient, now_s);
+    context_.play(cues::SoundKind::Denied, now_s);
+    context_.say(phrase("session.world_ends"), cues::SpeechClass::Ambient, now_s);
 }
 
 // Its place relative to the walker.
 std::string Workspace::words() const {
-    const Settings& settings = context_.settings;
+    const settings::Settings& settings = context_.settings;
     const Vec3 from_body = shift_m_ + shift_by_hand_m() + origin_m() - context_.body.feet_m();
     const Vec3 level(from_body.x, from_body.y, 0.0);
     const double up_m =
@@ -249,7 +251,7 @@ void Workspace::take_touch(bool rooms_known, bool quietly, double now_s) {
     std::string news = touch_.news();
     if (news.empty()) return;
     if (asked_s) context_.answer(std::move(news), *asked_s);
-    else context_.say(std::move(news), SpeechClass::Ambient, now_s);
+    else context_.say(std::move(news), cues::SpeechClass::Ambient, now_s);
 }
 
 // Moves the hands out of solids that have appeared at their place.
@@ -280,7 +282,7 @@ bool Workspace::body_sees(const Vec3& place_m) const {
 }
 
 Vec3 Workspace::hand_in_m(const Vec3& origin_m) const {
-    return frame_of(origin_m, workspace_heading_rad(context_)).to_world(hands_.tool.hand_m, scale(context_));
+    return servo::frame_of(origin_m, workspace_heading_rad(context_)).to_world(hands_.tool.hand_m, scale(context_));
 }
 
 // From where the hand would be without shifts to the walker; zero if the walker sees it there.
@@ -294,7 +296,7 @@ Vec3 Workspace::way_to_body_m() const {
 
 std::string Workspace::bring_to_body(double now_s) {
     publish(now_s, PoseChange::Placed);
-    context_.play(SoundKind::FrameSwitch, now_s);
+    context_.play(cues::SoundKind::FrameSwitch, now_s);
     return phrase("session.hand_with_you");
 }
 
@@ -315,12 +317,12 @@ void Workspace::stay_with_body(double now_s) {
         hands_.left_behind = true;
         left_behind_s_ = now_s;
     }
-    if (now_s - left_behind_s_ >= kLeftBehind_s) context_.say(bring_to_body(now_s), SpeechClass::Contact, now_s);
+    if (now_s - left_behind_s_ >= kLeftBehind_s) context_.say(bring_to_body(now_s), cues::SpeechClass::Contact, now_s);
 }
 
 // How far the hands must move out of solids if the workspace has this middle.
 Vec3 Workspace::hands_out_of_solids_m(const Vec3& origin_m) const {
-    const WorkspaceFrame frame = frame_of(origin_m, workspace_heading_rad(context_));
+    const servo::WorkspaceFrame frame = servo::frame_of(origin_m, workspace_heading_rad(context_));
     return touch_.out_of_solids_m(frame.to_world(hands_.tool.hand_m, scale(context_)),
                                   frame.to_world(hands_.left_tool.hand_m, scale(context_)));
 }
@@ -331,9 +333,9 @@ std::string Workspace::bring_out(const Vec3& middle_was_m, bool with_body, doubl
     const double clearance_m = 1.2 * hands_.tuning.touch.radius_m;
     const auto poses = context_.world.things.frame().poses();
     const Vec3 hand = hands_.tool.hip_m + (middle_m() - middle_was_m);
-    const Surrounding around = surrounding_of(*touch_.felt(), poses, hand, clearance_m);
+    const render::Surrounding around = render::surrounding_of(*touch_.felt(), poses, hand, clearance_m);
     if (around.distance_m > 0.0 && (with_body || !hands_.tool.contacts.ghosted)) return {};
-    const auto free = nearest_free_place(*touch_.felt(), poses, hand, clearance_m, touch_.farthest_m());
+    const auto free = render::nearest_free_place(*touch_.felt(), poses, hand, clearance_m, touch_.farthest_m());
     if (!free) return phrase("session.no_place_for_hand");
     const std::string how_far = how_far_words(context_, glm::length(*free - hand));
     shift_m_ += *free - hand;
@@ -357,4 +359,4 @@ void Workspace::move_hand_by_keys(double dt_s) {
     if (way != Vec3(0.0)) move_hand(way * (kHandKeySpeed_m_per_s * dt_s));
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -10,7 +10,7 @@
 #include "app/core/dialogue/held_keys.h"
 #include "app/core/hand/touch_view.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // Why the pose changed.
 // - Walked: the walker may have moved a little.
@@ -26,8 +26,8 @@ public:
 
     // Poses for the only or right hand, and for the left one. Each servo adds its own hand's shift to its pose; the
     // other hand's shift is already included.
-    WorkspacePose pose() const { return pose_beside(shift_of(hands_.left_tool)); }
-    WorkspacePose left_pose() const { return pose_beside(shift_of(hands_.tool)); }
+    servo::WorkspacePose pose() const { return pose_beside(shift_of(hands_.left_tool)); }
+    servo::WorkspacePose left_pose() const { return pose_beside(shift_of(hands_.tool)); }
     // The present middle, with the shifts of both hands.
     Vec3 middle_m() const { return hands_.pose.origin_m + shift_by_hand_m(); }
 
@@ -81,12 +81,12 @@ public:
     std::function<bool(const Vec3& place_m)> in_room_of_body;
 
 private:
-    Vec3 shift_of(const ToolState& tool) const {
+    Vec3 shift_of(const servo::ToolState& tool) const {
         return tool.workspace_jump == hands_.pose.jump ? tool.workspace_shift_m : Vec3(0.0);
     }
     // How far the hands themselves have moved the workspace since the last jump of the pose.
     Vec3 shift_by_hand_m() const { return shift_of(hands_.tool) + shift_of(hands_.left_tool); }
-    WorkspacePose pose_beside(const Vec3& others_shift_m) const;
+    servo::WorkspacePose pose_beside(const Vec3& others_shift_m) const;
     Vec3 origin_m() const;
     bool goes_with_body() const;
     bool body_sees(const Vec3& place_m) const;
@@ -110,7 +110,7 @@ private:
     Vec3 shift_m_{0.0};
     Vec3 push_tap_{0.0};  // by a tap of a key: direction and end
     double push_until_s_ = -1.0;
-    WorkspaceMotion motion_told_ = WorkspaceMotion::Still;
+    servo::WorkspaceMotion motion_told_ = servo::WorkspaceMotion::Still;
     std::optional<double> scale_asked_s_;  // the answer continues once the hand feels the new scale
     bool limit_told_ = false;
     Vec3 seen_from_m_{0.0};  // the feet when the walker last saw the hand
@@ -118,4 +118,4 @@ private:
     Vec3 hand_target_m_{0.0};
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

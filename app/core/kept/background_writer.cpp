@@ -6,7 +6,7 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::core {
 
 void BackgroundWriter::write(std::filesystem::path file, std::string content) {
     contract_pre(!busy());
@@ -32,4 +32,4 @@ void BackgroundWriter::wait() {
     if (worker_.joinable()) worker_.join();
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -10,7 +10,7 @@
 #include "worlds/base/executor.h"
 #include "worlds/base/files.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class BackgroundWriter {
 public:
@@ -40,4 +40,4 @@ private:
     std::thread worker_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

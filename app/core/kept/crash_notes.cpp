@@ -9,7 +9,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::core {
 
 void CrashNotes::note(std::string_view act, double now_s) {
     ++changes_;
@@ -59,4 +59,4 @@ std::string spoken_end(int signal) {
     return phrase("crash_report.end", {{"how", how}, {"signal", signal}});
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace handrail {
+namespace handrail::core {
 
 class CrashNotes {
 public:
@@ -44,4 +44,4 @@ bool may_be_reported(std::string_view value, std::string_view range);
 // One sentence about the signal that ended a program; 0: no signal was seen.
 std::string spoken_end(int signal);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <thread>
 
-namespace handrail {
+namespace handrail::core {
 
 FolderLock::FolderLock(const std::filesystem::path& folder, double most_s)
     : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
@@ -25,4 +25,4 @@ FolderLock::FolderLock(const std::filesystem::path& folder, double most_s)
     held_ = true;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -6,7 +6,7 @@
 
 #include "worlds/base/descriptor.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class FolderLock {
 public:
@@ -20,4 +20,4 @@ private:
     bool held_ = false, held_elsewhere_ = false;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

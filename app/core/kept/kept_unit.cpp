@@ -1,6 +1,6 @@
 #include "app/core/kept/kept_unit.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr const char* kTable = "unit";
@@ -9,7 +9,7 @@ constexpr const char* kMetres = "metres";
 }  // namespace
 
 std::optional<double> kept_unit(const std::filesystem::path& world, const std::filesystem::path& data_folder,
-                                bool shipped, const TomlReader& toml) {
+                                bool shipped, const settings::TomlReader& toml) {
     const double metres = number_of(SideFile::peek(world, data_folder, shipped, kTable, toml), kMetres, 0.0);
     if (!(metres > 0.0)) return std::nullopt;
     return metres;
@@ -21,4 +21,4 @@ void keep_unit(SideFile& file, double metres) {
     file.set_table(kTable, table);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

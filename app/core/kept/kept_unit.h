@@ -6,13 +6,13 @@
 
 #include "app/core/kept/side_file.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // Metres; no value if none was set or the value is unusable. Reads the file and changes nothing; any thread. See
 // SideFile::of_world.
 std::optional<double> kept_unit(const std::filesystem::path& world, const std::filesystem::path& data_folder,
-                                bool shipped, const TomlReader& toml = toml_of);
+                                bool shipped, const settings::TomlReader& toml = settings::toml_of);
 // Stays in memory until the file is saved. Other keys of the table stay as they are.
 void keep_unit(SideFile& file, double metres);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr const char* kList = "landmark";
@@ -50,4 +50,4 @@ std::shared_ptr<const Scene> with_landmarks(std::shared_ptr<const Scene> scene,
     return changed;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -8,7 +8,7 @@
 #include "app/core/kept/side_file.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // A thing is recognised by its stored name and its middle, which may have moved by up to this distance.
 inline constexpr double kLandmarkMoved_m = 0.5;
@@ -29,4 +29,4 @@ void keep_landmark(SideFile& file, const Feature& feature);
 std::shared_ptr<const Scene> with_landmarks(std::shared_ptr<const Scene> scene,
                                             const std::vector<LandmarkGiven>& landmarks);
 
-}  // namespace handrail
+}  // namespace handrail::core

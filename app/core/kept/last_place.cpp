@@ -26,7 +26,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace fs = std::filesystem;
 namespace {
 
@@ -62,7 +62,7 @@ std::string text_of(const LastPlace& place) {
 Result<LastPlace> read_last_place(const std::string& text) {
     toml::table table;
     try {
-        table = parse_toml(text);
+        table = settings::parse_toml(text);
     } catch (const toml::parse_error&) {
         return fail(phrase("last_place.damaged"));
     }
@@ -233,4 +233,4 @@ fs::path sessions_folder() {
     return list.empty() ? fs::path() : list.parent_path() / "sessions";
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -14,7 +14,7 @@
 #include "worlds/base/result.h"
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct LastPlace {
     WorldRequest world;  // its file is absolute; settings of a lesson are not kept
@@ -61,4 +61,4 @@ private:
 // $XDG_STATE_HOME/handrail/sessions, else ~/.local/state/...; empty if neither is known.
 std::filesystem::path sessions_folder();
 
-}  // namespace handrail
+}  // namespace handrail::core

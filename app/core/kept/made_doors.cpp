@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr const char* kMendedTable = "mended";
@@ -50,7 +50,7 @@ void write_doors(SideFile& file, std::vector<SideTable> doors) {
 std::vector<MadeDoor> read_made_doors(const SideFile& file) { return doors_of_table(file.table(kMendedTable)); }
 
 std::vector<MadeDoor> kept_doors(const std::filesystem::path& world, const std::filesystem::path& data_folder,
-                                 bool shipped, const TomlReader& toml) {
+                                 bool shipped, const settings::TomlReader& toml) {
     return doors_of_table(SideFile::peek(world, data_folder, shipped, kMendedTable, toml));
 }
 
@@ -79,4 +79,4 @@ void drop_made_door(SideFile& file, const Vec3& place_m) {
     write_doors(file, std::move(doors));
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -8,7 +8,7 @@
 #include "worlds/geometry/closest_point.h"
 #include "worlds/scene/outer_ground.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr const char* kMarkTable = "mark";
@@ -129,4 +129,4 @@ std::string unfit_sentence(const std::vector<Mark>& marks) {
     return unfit_words("marks.unfit", unfit, marks.size());
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

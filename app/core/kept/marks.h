@@ -8,7 +8,7 @@
 #include "app/core/kept/side_file.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct Mark {
     std::string name;
@@ -47,4 +47,4 @@ void check_marks(const Scene& scene, const SideFile& file, std::vector<Mark>& ma
 // "This world has changed since you set marks. 2 of 5 no longer fit: Mark 1, near radiator; stairs." Empty if all fit.
 std::string unfit_sentence(const std::vector<Mark>& marks);
 
-}  // namespace handrail
+}  // namespace handrail::core

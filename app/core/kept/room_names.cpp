@@ -4,7 +4,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr const char* kRoomNameTable = "room_name";
@@ -36,18 +36,19 @@ void write_room_names(SideFile& file, const std::vector<RoomNameGiven>& names) {
     write_list(file, kRoomNameTable, names, name_entry, name_from);
 }
 
-void lay_room_names(RoomGraph& graph, const WalkSpace& space, const SideFile& file, std::vector<RoomNameGiven>& names) {
+void lay_room_names(navigation::RoomGraph& graph, const navigation::WalkSpace& space, const SideFile& file,
+                    std::vector<RoomNameGiven>& names) {
     std::vector<bool> taken(graph.rooms.size(), false);
     for (RoomNameGiven& given : names) {
-        const std::uint32_t at = room_at(graph, space, given.at_m);
-        given.fits = at != kNothing && !taken[at];
+        const std::uint32_t at = navigation::room_at(graph, space, given.at_m);
+        given.fits = at != navigation::kNothing && !taken[at];
         if (given.fits && given.world != file.world_checksum() && given.area_m2 > 0.0) {
             const double now = graph.rooms[at].area_m2;
             given.fits = now <= kSameRoomArea * given.area_m2 && given.area_m2 <= kSameRoomArea * now;
         }
         if (!given.fits) continue;
         taken[at] = true;
-        give_names(graph, space, {{given.at_m, given.name}});
+        navigation::give_names(graph, space, {{given.at_m, given.name}});
     }
 }
 
@@ -58,11 +59,11 @@ std::string unfit_sentence(const std::vector<RoomNameGiven>& names) {
     return unfit_words("room_names.unfit", unfit, names.size());
 }
 
-std::uint32_t name_of_room(const RoomGraph& graph, const WalkSpace& space, const std::vector<RoomNameGiven>& names,
-                           std::uint32_t room) {
+std::uint32_t name_of_room(const navigation::RoomGraph& graph, const navigation::WalkSpace& space,
+                           const std::vector<RoomNameGiven>& names, std::uint32_t room) {
     for (std::uint32_t i = 0; i < names.size(); ++i)
-        if (names[i].fits && room_at(graph, space, names[i].at_m) == room) return i;
-    return kNothing;
+        if (names[i].fits && navigation::room_at(graph, space, names[i].at_m) == room) return i;
+    return navigation::kNothing;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

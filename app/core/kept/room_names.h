@@ -8,7 +8,7 @@
 #include "app/core/kept/side_file.h"
 #include "worlds/navigation/rooms.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct RoomNameGiven {
     std::string name;
@@ -30,12 +30,13 @@ void write_room_names(SideFile& file, const std::vector<RoomNameGiven>& names);
 
 // Gives each name that still fits to the room at its place. In the same version of the world, a name fits if there is a
 // room. In an edited one, the room must also be about as large as before. A room takes only the first of several names.
-void lay_room_names(RoomGraph& graph, const WalkSpace& space, const SideFile& file, std::vector<RoomNameGiven>& names);
+void lay_room_names(navigation::RoomGraph& graph, const navigation::WalkSpace& space, const SideFile& file,
+                    std::vector<RoomNameGiven>& names);
 // "This world has changed since you named rooms. 2 of 5 names no longer fit: Larder; Shop." Empty if all fit.
 std::string unfit_sentence(const std::vector<RoomNameGiven>& names);
 
 // Index in `names` of the name that this room has; kNothing: none.
-std::uint32_t name_of_room(const RoomGraph& graph, const WalkSpace& space, const std::vector<RoomNameGiven>& names,
-                           std::uint32_t room);
+std::uint32_t name_of_room(const navigation::RoomGraph& graph, const navigation::WalkSpace& space,
+                           const std::vector<RoomNameGiven>& names, std::uint32_t room);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace handrail {
+namespace handrail::core {
 
 struct RoutesKeeper {
     // Returns what is stored under that key (ways_key in worlds/stored/stored_ways.h), unpacked; empty: nothing.
@@ -19,4 +19,4 @@ struct RoutesKeeper {
     explicit operator bool() const { return take && keep; }
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

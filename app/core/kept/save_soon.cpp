@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace handrail {
+namespace handrail::core {
 
 void SaveSoon::changed(double now_s) {
     if (!due_s_ || *due_s_ > now_s + kAfter_s) due_s_ = now_s + kAfter_s;
@@ -25,4 +25,4 @@ std::optional<std::string> SaveSoon::ended(const Result<void>& saved, double now
     return sentence;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -8,7 +8,7 @@
 
 #include "worlds/base/result.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class SaveSoon {
 public:
@@ -27,4 +27,4 @@ private:
     std::string told_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -14,7 +14,7 @@
 #include "worlds/geometry/closest_point.h"
 #include "worlds/navigation/route_place.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr const char* kWayTable = "way";
@@ -89,7 +89,7 @@ std::string told_next(const std::vector<Stop>& stops, std::size_t at) {
     return stops[at].name;
 }
 
-void look_for_thing(FoundRoute& found, std::size_t i, const Scene& scene, const Navigation& navigation) {
+void look_for_thing(FoundRoute& found, std::size_t i, const Scene& scene, const navigation::Navigation& navigation) {
     Stop& stop = found.stops[i];
     const Feature* nearest = nullptr;
     double near_m = std::numeric_limits<double>::infinity();
@@ -107,14 +107,16 @@ void look_for_thing(FoundRoute& found, std::size_t i, const Scene& scene, const 
     if (const auto stand = navigation.nearest_place(beside)) stop.place_m = *stand;
 }
 
-void look_for_room(FoundRoute& found, std::size_t i, const Navigation& navigation, const RoomGraph& graph) {
+void look_for_room(FoundRoute& found, std::size_t i, const navigation::Navigation& navigation,
+                   const navigation::RoomGraph& graph) {
     Stop& stop = found.stops[i];
     const std::string wanted = lower_ascii(stop.room);
     const auto is_called = [&](std::uint32_t room) {
-        return lower_ascii(known_as(graph.rooms[room])) == wanted || lower_ascii(graph.rooms[room].map_name) == wanted;
+        return lower_ascii(navigation::known_as(graph.rooms[room])) == wanted ||
+               lower_ascii(graph.rooms[room].map_name) == wanted;
     };
-    const std::uint32_t here = room_at(graph, navigation.space(), stop.place_m);
-    if (here != kNothing && is_called(here)) return;
+    const std::uint32_t here = navigation::room_at(graph, navigation.space(), stop.place_m);
+    if (here != navigation::kNothing && is_called(here)) return;
     for (std::uint32_t room = 0; room < graph.rooms.size(); ++room)
         if (is_called(room)) {
             found.faults.push_back(
@@ -135,8 +137,8 @@ void write_ways(SideFile& file, const std::vector<SavedRoute>& ways) {
     write_list(file, kWayTable, ways, way_entry, way_from);
 }
 
-FoundRoute look_up(const SavedRoute& way, const Scene& scene, const SideFile& file, const Navigation& navigation,
-                 const RoomGraph& graph) {
+FoundRoute look_up(const SavedRoute& way, const Scene& scene, const SideFile& file,
+                   const navigation::Navigation& navigation, const navigation::RoomGraph& graph) {
     FoundRoute found{way.stops, {}};
     const bool same_world = !way.world.empty() && way.world == file.world_checksum();
     for (std::size_t i = 0; i < found.stops.size(); ++i) {
@@ -183,8 +185,8 @@ std::string fault_words(const FoundRoute& found, const std::function<std::string
     return fmt::format("{}", fmt::join(words, "; "));
 }
 
-Route joined(Route first, const Route& then) {
-    for (RoutePassage passage : then.passages) {
+navigation::Route joined(navigation::Route first, const navigation::Route& then) {
+    for (navigation::RoutePassage passage : then.passages) {
         passage.at_m += first.length_m;
         first.passages.push_back(passage);
     }
@@ -198,14 +200,14 @@ Route joined(Route first, const Route& then) {
     return first;
 }
 
-Route plan_through(Navigation& navigation, const Vec3& from_m, std::span<const Vec3> places_m,
-                   std::vector<double>* at_m) {
+navigation::Route plan_through(navigation::Navigation& navigation, const Vec3& from_m, std::span<const Vec3> places_m,
+                               std::vector<double>* at_m) {
     contract_pre(is_finite(from_m));
-    Route all;
+    navigation::Route all;
     if (at_m) at_m->clear();
     Vec3 at = from_m;
     for (const Vec3& place : places_m) {
-        Route leg = navigation.plan(at, place);
+        navigation::Route leg = navigation.plan(at, place);
         if (leg.points_m.empty() && all.points_m.empty()) return leg;
         all = joined(std::move(all), leg);
         if (at_m) at_m->push_back(all.length_m);
@@ -227,7 +229,8 @@ std::vector<Vec3> corners_of(std::span<const Vec3> trail_m, double off_m) {
         std::size_t farthest = first;
         double most_m = off_m;
         for (std::size_t i = first + 1; i < last; ++i)
-            if (const double away_m = nearest_on_way(std::array{trail_m[first], trail_m[last]}, trail_m[i]).distance_m;
+            if (const double away_m =
+                    navigation::nearest_on_way(std::array{trail_m[first], trail_m[last]}, trail_m[i]).distance_m;
                 away_m > most_m) {
                 most_m = away_m;
                 farthest = i;
@@ -272,4 +275,4 @@ std::vector<Vec3> RouteRun::places() const {
     return places;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

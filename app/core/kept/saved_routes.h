@@ -14,7 +14,7 @@
 #include "worlds/navigation/rooms.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct Stop {
     std::string name;      // as announced; empty: passed silently
@@ -61,18 +61,18 @@ struct FoundRoute {
     std::vector<Stop> stops;
     std::vector<StopFault> faults;
 };
-FoundRoute look_up(const SavedRoute& way, const Scene& scene, const SideFile& file, const Navigation& navigation,
-                 const RoomGraph& graph);
+FoundRoute look_up(const SavedRoute& way, const Scene& scene, const SideFile& file,
+                   const navigation::Navigation& navigation, const navigation::RoomGraph& graph);
 // "Desk is gone; no way on foot from Hall to Kitchen". Empty if everything fits.
 std::string fault_words(const FoundRoute& found, const std::function<std::string(double)>& distance);
 
 // Joins two routes; the second begins where the first ends.
-Route joined(Route first, const Route& then);
+navigation::Route joined(navigation::Route first, const navigation::Route& then);
 
 // Plans a route on foot through several places. It ends before the first place that cannot be reached. at_m, if given,
 // receives the distance of each place along the route.
-Route plan_through(Navigation& navigation, const Vec3& from_m, std::span<const Vec3> places_m,
-                   std::vector<double>* at_m = nullptr);
+navigation::Route plan_through(navigation::Navigation& navigation, const Vec3& from_m, std::span<const Vec3> places_m,
+                               std::vector<double>* at_m = nullptr);
 
 // Reduces a trail to few points, including the first and the last. No point of the trail is farther than `off_m` from
 // the straight lines between them.
@@ -98,4 +98,4 @@ struct RouteRun {
     std::vector<Vec3> places() const;  // from `next` to goal()
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

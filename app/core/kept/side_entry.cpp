@@ -6,7 +6,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::core {
 
 std::string text_of(const SideEntry& entry, const std::string& key, const std::string& otherwise) {
     const auto found = entry.find(key);
@@ -67,4 +67,4 @@ Result<std::string> good_name(std::string_view typed) {
     return name;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

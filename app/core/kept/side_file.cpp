@@ -18,7 +18,7 @@
 #include "worlds/base/overloaded.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace fs = std::filesystem;
 namespace {
 
@@ -68,80 +68,84 @@ bool lies_beside(const fs::path& near, const fs::path& far, bool shipped) {
                            ::access(folder.c_str(), W_OK | X_OK) == 0);
 }
 
-SideEntry entry_from(const TomlValue& table);
-TomlValue table_from(const SideEntry& entry);
+SideEntry entry_from(const settings::TomlValue& table);
+settings::TomlValue table_from(const SideEntry& entry);
 
-SideValue from_toml(const TomlValue& value) {
+SideValue from_toml(const settings::TomlValue& value) {
     if (const auto* v = value.flag()) return *v;
     if (const auto* v = value.whole()) return *v;
     if (const auto* v = value.fraction()) return *v;
     if (const auto* v = value.text()) return *v;
-    if (const TomlValue::Array* list = value.array()) {
+    if (const settings::TomlValue::Array* list = value.array()) {
         std::vector<double> numbers;
-        for (const TomlValue& one : *list)
+        for (const settings::TomlValue& one : *list)
             if (const double* number = one.fraction()) numbers.push_back(*number);
         if (!list->empty() && numbers.size() == list->size()) return numbers;
         if (value.is_tables()) {
             std::vector<SideTable> tables;
-            for (const TomlValue& one : *list) tables.push_back({entry_from(one)});
+            for (const settings::TomlValue& one : *list) tables.push_back({entry_from(one)});
             return tables;
         }
     }
-    TomlValue as_it_is = value;
+    settings::TomlValue as_it_is = value;
     as_it_is.in_line = value.table() != nullptr;
     return as_it_is;
 }
 
-TomlValue toml_from(const SideValue& value) {
-    TomlValue made;
-    std::visit(
-        Overloaded{[&](const std::vector<double>& numbers) {
-                       TomlValue::Array list(numbers.size());
-                       for (std::size_t i = 0; i < numbers.size(); ++i) list[i].value = numbers[i];
-                       made.value = std::move(list);
-                   },
-                   [&](const std::vector<SideTable>& tables) {
-                       TomlValue::Array list;
-                       for (const SideTable& one : tables) list.push_back(table_from(one.entry));
-                       made.value = std::move(list);
-                   },
-                   [&](const TomlValue& as_it_is) { made = as_it_is; }, [&](const auto& plain) { made.value = plain; }},
-        value);
+settings::TomlValue toml_from(const SideValue& value) {
+    settings::TomlValue made;
+    std::visit(Overloaded{[&](const std::vector<double>& numbers) {
+                              settings::TomlValue::Array list(numbers.size());
+                              for (std::size_t i = 0; i < numbers.size(); ++i) list[i].value = numbers[i];
+                              made.value = std::move(list);
+                          },
+                          [&](const std::vector<SideTable>& tables) {
+                              settings::TomlValue::Array list;
+                              for (const SideTable& one : tables) list.push_back(table_from(one.entry));
+                              made.value = std::move(list);
+                          },
+                          [&](const settings::TomlValue& as_it_is) { made = as_it_is; },
+                          [&](const auto& plain) { made.value = plain; }},
+               value);
     return made;
 }
 
-SideEntry entry_from(const TomlValue& table) {
+SideEntry entry_from(const settings::TomlValue& table) {
     SideEntry entry;
     for (const auto& [key, value] : *table.table()) entry.emplace(key, from_toml(value));
     return entry;
 }
 
-TomlValue table_from(const SideEntry& entry) {
-    TomlValue table = TomlValue::empty_table();
+settings::TomlValue table_from(const SideEntry& entry) {
+    settings::TomlValue table = settings::TomlValue::empty_table();
     for (const auto& [key, value] : entry) table.set(key, toml_from(value));
     return table;
 }
 
-bool missing_or_tables(const TomlValue* value) { return !value || value->is_tables(); }
-bool missing_or_table(const TomlValue* value) { return !value || value->table(); }
+bool missing_or_tables(const settings::TomlValue* value) { return !value || value->is_tables(); }
+bool missing_or_table(const settings::TomlValue* value) { return !value || value->table(); }
 
-bool alike(const TomlValue* a, const TomlValue* b) { return a && b ? same(from_toml(*a), from_toml(*b)) : a == b; }
+bool alike(const settings::TomlValue* a, const settings::TomlValue* b) {
+    return a && b ? same(from_toml(*a), from_toml(*b)) : a == b;
+}
 
-std::vector<SideEntry> entries_in(const TomlValue* value) {
+std::vector<SideEntry> entries_in(const settings::TomlValue* value) {
     std::vector<SideEntry> entries;
-    if (const TomlValue::Array* list = value ? value->array() : nullptr)
-        for (const TomlValue& one : *list)
+    if (const settings::TomlValue::Array* list = value ? value->array() : nullptr)
+        for (const settings::TomlValue& one : *list)
             if (one.table()) entries.push_back(entry_from(one));
     return entries;
 }
 
-SideEntry table_in(const TomlValue* value) { return value && value->table() ? entry_from(*value) : SideEntry{}; }
+SideEntry table_in(const settings::TomlValue* value) {
+    return value && value->table() ? entry_from(*value) : SideEntry{};
+}
 
-void put_list(TomlValue& root, const std::string& name, const std::vector<SideEntry>& entries) {
+void put_list(settings::TomlValue& root, const std::string& name, const std::vector<SideEntry>& entries) {
     if (entries.empty()) return root.erase(name);
-    TomlValue::Array tables;
+    settings::TomlValue::Array tables;
     for (const SideEntry& entry : entries) tables.push_back(table_from(entry));
-    TomlValue list;
+    settings::TomlValue list;
     list.value = std::move(tables);
     root.set(name, std::move(list));
 }
@@ -170,10 +174,10 @@ struct SideFile::Content {
     fs::path path, other_path;  // where it is saved, and where if that folder cannot be written
     fs::path read_from;         // the file that was read
     std::string checksum;
-    TomlReader toml = toml_of;
-    TomlValue root = TomlValue::empty_table();
-    TomlValue base = TomlValue::empty_table();  // as it was read or last saved
-    std::string saved;                          // its text
+    settings::TomlReader toml = settings::toml_of;
+    settings::TomlValue root = settings::TomlValue::empty_table();
+    settings::TomlValue base = settings::TomlValue::empty_table();  // as it was read or last saved
+    std::string saved;                                              // its text
     std::vector<std::string> news;
     TakenOver taken_over;
     bool changed = false, overwrites = false;  // overwrites: something that is not a list or table of entries
@@ -188,14 +192,14 @@ struct SideFile::Content {
     }
 
     // Merges what another session has written into the content of this one.
-    TomlValue merged_with(const TomlValue& other, TakenOver& taken) const {
-        TomlValue merged = other;
+    settings::TomlValue merged_with(const settings::TomlValue& other, TakenOver& taken) const {
+        settings::TomlValue merged = other;
         std::set<std::string> names;
-        for (const TomlValue* one : {&base, &root, &other})
-            for (const TomlMember& member : *one->table()) names.insert(member.key);
+        for (const settings::TomlValue* one : {&base, &root, &other})
+            for (const settings::TomlMember& member : *one->table()) names.insert(member.key);
         std::vector<std::string> conflicts, twice;
         for (const std::string& name : names) {
-            const TomlValue *before = base.find(name), *here = root.find(name), *there = other.find(name);
+            const settings::TomlValue *before = base.find(name), *here = root.find(name), *there = other.find(name);
             // Equal marks set by both sessions stay two marks.
             const bool new_marks = name == kMarks && !alike(before, here);
             if (alike(here, there) && !new_marks) continue;
@@ -252,7 +256,7 @@ struct SideFile::Content {
         fs::create_directories(folder, ec);  // the lock needs the folder; writing reports any error
         const FolderLock lock(folder, kLockWait_s);
         if (lock.held_elsewhere()) return fail(phrase("side_file.locked", {{"file", to.filename().string()}}));
-        TomlValue all = root;
+        settings::TomlValue all = root;
         TakenOver taken;
         if (overwrites && to == read_from) {
             if (const auto kept = keep_aside(to); !kept) return tl::unexpected(kept.error());
@@ -261,7 +265,7 @@ struct SideFile::Content {
             const auto now = read_whole_file(to, kLongestFile_bytes);
             if (!now) return tl::unexpected(now.error());
             if (*now != saved) {
-                if (const Result<TomlValue> other = toml(*now)) {
+                if (const Result<settings::TomlValue> other = toml(*now)) {
                     all = merged_with(*other, taken);
                     // The file may be intact, so it is not overwritten.
                 } else if (other.error().line == 0) {
@@ -274,12 +278,12 @@ struct SideFile::Content {
                 }
             }
         }
-        std::string text =
-            "# What was added to this world in Handrail. Lengths are world metres.\n" + written_toml(all) + "\n";
+        std::string text = "# What was added to this world in Handrail. Lengths are world metres.\n" +
+                           settings::written_toml(all) + "\n";
         // The text is parsed again before it is written, so that memory and file agree, including line numbers. This
         // process parses it, because it is our own text. If memory is short, toml++ 3.3 writes fewer digits of a
         // number; the comparison detects that.
-        Result<TomlValue> again = toml_of(text);
+        Result<settings::TomlValue> again = settings::toml_of(text);
         if (!again || !same(entry_from(all), entry_from(*again)))
             return fail(phrase("side_file.unwritable"), to.filename().string());
         if (auto written = write_file_atomically(to, text); !written) return written;
@@ -299,7 +303,7 @@ struct SideFile::Content {
         const std::string name = from.filename().string();
         std::optional<int> damaged_line;  // no value: the file cannot be read
         if (const auto text = read_whole_file(from, kLongestFile_bytes); text) {
-            if (Result<TomlValue> read = toml(*text)) {
+            if (Result<settings::TomlValue> read = toml(*text)) {
                 root = std::move(*read);
                 base = root;
                 saved = *text;
@@ -336,7 +340,8 @@ SideFile::~SideFile() = default;
 SideFile::SideFile(SideFile&&) noexcept = default;
 SideFile& SideFile::operator=(SideFile&&) noexcept = default;
 
-SideFile SideFile::of_world(const fs::path& world, const fs::path& data_folder, bool shipped, TomlReader toml) {
+SideFile SideFile::of_world(const fs::path& world, const fs::path& data_folder, bool shipped,
+                            settings::TomlReader toml) {
     SideFile file;
     Content& content = *file.content_;
     content.toml = std::move(toml);
@@ -360,11 +365,11 @@ std::string SideFile::checksum_of_world(const fs::path& world) {
 }
 
 SideEntry SideFile::peek(const fs::path& world, const fs::path& data_folder, bool shipped, const std::string& name,
-                         const TomlReader& toml) {
+                         const settings::TomlReader& toml) {
     const fs::path near = beside(world), far = data_folder.empty() ? fs::path() : in_data_folder(world, data_folder);
     for (const fs::path& from : {shipped ? far : near, shipped ? near : far}) {
         if (from.empty() || !is_there(from) || is_link(from)) continue;
-        const Result<TomlValue> read = toml(read_whole_file(from, kLongestFile_bytes).value_or(""));
+        const Result<settings::TomlValue> read = toml(read_whole_file(from, kLongestFile_bytes).value_or(""));
         if (read) return table_in(read->find(name));
         // SideFile::of_world reports the damage. If the content is unknown, it also tries the other file.
         if (read.error().line > 0) return {};
@@ -373,7 +378,7 @@ SideEntry SideFile::peek(const fs::path& world, const fs::path& data_folder, boo
 }
 
 SideEntry SideFile::table_of_text(const std::string& text, const std::string& name) {
-    const Result<TomlValue> read = toml_of(text);
+    const Result<settings::TomlValue> read = settings::toml_of(text);
     return read ? table_in(read->find(name)) : SideEntry{};  // of_world reports what is wrong
 }
 
@@ -393,10 +398,11 @@ void SideFile::set_entries(const std::string& name, const std::vector<SideEntry>
 }
 
 std::optional<Error> SideFile::fault_of_list(const std::string& name) const {
-    const TomlValue* value = content_->root.find(name);
-    const TomlValue::Array* list = value ? value->array() : nullptr;
-    const bool fits = !value || (list && std::all_of(list->begin(), list->end(),
-                                                     [](const TomlValue& one) { return one.table() != nullptr; }));
+    const settings::TomlValue* value = content_->root.find(name);
+    const settings::TomlValue::Array* list = value ? value->array() : nullptr;
+    const bool fits = !value || (list && std::all_of(list->begin(), list->end(), [](const settings::TomlValue& one) {
+                                     return one.table() != nullptr;
+                                 }));
     if (fits) return std::nullopt;
     return Error{
         content_->read_from.filename().string(), value->line, 0,
@@ -405,9 +411,9 @@ std::optional<Error> SideFile::fault_of_list(const std::string& name) const {
 
 Error SideFile::fault_in(const std::string& name, std::size_t entry, std::string message) const {
     Error fault{content_->read_from.filename().string(), 0, 0, std::move(message)};
-    const TomlValue* value = content_->root.find(name);
-    if (const TomlValue::Array* list = value ? value->array() : nullptr)
-        for (const TomlValue& one : *list)
+    const settings::TomlValue* value = content_->root.find(name);
+    if (const settings::TomlValue::Array* list = value ? value->array() : nullptr)
+        for (const settings::TomlValue& one : *list)
             if (one.table() && entry-- == 0) fault.line = one.line;
     return fault;
 }
@@ -416,7 +422,8 @@ SideEntry SideFile::table(const std::string& name) const { return table_in(conte
 
 void SideFile::set_table(const std::string& name, const SideEntry& table) {
     contract_pre(!name.empty());
-    if (const TomlValue* value = content_->root.find(name); value && !value->table() && !content_->read_from.empty())
+    if (const settings::TomlValue* value = content_->root.find(name);
+        value && !value->table() && !content_->read_from.empty())
         content_->overwrites = true;
     if (table.empty()) content_->root.erase(name);
     else content_->root.set(name, table_from(table));
@@ -462,4 +469,4 @@ fs::path user_data_folder(std::string_view name) {
     return folder.empty() ? folder : folder / name;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

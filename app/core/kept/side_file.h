@@ -23,12 +23,12 @@
 #include "worlds/base/variant.h"
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct SideTable;
 // TomlValue holds whatever is none of the other types; it is kept and written back unchanged.
-using SideValue =
-    CopyableVariant<bool, std::int64_t, double, std::string, std::vector<double>, std::vector<SideTable>, TomlValue>;
+using SideValue = CopyableVariant<bool, std::int64_t, double, std::string, std::vector<double>, std::vector<SideTable>,
+                                  settings::TomlValue>;
 using SideEntry = std::map<std::string, SideValue>;
 // A table in a list inside an entry, such as [[way.stop]] in a [[way]].
 struct SideTable {
@@ -72,7 +72,7 @@ public:
     // parses the file, now and whenever save() finds changes by another session. If it cannot tell what the file
     // contains, the file stays untouched and additions go elsewhere.
     static SideFile of_world(const std::filesystem::path& world, const std::filesystem::path& data_folder,
-                             bool shipped = false, TomlReader toml = toml_of);
+                             bool shipped = false, settings::TomlReader toml = settings::toml_of);
 
     // The same as path() and world_checksum() of an opened file, but without parsing it.
     static std::filesystem::path path_of(const std::filesystem::path& world, const std::filesystem::path& data_folder,
@@ -82,7 +82,7 @@ public:
     // Reads the table [name] of the file that belongs to `world` without opening it for use: nothing is written,
     // renamed or announced. Empty if there is no such table or the file is damaged. Any thread.
     static SideEntry peek(const std::filesystem::path& world, const std::filesystem::path& data_folder, bool shipped,
-                          const std::string& name, const TomlReader& toml = toml_of);
+                          const std::string& name, const settings::TomlReader& toml = settings::toml_of);
 
     // The table [name] in the text of a side file; empty if there is none or the text is damaged. Any thread.
     static SideEntry table_of_text(const std::string& text, const std::string& name);
@@ -160,4 +160,4 @@ std::filesystem::path user_data_folder();
 // depend on the program's working directory.
 std::filesystem::path user_data_folder(std::string_view name);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -8,7 +8,7 @@
 
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 using At = std::optional<std::size_t>;
@@ -165,4 +165,4 @@ MergedTable merge_table(const SideEntry& base, const SideEntry& here, const Side
     return merged;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -9,7 +9,7 @@
 
 #include "app/core/kept/side_file.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct MergedEntries {
     std::vector<SideEntry> entries;  // those here in their order, then those that only the other session has
@@ -44,4 +44,4 @@ MergedTable merge_table(const SideEntry& base, const SideEntry& here, const Side
 bool same(const SideValue& a, const SideValue& b);
 bool same(const SideEntry& a, const SideEntry& b);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -2,13 +2,13 @@
 
 #include "app/core/kept/side_file.h"
 
-namespace handrail {
+namespace handrail::core {
 
-std::string language_as_set(const Settings::Speech& settings, const std::filesystem::path& folder) {
+std::string language_as_set(const settings::Settings::Speech& settings, const std::filesystem::path& folder) {
     return settings.language == "auto" ? language_of_environment(folder) : settings.language;
 }
 
-std::vector<Diagnostic> speak_as_set(const Settings::Speech& settings, const std::filesystem::path& folder) {
+std::vector<Diagnostic> speak_as_set(const settings::Settings::Speech& settings, const std::filesystem::path& folder) {
     const Result<std::vector<Diagnostic>> spoken = speak_language(language_as_set(settings, folder), folder);
     if (spoken) return *spoken;
     const Error& error = spoken.error();
@@ -17,4 +17,4 @@ std::vector<Diagnostic> speak_as_set(const Settings::Speech& settings, const std
 
 std::filesystem::path user_languages_folder() { return user_data_folder("languages"); }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace handrail {
+namespace handrail::core {
 
 struct WorldRequest {
     std::filesystem::path file = {};                  // absolute once the world is entered; empty: no file
@@ -21,4 +21,4 @@ struct WorldRequest {
     bool operator==(const WorldRequest&) const = default;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -9,7 +9,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace fs = std::filesystem;
 namespace {
 
@@ -101,4 +101,4 @@ fs::path recent_worlds_path() {
     return {};
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace handrail {
+namespace handrail::core {
 
 struct ShelvedWorld {
     std::string name;  // fit to be spoken, from the file's name
@@ -48,4 +48,4 @@ struct WorldShelf {
     std::vector<std::filesystem::path> recent;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -10,7 +10,7 @@
 
 #include "worlds/navigation/walk_space.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kHoleBelow_m = 0.5;  // largest depth of a hole below the floor around it
@@ -51,7 +51,7 @@ bool has_room(const Scene& scene, const Vec3& middle_m, double radius_m) {
 }
 
 // The cells over which the ball's centre can be.
-Cells rolled_on(const Scene& scene, const WalkSpace& space, const Vec3& feet_m) {
+Cells rolled_on(const Scene& scene, const navigation::WalkSpace& space, const Vec3& feet_m) {
     const double cell_m = space.cell_m;
     const auto column = [&](double place_m, double origin_m) {
         return static_cast<int>(std::floor((place_m - origin_m) / cell_m));
@@ -61,7 +61,7 @@ Cells rolled_on(const Scene& scene, const WalkSpace& space, const Vec3& feet_m) 
     };
     const auto floor_at = [&](int x, int y, double z) -> std::optional<double> {
         const Vec3 at_m = middle_m(x, y, z);
-        if (const std::uint32_t span = space.at(at_m); span != kNothing) return space.place_m(span).z;
+        if (const std::uint32_t span = space.at(at_m); span != navigation::kNothing) return space.place_m(span).z;
         const bool over_hole = std::any_of(
             scene.labyrinth.holes.begin(), scene.labyrinth.holes.end(), [&](const LabyrinthPlan::Place& hole) {
                 const double above_m = z - hole.box_m.max_m.z;
@@ -178,12 +178,12 @@ std::vector<CellStrip> largest_strips(std::vector<bool> free, int width, int dep
 
 Result<std::vector<Corridor>> corridors_of(const Scene& scene, const Vec3& ball_m, double radius_m) {
     const Vec3 feet_m = ball_m - Vec3(0.0, 0.0, radius_m);
-    WalkerMeasures ball;
+    navigation::WalkerMeasures ball;
     ball.radius_m = radius_m;
     ball.height_m = 2.0 * radius_m;
     ball.step_up_m = 0.3 * radius_m;
     ball.cell_m = 0.5 * radius_m;
-    const auto space = make_walk_space(begun_on_the_board(scene, feet_m, 2.0 * radius_m), ball);
+    const auto space = navigation::make_walk_space(begun_on_the_board(scene, feet_m, 2.0 * radius_m), ball);
     if (!space) return tl::unexpected(space.error());
     const Cells cells = rolled_on(scene, *space, feet_m);
     std::vector<CellStrip> strips = largest_strips(cells.free, cells.width, cells.depth);
@@ -232,4 +232,4 @@ Result<std::vector<Corridor>> corridors_of(const Scene& scene, const Vec3& ball_
     return corridors;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

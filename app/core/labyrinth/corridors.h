@@ -9,7 +9,7 @@
 #include "worlds/base/result.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // A range of cells in x and in y; both ends are included.
 struct CellStrip {
@@ -48,4 +48,4 @@ struct Corridor {
 // is no floor to roll on.
 Result<std::vector<Corridor>> corridors_of(const Scene& scene, const Vec3& ball_m, double radius_m);
 
-}  // namespace handrail
+}  // namespace handrail::core

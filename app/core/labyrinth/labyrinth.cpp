@@ -12,7 +12,7 @@
 #include "app/core/learning/time_words.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kMoved_m = 0.01;  // a movement of this size starts the clock
@@ -42,7 +42,8 @@ Labyrinth::Labyrinth(const SessionContext& context, Bodies& bodies, Soundscape& 
 // Plays one sound, however often the ball bounces there.
 void Labyrinth::meet_border(FeatureId thing, FeatureId met, double now_s) {
     if (!there() || thing != plan().ball || std::count(plan().borders.begin(), plan().borders.end(), met) == 0) return;
-    if (now_s - std::exchange(thud_s_, now_s) > kThudAgain_s) context_.play_at(SoundKind::Border, ball_m(), now_s);
+    if (now_s - std::exchange(thud_s_, now_s) > kThudAgain_s)
+        context_.play_at(cues::SoundKind::Border, ball_m(), now_s);
 }
 
 void Labyrinth::enter_world(double now_s) {
@@ -234,8 +235,8 @@ void Labyrinth::look_at_holes(double now_s, bool tell) {
         if (is == covered_[i]) continue;
         covered_[i] = is;
         if (!tell) continue;
-        if (is) context_.play_at(SoundKind::Knock, plan().holes[i].box_m.centre_m(), now_s);
-        context_.say(phrase(is ? "labyrinth.covered" : "labyrinth.open"), SpeechClass::Answer, now_s);
+        if (is) context_.play_at(cues::SoundKind::Knock, plan().holes[i].box_m.centre_m(), now_s);
+        context_.say(phrase(is ? "labyrinth.covered" : "labyrinth.open"), cues::SpeechClass::Answer, now_s);
     }
 }
 
@@ -251,11 +252,11 @@ void Labyrinth::sound() {
         if (covered_[i] || edge_m > hums_m) continue;
         // Rounded to quarters of a beat, so that the sound changes only if that can be heard.
         const double beats = kFastestBeat_hz - (kFastestBeat_hz - kSlowestBeat_hz) * edge_m / hums_m;
-        sounds.push_back({SoundKind::Hum, box.centre_m(), kLoudness, std::round(4.0 * beats) / 4.0});
+        sounds.push_back({cues::SoundKind::Hum, box.centre_m(), kLoudness, std::round(4.0 * beats) / 4.0});
     }
     for (const LabyrinthPlan::Place& goal : plan().goals)
         if (glm::length(goal.box_m.centre_m() - ball) <= rings_m)
-            sounds.push_back({SoundKind::Tolling, goal.box_m.centre_m(), kLoudness});
+            sounds.push_back({cues::SoundKind::Tolling, goal.box_m.centre_m(), kLoudness});
     if (sounds == sounds_) return;
     sounds_ = std::move(sounds);
     soundscape_.add(sounds_);
@@ -290,7 +291,7 @@ void Labyrinth::tick(double now_s) {
         if (holds(hole.box_m, ball)) {
             fallen_s_ = now_s;
             bodies_.step_is_told();
-            context_.play_at(SoundKind::Falls, ball, now_s);
+            context_.play_at(cues::SoundKind::Falls, ball, now_s);
             return context_.answer(phrase("labyrinth.fell"), now_s);
         }
     if (const double far_m = to_goal_m(); far_m < nearest_m_ - kNearer_m) {
@@ -302,11 +303,11 @@ void Labyrinth::tick(double now_s) {
             over_ = true;
             bodies_.step_is_told();
             const double took_s = now_s - began_s_;
-            context_.play(SoundKind::Arrived, now_s);
+            context_.play(cues::SoundKind::Arrived, now_s);
             return context_.answer(phrase("labyrinth.finished", {{"time", time_words(took_s)}}) + " " +
                                        best_.finish(context_.world.scene->name, took_s),
                                    now_s);
         }
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -13,7 +13,7 @@
 #include "app/core/labyrinth/corridors.h"
 #include "app/core/learning/best_times.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class Labyrinth : SessionPart {
 public:
@@ -65,4 +65,4 @@ private:
     bool hint_told_ = false;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

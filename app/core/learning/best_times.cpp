@@ -7,7 +7,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 
 std::string BestTimes::finish(const std::string& world, double took_s) {
     contract_pre(took_s >= 0.0);
@@ -31,4 +31,4 @@ std::string BestTimes::finish(const std::string& world, double took_s) {
     return text;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

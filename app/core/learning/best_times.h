@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-namespace handrail {
+namespace handrail::core {
 
 class BestTimes {
 public:
@@ -25,4 +25,4 @@ private:
     std::map<std::string, double> session_s_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

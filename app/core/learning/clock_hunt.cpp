@@ -11,7 +11,7 @@
 #include "worlds/base/language.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kHide_m = 6.0;       // least distance on foot from the walker
@@ -56,8 +56,8 @@ void ClockHunt::hide(double now_s) {
     const Vec3 clock = ground.hiding_place(static_cast<std::uint64_t>(now_s * 1e3) + 7919U * ++hunts_, kHide_m);
     ground.aim(clock);
     hidden_.emplace(Hidden{std::move(ground), std::move(world), clock, now_s, 0});
-    soundscape_.add({{SoundKind::HiddenClock, clock + kAbove_m}});
-    context_.play(SoundKind::Arrived, now_s);
+    soundscape_.add({{cues::SoundKind::HiddenClock, clock + kAbove_m}});
+    context_.play(cues::SoundKind::Arrived, now_s);
     context_.answer(phrase("hunt.begun", {{"key", context_.keys.keys_of(Command::Hunt)}}), now_s);
 }
 
@@ -101,10 +101,10 @@ void ClockHunt::tick(double now_s) {
     const int hints = hidden_->hints;
     hidden_.reset();
     soundscape_.add({});
-    context_.play(SoundKind::Arrived, now_s);
+    context_.play(cues::SoundKind::Arrived, now_s);
     std::string text = phrase("hunt.found", {{"time", time_words(took_s)}, {"hints", hints}});
     text += " " + best_.finish(context_.world.scene->name, took_s);
     context_.answer(text, now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -13,7 +13,7 @@
 #include "app/core/learning/hunt.h"
 #include "app/core/whereabouts/rooms.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class ClockHunt : SessionPart {
 public:
@@ -34,7 +34,7 @@ private:
     struct Hidden {
         HuntGround ground;
         std::unique_ptr<WalkerWorld> open_world;  // the world without its doors
-        Vec3 clock_m{0.0};                      // where a person at the clock would stand
+        Vec3 clock_m{0.0};                        // where a person at the clock would stand
         double began_s = 0.0;
         int hints = 0;
     };
@@ -49,4 +49,4 @@ private:
     bool awaits_ = false;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

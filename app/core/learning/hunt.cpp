@@ -9,7 +9,7 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kCell_m = 0.25;
@@ -131,7 +131,8 @@ std::optional<double> HuntGround::way_m(const Vec3& feet_m) const {
     return nodes_[*at].way_m;
 }
 
-std::optional<Vec3> HuntGround::next_m(const WalkerWorld& doors_open, const Vec3& feet_m, const WalkerSize& body) const {
+std::optional<Vec3> HuntGround::next_m(const WalkerWorld& doors_open, const Vec3& feet_m,
+                                       const WalkerSize& body) const {
     auto at = nearest(feet_m);
     if (!at || nodes_[*at].way_m < 0.0) return std::nullopt;
     Vec3 best = nodes_[*at].feet_m;
@@ -158,4 +159,4 @@ bool finds(const WalkerWorld& world, const Vec3& feet_m, const Vec3& clock_feet_
     return glm::length(way) < 0.1 || !world.trace(feet_m + up, clock_feet_m + up, WalkerShape{}).hit;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

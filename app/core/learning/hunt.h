@@ -8,7 +8,7 @@
 
 #include "app/core/world/walker.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // The places, a quarter of a metre apart, that a walker can reach from where it stands, including over steps and
 // stairs, and how far each is from a given one.
@@ -43,4 +43,4 @@ private:
 // True if a walker or a hand at that place has found the clock: within a step, with nothing in between.
 bool finds(const WalkerWorld& world, const Vec3& feet_m, const Vec3& clock_feet_m);
 
-}  // namespace handrail
+}  // namespace handrail::core

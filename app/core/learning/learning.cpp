@@ -9,7 +9,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/geometry/clip.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr std::size_t kMostNotes = 1000000;  // 40 km of new ground; later notes are dropped
@@ -242,4 +242,4 @@ std::vector<Lane> lanes_of(const Learnt& learnt) {
     return lanes;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

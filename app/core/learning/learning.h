@@ -12,7 +12,7 @@
 #include "app/core/world/walker.h"
 #include "worlds/navigation/rooms.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // A touch by the hand, or by a walker that trails or bumps into a wall: a stretch of wall `reach_m` to either side of
 // the point.
@@ -76,7 +76,8 @@ struct Place {
 // A room as a place to learn. Its boundary is doors, open or shut, other rooms, drops and steps too high to climb.
 // Free-standing objects are not walls. Its exits are the portals of the room and doors that lead nowhere; edges with a
 // drop are not exits.
-Place place_of_room(const WalkerWorld& world, const WalkSpace& space, const RoomGraph& graph, std::uint32_t room);
+Place place_of_room(const WalkerWorld& world, const navigation::WalkSpace& space, const navigation::RoomGraph& graph,
+                    std::uint32_t room);
 
 // A place and what is known of it.
 class Learnt {
@@ -138,4 +139,4 @@ std::vector<Lane> lanes_of(const Learnt& learnt);
 
 inline constexpr double kFloorReach_m = 0.5;  // to either side of the person's path
 
-}  // namespace handrail
+}  // namespace handrail::core

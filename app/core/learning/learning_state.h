@@ -9,7 +9,7 @@
 #include "app/core/learning/learning.h"
 #include "app/core/learning/learnt_file.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // Progress in one room, until its world is left.
 struct RoomLearning {
@@ -35,7 +35,7 @@ struct LearningState {
     double corner_s = -1e9;
     // The guided mode: walls first, then lanes.
     bool on = false;
-    std::uint32_t room = kNothing;  // the room in which the person is guided
+    std::uint32_t room = navigation::kNothing;  // the room in which the person is guided
     std::size_t seen_notes = 0;
     double looked_s = -1e9;
     // Stored between sessions:
@@ -46,4 +46,4 @@ struct LearningState {
     double kept_s = 0.0, began_s = 0.0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

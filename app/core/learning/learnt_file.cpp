@@ -10,7 +10,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kStepCell_m = 0.1, kOneFloor_m = 0.4;
@@ -174,4 +174,4 @@ void thin_out(const LearningNotes& notes, KeptLearning& kept) {
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -10,7 +10,7 @@
 #include "app/core/kept/side_file.h"
 #include "app/core/learning/learning.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct KeptRoom {
     std::string name;  // as in the room graph
@@ -41,4 +41,4 @@ void write_learnt(SideFile& file, const KeptLearning& kept);
 // second application changes nothing.
 void thin_out(const LearningNotes& notes, KeptLearning& kept);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -12,7 +12,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kLookEvery_s = 1.0, kKeepEvery_s = 60.0;
@@ -54,14 +54,14 @@ void PlaceLearning::take_kept() {
 
 void PlaceLearning::tell_kept(double now_s) {
     if (state_.fault)
-        return context_.say(phrase("learning.unreadable", {{"fault", state_.fault->sentence()}}), SpeechClass::Answer,
-                            now_s);
+        return context_.say(phrase("learning.unreadable", {{"fault", state_.fault->sentence()}}),
+                            cues::SpeechClass::Answer, now_s);
     if (!state_.keeps || state_.kept.sessions == 0) return;
     context_.say(phrase("learning.remembered", {{"sessions", state_.kept.sessions},
                                                 {"time", time_words(state_.kept.spent_s)},
                                                 {"unexplored", context_.keys.keys_of(Command::Unexplored)},
                                                 {"rooms", context_.keys.keys_of(Command::LearntRooms)}}),
-                 SpeechClass::Answer, now_s);
+                 cues::SpeechClass::Answer, now_s);
 }
 
 void PlaceLearning::take_again() {
@@ -113,9 +113,9 @@ void PlaceLearning::note(const std::optional<Vec3>& bumped, const std::optional<
     spend_time();
     if (context_.body.walker->state().on_ground) state_.notes.walked(feet_m);
     if (trailed) state_.notes.touched(feet_m - *trailed * (radius + Trail::kGap_m), *trailed, radius);
-    for (const ToolState* tool : {&context_.hands.tool, &context_.hands.left_tool})
+    for (const servo::ToolState* tool : {&context_.hands.tool, &context_.hands.left_tool})
         for (std::size_t i = 0; i < tool->contacts.count; ++i) {
-            const Contact& contact = tool->contacts.contacts[i];
+            const render::Contact& contact = tool->contacts.contacts[i];
             const Vec3 point = tool->proxy_m - contact.normal * tool->ball_radius_m;
             // A hand moves fast. If it stayed on the same wall, everything between two frames was touched too.
             double reach = tool->ball_radius_m;
@@ -144,24 +144,24 @@ void PlaceLearning::tick(double now_s) {
 
 // Two walls that the hand touches at once are a corner.
 void PlaceLearning::corner_of_hand(double now_s) {
-    const ContactSet& set = context_.hands.tool.contacts;
+    const render::ContactSet& set = context_.hands.tool.contacts;
     bool corner = false;
     for (std::size_t a = 0; a < set.count; ++a)
         for (std::size_t b = 0; b < a; ++b) {
-            const Contact &one = set.contacts[a], &other = set.contacts[b];
-            const auto wall = [&](const Contact& c) {
+            const render::Contact &one = set.contacts[a], &other = set.contacts[b];
+            const auto wall = [&](const render::Contact& c) {
                 const Feature* feature = context_.world.scene->find(c.feature);
                 return feature && feature->kind == FeatureKind::Wall && std::abs(c.normal.z) < 0.5;
             };
             corner |= wall(one) && wall(other) && glm::dot(one.normal, other.normal) < 0.87;
         }
     if (corner && now_s - state_.corner_s > 0.5)
-        context_.play_at(SoundKind::Corner, context_.hands.tool.proxy_m, now_s);
+        context_.play_at(cues::SoundKind::Corner, context_.hands.tool.proxy_m, now_s);
     if (corner) state_.corner_s = now_s;
 }
 
 void PlaceLearning::spend_time() {
-    if (rooms_.here() != kNothing) room(rooms_.here()).spent_s += std::exchange(state_.unplaced_s, 0.0);
+    if (rooms_.here() != navigation::kNothing) room(rooms_.here()).spent_s += std::exchange(state_.unplaced_s, 0.0);
 }
 
 // A room with everything noted up to now.
@@ -178,7 +178,7 @@ bool PlaceLearning::in_known_room(double now_s) {
     if (!rooms_.known()) return false;
     rooms_.notice(now_s, true);
     spend_time();
-    return rooms_.here() != kNothing;
+    return rooms_.here() != navigation::kNothing;
 }
 
 // Why nothing can be said about the present room.
@@ -225,7 +225,7 @@ std::string PlaceLearning::share_words(const Progress& progress) const {
 // Lists every room with its progress: the present room first, then the best known. Choosing one gives the route to it.
 void PlaceLearning::list_rooms(double now_s) {
     if (!rooms_.have(now_s)) return;
-    const RoomGraph& graph = rooms_.graph();
+    const navigation::RoomGraph& graph = rooms_.graph();
     struct Row {
         std::uint32_t room = 0;
         bool begun = false;
@@ -267,7 +267,7 @@ void PlaceLearning::toggle(double now_s) {
     if (state_.on && ask_relations(now_s)) return;
     state_.on = !state_.on;
     state_.seen_notes = 0;
-    state_.room = kNothing;
+    state_.room = navigation::kNothing;
     if (!state_.on) return context_.answer(phrase("learning.ended") + " " + progress_words(now_s), now_s);
     const bool known = in_known_room(now_s);
     if (known) {
@@ -305,11 +305,11 @@ std::string PlaceLearning::to_base_words(const RoomLearning& room) const {
 
 // In the guided mode, after a wall: once the person is back at the base, announces the next stretch of wall.
 void PlaceLearning::back_at_base(double now_s) {
-    if (!state_.on || state_.room == kNothing || rooms_.here() != state_.room) return;
+    if (!state_.on || state_.room == navigation::kNothing || rooms_.here() != state_.room) return;
     RoomLearning& here = room(state_.room);
     if (!here.to_base || !at_base(here)) return;
     here.to_base = false;
-    context_.play(SoundKind::Arrived, now_s);
+    context_.play(cues::SoundKind::Arrived, now_s);
     std::string text = phrase("learning.base_again");
     const Vec3 feet_m = context_.body.feet_m();
     const Learnt& learnt = learnt_of(state_.room);
@@ -332,7 +332,7 @@ void PlaceLearning::back_at_base(double now_s) {
 // Once all lanes are walked, asks how things lie relative to each other. Returns false if there is nothing to ask about
 // this room, or not yet.
 bool PlaceLearning::ask_relations(double now_s) {
-    if (state_.room == kNothing || rooms_.here() != state_.room) return false;
+    if (state_.room == navigation::kNothing || rooms_.here() != state_.room) return false;
     RoomLearning& here = room(state_.room);
     if (!here.base_m || !std::exchange(here.lanes_done, false)) return false;
     std::vector<RelationQuestion> questions = relation_questions(context_, rooms_, state_.room, *here.base_m);
@@ -404,7 +404,7 @@ void PlaceLearning::guide(double now_s) {
     }
     if (!room.walls_done && progress.perimeter_share() >= 0.95) {
         room.walls_done = true;
-        context_.play(SoundKind::Arrived, now_s);
+        context_.play(cues::SoundKind::Arrived, now_s);
         room.to_base = false;
         const Vec3 base = *room.base_m - context_.body.feet_m();
         const std::string where = where_words(context_, glm::length(base), std::atan2(base.x, base.y));
@@ -435,4 +435,4 @@ void PlaceLearning::guide(double now_s) {
     room.lanes_told = walked;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -12,7 +12,7 @@
 #include "app/core/learning/relations.h"
 #include "app/core/whereabouts/rooms.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class PlaceLearning : SessionPart {
 public:
@@ -64,4 +64,4 @@ private:
     LearningState state_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

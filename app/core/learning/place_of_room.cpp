@@ -12,7 +12,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/geometry/clip.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kFinest_m = 0.05;           // cell width; the length of a 4 m wall is then exact within 1.3 %
@@ -44,14 +44,14 @@ private:
     std::vector<std::pair<Aabb, FeatureId>> doors_;
 };
 
-std::vector<PlaceExit> exits_of_place(const Scene& scene, const RoomGraph& graph, std::uint32_t room,
+std::vector<PlaceExit> exits_of_place(const Scene& scene, const navigation::RoomGraph& graph, std::uint32_t room,
                                       const std::vector<WallSample>& walls) {
     std::vector<PlaceExit> exits;
-    for (const Portal& portal : graph.portals) {
-        if (portal.kind == PassageKind::Drop ||
+    for (const navigation::Portal& portal : graph.portals) {
+        if (portal.kind == navigation::PassageKind::Drop ||
             (portal.rooms[0] != room && (portal.one_way || portal.rooms[1] != room)))
             continue;
-        PlaceExit exit{{}, portal.place_m, portal.width_m, portal.kind == PassageKind::Door};
+        PlaceExit exit{{}, portal.place_m, portal.width_m, portal.kind == navigation::PassageKind::Door};
         if (portal.feature) exit.features.push_back(portal.feature);
         const auto own = std::find_if(scene.movers.begin(), scene.movers.end(),
                                       [&](const Mover& mover) { return mover.feature == portal.feature; });
@@ -74,7 +74,8 @@ std::vector<PlaceExit> exits_of_place(const Scene& scene, const RoomGraph& graph
 // Makes the place of a room; place_of_room() calls the steps in this order.
 class PlaceMaker {
 public:
-    PlaceMaker(const WalkerWorld& world, const WalkSpace& space, const RoomGraph& graph, std::uint32_t room)
+    PlaceMaker(const WalkerWorld& world, const navigation::WalkSpace& space, const navigation::RoomGraph& graph,
+               std::uint32_t room)
         : world_(world), space_(space), graph_(graph), room_(room) {}
 
     // Makes the cells: those of the walk space, divided if they are coarse, with a rim that the room does not reach.
@@ -101,7 +102,9 @@ private:
     }
     bool of_room(std::uint32_t span) const { return graph_.room_of_span[span] == room_; }
     // The area of a door belongs to the door, except in a room that consists only of a doorway.
-    bool counts(std::uint32_t span) const { return space_.spans[span].door == kNothing || (doorway_ && of_room(span)); }
+    bool counts(std::uint32_t span) const {
+        return space_.spans[span].door == navigation::kNothing || (doorway_ && of_room(span));
+    }
     bool is_in(int x, int y) const { return x >= 0 && y >= 0 && x < place_.wide && y < place_.deep; }
     int merged_from(int at, int first) const {
         const int off = at - first;
@@ -114,10 +117,10 @@ private:
     std::optional<WallSample> wall_beside(int x, int y, int dx, int dy, const Doors& doors) const;
 
     const WalkerWorld& world_;
-    const WalkSpace& space_;
-    const RoomGraph& graph_;
+    const navigation::WalkSpace& space_;
+    const navigation::RoomGraph& graph_;
     const std::uint32_t room_;
-    const WalkerMeasures& body_ = space_.body;
+    const navigation::WalkerMeasures& body_ = space_.body;
     const WalkerShape column_{0.0, body_.height_m - body_.step_up_m - 0.1};
     const Vec3 up_{0.0, 0.0, body_.step_up_m + 0.02};
     const double reach_m_ = 1.5 * body_.radius_m;  // from the nearest place for the walker's centre into a corner
@@ -134,7 +137,7 @@ private:
 
 bool PlaceMaker::measure_room() {
     for (std::uint32_t s = 0; s < space_.spans.size() && doorway_; ++s)
-        doorway_ = !of_room(s) || space_.spans[s].door != kNothing;
+        doorway_ = !of_room(s) || space_.spans[s].door != navigation::kNothing;
     for (std::uint32_t s = 0; s < space_.spans.size(); ++s) {
         if (!of_room(s) || !counts(s)) continue;
         const auto [x, y] = column_of(s);
@@ -283,7 +286,8 @@ std::optional<WallSample> PlaceMaker::wall_beside(int x, int y, int dx, int dy, 
 
 }  // namespace
 
-Place place_of_room(const WalkerWorld& world, const WalkSpace& space, const RoomGraph& graph, std::uint32_t room) {
+Place place_of_room(const WalkerWorld& world, const navigation::WalkSpace& space, const navigation::RoomGraph& graph,
+                    std::uint32_t room) {
     contract_pre(room < graph.rooms.size());
     contract_pre(graph.room_of_span.size() == space.spans.size());
     PlaceMaker maker(world, space, graph, room);
@@ -297,4 +301,4 @@ Place place_of_room(const WalkerWorld& world, const WalkSpace& space, const Room
     return maker.take();
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -10,7 +10,7 @@
 #include "worlds/base/language.h"
 #include "worlds/scene/outer_ground.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr std::size_t kMostQuestions = 3;
@@ -55,4 +55,4 @@ std::vector<RelationQuestion> relation_questions(const SessionContext& context, 
     return questions;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -9,7 +9,7 @@
 
 #include "app/core/whereabouts/rooms.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // Clockwise, in the order of the list.
 enum class Quarter : std::uint8_t { Ahead, Right, Behind, Left };
@@ -25,4 +25,4 @@ struct RelationQuestion {
 std::vector<RelationQuestion> relation_questions(const SessionContext& context, const Rooms& rooms, std::uint32_t room,
                                                  const Vec3& base_m);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -8,7 +8,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/overloaded.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr std::size_t kMostPoints = 100'000;  // 25 km
@@ -43,7 +43,7 @@ void RouteMemory::tick(double now_s) {
     if (!remembers(context_.additions)) return void(going_ = {});
     if (std::exchange(going_.to_tell, false)) tell(now_s);
     const Vec3& feet_m = context_.body.feet_m();
-    if (going_.walk.empty() || glm::length(feet_m - going_.walk.back().place_m) >= kWaySpacing_m)
+    if (going_.walk.empty() || glm::length(feet_m - going_.walk.back().place_m) >= results::kWaySpacing_m)
         if (going_.walk.size() < kMostPoints) going_.walk.push_back({now_s, feet_m, false});
     if (going_.arrived) look_back(now_s);
 }
@@ -65,10 +65,10 @@ void RouteMemory::tell(double now_s) {
                    missed = static_cast<int>(std::clamp(number_of(turn.entry, "missed", 0.0), 0.0, 1e3));
         if (at.empty()) continue;
         if (early > 0)
-            context_.say(phrase("learning.turned_early", {{"times", early}, {"place", at}}), SpeechClass::Answer,
+            context_.say(phrase("learning.turned_early", {{"times", early}, {"place", at}}), cues::SpeechClass::Answer,
                          now_s);
         if (missed > 0)
-            context_.say(phrase("learning.turned_late", {{"times", missed}, {"place", at}}), SpeechClass::Answer,
+            context_.say(phrase("learning.turned_late", {{"times", missed}, {"place", at}}), cues::SpeechClass::Answer,
                          now_s);
     }
 }
@@ -76,9 +76,9 @@ void RouteMemory::tell(double now_s) {
 void RouteMemory::look_back(double now_s) {
     const Going went = std::exchange(going_, {});
     if (!rooms_.found() || went.walk.size() < 2) return;
-    const Route right = rooms_.navigation().plan(went.walk.front().place_m, went.walk.back().place_m);
+    const navigation::Route right = rooms_.navigation().plan(went.walk.front().place_m, went.walk.back().place_m);
     if (!right.reaches) return;
-    const TurnsMet met = turns_met(right.points_m, went.walk);
+    const results::TurnsMet met = results::turns_met(right.points_m, went.walk);
     std::vector<SideEntry> ways = context_.additions.entries("learnt_way");
     SideEntry* own = entry_of(ways, went.goal);
     if (!own && met.early + met.missed == 0) return;
@@ -87,7 +87,7 @@ void RouteMemory::look_back(double now_s) {
     if (met.early + met.missed == 0) turns.clear();
     const auto count = [&](const Vec3& at_m, const char* how) {
         const std::uint32_t room = room_of(rooms_, Aabb{at_m, at_m});
-        if (room == kNothing) return;
+        if (room == navigation::kNothing) return;
         const std::string& name = rooms_.graph().rooms[room].name;
         auto turn = std::find_if(turns.begin(), turns.end(),
                                  [&](const SideTable& one) { return text_of(one.entry, "at") == name; });
@@ -103,4 +103,4 @@ void RouteMemory::look_back(double now_s) {
     context_.asks.save_additions(now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

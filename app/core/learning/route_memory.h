@@ -10,7 +10,7 @@
 #include "app/core/whereabouts/rooms.h"
 #include "app/results/measures.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class RouteMemory {
 public:
@@ -33,9 +33,9 @@ private:
     Rooms& rooms_;
     struct Going {
         std::string goal;  // empty: no guidance
-        std::vector<WayPoint> walk;
+        std::vector<results::WayPoint> walk;
         bool to_tell = false, arrived = false;
     } going_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

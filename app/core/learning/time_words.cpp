@@ -5,7 +5,7 @@
 #include "app/core/dialogue/words.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 
 std::string time_words(double seconds) {
     const long all = std::lround(seconds);
@@ -14,4 +14,4 @@ std::string time_words(double seconds) {
                          : phrase("learning.minutes_and_seconds", {{"minutes", all / 60}, {"seconds", all % 60}});
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -3,9 +3,9 @@
 
 #include <string>
 
-namespace handrail {
+namespace handrail::core {
 
 // "12 seconds", "2 minutes and 5 seconds".
 std::string time_words(double seconds);
 
-}  // namespace handrail
+}  // namespace handrail::core

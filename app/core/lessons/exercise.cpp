@@ -10,7 +10,7 @@
 #include "haptic/servo/workspace_map.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 
 void Exercise::enter_world() {
     under_way_ = false;
@@ -134,7 +134,7 @@ void Exercise::point(double now_s) {
     double heading_rad = context_.body.heading_rad;
     if (question_->hand_m && context_.hands.known()) {
         const Vec3 moved_m = context_.hands.tool.hand_m - *question_->hand_m;
-        const Vec3 way = frame_of(Vec3(0.0), workspace_heading_rad(context_)).turn_to_world(moved_m);
+        const Vec3 way = servo::frame_of(Vec3(0.0), workspace_heading_rad(context_)).turn_to_world(moved_m);
         if (std::hypot(way.x, way.y) >= kPointed_m) heading_rad = std::atan2(way.x, way.y);
     }
     const std::string question = question_->text;
@@ -190,4 +190,4 @@ void Exercise::open_offers(double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -12,7 +12,7 @@
 #include "app/core/context/session_context.h"
 #include "app/core/context/teacher_act.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class Exercise {
 public:
@@ -60,4 +60,4 @@ private:
     std::optional<Question> question_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

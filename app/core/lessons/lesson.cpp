@@ -5,7 +5,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 using enum LessonGoal;
@@ -154,4 +154,4 @@ LessonReply LessonRun::tick(const LessonSense& sense, const Scene& scene) {
     return enter(at_ + 1, std::move(reply));
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

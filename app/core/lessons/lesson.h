@@ -12,7 +12,7 @@
 #include "app/core/dialogue/command.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::core {
 
 enum class LessonGoal {
     Begin,      // Enter
@@ -98,4 +98,4 @@ private:
     FeatureId last_wall_ = kNoFeature;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -9,7 +9,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kAfterName_s = 1.5;  // delay, so that a name that is being spoken is heard first
@@ -55,10 +55,10 @@ bool LessonSession::act(Command command, double now_s) {
 }
 
 void LessonSession::tell(const LessonReply& reply, double now_s) {
-    if (reply.done && !reply.praise.empty()) context_.play(SoundKind::Arrived, now_s);
+    if (reply.done && !reply.praise.empty()) context_.play(cues::SoundKind::Arrived, now_s);
     const double later_s = reply.done && !reply.praise.empty() ? now_s + kAfterName_s : now_s;
     if (!reply.praise.empty())
-        said_later_.push_back({reply.at_once ? now_s : later_s, reply.praise, SpeechTopic::Praise});
+        said_later_.push_back({reply.at_once ? now_s : later_s, reply.praise, cues::SpeechTopic::Praise});
     praise_ = reply.praise;
     const bool nothing_to_set_up = reply.set_up && !owner_sets_up_;
     if (!reply.instruction.empty() && !nothing_to_set_up) said_later_.push_back({later_s, reply.instruction});
@@ -91,13 +91,13 @@ void LessonSession::say_due(double now_s) {
         context_.answer(phrase("lesson.over", {{"key", context_.keys.keys_of(Command::Lessons)}}), now_s);
 }
 
-void LessonSession::tell_anew(SpeechTopic topic, double now_s) {
-    if (topic == SpeechTopic::Praise) {
+void LessonSession::tell_anew(cues::SpeechTopic topic, double now_s) {
+    if (topic == cues::SpeechTopic::Praise) {
         if (run_ && !praise_.empty()) context_.tell(topic, praise_, now_s, {.anew = true});
         return;
     }
     if (run_ && said_later_.empty() && !(run_->goal() == LessonGoal::SetUp && !owner_sets_up_))
-        context_.tell(SpeechTopic::Lesson, run_->instruction(), now_s, {.anew = true});
+        context_.tell(cues::SpeechTopic::Lesson, run_->instruction(), now_s, {.anew = true});
 }
 
 // What happened since this was asked last.
@@ -105,7 +105,7 @@ LessonSense LessonSession::sense() {
     const HandsState& hands = context_.hands;
     const Vec3 feet_m = context_.body.feet_m();
     LessonSense sense;
-    for (const ToolState* tool : {&hands.tool, &hands.left_tool})
+    for (const servo::ToolState* tool : {&hands.tool, &hands.left_tool})
         for (int i = 0; tool->workspace_jump == hands.pose.jump && i < tool->contacts.count; ++i)
             sense.met.push_back(tool->contacts.contacts[static_cast<std::size_t>(i)].feature);
     sense.met.insert(sense.met.end(), bumped_.begin(), bumped_.end());
@@ -229,4 +229,4 @@ void LessonSession::open_list(double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -13,7 +13,7 @@
 #include "app/core/context/session_part.h"
 #include "app/core/lessons/lesson.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class LessonSession : SessionPart {
 public:
@@ -42,7 +42,7 @@ public:
     bool act(Command command, double now_s);
     void tick(double now_s);
     // What this step wants, or what was said of the step before, once more, since the line with it was cut.
-    void tell_anew(SpeechTopic topic, double now_s);
+    void tell_anew(cues::SpeechTopic topic, double now_s);
     // What happened has been looked at, and nothing waits to be said.
     bool idle() const;
 
@@ -72,7 +72,7 @@ private:
     struct SaidLater {
         double due_s = 0.0;
         std::string text;
-        SpeechTopic topic = SpeechTopic::Lesson;
+        cues::SpeechTopic topic = cues::SpeechTopic::Lesson;
     };
     std::vector<SaidLater> said_later_;
     std::string praise_;  // of the last step that was done
@@ -81,4 +81,4 @@ private:
     bool owner_sets_up_ = false, set_up_over_ = true;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -10,7 +10,7 @@
 #include "worlds/base/text.h"
 #include "worlds/base/typist.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 // The first command of each topic in the command table.
@@ -68,7 +68,8 @@ void CommandLists::open(bool to_rebind, double now_s) {
         open_commands(std::move(commands), to_rebind, context_.tick_s);
     };
     if (to_rebind) {
-        list.items.push_back({phrase("menu.one_hand"), setting_line("keyboard.hand", context_.settings).value, true});
+        list.items.push_back(
+            {phrase("menu.one_hand"), settings::setting_line("keyboard.hand", context_.settings).value, true});
         const std::size_t last = list.items.size() - 1;
         list.adjusted = [this](std::size_t, int by) { return step_setting(context_, "keyboard.hand", by); };
         list.chosen = [this, last, open = list.chosen](std::size_t i) {
@@ -140,7 +141,7 @@ void CommandLists::take_new_key(const std::string& key, double now_s) {
     const Rebinding wanted = *std::exchange(rebinding_, std::nullopt);
     if (key == "Escape") return context_.answer(phrase("menu.left_as_it_is"), now_s);
     if (!may_be_key(key)) {
-        context_.play(SoundKind::Denied, now_s);
+        context_.play(cues::SoundKind::Denied, now_s);
         return context_.answer(phrase("menu.no_keys_name", {{"key", key}}), now_s);
     }
     const auto give = [this, key, wanted](std::vector<std::pair<Command, std::string>> changes, double at_s) {
@@ -157,7 +158,7 @@ void CommandLists::take_new_key(const std::string& key, double now_s) {
     if (owner == wanted.command) return context_.answer(phrase("menu.does_that", {{"key", key}}), now_s);
     if (!owner) return give({}, now_s);
     if (*owner == Command::StopEverything || *owner == Command::Leave || *owner == Command::StopSpeech) {
-        context_.play(SoundKind::Denied, now_s);
+        context_.play(cues::SoundKind::Denied, now_s);
         return context_.answer(phrase("menu.always_does", {{"key", spoken_key(key)}, {"help", info(*owner).help()}}),
                                now_s);
     }
@@ -214,4 +215,4 @@ bool CommandLists::take_line(std::string_view line, double now_s) {
     return true;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -9,7 +9,7 @@
 
 #include "app/core/context/session_part.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class CommandLists : SessionPart {
 public:
@@ -38,4 +38,4 @@ private:
     std::optional<Rebinding> rebinding_;  // the command that gets the next key
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -3,7 +3,7 @@
 #include "app/core/kept/spoken_language.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 
 void LanguageList::open(double now_s) {
     const std::vector<LanguageName> languages = languages_to_choose(folder_);
@@ -21,4 +21,4 @@ void LanguageList::open(double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -5,7 +5,7 @@
 
 #include "app/core/context/session_part.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class LanguageList : SessionPart {
 public:
@@ -20,4 +20,4 @@ private:
     std::filesystem::path folder_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -7,7 +7,7 @@
 #include "audio-cues/plan/sound_table.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 
 bool Menu::act(Command command, double now_s) {
     if (command == Command::Menu) open(now_s);
@@ -60,11 +60,11 @@ void Menu::open_sounds(double now_s) {
     ListSpec list;
     list.title = phrase("menu.sounds_title");
     list.stays_open = true;
-    const auto entries = std::make_shared<const std::vector<DictionaryEntry>>(sound_dictionary());
-    for (const DictionaryEntry& entry : *entries) list.items.push_back({entry.text, {}, false});
+    const auto entries = std::make_shared<const std::vector<cues::DictionaryEntry>>(cues::sound_dictionary());
+    for (const cues::DictionaryEntry& entry : *entries) list.items.push_back({entry.text, {}, false});
     list.chosen = [this, entries](std::size_t i) {
-        CueRequest request;
-        request.kind = CueRequestKind::Demonstrate;
+        cues::CueRequest request;
+        request.kind = cues::CueRequestKind::Demonstrate;
         request.time_s = context_.tick_s;
         request.text = (*entries)[i].text;
         request.sound = (*entries)[i].kind;
@@ -75,4 +75,4 @@ void Menu::open_sounds(double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

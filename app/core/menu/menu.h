@@ -9,7 +9,7 @@
 #include "app/core/menu/report_lists.h"
 #include "app/core/menu/world_lists.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class Menu : SessionPart {
 public:
@@ -35,4 +35,4 @@ private:
     ReportLists reports_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

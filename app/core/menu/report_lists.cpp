@@ -3,7 +3,7 @@
 #include "app/core/context/telling.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 
 void ReportLists::ask_for_devices(double now_s) {
     context_.requests.devices = true;
@@ -32,4 +32,4 @@ void ReportLists::open(std::string title, const std::vector<std::string>& lines,
     context_.open_list(std::move(list), now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -8,7 +8,7 @@
 
 #include "app/core/context/session_part.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class ReportLists : SessionPart {
 public:
@@ -39,4 +39,4 @@ private:
     double asked_s_ = -1e9;  // when devices were requested and not yet announced
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

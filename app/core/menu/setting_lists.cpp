@@ -4,35 +4,35 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::core {
 
 namespace {
 
 // Returns the new value in words, or why it was refused.
 std::string change_setting(const SessionContext& context, std::string_view key, const std::string& value) {
     const auto set = context.asks.set(key, value, context.tick_s);
-    return set ? setting_line(key, context.settings).value : set.error().message;
+    return set ? settings::setting_line(key, context.settings).value : set.error().message;
 }
 
 void open_settings(const SessionContext& context, std::string_view topic, double now_s) {
     ListSpec list;
-    list.title = phrase("menu.settings_of", {{"topic", sentence_case(topic_name(topic))}});
+    list.title = phrase("menu.settings_of", {{"topic", sentence_case(settings::topic_name(topic))}});
     list.stays_open = true;
     std::vector<std::string_view> keys;
-    for (const SettingLine& line : setting_lines(topic, context.settings)) {
+    for (const settings::SettingLine& line : settings::setting_lines(topic, context.settings)) {
         list.items.push_back({sentence_case(line.name), line.value, line.steps});
         keys.push_back(line.key);
     }
     list.adjusted = [&context, keys](std::size_t i, int by) { return step_setting(context, keys[i], by); };
     list.chosen = [&context, keys, topic](std::size_t i) {
-        const SettingLine line = setting_line(keys[i], context.settings);
+        const settings::SettingLine line = settings::setting_line(keys[i], context.settings);
         TextSpec question;
         question.question =
             phrase("menu.setting_question", {{"meaning", line.meaning}, {"value", line.value}, {"range", line.range}});
         question.done = [&context, topic, key = keys[i]](const std::string& typed) {
             const std::string value = change_setting(context, key, typed);
             std::vector<ListItem> items;
-            for (const SettingLine& now : setting_lines(topic, context.settings))
+            for (const settings::SettingLine& now : settings::setting_lines(topic, context.settings))
                 items.push_back({sentence_case(now.name), now.value, now.steps});
             context.lists.dialogue.change_items(std::move(items));
             context.answer(value, context.tick_s);
@@ -45,17 +45,18 @@ void open_settings(const SessionContext& context, std::string_view topic, double
 }  // namespace
 
 std::string step_setting(const SessionContext& context, std::string_view key, int by) {
-    return change_setting(context, key, stepped(key, context.settings, by));
+    return change_setting(context, key, settings::stepped(key, context.settings, by));
 }
 
 void open_setting_topics(const SessionContext& context, double now_s) {
     ListSpec list;
     list.title = phrase("menu.settings");
     list.stays_open = true;
-    const std::vector<std::string_view> topics = setting_topics();
-    for (const std::string_view topic : topics) list.items.push_back({sentence_case(topic_name(topic)), {}, false});
+    const std::vector<std::string_view> topics = settings::setting_topics();
+    for (const std::string_view topic : topics)
+        list.items.push_back({sentence_case(settings::topic_name(topic)), {}, false});
     list.chosen = [&context, topics](std::size_t i) { open_settings(context, topics[i], context.tick_s); };
     context.open_list(std::move(list), now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

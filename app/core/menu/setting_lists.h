@@ -4,10 +4,10 @@
 
 #include "app/core/context/session_context.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // One step up or down; returns the new value in words.
 std::string step_setting(const SessionContext& context, std::string_view key, int by);
 void open_setting_topics(const SessionContext& context, double now_s);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -9,10 +9,10 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::core {
 
-void SimplifiedList::open(const Simplification& plan, const OpenPortals& portals, std::span<const CoarserMesh> coarser,
-                          double now_s) {
+void SimplifiedList::open(const compile::Simplification& plan, const OpenPortals& portals,
+                          std::span<const compile::CoarserMesh> coarser, double now_s) {
     contract_pre(context_.world.scene != nullptr);
     if (!context_.hands.right.present) return context_.answer(phrase("session.no_hand"), now_s);
     if (!context_.settings.haptic.simplify) return context_.answer(phrase("simplify.off"), now_s);
@@ -24,8 +24,8 @@ void SimplifiedList::open(const Simplification& plan, const OpenPortals& portals
         list.items.push_back({name, joined(what, where_words(context_, box))});
         goals.push_back({std::move(name), box, feature});
     };
-    const RoomGraph* rooms = rooms_.known() ? &rooms_.graph() : nullptr;
-    for (const NarrowOpening& opening : plan.openings) {
+    const navigation::RoomGraph* rooms = rooms_.known() ? &rooms_.graph() : nullptr;
+    for (const compile::NarrowOpening& opening : plan.openings) {
         const FeatureId door = opening.doors.empty() ? kNoFeature : opening.doors.front();
         const Vec3 middle = opening.middle_m();
         add(opening_name(scene, opening, rooms, portals),
@@ -35,7 +35,7 @@ void SimplifiedList::open(const Simplification& plan, const OpenPortals& portals
         const Feature& thing = scene.features[id.value];
         add(sentence_case(spoken_name(thing)), thing.bounds_m, id, phrase("simplify.is_left_out"));
     }
-    for (const CoarserMesh& mesh : coarser) {
+    for (const compile::CoarserMesh& mesh : coarser) {
         const Feature& thing = scene.features[mesh.feature.value];
         add(sentence_case(spoken_name(thing)), thing.bounds_m, mesh.feature, coarser_words(mesh, scale(context_)));
     }
@@ -44,4 +44,4 @@ void SimplifiedList::open(const Simplification& plan, const OpenPortals& portals
     context_.open_list(std::move(list), now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -9,15 +9,15 @@
 #include "app/core/wayfinding/stops.h"
 #include "app/core/whereabouts/rooms.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class SimplifiedList : SessionPart {
 public:
     SimplifiedList(const SessionContext& context, Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
 
     // portals: the openings that `plan` knew.
-    void open(const Simplification& plan, const OpenPortals& portals, std::span<const CoarserMesh> coarser,
-              double now_s);
+    void open(const compile::Simplification& plan, const OpenPortals& portals,
+              std::span<const compile::CoarserMesh> coarser, double now_s);
 
     // Set by the session; called if an item was chosen, to find it or go to it.
     std::function<void(const Goal& goal, double now_s)> on_choose;
@@ -26,4 +26,4 @@ private:
     Rooms& rooms_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -12,7 +12,7 @@
 #include "worlds/base/text.h"
 #include "worlds/scene/honest_report.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 // Items of a list have no full stop at the end.
@@ -56,4 +56,4 @@ void open_understood(const SessionContext& context, std::function<void(const Goa
     context.open_list(std::move(list), now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

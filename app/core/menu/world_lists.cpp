@@ -5,7 +5,7 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 
 void WorldLists::go_to(const std::filesystem::path& file) {
     context_.requests.world = WorldRequest{file};
@@ -56,7 +56,7 @@ void WorldLists::open_folder(const std::filesystem::path& typed, double now_s) {
     }
     const std::vector<ShelvedWorld> worlds = worlds_in(path);
     if (worlds.empty()) {
-        context_.play(SoundKind::Denied, now_s);
+        context_.play(cues::SoundKind::Denied, now_s);
         return context_.answer(phrase("menu.no_world_at", {{"path", path.string()}}), now_s);
     }
     ListSpec list;
@@ -70,4 +70,4 @@ void WorldLists::open_folder(const std::filesystem::path& typed, double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

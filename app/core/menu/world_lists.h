@@ -10,7 +10,7 @@
 #include "app/core/context/session_part.h"
 #include "app/core/kept/world_shelf.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class WorldLists : SessionPart {
 public:
@@ -29,4 +29,4 @@ private:
     WorldShelf shelf_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -14,7 +14,7 @@
 #include "worlds/scene/models.h"
 #include "worlds/scene/stated_building.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kBounced_hand_m = 0.015;  // how far the hand bounces off a door while the person hears which one it is
@@ -117,8 +117,8 @@ void Doors::press(std::uint32_t mover, bool back_again, double now_s) {
     if (lift_comes) {
         const Feature& lift =
             world_.scene->features[world_.scene->movers[world_.scene->movers[mover].lift].feature.value];
-        return context_.say(phrase("movers.called", {{"name", sentence_case(spoken_name(lift))}}), SpeechClass::Contact,
-                            now_s);
+        return context_.say(phrase("movers.called", {{"name", sentence_case(spoken_name(lift))}}),
+                            cues::SpeechClass::Contact, now_s);
     }
     if (!world_.scene->movers[mover].halts.empty())
         if (const std::string storey =
@@ -126,15 +126,15 @@ void Doors::press(std::uint32_t mover, bool back_again, double now_s) {
             !storey.empty())
             return context_.say(
                 phrase("movers.rides_to", {{"name", sentence_case(spoken_name(feature))}, {"storey", storey}}),
-                SpeechClass::Contact, now_s);
+                cues::SpeechClass::Contact, now_s);
     if (world_.thing_of_mover[mover] >= 0) return;  // its movement is announced as it moves
-    CueRequest sound;
-    sound.kind = CueRequestKind::Play;
-    sound.sound = SoundKind::DoorMoves;
+    cues::CueRequest sound;
+    sound.kind = cues::CueRequestKind::Play;
+    sound.sound = cues::SoundKind::DoorMoves;
     sound.time_s = now_s;
     sound.position_m = feature.bounds_m.centre_m();
     context_.cues.cue(std::move(sound));
-    context_.say(phrase("movers.pressed", {{"name", sentence_case(spoken_name(feature))}}), SpeechClass::Contact,
+    context_.say(phrase("movers.pressed", {{"name", sentence_case(spoken_name(feature))}}), cues::SpeechClass::Contact,
                  now_s);
 }
 
@@ -380,9 +380,10 @@ void Doors::tell(std::span<const MoverEvent> events, double now_s) {
         const bool opens = feature.kind == FeatureKind::Door, button = feature.kind == FeatureKind::Button;
         // A door is shut where the file has it, even if it rests open.
         const bool at_shut = opens ? event.at_rest != mover.rests_far : event.at_rest;
-        CueRequest sound;
-        sound.kind = CueRequestKind::Play;
-        sound.sound = event.kind == MoverEvent::Kind::Leaves && !at_shut ? SoundKind::DoorMoves : SoundKind::DoorShuts;
+        cues::CueRequest sound;
+        sound.kind = cues::CueRequestKind::Play;
+        sound.sound = event.kind == MoverEvent::Kind::Leaves && !at_shut ? cues::SoundKind::DoorMoves
+                                                                         : cues::SoundKind::DoorShuts;
         sound.time_s = now_s;
         sound.position_m = middle;
         sound.material = world_.scene->material(feature.material).sound;
@@ -395,7 +396,8 @@ void Doors::tell(std::span<const MoverEvent> events, double now_s) {
             const std::string name = sentence_case(spoken_name(feature));
             // The effect of a button is an answer. As a contact it would replace the announcement "button pressed", or
             // be replaced by it.
-            const SpeechClass as = locked(world_, event.mover) ? SpeechClass::Answer : SpeechClass::Contact;
+            const cues::SpeechClass as =
+                locked(world_, event.mover) ? cues::SpeechClass::Answer : cues::SpeechClass::Contact;
             if (event.kind == MoverEvent::Kind::Leaves)
                 context_.say(phrase(opens    ? "movers.opens"
                                     : button ? "movers.pressed"
@@ -403,21 +405,23 @@ void Doors::tell(std::span<const MoverEvent> events, double now_s) {
                                     {{"name", name}}),
                              as, now_s);
             else
-                context_.say(phrase(opens    ? "movers.is_shut"
-                                    : button ? "movers.is_out_again"
-                                             : "movers.is_back",
-                                    {{"name", name}}),
-                             opens && distance_m < kBesideOne_m ? SpeechClass::Warning : SpeechClass::Ambient, now_s);
+                context_.say(
+                    phrase(opens    ? "movers.is_shut"
+                           : button ? "movers.is_out_again"
+                                    : "movers.is_back",
+                           {{"name", name}}),
+                    opens && distance_m < kBesideOne_m ? cues::SpeechClass::Warning : cues::SpeechClass::Ambient,
+                    now_s);
         } else if (event.kind == MoverEvent::Kind::TurnsBack) {
             const bool opens_again = opens && !at_shut;
             context_.say(phrase(opens_again ? "movers.met_you" : "movers.met_you_goes_back",
                                 {{"name", sentence_case(spoken_name(feature))}}),
-                         SpeechClass::Contact, now_s);
+                         cues::SpeechClass::Contact, now_s);
         } else if (feature.kind == FeatureKind::Lift) {
             const double z_m = world_.movers.at(event.mover).position_m.z;
             const std::string storey = storey_words(*world_.scene, world_.thing_of_mover[event.mover], z_m);
-            context_.say(stops_words(mover, storey, z_m, sentence_case(spoken_name(feature))), SpeechClass::Contact,
-                         now_s);
+            context_.say(stops_words(mover, storey, z_m, sentence_case(spoken_name(feature))),
+                         cues::SpeechClass::Contact, now_s);
         }
     }
 }
@@ -428,14 +432,15 @@ void Doors::tell_endless(const MoverEvent& event, const Aabb& box_m, double now_
     const Feature& feature = world_.scene->features[world_.scene->movers[event.mover].feature.value];
     const std::string name = sentence_case(spoken_name(feature));
     if (event.kind == MoverEvent::Kind::Waits)
-        return context_.say(phrase("movers.met_you_waits", {{"name", name}}), SpeechClass::Contact, now_s);
-    CueRequest sound = sound_at(event.kind == MoverEvent::Kind::Leaves ? SoundKind::DoorMoves : SoundKind::DoorShuts,
-                                box_m.centre_m(), now_s);
+        return context_.say(phrase("movers.met_you_waits", {{"name", name}}), cues::SpeechClass::Contact, now_s);
+    cues::CueRequest sound =
+        sound_at(event.kind == MoverEvent::Kind::Leaves ? cues::SoundKind::DoorMoves : cues::SoundKind::DoorShuts,
+                 box_m.centre_m(), now_s);
     sound.material = world_.scene->material(feature.material).sound;
     context_.cues.cue(std::move(sound));
     if (world_.scene->movers[event.mover].feature == body_.ground)
         context_.say(phrase(event.kind == MoverEvent::Kind::Leaves ? "movers.moves" : "movers.stops", {{"name", name}}),
-                     SpeechClass::Contact, now_s);
+                     cues::SpeechClass::Contact, now_s);
 }
 
 void Doors::tell_shut(FeatureId feature, double now_s) {
@@ -448,7 +453,7 @@ void Doors::tell_shut(FeatureId feature, double now_s) {
     }
     if (before != told_.end()) return;
     told_.push_back(feature);
-    context_.say(shut_words(static_cast<std::uint32_t>(mover)), SpeechClass::Answer, now_s);
+    context_.say(shut_words(static_cast<std::uint32_t>(mover)), cues::SpeechClass::Answer, now_s);
 }
 
 void Doors::tell_touched(double now_s) {
@@ -462,4 +467,4 @@ void Doors::tell_ahead(const Vec3& ahead_m, double now_s) {
         tell_shut(crossing.feature, now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

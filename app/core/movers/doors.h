@@ -10,7 +10,7 @@
 #include "app/core/context/session_part.h"
 #include "app/core/world/mover_meeting.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class Doors : SessionPart {
 public:
@@ -57,4 +57,4 @@ private:
     bool arrived_ = false;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -7,7 +7,7 @@
 #include "worlds/base/language.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::core {
 
 void Triggers::enter_world() {
     inside_.clear();
@@ -25,17 +25,17 @@ void Triggers::tick(double now_s) {
         if (feature && std::find(inside_.begin(), inside_.end(), id) == inside_.end()) meet_switch(id, now_s);
         if (!feature || std::find(inside_.begin(), inside_.end(), id) != inside_.end()) continue;
         if (feature->kind == FeatureKind::Liquid) {
-            CueRequest splash;
-            splash.kind = CueRequestKind::Play;
-            splash.sound = SoundKind::Splash;
+            cues::CueRequest splash;
+            splash.kind = cues::CueRequestKind::Play;
+            splash.sound = cues::SoundKind::Splash;
             splash.material = SoundClass::Water;
             splash.time_s = now_s;
             splash.position_m = context_.body.feet_m();
             context_.cues.cue(std::move(splash));
-            context_.say(sentence_case(name_of(context_, id)), SpeechClass::Contact, now_s);
+            context_.say(sentence_case(name_of(context_, id)), cues::SpeechClass::Contact, now_s);
         } else if (!feature->message.empty() && std::find(told_.begin(), told_.end(), id) == told_.end()) {
             told_.push_back(id);
-            context_.say(spoken_message(*feature), SpeechClass::Answer, now_s);
+            context_.say(spoken_message(*feature), cues::SpeechClass::Answer, now_s);
         }
     }
     inside_ = std::move(now);
@@ -52,4 +52,4 @@ void Triggers::meet_switch(FeatureId volume, double now_s) {
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -7,7 +7,7 @@
 
 #include "app/core/context/session_part.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class Triggers : SessionPart {
 public:
@@ -29,4 +29,4 @@ private:
     std::vector<FeatureId> used_;    // volumes that act once and have acted
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

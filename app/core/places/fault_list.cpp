@@ -13,7 +13,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 struct UnitOffered {
@@ -23,8 +23,9 @@ struct UnitOffered {
 constexpr UnitOffered kUnitsOffered[] = {{"mm", 0.001}, {"cm", 0.01}, {"m", 1.0}, {"inch", 0.0254}, {"foot", 0.3048}};
 
 // True for the reader's report on a file that states no unit and would be a very large or very small world.
-bool is_of_the_unit(const WorldFault& fault) {
-    return fault.kind == FaultKind::DamagedInFile && fault.source.line == 0 && fault.other == phrase("reader.say_unit");
+bool is_of_the_unit(const check::WorldFault& fault) {
+    return fault.kind == check::FaultKind::DamagedInFile && fault.source.line == 0 &&
+           fault.other == phrase("reader.say_unit");
 }
 
 // Items of a list have no full stop at the end.
@@ -62,7 +63,7 @@ void FaultList::take_again() {
 
 void FaultList::tell_unreadable(double now_s) const {
     if (!unreadable_.empty())
-        context_.say(unreadable_words("landmarks.unreadable", unreadable_), SpeechClass::Answer, now_s);
+        context_.say(unreadable_words("landmarks.unreadable", unreadable_), cues::SpeechClass::Answer, now_s);
 }
 
 void FaultList::open(double now_s) {
@@ -72,24 +73,23 @@ void FaultList::open(double now_s) {
         if (!rooms_.have(now_s)) return;
     std::vector<bool> landmarks;
     for (const Feature& feature : world_.scene->features) landmarks.push_back(feature.landmark);
-    BackgroundTask<std::shared_ptr<const Found>>::Work work = [file = rooms_.file_scene(),
-                                                               navigation = known ? rooms_.navigation_kept() : nullptr,
-                                                               graph = known ? rooms_.graph() : RoomGraph(),
-                                                               landmarks = std::move(landmarks),
-                                                               feet_m =
-                                                                   context_.body.feet_m()](const std::stop_token&) {
-        auto found = std::make_shared<Found>();
-        found->scene = with_landmarks_of(file, landmarks);
-        found->faults = navigation ? find_faults(*found->scene, &navigation->space(), &graph)
-                                   : find_faults(*found->scene, nullptr, nullptr);
-        for (const WorldFault& fault : found->faults) {
-            found->doorways.push_back(doorway_cut_free(*found->scene, fault));
-            const bool no_way = fault.kind == FaultKind::RoomOutOfReach && fault.room < graph.rooms.size();
-            found->doors.push_back(no_way ? missing_doors(*found->scene, navigation->space(), graph, fault.room, feet_m)
-                                          : std::vector<MissingDoor>{});
-        }
-        return std::shared_ptr<const Found>(std::move(found));
-    };
+    BackgroundTask<std::shared_ptr<const Found>>::Work work =
+        [file = rooms_.file_scene(), navigation = known ? rooms_.navigation_kept() : nullptr,
+         graph = known ? rooms_.graph() : navigation::RoomGraph(), landmarks = std::move(landmarks),
+         feet_m = context_.body.feet_m()](const std::stop_token&) {
+            auto found = std::make_shared<Found>();
+            found->scene = with_landmarks_of(file, landmarks);
+            found->faults = navigation ? check::find_faults(*found->scene, &navigation->space(), &graph)
+                                       : check::find_faults(*found->scene, nullptr, nullptr);
+            for (const check::WorldFault& fault : found->faults) {
+                found->doorways.push_back(check::doorway_cut_free(*found->scene, fault));
+                const bool no_way = fault.kind == check::FaultKind::RoomOutOfReach && fault.room < graph.rooms.size();
+                found->doors.push_back(
+                    no_way ? check::missing_doors(*found->scene, navigation->space(), graph, fault.room, feet_m)
+                           : std::vector<check::MissingDoor>{});
+            }
+            return std::shared_ptr<const Found>(std::move(found));
+        };
     context_.answer(phrase("faults.looking"), now_s);
     looking_.begin(std::move(work));
 }
@@ -103,9 +103,9 @@ void FaultList::show(const std::shared_ptr<const Found>& found, double now_s) {
     if (found->faults.empty() && made.empty()) return context_.answer(phrase("faults.none"), now_s);
     ListSpec list;
     list.title = phrase("faults.title");
-    for (const WorldFault& fault : found->faults)
-        list.items.push_back({unstopped(fault_words(*found->scene, fault)),
-                              has_place(fault) ? where_words(context_, point_box(fault.at_m)) : std::string()});
+    for (const check::WorldFault& fault : found->faults)
+        list.items.push_back({unstopped(check::fault_words(*found->scene, fault)),
+                              check::has_place(fault) ? where_words(context_, point_box(fault.at_m)) : std::string()});
     for (const MadeDoor& door : made)
         list.items.push_back({phrase("faults.made_door", {{"between", one_line(door.name)}}),
                               where_words(context_, point_box(door.place_m))});
@@ -118,8 +118,9 @@ void FaultList::show(const std::shared_ptr<const Found>& found, double now_s) {
 }
 
 void FaultList::show_one(const std::shared_ptr<const Found>& found, std::size_t which, double now_s) {
-    const WorldFault& fault = found->faults[which];
-    const std::string what = fault_words(*found->scene, fault), advice = fault_advice(*found->scene, fault);
+    const check::WorldFault& fault = found->faults[which];
+    const std::string what = check::fault_words(*found->scene, fault),
+                      advice = check::fault_advice(*found->scene, fault);
     ListSpec list;
     list.title = unstopped(advice);
     std::vector<std::function<void(double)>> acts;
@@ -134,9 +135,9 @@ void FaultList::show_one(const std::shared_ptr<const Found>& found, std::size_t 
                 add(phrase("faults.unit", {{"unit", word}, {"wide", std::max(size.x, size.y) / now * metres}}),
                     [this, unit = metres](double then_s) { take_unit(unit, then_s); });
             }
-    const RoomGraph none;
-    const RoomGraph& graph = rooms_.found() ? rooms_.graph() : none;
-    if (fault.kind == FaultKind::UnnamedRoom || fault.kind == FaultKind::OddName)
+    const navigation::RoomGraph none;
+    const navigation::RoomGraph& graph = rooms_.found() ? rooms_.graph() : none;
+    if (fault.kind == check::FaultKind::UnnamedRoom || fault.kind == check::FaultKind::OddName)
         if (fault.room < graph.rooms.size())
             add(phrase("faults.name"), [this, room = fault.room](double then_s) {
                 rooms_.ask_name(
@@ -145,7 +146,7 @@ void FaultList::show_one(const std::shared_ptr<const Found>& found, std::size_t 
     for (const FeatureId id : fault.candidates)
         add(phrase("faults.mark", {{"name", one_line(spoken_name(found->scene->features[id.value]))}}),
             [this, id](double then_s) { mark_landmark(id, then_s); });
-    for (const MissingDoor& missing : found->doors[which]) {
+    for (const check::MissingDoor& missing : found->doors[which]) {
         if (missing.to >= graph.rooms.size() || fault.room >= graph.rooms.size()) continue;
         MadeDoor door = missing.door;
         door.name = joined(graph.rooms[fault.room].name, graph.rooms[missing.to].name);
@@ -155,7 +156,7 @@ void FaultList::show_one(const std::shared_ptr<const Found>& found, std::size_t 
     if (const auto& doorway = found->doorways[which])
         add(phrase("faults.cut_free", {{"door", one_line(fault.name)}}),
             [this, door = *doorway](double then_s) { make_door(door, then_s); });
-    if (has_place(fault))
+    if (check::has_place(fault))
         add(phrase("faults.find"),
             [this, goal = Goal{unstopped(what), point_box(fault.at_m)}](double then_s) { on_find(goal, then_s); });
     if (list.items.empty()) return context_.answer(advice, now_s);
@@ -211,4 +212,4 @@ void FaultList::mark_landmark(FeatureId id, double now_s) {
         phrase("faults.marked", {{"name", one_line(spoken_name(world_.scene->features[id.value]))}}), now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -15,7 +15,7 @@
 #include "worlds/check/faults.h"
 #include "worlds/check/missing_doors.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class FaultList : SessionPart {
 public:
@@ -38,8 +38,8 @@ public:
 private:
     struct Found {
         std::shared_ptr<const Scene> scene;  // as in its file, with the present landmarks
-        std::vector<WorldFault> faults;
-        std::vector<std::vector<MissingDoor>> doors;    // for each fault: where a door would correct it
+        std::vector<check::WorldFault> faults;
+        std::vector<std::vector<check::MissingDoor>> doors;  // for each fault: where a door would correct it
         std::vector<std::optional<MadeDoor>> doorways;  // for each fault: the door that, once cut, a walker could pass
     };
     void show(const std::shared_ptr<const Found>& found, double now_s);
@@ -56,4 +56,4 @@ private:
     BackgroundTask<std::shared_ptr<const Found>> looking_{context_.executor, "faults", context_.arrivals};
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

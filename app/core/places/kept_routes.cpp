@@ -12,7 +12,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kTrailNear_m = 1.0;
@@ -40,7 +40,7 @@ void KeptRoutes::enter_world(double now_s) {
     begins_m_.reset();
     std::vector<Error> faults;
     ways_ = read_ways(context_.additions, faults);
-    if (!faults.empty()) context_.say(unreadable_words("ways.unreadable", faults), SpeechClass::Answer, now_s);
+    if (!faults.empty()) context_.say(unreadable_words("ways.unreadable", faults), cues::SpeechClass::Answer, now_s);
 }
 
 void KeptRoutes::take_again() {
@@ -63,7 +63,7 @@ void KeptRoutes::tell_unfit(double now_s) {
             if (const std::string faults = fault_words_of(look_at(way)); !faults.empty())
                 unfit.push_back(phrase("ways.unfit_one", {{"way", way.name}, {"faults", faults}}));
     if (std::string words = unfit_words("ways.unfit", unfit, ways_.size()); !words.empty())
-        context_.say(std::move(words), SpeechClass::Answer, now_s);
+        context_.say(std::move(words), cues::SpeechClass::Answer, now_s);
 }
 
 bool KeptRoutes::save(double now_s) {
@@ -221,7 +221,7 @@ void KeptRoutes::open(std::size_t which, double now_s) {
 }
 
 void KeptRoutes::add_ways_to_go(ListSpec& list, std::vector<std::function<void()>>& acts, const std::string& name,
-                              const std::vector<Stop>& stops) {
+                                const std::vector<Stop>& stops) {
     list.items.push_back({phrase("ways.hear"), {}, false});
     acts.emplace_back(
         [this, name, stops] { context_.answer(whole_way_words(context_, rooms_, name, stops), context_.tick_s); });
@@ -249,8 +249,8 @@ void KeptRoutes::open_add_stop(std::size_t which, double now_s) {
     ListSpec list;
     list.title = phrase("ways.which_stop");
     list.items.push_back({phrase("ways.here"), {}, false});
-    const RoomGraph& graph = rooms_.graph();
-    for (const Room& room : graph.rooms)
+    const navigation::RoomGraph& graph = rooms_.graph();
+    for (const navigation::Room& room : graph.rooms)
         list.items.push_back({sentence_case(room.name),
                               distance_words(glm::length(room.middle_m - context_.body.feet_m()), distances(context_)),
                               false});
@@ -315,4 +315,4 @@ void KeptRoutes::remove(std::size_t which, double now_s) {
     save_and_answer(phrase("ways.deleted", {{"way", name}}), now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -13,7 +13,7 @@
 #include "app/core/wayfinding/stops.h"
 #include "app/core/whereabouts/rooms.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class KeptRoutes : SessionPart {
 public:
@@ -70,4 +70,4 @@ private:
     std::optional<Vec3> begins_m_;  // where the person said that a route begins
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -12,7 +12,7 @@
 #include "worlds/base/human_measures.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kMarkNear_hand_m = 0.008, kMarkNear_body_m = 1.0;
@@ -43,9 +43,10 @@ void MarkList::read(std::vector<Error>& faults) {
 
 void MarkList::tell_faults(double now_s) {
     if (!faults_.empty())
-        context_.say(unreadable_words("marks.unreadable", std::exchange(faults_, {})), SpeechClass::Answer, now_s);
+        context_.say(unreadable_words("marks.unreadable", std::exchange(faults_, {})), cues::SpeechClass::Answer,
+                     now_s);
     if (std::string unfit = unfit_sentence(marks_); !unfit.empty())
-        context_.say(std::move(unfit), SpeechClass::Answer, now_s);
+        context_.say(std::move(unfit), cues::SpeechClass::Answer, now_s);
 }
 
 bool MarkList::save(double now_s) {
@@ -79,7 +80,8 @@ void MarkList::drop(bool by_button, double now_s) {
     Vec3 place = context_.body.feet_m();
     if (context_.hands.answers()) {
         // A simulated hand that is still moving to the walker must not prevent a mark.
-        if (!is_gone(context_.hands.tool.fault) && context_.hands.tool.workspace_jump == context_.hands.pose.jump)
+        if (!servo::is_gone(context_.hands.tool.fault) &&
+            context_.hands.tool.workspace_jump == context_.hands.pose.jump)
             place = context_.hands.tool.proxy_m;
         else if (!context_.hands.keys_alone) return context_.answer(phrase("guide.hand_unknown"), now_s);
     }
@@ -88,7 +90,7 @@ void MarkList::drop(bool by_button, double now_s) {
     marks_.push_back(std::move(mark));
     near_.resize(marks_.size() - 1, false);
     near_.push_back(true);
-    context_.play_at(SoundKind::Mark, place, now_s);
+    context_.play_at(cues::SoundKind::Mark, place, now_s);
     if (by_button || !context_.settings.marks.ask_name)
         return save_and_answer(phrase("marks.set", {{"name", name}}), now_s);
     save(now_s);
@@ -184,13 +186,13 @@ void MarkList::tick(double now_s) {
         const bool near = hand_m <= more * kMarkNear_hand_m ||
                           body_to_m(point_box(place), more * kMarkNear_body_m) <= more * kMarkNear_body_m;
         if (near && !near_[i] && tell && !context_.hands.tuning.panic) {
-            context_.play_at(SoundKind::Mark, place, now_s);
-            context_.say(marks_[i].name, SpeechClass::Contact, now_s);
+            context_.play_at(cues::SoundKind::Mark, place, now_s);
+            context_.say(marks_[i].name, cues::SpeechClass::Contact, now_s);
         }
         near_[i] = near;
     }
     const auto sound_of = [](const Feature& feature) {
-        return feature.landmark ? SoundKind::Landmark : SoundKind::Clue;
+        return feature.landmark ? cues::SoundKind::Landmark : cues::SoundKind::Clue;
     };
     list_landmarks();
     std::vector<FeatureId> near_now;
@@ -213,4 +215,4 @@ void MarkList::tick(double now_s) {
     if (touched || !context_.hands.tool.touches()) touched_ = touched;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

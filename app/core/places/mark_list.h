@@ -11,7 +11,7 @@
 #include "app/core/context/session_part.h"
 #include "app/core/wayfinding/stops.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class MarkList : SessionPart {
 public:
@@ -64,4 +64,4 @@ private:
     std::uint32_t buttons_ = 0;  // the device's buttons one tick earlier; kept across worlds, because the device stays
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

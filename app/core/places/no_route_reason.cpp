@@ -3,22 +3,24 @@
 #include "worlds/base/contract.h"
 #include "worlds/check/faults.h"
 
-namespace handrail {
+namespace handrail::core {
 
 void NoRouteReason::look(std::uint32_t room) {
     contract_pre(rooms_.found() && room < rooms_.graph().rooms.size());
     looking_.begin([scene = rooms_.file_scene(), navigation = rooms_.navigation_kept(), graph = rooms_.graph(),
                     room](const std::stop_token& stop) {
-        const std::optional<WorldFault> fault = why_out_of_reach(*scene, navigation->space(), graph, room, stop);
+        const std::optional<check::WorldFault> fault =
+            check::why_out_of_reach(*scene, navigation->space(), graph, room, stop);
         if (!fault) return std::string();
         // The lack of a route has been announced already.
-        const bool known = fault->lack != Lack::Nothing || !fault->other.empty();
-        return (known ? fault_words(*scene, *fault) + " " : std::string()) + fault_advice(*scene, *fault);
+        const bool known = fault->lack != check::Lack::Nothing || !fault->other.empty();
+        return (known ? check::fault_words(*scene, *fault) + " " : std::string()) + check::fault_advice(*scene, *fault);
     });
 }
 
 void NoRouteReason::tick(double now_s) {
-    if (auto why = looking_.take(); why && !why->empty()) context_.say(std::move(*why), SpeechClass::Answer, now_s);
+    if (auto why = looking_.take(); why && !why->empty())
+        context_.say(std::move(*why), cues::SpeechClass::Answer, now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -8,7 +8,7 @@
 #include "app/core/whereabouts/rooms.h"
 #include "worlds/base/background_task.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class NoRouteReason : SessionPart {
 public:
@@ -25,4 +25,4 @@ private:
     BackgroundTask<std::string> looking_{context_.executor, "why-no-way", context_.arrivals};
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

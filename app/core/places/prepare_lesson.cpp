@@ -12,7 +12,7 @@
 #include "worlds/base/language.h"
 #include "worlds/navigation/route_place.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 std::string names_of(const std::vector<LessonDraft::Place>& places) {
@@ -35,10 +35,10 @@ void PrepareLesson::base_here() {
     draft_.base_heading_rad = context_.body.heading_rad;
     draft_.base_room.clear();
     base_name_.clear();
-    if (!rooms_.known() || rooms_.here() == kNothing) return;
-    const Room& room = rooms_.graph().rooms[rooms_.here()];
-    base_name_ = own_name(room);
-    if (!is_outside(room, rooms_.space(), *rooms_.file_scene())) draft_.base_room = base_name_;
+    if (!rooms_.known() || rooms_.here() == navigation::kNothing) return;
+    const navigation::Room& room = rooms_.graph().rooms[rooms_.here()];
+    base_name_ = navigation::own_name(room);
+    if (!navigation::is_outside(room, rooms_.space(), *rooms_.file_scene())) draft_.base_room = base_name_;
 }
 
 void PrepareLesson::open_at(std::size_t at, double now_s) {
@@ -129,14 +129,15 @@ std::vector<std::string> PrepareLesson::on_route(const std::vector<LessonDraft::
     constexpr double kComesTo_m = 6.0, kSameStorey_m = 2.5, kAtOnce_m = 1.0;
     std::vector<Vec3> places;
     for (const LessonDraft::Place& stop : draft_.stops) places.push_back(stop.place_m);
-    const Route route = plan_through(rooms_.navigation(), draft_.base_feet_m, places);
+    const navigation::Route route = plan_through(rooms_.navigation(), draft_.base_feet_m, places);
     std::vector<std::pair<double, std::string>> met;
     for (const LessonDraft::Place& landmark : asked) {
         Vec3 foot = landmark.box_m.centre_m();
         foot.z = landmark.box_m.min_m.z;
         if (route.points_m.empty()) break;
-        const RoutePlace at = nearest_on_way(route.points_m, foot);
-        const Vec3 there = place_along(route.points_m, at.along_m), near = nearest_place(landmark.box_m, there);
+        const navigation::RoutePlace at = navigation::nearest_on_way(route.points_m, foot);
+        const Vec3 there = navigation::place_along(route.points_m, at.along_m),
+                   near = nearest_place(landmark.box_m, there);
         if (std::hypot(near.x - there.x, near.y - there.y) < kComesTo_m && std::abs(near.z - there.z) < kSameStorey_m)
             met.emplace_back(at.along_m, landmark.name);
     }
@@ -176,4 +177,4 @@ void PrepareLesson::save(double now_s) {
     context_.ask_text(std::move(title), now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

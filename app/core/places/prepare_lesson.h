@@ -12,7 +12,7 @@
 #include "app/core/kept/saved_routes.h"
 #include "app/core/whereabouts/rooms.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class PrepareLesson {
 public:
@@ -50,4 +50,4 @@ private:
     bool begun_ = false;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

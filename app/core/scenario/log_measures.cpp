@@ -12,7 +12,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/scene/primitive.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 std::vector<std::string> words_of(const std::string& text) {
@@ -111,4 +111,4 @@ double line_amplitude(const std::vector<double>& samples, double dt_s, double fr
     return worst;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -7,7 +7,7 @@
 
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // True if the words of `wanted` occur in `line` in that order, ignoring case and punctuation.
 bool words_in_order(const std::string& wanted, const std::string& line);
@@ -21,4 +21,4 @@ double overlap_m(const Scene& scene, const Vec3& centre_m, double radius_m);
 // frequencies, only that line is measured.
 double line_amplitude(const std::vector<double>& samples, double dt_s, double from_hz, double to_hz);
 
-}  // namespace handrail
+}  // namespace handrail::core

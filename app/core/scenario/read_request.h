@@ -9,18 +9,18 @@
 #include "worlds/readers/reader.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // Pure function.
-ReadOptions read_options(const WorldRequest& request);
+readers::ReadOptions read_options(const WorldRequest& request);
 
 // Functions that read a world and the files next to it; each fails with a sentence. The program reads both in its
 // confined process (imported_scene and toml_beside_worlds in app/main/world_files.h).
 struct WorldReader {
     std::function<Result<Scene>(const WorldRequest&)> scene;
-    TomlReader toml = toml_of;
+    settings::TomlReader toml = settings::toml_of;
 };
 // Reads in this process, for tests, which read their own worlds.
 Result<Scene> read_requested(const WorldRequest& request);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -14,7 +14,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -22,13 +22,13 @@ namespace fs = std::filesystem;
 // Every sound has a name and every material a word. People and scenarios use the same table.
 std::vector<std::string_view> all_sound_names() {
     std::vector<std::string_view> names;
-    for (const SoundInfo& row : sound_table()) names.push_back(row.name);
+    for (const cues::SoundInfo& row : cues::sound_table()) names.push_back(row.name);
     return names;
 }
 std::vector<std::string_view> all_material_names() {
     std::vector<std::string_view> names;
     for (int i = 0; i <= static_cast<int>(SoundClass::Generic); ++i)
-        names.push_back(material_sound_name(static_cast<SoundClass>(i)));
+        names.push_back(cues::material_sound_name(static_cast<SoundClass>(i)));
     return names;
 }
 
@@ -65,7 +65,7 @@ bool is_left(TomlFields& fields) {
     return hand == "left";
 }
 
-ScenarioAction read_action(const TomlValue& table, const ScenarioFolders& folders) {
+ScenarioAction read_action(const settings::TomlValue& table, const ScenarioFolders& folders) {
     TomlFields fields(table, "action");
     ScenarioAction action;
     action.line = fields.line();
@@ -127,7 +127,7 @@ ScenarioAction read_action(const TomlValue& table, const ScenarioFolders& folder
     if (is("focus")) action.step = KeyboardFocus{fields.flag("focus")};
     if (is("place"))
         action.step = PlaceWalker{fields.vector("place"),
-                                radians_from_degrees(fields.number_or("heading_deg", 0.0, -360.0, 360.0))};
+                                  radians_from_degrees(fields.number_or("heading_deg", 0.0, -360.0, 360.0))};
     if (is("set")) {
         const std::string pair = fields.text("set");
         const std::size_t equals = pair.find('=');
@@ -144,7 +144,7 @@ ScenarioAction read_action(const TomlValue& table, const ScenarioFolders& folder
 }
 
 // The moves of one sweep.
-std::vector<ScenarioAction> read_sweep(const TomlValue& table) {
+std::vector<ScenarioAction> read_sweep(const settings::TomlValue& table) {
     TomlFields fields(table, "sweep");
     const Vec3 at = fields.vector("sweep_at");
     const double from_deg = fields.number("from_deg", -360.0, 360.0), to_deg = fields.number("to_deg", -360.0, 720.0);
@@ -169,7 +169,7 @@ std::vector<ScenarioAction> read_sweep(const TomlValue& table) {
 }
 
 Moment read_moment(TomlFields& fields, const char* key, const std::set<std::string>& names) {
-    const TomlValue& node = fields.node(key);
+    const settings::TomlValue& node = fields.node(key);
     if (node.number()) return Moment{{}, false, fields.number(key, 0.0, kLongest_s)};
     Moment moment;
     moment.action = fields.text(key);
@@ -197,7 +197,9 @@ void must_be_one_of(const std::string& word, std::span<const std::string_view> k
 // Reads one expectation: what to check, given by exactly one key, and when.
 class ExpectationReader {
 public:
-    explicit ExpectationReader(const TomlValue& table) : fields_(table, "expectation") { e_.line = fields_.line(); }
+    explicit ExpectationReader(const settings::TomlValue& table) : fields_(table, "expectation") {
+        e_.line = fields_.line();
+    }
 
     Expectation read(const std::set<std::string>& names) {
         read_words();
@@ -342,7 +344,7 @@ private:
     int kinds_ = 0;
 };
 
-std::string toml_text(const TomlValue& node) {
+std::string toml_text(const settings::TomlValue& node) {
     if (const auto* v = node.text()) return *v;
     if (const auto* v = node.flag()) return *v ? "true" : "false";
     if (const auto* v = node.whole()) return fmt::format("{}", *v);
@@ -350,7 +352,8 @@ std::string toml_text(const TomlValue& node) {
     throw BadField{node.line, phrase("scenario.setting")};
 }
 
-Scenario read_table(const TomlValue& table, const fs::path& file, const std::vector<fs::path>& world_folders) {
+Scenario read_table(const settings::TomlValue& table, const fs::path& file,
+                    const std::vector<fs::path>& world_folders) {
     const ScenarioFolders folders{file.parent_path(), world_folders};
     TomlFields fields(table, "scenario");
     Scenario scenario;
@@ -364,7 +367,7 @@ Scenario read_table(const TomlValue& table, const fs::path& file, const std::vec
     if (fields.has("device")) scenario.device = fields.text("device");
     if (fields.has("left_device")) scenario.left_device = fields.text("left_device");
     if (fields.has("start")) {
-        const TomlValue& start = fields.node("start");
+        const settings::TomlValue& start = fields.node("start");
         if (!start.table()) throw BadField{fields.node("start").line, phrase("scenario.start")};
         TomlFields inner(start, "start");
         scenario.has_start = true;
@@ -379,24 +382,25 @@ Scenario read_table(const TomlValue& table, const fs::path& file, const std::vec
     }
     if (fields.has("tail_s")) scenario.tail_s = fields.number("tail_s", 0.0, kLongest_s);
     if (fields.has("settings")) {
-        const TomlValue::Table* settings = fields.node("settings").table();
+        const settings::TomlValue::Table* settings = fields.node("settings").table();
         if (!settings) throw BadField{fields.node("settings").line, phrase("scenario.settings")};
         for (const auto& [key, node] : *settings) scenario.settings[key] = toml_text(node);
     }
     const auto each = [&](const char* key, auto&& visit) {
         if (!fields.has(key)) return;
-        const TomlValue::Array* list = fields.node(key).array();
+        const settings::TomlValue::Array* list = fields.node(key).array();
         if (!list) throw BadField{fields.node(key).line, phrase("scenario.tables", {{"key", key}})};
-        for (const TomlValue& item : *list) {
+        for (const settings::TomlValue& item : *list) {
             if (!item.table()) throw BadField{item.line, phrase("scenario.tables", {{"key", key}})};
             visit(item);
         }
     };
     std::set<std::string> names;
-    each("do", [&](const TomlValue& item) {
+    each("do", [&](const settings::TomlValue& item) {
         for (ScenarioAction& action : read_actions(item, folders, names)) scenario.actions.push_back(std::move(action));
     });
-    each("expect", [&](const TomlValue& item) { scenario.expectations.push_back(read_expectation(item, names)); });
+    each("expect",
+         [&](const settings::TomlValue& item) { scenario.expectations.push_back(read_expectation(item, names)); });
     fields.done();
     if (scenario.expectations.empty()) throw BadField{0, phrase("scenario.expects_nothing")};
     return scenario;
@@ -420,7 +424,7 @@ fs::path find_named_world(const std::string& name, const ScenarioFolders& folder
     throw BadField{line, phrase("scenario.no_world", {{"name", name}})};
 }
 
-std::vector<ScenarioAction> read_actions(const TomlValue& table, const ScenarioFolders& folders,
+std::vector<ScenarioAction> read_actions(const settings::TomlValue& table, const ScenarioFolders& folders,
                                          std::set<std::string>& names) {
     std::vector<ScenarioAction> actions;
     if (table.find("sweep_at")) actions = read_sweep(table);
@@ -431,7 +435,7 @@ std::vector<ScenarioAction> read_actions(const TomlValue& table, const ScenarioF
     return actions;
 }
 
-Expectation read_expectation(const TomlValue& table, const std::set<std::string>& names) {
+Expectation read_expectation(const settings::TomlValue& table, const std::set<std::string>& names) {
     return ExpectationReader(table).read(names);
 }
 
@@ -451,7 +455,7 @@ Result<Scenario> read_scenario(const fs::path& file, const std::vector<fs::path>
 Result<Scenario> read_scenario_text(const std::string& text, const fs::path& file,
                                     const std::vector<fs::path>& world_folders) {
     const std::string name = file.filename().string();
-    const Result<TomlValue> table = toml_of(text);
+    const Result<settings::TomlValue> table = settings::toml_of(text);
     if (!table) return tl::unexpected(no_toml(table.error(), name));
     try {
         return read_table(*table, file, world_folders);
@@ -460,4 +464,4 @@ Result<Scenario> read_scenario_text(const std::string& text, const fs::path& fil
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -16,7 +16,7 @@
 #include "worlds/base/vec.h"
 #include "worlds/geometry/placement.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct TapCommand {
     Command command;
@@ -192,4 +192,4 @@ Result<Scenario> read_scenario_text(const std::string& text, const std::filesyst
 Result<Scenario> read_scenario(const std::filesystem::path& file,
                                const std::vector<std::filesystem::path>& world_folders);
 
-}  // namespace handrail
+}  // namespace handrail::core

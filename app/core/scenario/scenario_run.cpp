@@ -9,7 +9,7 @@
 #include "worlds/base/text.h"
 #include "worlds/scene/models.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kTap_s = 0.1;  // how long a key that is tapped by name stays down, and how long typing a text takes
@@ -24,8 +24,8 @@ struct Running {
 
 class Player {
 public:
-    Player(const Scenario& scenario, HeadlessSession& session, SettingsStore& settings, const WorldReader& read,
-           std::vector<int>* undone)
+    Player(const Scenario& scenario, HeadlessSession& session, settings::SettingsStore& settings,
+           const WorldReader& read, std::vector<int>* undone)
         : scenario_(scenario), session_(session), settings_(settings), read_(read), undone_(undone) {
         for (const ScenarioAction& action : scenario.actions) runs_.push_back({&action, 0.0, 0.0, false, false});
     }
@@ -69,10 +69,10 @@ public:
 private:
     // World place -> device place, by the present workspace.
     Vec3 in_device(const Vec3& world_m, bool left) {
-        const WorkspacePose pose = left ? session_.app().hand(1).pose : session_.app().hand().pose;
-        const ToolState& tool = session_.tool(left);
+        const servo::WorkspacePose pose = left ? session_.app().hand(1).pose : session_.app().hand().pose;
+        const servo::ToolState& tool = session_.tool(left);
         const Vec3 origin_m = pose.origin_m + (tool.workspace_jump == pose.jump ? tool.workspace_shift_m : Vec3(0.0));
-        const WorkspaceFrame frame = frame_of(origin_m, pose.heading_rad);
+        const servo::WorkspaceFrame frame = servo::frame_of(origin_m, pose.heading_rad);
         return frame.turn_to_device(world_m - origin_m) / session_.app().hand().tuning.touch.world_m_per_hand_m;
     }
     Vec3 hand_now(bool left) {
@@ -80,7 +80,7 @@ private:
         return session_.hand(left).state.read().position_m;
     }
     // Buttons keep their state whatever else the hand does.
-    void command_hand(HandCommand command, bool left) {
+    void command_hand(device::HandCommand command, bool left) {
         command.buttons = buttons_[left];
         hand_command_[left] = command;
         session_.hand(left).command.publish(command);
@@ -117,16 +117,16 @@ private:
             const Vec3 from = hand_now(left);
             const Vec3 to = move->relative ? from + in_device(move->to_m, left) - in_device(Vec3(0.0), left)
                                            : in_device(move->to_m, left);
-            HandCommand command;
-            command.mode = HandMode::Move;
+            device::HandCommand command;
+            command.mode = device::HandMode::Move;
             command.target_m = to;
             command.speed_m_per_s = move->speed_m_per_s;
             command_hand(command, left);
             return glm::length(to - from) / move->speed_m_per_s;
         }
         if (const auto* move = std::get_if<MoveInDevice>(&action.step)) {
-            HandCommand command;
-            command.mode = HandMode::Move;
+            device::HandCommand command;
+            command.mode = device::HandMode::Move;
             command.target_m = move->to_m;
             if (!move->control.empty()) {
                 const auto place = session_.app().desk_visit().place_m(move->control);
@@ -138,22 +138,22 @@ private:
             return glm::length(command.target_m - hand_now(left)) / move->speed_m_per_s;
         }
         if (const auto* push = std::get_if<PushHand>(&action.step)) {
-            HandCommand command;
-            command.mode = HandMode::Push;
+            device::HandCommand command;
+            command.mode = device::HandMode::Push;
             command.push_n = push->force_n;
             command_hand(command, left);
             return push->for_s;
         }
         if (const auto* rest = std::get_if<RestHand>(&action.step)) {
-            HandCommand command;
-            command.mode = HandMode::Rest;
+            device::HandCommand command;
+            command.mode = device::HandMode::Rest;
             command.target_m = in_device(rest->at_m, left);
             command_hand(command, left);
             return rest->for_s;
         }
         if (const auto* trouble = std::get_if<ScenarioTrouble>(&action.step)) {
             const int samples = static_cast<int>(std::lround(trouble->for_s * 1e3));
-            DeviceTrouble device;
+            device::DeviceTrouble device;
             if (trouble->kind == "nan") device.not_a_number_samples = samples;
             if (trouble->kind == "jump") device.jump_samples = samples, device.jump_m = Vec3(kJumpTrouble_m, 0.0, 0.0);
             if (trouble->kind == "freeze") device.silent_samples = samples;
@@ -191,7 +191,7 @@ private:
         if (const auto* place = std::get_if<PlaceWalker>(&action.step))
             session_.app().apply(Placed{place->feet_m, place->heading_rad}, now);
         if (const auto* change = std::get_if<ChangeSetting>(&action.step)) {
-            if (const auto set = settings_.set(change->key, change->value, SettingSource::Live); !set)
+            if (const auto set = settings_.set(change->key, change->value, settings::SettingSource::Live); !set)
                 return here(set.error().message, action);
             session_.change_settings(settings_.values());
         }
@@ -218,25 +218,25 @@ private:
         if (const auto* hold = std::get_if<HoldCommand>(&action.step))
             session_.app().apply(CommandUp{hold->command}, session_.now_s());
         if (std::get_if<PushHand>(&action.step)) {
-            HandCommand still;
-            still.mode = HandMode::Move;
+            device::HandCommand still;
+            still.mode = device::HandMode::Move;
             still.target_m = hand_now(action.left);
             command_hand(still, action.left);
         }
         if (const auto* trouble = std::get_if<ScenarioTrouble>(&action.step)) {
             if (trouble->kind == "late") session_.slow_servo(1);
-            session_.hand(action.left).trouble.publish(DeviceTrouble{});
+            session_.hand(action.left).trouble.publish(device::DeviceTrouble{});
         }
     }
 
     const Scenario& scenario_;
     HeadlessSession& session_;
-    SettingsStore& settings_;
+    settings::SettingsStore& settings_;
     const WorldReader& read_;
     std::vector<int>* undone_;
     // For the only or right hand, and for the left one.
     std::array<std::uint32_t, 2> buttons_{};
-    std::array<HandCommand, 2> hand_command_{HeadlessSession::still_hand(), HeadlessSession::still_hand()};
+    std::array<device::HandCommand, 2> hand_command_{HeadlessSession::still_hand(), HeadlessSession::still_hand()};
     std::map<std::string, std::shared_ptr<const Scene>> models_;
     std::vector<Running> runs_;
 };
@@ -256,7 +256,7 @@ private:
 };
 
 LoggedTick logged(HeadlessSession& session, std::size_t hand) {
-    const ToolState& tool = session.tool(hand);
+    const servo::ToolState& tool = session.tool(hand);
     LoggedTick tick;
     tick.time_s = session.now_s();
     tick.force_n = tool.force_n;
@@ -273,17 +273,18 @@ LoggedTick logged(HeadlessSession& session, std::size_t hand) {
 
 }  // namespace
 
-Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<const Scene>& scene, AudioSink& audio,
-                                SpeechSink& speech, const WorldReader& read,
+Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<const Scene>& scene,
+                                cues::AudioSink& audio, cues::SpeechSink& speech, const WorldReader& read,
                                 const std::function<void(HeadlessSession&)>& each_ms, std::vector<int>* undone,
                                 RoomsKept* rooms_kept) {
     const std::string file = scenario.file.filename().string();
-    SettingsStore settings;
-    if (const auto faults = settings.load_file(settings_beside(scenario.world.file), SettingSource::World, read.toml);
+    settings::SettingsStore settings;
+    if (const auto faults = settings.load_file(settings::settings_beside(scenario.world.file),
+                                               settings::SettingSource::World, read.toml);
         !faults.empty())
         return fail(faults.front().sentence(), file);
     for (const auto& [key, value] : scenario.settings)
-        if (const auto set = settings.set(key, value, SettingSource::CommandLine); !set)
+        if (const auto set = settings.set(key, value, settings::SettingSource::CommandLine); !set)
             return fail(set.error().message, file);
     // English by default, so that a file means the same everywhere.
     const std::string& language = settings.values().speech.language;
@@ -294,11 +295,11 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
     for (std::size_t which = 0; which < facts.size(); ++which) {
         const std::string& device = which == 0 ? scenario.device : scenario.left_device;
         if (device == "none") continue;
-        const DeviceSpec* spec = find_device_spec(device);
+        const device::DeviceSpec* spec = device::find_device_spec(device);
         if (!spec)
-            return fail(
-                phrase("scenario.no_device", {{"device", device}, {"nearest", nearest_name(device, device_names())}}),
-                file);
+            return fail(phrase("scenario.no_device",
+                               {{"device", device}, {"nearest", nearest_name(device, device::device_names())}}),
+                        file);
         facts[which].present = facts[which].simulated = true;
         facts[which].spec = *spec;
     }
@@ -317,11 +318,11 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
         // stays.
         if (const auto wanted = session.app().requests().take_world()) {
             if (auto other = read.scene(*wanted)) {
-                settings.load_file(settings_beside(wanted->file), SettingSource::World, read.toml);
+                settings.load_file(settings::settings_beside(wanted->file), settings::SettingSource::World, read.toml);
                 session.change_settings(settings.values());
                 session.app().apply(WorldEntered{make_ready(std::make_shared<const Scene>(std::move(*other)))},
                                     session.now_s());
-            } else session.app().apply(Told{other.error().sentence(), SpeechClass::Answer}, session.now_s());
+            } else session.app().apply(Told{other.error().sentence(), cues::SpeechClass::Answer}, session.now_s());
         }
         if (const auto stepped = player.step(); !stepped) return tl::unexpected(stepped.error());
         if (!player.done()) last_action_s = session.now_s();
@@ -337,4 +338,4 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
     return log;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

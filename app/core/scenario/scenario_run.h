@@ -10,7 +10,7 @@
 #include "app/core/scenario/session_log.h"
 #include "audio-cues/plan/sinks.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class HeadlessSession;
 class RoomsKept;
@@ -19,9 +19,9 @@ class RoomsKept;
 // something impossible: an unknown device or setting. read: reads models, and further worlds that are entered. each_ms:
 // by whoever goes along, before each millisecond. undone: takes the file lines of actions that could not be done, which
 // are passed over; null: the first of them fails. rooms_kept: as of SessionOptions.
-Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<const Scene>& scene, AudioSink& audio,
-                                SpeechSink& speech, const WorldReader& read,
+Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<const Scene>& scene,
+                                cues::AudioSink& audio, cues::SpeechSink& speech, const WorldReader& read,
                                 const std::function<void(HeadlessSession&)>& each_ms = {},
                                 std::vector<int>* undone = nullptr, RoomsKept* rooms_kept = nullptr);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -11,7 +11,7 @@
 #include "worlds/base/language.h"
 #include "worlds/scene/lint.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kFeltForce_n = 0.05;  // below this force a direction cannot be felt
@@ -232,8 +232,8 @@ private:
 
     bool is_wanted(const LoggedSound& s) const {
         if (e_.pitch && (s.cue.pitch < (*e_.pitch)[0] || s.cue.pitch > (*e_.pitch)[1])) return false;
-        if (info(s.cue.kind).name != e_.text ||
-            (!e_.material.empty() && material_sound_name(s.cue.material) != e_.material))
+        if (cues::info(s.cue.kind).name != e_.text ||
+            (!e_.material.empty() && cues::material_sound_name(s.cue.material) != e_.material))
             return false;
         return !e_.muffled_db || (s.cue.loudness > 0.0 && s.cue.muffled_db >= (*e_.muffled_db)[0] &&
                                   s.cue.muffled_db <= (*e_.muffled_db)[1]);
@@ -250,8 +250,8 @@ private:
                 latest_ms = std::max(latest_ms, (s.time_s - s.cue.event_time_s) * 1e3);
             } else if (!s.loop && others.size() < 400) {
                 others += " " + phrase("log.other", {{"seconds", s.time_s},
-                                                     {"sound", info(s.cue.kind).name},
-                                                     {"material", material_sound_name(s.cue.material)}});
+                                                     {"sound", cues::info(s.cue.kind).name},
+                                                     {"material", cues::material_sound_name(s.cue.material)}});
             }
         }
         const bool wanted = e_.check == Check::Sound;
@@ -440,4 +440,4 @@ std::vector<std::string> failures(const Scenario& scenario, const SessionLog& lo
     return found;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -13,7 +13,7 @@
 #include "worlds/base/feature_id.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct LoggedTick {
     double time_s = 0.0;
@@ -29,7 +29,7 @@ struct LoggedTick {
 
 struct LoggedSound {
     double time_s = 0.0;  // when the sink received it
-    SoundCue cue;
+    cues::SoundCue cue;
     bool loop = false;
 };
 
@@ -52,4 +52,4 @@ struct SessionLog {
 // happened instead.
 std::vector<std::string> failures(const Scenario& scenario, const SessionLog& log, const Scene& scene);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -17,7 +17,7 @@
 #include "worlds/base/text.h"
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // Thrown by functions that read a table; the reader of the file turns it into a Result.
 struct BadField {
@@ -28,14 +28,14 @@ struct BadField {
 // A table; every key must have been requested before done() is called.
 class TomlFields {
 public:
-    TomlFields(const TomlValue& table, std::string what) : table_(table), what_(std::move(what)) {}
+    TomlFields(const settings::TomlValue& table, std::string what) : table_(table), what_(std::move(what)) {}
     int line() const { return table_.line; }
     bool has(const char* key) {
         asked_.insert(key);
         return table_.find(key) != nullptr;
     }
     double number(const char* key, double low, double high) {
-        const TomlValue& node = need(key);
+        const settings::TomlValue& node = need(key);
         const auto value = node.number();
         if (!value || !(*value >= low && *value <= high))
             throw BadField{node.line, phrase("scenario.number", {{"key", key},
@@ -47,22 +47,22 @@ public:
         return has(key) ? number(key, low, high) : otherwise;
     }
     std::string text(const char* key) {
-        const TomlValue& node = need(key);
+        const settings::TomlValue& node = need(key);
         if (!node.text() || node.text()->empty()) throw BadField{node.line, phrase("scenario.text", {{"key", key}})};
         return *node.text();
     }
     bool flag(const char* key) {
-        const TomlValue& node = need(key);
+        const settings::TomlValue& node = need(key);
         if (!node.flag()) throw BadField{node.line, phrase("scenario.flag", {{"key", key}})};
         return *node.flag();
     }
     // Three numbers. Where allowed, the text "any" stands for a number and becomes NaN.
     Vec3 vector(const char* key, bool allow_any = false) {
-        const TomlValue::Array* list = need(key).array();
+        const settings::TomlValue::Array* list = need(key).array();
         if (!list || list->size() != 3) throw BadField{need(key).line, phrase("scenario.three", {{"key", key}})};
         Vec3 v{0.0};
         for (int i = 0; i < 3; ++i) {
-            const TomlValue& node = (*list)[static_cast<std::size_t>(i)];
+            const settings::TomlValue& node = (*list)[static_cast<std::size_t>(i)];
             const auto number = node.number();
             if (allow_any && node.text() && *node.text() == "any") v[i] = std::numeric_limits<double>::quiet_NaN();
             else if (number && std::isfinite(*number)) v[i] = *number;
@@ -71,14 +71,14 @@ public:
         return v;
     }
     std::array<double, 2> range(const char* key) {
-        const TomlValue::Array* list = need(key).array();
+        const settings::TomlValue::Array* list = need(key).array();
         if (!list || list->size() != 2 || !list->front().number() || !list->back().number())
             throw BadField{need(key).line, phrase("scenario.two", {{"key", key}})};
         const std::array<double, 2> r{*list->front().number(), *list->back().number()};
         if (!(r[0] <= r[1])) throw BadField{need(key).line, phrase("scenario.lower_first", {{"key", key}})};
         return r;
     }
-    const TomlValue& node(const char* key) { return need(key); }
+    const settings::TomlValue& node(const char* key) { return need(key); }
     void done() const {
         std::vector<std::string> known(asked_.begin(), asked_.end());
         for (const auto& [key, node] : *table_.table())
@@ -89,15 +89,15 @@ public:
     }
 
 private:
-    const TomlValue& need(const char* key) {
+    const settings::TomlValue& need(const char* key) {
         asked_.insert(key);
-        const TomlValue* node = table_.find(key);
+        const settings::TomlValue* node = table_.find(key);
         if (!node) throw BadField{table_.line, phrase("scenario.needs", {{"what", what_}, {"key", key}})};
         return *node;
     }
-    const TomlValue& table_;  // a table
+    const settings::TomlValue& table_;  // a table
     std::string what_;
     std::set<std::string> asked_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -7,7 +7,7 @@
 #include "app/core/dialogue/terminal_line.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kSettles_s = 0.2;
@@ -88,7 +88,7 @@ void CarriedLines::choose(const std::string& choice, double now_s) {
     }
     if (holds) return void(app_.apply(LineTyped{choice}, now_s));
     app_.apply(ListsLeft{}, now_s);
-    app_.apply(Told{phrase("terminal.not_found", {{"typed", choice}, {"word", asked_by_}}), SpeechClass::Answer},
+    app_.apply(Told{phrase("terminal.not_found", {{"typed", choice}, {"word", asked_by_}}), cues::SpeechClass::Answer},
                now_s);
 }
 
@@ -109,7 +109,7 @@ void CarriedLines::carry_out(const std::string& line, double now_s) {
         app_.apply(ListsLeft{}, now_s);
     if (app_.apply(LineTyped{always ? word : line}, now_s)) return;
     if (!always && word != line && app_.apply(LineTyped{word}, now_s)) return;
-    if (!parsed) return void(app_.apply(Told{parsed.error().message, SpeechClass::Answer}, now_s));
+    if (!parsed) return void(app_.apply(Told{parsed.error().message, cues::SpeechClass::Answer}, now_s));
     if (parsed->leave) {
         left_ = true;
     } else if (parsed->command) {
@@ -130,4 +130,4 @@ void CarriedLines::tap(Command command, int times, double now_s) {
     if (command >= Command::HandForward && command <= Command::HandCentre) settle_until_s_ = now_s + kSettles_s;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -10,7 +10,7 @@
 
 #include "app/core/session/session.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class CarriedLines {
 public:
@@ -52,4 +52,4 @@ private:
     bool left_ = false;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -6,14 +6,14 @@
 
 #include "haptic/servo/servo_tick.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct HandOutput {
-    WorkspacePose pose;
-    ServoTuning tuning;
-    const GuidancePath* guidance = nullptr;  // null: this hand is never guided
-    Vec3 target_m{0.0};                      // for the simulated hand, device frame
-    std::shared_ptr<HandBodyServo> engine;      // its access to the movable things; null: nothing is movable
+    servo::WorkspacePose pose;
+    servo::ServoTuning tuning;
+    const servo::GuidancePath* guidance = nullptr;  // null: this hand is never guided
+    Vec3 target_m{0.0};                             // for the simulated hand, device frame
+    std::shared_ptr<servo::HandBodyServo> engine;   // its access to the movable things; null: nothing is movable
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

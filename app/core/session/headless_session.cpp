@@ -2,7 +2,7 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr long kCueEvery_ms = 5;
@@ -10,12 +10,12 @@ constexpr double kFrames_per_s = 60.0, kTick_s = 1e-3;
 
 }  // namespace
 
-HeadlessSession::HeadlessSession(const Settings& settings, const HandFacts& hand, AudioSink& audio, SpeechSink& speech,
-                                 const SessionOptions& options)
+HeadlessSession::HeadlessSession(const settings::Settings& settings, const HandFacts& hand, cues::AudioSink& audio,
+                                 cues::SpeechSink& speech, const SessionOptions& options)
     : app_(settings, hand, options),
       facts_(hand),
-      ears_(std::shared_ptr<AudioSink>(&audio, [](AudioSink*) {}),
-            std::shared_ptr<SpeechSink>(&speech, [](SpeechSink*) {}), clock_, &hands_[0].contacts, settings,
+      ears_(std::shared_ptr<cues::AudioSink>(&audio, [](cues::AudioSink*) {}),
+            std::shared_ptr<cues::SpeechSink>(&speech, [](cues::SpeechSink*) {}), clock_, &hands_[0].contacts, settings,
             &hands_[1].contacts) {
     take(0, hand);
 }
@@ -25,12 +25,13 @@ HeadlessSession::~HeadlessSession() { ears_.end_at_once(); }
 void HeadlessSession::take(std::size_t which, const HandFacts& facts) {
     Hand& hand = hands_[which];
     hand.simulated->command.publish(still_hand());
-    hand.simulated->trouble.publish(DeviceTrouble{});
+    hand.simulated->trouble.publish(device::DeviceTrouble{});
     hand.servo.reset();
     hand.tool = {};
     if (facts.present) {
-        hand.servo = std::make_unique<ServoLoop>(std::make_unique<SimulatedDevice>(facts.spec, hand.simulated), clock_,
-                                                 kTick_s, ServoLoop::Links{&switches_, &hand.contacts, nullptr});
+        hand.servo = std::make_unique<servo::ServoLoop>(
+            std::make_unique<device::SimulatedDevice>(facts.spec, hand.simulated), clock_, kTick_s,
+            servo::ServoLoop::Links{&switches_, &hand.contacts, nullptr});
         const bool opens = hand.servo->open().has_value();
         contract_pre(opens);
     }
@@ -50,9 +51,9 @@ void HeadlessSession::give_left_hand(const HandFacts& facts) {
     ears_.set_two_hands(app_.two_hands());
 }
 
-HandCommand HeadlessSession::still_hand() {
-    HandCommand still;
-    still.mode = HandMode::Move;
+device::HandCommand HeadlessSession::still_hand() {
+    device::HandCommand still;
+    still.mode = device::HandMode::Move;
     return still;
 }
 
@@ -77,7 +78,7 @@ void HeadlessSession::set_focus(bool focused) {
     app_.apply(FocusChanged{focused}, now_s());
 }
 
-void HeadlessSession::change_settings(const Settings& settings) {
+void HeadlessSession::change_settings(const settings::Settings& settings) {
     app_.apply(SettingsChanged{settings}, now_s());
     ears_.set_settings(settings);
 }
@@ -102,4 +103,4 @@ void HeadlessSession::advance() {
     if (milliseconds_ % kCueEvery_ms == 0) ears_.step();
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -17,14 +17,14 @@
 #include "haptic/servo/servo_loop.h"
 #include "worlds/base/clock.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class HeadlessSession {
 public:
     // The sinks receive everything in virtual time and must outlive the session. A hand that is not present gets no
     // servo.
-    HeadlessSession(const Settings& settings, const HandFacts& hand, AudioSink& audio, SpeechSink& speech,
-                    const SessionOptions& options = {});
+    HeadlessSession(const settings::Settings& settings, const HandFacts& hand, cues::AudioSink& audio,
+                    cues::SpeechSink& speech, const SessionOptions& options = {});
     ~HeadlessSession();
 
     Session& app() { return app_; }
@@ -33,11 +33,11 @@ public:
     void give_left_hand(const HandFacts& facts);
     // Replaces the device of the only or right hand, or removes it, as when a person unplugs it.
     void change_hand(const HandFacts& facts);
-    SimulatedHand& hand(std::size_t which = 0) { return *hands_[which].simulated; }
+    device::SimulatedHand& hand(std::size_t which = 0) { return *hands_[which].simulated; }
     const HandFacts& facts() const { return facts_; }
-    const ToolState& tool(std::size_t which = 0) const { return hands_[which].tool; }
+    const servo::ToolState& tool(std::size_t which = 0) const { return hands_[which].tool; }
     double now_s() const { return clock_.now_s(); }
-    void change_settings(const Settings& settings);
+    void change_settings(const settings::Settings& settings);
     // A key is pressed; the keyboard focus changes. As in a real session, the servo's switches are set at once and the
     // app is informed.
     void press(Command command, int times = 1);
@@ -49,7 +49,7 @@ public:
     const CarriedLines& lines() const { return lines_; }
     void set_focus(bool focused);
     // What the hand does before its first command.
-    static HandCommand still_hand();
+    static device::HandCommand still_hand();
     // From now on the servo runs only every n-th millisecond, as on a slow machine.
     void slow_servo(int every_ms) { servo_every_ms_ = every_ms; }
     // Advances everything by one millisecond.
@@ -57,10 +57,10 @@ public:
 
 private:
     struct Hand {
-        std::shared_ptr<SimulatedHand> simulated = std::make_shared<SimulatedHand>();
-        ServoLoop::EventRing contacts;
-        std::unique_ptr<ServoLoop> servo;
-        ToolState tool;
+        std::shared_ptr<device::SimulatedHand> simulated = std::make_shared<device::SimulatedHand>();
+        servo::ServoLoop::EventRing contacts;
+        std::unique_ptr<servo::ServoLoop> servo;
+        servo::ToolState tool;
     };
 
     void take(std::size_t which, const HandFacts& facts);
@@ -68,9 +68,9 @@ private:
     VirtualClock clock_;
     Session app_;
     HandFacts facts_;
-    ServoSwitches switches_;     // for both hands
-    std::array<Hand, 2> hands_;  // the only or right one, the left one
-    AudioThread ears_;           // stepped here, not on its own thread
+    servo::ServoSwitches switches_;  // for both hands
+    std::array<Hand, 2> hands_;      // the only or right one, the left one
+    cues::AudioThread ears_;         // stepped here, not on its own thread
     SessionDriver driver_{app_, ears_};
     CarriedLines lines_{app_};
     long milliseconds_ = 0;
@@ -78,4 +78,4 @@ private:
     int servo_every_ms_ = 1;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -7,7 +7,7 @@
 #include "worlds/base/feature_id.h"
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct LessonView {
     Vec3 feet_m{0.0};
@@ -22,4 +22,4 @@ struct LessonView {
     int walls = 0, walls_done = 0, exits = 0, exits_found = 0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

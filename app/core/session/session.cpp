@@ -16,14 +16,14 @@
 #include "worlds/scene/models.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kAnswerFollows_s = 60.0;  // how long typed lines wait for an answer that needs the rooms
 
 }  // namespace
 
-Session::Session(const Settings& settings, const HandFacts& hand, const SessionOptions& options)
+Session::Session(const settings::Settings& settings, const HandFacts& hand, const SessionOptions& options)
     : state_(settings, hand, options.executor, options.arrivals, options.rooms_kept) {
     wire();
     bodies_.make_engines(options.bodies);
@@ -34,7 +34,7 @@ Session::Session(const Settings& settings, const HandFacts& hand, const SessionO
     if (!options.languages_in.empty()) menu_.languages().find_in(options.languages_in);
     lay_device_overrides(state_.person.settings, state_.hands.right);
     desk_visit_.furnish();
-    for (const std::string& problem : state_.person.keys.problems()) say(problem, SpeechClass::Answer, 0.0);
+    for (const std::string& problem : state_.person.keys.problems()) say(problem, cues::SpeechClass::Answer, 0.0);
 }
 
 void Session::enter_world(EnteringWorld world, double now_s) {
@@ -81,15 +81,16 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     ++state_.world.entered;
 
     publish_pose(now_s, PoseChange::Placed);
-    if (!greeting_waits()) state_.context.tell(SpeechTopic::Place, entering_text(), now_s, {.answers = true});
+    if (!greeting_waits()) state_.context.tell(cues::SpeechTopic::Place, entering_text(), now_s, {.answers = true});
     if (const Scene& entered = *state_.world.scene;
         !greeting_waits() && entered.stated && !entered.stated->rooms.empty())
-        say(honest_sentence(entered, honest_report(entered)), SpeechClass::Answer, now_s);
+        say(honest_sentence(entered, honest_report(entered)), cues::SpeechClass::Answer, now_s);
     if (state_.person.settings.speech.crowding_hint)
         if (std::string crowded = crowded_view(*state_.world.scene); !crowded.empty())
-            say(std::move(crowded), SpeechClass::Answer, now_s);
+            say(std::move(crowded), cues::SpeechClass::Answer, now_s);
     tell_additions(now_s);
-    if (std::string game = labyrinth_.opening_words(); !game.empty()) say(std::move(game), SpeechClass::Answer, now_s);
+    if (std::string game = labyrinth_.opening_words(); !game.empty())
+        say(std::move(game), cues::SpeechClass::Answer, now_s);
     learn_.hunt.begin_awaited(now_s);
 }
 
@@ -98,7 +99,7 @@ void Session::keep_learnt(double now_s) {
     if (state_.additions_due_s) save_additions(now_s);
 }
 
-void Session::set_hand(const HandFacts& hand, const Settings& settings, double now_s) {
+void Session::set_hand(const HandFacts& hand, const settings::Settings& settings, double now_s) {
     hand_.forces.take(hand);
     guide_.let_go();
     hand_.workspace.take_hand();
@@ -138,13 +139,13 @@ void Session::press(Command command, double now_s, int times) {
 }
 
 // What was cut, from the state of this moment: what is no longer true is not said.
-void Session::say_anew(SpeechTopics topics, double now_s) {
-    for (const SpeechTopic topic : {SpeechTopic::Praise, SpeechTopic::Lesson})
+void Session::say_anew(cues::SpeechTopics topics, double now_s) {
+    for (const cues::SpeechTopic topic : {cues::SpeechTopic::Praise, cues::SpeechTopic::Lesson})
         if (topics.has(topic)) lesson_session_.tell_anew(topic, now_s);
     if (!state_.world.scene) return;
-    if (topics.has(SpeechTopic::Place) && !where_.rooms.tell_here_anew(now_s))
-        state_.context.tell(SpeechTopic::Place, where_am_i(), now_s, {.anew = true, .answers = true});
-    for (const SpeechTopic topic : {SpeechTopic::Summary, SpeechTopic::Leg})
+    if (topics.has(cues::SpeechTopic::Place) && !where_.rooms.tell_here_anew(now_s))
+        state_.context.tell(cues::SpeechTopic::Place, where_am_i(), now_s, {.anew = true, .answers = true});
+    for (const cues::SpeechTopic topic : {cues::SpeechTopic::Summary, cues::SpeechTopic::Leg})
         if (topics.has(topic)) guide_.tell_anew(topic, now_s);
 }
 
@@ -244,7 +245,7 @@ void Session::take_settled() {
 Result<void> Session::add_thing(const std::string& name, std::shared_ptr<const Scene> model, const Placement& at,
                                 const std::string& material, double now_s) {
     if (!state_.world.scene) return fail(phrase("session.no_world"));
-    if (state_.world.scene->placed.size() >= HapticScene::kMostBodies)
+    if (state_.world.scene->placed.size() >= render::HapticScene::kMostBodies)
         return fail(phrase("session.too_many_things", {{"count", state_.world.scene->placed.size()}}));
     auto changed = with_placed(world_now(state_.world), name, std::move(model), at, material);
     if (!changed) return tl::unexpected(changed.error());
@@ -278,7 +279,7 @@ std::optional<Placement> Session::thing_at(const std::string& name) const {
     return state_.world.things.at(static_cast<std::size_t>(thing));
 }
 
-void Session::tick(double now_s, const ToolState& tool, const ToolState& left_tool) {
+void Session::tick(double now_s, const servo::ToolState& tool, const servo::ToolState& left_tool) {
     contract_pre(std::isfinite(now_s));
     const Arrivals::Turn turn(state_.context.arrivals);
     state_.hands.tool = tool;
@@ -357,16 +358,16 @@ void Session::set_left_hand(const HandFacts& hand, double now_s) {
 
 HandOutput Session::hand(std::size_t which) const {
     const Workspace& workspace = hand_.workspace;
-    const std::shared_ptr<HandBodyServo>& engine = bodies_.hand_engine(which);
+    const std::shared_ptr<servo::HandBodyServo>& engine = bodies_.hand_engine(which);
     if (which == 1) return {workspace.left_pose(), hand_.touch_view.left_tuning(), nullptr, Vec3(0.0), engine};
     return {workspace.pose(), state_.hands.tuning, &guide_.path(), workspace.hand_target_m(), engine};
 }
 
-Listener Session::listener() const {
+cues::Listener Session::listener() const {
     return {state_.body.ears_m(), state_.body.heading_rad, soundscape_.reverberation_s()};
 }
 
-ViewState Session::view(const ToolState& tool, const std::string& last_spoken) const {
+ViewState Session::view(const servo::ToolState& tool, const std::string& last_spoken) const {
     const Arrivals::Turn looks(state_.context.arrivals, true);
     ViewState view;
     view.scene = state_.world.scene;
@@ -378,10 +379,10 @@ ViewState Session::view(const ToolState& tool, const std::string& last_spoken) c
     view.show_hand = state_.hands.right.present;
     view.proxy_m = tool.proxy_m;
     view.ball_radius_m = tool.ball_radius_m;
-    view.touching = tool.touches() || tool.holds != kNoBody;
+    view.touching = tool.touches() || tool.holds != render::kNoBody;
     view.plan_view = plan_view_;
     view.forces_on = state_.hands.tuning.forces_on && state_.hands.tuning.focused && !state_.hands.tuning.panic;
-    view.north_up = state_.person.settings.workspace.frame == FrameChoice::Map;
+    view.north_up = state_.person.settings.workspace.frame == settings::FrameChoice::Map;
     view.last_spoken = last_spoken;
     view.path_m = walk_.walking.path_m();
     if (plan_view_) view.rooms = where_.rooms.drawing(), view.room = where_.rooms.here();
@@ -389,4 +390,4 @@ ViewState Session::view(const ToolState& tool, const std::string& last_spoken) c
     return view;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -33,13 +33,13 @@
 #include "settings/settings.h"
 #include "worlds/base/background_task.h"
 
-namespace handrail {
+namespace handrail::core {
 
 inline constexpr double kFrame_s = 1.0 / 60.0;  // between two ticks in real time
 
 class Session {
 public:
-    Session(const Settings& settings, const HandFacts& hand, const SessionOptions& options = {});
+    Session(const settings::Settings& settings, const HandFacts& hand, const SessionOptions& options = {});
     Session(const Session&) = delete;  // open lists and waiting sounds keep its address
     Session& operator=(const Session&) = delete;
 
@@ -73,7 +73,7 @@ public:
     const Dialogue& dialogue() const { return state_.lists.dialogue; }
 
     // now_s never decreases. A step of more than 0.1 s counts as 0.1 s of walking.
-    void tick(double now_s, const ToolState& tool, const ToolState& left_tool = {});
+    void tick(double now_s, const servo::ToolState& tool, const servo::ToolState& left_tool = {});
 
     // Saves what was learnt about the present world, if the person wants it to be remembered. Done every minute anyway;
     // the owner calls it at the end.
@@ -81,10 +81,10 @@ public:
 
     // Outputs to fetch after each tick.
     std::shared_ptr<const Scene> scene() const { return state_.world.scene; }
-    std::shared_ptr<const HapticScene> haptic_scene() const { return hand_.touch_view.felt(); }
+    std::shared_ptr<const render::HapticScene> haptic_scene() const { return hand_.touch_view.felt(); }
     // 0: the only or right hand; 1: the left one.
     HandOutput hand(std::size_t which = 0) const;
-    const BodyFrame& bodies() const { return state_.world.things.frame(); }
+    const servo::BodyFrame& bodies() const { return state_.world.things.frame(); }
     // Its `entered` increases when another world is entered. If something is added, moved or removed, scene() changes
     // without that.
     const WorldState& world() const { return state_.world; }
@@ -94,20 +94,20 @@ public:
     // Advances movable things in virtual time. Call it every millisecond if a hand feels them.
     void step_bodies(double now_s) { bodies_.step_engine(now_s); }
     bool two_hands() const { return state_.hands.two(); }
-    Listener listener() const;
+    cues::Listener listener() const;
     // The desk. While the hand is there, the world is paused.
     const DeskVisit& desk_visit() const { return desk_visit_; }
     DeskVisit& desk_visit() { return desk_visit_; }
     bool at_desk() const { return state_.hands.at_desk(); }
-    std::vector<CueRequest> take_cues() { return state_.cues.take(); }
+    std::vector<cues::CueRequest> take_cues() { return state_.cues.take(); }
     // Events since the last call, in addition to what is announced and played (session_event.h).
     std::vector<SessionEvent> take_events() { return state_.events.take(); }
     // Settings that were changed in the session, to be stored and saved: key and value.
     std::vector<std::pair<std::string, std::string>> take_setting_changes() {
         return std::exchange(state_.person.changes, {});
     }
-    const Settings& settings() const { return state_.person.settings; }
-    ViewState view(const ToolState& tool, const std::string& last_spoken) const;
+    const settings::Settings& settings() const { return state_.person.settings; }
+    ViewState view(const servo::ToolState& tool, const std::string& last_spoken) const;
     const KeyMap& keys() const { return state_.person.keys; }
     // True if nothing is pending: no steps, no turn, no held key.
     bool idle() const;
@@ -130,14 +130,14 @@ private:
     // The inputs of session_input.h, one by one.
     void enter_world(EnteringWorld world, double now_s);
     void place(const Vec3& feet_m, double heading_rad, double now_s);
-    void set_hand(const HandFacts& hand, const Settings& settings, double now_s);
+    void set_hand(const HandFacts& hand, const settings::Settings& settings, double now_s);
     void set_left_hand(const HandFacts& hand, double now_s);
     void offer_hand(const std::string& spoken_name, double now_s) { hand_.forces.offer(spoken_name, now_s); }
-    void change_settings(const Settings& settings, double now_s);
-    void take_settings(Settings settings, double now_s);
+    void change_settings(const settings::Settings& settings, double now_s);
+    void take_settings(settings::Settings settings, double now_s);
     Result<void> set(std::string_view key, const std::string& value, double now_s);
-    void follow(std::string_view key, Settings changed, double now_s);
-    void speak_language_of(const Settings::Speech& speech, double now_s);
+    void follow(std::string_view key, settings::Settings changed, double now_s);
+    void speak_language_of(const settings::Settings::Speech& speech, double now_s);
     void press(Command command, double now_s, int times = 1);
     void release(Command command);
     bool take_key(std::string_view key, double now_s);
@@ -150,19 +150,19 @@ private:
     void set_focus(bool focused);
     void move_hand(const Vec3& by_device_m) { hand_.workspace.move_hand(by_device_m); }
     void go_on_at(const LastPlace& place, double now_s);
-    void say(std::string text, SpeechClass speech_class, double now_s) {
+    void say(std::string text, cues::SpeechClass speech_class, double now_s) {
         state_.cues.say(std::move(text), speech_class, now_s);
     }
-    void say_anew(SpeechTopics topics, double now_s);
+    void say_anew(cues::SpeechTopics topics, double now_s);
     void act(Command command, double now_s, int times = 1);
     void carry_out(Command command, double now_s, int times);
     bool act_itself(Command command, double now_s);
     struct Carriers;  // session_commands.cpp
     void answer_what_was_too_early(double now_s);
     void publish_pose(double now_s, PoseChange change) { hand_.workspace.publish(now_s, change); }
-    void play(SoundKind kind, double now_s) { state_.cues.play(kind, now_s); }
-    void play_at(SoundKind kind, const Vec3& place_m, double now_s) { state_.cues.play_at(kind, place_m, now_s); }
-    void cue(CueRequest request) { state_.cues.cue(std::move(request)); }
+    void play(cues::SoundKind kind, double now_s) { state_.cues.play(kind, now_s); }
+    void play_at(cues::SoundKind kind, const Vec3& place_m, double now_s) { state_.cues.play_at(kind, place_m, now_s); }
+    void cue(cues::CueRequest request) { state_.cues.cue(std::move(request)); }
     void answer(std::string text, double now_s) { state_.cues.answer(std::move(text), now_s); }
     void quiet(double now_s) { state_.cues.quiet(now_s); }
     // Lists: session_dialogue.cpp.
@@ -226,4 +226,4 @@ private:
     std::optional<TooEarly> too_early_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -5,7 +5,7 @@
 #include "app/core/session/session.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kRetryAdditions_s = 30.0;
@@ -23,7 +23,7 @@ void Session::take_additions() {
 }
 
 void Session::tell_additions(double now_s) {
-    for (const std::string& news : state_.additions.news()) say(news, SpeechClass::Answer, now_s);
+    for (const std::string& news : state_.additions.news()) say(news, cues::SpeechClass::Answer, now_s);
     places_.marks.tell_faults(now_s);
     places_.faults.tell_unreadable(now_s);
     places_.ways.enter_world(now_s);
@@ -33,14 +33,14 @@ void Session::tell_additions(double now_s) {
 bool Session::save_additions(double now_s) {
     const auto saved = state_.additions.save();
     if (!saved) {
-        say(phrase("guide.not_kept", {{"why", saved.error().sentence()}}), SpeechClass::Alarm, now_s);
+        say(phrase("guide.not_kept", {{"why", saved.error().sentence()}}), cues::SpeechClass::Alarm, now_s);
         state_.additions_due_s = now_s + kRetryAdditions_s;
     } else if (std::exchange(state_.additions_due_s, std::nullopt)) {
-        say(phrase("guide.saved_after_all"), SpeechClass::Answer, now_s);
+        say(phrase("guide.saved_after_all"), cues::SpeechClass::Answer, now_s);
     }
     const SideFile::TakenOver taken = state_.additions.take_over();
     if (taken.differs) take_others_additions();
-    for (const std::string& news : taken.news) say(news, SpeechClass::Answer, now_s);
+    for (const std::string& news : taken.news) say(news, cues::SpeechClass::Answer, now_s);
     return saved.has_value();
 }
 
@@ -63,4 +63,4 @@ void Session::take_others_additions() {
     learn_.place.take_again();
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -9,7 +9,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct Session::Carriers {
     // Returns false if the feature cannot use the command in its present state.
@@ -190,11 +190,11 @@ bool Session::act_itself(Command command, double now_s) {
         case Command::HistoryBack:
         case Command::HistoryForward:
         case Command::StopSpeech: {
-            CueRequest request;
-            request.kind = command == Command::Repeat           ? CueRequestKind::Repeat
-                           : command == Command::HistoryBack    ? CueRequestKind::HistoryBack
-                           : command == Command::HistoryForward ? CueRequestKind::HistoryForward
-                                                                : CueRequestKind::StopSpeech;
+            cues::CueRequest request;
+            request.kind = command == Command::Repeat           ? cues::CueRequestKind::Repeat
+                           : command == Command::HistoryBack    ? cues::CueRequestKind::HistoryBack
+                           : command == Command::HistoryForward ? cues::CueRequestKind::HistoryForward
+                                                                : cues::CueRequestKind::StopSpeech;
             request.time_s = now_s;
             cue(std::move(request));
             break;
@@ -252,4 +252,4 @@ bool Session::act_itself(Command command, double now_s) {
     return true;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

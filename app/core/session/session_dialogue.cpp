@@ -4,7 +4,7 @@
 #include "app/core/session/session.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 std::string_view without_blanks(std::string_view text) {
@@ -17,7 +17,7 @@ std::string_view without_blanks(std::string_view text) {
 
 bool Session::reply(const DialogueReply& reply, double now_s) {
     if (!reply.taken) return false;
-    if (reply.denied) play(SoundKind::Denied, now_s);
+    if (reply.denied) play(cues::SoundKind::Denied, now_s);
     if (reply.answer) state_.events.tell(Answered{reply.answer->question, reply.answer->text}, now_s);
     if (!reply.words.empty()) answer(reply.words, now_s);
     return true;
@@ -79,4 +79,4 @@ bool Session::take_line(std::string_view line, double now_s) {
     return reply(said, now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

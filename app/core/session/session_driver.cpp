@@ -2,16 +2,17 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::core {
 
-void SessionDriver::drive(std::size_t which, ServoInbox* servo, std::shared_ptr<SimulatedHand> simulated) {
+void SessionDriver::drive(std::size_t which, servo::ServoInbox* servo,
+                          std::shared_ptr<device::SimulatedHand> simulated) {
     hands_[which] = {};
     hands_[which].servo = servo;
     hands_[which].simulated = std::move(simulated);
 }
 
-void SessionDriver::tick(double now_s, const ToolState& tool, const ToolState& left_tool) {
-    if (const SpeechTopics owed = ears_.take_owed(); owed.any()) app_.apply(LinesOwed{owed}, now_s);
+void SessionDriver::tick(double now_s, const servo::ToolState& tool, const servo::ToolState& left_tool) {
+    if (const cues::SpeechTopics owed = ears_.take_owed(); owed.any()) app_.apply(LinesOwed{owed}, now_s);
     app_.tick(now_s, tool, left_tool);
     if (steps_.ticked) steps_.ticked(now_s, tool, left_tool);
     hand_over();
@@ -37,9 +38,9 @@ void SessionDriver::give_ears() {
         if (std::exchange(heard_world_, app_.world().entered) != app_.world().entered) ears_.enter_world(heard_scene_);
         else ears_.follow_edit(heard_scene_);
     }
-    std::vector<CueRequest> cues = app_.take_cues();
+    std::vector<cues::CueRequest> cues = app_.take_cues();
     if (steps_.look_at_cues) steps_.look_at_cues(cues);
-    for (CueRequest& cue : cues) ears_.post(std::move(cue));
+    for (cues::CueRequest& cue : cues) ears_.post(std::move(cue));
     if (app_.scene()) ears_.set_listener(app_.listener());
 }
 
@@ -58,7 +59,7 @@ void SessionDriver::give_world(std::size_t which) {
     if (out.guidance && std::exchange(hand.guidance, out.guidance->number) != out.guidance->number)
         hand.servo->set_guidance(*out.guidance);
     if (!hand.simulated) return;
-    HandCommand command;
+    device::HandCommand command;
     command.target_m = out.target_m;
     hand.simulated->command.publish(command);
 }
@@ -74,7 +75,7 @@ void SessionDriver::feel_set_up(const SetUpTouch& touch) {
     Hand& hand = hands_[0];
     if (!hand.servo) return;
     if (touch.scene != hand.scene) hand.servo->set_scene(hand.scene = touch.scene, nullptr);
-    ServoTuning tuning = touch.tuning;
+    servo::ServoTuning tuning = touch.tuning;
     tuning.confirm += app_.hand().tuning.confirm + confirms_;
     hand.servo->set_tuning(tuning);
     hand.servo->set_pose(touch.pose);
@@ -88,4 +89,4 @@ void SessionDriver::end_set_up(std::uint32_t confirms) {
     hands_[0].bodies = 0;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -17,8 +17,8 @@
 #include "app/core/places/fault_list.h"
 #include "app/core/places/kept_routes.h"
 #include "app/core/places/mark_list.h"
-#include "app/core/places/prepare_lesson.h"
 #include "app/core/places/no_route_reason.h"
+#include "app/core/places/prepare_lesson.h"
 #include "app/core/walking/by_ear.h"
 #include "app/core/walking/footing.h"
 #include "app/core/walking/walking.h"
@@ -29,7 +29,7 @@
 #include "app/core/whereabouts/rooms.h"
 #include "app/core/whereabouts/visits.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // Where the walker is: its room and what is around.
 struct Whereabouts {
@@ -112,4 +112,4 @@ struct LearningFeatures {
     TeachingFeatures teaching;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -3,7 +3,7 @@
 #include "app/core/session/session.h"
 #include "worlds/base/overloaded.h"
 
-namespace handrail {
+namespace handrail::core {
 
 bool Session::apply(SessionInput input, double now_s) {
     for (const InputListener& listener : watched_.inputs)
@@ -60,4 +60,4 @@ bool Session::apply(SessionInput input, double now_s) {
     return taken;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -22,7 +22,7 @@
 #include "app/core/world/entering.h"
 #include "settings/settings.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // The key of a command is pressed and released.
 struct CommandDown {
@@ -74,12 +74,12 @@ struct SettingSet {
 };
 // New settings from outside; the world stays. Force ramps in again if the workspace changes.
 struct SettingsChanged {
-    Settings settings;
+    settings::Settings settings;
 };
 // Replaces the device by another one, or by none. The settings come from outside, as in SettingsChanged.
 struct HandChanged {
     HandFacts hand;
-    Settings settings;
+    settings::Settings settings;
     bool for_want_of_one = false;  // simulated because there is no device: lessons then speak of walking
 };
 // A second device in the left hand, or none. It has its own proxy and force ceiling in the same workspace, at the scale
@@ -101,7 +101,7 @@ struct WorldEntered {
     EnteringWorld world;
     std::optional<SideFile> additions = {};
     WorldRequest request = {};
-    std::optional<Settings> settings = {};
+    std::optional<settings::Settings> settings = {};
 };
 // Moves the walker to another place in this world; the workspace moves along.
 struct Placed {
@@ -111,11 +111,11 @@ struct Placed {
 // A sentence from outside (problems while loading, device news).
 struct Told {
     std::string text;
-    SpeechClass speech_class = SpeechClass::Answer;
+    cues::SpeechClass speech_class = cues::SpeechClass::Answer;
 };
 // Lines about these were cut, and now nothing is said or pressed: what is still true is said anew.
 struct LinesOwed {
-    SpeechTopics topics;
+    cues::SpeechTopics topics;
 };
 // The first minutes, before a world is entered or in one. who_speaks: "speech-dispatcher"; owner_sets_up: the owner
 // runs the set-up by voice when requests() has it, else that part is left out.
@@ -161,4 +161,4 @@ using SessionInput =
                  WorldEntered, Placed, Told, LinesOwed, FirstMinutesBegun, LessonLeft, SetUpOver, LastPlaceKnown,
                  WentOnAt, CrashReportKnown, SettingsFaultsKnown, DevicesFound, WorldsKnown, TeacherActed>;
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -4,7 +4,7 @@
 #include "app/core/session/session.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kOutside_m = 10.0;  // nobody can have stood farther outside the world
@@ -13,7 +13,7 @@ constexpr double kOutside_m = 10.0;  // nobody can have stood farther outside th
 
 void Session::ask_for_last_place(double now_s) {
     if (!given_.last_place) {
-        play(SoundKind::Denied, now_s);
+        play(cues::SoundKind::Denied, now_s);
         return answer(phrase("last_place.none"), now_s);
     }
     state_.requests.last_place = given_.last_place;
@@ -38,4 +38,4 @@ void Session::go_on_at(const LastPlace& last, double now_s) {
     answer(phrase("last_place.here", {{"where", where_am_i()}}), now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -8,7 +8,7 @@
 #include "worlds/base/arrivals.h"
 #include "worlds/base/executor.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct SessionOptions {
     // Runs the background tasks; outlives the session.
@@ -26,4 +26,4 @@ struct SessionOptions {
     RoomsKept* rooms_kept = nullptr;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

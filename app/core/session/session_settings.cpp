@@ -7,7 +7,7 @@
 #include "app/core/kept/spoken_language.h"
 #include "app/core/session/session.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 // What must be done after a setting has changed, apart from storing its value.
@@ -60,31 +60,31 @@ Follows what_follows(std::string_view key) {
 
 }  // namespace
 
-void Session::change_settings(const Settings& settings, double now_s) {
+void Session::change_settings(const settings::Settings& settings, double now_s) {
     take_settings(settings, now_s);
     if (state_.world.scene) hand_.workspace.take_settings(now_s);
 }
 
 // Takes all settings, without the consequences for hand and world.
-void Session::take_settings(Settings settings, double now_s) {
+void Session::take_settings(settings::Settings settings, double now_s) {
     speak_language_of(settings.speech, now_s);
     state_.person.settings = std::move(settings);
     lay_device_overrides(state_.person.settings, state_.hands.right);
     state_.person.keys = KeyMap(state_.person.settings.keys, state_.person.settings.keyboard.hand);
 }
 
-void Session::speak_language_of(const Settings::Speech& speech, double now_s) {
+void Session::speak_language_of(const settings::Settings::Speech& speech, double now_s) {
     if (speech.language == state_.person.settings.speech.language) return;
     for (const Diagnostic& fault : speak_as_set(speech, menu_.languages().folder()))
-        say(fault.sentence(), SpeechClass::Answer, now_s);
+        say(fault.sentence(), cues::SpeechClass::Answer, now_s);
     desk_visit_.furnish();  // its controls have new names
 }
 
 // All changes of a single setting go through this; the owner of the settings stores and saves them.
 Result<void> Session::set(std::string_view key, const std::string& value, double now_s) {
-    Settings changed = state_.person.settings;
-    if (auto done = change_setting(changed, key, value); !done) return done;
-    const std::string written = setting_text(changed, key).value_or(value);
+    settings::Settings changed = state_.person.settings;
+    if (auto done = settings::change_setting(changed, key, value); !done) return done;
+    const std::string written = settings::setting_text(changed, key).value_or(value);
     state_.person.changes.emplace_back(key, written);
     if (what_follows(key) == Follows::Scale && at_desk()) desk_visit_.keep_scale(written);
     else follow(key, std::move(changed), now_s);
@@ -92,7 +92,7 @@ Result<void> Session::set(std::string_view key, const std::string& value, double
 }
 
 // Applies `changed`, in which only `key` has a new value.
-void Session::follow(std::string_view key, Settings changed, double now_s) {
+void Session::follow(std::string_view key, settings::Settings changed, double now_s) {
     const Follows follows = what_follows(key);
     if (follows == Follows::Language) speak_language_of(changed.speech, now_s);
     const auto take = [&] {
@@ -110,4 +110,4 @@ void Session::follow(std::string_view key, Settings changed, double now_s) {
     if (moves && (follows == Follows::Pose || follows == Follows::Tuning)) publish_pose(now_s, PoseChange::Moved);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

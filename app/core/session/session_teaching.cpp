@@ -6,7 +6,7 @@
 #include "app/core/world/wall_beside.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 
 void Session::teach(const TeacherActed& act, double now_s) {
     if (!state_.world.scene) return;
@@ -67,7 +67,8 @@ void Session::lay_blocked() {
     if (!where_.rooms.found()) return;
     std::vector<Aabb> boxes;
     for (const FeatureId door : learn_.teaching.blocked)
-        for (const Aabb& box : door_boxes(*where_.rooms.file_scene(), where_.rooms.graph(), door)) boxes.push_back(box);
+        for (const Aabb& box : navigation::door_boxes(*where_.rooms.file_scene(), where_.rooms.graph(), door))
+            boxes.push_back(box);
     where_.rooms.navigation().block(boxes);
 }
 
@@ -81,13 +82,14 @@ LessonView Session::lesson_view() {
     view.wall_m = wall_beside_m(*state_.world.solids, view.feet_m);
     view.trails = walk_.by_ear.wall_at_side().has_value();
     view.rooms_known = where_.rooms.known();
-    if (!view.rooms_known || where_.rooms.here() == kNothing) return view;
-    view.room = own_name(where_.rooms.graph().rooms[where_.rooms.here()]);
-    if (const Room& here = where_.rooms.graph().rooms[where_.rooms.here()]; here.given) view.room = here.name;
+    if (!view.rooms_known || where_.rooms.here() == navigation::kNothing) return view;
+    view.room = navigation::own_name(where_.rooms.graph().rooms[where_.rooms.here()]);
+    if (const navigation::Room& here = where_.rooms.graph().rooms[where_.rooms.here()]; here.given)
+        view.room = here.name;
     const Progress progress = learn_.place.progress_in(where_.rooms.here());
     // Outdoors, the walls are those of the building, and nobody is expected to walk along all of them.
-    if (!is_outside(where_.rooms.graph().rooms[where_.rooms.here()], where_.rooms.space(),
-                    *where_.rooms.file_scene())) {
+    if (!navigation::is_outside(where_.rooms.graph().rooms[where_.rooms.here()], where_.rooms.space(),
+                                *where_.rooms.file_scene())) {
         view.perimeter_m = progress.perimeter_m;
         view.walls_share = progress.perimeter_share();
         view.walls = static_cast<int>(progress.walls.size());
@@ -99,4 +101,4 @@ LessonView Session::lesson_view() {
     return view;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

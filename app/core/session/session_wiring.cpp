@@ -8,7 +8,7 @@
 #include "app/core/world/questions.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 
 void Session::wire() {
     state_.context.asks.save_additions = [this](double now_s) { return save_additions(now_s); };
@@ -59,7 +59,7 @@ void Session::wire() {
     };
     movers_.triggers.on_leads_elsewhere = [this](const Vec3& feet_m, double heading_rad, double now_s) {
         place(feet_m, heading_rad, now_s);
-        play(SoundKind::FrameSwitch, now_s);
+        play(cues::SoundKind::FrameSwitch, now_s);
         answer(phrase("movers.elsewhere") + " " + where_am_i(), now_s);
     };
     learn_.place.on_go_to_room = [this](std::uint32_t room, double now_s) { guide_.go_to_room(room, now_s); };
@@ -106,10 +106,10 @@ void Session::wire() {
         const auto above_m = above_floor_m(*state_.world.solids, place_m);
         if (!above_m) return false;
         const auto room = [this](const Vec3& soles_m) {
-            return room_at(where_.rooms.graph(), where_.rooms.space(), soles_m);
+            return navigation::room_at(where_.rooms.graph(), where_.rooms.space(), soles_m);
         };
         const std::uint32_t hand = room(place_m - Vec3(0.0, 0.0, *above_m));
-        return hand != kNothing && hand == room(feet_m());
+        return hand != navigation::kNothing && hand == room(feet_m());
     };
     hand_.workspace.rests_untold = [this] { return guide_.take_carried(); };
     state_.lists.before_open = [this] {
@@ -129,8 +129,9 @@ void Session::wire() {
         state_.body.heading_goal_rad = state_.body.heading_rad;
     };
     desk_visit_.on_back = [this](const std::optional<std::string>& scale, double now_s) {
-        Settings changed = state_.person.settings;
-        if (scale && change_setting(changed, "workspace.scale", *scale)) follow("workspace.scale", changed, now_s);
+        settings::Settings changed = state_.person.settings;
+        if (scale && settings::change_setting(changed, "workspace.scale", *scale))
+            follow("workspace.scale", changed, now_s);
         if (hand_.touch_view.stale()) follow("haptic.simplify", state_.person.settings, now_s);
     };
     lesson_session_.beacon_calls = [this] { return guide_.beacon().on(); };
@@ -155,4 +156,4 @@ void Session::wire() {
     simplified_list_.on_choose = [this](const Goal& goal, double now_s) { guide_.open_tools(goal, now_s); };
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

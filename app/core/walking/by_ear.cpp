@@ -13,7 +13,7 @@
 #include "worlds/base/language.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kCrumb_m = 0.25;
@@ -114,7 +114,7 @@ bool ByEar::act(Command command, double now_s, int times) {
         case Command::Retrace:
             trail_.stop();
             if (body_.crumbs_m.size() <= 1) {
-                context_.play(SoundKind::Denied, now_s);
+                context_.play(cues::SoundKind::Denied, now_s);
                 context_.answer(phrase("walking.at_beginning"), now_s);
                 return true;
             }
@@ -134,7 +134,7 @@ bool ByEar::start_trail(TrailSide side, double now_s) {
         tell_start(now_s);
         return true;
     }
-    context_.play(SoundKind::Denied, now_s);
+    context_.play(cues::SoundKind::Denied, now_s);
     context_.answer(phrase("walking.no_wall"), now_s);
     return false;
 }
@@ -192,7 +192,7 @@ std::string ByEar::going_words() {
 }
 
 void ByEar::tell_turn_and_climb(double now_s) {
-    if (const std::string going = going_words(); !going.empty()) context_.say(going, SpeechClass::Contact, now_s);
+    if (const std::string going = going_words(); !going.empty()) context_.say(going, cues::SpeechClass::Contact, now_s);
     const double z_m = body_.feet_m().z;
     stairs_.level_m =
         std::abs(z_m - stairs_.z_m) > 1e-3 ? 0.0 : stairs_.level_m + glm::length(body_.feet_m() - stairs_.from_m);
@@ -218,14 +218,14 @@ bool ByEar::waits_at_stairs(double heading_rad, double now_s) {
                                            ground_rules(*context_.world.scene, size), kStairsSeen_m);
     if (!ahead.stairs || ahead.stairs->distance_m > size.radius_m + kBeforeStairs_m) return false;
     stairs_.held = true;
-    context_.play(SoundKind::Denied, now_s);
+    context_.play(cues::SoundKind::Denied, now_s);
     context_.warn(phrase(ahead.stairs->up ? "walking.trail_stairs_up" : "walking.trail_stairs_down"), now_s);
     return true;
 }
 
 void ByEar::tell_trail(const TrailEvent& event, double now_s) {
     const std::string name =
-        describe_feature(*context_.world.scene, event.feature, std::max(1, context_.settings.speech.verbosity));
+        cues::describe_feature(*context_.world.scene, event.feature, std::max(1, context_.settings.speech.verbosity));
     // One sentence for both, because the newest name replaces the previous one.
     const auto with_going = [this](std::string words) {
         if (const std::string going = going_words(); !going.empty())
@@ -234,21 +234,21 @@ void ByEar::tell_trail(const TrailEvent& event, double now_s) {
     };
     switch (event.kind) {
         case TrailEvent::Kind::Corner:
-            context_.cues.cue(sound_at(SoundKind::Corner, event.place_m, now_s));
-            context_.say(with_going(phrase("walking.corner", {{"name", name}})), SpeechClass::Contact, now_s);
+            context_.cues.cue(sound_at(cues::SoundKind::Corner, event.place_m, now_s));
+            context_.say(with_going(phrase("walking.corner", {{"name", name}})), cues::SpeechClass::Contact, now_s);
             return;
         case TrailEvent::Kind::Meets: {
-            CueRequest touched = sound_at(SoundKind::Contact, event.place_m, now_s);
+            cues::CueRequest touched = sound_at(cues::SoundKind::Contact, event.place_m, now_s);
             if (const Feature* feature = context_.world.scene->find(event.feature))
                 touched.material = context_.world.scene->material(feature->material).sound;
             touched.loudness = 0.6;
             context_.cues.cue(std::move(touched));
             if (name.empty()) return;
-            context_.say(with_going(name), SpeechClass::Contact, now_s);
+            context_.say(with_going(name), cues::SpeechClass::Contact, now_s);
             return;
         }
         case TrailEvent::Kind::Opening: {
-            context_.cues.cue(sound_at(SoundKind::Opening, event.place_m, now_s));
+            context_.cues.cue(sound_at(cues::SoundKind::Opening, event.place_m, now_s));
             if (!context_.settings.walk.callouts) return;
             // An open door is announced by its name.
             std::string text = phrase("walking.opening", {{"metres", std::round(event.width_m * 10.0) / 10.0}});
@@ -257,11 +257,11 @@ void ByEar::tell_trail(const TrailEvent& event, double now_s) {
                     glm::length(glm::clamp(event.place_m, feature.bounds_m.min_m, feature.bounds_m.max_m) -
                                 event.place_m) < 0.5)
                     text = phrase("walking.open", {{"door", sentence_case(spoken_name(feature))}});
-            context_.say(text, SpeechClass::Contact, now_s);
+            context_.say(text, cues::SpeechClass::Contact, now_s);
             return;
         }
         case TrailEvent::Kind::Ends:
-            context_.say(phrase("walking.wall_ends"), SpeechClass::Contact, now_s);
+            context_.say(phrase("walking.wall_ends"), cues::SpeechClass::Contact, now_s);
             return;
     }
 }
@@ -278,7 +278,7 @@ std::optional<Vec3> ByEar::retrace(double now_s, double dt_s) {
     if (way_m <= std::max(stride, 0.02)) {
         retracing_ = false;
         retrace_left_m_ = 0.0;
-        context_.play(SoundKind::Arrived, now_s);
+        context_.play(cues::SoundKind::Arrived, now_s);
         context_.answer(phrase("walking.at_beginning"), now_s);
         return std::nullopt;
     }
@@ -296,11 +296,11 @@ void ByEar::square_up(double now_s) {
     body_.heading_goal_rad =
         wrap_angle(origin + std::round(wrap_angle(body_.heading_goal_rad - origin) / quarter) * quarter);
     const std::string compass = fine_compass_word(body_.heading_goal_rad);
-    context_.play(SoundKind::TurnTick, now_s);
+    context_.play(cues::SoundKind::TurnTick, now_s);
     if (!nearest) return context_.answer(phrase("walking.square", {{"compass", compass}}), now_s);
     const std::string wall = sentence_case(name_of(context_, nearest->feature)),
                       where = where_words(context_, nearest->distance_m, origin);
     context_.answer(phrase("walking.square_to", {{"compass", compass}, {"wall", wall}, {"where", where}}), now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -14,7 +14,7 @@
 #include "app/core/walking/leaping.h"
 #include "app/core/world/trail.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class ByEar : SessionPart {
 public:
@@ -73,4 +73,4 @@ private:
     Leaping leaping_{context_, body_, where_am_i, doors_of_room};
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -9,7 +9,7 @@
 #include "app/core/world/surroundings.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr std::size_t kMostTold = 16;
@@ -68,7 +68,7 @@ bool Footing::held_at_edge(const WalkerMotion& before, Paces& paces, double now_
     body_.walker->resume(before);
     if (std::exchange(edge_.held, true)) return true;
     edge_.at_s = now_s;
-    context_.play(SoundKind::Denied, now_s);
+    context_.play(cues::SoundKind::Denied, now_s);
     std::string steps = paces.take(context_);
     steps = steps.empty() || !tells_steps(context_) ? std::string() : steps + ". ";
     context_.warn(steps + (drop->depth_m ? phrase("walking.edge", {{"metres", *drop->depth_m}})
@@ -135,7 +135,8 @@ void Footing::tell_underfoot(const Vec3& moved_m, const WalkResult& walked, doub
         if (std::abs(underfoot_.ramp_m) >= kRampSure_m && underfoot_.ramp_told != sign) {
             underfoot_.ramp_told = sign;
             if (context_.settings.walk.callouts)
-                context_.say(phrase(sign > 0 ? "walking.ramp_up" : "walking.ramp_down"), SpeechClass::Contact, now_s);
+                context_.say(phrase(sign > 0 ? "walking.ramp_up" : "walking.ramp_down"), cues::SpeechClass::Contact,
+                             now_s);
         }
         if (sign == 0) underfoot_.ramp_told = 0;
     }
@@ -146,7 +147,8 @@ void Footing::tell_ahead(double now_s) {
     if (ahead.stairs && ahead.stairs->distance_m <= kStairsCallout_m && underfoot_.risers == 0 &&
         tell_place_once(ahead.stairs->place_m, false, now_s)) {
         const bool up = ahead.stairs->up;
-        context_.cues.cue(sound_at(up ? SoundKind::StairsUp : SoundKind::StairsDown, ahead.stairs->place_m, now_s));
+        context_.cues.cue(
+            sound_at(up ? cues::SoundKind::StairsUp : cues::SoundKind::StairsDown, ahead.stairs->place_m, now_s));
         if (context_.settings.walk.callouts) {
             const std::string distance = distance_words(ahead.stairs->distance_m, distances(context_));
             context_.warn(ahead.stairs->whole ? phrase(up ? "walking.stairs_up" : "walking.stairs_down",
@@ -170,7 +172,7 @@ void Footing::beat_ahead(double now_s) {
         const double distance = glm::dot(place - body_.feet_m(), forward_of_heading(body_.heading_rad));
         if (distance > -0.3 && distance <= kDropWarning_m && now_s - looked_.beat_s >= drop_beat_s(distance)) {
             looked_.beat_s = now_s;
-            context_.cues.cue(sound_at(SoundKind::DropNear, place, now_s));
+            context_.cues.cue(sound_at(cues::SoundKind::DropNear, place, now_s));
         }
     }
     if (now_s - looked_.door_s < 0.25) return;
@@ -179,7 +181,7 @@ void Footing::beat_ahead(double now_s) {
         return;
     if (now_s - looked_.door_s < 0.3 + 0.4 * seen->distance_m) return;
     looked_.door_s = now_s;
-    context_.cues.cue(sound_at(SoundKind::DoorNear, seen->point_m, now_s));
+    context_.cues.cue(sound_at(cues::SoundKind::DoorNear, seen->point_m, now_s));
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -9,7 +9,7 @@
 #include "app/core/world/hazards.h"
 #include "app/core/world/walker.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class Footing : SessionPart {
 public:
@@ -68,4 +68,4 @@ private:
     std::vector<Told> told_;  // announced stairs and edges of the last half minute
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

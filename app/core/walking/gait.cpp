@@ -5,7 +5,7 @@
 
 #include "worlds/navigation/blind_ground.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kHeadOn = 0.1;  // share of a tick's distance; less counts as none and is handled at once
@@ -21,12 +21,12 @@ void Gait::went_aside(double wished_m, double made_m) {
 }
 
 Gait::Course Gait::went(double wished_m, double made_m, bool met,
-                      const std::function<std::optional<double>()>& line_up_m) {
+                        const std::function<std::optional<double>()>& line_up_m) {
     wished_m_ += wished_m;
     made_m_ += made_m;
     const bool held = met && made_m < kHeadOn * wished_m;
-    if (!held && wished_m_ < kStoppedWindow_m) return met ? Course::Along : Course::On;
-    const bool slow = made_m_ < kStoppedBelow * wished_m_;
+    if (!held && wished_m_ < navigation::kStoppedWindow_m) return met ? Course::Along : Course::On;
+    const bool slow = made_m_ < navigation::kStoppedBelow * wished_m_;
     wished_m_ = made_m_ = 0.0;
     if (!held && !slow) return met ? Course::Along : Course::On;
     const std::optional<double> aside_m = lined_up_ < kMostLineUps && line_up_m ? line_up_m() : std::nullopt;
@@ -36,4 +36,4 @@ Gait::Course Gait::went(double wished_m, double made_m, bool met,
     return Course::Aside;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

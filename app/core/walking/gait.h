@@ -8,7 +8,7 @@
 
 #include "worlds/base/vec.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class Gait {
 public:
@@ -34,4 +34,4 @@ private:
     int lined_up_ = 0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

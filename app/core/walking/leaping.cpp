@@ -10,7 +10,7 @@
 #include "audio-cues/plan/cue_planner.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr std::size_t kMostUndo = 16, kMostPlaces = 64;
@@ -43,7 +43,7 @@ void Leaping::undo(double now_s) {
     std::erase_if(
         undo_, [&](const Place& place) { return context_.world.solids->blocked(place.feet_m, body_.walker->shape()); });
     if (undo_.empty()) {
-        context_.play(SoundKind::Denied, now_s);
+        context_.play(cues::SoundKind::Denied, now_s);
         return context_.answer(phrase("walking.nothing_to_undo"), now_s);
     }
     const Place back = undo_.back();
@@ -107,7 +107,7 @@ std::optional<Leaping::Place> Leaping::place_at(const Target& target) const {
 std::string Leaping::name_of_target(const Target& target) const {
     if (target.mark) return context_.world.marks[target.number - context_.world.scene->features.size()].name;
     constexpr int kNameAndMaterial = 2;  // higher levels would add whole sentences
-    return describe_feature(*context_.world.scene, FeatureId{target.number}, kNameAndMaterial);
+    return cues::describe_feature(*context_.world.scene, FeatureId{target.number}, kNameAndMaterial);
 }
 
 void Leaping::leap_on(double now_s) {
@@ -128,13 +128,13 @@ void Leaping::leap_on(double now_s) {
         if (leapt_.size() > 1) leapt_.erase(leapt_.begin(), leapt_.end() - 1);
         else break;
     }
-    context_.play(SoundKind::Denied, now_s);
+    context_.play(cues::SoundKind::Denied, now_s);
     context_.answer(phrase("leap.none"), now_s);
 }
 
 void Leaping::leap_back(double now_s) {
     if (leapt_.size() < 2) {
-        context_.play(SoundKind::Denied, now_s);
+        context_.play(cues::SoundKind::Denied, now_s);
         return context_.answer(phrase("leap.no_last", {{"key", context_.keys.keys_of(Command::UndoLeap)}}), now_s);
     }
     leapt_.pop_back();
@@ -148,7 +148,7 @@ void Leaping::leap_to(const Leapt& to, double now_s) {
     const double was_m = body_.feet_m().z;
     context_.asks.place(there.place.feet_m, there.place.heading_rad, now_s);
     leapt_ = series;
-    context_.play(SoundKind::Arrived, now_s);
+    context_.play(cues::SoundKind::Arrived, now_s);
     std::string text =
         phrase("walking.leapt", {{"name", there.name}, {"compass", fine_compass_word(body_.heading_goal_rad)}});
     const double rise_m = body_.feet_m().z - was_m;
@@ -157,4 +157,4 @@ void Leaping::leap_to(const Leapt& to, double now_s) {
     context_.answer(text, now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

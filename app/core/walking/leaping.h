@@ -10,7 +10,7 @@
 
 #include "app/core/context/session_part.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // A door of the present room, and where the walker stands before it.
 struct LeapDoor {
@@ -66,4 +66,4 @@ private:
     std::vector<Leapt> leapt_;  // since the person last walked or turned; newest last
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -8,7 +8,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/typist.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kMostTaps = 8.0;
@@ -90,4 +90,4 @@ std::string Paces::take_blocked(const SessionContext& context, const std::string
     return phrase("walking.steps_then", {{"steps", steps}, {"what", met}});
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -7,7 +7,7 @@
 #include "app/core/context/session_context.h"
 #include "app/core/world/walker_world.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // The remaining distance once `times` more steps are requested. After fast taps at most eight steps wait, so that
 // nobody keeps walking for long; a typed count is walked in full.
@@ -37,4 +37,4 @@ std::string blocked_words(const std::string& met);
 // True if the person types and therefore gets steps in words.
 bool tells_steps(const SessionContext& context);
 
-}  // namespace handrail
+}  // namespace handrail::core

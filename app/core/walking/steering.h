@@ -1,7 +1,7 @@
 // What a stick or a puck requests of the walker. Plain data; any thread.
 #pragma once
 
-namespace handrail {
+namespace handrail::core {
 
 // Shares of walking speed and of the turning rate, -1 to 1; 0 at rest.
 struct Steering {
@@ -9,4 +9,4 @@ struct Steering {
     bool operator==(const Steering&) const = default;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -13,7 +13,7 @@
 #include "worlds/base/language.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 // 150 degrees a second. At scale 60 a hand at the rim then moves through the world as if at 10 cm/s.
@@ -148,7 +148,7 @@ void Walking::step(double& pending_m, double sign, int times) {
 
 void Walking::face(double heading_rad, double now_s) {
     body_.heading_goal_rad = wrap_angle(heading_rad);
-    context_.play(SoundKind::TurnTick, now_s);
+    context_.play(cues::SoundKind::TurnTick, now_s);
     heading_due_s_.reset();
     context_.answer(sentence_case(fine_compass_word(body_.heading_goal_rad)), now_s);
 }
@@ -160,14 +160,14 @@ void Walking::turn_by(double by_rad, int times, double now_s) {
     body_.heading_goal_rad = wrap_angle(goal_rad + (times - 1) * by_rad);
     last_turn_repeat_s_ = now_s;
     context_.cues.cue(
-        sound_at(SoundKind::TurnTick, body_.ears_m() + forward_of_heading(body_.heading_goal_rad), now_s));
+        sound_at(cues::SoundKind::TurnTick, body_.ears_m() + forward_of_heading(body_.heading_goal_rad), now_s));
     heading_due_s_ = now_s + kHeadingTold_s;
 }
 
 void Walking::tell_heading(double now_s) {
     if (!heading_due_s_ || now_s < *heading_due_s_) return;
     heading_due_s_.reset();
-    context_.tell(SpeechTopic::Heading, sentence_case(fine_compass_word(body_.heading_goal_rad)), now_s);
+    context_.tell(cues::SpeechTopic::Heading, sentence_case(fine_compass_word(body_.heading_goal_rad)), now_s);
 }
 
 void Walking::tick(double now_s, double dt_s) {
@@ -192,7 +192,7 @@ void Walking::turn(double now_s, double dt_s) {
     body_.heading_rad =
         std::abs(left) <= most ? body_.heading_goal_rad : wrap_angle(body_.heading_rad + std::copysign(most, left));
     if (std::exchange(stick_turns_, free_turn != 0.0) && !stick_turns_)
-        context_.tell(SpeechTopic::Heading,
+        context_.tell(cues::SpeechTopic::Heading,
                       free_keys_told_ ? phrase("session.compass_degrees",
                                                {{"compass", sentence_case(fine_compass_word(body_.heading_goal_rad))},
                                                 {"degrees", whole_degrees(body_.heading_goal_rad)}})
@@ -274,7 +274,8 @@ void Walking::walk(double now_s, double dt_s) {
     }
     tell_step(stood, walked, now_s);
     body_.ground = walked.ground;
-    if (walked.landed) context_.say(phrase("session.fell", {{"metres", walked.fell_m}}), SpeechClass::Answer, now_s);
+    if (walked.landed)
+        context_.say(phrase("session.fell", {{"metres", walked.fell_m}}), cues::SpeechClass::Answer, now_s);
     if (way != 0.0) paces_.walked(walked.walked_m);
     if (!by_itself && aside_m == 0.0) take_from_pending(stood.on_ground ? walked.walked_m : way);
 
@@ -301,14 +302,14 @@ void Walking::end_fall(double now_s) {
     const std::optional<Vec3> holds =
         place_that_holds(*context_.world.scene, *context_.world.solids, body_.walker->size(), wishes);
     if (!holds) {
-        context_.say(phrase("session.nothing_holds"), SpeechClass::Answer, now_s);
+        context_.say(phrase("session.nothing_holds"), cues::SpeechClass::Answer, now_s);
         context_.asks.place(context_.world.home_feet_m, context_.world.home_heading_rad, now_s);
         hovers_ = true;
         return;
     }
     const Vec3 way_m = *holds - context_.world.home_feet_m;
     const bool base_holds = glm::length(Vec2(way_m)) < kSameBase_m;
-    context_.say(phrase(base_holds ? "session.fell_out" : "session.fell_from_base"), SpeechClass::Answer, now_s);
+    context_.say(phrase(base_holds ? "session.fell_out" : "session.fell_from_base"), cues::SpeechClass::Answer, now_s);
     if (!base_holds) context_.asks.move_base(*holds, context_.world.home_heading_rad);
     go_home(now_s);
 }
@@ -350,7 +351,7 @@ void Walking::tell_frame(double now_s) {
     const bool left = gait_.aside_left_m() > 0.0;
     context_.say(
         phrase("walking.frame", {{"shoulder", phrase(left ? "walking.left_shoulder" : "walking.right_shoulder")}}),
-        SpeechClass::Contact, now_s);
+        cues::SpeechClass::Contact, now_s);
 }
 
 // Plays the surface that the walker slides along, softly.
@@ -360,8 +361,8 @@ void Walking::tell_slide(const TraceHit& met, double way_m, double now_s) {
     brushed_.slid_m += way_m;
     if (!begins && brushed_.slid_m < kHeardEvery_m) return;
     brushed_.slid_m = std::max(1e-9, brushed_.slid_m - (begins ? 0.0 : kHeardEvery_m));
-    CueRequest brush =
-        sound_at(SoundKind::Contact,
+    cues::CueRequest brush =
+        sound_at(cues::SoundKind::Contact,
                  body_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m) - met.normal * body_.walker->size().radius_m, now_s);
     brush.material = context_.world.scene->material(met.material).sound;
     brush.loudness = kLoudness;
@@ -377,8 +378,8 @@ void Walking::tell_step(const WalkerMotion& before, const WalkResult& walked, do
         (before.on_ground && body_.walker->state().on_ground && before.feet_m.z - body_.feet_m().z > 0.1);
     if (since_footstep_m_ < step_m - 1e-6 && !riser) return;
     since_footstep_m_ = riser ? 0.0 : std::max(0.0, since_footstep_m_ - step_m);
-    CueRequest cue;
-    cue.kind = CueRequestKind::Footstep;
+    cues::CueRequest cue;
+    cue.kind = cues::CueRequestKind::Footstep;
     cue.time_s = now_s;
     cue.material = context_.world.scene->material(walked.ground_material).sound;
     cue.feature = walked.ground;
@@ -392,13 +393,13 @@ void Walking::tell_rest(bool goes, double now_s) {
     if (goes) walked_s_ = now_s;
     if (goes || now_s - walked_s_ < kRests_s) return;
     std::string steps = paces_.take(context_);
-    if (!steps.empty() && tells_steps(context_)) context_.tell(SpeechTopic::Steps, std::move(steps), now_s);
+    if (!steps.empty() && tells_steps(context_)) context_.tell(cues::SpeechTopic::Steps, std::move(steps), now_s);
 }
 
 void Walking::tell_bump(const TraceHit& met, double way_rad, double now_s) {
     since_footstep_m_ = 0.0;
-    CueRequest bump;
-    bump.kind = CueRequestKind::Bump;
+    cues::CueRequest bump;
+    bump.kind = cues::CueRequestKind::Bump;
     bump.time_s = now_s;
     bump.feature = met.feature;
     bump.material = context_.world.scene->material(met.material).sound;
@@ -427,12 +428,12 @@ void Walking::tell_walls(double now_s) {
     }
     if (loudness == tone_.loudness) return;
     tone_.loudness = loudness;
-    CueRequest tone;
-    tone.kind = CueRequestKind::WallTone;
+    cues::CueRequest tone;
+    tone.kind = cues::CueRequestKind::WallTone;
     tone.time_s = now_s;
     tone.loudness = loudness;
     tone.position_m = place;
     context_.cues.cue(std::move(tone));
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -14,7 +14,7 @@
 #include "app/core/walking/paces.h"
 #include "app/core/walking/steering.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class Walking : SessionPart {
 public:
@@ -125,4 +125,4 @@ private:
     std::vector<Vec3> path_m_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

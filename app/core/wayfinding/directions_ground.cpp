@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace handrail {
+namespace handrail::core {
 
 void DirectionsGround::enter_world() {
     floor_.reset();
@@ -23,14 +23,14 @@ std::shared_ptr<const DirectionsFloor> DirectionsGround::floor() {
                    things = context_.world.thing_of_mover,
                    step_m = context_.settings.walk.step_length_m](const std::stop_token&) {
         return std::shared_ptr<const DirectionsFloor>(
-            std::make_shared<const DirectionsFloor>(ways, rooms, word_doors(*scene, things), step_m));
+            std::make_shared<const DirectionsFloor>(ways, rooms, navigation::word_doors(*scene, things), step_m));
     });
     return nullptr;
 }
 
-DoorsOpen DirectionsGround::open_now(const DirectionsFloor& floor) const {
-    DoorsOpen open;
-    for (const DirectionsDoor& door : floor.ground.doors())
+navigation::DoorsOpen DirectionsGround::open_now(const DirectionsFloor& floor) const {
+    navigation::DoorsOpen open;
+    for (const navigation::DirectionsDoor& door : floor.ground.doors())
         // A door that is shutting will be shut when a person arrives.
         open.push_back(
             !(context_.world.movers.at_goal(door.mover) == context_.world.scene->movers[door.mover].at(0.0)));
@@ -40,9 +40,9 @@ DoorsOpen DirectionsGround::open_now(const DirectionsFloor& floor) const {
 std::optional<double> DirectionsGround::line_up_m(const Vec3& feet_m, double heading_rad) {
     const auto known = floor();
     if (!known) return std::nullopt;
-    const BlindWalker body = known->ground.body_at(feet_m);
-    if (body.span == kNothing) return std::nullopt;
+    const navigation::BlindWalker body = known->ground.body_at(feet_m);
+    if (body.span == navigation::kNothing) return std::nullopt;
     return known->ground.line_up_m(body, heading_rad, open_now(*known));
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

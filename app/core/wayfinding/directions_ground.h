@@ -13,11 +13,11 @@
 #include "worlds/base/background_task.h"
 #include "worlds/navigation/directions_route.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct DirectionsFloor {
-    DirectionsFloor(std::shared_ptr<const Navigation> ways_known, std::vector<std::uint32_t> rooms,
-              std::vector<DirectionsDoor> doors, double step)
+    DirectionsFloor(std::shared_ptr<const navigation::Navigation> ways_known, std::vector<std::uint32_t> rooms,
+                    std::vector<navigation::DirectionsDoor> doors, double step)
         : ways(std::move(ways_known)),
           room_of_span(std::move(rooms)),
           ground(ways->space(), std::move(doors)),
@@ -26,10 +26,10 @@ struct DirectionsFloor {
     DirectionsFloor(const DirectionsFloor&) = delete;  // its parts keep each other's addresses
     DirectionsFloor& operator=(const DirectionsFloor&) = delete;
 
-    std::shared_ptr<const Navigation> ways;
+    std::shared_ptr<const navigation::Navigation> ways;
     std::vector<std::uint32_t> room_of_span;
-    BlindGround ground;
-    DirectionsPlanner planner;
+    navigation::BlindGround ground;
+    navigation::DirectionsPlanner planner;
     double step_m;
 };
 
@@ -44,7 +44,7 @@ public:
     // True while it is being made, or the rooms are being found.
     bool awaited() const { return rooms_.awaited() || making_.busy(); }
     // Which of its doors are open now, or about to be.
-    DoorsOpen open_now(const DirectionsFloor& floor) const;
+    navigation::DoorsOpen open_now(const DirectionsFloor& floor) const;
     // BlindGround::line_up_m at the walker's place; no value if the floor is not known.
     std::optional<double> line_up_m(const Vec3& feet_m, double heading_rad);
 
@@ -54,4 +54,4 @@ private:
     BackgroundTask<std::shared_ptr<const DirectionsFloor>> making_{context_.executor, "word-floor", context_.arrivals};
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -13,7 +13,7 @@
 #include "worlds/base/language.h"
 #include "worlds/navigation/foot_distances.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr std::array kKinds{"guide.everything", "guide.only_doors", "guide.only_landmarks", "guide.only_things",
@@ -44,18 +44,18 @@ ListItem item_of(const SessionContext& context, const Rooms& rooms, const FindGr
 }
 
 // A doorway of the present room counts as in it, whichever room contains the door.
-Found place(const Rooms& rooms, std::uint32_t here, const FootDistances& on_foot, Goal goal) {
+Found place(const Rooms& rooms, std::uint32_t here, const navigation::FootDistances& on_foot, Goal goal) {
     const std::uint32_t room = room_of(rooms, goal.box_m);
     Found found{std::move(goal), room, {}};
     const Goal& is = found.goal;
-    if (found.room == kNothing || here == kNothing || found.room == here) {
-        found.room = kNothing;
+    if (found.room == navigation::kNothing || here == navigation::kNothing || found.room == here) {
+        found.room = navigation::kNothing;
         return found;
     }
-    const RoomGraph& graph = rooms.graph();
+    const navigation::RoomGraph& graph = rooms.graph();
     for (std::uint32_t p = 0; is.feature && p < graph.portals.size(); ++p) {
-        const Portal& portal = graph.portals[p];
-        if (portal.kind != PassageKind::Door || portal.feature != is.feature) continue;
+        const navigation::Portal& portal = graph.portals[p];
+        if (portal.kind != navigation::PassageKind::Door || portal.feature != is.feature) continue;
         if (portal.rooms[0] != here && portal.rooms[1] != here) found.on_foot_m = on_foot.to_portal(p);
         return found;
     }
@@ -82,12 +82,14 @@ std::vector<FindGroup> find_groups(const SessionContext& context, const Rooms& r
     const Vec3& feet_m = context.body.feet_m();
     const Vec3 waist_m = feet_m + Vec3(0.0, 0.0, kWaist_m);
     std::vector<std::pair<double, Found>> all;
-    const std::uint32_t here = rooms.found() ? room_at(rooms.graph(), rooms.space(), feet_m) : kNothing;
-    std::optional<FootDistances> on_foot;
+    const std::uint32_t here =
+        rooms.found() ? navigation::room_at(rooms.graph(), rooms.space(), feet_m) : navigation::kNothing;
+    std::optional<navigation::FootDistances> on_foot;
     if (rooms.found()) on_foot.emplace(rooms.graph(), here, feet_m);
     for (Goal& goal : goals(context)) {
         if (!is_of(context, goal, kind)) continue;
-        Found found = on_foot ? place(rooms, here, *on_foot, std::move(goal)) : Found{std::move(goal), kNothing, {}};
+        Found found =
+            on_foot ? place(rooms, here, *on_foot, std::move(goal)) : Found{std::move(goal), navigation::kNothing, {}};
         const double straight_m = glm::length(nearest_place(found.goal.box_m, waist_m) - waist_m);
         all.emplace_back(std::max(straight_m, found.on_foot_m.value_or(straight_m)), std::move(found));
     }
@@ -106,7 +108,7 @@ std::string find_words(const SessionContext& context, const Rooms& rooms, const 
     const Aabb box_m = told_box(rooms, found.goal);
     std::string where =
         found.on_foot_m ? where_words_on_foot(context, box_m, *found.on_foot_m) : where_words(context, box_m);
-    if (found.room == kNothing || found.room >= rooms.graph().rooms.size()) return where;
+    if (found.room == navigation::kNothing || found.room >= rooms.graph().rooms.size()) return where;
     const std::string name = sentence_case(rooms.graph().rooms[found.room].name);
     return name == found.goal.name ? where : joined(where, name);
 }
@@ -147,4 +149,4 @@ void open_find_list(const SessionContext& context, const Rooms& rooms,
     context.open_list(std::move(list), now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -10,7 +10,7 @@
 
 #include "app/core/wayfinding/stops.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // What the list can show.
 enum class FindKind { Everything, Doors, Landmarks, Things, Marks };
@@ -20,7 +20,7 @@ inline constexpr int kFindKinds = 5;
 // known.
 struct Found {
     Goal goal;
-    std::uint32_t room = kNothing;
+    std::uint32_t room = navigation::kNothing;
     std::optional<double> on_foot_m;  // none: in the same room, or no route is known
 };
 // All goals with one name, nearest first.
@@ -38,4 +38,4 @@ std::string find_words(const SessionContext& context, const Rooms& rooms, const 
 void open_find_list(const SessionContext& context, const Rooms& rooms,
                     std::function<void(const Goal& goal, double now_s)> chosen, double now_s);
 
-}  // namespace handrail
+}  // namespace handrail::core

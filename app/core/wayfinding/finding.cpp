@@ -8,7 +8,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/human_measures.h"
 
-namespace handrail {
+namespace handrail::core {
 
 void Sought::set(std::string name, const Aabb& thing_m, FeatureId feature) {
     contract_pre(!thing_m.empty());
@@ -21,7 +21,7 @@ void Sought::set(std::string name, const Aabb& thing_m, FeatureId feature) {
 
 double Beacon::interval_s(double distance_m) { return std::clamp(0.15 + 0.06 * distance_m, 0.2, 1.2); }
 
-Beacon::Beat Beacon::tick(const Vec3& feet_m, const Listener& listener,
+Beacon::Beat Beacon::tick(const Vec3& feet_m, const cues::Listener& listener,
                           const std::function<double(const Vec3&)>& muffled_db, bool heard, double now_s,
                           const std::optional<Vec3>& turning_m) {
     Beat beat;
@@ -40,11 +40,11 @@ Beacon::Beat Beacon::tick(const Vec3& feet_m, const Listener& listener,
     if (!heard || now_s - last_s_ < interval_s(distance_m)) return beat;
     last_s_ = now_s;
     const double off_rad = std::abs(wrap_angle(std::atan2(to.x, to.y) - listener.heading_rad));
-    CueRequest sound;
-    sound.kind = CueRequestKind::Play;
-    sound.sound = off_rad <= kAhead_rad    ? SoundKind::BeaconAhead
-                  : off_rad >= kBehind_rad ? SoundKind::BeaconBehind
-                                           : SoundKind::Beacon;
+    cues::CueRequest sound;
+    sound.kind = cues::CueRequestKind::Play;
+    sound.sound = off_rad <= kAhead_rad    ? cues::SoundKind::BeaconAhead
+                  : off_rad >= kBehind_rad ? cues::SoundKind::BeaconBehind
+                                           : cues::SoundKind::Beacon;
     sound.time_s = now_s;
     sound.position_m = from;
     sound.muffled_db = std::min(muffled_db(sound.position_m), kMostMuffled_db);
@@ -105,4 +105,4 @@ std::vector<NamedThing> named_things(const Scene& scene) {
     return things;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

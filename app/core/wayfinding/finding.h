@@ -12,7 +12,7 @@
 #include "audio-cues/plan/cue_planner.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // The thing that is searched for with a rhythm of sounds, and when it last sounded.
 class Sought {
@@ -42,13 +42,13 @@ public:
     static constexpr double kMostMuffled_db = 12.0;  // walls muffle it, but it stays audible
 
     struct Beat {
-        std::optional<CueRequest> sound;  // to be played now
-        bool arrived = false;             // it has just ended
+        std::optional<cues::CueRequest> sound;  // to be played now
+        bool arrived = false;                   // it has just ended
     };
     // muffled_db: muffling between the ears and a place; called only for a beat. `heard`: false while sounds are
     // stopped. turning_m: it calls from there as long as the person must go there first, and nobody arrives; no value:
     // it calls from the thing.
-    Beat tick(const Vec3& feet_m, const Listener& listener, const std::function<double(const Vec3&)>& muffled_db,
+    Beat tick(const Vec3& feet_m, const cues::Listener& listener, const std::function<double(const Vec3&)>& muffled_db,
               bool heard, double now_s, const std::optional<Vec3>& turning_m = {});
     static double interval_s(double distance_m);
 };
@@ -116,4 +116,4 @@ struct NamedThing {
 };
 std::vector<NamedThing> named_things(const Scene& scene);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -4,7 +4,7 @@
 
 #include "app/core/context/telling.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kAgain_s = 1.0;  // shortest time until ended grooves are made again
@@ -21,13 +21,14 @@ bool FloorGrooves::wished() const {
     return context_.settings.guidance.grooves && hands.right.present && !hands.keys_alone && !hands.at_desk();
 }
 
-std::optional<GuidancePath> FloorGrooves::lay(const GuidancePath& path, double now_s) {
+std::optional<servo::GuidancePath> FloorGrooves::lay(const servo::GuidancePath& path, double now_s) {
     if (!rooms_.known()) return std::nullopt;
     if (!std::exchange(laid_.doorways_known, true))
         laid_.doorways = grooves_through_doorways(rooms_.graph(), rooms_.space());
-    const GuidanceState& felt = context_.hands.tool.guidance;
-    const bool lie = path.number != 0 && path.kind == GuidanceKind::Grooves;
-    if (lie && felt.number == path.number && felt.phase != GuidancePhase::Acts && now_s - laid_.ended_s > kAgain_s) {
+    const servo::GuidanceState& felt = context_.hands.tool.guidance;
+    const bool lie = path.number != 0 && path.kind == servo::GuidanceKind::Grooves;
+    if (lie && felt.number == path.number && felt.phase != servo::GuidancePhase::Acts &&
+        now_s - laid_.ended_s > kAgain_s) {
         laid_.ended_s = now_s;  // by a jump of the workspace, or because force was forbidden
         laid_.ended = true;
     }
@@ -45,4 +46,4 @@ std::optional<GuidancePath> FloorGrooves::lay(const GuidancePath& path, double n
     return grooves.path;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

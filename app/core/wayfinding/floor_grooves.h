@@ -10,7 +10,7 @@
 #include "app/core/wayfinding/grooves.h"
 #include "app/core/wayfinding/route_plans.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class FloorGrooves : SessionPart {
 public:
@@ -22,7 +22,7 @@ public:
     // Call it while nothing else acts and force is permitted. path: the servo's present path. Returns the new grooves,
     // still without a number; no value: no change. New grooves are made for another route, another scale, or a hand
     // that has moved far.
-    std::optional<GuidancePath> lay(const GuidancePath& path, double now_s);
+    std::optional<servo::GuidancePath> lay(const servo::GuidancePath& path, double now_s);
 
 private:
     Rooms& rooms_;
@@ -39,4 +39,4 @@ private:
     } laid_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

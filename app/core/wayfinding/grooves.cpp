@@ -7,22 +7,23 @@
 #include "worlds/base/contract.h"
 #include "worlds/navigation/route_place.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kThrough_m = 0.6;  // on either side of a doorway: wall thickness and a step
-constexpr std::size_t kMostLegs = GuidancePath::kMostPoints / 2;
+constexpr std::size_t kMostLegs = servo::GuidancePath::kMostPoints / 2;
 
 }  // namespace
 
-std::vector<GrooveLeg> grooves_through_doorways(const RoomGraph& graph, const WalkSpace& space) {
+std::vector<GrooveLeg> grooves_through_doorways(const navigation::RoomGraph& graph,
+                                                const navigation::WalkSpace& space) {
     std::vector<GrooveLeg> legs;
-    for (const Portal& portal : graph.portals) {
-        if (portal.kind != PassageKind::Door && portal.kind != PassageKind::Opening) continue;
+    for (const navigation::Portal& portal : graph.portals) {
+        if (portal.kind != navigation::PassageKind::Door && portal.kind != navigation::PassageKind::Opening) continue;
         for (const double heading_deg : {0.0, 90.0, 45.0, 135.0}) {  // square to most walls first
             const Vec3 way = forward_of_heading(radians_from_degrees(heading_deg)) * kThrough_m;
             const std::uint32_t one = space.at(portal.place_m - way), other = space.at(portal.place_m + way);
-            if (one == kNothing || other == kNothing) continue;
+            if (one == navigation::kNothing || other == navigation::kNothing) continue;
             const std::array rooms{graph.room_of_span[one], graph.room_of_span[other]};
             if (!std::is_permutation(rooms.begin(), rooms.end(), portal.rooms.begin())) continue;
             legs.push_back({space.place_m(one), space.place_m(other)});
@@ -39,13 +40,13 @@ Grooves nearest_grooves(std::span<const Vec3> way_m, std::span<const GrooveLeg> 
     const auto offer = [&](const Vec3& from, const Vec3& to) {
         const Vec3 up(0.0, 0.0, ball_radius_m);
         const std::array ends{from + up, to + up};
-        legs.emplace_back(nearest_on_way(ends, near_m).distance_m, GrooveLeg{ends[0], ends[1]});
+        legs.emplace_back(navigation::nearest_on_way(ends, near_m).distance_m, GrooveLeg{ends[0], ends[1]});
     };
     for (std::size_t i = 0; i + 1 < way_m.size(); ++i) offer(way_m[i], way_m[i + 1]);
     for (const GrooveLeg& leg : doorways) offer(leg.from_m, leg.to_m);
     std::stable_sort(legs.begin(), legs.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     Grooves grooves;
-    grooves.path.kind = GuidanceKind::Grooves;
+    grooves.path.kind = servo::GuidanceKind::Grooves;
     grooves.good_within_m =
         legs.size() > kMostLegs ? 0.5 * legs[kMostLegs].first : std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < std::min(legs.size(), kMostLegs); ++i) {
@@ -55,4 +56,4 @@ Grooves nearest_grooves(std::span<const Vec3> way_m, std::span<const GrooveLeg> 
     return grooves;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -9,7 +9,7 @@
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/rooms.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // On the floor.
 struct GrooveLeg {
@@ -17,16 +17,16 @@ struct GrooveLeg {
 };
 
 // One leg square through each door and opening between two rooms of one storey.
-std::vector<GrooveLeg> grooves_through_doorways(const RoomGraph& graph, const WalkSpace& space);
+std::vector<GrooveLeg> grooves_through_doorways(const navigation::RoomGraph& graph, const navigation::WalkSpace& space);
 
 // The grooves nearest to a place, as many as the servo can take at once, at the height of the centre of a proxy that
 // lies on the floor. `good_within_m`: within this distance of the place the hand misses none; infinite if all of them
 // fit.
 struct Grooves {
-    GuidancePath path;
+    servo::GuidancePath path;
     double good_within_m = 0.0;
 };
 Grooves nearest_grooves(std::span<const Vec3> way_m, std::span<const GrooveLeg> doorways, const Vec3& near_m,
                         double ball_radius_m);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -15,7 +15,7 @@
 #include "worlds/base/language.h"
 #include "worlds/navigation/foot_distances.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kLookRange_m = 30.0;
@@ -72,8 +72,8 @@ bool Guide::act(Command command, double now_s) {
 bool Guide::follow_to(const Vec3& goal_m, const std::string& name, bool by_room, double now_s) {
     if (!rooms_.known()) return false;
     if (by_room) {
-        const std::uint32_t room = room_at(rooms_.graph(), rooms_.space(), goal_m);
-        return room != kNothing && ear_.follow_to_room(room, {}, now_s);
+        const std::uint32_t room = navigation::room_at(rooms_.graph(), rooms_.space(), goal_m);
+        return room != navigation::kNothing && ear_.follow_to_room(room, {}, now_s);
     }
     ear_.follow_to(goal_m, name, {}, now_s);
     return ear_.following() && !ear_.to_nearest();
@@ -101,19 +101,19 @@ void Guide::follow(double now_s) {
         if (plans_.runs_to(name)) go_on(phrase("lead.left_way"), now_s);
         else ear_.follow_again(phrase("lead.left_way"), now_s);
     } else if (!said.text.empty()) {
-        if (said.arrived) context_.play(SoundKind::Arrived, now_s);
+        if (said.arrived) context_.play(cues::SoundKind::Arrived, now_s);
         if (said.arrived && plans_.runs_to(name) && next_stop(said.text, now_s)) return;
         if (!said.arrived) return ear_.tell_leg_unasked(said.text, false, now_s);
-        context_.tell(SpeechTopic::Place, said.text, now_s, {.anew = true});
+        context_.tell(cues::SpeechTopic::Place, said.text, now_s, {.anew = true});
         context_.events.tell(Arrived{name, LedBy::Ear, ear_.to_nearest()}, now_s);
         plans_.end();
         if (beacon().name() == name) silence_beacon();
     }
 }
 
-void Guide::tell_anew(SpeechTopic topic, double now_s) {
+void Guide::tell_anew(cues::SpeechTopic topic, double now_s) {
     ear_.tell_anew(topic, now_s);
-    if (topic == SpeechTopic::Summary) seek_.tell_anew(now_s);
+    if (topic == cues::SpeechTopic::Summary) seek_.tell_anew(now_s);
 }
 
 void Guide::lead(double now_s) {
@@ -136,9 +136,10 @@ void Guide::lead(double now_s) {
 void Guide::call(double now_s) {
     if (seek_.tick_beacon(now_s)) {
         if (ear_.name() == beacon().name() && !plans_.running()) ear_.stop();  // the arrival is announced only once
-        context_.play(SoundKind::Arrived, now_s);
+        context_.play(cues::SoundKind::Arrived, now_s);
         context_.events.tell(Arrived{beacon().name(), LedBy::Beacon}, now_s);
-        context_.tell(SpeechTopic::Place, phrase("lead.here", {{"goal", beacon().name()}}), now_s, {.answers = true});
+        context_.tell(cues::SpeechTopic::Place, phrase("lead.here", {{"goal", beacon().name()}}), now_s,
+                      {.answers = true});
     }
     seek_.tick_warmer(now_s);
 }
@@ -173,9 +174,9 @@ bool Guide::next_stop(const std::string& words, double now_s) {
 
 void Guide::list_routes(double now_s) {
     if (!rooms_.have(now_s)) return;
-    const RoomGraph& graph = rooms_.graph();
+    const navigation::RoomGraph& graph = rooms_.graph();
     const Vec3& feet_m = context_.body.feet_m();
-    const FootDistances on_foot(graph, rooms_.here(), feet_m);
+    const navigation::FootDistances on_foot(graph, rooms_.here(), feet_m);
     struct Near {
         double order_m = 0.0;  // on foot; rooms without a known route come after all others, by direct distance
         std::uint32_t room = 0;
@@ -192,7 +193,7 @@ void Guide::list_routes(double now_s) {
     // Shows the distance that is announced when the room is chosen. Rooms farther away show it only then.
     const std::size_t planned = std::min(near.size(), kMostOnFoot);
     for (std::size_t i = 0; i < planned; ++i)
-        if (const Route route = ear_.to_room(near[i].room); route.reaches) {
+        if (const navigation::Route route = ear_.to_room(near[i].room); route.reaches) {
             near[i].order_m = route.length_m;
             near[i].way_m = route.length_m;
         }
@@ -204,7 +205,7 @@ void Guide::list_routes(double now_s) {
         list.items.push_back({phrase("way.goes_on"), {}, false});
         list.items.back().also_typed = phrase("way.goes_on_question");
         list.items.push_back({phrase("rooms.stop_following"), {}, false});
-        rooms.assign(2, kNothing);
+        rooms.assign(2, navigation::kNothing);
     }
     for (const auto& [order_m, room, way_m] : near) {
         const std::string far = way_m ? distance_words(*way_m, distances(context_)) : std::string();
@@ -214,8 +215,8 @@ void Guide::list_routes(double now_s) {
     }
     if (list.items.empty()) return context_.answer(phrase("rooms.no_other"), now_s);
     list.chosen = [this, rooms](std::size_t at) {
-        if (rooms[at] == kNothing && at == 0) return ear_.tell_on(context_.tick_s);
-        if (rooms[at] == kNothing) {
+        if (rooms[at] == navigation::kNothing && at == 0) return ear_.tell_on(context_.tick_s);
+        if (rooms[at] == navigation::kNothing) {
             ear_.stop();
             plans_.end();
             return context_.answer(phrase("lead.stopped"), context_.tick_s);
@@ -232,7 +233,7 @@ bool Guide::leads_to(std::string_view typed) const {
         return std::any_of(given.begin(), given.end(), [&](const RoomName& room) {
             return is_called(in_spoken_language(room.name, room.name_in), typed);
         });
-    const std::vector<Room>& all = rooms_.graph().rooms;
+    const std::vector<navigation::Room>& all = rooms_.graph().rooms;
     for (std::uint32_t r = 0; r < all.size(); ++r)
         if (r != rooms_.here() && is_called(all[r].name, typed)) return true;
     return false;
@@ -296,7 +297,7 @@ void Guide::set_beacon(const Goal& goal, double now_s) {
 
 // Puts the beacon on what the hand touches, otherwise on what is straight ahead, otherwise on a choice from a list.
 void Guide::beacon_here(double now_s) {
-    const ToolState& tool = context_.hands.tool;
+    const servo::ToolState& tool = context_.hands.tool;
     FeatureId id = kNoFeature;
     Vec3 place{0.0};
     if (context_.hands.answers() && tool.touches()) {
@@ -310,8 +311,9 @@ void Guide::beacon_here(double now_s) {
     const Feature* feature = context_.world.scene->find(id);
     if (!feature || feature->name.empty()) return open_find(now_s);
     const bool whole = !is_surface(feature->kind) && !feature->bounds_m.empty();
-    set_beacon({sentence_case(speakable(spoken_name(*feature))), whole ? feature->bounds_m : point_box(place), id},
-               now_s);
+    set_beacon(
+        {sentence_case(cues::speakable(spoken_name(*feature))), whole ? feature->bounds_m : point_box(place), id},
+        now_s);
 }
 
 void Guide::mute_beacon(double now_s) {
@@ -339,7 +341,7 @@ void Guide::seek_warmer(const Goal& goal, double now_s) {
 void Guide::take_me(double now_s) {
     if (hand_.at_work()) {
         hand_.end();
-        context_.play(SoundKind::GuideStop, now_s);
+        context_.play(cues::SoundKind::GuideStop, now_s);
         return context_.answer(phrase("lead.let_go"), now_s);
     }
     if (!hand_.may_lead() && ear_.following()) {
@@ -373,7 +375,7 @@ void Guide::lead_to(const Goal& goal, const std::string& first, double now_s) {
     goal_ = goal;
     if (!hand_.may_lead()) return lead_by_ear(goal, first, now_s);
     if (const std::string why = hand_.why_no_force(); !why.empty()) return lead_by_ear(goal, beside(first, why), now_s);
-    const HandRoute way = plans_.for_hand(goal, GuidancePath::kMostPoints);
+    const HandRoute way = plans_.for_hand(goal, servo::GuidancePath::kMostPoints);
     if (way.points_m.empty()) return lead_by_ear(goal, beside(first, way.problem), now_s);
     // The number tells things with the same name apart.
     laps_.begin(fmt::format("{} {}", goal.name, goal.feature.value));
@@ -404,7 +406,7 @@ void Guide::lead_by_ear(const Goal& goal, const std::string& first, double now_s
     const Vec3& feet_m = context_.body.feet_m();
     const Vec3 waist_m = feet_m + Vec3(0.0, 0.0, kWaist_m);
     const bool in_sight = free_line(solids, waist_m, place_on(goal.box_m, waist_m), goal.feature);
-    Route route;
+    navigation::Route route;
     if (rooms_.known()) route = walk_to_thing(rooms_.navigation(), solids, feet_m, goal.box_m, goal.feature);
     const bool straight = route.reaches && route.points_m.size() <= 2;
     if (in_sight || route.points_m.empty()) seek_.start_beacon(goal);
@@ -440,11 +442,11 @@ void Guide::cross_lines(const Goal& goal, double now_s) {
 void Guide::toggle_lines(double now_s) {
     if (hand_.lines_at_work()) {
         hand_.end();
-        context_.play(SoundKind::GuideStop, now_s);
+        context_.play(cues::SoundKind::GuideStop, now_s);
         return context_.answer(phrase("lead.lines_off"), now_s);
     }
     if (!goal_) return open_find(now_s);
     cross_lines(Goal(*goal_), now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "app/core/context/session_part.h"
-#include "app/core/wayfinding/spoken_route.h"
 #include "app/core/wayfinding/finding.h"
 #include "app/core/wayfinding/hand_lead.h"
 #include "app/core/wayfinding/seek.h"
+#include "app/core/wayfinding/spoken_route.h"
 #include "app/core/wayfinding/stops.h"
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class Guide : SessionPart {
 public:
@@ -41,7 +41,7 @@ public:
     void lead(double now_s);
     void call(double now_s);
     // The route as a whole or its next leg once more, since the line with it was cut.
-    void tell_anew(SpeechTopic topic, double now_s);
+    void tell_anew(cues::SpeechTopic topic, double now_s);
 
     // ---- for other features ----
     // Follows the stops of a saved route, from the first one on or to it first, by the hand or by ear.
@@ -92,7 +92,7 @@ public:
         return ground_.line_up_m(feet_m, heading_rad);
     }
     void note_stop(FeatureId by) { ear_.note_stop(by); }
-    std::optional<RoutePassage> climb_here() const { return ear_.climb_here(); }
+    std::optional<navigation::RoutePassage> climb_here() const { return ear_.climb_here(); }
     // Set by the session: turns the walker; explains why a room cannot be reached.
     std::function<void(double heading_rad, double now_s)> on_face;
     std::function<void(std::uint32_t room, double now_s)> on_no_way;
@@ -102,7 +102,7 @@ public:
     const Seek& seek() const { return seek_; }
     const PlannedStops& planned() const { return planned_; }
     const std::vector<Vec3>& way_m() const { return plans_.last_m(); }  // of the last plan, at floor level
-    const GuidancePath& path() const { return hand_.path(); }           // as the servo of the right hand has it
+    const servo::GuidancePath& path() const { return hand_.path(); }    // as the servo of the right hand has it
 
 private:
     void list_routes(double now_s);
@@ -133,4 +133,4 @@ private:
     Seek seek_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

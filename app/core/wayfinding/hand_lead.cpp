@@ -9,7 +9,7 @@
 #include "worlds/base/language.h"
 #include "worlds/navigation/route_place.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kAnnounced_s = 1.0;     // between the announcement and the first force
@@ -23,28 +23,30 @@ constexpr double kRests_s = 0.3;         // rest after which a new path is plann
 constexpr double kCarryFrom = 0.55, kCarryTo = 0.45;
 constexpr double kCarry_hand_m_per_s = 0.03, kCarryAhead_hand_m = 0.005;
 
-std::span<const Vec3> points_of(const GuidancePath& path) { return std::span(path.points_m).first(path.count); }
+std::span<const Vec3> points_of(const servo::GuidancePath& path) { return std::span(path.points_m).first(path.count); }
 
-std::span<const Contact> contacts_of(const ToolState& tool) {
+std::span<const render::Contact> contacts_of(const servo::ToolState& tool) {
     return std::span(tool.contacts.contacts).first(tool.contacts.count);
 }
 
-GuidancePath pull_along(std::span<const Vec3> points_m) {
-    GuidancePath path;
+servo::GuidancePath pull_along(std::span<const Vec3> points_m) {
+    servo::GuidancePath path;
     path.count = static_cast<std::uint32_t>(points_m.size());
     std::copy(points_m.begin(), points_m.end(), path.points_m.begin());
     return path;
 }
 
-GuidancePath lines_along(std::span<const Vec3> points_m) {
-    GuidancePath path;
-    path.kind = GuidanceKind::WayLines;
+servo::GuidancePath lines_along(std::span<const Vec3> points_m) {
+    servo::GuidancePath path;
+    path.kind = servo::GuidanceKind::WayLines;
     for (std::size_t i = 0; i + 1 < points_m.size(); ++i)
         for (const Vec3& end : {points_m[i], points_m[i + 1]}) path.points_m[path.count++] = end;
     return path;
 }
 
-bool are_lines(GuidanceKind kind) { return kind == GuidanceKind::CrossLines || kind == GuidanceKind::WayLines; }
+bool are_lines(servo::GuidanceKind kind) {
+    return kind == servo::GuidanceKind::CrossLines || kind == servo::GuidanceKind::WayLines;
+}
 
 }  // namespace
 
@@ -60,9 +62,9 @@ bool HandLead::may_lead() const {
 std::string HandLead::why_no_force() const {
     const HandsState& hands = context_.hands;
     if (hands.tuning.panic || !hands.tuning.forces_on) return phrase("lead.forces_off");
-    if (hands.tool.fault != Fault::None) return fault_sentence(hands.tool.fault);
-    if (!hands.tuning.focused) return fault_sentence(Fault::FocusLost);
-    if (hands.tool.pause != Fault::None) return fault_sentence(hands.tool.pause);
+    if (hands.tool.fault != servo::Fault::None) return servo::fault_sentence(hands.tool.fault);
+    if (!hands.tuning.focused) return servo::fault_sentence(servo::Fault::FocusLost);
+    if (hands.tool.pause != servo::Fault::None) return servo::fault_sentence(hands.tool.pause);
     if (hands.tool.ticks == 0 || hands.tool.waiting_for_hand) return phrase("lead.hand_waits");
     return {};
 }
@@ -72,21 +74,21 @@ bool HandLead::lines_at_work() const {
 }
 
 void HandLead::pull(const HandRoute& way, double strength, std::string words, double now_s) {
-    GuidancePath path = pull_along(way.points_m);
+    servo::GuidancePath path = pull_along(way.points_m);
     path.strength = strength;
     announce(path, std::move(words), now_s);
     led_.to_nearest = !way.reaches;
 }
 
 void HandLead::lines(const HandRoute& way, std::string words, double now_s) {
-    GuidancePath path = lines_along(way.points_m);
+    servo::GuidancePath path = lines_along(way.points_m);
     path.strength = context_.settings.guidance.strength;
     announce(path, std::move(words), now_s);
 }
 
 void HandLead::cross_lines(const Vec3& at_m, std::string words, double now_s) {
-    GuidancePath path;
-    path.kind = GuidanceKind::CrossLines;
+    servo::GuidancePath path;
+    path.kind = servo::GuidanceKind::CrossLines;
     path.strength = context_.settings.guidance.strength;
     path.points_m[0] = at_m;
     path.count = 1;
@@ -100,7 +102,7 @@ void HandLead::end() {
     led_.left = false;
 }
 
-void HandLead::announce(GuidancePath path, std::string words, double now_s) {
+void HandLead::announce(servo::GuidancePath path, std::string words, double now_s) {
     end();  // only one at a time
     path.number = ++last_number_;
     led_.announced = path;
@@ -113,17 +115,17 @@ void HandLead::announce(GuidancePath path, std::string words, double now_s) {
     led_.moved_s = led_.off_since_s = -1e9;
     doors_.forget_told();
     led_.planned_in = context_.world.scene;
-    context_.play(SoundKind::GuideStart, now_s);
+    context_.play(cues::SoundKind::GuideStart, now_s);
     context_.answer(std::move(words), now_s);
 }
 
-void HandLead::publish(GuidancePath path) {
+void HandLead::publish(servo::GuidancePath path) {
     path.number = ++last_number_;
     led_.path = path;
 }
 
 // Continues the present guidance along another path.
-void HandLead::go_on_along(GuidancePath path) {
+void HandLead::go_on_along(servo::GuidancePath path) {
     path.strength = led_.path.strength;
     publish(path);
 }
@@ -133,22 +135,23 @@ bool HandLead::hand_at(const std::optional<Goal>& goal) const {
     if (!goal || !goal->feature) return false;
     const auto contacts = contacts_of(context_.hands.tool);
     return std::any_of(contacts.begin(), contacts.end(),
-                       [&](const Contact& contact) { return contact.feature == goal->feature; });
+                       [&](const render::Contact& contact) { return contact.feature == goal->feature; });
 }
 
 // ---- every tick ----
 
 bool HandLead::wants_new_way(const std::optional<Goal>& goal, double now_s) {
-    if (led_.path.kind != GuidanceKind::Pull && !(led_.announced && led_.announced->kind == GuidanceKind::Pull))
+    if (led_.path.kind != servo::GuidanceKind::Pull &&
+        !(led_.announced && led_.announced->kind == servo::GuidanceKind::Pull))
         return false;
-    const ToolState& tool = context_.hands.tool;
+    const servo::ToolState& tool = context_.hands.tool;
     const Vec3& feet_m = context_.body.feet_m();
-    if (tool.workspace_motion == WorkspaceMotion::Grabbed || feet_m != led_.feet_before_m) led_.moved_s = now_s;
+    if (tool.workspace_motion == servo::WorkspaceMotion::Grabbed || feet_m != led_.feet_before_m) led_.moved_s = now_s;
     // A door leaf may carry the hand along.
     const auto contacts = contacts_of(tool);
     if (context_.world.movers.any_moving() &&
         std::any_of(contacts.begin(), contacts.end(),
-                    [&](const Contact& contact) { return mover_of(context_.world, contact.feature) >= 0; }))
+                    [&](const render::Contact& contact) { return mover_of(context_.world, contact.feature) >= 0; }))
         led_.moved_s = now_s;
     led_.feet_before_m = feet_m;
     if (!at_work()) return false;
@@ -164,27 +167,27 @@ bool HandLead::wants_new_way(const std::optional<Goal>& goal, double now_s) {
 std::optional<HandLead::Arrival> HandLead::tick(const std::optional<Goal>& goal, double now_s) {
     if (led_.announced && now_s >= led_.starts_s) {
         led_.path = *led_.announced;
-        if (led_.path.kind == GuidanceKind::Pull)
+        if (led_.path.kind == servo::GuidanceKind::Pull)
             led_.path.points_m[0] = finding_place_m(context_);  // the hand may have moved since the announcement
         led_.announced.reset();
         led_.acts = true;
         led_.lines_laid_s = now_s;
-        if (led_.path.kind == GuidanceKind::WayLines) led_.off_since_s = now_s;
+        if (led_.path.kind == servo::GuidanceKind::WayLines) led_.off_since_s = now_s;
     }
     if (!at_work()) lay_grooves(now_s);
     if (!led_.acts) return std::nullopt;
     if (plans_.by_hand()) plans_.pass(finding_place_m(context_));
-    const ToolState& tool = context_.hands.tool;
-    const GuidanceState felt = tool.guidance;
+    const servo::ToolState& tool = context_.hands.tool;
+    const servo::GuidanceState felt = tool.guidance;
     if (felt.number != led_.path.number) return std::nullopt;  // the servo has not received it yet
-    const bool pull = led_.path.kind == GuidanceKind::Pull, acts = felt.phase == GuidancePhase::Acts;
-    bool arrived = felt.phase == GuidancePhase::Arrived;
-    if (led_.path.kind == GuidanceKind::CrossLines && acts) return std::nullopt;
-    if (led_.path.kind == GuidanceKind::WayLines) {
+    const bool pull = led_.path.kind == servo::GuidanceKind::Pull, acts = felt.phase == servo::GuidancePhase::Acts;
+    bool arrived = felt.phase == servo::GuidancePhase::Arrived;
+    if (led_.path.kind == servo::GuidanceKind::CrossLines && acts) return std::nullopt;
+    if (led_.path.kind == servo::GuidanceKind::WayLines) {
         // Lines that a jump of the workspace ended are set again from the hand's new place.
         if (acts || force_may_act()) {
             arrived = acts && (hand_at(goal) || glm::length(tool.hip_m - points_of(led_.path).back()) <=
-                                                    Guidance::kArrived_m * scale(context_));
+                                                    servo::Guidance::kArrived_m * scale(context_));
             if (!arrived) {
                 watch_lines(goal, now_s);
                 return std::nullopt;
@@ -197,18 +200,18 @@ std::optional<HandLead::Arrival> HandLead::tick(const std::optional<Goal>& goal,
             return std::nullopt;
         }
     }
-    if (pull && felt.phase == GuidancePhase::LetGo && now_s - led_.moved_s < kMovedLately_s) {
+    if (pull && felt.phase == servo::GuidancePhase::LetGo && now_s - led_.moved_s < kMovedLately_s) {
         end();
         led_.left = true;
         return std::nullopt;
     }
     end();
     if (arrived) {
-        context_.play(SoundKind::Arrived, now_s);
+        context_.play(cues::SoundKind::Arrived, now_s);
         return Arrival{pull, led_.to_nearest};
     }
-    context_.play(SoundKind::GuideStop, now_s);
-    context_.answer(felt.phase == GuidancePhase::LetGo ? phrase("lead.let_go") : no_longer_words(), now_s);
+    context_.play(cues::SoundKind::GuideStop, now_s);
+    context_.answer(felt.phase == servo::GuidancePhase::LetGo ? phrase("lead.let_go") : no_longer_words(), now_s);
     return std::nullopt;
 }
 
@@ -226,11 +229,12 @@ void HandLead::watch_way(const std::optional<Goal>& goal, double now_s) {
         // Something has moved since the path was planned, such as a door leaf. The same guidance silently continues
         // along a new path.
         led_.planned_in = context_.world.scene;
-        const HandRoute way = plans_.for_hand(*goal, GuidancePath::kMostPoints);
+        const HandRoute way = plans_.for_hand(*goal, servo::GuidancePath::kMostPoints);
         if (!way.points_m.empty()) go_on_along(pull_along(way.points_m));
         return;
     }
-    const double off_m = nearest_on_way(points_of(led_.path), context_.hands.tool.hip_m).distance_m / scale(context_);
+    const double off_m =
+        navigation::nearest_on_way(points_of(led_.path), context_.hands.tool.hip_m).distance_m / scale(context_);
     if (off_m > kStray_hand_m && !std::exchange(led_.stray, true)) ++led_.errors;
     if (off_m < 0.5 * kStray_hand_m) led_.stray = false;
     if (off_m <= kLeft_hand_m) led_.off_since_s = now_s;
@@ -244,10 +248,10 @@ void HandLead::watch_way(const std::optional<Goal>& goal, double now_s) {
 // Lines stay in place until the hand has left them or something has moved.
 void HandLead::watch_lines(const std::optional<Goal>& goal, double now_s) {
     doors_.tell_touched(now_s);
-    const ToolState& tool = context_.hands.tool;
-    if (nearest_on_way(points_of(led_.path), tool.hip_m).distance_m <= kLeft_hand_m * scale(context_))
+    const servo::ToolState& tool = context_.hands.tool;
+    if (navigation::nearest_on_way(points_of(led_.path), tool.hip_m).distance_m <= kLeft_hand_m * scale(context_))
         led_.off_since_s = now_s;
-    const bool ended = tool.guidance.phase != GuidancePhase::Acts;
+    const bool ended = tool.guidance.phase != servo::GuidancePhase::Acts;
     if ((ended || led_.planned_in != context_.world.scene || now_s - led_.off_since_s > kLeft_s) &&
         now_s - led_.lines_laid_s > SoughtRoute::kAgain_s && goal)
         lay_lines(*goal, now_s);
@@ -266,28 +270,30 @@ void HandLead::lay_lines(const Goal& goal, double now_s) {
 void HandLead::lay_grooves(double now_s) {
     if (grooves_.wished() && force_may_act()) {
         if (const auto path = grooves_.lay(led_.path, now_s)) publish(*path);
-    } else if (led_.path.kind == GuidanceKind::Grooves) {
+    } else if (led_.path.kind == servo::GuidanceKind::Grooves) {
         led_.path.number = 0;
     }
 }
 
 Vec3 HandLead::carry() {
     const HandsState& hands = context_.hands;
-    const ToolState& tool = hands.tool;
+    const servo::ToolState& tool = hands.tool;
     const auto way = points_of(led_.path);
-    const bool lines = led_.path.kind == GuidanceKind::WayLines;  // the hand is on the lines and leans along them
-    const bool led =
-        led_.acts && (lines || led_.path.kind == GuidanceKind::Pull) && led_.path.strength > 0.0 &&
-        tool.guidance.number == led_.path.number && tool.guidance.phase == GuidancePhase::Acts &&
-        tool.workspace_jump == hands.pose.jump && !hands.at_desk() &&
-        (!lines || nearest_on_way(way, tool.hip_m).distance_m <= Guidance::kGrooveHalfWidth_m * scale(context_));
+    const bool lines =
+        led_.path.kind == servo::GuidanceKind::WayLines;  // the hand is on the lines and leans along them
+    const bool led = led_.acts && (lines || led_.path.kind == servo::GuidanceKind::Pull) && led_.path.strength > 0.0 &&
+                     tool.guidance.number == led_.path.number && tool.guidance.phase == servo::GuidancePhase::Acts &&
+                     tool.workspace_jump == hands.pose.jump && !hands.at_desk() &&
+                     (!lines || navigation::nearest_on_way(way, tool.hip_m).distance_m <=
+                                    servo::Guidance::kGrooveHalfWidth_m * scale(context_));
     Vec3 push(0.0);
     bool carries = false;
     if (led) {
         const double ahead_m = kCarryAhead_hand_m * scale(context_);
-        const Vec3 ahead = place_along(way, nearest_on_way(way, tool.hip_m).along_m + ahead_m) - tool.hip_m;
+        const Vec3 ahead =
+            navigation::place_along(way, navigation::nearest_on_way(way, tool.hip_m).along_m + ahead_m) - tool.hip_m;
         if (const double length_m = glm::length(ahead); length_m > 1e-6) {
-            push = frame_of(hands.pose.origin_m, hands.pose.heading_rad).turn_to_device(ahead / length_m);
+            push = servo::frame_of(hands.pose.origin_m, hands.pose.heading_rad).turn_to_device(ahead / length_m);
             carries = glm::dot(tool.hand_m, push) >
                       (led_.carries ? kCarryTo : kCarryFrom) * hands.right.spec.workspace_radius_m;
         }
@@ -297,4 +303,4 @@ Vec3 HandLead::carry() {
     return carries ? push * kCarry_hand_m_per_s : Vec3(0.0);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

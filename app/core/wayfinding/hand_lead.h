@@ -14,11 +14,11 @@
 #include "app/core/wayfinding/route_plans.h"
 #include "haptic/servo/guidance.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class HandLead : SessionPart {
 public:
-    static constexpr std::size_t kMostLinePoints = GuidancePath::kMostPoints / 2 + 1;
+    static constexpr std::size_t kMostLinePoints = servo::GuidancePath::kMostPoints / 2 + 1;
 
     HandLead(const SessionContext& context, Rooms& rooms, RoutePlans& plans, Doors& doors)
         : SessionPart(context), plans_(plans), doors_(doors), grooves_(context, rooms, plans) {}
@@ -63,14 +63,14 @@ public:
     // The person moves the workspace by keys.
     void person_moved(double now_s) { led_.moved_s = now_s; }
 
-    const GuidancePath& path() const { return led_.path; }  // as the servo has it
+    const servo::GuidancePath& path() const { return led_.path; }  // as the servo has it
 
 private:
-    void announce(GuidancePath path, std::string words, double now_s);
+    void announce(servo::GuidancePath path, std::string words, double now_s);
     bool hand_at(const std::optional<Goal>& goal) const;
     std::string no_longer_words() const;
-    void publish(GuidancePath path);
-    void go_on_along(GuidancePath path);
+    void publish(servo::GuidancePath path);
+    void go_on_along(servo::GuidancePath path);
     void watch_way(const std::optional<Goal>& goal, double now_s);
     void lay_lines(const Goal& goal, double now_s);
     void watch_lines(const std::optional<Goal>& goal, double now_s);
@@ -81,8 +81,8 @@ private:
     FloorGrooves grooves_;
     std::uint32_t last_number_ = 0;  // of all paths in all worlds, because the servo recognises paths by it
     struct Led {
-        GuidancePath path;                      // as the servo has it
-        std::optional<GuidancePath> announced;  // becomes `path` at starts_s
+        servo::GuidancePath path;                      // as the servo has it
+        std::optional<servo::GuidancePath> announced;  // becomes `path` at starts_s
         double starts_s = 0.0;
         bool acts = false;        // sent, and the servo has not reported its end
         bool stray = false;       // the hand is off the path now
@@ -101,4 +101,4 @@ private:
     } led_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -6,7 +6,7 @@
 
 #include "worlds/navigation/route_place.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kBeside_m = 0.4;                      // from a thing's side to where a person stands before it
@@ -131,8 +131,8 @@ bool free_line(const WalkerWorld& world, const Vec3& from_m, const Vec3& to_m, F
                        [&](const Crossing& crossing) { return thing && crossing.feature == thing; });
 }
 
-Route walk_to_thing(Navigation& navigation, const WalkerWorld& world, const Vec3& from_m, const Aabb& thing_m,
-                    FeatureId thing) {
+navigation::Route walk_to_thing(navigation::Navigation& navigation, const WalkerWorld& world, const Vec3& from_m,
+                                const Aabb& thing_m, FeatureId thing) {
     const Vec3 middle = thing_m.centre_m(), low = thing_m.min_m, high = thing_m.max_m;
     std::vector<Vec3> stands, within;
     for (const Vec3& beside : {nearest_in(thing_m, from_m), Vec3(low.x - kBeside_m, middle.y, low.z),
@@ -146,25 +146,25 @@ Route walk_to_thing(Navigation& navigation, const WalkerWorld& world, const Vec3
         if (within_reach(world, *stand, thing_m, thing)) within.push_back(*stand);
     }
     if (stands.empty()) return navigation.plan(from_m, middle);
-    Route best;
-    const auto better = [&](const Route& route) {
+    navigation::Route best;
+    const auto better = [&](const navigation::Route& route) {
         if (best.points_m.empty() || route.reaches != best.reaches) return best.points_m.empty() || route.reaches;
         return route.reaches ? route.length_m < best.length_m : route.short_of_m < best.short_of_m;
     };
     for (const Vec3& stand : within.empty() ? stands : within)
-        if (Route route = navigation.plan(from_m, stand); better(route)) best = std::move(route);
+        if (navigation::Route route = navigation.plan(from_m, stand); better(route)) best = std::move(route);
     return best;
 }
 
-bool hand_can_follow(const Route& route) {
-    return std::none_of(route.passages.begin(), route.passages.end(), [](const RoutePassage& passage) {
-        return passage.kind == PassageKind::Lift || passage.kind == PassageKind::Climb ||
-               passage.kind == PassageKind::Teleporter;
+bool hand_can_follow(const navigation::Route& route) {
+    return std::none_of(route.passages.begin(), route.passages.end(), [](const navigation::RoutePassage& passage) {
+        return passage.kind == navigation::PassageKind::Lift || passage.kind == navigation::PassageKind::Climb ||
+               passage.kind == navigation::PassageKind::Teleporter;
     });
 }
 
-std::vector<Vec3> hand_way(const Route& route, const Vec3& hand_m, double height_m, const WalkerWorld& world,
-                           const Aabb& thing_m, FeatureId thing, std::size_t most) {
+std::vector<Vec3> hand_way(const navigation::Route& route, const Vec3& hand_m, double height_m,
+                           const WalkerWorld& world, const Aabb& thing_m, FeatureId thing, std::size_t most) {
     std::vector<Vec3> points{hand_m};
     for (const Vec3& soles : route.points_m) {
         const Vec3 next = soles + Vec3(0.0, 0.0, height_m);
@@ -188,7 +188,7 @@ std::vector<Vec3> hand_way(const Route& route, const Vec3& hand_m, double height
         double bend_m = std::numeric_limits<double>::infinity();
         for (std::size_t i = 1; i + 1 < points.size(); ++i) {
             const std::array ends{points[i - 1], points[i + 1]};
-            if (const double off_m = nearest_on_way(ends, points[i]).distance_m; off_m < bend_m) {
+            if (const double off_m = navigation::nearest_on_way(ends, points[i]).distance_m; off_m < bend_m) {
                 bend_m = off_m;
                 least = i;
             }
@@ -198,4 +198,4 @@ std::vector<Vec3> hand_way(const Route& route, const Vec3& hand_m, double height
     return points;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

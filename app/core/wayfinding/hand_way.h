@@ -8,7 +8,7 @@
 #include "app/core/world/walker_world.h"
 #include "worlds/navigation/navigation.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // True if nothing solid is in between except the thing itself; thing: kNoFeature for a mere place.
 bool free_line(const WalkerWorld& world, const Vec3& from_m, const Vec3& to_m, FeatureId thing);
@@ -23,16 +23,16 @@ Vec3 place_on(const Aabb& thing_m, const Vec3& from_m);
 
 // The shortest route to a place next to the thing from which a hand can reach it freely. If there is no such place, to
 // any place next to it. Without points: there is no floor at `from_m`.
-Route walk_to_thing(Navigation& navigation, const WalkerWorld& world, const Vec3& from_m, const Aabb& thing_m,
-                    FeatureId thing);
+navigation::Route walk_to_thing(navigation::Navigation& navigation, const WalkerWorld& world, const Vec3& from_m,
+                                const Aabb& thing_m, FeatureId thing);
 
 // False if the route uses a lift, a teleporter or a climb, which a hand cannot follow.
-bool hand_can_follow(const Route& route);
+bool hand_can_follow(const navigation::Route& route);
 
 // The points of a hand's path along a route: from the hand to the route, along it at `height_m` above the floor, and
 // from its end to the thing if the goal is reached. If there would be more than `most` points, those that bend the path
 // least are left out.
-std::vector<Vec3> hand_way(const Route& route, const Vec3& hand_m, double height_m, const WalkerWorld& world,
-                           const Aabb& thing_m, FeatureId thing, std::size_t most);
+std::vector<Vec3> hand_way(const navigation::Route& route, const Vec3& hand_m, double height_m,
+                           const WalkerWorld& world, const Aabb& thing_m, FeatureId thing, std::size_t most);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -9,7 +9,7 @@
 #include "app/core/world/questions.h"
 #include "worlds/scene/models.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kBeyondEnd_m = 0.1;        // beyond the end of the stretch
@@ -45,7 +45,8 @@ bool meets_face(const WorldState& world, std::uint32_t mover, const Aabb& leaf_m
 
 }  // namespace
 
-std::optional<std::uint32_t> leaf_across(const WorldState& world, const WalkerSize& size, std::span<const Vec3> path_m) {
+std::optional<std::uint32_t> leaf_across(const WorldState& world, const WalkerSize& size,
+                                         std::span<const Vec3> path_m) {
     for (std::size_t i = 1; i < path_m.size(); ++i) {
         const Vec3 &from_m = path_m[i - 1], &to_m = path_m[i];
         const Vec3 way = to_m - from_m;
@@ -74,7 +75,7 @@ std::optional<std::uint32_t> leaf_across(const WorldState& world, const WalkerSi
 std::string leaf_ahead(const SessionContext& context, std::span<const Vec3> path_m) {
     const auto mover = leaf_across(context.world, context.body.walker->size(), path_m);
     if (!mover) return {};
-    return passage_name(context, PassageKind::Door, context.world.scene->movers[*mover].feature, 0.0);
+    return passage_name(context, navigation::PassageKind::Door, context.world.scene->movers[*mover].feature, 0.0);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

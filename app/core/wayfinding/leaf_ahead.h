@@ -11,7 +11,7 @@
 #include "app/core/world/walker.h"
 #include "app/core/world/world_state.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // The door, an index in Scene::movers, whose leaf blocks a walker on the straight stretches of the path, at floor
 // level. No value if none does, if the door is not shut by hand, or if the path leads through that door and reaches the
@@ -20,4 +20,4 @@ std::optional<std::uint32_t> leaf_across(const WorldState& world, const WalkerSi
 // Its name; empty: none.
 std::string leaf_ahead(const SessionContext& context, std::span<const Vec3> path_m);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -5,9 +5,9 @@
 
 #include "worlds/navigation/route_place.h"
 
-namespace handrail {
+namespace handrail::core {
 
-std::optional<Leg> next_leg(Route route, const Vec3& from_m, double least_m) {
+std::optional<Leg> next_leg(navigation::Route route, const Vec3& from_m, double least_m) {
     Leg leg;
     leg.route = std::move(route);
     const std::vector<Vec3>& points = leg.route.points_m;
@@ -19,18 +19,18 @@ std::optional<Leg> next_leg(Route route, const Vec3& from_m, double least_m) {
     return leg;
 }
 
-Route rest_of(const Route& route, double along_m) {
-    Route rest = route;
-    rest.points_m.assign(1, place_along(route.points_m, along_m));
+navigation::Route rest_of(const navigation::Route& route, double along_m) {
+    navigation::Route rest = route;
+    rest.points_m.assign(1, navigation::place_along(route.points_m, along_m));
     double at_m = 0.0;
     for (std::size_t i = 1; i < route.points_m.size(); ++i) {
         at_m += glm::length(route.points_m[i] - route.points_m[i - 1]);
         if (at_m > along_m) rest.points_m.push_back(route.points_m[i]);
     }
-    std::erase_if(rest.passages, [&](const RoutePassage& passage) { return passage.at_m < along_m; });
-    for (RoutePassage& passage : rest.passages) passage.at_m -= along_m;
+    std::erase_if(rest.passages, [&](const navigation::RoutePassage& passage) { return passage.at_m < along_m; });
+    for (navigation::RoutePassage& passage : rest.passages) passage.at_m -= along_m;
     rest.length_m = std::max(0.0, route.length_m - along_m);
     return rest;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -5,18 +5,18 @@
 
 #include "worlds/navigation/route.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct Leg {
-    Route route;
+    navigation::Route route;
     Vec3 to_m{0.0};
     double along_m = 0.0;  // of the route
 };
 
 // The first stretch from there that is longer than `least_m`, with its route; no value: there is no route.
-std::optional<Leg> next_leg(Route route, const Vec3& from_m, double least_m);
+std::optional<Leg> next_leg(navigation::Route route, const Vec3& from_m, double least_m);
 
 // The rest of a route from this distance along it.
-Route rest_of(const Route& route, double along_m);
+navigation::Route rest_of(const navigation::Route& route, double along_m);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -10,7 +10,7 @@
 #include "worlds/base/language.h"
 #include "worlds/scene/models.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kPassedWithin_m = 1.6;  // from the walker's centre to a door that counts as passed
@@ -31,7 +31,7 @@ struct Line {
 
 std::string doors_clue(const DirectionsFloor& floor, const Line& line, std::uint32_t except) {
     int left = 0, right = 0;
-    const std::vector<DirectionsDoor>& doors = floor.ground.doors();
+    const std::vector<navigation::DirectionsDoor>& doors = floor.ground.doors();
     for (std::uint32_t d = 0; d < doors.size(); ++d) {
         const Vec3 at = placed_bounds(doors[d].leaves.front().own_m, doors[d].leaves.front().shut).centre_m();
         const double along_m = line.along(at), aside_m = line.aside(at);
@@ -98,7 +98,8 @@ std::string wall_clue(const SessionContext& context, const Line& line) {
 
 std::string leg_clue(const SessionContext& context, const DirectionsFloor& floor, const Vec3& from_m, const Vec3& to_m,
                      int notch, std::uint32_t door) {
-    Line line{from_m, forward_of_heading(notch_heading_rad(notch)), right_of_heading(notch_heading_rad(notch)), 0.0};
+    Line line{from_m, forward_of_heading(navigation::notch_heading_rad(notch)),
+              right_of_heading(navigation::notch_heading_rad(notch)), 0.0};
     line.length_m = line.along(to_m);
     if (line.length_m < 2.0 * kEnds_m) return {};
     if (std::string passed = doors_clue(floor, line, door); !passed.empty()) return passed;
@@ -107,4 +108,4 @@ std::string leg_clue(const SessionContext& context, const DirectionsFloor& floor
     return wall_clue(context, line);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

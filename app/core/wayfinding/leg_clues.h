@@ -7,7 +7,7 @@
 
 #include "app/core/wayfinding/leg_words.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // One sentence with the most reliable clue; empty: there is none. The leg leads from `from_m` straight to `to_m`, at
 // floor level, in the direction of that notch. `door`: the one to which the leg leads, among the doors of the floor;
@@ -15,4 +15,4 @@ namespace handrail {
 std::string leg_clue(const SessionContext& context, const DirectionsFloor& floor, const Vec3& from_m, const Vec3& to_m,
                      int notch, std::uint32_t door);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -12,7 +12,7 @@
 #include "app/core/world/questions.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kFarthest_m = 40.0;  // longest leg that ends at an obstacle
@@ -37,7 +37,7 @@ Vec2 level(const Vec3& way) { return {way.x, way.y}; }
 
 // Distance along the leg from one place to another.
 double along_m(int notch, const Vec3& from_m, const Vec3& to_m) {
-    const Vec3 ahead = forward_of_heading(notch_heading_rad(notch));
+    const Vec3 ahead = forward_of_heading(navigation::notch_heading_rad(notch));
     return glm::dot(level(to_m - from_m), level(ahead));
 }
 
@@ -48,21 +48,22 @@ double counted_left(const DirectionsFloor& floor, const LegAt& at) {
 }
 
 struct Walked {
-    Paced paced;
-    BlindWalker body;
+    navigation::Paced paced;
+    navigation::BlindWalker body;
     int risers = 0;
     double to_stairs_m = 0.0;
     std::vector<Vec3> path_m;  // from the present place, every kPathEvery_m
 };
-Walked walk(const DirectionsFloor& floor, const LegAt& at, const DoorsOpen& open, double most_m = kFarthest_m) {
+Walked walk(const DirectionsFloor& floor, const LegAt& at, const navigation::DoorsOpen& open,
+            double most_m = kFarthest_m) {
     Walked walked;
     walked.body = floor.ground.body_at(at.from_m);
-    if (walked.body.span == kNothing) return walked;
+    if (walked.body.span == navigation::kNothing) return walked;
     walked.path_m.push_back(at.from_m);
     double z = floor.ground.feet_m(walked.body).z, way_m = 0.0, kept_m = 0.0;
     walked.paced = floor.ground.walk(
-        walked.body, notch_heading_rad(at.notch), most_m, at.leg.end, open,
-        [&](const BlindWalker& body) {
+        walked.body, navigation::notch_heading_rad(at.notch), most_m, at.leg.end, open,
+        [&](const navigation::BlindWalker& body) {
             way_m += kFine_m;
             const double here = floor.ground.feet_m(body).z;
             if (std::abs(here - z) > kRiser_m) {
@@ -80,7 +81,8 @@ Walked walk(const DirectionsFloor& floor, const LegAt& at, const DoorsOpen& open
     walked.path_m.push_back(floor.ground.feet_m(walked.body));
     // What stops the walker is just ahead.
     if (walked.paced.stopped)
-        walked.path_m.push_back(walked.path_m.back() + kAhead_m * forward_of_heading(notch_heading_rad(at.notch)));
+        walked.path_m.push_back(walked.path_m.back() +
+                                kAhead_m * forward_of_heading(navigation::notch_heading_rad(at.notch)));
     return walked;
 }
 
@@ -92,8 +94,8 @@ void tell_flight(SpokenLeg& told, const DirectionsFloor& floor, const Walked& wa
     told.to_stairs = static_cast<int>(std::lround(walked.to_stairs_m / floor.step_m));
 }
 
-std::string door_words(const SessionContext& context, const DirectionsDoor& door, bool shut) {
-    const std::string name = passage_name(context, PassageKind::Door, door.feature, 0.0);
+std::string door_words(const SessionContext& context, const navigation::DirectionsDoor& door, bool shut) {
+    const std::string name = passage_name(context, navigation::PassageKind::Door, door.feature, 0.0);
     return shut ? joined(name, phrase("questions.shut")) : name;
 }
 
@@ -106,20 +108,20 @@ std::string leg_words(const SpokenLeg& leg, const DistanceWords& how) {
     };
     std::string text = phrase("route.first", {{"turn", notch_words(leg.turn_notches)}}) + " ";
     const std::string distance = far(leg.steps);
-    if (leg.end == PaceEnd::Stairs) {
+    if (leg.end == navigation::PaceEnd::Stairs) {
         const std::string flight = phrase(leg.risers == 0 ? (leg.up ? "leg.ramp_up" : "leg.ramp_down")
                                                           : (leg.up ? "leg.stairs_up" : "leg.stairs_down"),
                                           {{"risers", leg.risers}});
         text += leg.steps == 0 ? phrase("leg.flight_here", {{"flight", flight}})
                                : phrase("leg.flight_in", {{"flight", flight}, {"steps", leg.steps}});
-    } else if (leg.end == PaceEnd::Stopped) {
+    } else if (leg.end == navigation::PaceEnd::Stopped) {
         text += leg.to.empty() ? phrase("leg.until_stopped", {{"distance", distance}})
                                : phrase("leg.until_met", {{"distance", distance}, {"what", leg.to}});
     } else {
         text += capitalised(
             phrase(leg.to.empty() ? "route.leg" : "route.leg_to", {{"distance", distance}, {"what", leg.to}}));
     }
-    if (leg.end != PaceEnd::Stairs && leg.risers > 0) {
+    if (leg.end != navigation::PaceEnd::Stairs && leg.risers > 0) {
         const std::string flight = phrase(leg.up ? "leg.stairs_up" : "leg.stairs_down", {{"risers", leg.risers}});
         text += " " + phrase("leg.over_flight", {{"flight", flight}, {"steps", leg.to_stairs}});
     }
@@ -131,20 +133,22 @@ std::string leg_words(const SpokenLeg& leg, const DistanceWords& how) {
     return text;
 }
 
-SpokenLeg spoken_leg(const SessionContext& context, const DirectionsFloor& floor, const LegAt& at, const DoorsOpen& open) {
+SpokenLeg spoken_leg(const SessionContext& context, const DirectionsFloor& floor, const LegAt& at,
+                     const navigation::DoorsOpen& open) {
     SpokenLeg told;
     told.end = at.leg.end;
-    const int turn = ((at.notch - at.from_notch) % kNotches + kNotches) % kNotches;
-    told.turn_notches = turn > kNotches / 2 ? turn - kNotches : turn;
+    const int turn = ((at.notch - at.from_notch) % navigation::kNotches + navigation::kNotches) % navigation::kNotches;
+    told.turn_notches = turn > navigation::kNotches / 2 ? turn - navigation::kNotches : turn;
     told.to = at.goal;
-    const DirectionsDoor* door = at.leg.door == kNothing ? nullptr : &floor.ground.doors()[at.leg.door];
+    const navigation::DirectionsDoor* door =
+        at.leg.door == navigation::kNothing ? nullptr : &floor.ground.doors()[at.leg.door];
     if (door) {
         const bool shut = !open[at.leg.door];
         told.to = door_words(context, *door, shut);
         told.open = shut && context.world.scene->movers[door->mover].by_hand;
         told.by_itself = shut && !told.open;
     }
-    if (at.leg.end == PaceEnd::Steps) {
+    if (at.leg.end == navigation::PaceEnd::Steps) {
         told.steps = std::max(1, static_cast<int>(std::lround(counted_left(floor, at))));
         const Walked walked = walk(floor, at, open, told.steps * floor.step_m);
         told.leaf = leaf_ahead(context, walked.path_m);
@@ -154,7 +158,7 @@ SpokenLeg spoken_leg(const SessionContext& context, const DirectionsFloor& floor
     }
     const Walked walked = walk(floor, at, open);
     told.leaf = leaf_ahead(context, walked.path_m);
-    if (at.leg.end == PaceEnd::Stairs) {
+    if (at.leg.end == navigation::PaceEnd::Stairs) {
         told.up = at.leg.rise_m > 0.0;
         told.risers = walked.risers >= 2 ? walked.risers : 0;
         told.steps = static_cast<int>(std::lround(walked.to_stairs_m / floor.step_m));
@@ -162,19 +166,19 @@ SpokenLeg spoken_leg(const SessionContext& context, const DirectionsFloor& floor
     }
     told.steps = std::max(1, static_cast<int>(std::lround(walked.paced.walked_m / floor.step_m)));
     tell_flight(told, floor, walked);
-    if (!door && walked.body.span != kNothing)
+    if (!door && walked.body.span != navigation::kNothing)
         if (const auto met = body_meets(*context.world.solids, floor.ground.feet_m(walked.body),
-                                        context.body.walker->size(), notch_heading_rad(at.notch), kMeets_m))
+                                        context.body.walker->size(), navigation::notch_heading_rad(at.notch), kMeets_m))
             told.to = name_of(context, met->feature);
     if (!door && told.to == at.goal) told.to.clear();
     return told;
 }
 
-bool leg_is_over(const DirectionsFloor& floor, const LegAt& at, const DoorsOpen& open) {
-    if (at.leg.end == PaceEnd::Steps) return counted_left(floor, at) < kLeft_part;
+bool leg_is_over(const DirectionsFloor& floor, const LegAt& at, const navigation::DoorsOpen& open) {
+    if (at.leg.end == navigation::PaceEnd::Steps) return counted_left(floor, at) < kLeft_part;
     const Walked walked = walk(floor, at, open);
-    if (at.leg.end == PaceEnd::Stairs) return !walked.paced.climbed;
+    if (at.leg.end == navigation::PaceEnd::Stairs) return !walked.paced.climbed;
     return walked.paced.walked_m < kLeft_part * floor.step_m;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

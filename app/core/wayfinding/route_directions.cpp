@@ -9,7 +9,7 @@
 #include "worlds/base/language.h"
 #include "worlds/navigation/stated_rooms.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 // Farther from the legs than this, the walker has left the route. This is twice the spread that a plan permits.
@@ -50,7 +50,7 @@ void RouteDirections::stop() {
     awaited_ = Awaited::Nothing;
     way_ = {};
     at_ = 0;
-    room_ = kNothing;
+    room_ = navigation::kNothing;
     stopped_.reset();
 }
 
@@ -64,17 +64,19 @@ void RouteDirections::plan(bool in_parts) {
     planned.floor = floor;
     planned.goal = way_.floor == floor ? way_.goal : nullptr;
     planned.from_m = context_.body.feet_m();
-    planned.notch = nearest_notch(context_.body.heading_goal_rad);
+    planned.notch = navigation::nearest_notch(context_.body.heading_goal_rad);
     planned.open = ground_.open_now(*floor);
     planning_.begin([planned = std::move(planned), in_parts, room = room_,
                      middle_m = rooms_.graph().rooms[room_].middle_m,
                      scene = rooms_.file_scene()](const std::stop_token& stop) {
         Planned made = planned;
         if (!made.goal)
-            made.goal = std::make_shared<const DirectionsGoal>(goal_in_room(
-                made.floor->ground.space(), made.floor->room_of_span, room, stated_room_at(*scene, middle_m)));
-        made.route = made.floor->planner.plan(made.from_m, notch_heading_rad(made.notch), *made.goal, made.open, {},
-                                              stop, {.begun = {}, .places = in_parts ? kPlacesForFirst : 0});
+            made.goal = std::make_shared<const navigation::DirectionsGoal>(
+                navigation::goal_in_room(made.floor->ground.space(), made.floor->room_of_span, room,
+                                         navigation::stated_room_at(*scene, middle_m)));
+        made.route =
+            made.floor->planner.plan(made.from_m, navigation::notch_heading_rad(made.notch), *made.goal, made.open, {},
+                                     stop, {.begun = {}, .places = in_parts ? kPlacesForFirst : 0});
         return made;
     });
 }
@@ -83,8 +85,8 @@ void RouteDirections::plan(bool in_parts) {
 void RouteDirections::plan_rest() {
     planning_.begin([planned = way_](const std::stop_token& stop) {
         Planned made = planned;
-        made.route = made.floor->planner.plan(made.from_m, notch_heading_rad(made.notch), *made.goal, made.open, {},
-                                              stop, {.begun = planned.route->legs, .places = 0});
+        made.route = made.floor->planner.plan(made.from_m, navigation::notch_heading_rad(made.notch), *made.goal,
+                                              made.open, {}, stop, {.begun = planned.route->legs, .places = 0});
         return made;
     });
 }
@@ -123,12 +125,12 @@ RouteDirections::News RouteDirections::tick() {
     const Vec3& feet_m = context_.body.feet_m();
     if (glm::length(feet_m - looked_m_) < kLooked_m || !context_.body.walker->state().on_ground) return news;
     looked_m_ = feet_m;
-    const BlindWalker body = way_.floor->ground.body_at(feet_m);
-    news.arrived = body.span != kNothing && (*way_.goal)[body.span] != 0 && in_outline(feet_m);
+    const navigation::BlindWalker body = way_.floor->ground.body_at(feet_m);
+    news.arrived = body.span != navigation::kNothing && (*way_.goal)[body.span] != 0 && in_outline(feet_m);
     if (news.arrived) return news;
     double off_m = kLeft_m + 1.0;
     Vec3 from_m = way_.from_m;
-    for (const DirectionsLeg& leg : way_.route->legs) {
+    for (const navigation::DirectionsLeg& leg : way_.route->legs) {
         off_m = std::min(off_m, distance_to_stretch(feet_m, from_m, leg.to_m));
         from_m = leg.to_m;
     }
@@ -138,20 +140,21 @@ RouteDirections::News RouteDirections::tick() {
 
 // A place of the goal may be as wide as a step and lie half outside the room.
 bool RouteDirections::in_outline(const Vec3& feet_m) const {
-    const StatedRoom* const outline = stated_room_at(*rooms_.file_scene(), rooms_.graph().rooms[room_].middle_m);
+    const StatedRoom* const outline =
+        navigation::stated_room_at(*rooms_.file_scene(), rooms_.graph().rooms[room_].middle_m);
     return !outline || handrail::holds(*outline, feet_m);
 }
 
 LegAt RouteDirections::leg_at(std::size_t which) const {
-    const std::vector<DirectionsLeg>& legs = way_.route->legs;
+    const std::vector<navigation::DirectionsLeg>& legs = way_.route->legs;
     int notch = way_.notch;
     for (std::size_t i = 0; i <= which; ++i) notch += legs[i].turn_notches;
     LegAt at{legs[which], 0, {}, {}, {}, 0};
-    at.notch = ((notch % kNotches) + kNotches) % kNotches;
+    at.notch = ((notch % navigation::kNotches) + navigation::kNotches) % navigation::kNotches;
     at.planned_from_m = which == 0 ? way_.from_m : legs[which - 1].to_m;
     if (way_.route->whole && which + 1 == legs.size()) at.goal = goal_;
     at.from_m = context_.body.feet_m();
-    at.from_notch = nearest_notch(context_.body.heading_goal_rad);
+    at.from_notch = navigation::nearest_notch(context_.body.heading_goal_rad);
     return at;
 }
 
@@ -163,17 +166,17 @@ bool RouteDirections::holds() const {
     // At the place where it was planned, the route still holds even if its first leg has been walked already. A new
     // plan from here would give the same route again and again.
     if (glm::length(first.from_m - way_.from_m) < kUnmoved_m && way_.open == open_now()) return true;
-    DirectionsRoute left;
+    navigation::DirectionsRoute left;
     left.legs.assign(way_.route->legs.begin() + static_cast<std::ptrdiff_t>(at_), way_.route->legs.end());
     left.legs.front().turn_notches = first.notch - first.from_notch;
-    const DoorsOpen open = open_now();
-    if (first.leg.end == PaceEnd::Steps && left.legs.front().steps > 0)
+    const navigation::DoorsOpen open = open_now();
+    if (first.leg.end == navigation::PaceEnd::Steps && left.legs.front().steps > 0)
         left.legs.front().steps = spoken_leg(context_, *way_.floor, first, open).steps;
-    const double heading_rad = notch_heading_rad(first.from_notch);
-    const DirectionsPlanner& planner = way_.floor->planner;
-    DirectionsErrors errors;
+    const double heading_rad = navigation::notch_heading_rad(first.from_notch);
+    const navigation::DirectionsPlanner& planner = way_.floor->planner;
+    navigation::DirectionsErrors errors;
     errors.start_m = 0.0;
-    const double wanted = static_cast<double>(way_.route->came) / kWordTrials - kFewer;
+    const double wanted = static_cast<double>(way_.route->came) / navigation::kWordTrials - kFewer;
     return planner.try_out(left, first.from_m, heading_rad, *way_.goal, open, errors, kTried, 1) >= wanted * kTried;
 }
 
@@ -209,11 +212,11 @@ bool RouteDirections::begin_with_door(SpokenLeg& leg) const {
     if (mover < 0 || stopped_->times > kMostTimes ||
         !context_.world.scene->movers[static_cast<std::size_t>(mover)].by_hand)
         return false;
-    const std::string door = passage_name(context_, PassageKind::Door, stopped_->door, 0.0);
+    const std::string door = passage_name(context_, navigation::PassageKind::Door, stopped_->door, 0.0);
     if (shut(context_.world, static_cast<std::uint32_t>(mover)))
         leg = {.turn_notches = leg.turn_notches,
                .steps = 1,
-               .end = PaceEnd::Stopped,
+               .end = navigation::PaceEnd::Stopped,
                .to = joined(door, phrase("questions.shut")),
                .open = true};
     else leg.leaf = door;
@@ -223,21 +226,21 @@ bool RouteDirections::begin_with_door(SpokenLeg& leg) const {
 bool RouteDirections::stopped_on(const LegAt& leg) const {
     constexpr double kHere_m = 0.25, kSameWay_rad = 0.15;
     return stopped_ && glm::length(leg.from_m - stopped_->at_m) < kHere_m &&
-           std::abs(wrap_angle(notch_heading_rad(leg.notch) - stopped_->heading_rad)) < kSameWay_rad;
+           std::abs(wrap_angle(navigation::notch_heading_rad(leg.notch) - stopped_->heading_rad)) < kSameWay_rad;
 }
 
 std::string RouteDirections::leg() {
     if (state_ != State::Known) return {};
     awaited_ = Awaited::Nothing;
     const std::size_t last = way_.route->legs.size() - 1;
-    const DoorsOpen open = open_now();
+    const navigation::DoorsOpen open = open_now();
     const auto waits_for_door = [&](std::size_t which) {
         const std::uint32_t door = way_.route->legs[which].door;
-        return door != kNothing && !open[door];
+        return door != navigation::kNothing && !open[door];
     };
     const auto is_over = [&](const LegAt& leg) {
         return leg_is_over(*way_.floor, leg, open) ||
-               (leg.leg.end == PaceEnd::Stopped && stopped_on(leg) && !stopped_->door);
+               (leg.leg.end == navigation::PaceEnd::Stopped && stopped_on(leg) && !stopped_->door);
     };
     while (at_ < last && !waits_for_door(at_) && is_over(leg_at(at_))) ++at_;
     if (!way_.route->whole && !waits_for_door(at_) && is_over(leg_at(at_))) return await(Awaited::NextLeg);
@@ -253,7 +256,7 @@ std::string RouteDirections::await(Awaited what) {
 std::string RouteDirections::next_leg() {
     if (state_ != State::Known) return {};
     const std::uint32_t door = way_.route->legs[at_].door;
-    const bool shut = door != kNothing && !open_now()[door];
+    const bool shut = door != navigation::kNothing && !open_now()[door];
     awaited_ = Awaited::Nothing;
     if (!shut && !way_.route->whole && at_ + 1 == way_.route->legs.size()) return await(Awaited::NextLeg);
     if (!shut) ++at_;
@@ -269,7 +272,7 @@ std::vector<std::string> RouteDirections::rest() {
         return {};
     }
     std::vector<std::string> legs;
-    DoorsOpen open = open_now();
+    navigation::DoorsOpen open = open_now();
     int notch_before = 0;
     for (std::size_t i = at_; i < way_.route->legs.size(); ++i) {
         LegAt at = leg_at(i);
@@ -278,7 +281,7 @@ std::vector<std::string> RouteDirections::rest() {
             at.from_notch = notch_before;
         }
         legs.push_back(leg_words(spoken_leg(context_, *way_.floor, at, open), distances(context_)));
-        if (at.leg.door != kNothing) open[at.leg.door] = true;
+        if (at.leg.door != navigation::kNothing) open[at.leg.door] = true;
         notch_before = at.notch;
     }
     return legs;
@@ -286,7 +289,7 @@ std::vector<std::string> RouteDirections::rest() {
 
 std::optional<double> RouteDirections::heading_rad() const {
     if (state_ != State::Known) return std::nullopt;
-    return notch_heading_rad(leg_at(at_).notch);
+    return navigation::notch_heading_rad(leg_at(at_).notch);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

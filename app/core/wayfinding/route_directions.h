@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "app/core/context/session_part.h"
-#include "app/core/wayfinding/leg_words.h"
 #include "app/core/wayfinding/directions_ground.h"
+#include "app/core/wayfinding/leg_words.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class RouteDirections : SessionPart {
 public:
@@ -59,11 +59,11 @@ public:
 private:
     struct Planned {
         std::shared_ptr<const DirectionsFloor> floor;
-        std::shared_ptr<const DirectionsGoal> goal;
-        std::optional<DirectionsRoute> route;
+        std::shared_ptr<const navigation::DirectionsGoal> goal;
+        std::optional<navigation::DirectionsRoute> route;
         Vec3 from_m{0.0};
         int notch = 0;
-        DoorsOpen open;  // state of the doors at that time
+        navigation::DoorsOpen open;  // state of the doors at that time
     };
     enum class Awaited : std::uint8_t { Nothing, NextLeg, Rest };
     void plan(bool in_parts = true);
@@ -77,12 +77,12 @@ private:
     bool in_outline(const Vec3& feet_m) const;
     bool holds() const;
     std::string tell();
-    DoorsOpen open_now() const { return ground_.open_now(*way_.floor); }
+    navigation::DoorsOpen open_now() const { return ground_.open_now(*way_.floor); }
 
     Rooms& rooms_;
     DirectionsGround& ground_;
     State state_ = State::None;
-    std::uint32_t room_ = kNothing;
+    std::uint32_t room_ = navigation::kNothing;
     std::string goal_;
     bool wanted_ = false;                 // a plan is wanted as soon as there is a floor
     Awaited awaited_ = Awaited::Nothing;  // what was requested of legs that are not known yet
@@ -99,4 +99,4 @@ private:
     BackgroundTask<Planned> planning_{context_.executor, "word-route", context_.arrivals};
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -8,7 +8,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kPassed_m = 0.6;     // distance at which a guided hand counts as past a stop
@@ -28,7 +28,7 @@ void RoutePlans::begin(const std::vector<Stop>& stops, bool first_passed, bool b
     run_ = RouteRun{stops, first_passed && stops.size() > 1 ? 1U : 0U, by_hand, {}, 0};
 }
 
-Route RoutePlans::on(const Vec3& from_m) {
+navigation::Route RoutePlans::on(const Vec3& from_m) {
     run_->planned = run_->next;
     return plan_through(rooms_.navigation(), from_m, run_->places(), &run_->at_m);
 }
@@ -66,7 +66,7 @@ HandRoute RoutePlans::for_hand(const Goal& goal, std::size_t most_points) {
         way.points_m = straight;
         return way;
     }
-    Route route;
+    navigation::Route route;
     if (rooms_.known())
         route = along_kept ? on(from) : walk_to_thing(rooms_.navigation(), solids, from, goal.box_m, goal.feature);
     if (!stops_first && (!route.reaches || !hand_can_follow(route)) &&
@@ -81,8 +81,8 @@ HandRoute RoutePlans::for_hand(const Goal& goal, std::size_t most_points) {
     if (!way.problem.empty()) return way;
     way.reaches = route.reaches;
     way.short_of_m = route.short_of_m;
-    for (const RoutePassage& passage : route.passages)
-        if (passage.kind == PassageKind::Door || passage.kind == PassageKind::Stairs)
+    for (const navigation::RoutePassage& passage : route.passages)
+        if (passage.kind == navigation::PassageKind::Door || passage.kind == navigation::PassageKind::Stairs)
             way.passes.push_back(passage_name(context_, passage.kind, passage.feature, passage.rise_m));
     const double height_m = std::clamp(context_.settings.workspace.hand_height_m, kLowest_m, kHighest_m);
     way.points_m = hand_way(route, from, height_m, solids, goal.box_m, goal.feature, most_points);
@@ -98,4 +98,4 @@ void RoutePlans::know(std::vector<Vec3> soles_m) {
     last_m_ = std::move(soles_m);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -11,7 +11,7 @@
 #include "app/core/wayfinding/stops.h"
 #include "app/core/whereabouts/rooms.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // A path from the hand to a thing.
 struct HandRoute {
@@ -39,9 +39,11 @@ public:
     const Stop& stop() const { return run_->stops[run_->goal()]; }
     bool runs_to(const std::string& goal) const { return run_ && stop().name == goal; }
     // The rest of the route from there to that stop; it is followed from now on.
-    Route on(const Vec3& from_m);
+    navigation::Route on(const Vec3& from_m);
     // The same without following it.
-    Route looked_at(const Vec3& from_m) const { return plan_through(rooms_.navigation(), from_m, run_->places()); }
+    navigation::Route looked_at(const Vec3& from_m) const {
+        return plan_through(rooms_.navigation(), from_m, run_->places());
+    }
     // Skips stops without a name that have been passed, by the place of the hand, or by the distance along the route of
     // on().
     void pass(const Vec3& hand_m);
@@ -67,4 +69,4 @@ private:
     unsigned changes_ = 0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -6,7 +6,7 @@
 #include "worlds/base/language.h"
 #include "worlds/navigation/route_place.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kLeastTurn_rad = 2.0 * kPi / 16.0;
@@ -29,10 +29,10 @@ std::string turn_words(double turn_rad) {
 
 }  // namespace
 
-std::vector<RouteNode> nodes_of(const Route& route, const std::string& goal,
-                                const std::function<std::string(const RoutePassage&)>& name_of) {
+std::vector<RouteNode> nodes_of(const navigation::Route& route, const std::string& goal,
+                                const std::function<std::string(const navigation::RoutePassage&)>& name_of) {
     std::vector<RouteNode> nodes;
-    for (const RoutePassage& passage : route.passages)
+    for (const navigation::RoutePassage& passage : route.passages)
         nodes.push_back({passage.at_m, name_of(passage), 0.0, passage.place_m});
     double at = 0.0;
     for (std::size_t i = 1; i + 1 < route.points_m.size(); ++i) {
@@ -56,7 +56,7 @@ std::vector<RouteNode> nodes_of(const Route& route, const std::string& goal,
     return nodes;
 }
 
-std::string route_words(const Route& route, const std::vector<RouteNode>& nodes, double heading_rad,
+std::string route_words(const navigation::Route& route, const std::vector<RouteNode>& nodes, double heading_rad,
                         const DistanceWords& how) {
     if (route.points_m.size() < 2 || nodes.empty()) return phrase("route.there");
     std::string text = capitalised(phrase("route.in_all", {{"distance", distance_words(route.length_m, how)}}));
@@ -74,7 +74,7 @@ std::string route_words(const Route& route, const std::vector<RouteNode>& nodes,
     return text;
 }
 
-void RouteFollower::follow(Route route, std::vector<RouteNode> nodes) {
+void RouteFollower::follow(navigation::Route route, std::vector<RouteNode> nodes) {
     route_ = std::move(route);
     nodes_ = std::move(nodes);
     announced_.assign(nodes_.size(), false);
@@ -87,7 +87,7 @@ void RouteFollower::follow(Route route, std::vector<RouteNode> nodes) {
 std::vector<Vec3> RouteFollower::ahead_m() const {
     std::vector<Vec3> rest;
     if (!following()) return rest;
-    rest.push_back(place_along(route_.points_m, along_m_));
+    rest.push_back(navigation::place_along(route_.points_m, along_m_));
     double at_m = 0.0;
     for (std::size_t i = 1; i < route_.points_m.size(); ++i) {
         at_m += glm::length(route_.points_m[i] - route_.points_m[i - 1]);
@@ -99,8 +99,9 @@ std::vector<Vec3> RouteFollower::ahead_m() const {
 RouteFollower::Said RouteFollower::tick(const Vec3& feet_m, const DistanceWords& how, const There& there) {
     Said said;
     if (!following()) return said;
-    const RoutePlace place = near_on_way(route_.points_m, feet_m, along_m_);
-    const double nearest = place.distance_m + kFartherForEachMetreAlong_m * std::abs(place.along_m - along_m_);
+    const navigation::RoutePlace place = navigation::near_on_way(route_.points_m, feet_m, along_m_);
+    const double nearest =
+        place.distance_m + navigation::kFartherForEachMetreAlong_m * std::abs(place.along_m - along_m_);
     along_m_ = place.along_m;
     if (there(glm::length(feet_m - goal_m()) < kThere_m || (left_m() < kThere_m && nearest < kThere_m))) {
         const bool named = !nodes_.empty() && !nodes_.back().what.empty();
@@ -138,4 +139,4 @@ RouteFollower::Said RouteFollower::tick(const Vec3& feet_m, const DistanceWords&
     return said;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -11,7 +11,7 @@
 #include "app/core/dialogue/words.h"
 #include "worlds/navigation/route.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // One instruction: where along the route it is due, and what is there.
 struct RouteNode {
@@ -23,12 +23,12 @@ struct RouteNode {
 
 // Doors, stairs and other features, turns of more than a sixteenth of a circle, and the goal, in order. A turn next to
 // a feature belongs to it. name_of: spoken name of a passage.
-std::vector<RouteNode> nodes_of(const Route& route, const std::string& goal,
-                                const std::function<std::string(const RoutePassage&)>& name_of);
+std::vector<RouteNode> nodes_of(const navigation::Route& route, const std::string& goal,
+                                const std::function<std::string(const navigation::RoutePassage&)>& name_of);
 
 // "28 steps in all. Turn slightly left. 14 steps. Turn right. 4 steps to Front door. Turn left. 10 steps to Kitchen."
 // `heading_rad`: of the listener.
-std::string route_words(const Route& route, const std::vector<RouteNode>& nodes, double heading_rad,
+std::string route_words(const navigation::Route& route, const std::vector<RouteNode>& nodes, double heading_rad,
                         const DistanceWords& how);
 
 // Follows a walker along a route. Announces each feature once, 6 m before it, and again when it is reached, with the
@@ -41,10 +41,10 @@ public:
         bool left = false;
         bool arrived = false;
     };
-    void follow(Route route, std::vector<RouteNode> nodes);
+    void follow(navigation::Route route, std::vector<RouteNode> nodes);
     void stop() { route_ = {}; }
     bool following() const { return route_.points_m.size() >= 2; }
-    const Route& route() const { return route_; }
+    const navigation::Route& route() const { return route_; }
     const Vec3& goal_m() const { return route_.points_m.back(); }
     double along_m() const { return along_m_; }  // distance of the person along the route
     std::vector<Vec3> ahead_m() const;           // the rest of it
@@ -56,7 +56,7 @@ public:
         const Vec3& feet_m, const DistanceWords& how, const There& there = [](bool at_end) { return at_end; });
 
 private:
-    Route route_;
+    navigation::Route route_;
     std::vector<RouteNode> nodes_;
     std::vector<bool> announced_, reached_;
     double along_m_ = 0.0;
@@ -66,4 +66,4 @@ private:
 inline constexpr double kAnnounceAhead_m = 6.0, kReassureEvery_m = 10.0, kLeftWay_m = 2.0, kThere_m = 0.8,
                         kAtFeature_m = 1.2;
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -11,7 +11,7 @@
 #include "worlds/base/language.h"
 #include "worlds/navigation/route_place.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kLookEvery_s = 0.1;  // interval between checks for obstacles and shut doors along a route
@@ -59,13 +59,13 @@ void Seek::plan(AlongRoute& along, const Sought& sought, bool hand, double now_s
     along.jump = context_.hands.pose.jump;
     const Goal goal{sought.name(), sought.thing_m(), sought.feature()};
     if (hand) {
-        const HandRoute lead = plans_.for_hand(goal, GuidancePath::kMostPoints);
+        const HandRoute lead = plans_.for_hand(goal, servo::GuidancePath::kMostPoints);
         if (!lead.reaches || lead.points_m.size() < 2) return way.no_way(now_s);
         return way.plan(lead.points_m, {}, 0.0, finding_place_m(context_), now_s);
     }
-    Navigation& navigation = rooms_.navigation();
+    navigation::Navigation& navigation = rooms_.navigation();
     const Vec3& feet_m = context_.body.feet_m();
-    Route route;
+    navigation::Route route;
     if (way.known()) route = navigation.plan(feet_m, way.points_m().back());
     if (!route.reaches) route = walk_to_thing(navigation, *context_.world.solids, feet_m, goal.box_m, goal.feature);
     if (!route.reaches) return way.no_way(now_s);
@@ -79,7 +79,7 @@ bool Seek::keep(AlongRoute& along, const Sought& sought, bool hand, double now_s
     if (!context_.settings.guidance.along_way) return false;
     SoughtRoute& way = along.way;
     const Vec3 at = hand ? finding_place_m(context_) : context_.body.feet_m(), up(0.0, 0.0, hand ? 0.0 : kWaist_m);
-    way.follow(at, hand ? 1.0 : kHeightCountsForWalkers, [&](const Vec3& place) {
+    way.follow(at, hand ? 1.0 : navigation::kHeightCountsForWalkers, [&](const Vec3& place) {
         return free_line(*context_.world.solids, at + up, place + up, sought.feature());
     });
     const bool changed = along.planned_in != context_.world.scene || (hand && along.jump != context_.hands.pose.jump);
@@ -127,7 +127,7 @@ std::string Seek::words(AlongRoute& along, const Sought& sought, bool hand, doub
 }
 
 void Seek::tell_way(const AlongRoute& along, double now_s) {
-    context_.tell(SpeechTopic::Summary, along_way_words(along.way, distances(context_)), now_s);
+    context_.tell(cues::SpeechTopic::Summary, along_way_words(along.way, distances(context_)), now_s);
 }
 
 void Seek::tell_anew(double now_s) {
@@ -163,7 +163,7 @@ std::optional<Vec3> Seek::beacon_turning(double now_s) {
 
 bool Seek::tick_beacon(double now_s) {
     if (!beacon_.on()) return false;
-    const Listener ears{context_.body.ears_m(), context_.body.heading_rad};
+    const cues::Listener ears{context_.body.ears_m(), context_.body.heading_rad};
     const auto way_db = [&](const Vec3& place) { return muffling_db(*context_.world.solids, ears.ears_m, place); };
     Beacon::Beat beat =
         beacon_.tick(context_.body.feet_m(), ears, way_db, !context_.hands.tuning.panic, now_s, beacon_turning(now_s));
@@ -183,7 +183,7 @@ void Seek::tick_warmer(double now_s) {
     bool found = straight_m <= (hand ? Warmer::kFound_hand_m * per_m : Beacon::kArrived_m) &&
                  (!known || (!hand && along.way.left_m() <= Beacon::kArrived_m) ||
                   free_line(*context_.world.solids, place, place_on(warmer_.thing_m(), place), warmer_.feature()));
-    const ToolState& tool = context_.hands.tool;
+    const servo::ToolState& tool = context_.hands.tool;
     if (hand && tool.touches() && warmer_.feature()) found = found || tool.touched() == warmer_.feature();
     if (known && hand) doors_.tell_touched(now_s);
     if (known && !hand && now_s - along.looked_s >= kLookEvery_s) {
@@ -193,14 +193,14 @@ void Seek::tick_warmer(double now_s) {
     const double left_m = known ? std::max(straight_m, along.way.told_m()) : straight_m;
     const Warmer::Beat beat = warmer_.tick(left_m / per_m, place / per_m, found, !context_.hands.tuning.panic, now_s);
     if (beat.sound) {
-        CueRequest tick =
-            sound_at(beat.nearer < -kPast ? SoundKind::Colder : SoundKind::Warmer, context_.body.ears_m(), now_s);
+        cues::CueRequest tick = sound_at(beat.nearer < -kPast ? cues::SoundKind::Colder : cues::SoundKind::Warmer,
+                                         context_.body.ears_m(), now_s);
         tick.pitch = 1.0 + kPitch * beat.nearer;
         context_.cues.cue(std::move(tick));
     }
     if (!beat.found) return;
-    context_.play(SoundKind::Arrived, now_s);
-    context_.tell(SpeechTopic::Place, phrase("lead.here", {{"goal", warmer_.name()}}), now_s, {.answers = true});
+    context_.play(cues::SoundKind::Arrived, now_s);
+    context_.tell(cues::SpeechTopic::Place, phrase("lead.here", {{"goal", warmer_.name()}}), now_s, {.answers = true});
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

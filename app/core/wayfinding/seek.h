@@ -9,10 +9,10 @@
 #include "app/core/context/session_part.h"
 #include "app/core/movers/doors.h"
 #include "app/core/wayfinding/finding.h"
-#include "app/core/wayfinding/sought_route.h"
 #include "app/core/wayfinding/route_plans.h"
+#include "app/core/wayfinding/sought_route.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // The route along which a tool guides.
 struct AlongRoute {
@@ -71,4 +71,4 @@ private:
     Vec3 turning_m_{0.0};         // which one, at floor level
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

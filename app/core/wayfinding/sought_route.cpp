@@ -5,7 +5,7 @@
 
 #include "worlds/navigation/route_place.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kJump_m = 2.0;  // more than this in one update means placed elsewhere
@@ -17,8 +17,8 @@ double turn_between(const Vec3& before, const Vec3& after) {
 
 }  // namespace
 
-void SoughtRoute::plan(std::vector<Vec3> points_m, const std::vector<RoutePassage>& passages, double tail_m,
-                     const Vec3& at_m, double now_s) {
+void SoughtRoute::plan(std::vector<Vec3> points_m, const std::vector<navigation::RoutePassage>& passages, double tail_m,
+                       const Vec3& at_m, double now_s) {
     const bool goes_on = known();
     const double told_before_m = goes_on ? told_m() : 0.0;
     points_m_ = std::move(points_m);
@@ -33,7 +33,7 @@ void SoughtRoute::plan(std::vector<Vec3> points_m, const std::vector<RoutePassag
             turn_between(points_m_[i + 1] - points_m_[i], points_m_[i + 2] - points_m_[i + 1]) >= kLeastTurn_rad)
             turnings_m_.push_back(length_m_);
     }
-    for (const RoutePassage& passage : passages)
+    for (const navigation::RoutePassage& passage : passages)
         if (passage.at_m < length_m_) turnings_m_.push_back(passage.at_m);
     std::sort(turnings_m_.begin(), turnings_m_.end());
     tail_m_ = tail_m;
@@ -54,8 +54,9 @@ bool SoughtRoute::wants_plan(bool changed, double now_s) const {
 
 void SoughtRoute::follow(const Vec3& at_m, double height_counts, const std::function<bool(const Vec3&)>& sees) {
     if (!known()) return;
-    const RoutePlace place = near_on_way(points_m_, at_m, along_m_, height_counts,
-                                       [&](const Vec3& on_way_m) { return seen_ = !sees || sees(on_way_m); });
+    const navigation::RoutePlace place =
+        navigation::near_on_way(points_m_, at_m, along_m_, height_counts,
+                                [&](const Vec3& on_way_m) { return seen_ = !sees || sees(on_way_m); });
     const double went_m = glm::length(at_m - at_m_);
     along_m_ = place.along_m;
     off_m_ = place.distance_m;
@@ -67,10 +68,10 @@ void SoughtRoute::follow(const Vec3& at_m, double height_counts, const std::func
 
 Vec3 SoughtRoute::next_turning_m() const {
     for (const double turning_m : turnings_m_)
-        if (turning_m > along_m_ + kPassed_m) return place_along(points_m_, turning_m);
+        if (turning_m > along_m_ + kPassed_m) return navigation::place_along(points_m_, turning_m);
     return points_m_.back();
 }
 
-Vec3 SoughtRoute::ahead_m(double by_m) const { return place_along(points_m_, along_m_ + by_m); }
+Vec3 SoughtRoute::ahead_m(double by_m) const { return navigation::place_along(points_m_, along_m_ + by_m); }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -12,7 +12,7 @@
 #include "worlds/base/vec.h"
 #include "worlds/navigation/route.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class SoughtRoute {
 public:
@@ -29,8 +29,8 @@ public:
     void clear() { *this = {}; }
     // Sets a route from the person's place `at_m`; the reported distance continues smoothly. tail_m: from its end to
     // the thing. `passages`: its doors and stairs, which count as turnings. One point or none: no route.
-    void plan(std::vector<Vec3> points_m, const std::vector<RoutePassage>& passages, double tail_m, const Vec3& at_m,
-              double now_s);
+    void plan(std::vector<Vec3> points_m, const std::vector<navigation::RoutePassage>& passages, double tail_m,
+              const Vec3& at_m, double now_s);
     // Planning found no route, or the person is straight before the thing.
     void no_way(double now_s);
     bool known() const { return points_m_.size() >= 2; }
@@ -67,4 +67,4 @@ private:
     bool tried_ = false, seen_ = true;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -16,7 +16,7 @@
 #include "worlds/navigation/reach.h"
 #include "worlds/navigation/route_place.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 // A route on foot is preferred to a lift up to this factor plus this distance.
@@ -37,26 +37,28 @@ void SpokenRoute::stop() {
     room_.reset();
     told_.reset();
     stopped_.reset();
-    wish_ = RouteWish::Safest;
+    wish_ = navigation::RouteWish::Safest;
     faces_ = rest_asked_ = false;
 }
 
 SpokenRoute::RoomRoute SpokenRoute::route_to(std::uint32_t room) const {
-    const Vec3 from_m = context_.body.feet_m(), to_m = goal_in_room(rooms_.navigation(), rooms_.graph(), room, from_m);
+    const Vec3 from_m = context_.body.feet_m(),
+               to_m = navigation::goal_in_room(rooms_.navigation(), rooms_.graph(), room, from_m);
     // A door that waits for a button cannot be announced leg by leg.
-    const auto told_by_legs = [&](const Route& way) {
+    const auto told_by_legs = [&](const navigation::Route& way) {
         return way.reaches && way.points_m.size() > 1 &&
-               std::all_of(way.passages.begin(), way.passages.end(), [&](const RoutePassage& passage) {
-                   return (passage.kind == PassageKind::Door || passage.kind == PassageKind::Opening ||
-                           passage.kind == PassageKind::Stairs) &&
+               std::all_of(way.passages.begin(), way.passages.end(), [&](const navigation::RoutePassage& passage) {
+                   return (passage.kind == navigation::PassageKind::Door ||
+                           passage.kind == navigation::PassageKind::Opening ||
+                           passage.kind == navigation::PassageKind::Stairs) &&
                           lock_words(context_, passage.feature).empty();
                });
     };
-    Route route = rooms_.navigation().plan(from_m, to_m);
+    navigation::Route route = rooms_.navigation().plan(from_m, to_m);
     if (told_by_legs(route)) return {std::move(route), true};
     // Legs are more reliable than a lift, so stairs are preferred if they are not much longer.
     if (route.reaches) {
-        Route foot = rooms_.navigation().plan(from_m, to_m, RouteWish::OnFoot);
+        navigation::Route foot = rooms_.navigation().plan(from_m, to_m, navigation::RouteWish::OnFoot);
         if (told_by_legs(foot) && foot.length_m < kLongerOnFoot * route.length_m + kLongerOnFoot_m)
             return {std::move(foot), true};
     }
@@ -73,14 +75,14 @@ bool SpokenRoute::follow_to_room(std::uint32_t room, const std::string& first, d
     };
     if (!by_legs) return follow_whole();
     stop();
-    wish_ = RouteWish::OnFoot;
+    wish_ = navigation::RouteWish::OnFoot;
     word_.begin(room, name);
     if (!word_.at_work()) return follow_whole();
     room_ = room;
     std::string words = first.empty() ? first : first + ' ';
     words += phrase("rooms.way", {{"goal", name}, {"route", overview_words(context_, rooms_, route)}});
     if (const std::string leg = word_.leg(); !leg.empty()) words += ' ' + leg;
-    context_.tell(SpeechTopic::Summary, std::move(words), now_s);
+    context_.tell(cues::SpeechTopic::Summary, std::move(words), now_s);
     context_.events.tell(Led{name, LedBy::Ear}, now_s);
     to_nearest_ = false;
     follow_silently(std::move(route), name);
@@ -96,7 +98,7 @@ void SpokenRoute::follow_again(const std::string& first, double now_s) {
 }
 
 // Follows a route without announcing it; the displayed route changes.
-void SpokenRoute::follow_silently(Route route, const std::string& goal) {
+void SpokenRoute::follow_silently(navigation::Route route, const std::string& goal) {
     name_ = goal;
     told_.reset();
     plans_.know(route.points_m);
@@ -107,7 +109,7 @@ void SpokenRoute::follow_silently(Route route, const std::string& goal) {
     follower_.follow(std::move(route), std::move(nodes));
 }
 
-bool SpokenRoute::follow(Route route, const std::string& name, const std::string& first, double now_s) {
+bool SpokenRoute::follow(navigation::Route route, const std::string& name, const std::string& first, double now_s) {
     stop();
     std::string goal = name, words = first.empty() ? first : first + ' ';
     if (route.points_m.empty()) {
@@ -115,9 +117,9 @@ bool SpokenRoute::follow(Route route, const std::string& name, const std::string
         return false;
     }
     if (!route.reaches) {
-        const std::uint32_t end = room_at(rooms_.graph(), rooms_.space(), route.points_m.back());
+        const std::uint32_t end = navigation::room_at(rooms_.graph(), rooms_.space(), route.points_m.back());
         const std::string short_of = distance_words(route.short_of_m, distances(context_));
-        words += end == kNothing
+        words += end == navigation::kNothing
                      ? phrase("rooms.not_reached", {{"goal", name}, {"short_of", short_of}})
                      : phrase("rooms.not_reached_in",
                               {{"goal", name}, {"room", rooms_.graph().rooms[end].name}, {"short_of", short_of}});
@@ -130,7 +132,7 @@ bool SpokenRoute::follow(Route route, const std::string& name, const std::string
     }
     const std::vector<RouteNode> nodes = nodes_to(context_, route, goal);
     const std::string how = route_words(route, nodes, context_.body.heading_rad, distances(context_));
-    context_.tell(SpeechTopic::Summary, words + phrase("rooms.way", {{"goal", goal}, {"route", how}}), now_s);
+    context_.tell(cues::SpeechTopic::Summary, words + phrase("rooms.way", {{"goal", goal}, {"route", how}}), now_s);
     context_.events.tell(Led{goal, LedBy::Ear}, now_s);
     to_nearest_ = !route.reaches;
     follow_silently(std::move(route), goal);
@@ -142,7 +144,7 @@ void SpokenRoute::renew() {
         !rooms_.navigation().meets_leaf(follower_.ahead_m()))
         return;
     const Vec3& feet_m = context_.body.feet_m();
-    Route route =
+    navigation::Route route =
         plans_.runs_to(name_) ? plans_.on(feet_m) : rooms_.navigation().plan(feet_m, follower_.goal_m(), wish_);
     if (!route.reaches || route.points_m.size() < 2) return;
     follow_silently(std::move(route), std::string(name_));
@@ -157,15 +159,15 @@ std::string SpokenRoute::on_words() {
     if (!leg) return phrase("way.no_floor");
     told_ = leg->route;
     const Vec3 off = leg->to_m - feet_m;
-    const Route& route = leg->route;
+    const navigation::Route& route = leg->route;
     const std::string where = where_words(context_, std::hypot(off.x, off.y), std::atan2(off.x, off.y)),
                       all = sentence_case(distance_words(route.length_m, distances(context_)));
     std::string leaf = leaf_in_way(leg->to_m);
     if (!leaf.empty()) leaf = " " + capitalised(phrase("leg.leaf_in_way", {{"door", leaf}}));
-    for (const RoutePassage& passage : route.passages)
+    for (const navigation::RoutePassage& passage : route.passages)
         if (passage.at_m < leg->along_m + 1.0) {
             const std::string what = passage_now(context_, passage.kind, passage.feature, passage.rise_m);
-            if (passage.kind == PassageKind::Climb && stands_at(passage))
+            if (passage.kind == navigation::PassageKind::Climb && stands_at(passage))
                 return phrase(
                     "way.at_stairs",
                     {{"goal", name_}, {"passage", what}, {"key", context_.keys.keys_of(Command::Use)}, {"all", all}});
@@ -202,57 +204,58 @@ std::string SpokenRoute::leaf_in_way(const Vec3& to_m) const {
     const bool open = mover >= 0 && met && met->kind == FeatureKind::Door &&
                       context_.world.scene->movers[static_cast<std::size_t>(mover)].by_hand &&
                       !shut(context_.world, static_cast<std::uint32_t>(mover));
-    return open ? passage_name(context_, PassageKind::Door, stopped_->by, 0.0) : std::string();
+    return open ? passage_name(context_, navigation::PassageKind::Door, stopped_->by, 0.0) : std::string();
 }
 
 // True if the person stands near enough to climb these stairs with a key.
-bool SpokenRoute::stands_at(const RoutePassage& passage) const {
+bool SpokenRoute::stands_at(const navigation::RoutePassage& passage) const {
     const Vec3 off = passage.place_m - context_.body.feet_m();
     return std::hypot(off.x, off.y) < Climbs::kAtEnd_m;
 }
 
-std::optional<RoutePassage> SpokenRoute::climb_here() const {
+std::optional<navigation::RoutePassage> SpokenRoute::climb_here() const {
     if (!follower_.following()) return std::nullopt;
-    const std::vector<RoutePassage> passages = planned().passages;
-    if (passages.empty() || passages.front().kind != PassageKind::Climb || !stands_at(passages.front()))
+    const std::vector<navigation::RoutePassage> passages = planned().passages;
+    if (passages.empty() || passages.front().kind != navigation::PassageKind::Climb || !stands_at(passages.front()))
         return std::nullopt;
     return passages.front();
 }
 
 // True if the person stands in the lift, which does not move on its own.
-bool SpokenRoute::stands_in(const RoutePassage& passage) const {
-    return passage.kind == PassageKind::Lift && passage.feature && context_.body.ground == passage.feature;
+bool SpokenRoute::stands_in(const navigation::RoutePassage& passage) const {
+    return passage.kind == navigation::PassageKind::Lift && passage.feature && context_.body.ground == passage.feature;
 }
 
 // The rest of the route from here, planned again. The previous route is kept if the new one leads back against it and
 // is not much shorter. Otherwise, of two equally long routes, planning would choose one and then the other, and the
 // person would walk to and fro.
-Route SpokenRoute::planned() const {
+navigation::Route SpokenRoute::planned() const {
     const Vec3& feet_m = context_.body.feet_m();
     if (plans_.runs_to(name_)) return plans_.looked_at(feet_m);
-    Route anew = rooms_.navigation().plan(feet_m, follower_.goal_m(), wish_);
-    const Route& followed = told_ ? *told_ : follower_.route();
-    const RoutePlace here = near_on_way(followed.points_m, feet_m, told_ ? 0.0 : follower_.along_m());
+    navigation::Route anew = rooms_.navigation().plan(feet_m, follower_.goal_m(), wish_);
+    const navigation::Route& followed = told_ ? *told_ : follower_.route();
+    const navigation::RoutePlace here =
+        navigation::near_on_way(followed.points_m, feet_m, told_ ? 0.0 : follower_.along_m());
     const double ahead_m = here.along_m + kTakenUpAhead_m;
     if (here.distance_m > kLeftWay_m || ahead_m >= followed.length_m || anew.points_m.size() < 2) return anew;
-    const Vec3 on_m = place_along(followed.points_m, ahead_m);
+    const Vec3 on_m = navigation::place_along(followed.points_m, ahead_m);
     const double least_m = 0.5 * context_.settings.walk.step_length_m;
     const auto leg = next_leg(anew, feet_m, least_m);
     const Vec3 back = leg->to_m - feet_m, on = on_m - feet_m;
     if (back.x * on.x + back.y * on.y >= 0.0 || rooms_.navigation().meets_leaf(follower_.ahead_m())) return anew;
-    Route kept = rooms_.navigation().plan(feet_m, on_m, wish_);
+    navigation::Route kept = rooms_.navigation().plan(feet_m, on_m, wish_);
     if (!kept.reaches) return anew;
     kept = joined(std::move(kept), rest_of(followed, ahead_m));
     return kept.length_m < kWorthTurningBack * anew.length_m ? kept : anew;
 }
 
 // What is not there yet is told as soon as it is.
-void SpokenRoute::tell(const std::string& words, SpeechTopic topic, double now_s) {
+void SpokenRoute::tell(const std::string& words, cues::SpeechTopic topic, double now_s) {
     if (!words.empty()) return context_.tell(topic, words, now_s, {.answers = true, .place_m = leg_place_m()});
     if (word_.at_work()) return context_.answer(phrase("leg.looks"), now_s);
     if (!follower_.following()) return tell_on(now_s);
     // No legs lead on from here, so the route is announced as a whole, as for the hand.
-    if (Route route = planned(); route.reaches && route.points_m.size() > 1)
+    if (navigation::Route route = planned(); route.reaches && route.points_m.size() > 1)
         follow_silently(std::move(route), std::string(name_));
     tell_on(now_s);
 }
@@ -260,12 +263,12 @@ void SpokenRoute::tell(const std::string& words, SpeechTopic topic, double now_s
 void SpokenRoute::tell_leg(double now_s) {
     rest_asked_ = false;
     if (!follower_.following() || !word_.at_work()) return tell_on(now_s);
-    tell(word_.leg(), SpeechTopic::Leg, now_s);
+    tell(word_.leg(), cues::SpeechTopic::Leg, now_s);
 }
 
 void SpokenRoute::tell_leg_unasked(std::string words, bool anew, double now_s) {
     if (words.empty()) return;
-    context_.tell(SpeechTopic::Leg, std::move(words), now_s, {.anew = anew, .place_m = leg_place_m()});
+    context_.tell(cues::SpeechTopic::Leg, std::move(words), now_s, {.anew = anew, .place_m = leg_place_m()});
 }
 
 // Where the leg that was told leads, a metre on.
@@ -276,33 +279,35 @@ std::optional<Vec3> SpokenRoute::leg_place_m() const {
 }
 
 // How it goes on from here, since the line that told it was cut.
-void SpokenRoute::tell_anew(SpeechTopic topic, double now_s) {
+void SpokenRoute::tell_anew(cues::SpeechTopic topic, double now_s) {
     if (!follower_.following()) return;
-    if (topic == SpeechTopic::Leg) return tell_leg_unasked(word_.at_work() ? word_.leg() : on_words(), true, now_s);
-    const Route route = planned();
+    if (topic == cues::SpeechTopic::Leg)
+        return tell_leg_unasked(word_.at_work() ? word_.leg() : on_words(), true, now_s);
+    const navigation::Route route = planned();
     if (route.points_m.size() < 2) return;
     const std::string how = word_.at_work() ? overview_words(context_, rooms_, route)
                                             : route_words(route, nodes_to(context_, route, name_),
                                                           context_.body.heading_rad, distances(context_));
-    context_.tell(SpeechTopic::Summary, phrase("rooms.way", {{"goal", name_}, {"route", how}}), now_s, {.anew = true});
+    context_.tell(cues::SpeechTopic::Summary, phrase("rooms.way", {{"goal", name_}, {"route", how}}), now_s,
+                  {.anew = true});
 }
 
 void SpokenRoute::tell_next_leg(double now_s) {
     rest_asked_ = false;
     if (!follower_.following() || !word_.at_work()) return tell_on(now_s);
-    tell(word_.next_leg(), SpeechTopic::Leg, now_s);
+    tell(word_.next_leg(), cues::SpeechTopic::Leg, now_s);
 }
 
 void SpokenRoute::tell_rest(double now_s) {
     const std::vector<std::string> legs = rest_of_way();
     rest_asked_ = legs.empty();
-    tell(fmt::format("{}", fmt::join(legs, " ")), SpeechTopic::None, now_s);
+    tell(fmt::format("{}", fmt::join(legs, " ")), cues::SpeechTopic::None, now_s);
 }
 
 std::vector<std::string> SpokenRoute::rest_of_way() {
     if (!follower_.following()) return {};
     if (word_.at_work()) return word_.rest();
-    const Route route = planned();
+    const navigation::Route route = planned();
     if (route.points_m.size() < 2 && !route.reaches) return {};
     return {route_words(route, nodes_to(context_, route, name_), context_.body.heading_rad, distances(context_))};
 }
@@ -325,8 +330,8 @@ RouteFollower::Said SpokenRoute::tick(double now_s) {
 bool SpokenRoute::there(bool at_end) const {
     const Vec3& feet_m = context_.body.feet_m();
     if (room_) {
-        const RoomGraph& graph = rooms_.graph();
-        if (stands_inside(graph, rooms_.space(), *rooms_.file_scene(), feet_m, *room_)) return true;
+        const navigation::RoomGraph& graph = rooms_.graph();
+        if (navigation::stands_inside(graph, rooms_.space(), *rooms_.file_scene(), feet_m, *room_)) return true;
         // In a room too small to stand inside, its middle counts.
         return at_end && glm::length(feet_m - graph.rooms[*room_].middle_m) < kAtPlace_m;
     }
@@ -341,14 +346,14 @@ RouteFollower::Said SpokenRoute::tick_words(double now_s) {
         if (!word_.at_work()) {
             // There are no legs in words, so the route is announced as a whole, as for the hand.
             const std::optional<std::uint32_t> room = room_;
-            Route route = planned();
+            navigation::Route route = planned();
             if (follow(std::move(route), std::string(name_), {}, now_s)) room_ = room;
-            wish_ = RouteWish::OnFoot;
+            wish_ = navigation::RouteWish::OnFoot;
             return said;
         }
         // Legs that are still being planned are spoken when the plan is ready.
         if (!rest_asked_)
-            context_.tell(SpeechTopic::Leg, word_.leg(), now_s, {.answers = true, .place_m = leg_place_m()});
+            context_.tell(cues::SpeechTopic::Leg, word_.leg(), now_s, {.answers = true, .place_m = leg_place_m()});
         else if (!word_.rest().empty()) tell_rest(now_s);
     }
     tell_facing(now_s);
@@ -366,11 +371,11 @@ void SpokenRoute::tell_facing(double now_s) {
     const auto heading_rad = word_.heading_rad();
     const bool faces = heading_rad && std::abs(wrap_angle(*heading_rad - context_.body.heading_rad)) < kFacing_rad;
     if (!std::exchange(faces_, faces) && faces) {
-        CueRequest tone = sound_at(SoundKind::BeaconAhead,
-                                   context_.body.ears_m() + forward_of_heading(context_.body.heading_rad), now_s);
+        cues::CueRequest tone = sound_at(cues::SoundKind::BeaconAhead,
+                                         context_.body.ears_m() + forward_of_heading(context_.body.heading_rad), now_s);
         tone.loudness = kLoudness;
         context_.cues.cue(std::move(tone));
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

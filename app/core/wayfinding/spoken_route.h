@@ -7,11 +7,11 @@
 
 #include "app/core/context/session_part.h"
 #include "app/core/context/telling.h"
-#include "app/core/wayfinding/route_words.h"
-#include "app/core/wayfinding/route_plans.h"
 #include "app/core/wayfinding/route_directions.h"
+#include "app/core/wayfinding/route_plans.h"
+#include "app/core/wayfinding/route_words.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class SpokenRoute : SessionPart {
 public:
@@ -20,12 +20,12 @@ public:
 
     // Announces the route and follows it. If the goal cannot be reached, it leads to the nearest place that can, and
     // returns false. `first` is announced before everything else. Requires that the rooms are found.
-    bool follow(Route route, const std::string& name, const std::string& first, double now_s);
+    bool follow(navigation::Route route, const std::string& name, const std::string& first, double now_s);
     void follow_to(const Vec3& goal_m, const std::string& name, const std::string& first, double now_s);
     // To a room, in words leg by leg. If lifts, teleporters or edges are on the route, it behaves like follow.
     bool follow_to_room(std::uint32_t room, const std::string& first, double now_s);
     // The route from here; only its length is announced.
-    Route to_room(std::uint32_t room) const { return route_to(room).route; }
+    navigation::Route to_room(std::uint32_t room) const { return route_to(room).route; }
     // Plans and announces the route to the present goal again.
     void follow_again(const std::string& first, double now_s);
     void stop();
@@ -44,7 +44,7 @@ public:
     void tell_next_leg(double now_s);
     // Unasked: what comes next, and the same or the way as a whole once more, since the line with it was cut.
     void tell_leg_unasked(std::string words, bool anew, double now_s);
-    void tell_anew(SpeechTopic topic, double now_s);
+    void tell_anew(cues::SpeechTopic topic, double now_s);
     void tell_rest(double now_s);
     // What tell_rest announces, one text for each leg; empty: it is being planned, or no route is followed.
     std::vector<std::string> rest_of_way();
@@ -53,7 +53,7 @@ public:
     // That feature stopped the walker.
     void note_stop(FeatureId by);
     // The stairs that come next on the route and can be climbed in one go, if the person stands before them.
-    std::optional<RoutePassage> climb_here() const;
+    std::optional<navigation::RoutePassage> climb_here() const;
     // If a door leaf now blocks the rest of the route, a new route leads round it. Only the next directions change;
     // nothing else is announced.
     void renew();
@@ -62,18 +62,18 @@ public:
 
 private:
     struct RoomRoute {
-        Route route;
+        navigation::Route route;
         bool by_legs = false;  // all of it can be announced leg by leg
     };
     RoomRoute route_to(std::uint32_t room) const;
-    Route planned() const;
-    bool stands_in(const RoutePassage& passage) const;
-    bool stands_at(const RoutePassage& passage) const;
+    navigation::Route planned() const;
+    bool stands_in(const navigation::RoutePassage& passage) const;
+    bool stands_at(const navigation::RoutePassage& passage) const;
     bool there(bool at_end) const;
     std::string on_words();
     std::optional<Vec3> leg_place_m() const;
-    void follow_silently(Route route, const std::string& goal);
-    void tell(const std::string& words, SpeechTopic topic, double now_s);
+    void follow_silently(navigation::Route route, const std::string& goal);
+    void tell(const std::string& words, cues::SpeechTopic topic, double now_s);
     std::string leaf_in_way(const Vec3& to_m) const;
     RouteFollower::Said tick_words(double now_s);
     void tell_facing(double now_s);
@@ -82,10 +82,11 @@ private:
     RoutePlans& plans_;
     RouteFollower follower_;
     RouteDirections word_;
-    std::optional<std::uint32_t> room_;   // the goal room, if the goal is a room and can be reached
-    RouteWish wish_ = RouteWish::Safest;  // OnFoot while legs are announced, so that both plans use the same route
-    bool faces_ = false;                  // the person faces the announced leg
-    bool rest_asked_ = false;             // the rest of the route was requested before it was planned
+    std::optional<std::uint32_t> room_;  // the goal room, if the goal is a room and can be reached
+    navigation::RouteWish wish_ =
+        navigation::RouteWish::Safest;  // OnFoot while legs are announced, so that both plans use the same route
+    bool faces_ = false;                // the person faces the announced leg
+    bool rest_asked_ = false;           // the rest of the route was requested before it was planned
     std::string name_;
     bool to_nearest_ = false;
     struct Stop {
@@ -95,8 +96,8 @@ private:
         int times = 1;  // consecutive stops by the same feature
     };
     std::optional<Stop> stopped_;              // the last stop of the walker
-    std::optional<Route> told_;                // the rest of the route as tell_on last announced it
+    std::optional<navigation::Route> told_;    // the rest of the route as tell_on last announced it
     std::shared_ptr<const Scene> planned_in_;  // the scene in which the route was planned
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

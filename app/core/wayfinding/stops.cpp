@@ -9,7 +9,7 @@
 #include "audio-cues/plan/speakable.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kGoesOn_m = 3.0;  // a route planned this near to the end of the previous one continues it
@@ -26,7 +26,7 @@ std::vector<Goal> goals(const SessionContext& context) {
     std::vector<Goal> all;
     for (const Mark& mark : context.world.marks) all.push_back({mark.name, point_box(mark.place_m), kNoFeature});
     for (NamedThing& thing : named_things(*context.world.scene))
-        all.push_back({sentence_case(speakable(thing.name)), thing.bounds_m, thing.feature});
+        all.push_back({sentence_case(cues::speakable(thing.name)), thing.bounds_m, thing.feature});
     const Vec3 here = context.body.feet_m() + Vec3(0.0, 0.0, kWaist_m);
     std::stable_sort(all.begin(), all.end(), [&](const Goal& a, const Goal& b) {
         return glm::length(nearest_place(a.box_m, here) - here) < glm::length(nearest_place(b.box_m, here) - here);
@@ -36,8 +36,8 @@ std::vector<Goal> goals(const SessionContext& context) {
 
 Aabb told_box(const Rooms& rooms, const Goal& goal) {
     if (!rooms.found() || goal.feature == kNoFeature) return goal.box_m;
-    for (const Portal& portal : rooms.graph().portals)
-        if (portal.kind == PassageKind::Door && portal.feature == goal.feature)
+    for (const navigation::Portal& portal : rooms.graph().portals)
+        if (portal.kind == navigation::PassageKind::Door && portal.feature == goal.feature)
             return {{portal.place_m.x, portal.place_m.y, goal.box_m.min_m.z},
                     {portal.place_m.x, portal.place_m.y, goal.box_m.max_m.z}};
     return goal.box_m;
@@ -52,10 +52,10 @@ Stop stop_at_place(const Rooms& rooms, const Vec3& place_m, const std::string& o
     Stop stop;
     stop.place_m = place_m;
     stop.name = otherwise;
-    const RoomGraph& graph = rooms.graph();
-    if (const std::uint32_t room = room_at(graph, rooms.space(), place_m); room != kNothing) {
+    const navigation::RoomGraph& graph = rooms.graph();
+    if (const std::uint32_t room = navigation::room_at(graph, rooms.space(), place_m); room != navigation::kNothing) {
         stop.name = sentence_case(graph.rooms[room].name);
-        stop.room = known_as(graph.rooms[room]);
+        stop.room = navigation::known_as(graph.rooms[room]);
     }
     if (!good_name(stop.name)) stop.name = otherwise;
     return stop;
@@ -66,7 +66,8 @@ Stop stop_in_room(const Rooms& rooms, std::uint32_t room) {
 }
 
 Stop stop_at_goal(const SessionContext& context, const Rooms& rooms, const Goal& goal, const Vec3& from_m) {
-    const Route route = walk_to_thing(rooms.navigation(), *context.world.solids, from_m, goal.box_m, goal.feature);
+    const navigation::Route route =
+        walk_to_thing(rooms.navigation(), *context.world.solids, from_m, goal.box_m, goal.feature);
     const Vec3 nearest = nearest_place(goal.box_m, from_m);
     const Vec3 place =
         route.reaches ? route.points_m.back() : rooms.navigation().nearest_place(nearest).value_or(nearest);
@@ -108,4 +109,4 @@ void PlannedStops::note(const Stop& stop, const Vec3& from_m) {
     add(chosen_, stop);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -9,7 +9,7 @@
 #include "app/core/kept/saved_routes.h"
 #include "app/core/whereabouts/rooms.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // Something to find or to go to.
 struct Goal {
@@ -59,4 +59,4 @@ private:
     Vec3 chosen_at_m_{0.0};  // where the last one was chosen
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -8,14 +8,15 @@
 #include "worlds/base/language.h"
 #include "worlds/navigation/foot_distances.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr std::size_t kMostRoomsTold = 8;
 constexpr double kUnreached_m = 1e6;  // larger than any distance on foot
 
 // "You are on Level 1. Its rooms: hall, kitchen and 3 more."
-std::string own_storey_words(const RoomGraph& graph, const std::vector<StoreyOfRooms>& storeys, std::size_t own) {
+std::string own_storey_words(const navigation::RoomGraph& graph, const std::vector<StoreyOfRooms>& storeys,
+                             std::size_t own) {
     std::string names;
     const std::vector<std::uint32_t>& rooms = storeys[own].rooms;
     for (std::size_t i = 0; i < std::min(kMostRoomsTold, rooms.size()); ++i)
@@ -25,9 +26,9 @@ std::string own_storey_words(const RoomGraph& graph, const std::vector<StoreyOfR
     return phrase("storeys.here", {{"storey", storey_name(storeys, own)}, {"names", names}, {"count", rooms.size()}});
 }
 
-std::uint32_t nearest_room_of(const RoomGraph& graph, const std::vector<std::uint32_t>& among, std::uint32_t here,
-                              const Vec3& feet_m) {
-    const FootDistances on_foot(graph, here, feet_m);
+std::uint32_t nearest_room_of(const navigation::RoomGraph& graph, const std::vector<std::uint32_t>& among,
+                              std::uint32_t here, const Vec3& feet_m) {
+    const navigation::FootDistances on_foot(graph, here, feet_m);
     std::uint32_t nearest = among.front();
     double nearest_m = 1e300;
     for (const std::uint32_t room : among) {
@@ -60,7 +61,7 @@ void open_storey_list(const SessionContext& context, Rooms& rooms, Doors& doors,
     list.chosen = [&context, &rooms, &doors, to_room = std::move(to_room), storeys](std::size_t which) {
         const double then_s = context.tick_s;
         if (!rooms.found()) return;
-        const RoomGraph& graph = rooms.graph();
+        const navigation::RoomGraph& graph = rooms.graph();
         if (doors.ride_to(storeys[which].floor_m, storey_name(storeys, which), then_s)) return;
         if (which == storey_of_room(storeys, graph, rooms.here()))
             return context.answer(own_storey_words(graph, storeys, which), then_s);
@@ -69,4 +70,4 @@ void open_storey_list(const SessionContext& context, Rooms& rooms, Doors& doors,
     context.open_list(std::move(list), now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

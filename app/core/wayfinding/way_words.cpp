@@ -10,10 +10,10 @@
 #include "app/core/wayfinding/stops.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
-double heading_of(const Route& route, bool end) {
+double heading_of(const navigation::Route& route, bool end) {
     const std::vector<Vec3>& points = route.points_m;
     const Vec3 way = end ? points.back() - points[points.size() - 2] : points[1] - points[0];
     return std::atan2(way.x, way.y);
@@ -21,19 +21,20 @@ double heading_of(const Route& route, bool end) {
 
 }  // namespace
 
-std::vector<RouteNode> nodes_to(const SessionContext& context, const Route& route, const std::string& goal) {
-    return nodes_of(route, goal, [&context](const RoutePassage& passage) {
+std::vector<RouteNode> nodes_to(const SessionContext& context, const navigation::Route& route,
+                                const std::string& goal) {
+    return nodes_of(route, goal, [&context](const navigation::RoutePassage& passage) {
         return passage_now(context, passage.kind, passage.feature, passage.rise_m);
     });
 }
 
-std::string overview_words(const SessionContext& context, const Rooms& rooms, const Route& route) {
+std::string overview_words(const SessionContext& context, const Rooms& rooms, const navigation::Route& route) {
     constexpr double kLookEvery_m = 0.5;
     constexpr std::size_t kMostRooms = 4;
     std::vector<std::uint32_t> through;
     const auto look = [&](const Vec3& place_m) {
-        const std::uint32_t room = room_at(rooms.graph(), rooms.space(), place_m);
-        if (room != kNothing && (through.empty() || through.back() != room)) through.push_back(room);
+        const std::uint32_t room = navigation::room_at(rooms.graph(), rooms.space(), place_m);
+        if (room != navigation::kNothing && (through.empty() || through.back() != room)) through.push_back(room);
     };
     for (std::size_t i = 1; i < route.points_m.size(); ++i) {
         const Vec3 way = route.points_m[i] - route.points_m[i - 1];
@@ -62,7 +63,7 @@ std::string whole_way_words(const SessionContext& context, const Rooms& rooms, c
     bool first = !near_stop(stops.front(), context.body.feet_m(), kAtStop_m);
     std::string legs;
     while (along.next < stops.size()) {
-        const Route route = plan_through(rooms.navigation(), from, along.places());
+        const navigation::Route route = plan_through(rooms.navigation(), from, along.places());
         const std::string& goal = stops[along.goal()].name;
         if (route.points_m.size() >= 2) {
             const double facing = std::exchange(first, false) ? heading_of(route, false) : heading_rad;
@@ -83,4 +84,4 @@ std::string whole_way_words(const SessionContext& context, const Rooms& rooms, c
            legs;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

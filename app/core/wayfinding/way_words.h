@@ -11,17 +11,17 @@
 #include "app/core/wayfinding/route_words.h"
 #include "app/core/whereabouts/rooms.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // Includes the present obstacles at passages.
-std::vector<RouteNode> nodes_to(const SessionContext& context, const Route& route, const std::string& goal);
+std::vector<RouteNode> nodes_to(const SessionContext& context, const navigation::Route& route, const std::string& goal);
 
 // "28 steps in all, through Hall and Study.": the length of a route and the rooms on it. Requires that the rooms are
 // found.
-std::string overview_words(const SessionContext& context, const Rooms& rooms, const Route& route);
+std::string overview_words(const SessionContext& context, const Rooms& rooms, const navigation::Route& route);
 
 // The whole route from its first stop on, each stop with the route to it. Requires that the rooms are found.
 std::string whole_way_words(const SessionContext& context, const Rooms& rooms, const std::string& name,
                             std::span<const Stop> stops);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -11,7 +11,7 @@
 #include "worlds/base/language.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr std::size_t kMostWaysFirst = 2;                  // exits named before what is ahead
@@ -53,9 +53,9 @@ Telling Asking::telling() const {
 Asker Asking::asker() const {
     Asker asker{*context_.world.solids, context_.body.feet_m(), context_.body.heading_rad,
                 context_.body.walker->size()};
-    if (const std::uint32_t room = room_here(); room != kNothing)
-        for (const Portal& portal : rooms_.graph().portals)
-            if (portal.kind == PassageKind::Door && (portal.rooms[0] == room || portal.rooms[1] == room))
+    if (const std::uint32_t room = room_here(); room != navigation::kNothing)
+        for (const navigation::Portal& portal : rooms_.graph().portals)
+            if (portal.kind == navigation::PassageKind::Door && (portal.rooms[0] == room || portal.rooms[1] == room))
                 asker.doorways.push_back({portal.feature, portal.place_m});
     return asker;
 }
@@ -96,7 +96,7 @@ std::string Asking::tell_sights(std::span<const Sight> sights) const {
 std::string Asking::tell_there(std::span<const Sight> sights) const {
     std::string text;
     for (const Sight& sight : sights)
-        text += (text.empty() ? "" : "; ") + handrail::tell_there(sight, state_of(sight), telling());
+        text += (text.empty() ? "" : "; ") + core::tell_there(sight, state_of(sight), telling());
     return text;
 }
 
@@ -106,7 +106,7 @@ std::string Asking::place_and_heading() const {
     const bool at_door = std::any_of(context_.world.scene->features.begin(), context_.world.scene->features.end(),
                                      [](const Feature& feature) { return feature.base; });
     std::string place;
-    if (const std::uint32_t room = room_here(); room != kNothing) place = rooms_.graph().rooms[room].name;
+    if (const std::uint32_t room = room_here(); room != navigation::kNothing) place = rooms_.graph().rooms[room].name;
     if (home) place = joined(place, phrase(at_door ? "questions.at_door" : "questions.at_base"));
     if (place.empty()) place = spoken_name(*context_.world.scene);
     return phrase("questions.place_facing",
@@ -115,13 +115,13 @@ std::string Asking::place_and_heading() const {
 
 // kNothing if rooms are not known yet or there is only one.
 std::uint32_t Asking::room_here() const {
-    if (!rooms_.found() || rooms_.graph().rooms.size() < 2) return kNothing;
-    return room_at(rooms_.graph(), rooms_.space(), context_.body.feet_m());
+    if (!rooms_.found() || rooms_.graph().rooms.size() < 2) return navigation::kNothing;
+    return navigation::room_at(rooms_.graph(), rooms_.space(), context_.body.feet_m());
 }
 
 // Exits, nearest first; if rooms are not known, the doors in sight.
 std::vector<std::string> Asking::ways_out() const {
-    if (const std::uint32_t room = room_here(); room != kNothing)
+    if (const std::uint32_t room = room_here(); room != navigation::kNothing)
         return exit_sentences(context_, rooms_.graph(), room, ExitOrder::Nearest);
     std::vector<std::string> doors;
     for (const Sight& sight : in_sight(asker(), kMostThings)) {
@@ -152,8 +152,7 @@ std::string Asking::side_sentence(int quarter) const {
     const std::string side =
         sentence_case(side_words(quarter, context_.body.heading_rad, context_.settings.speech.directions));
     if (!seen) return phrase("questions.side_open", {{"side", side}});
-    return phrase("questions.side",
-                  {{"side", side}, {"what", handrail::tell_there(*seen, state_of(*seen), telling())}});
+    return phrase("questions.side", {{"side", side}, {"what", core::tell_there(*seen, state_of(*seen), telling())}});
 }
 
 // Landmarks first, then right, behind and left, then everything else nearby.
@@ -205,7 +204,7 @@ std::string Asking::around_me() const {
         if (!sight) text += phrase("questions.side_open", {{"side", side}});
         else
             text += phrase("questions.side",
-                           {{"side", side}, {"what", handrail::tell_there(*sight, state_of(*sight), telling())}});
+                           {{"side", side}, {"what", core::tell_there(*sight, state_of(*sight), telling())}});
     }
     return text;
 }
@@ -270,7 +269,7 @@ void Asking::describe_touched(double now_s) {
 }
 
 // The answer gives the name at every verbosity, and everything known if the person asks again.
-std::string Asking::touched_words(const ToolState& tool) {
+std::string Asking::touched_words(const servo::ToolState& tool) {
     FeatureId& described = &tool == &context_.hands.tool ? described_ : left_described_;
     if (!tool.touches()) {
         described = kNoFeature;
@@ -280,10 +279,10 @@ std::string Asking::touched_words(const ToolState& tool) {
     asked_about_ = id;
     const int verbosity =
         std::exchange(described, id) == id ? kTellAll : std::max(kTellName, context_.settings.speech.verbosity);
-    std::string text = describe_feature(*context_.world.scene, id, verbosity);
+    std::string text = cues::describe_feature(*context_.world.scene, id, verbosity);
     if (verbosity == kTellAll && context_.settings.speech.distances_in_steps)
         text += " " + steps_of_size(context_.world.scene->features[id.value], distances(context_));
     return text.empty() ? sentence_case(name_of(context_, id)) : text;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

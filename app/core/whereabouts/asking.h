@@ -12,7 +12,7 @@
 #include "app/core/whereabouts/rooms.h"
 #include "app/core/world/questions.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class Asking : SessionPart {
 public:
@@ -50,7 +50,7 @@ private:
     std::string coordinates() const;
     std::string scale_bar() const;
     void describe_touched(double now_s);
-    std::string touched_words(const ToolState& tool);
+    std::string touched_words(const servo::ToolState& tool);
 
     Rooms& rooms_;
     FeatureId asked_about_ = kNoFeature;
@@ -63,4 +63,4 @@ private:
     FeatureId described_ = kNoFeature, left_described_ = kNoFeature;  // last described by "what is this"
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

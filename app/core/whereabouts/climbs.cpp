@@ -7,7 +7,7 @@
 #include "app/core/world/surroundings.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kOneFloor_m = 0.5;
@@ -16,14 +16,14 @@ constexpr double kToWhatIsFaced_m = 1.2;  // to a door or button that the person
 
 }  // namespace
 
-std::optional<Climbs::End> Climbs::end_here(double within_m, const RoutePassage* only) const {
+std::optional<Climbs::End> Climbs::end_here(double within_m, const navigation::RoutePassage* only) const {
     if (!rooms_.found()) return std::nullopt;
-    const WalkSpace& space = rooms_.space();
+    const navigation::WalkSpace& space = rooms_.space();
     const Vec3& feet_m = context_.body.feet_m();
     std::optional<End> nearest;
     for (std::uint32_t i = 0; i < space.links.size(); ++i) {
-        const WalkLink& link = space.links[i];
-        if (link.kind != PassageKind::Climb) continue;
+        const navigation::WalkLink& link = space.links[i];
+        if (link.kind != navigation::PassageKind::Climb) continue;
         for (const bool foot : {true, false}) {
             const Vec3 here_m = space.place_m(foot ? link.from : link.to);
             const double far_m = std::hypot(here_m.x - feet_m.x, here_m.y - feet_m.y);
@@ -49,13 +49,13 @@ bool Climbs::something_else(bool wanted) const {
 
 bool Climbs::act(Command command, double now_s) {
     if (command != Command::Use) return false;
-    const std::optional<RoutePassage> wanted = on_way ? on_way() : std::nullopt;
+    const std::optional<navigation::RoutePassage> wanted = on_way ? on_way() : std::nullopt;
     std::optional<End> end = wanted ? end_here(kGoneAway_m, &*wanted) : std::nullopt;
     if (!end) end = end_here(kAtEnd_m);
     if (!end || something_else(wanted.has_value())) return false;
     told_ = end->link;
     context_.asks.place(end->there_m, context_.body.heading_rad, now_s);
-    context_.play(SoundKind::FrameSwitch, now_s);
+    context_.play(cues::SoundKind::FrameSwitch, now_s);
     rooms_.notice(now_s, true);
     const double rise_m = end->there_m.z - end->here_m.z;
     context_.answer(
@@ -73,9 +73,10 @@ void Climbs::tick(double now_s) {
     const std::optional<End> end = end_here(kAtEnd_m);
     if (!end) return;
     told_ = end->link;
-    const std::string what = passage_name(context_, PassageKind::Climb, end->feature, end->there_m.z - end->here_m.z);
+    const std::string what =
+        passage_name(context_, navigation::PassageKind::Climb, end->feature, end->there_m.z - end->here_m.z);
     context_.say(phrase("climbs.here", {{"stairs", sentence_case(what)}, {"key", context_.keys.keys_of(Command::Use)}}),
-                 SpeechClass::Contact, now_s);
+                 cues::SpeechClass::Contact, now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

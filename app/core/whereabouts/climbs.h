@@ -9,7 +9,7 @@
 #include "app/core/whereabouts/asking.h"
 #include "app/core/whereabouts/rooms.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class Climbs : SessionPart {
 public:
@@ -27,7 +27,7 @@ public:
     void tick(double now_s);
 
     // Set by the session: the next stairs on the followed route, if the person stands before them.
-    std::function<std::optional<RoutePassage>()> on_way;
+    std::function<std::optional<navigation::RoutePassage>()> on_way;
 
 private:
     struct End {
@@ -35,7 +35,7 @@ private:
         Vec3 here_m{0.0}, there_m{0.0};
         FeatureId feature = kNoFeature;
     };
-    std::optional<End> end_here(double within_m, const RoutePassage* only = nullptr) const;
+    std::optional<End> end_here(double within_m, const navigation::RoutePassage* only = nullptr) const;
     bool something_else(bool wanted) const;
 
     Rooms& rooms_;
@@ -43,4 +43,4 @@ private:
     std::optional<std::uint32_t> told_;  // the announced link, at whose end the person stands
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -9,25 +9,29 @@
 #include "app/core/dialogue/brief_words.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 
 namespace {
 
 constexpr std::size_t kMostListed = 8;
 
-Vec3 way_to(const SessionContext& context, const Portal& portal) { return portal.place_m - context.body.feet_m(); }
+Vec3 way_to(const SessionContext& context, const navigation::Portal& portal) {
+    return portal.place_m - context.body.feet_m();
+}
 
-double far_m(const SessionContext& context, const Portal& portal) {
+double far_m(const SessionContext& context, const navigation::Portal& portal) {
     return std::hypot(way_to(context, portal).x, way_to(context, portal).y);
 }
 
-std::uint32_t beyond(const Portal& portal, std::uint32_t room) {
+std::uint32_t beyond(const navigation::Portal& portal, std::uint32_t room) {
     return portal.rooms[0] == room ? portal.rooms[1] : portal.rooms[0];
 }
 
-std::vector<std::uint32_t> in_order(const SessionContext& context, const RoomGraph& graph, std::uint32_t room,
-                                    ExitOrder order, const std::function<bool(std::uint32_t)>& told) {
-    std::vector<std::uint32_t> exits = exits_of(graph, room, context.body.feet_m(), context.body.heading_rad);
+std::vector<std::uint32_t> in_order(const SessionContext& context, const navigation::RoomGraph& graph,
+                                    std::uint32_t room, ExitOrder order,
+                                    const std::function<bool(std::uint32_t)>& told) {
+    std::vector<std::uint32_t> exits =
+        navigation::exits_of(graph, room, context.body.feet_m(), context.body.heading_rad);
     if (told) std::erase_if(exits, [&](std::uint32_t p) { return !told(beyond(graph.portals[p], room)); });
     if (order == ExitOrder::Nearest)
         std::stable_sort(exits.begin(), exits.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -36,8 +40,8 @@ std::vector<std::uint32_t> in_order(const SessionContext& context, const RoomGra
     return exits;
 }
 
-std::string exit_sentence(const SessionContext& context, const RoomGraph& graph, std::uint32_t room,
-                          const Portal& portal) {
+std::string exit_sentence(const SessionContext& context, const navigation::RoomGraph& graph, std::uint32_t room,
+                          const navigation::Portal& portal) {
     const std::string what = passage_name(context, portal.kind, portal.feature, 0.0),
                       to = graph.rooms[beyond(portal, room)].name;
     // A lock is mentioned first, because it belongs to the name.
@@ -53,7 +57,7 @@ std::string exit_sentence(const SessionContext& context, const RoomGraph& graph,
 }
 
 // "89 more: 60 doors, 29 openings."
-std::string more_exits(const RoomGraph& graph, std::span<const std::uint32_t> exits) {
+std::string more_exits(const navigation::RoomGraph& graph, std::span<const std::uint32_t> exits) {
     constexpr std::array kKinds{"exit_kind.door", "exit_kind.opening",    "exit_kind.stairs", "exit_kind.lift",
                                 "exit_kind.drop", "exit_kind.teleporter", "exit_kind.climb"};
     std::array<int, kKinds.size()> counts{};
@@ -66,15 +70,16 @@ std::string more_exits(const RoomGraph& graph, std::span<const std::uint32_t> ex
 
 }  // namespace
 
-std::vector<std::string> exit_sentences(const SessionContext& context, const RoomGraph& graph, std::uint32_t room,
-                                        ExitOrder order, const std::function<bool(std::uint32_t)>& told) {
+std::vector<std::string> exit_sentences(const SessionContext& context, const navigation::RoomGraph& graph,
+                                        std::uint32_t room, ExitOrder order,
+                                        const std::function<bool(std::uint32_t)>& told) {
     std::vector<std::string> sentences;
     for (const std::uint32_t p : in_order(context, graph, room, order, told))
         sentences.push_back(exit_sentence(context, graph, room, graph.portals[p]));
     return sentences;
 }
 
-ListedExits listed_exits(const SessionContext& context, const RoomGraph& graph, std::uint32_t room,
+ListedExits listed_exits(const SessionContext& context, const navigation::RoomGraph& graph, std::uint32_t room,
                          const std::function<bool(std::uint32_t)>& told) {
     std::vector<std::uint32_t> exits = in_order(context, graph, room, ExitOrder::Clockwise, told);
     if (exits.size() > kMostListed) exits = in_order(context, graph, room, ExitOrder::Nearest, told);
@@ -87,4 +92,4 @@ ListedExits listed_exits(const SessionContext& context, const RoomGraph& graph, 
     return listed;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -10,7 +10,7 @@
 #include "app/core/world/nearest_wall.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kWallReach_m = 30.0;
@@ -25,7 +25,7 @@ FarPlaces::FarPlaces(const SessionContext& context, WalkerState& body, Rooms& ro
 
 void FarPlaces::enter_world() {
     known_.clear();
-    room_ = kNothing;
+    room_ = navigation::kNothing;
 }
 
 bool FarPlaces::act(Command command, double now_s) {
@@ -62,13 +62,14 @@ void FarPlaces::note(Command command) {
 void FarPlaces::tick() {
     if (!rooms_.found() || rooms_.here() == room_) return;
     const std::uint32_t before = std::exchange(room_, rooms_.here());
-    if (before == kNothing || room_ == kNothing) return;
+    if (before == navigation::kNothing || room_ == navigation::kNothing) return;
     const Vec3& feet_m = context_.body.feet_m();
-    for (const Portal& portal : rooms_.graph().portals) {
+    for (const navigation::Portal& portal : rooms_.graph().portals) {
         const bool joins = (portal.rooms[0] == before && portal.rooms[1] == room_) ||
                            (portal.rooms[1] == before && portal.rooms[0] == room_);
         if (joins && glm::length(portal.place_m - feet_m) < kDoorBeside_m)
-            return know({feet_m, portal.kind == PassageKind::Door ? portal.feature : kNoFeature, before, room_});
+            return know(
+                {feet_m, portal.kind == navigation::PassageKind::Door ? portal.feature : kNoFeature, before, room_});
     }
 }
 
@@ -99,7 +100,7 @@ std::string FarPlaces::way_back() const {
     Vec3 first_m = goal_m;
     double length_m = glm::length(goal_m - feet_m);
     if (rooms_.found()) {
-        const Route route = rooms_.navigation().plan(feet_m, goal_m);
+        const navigation::Route route = rooms_.navigation().plan(feet_m, goal_m);
         if (route.points_m.size() >= 2 && route.reaches) {
             length_m = route.length_m;
             first_m = route.points_m[1];
@@ -118,24 +119,24 @@ void FarPlaces::find_bearings(double now_s) {
     if (known) rooms_.notice(now_s, true);
     const auto wall = nearest_wall(*context_.world.solids, context_.body.feet_m(), kWallReach_m);
     if (wall) body_.heading_goal_rad = wrap_angle(wall->bearing_rad);
-    const bool in_room = known && rooms_.here() != kNothing;
+    const bool in_room = known && rooms_.here() != navigation::kNothing;
     const std::string place = in_room ? rooms_.graph().rooms[rooms_.here()].name : spoken_name(*context_.world.scene);
     std::string text = phrase("questions.place_facing", {{"place", sentence_case(place)},
                                                          {"compass", fine_compass_word(body_.heading_goal_rad)}});
     text += " " + (wall ? phrase("lost.turned", {{"wall", name_of(context_, wall->feature)},
                                                  {"distance", distance_words(wall->distance_m, distances(context_))}})
                         : phrase("lost.no_wall"));
-    context_.play(SoundKind::TurnTick, now_s);
+    context_.play(cues::SoundKind::TurnTick, now_s);
     context_.answer(text + " " + way_back(), now_s);
 }
 
 // The present room first, then the others, nearest first.
 void FarPlaces::choose_room(double now_s) {
     if (!rooms_.have(now_s)) return;
-    const RoomGraph& graph = rooms_.graph();
+    const navigation::RoomGraph& graph = rooms_.graph();
     std::vector<std::uint32_t> rooms;
     for (std::uint32_t room = 0; room < graph.rooms.size(); ++room)
-        if (graph.rooms[room].kind != RoomKind::Niche) rooms.push_back(room);
+        if (graph.rooms[room].kind != navigation::RoomKind::Niche) rooms.push_back(room);
     const auto far_m = [&](std::uint32_t room) {
         return room == rooms_.here() ? -1.0 : glm::length(graph.rooms[room].middle_m - context_.body.feet_m());
     };
@@ -152,4 +153,4 @@ void FarPlaces::choose_room(double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -8,7 +8,7 @@
 #include "app/core/context/session_part.h"
 #include "app/core/whereabouts/rooms.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class FarPlaces : SessionPart {
 public:
@@ -28,8 +28,8 @@ private:
     // A place where the person knew their location.
     struct Known {
         Vec3 feet_m{0.0};
-        FeatureId door = kNoFeature;                   // passed there
-        std::uint32_t from = kNothing, to = kNothing;  // the rooms that it joins
+        FeatureId door = kNoFeature;                                           // passed there
+        std::uint32_t from = navigation::kNothing, to = navigation::kNothing;  // the rooms that it joins
     };
     void know(Known place);
     std::string name_of_place(const Known& place) const;
@@ -41,7 +41,7 @@ private:
     WalkerState& body_;
     Rooms& rooms_;
     std::deque<Known> known_;  // newest last
-    std::uint32_t room_ = kNothing;
+    std::uint32_t room_ = navigation::kNothing;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

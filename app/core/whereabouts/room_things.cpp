@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kBeforeDoor_m[] = {0.6, 0.8, 1.0, 1.3};
@@ -18,9 +18,9 @@ std::optional<Vec3> before_door(const SessionContext& context, const Rooms& room
         for (const double far_m : kBeforeDoor_m) {
             const Vec3 beside = door_m + forward_of_heading(sixteenth * kPi / 8.0) * far_m;
             const std::uint32_t span = rooms.space().nearest(beside, 0.15, 0.6, 0.6);
-            if (span == kNothing) continue;
+            if (span == navigation::kNothing) continue;
             const Vec3 feet(beside.x, beside.y, rooms.space().place_m(span).z);
-            if (room_at(rooms.graph(), rooms.space(), feet) != room) continue;
+            if (navigation::room_at(rooms.graph(), rooms.space(), feet) != room) continue;
             if (!context.world.solids->blocked(feet, shape)) return feet;
         }
     }
@@ -33,17 +33,19 @@ std::uint32_t room_of(const Rooms& rooms, const Aabb& box) {
     const Vec3 middle = box.centre_m(), size = box.size_m();
     const double beside_m = std::min(0.5 * std::max(size.x, size.y) + 1.0, 5.0);
     const std::uint32_t span = rooms.space().nearest({middle.x, middle.y, box.min_m.z}, beside_m, 0.6, 2.0);
-    return span == kNothing ? kNothing : room_at(rooms.graph(), rooms.space(), rooms.space().place_m(span));
+    return span == navigation::kNothing
+               ? navigation::kNothing
+               : navigation::room_at(rooms.graph(), rooms.space(), rooms.space().place_m(span));
 }
 
 std::vector<RoomDoor> doors_of_room(const SessionContext& context, const Rooms& rooms) {
     std::vector<RoomDoor> doors;
     if (!rooms.found()) return doors;
-    const RoomGraph& graph = rooms.graph();
-    const std::uint32_t room = room_at(graph, rooms.space(), context.body.feet_m());
-    if (room == kNothing) return doors;
-    for (const Portal& portal : graph.portals) {
-        if (portal.kind != PassageKind::Door || !portal.feature) continue;
+    const navigation::RoomGraph& graph = rooms.graph();
+    const std::uint32_t room = navigation::room_at(graph, rooms.space(), context.body.feet_m());
+    if (room == navigation::kNothing) return doors;
+    for (const navigation::Portal& portal : graph.portals) {
+        if (portal.kind != navigation::PassageKind::Door || !portal.feature) continue;
         if (portal.rooms[0] != room && portal.rooms[1] != room) continue;
         if (const auto feet = before_door(context, rooms, room, portal.place_m))
             doors.push_back({portal.feature, portal.place_m, *feet});
@@ -51,4 +53,4 @@ std::vector<RoomDoor> doors_of_room(const SessionContext& context, const Rooms& 
     return doors;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -6,7 +6,7 @@
 
 #include "app/core/whereabouts/rooms.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // The room on whose floor something in that box stands, or before which it hangs; kNothing: none is near. Requires that
 // rooms are found.
@@ -22,4 +22,4 @@ struct RoomDoor {
 // walker before it is left out.
 std::vector<RoomDoor> doors_of_room(const SessionContext& context, const Rooms& rooms);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -19,7 +19,7 @@
 #include "worlds/scene/stated_building.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kThingAtWall_m = 0.8;
@@ -79,9 +79,9 @@ std::string things_words(std::vector<std::pair<double, std::string>> things) {
     return more == 0 ? names : phrase("describe.and_more", {{"names", names}, {"more", more}});
 }
 
-std::string exits_words(const SessionContext& context, const RoomGraph& graph, std::uint32_t room) {
+std::string exits_words(const SessionContext& context, const navigation::RoomGraph& graph, std::uint32_t room) {
     std::vector<std::pair<double, std::string>> exits;
-    for (const Portal& portal : graph.portals) {
+    for (const navigation::Portal& portal : graph.portals) {
         if (portal.rooms[0] != room && portal.rooms[1] != room) continue;
         if (portal.one_way && portal.rooms[1] == room) continue;
         const std::uint32_t other = portal.rooms[0] == room ? portal.rooms[1] : portal.rooms[0];
@@ -109,7 +109,7 @@ std::string exits_words(const SessionContext& context, const RoomGraph& graph, s
 
 // The outline stated in the file, if this is the only room in it. The walkable floor would be too small: it ends before
 // the walls, and before things along them.
-Vec2 room_size_m(const Scene& scene, const RoomGraph& graph, std::uint32_t room) {
+Vec2 room_size_m(const Scene& scene, const navigation::RoomGraph& graph, std::uint32_t room) {
     const Vec2 floor_m(graph.rooms[room].bounds_m.size_m());
     if (!scene.stated) return floor_m;
     for (const StatedRoom& stated : scene.stated->rooms) {
@@ -121,7 +121,7 @@ Vec2 room_size_m(const Scene& scene, const RoomGraph& graph, std::uint32_t room)
     return floor_m;
 }
 
-std::string storeys_sentence(const SessionContext& context, const RoomGraph& graph) {
+std::string storeys_sentence(const SessionContext& context, const navigation::RoomGraph& graph) {
     const std::vector<StoreyOfRooms> storeys = storeys_of(*context.world.scene, graph);
     const std::string world = sentence_case(spoken_name(*context.world.scene));
     if (storeys.size() < 2)
@@ -134,9 +134,9 @@ std::string storeys_sentence(const SessionContext& context, const RoomGraph& gra
                   {{"world", world}, {"storeys", storeys.size()}, {"rooms", fmt::format("{}", fmt::join(told, ", "))}});
 }
 
-std::string shape_sentence(const SessionContext& context, const RoomGraph& graph) {
+std::string shape_sentence(const SessionContext& context, const navigation::RoomGraph& graph) {
     std::vector<Aabb> roofed, all;
-    for (const Room& room : graph.rooms) {
+    for (const navigation::Room& room : graph.rooms) {
         all.push_back(room.bounds_m);
         if (under_roof(*context.world.solids, room.middle_m)) roofed.push_back(room.bounds_m);
     }
@@ -166,9 +166,9 @@ std::string shape_sentence(const SessionContext& context, const RoomGraph& graph
     return phrase("overview.shape", {{"shape", shape}, {"wide", size.x}, {"deep", size.y}});
 }
 
-std::string neighbours_sentence(const RoomGraph& graph) {
+std::string neighbours_sentence(const navigation::RoomGraph& graph) {
     std::vector<std::set<std::uint32_t>> joins(graph.rooms.size());
-    for (const Portal& portal : graph.portals) {
+    for (const navigation::Portal& portal : graph.portals) {
         if (portal.rooms[0] == portal.rooms[1]) continue;
         joins[portal.rooms[0]].insert(portal.rooms[1]);
         joins[portal.rooms[1]].insert(portal.rooms[0]);
@@ -211,13 +211,14 @@ std::string neighbours_sentence(const RoomGraph& graph) {
 }  // namespace
 
 std::string room_words(const SessionContext& context, const Rooms& rooms, std::uint32_t room) {
-    const RoomGraph& graph = rooms.graph();
+    const navigation::RoomGraph& graph = rooms.graph();
     contract_pre(room < graph.rooms.size());
-    const Room& told = graph.rooms[room];
+    const navigation::Room& told = graph.rooms[room];
     const Vec2 size = room_size_m(*context.world.scene, graph, room);
     const std::string name = sentence_case(told.name);
     // A name that consists of the size makes the size superfluous.
-    const bool by_size = !told.given && told.map_name.empty() && told.made.thing.empty() && told.kind == RoomKind::Room;
+    const bool by_size =
+        !told.given && told.map_name.empty() && told.made.thing.empty() && told.kind == navigation::RoomKind::Room;
     std::string text =
         by_size ? name + "."
                 : phrase("describe.room", {{"room", name}, {"size", size_words(size.x, size.y, distances(context))}});
@@ -245,7 +246,7 @@ std::string room_words(const SessionContext& context, const Rooms& rooms, std::u
 }
 
 std::string building_words(const SessionContext& context, const Rooms& rooms) {
-    const RoomGraph& graph = rooms.graph();
+    const navigation::RoomGraph& graph = rooms.graph();
     if (graph.rooms.empty()) return phrase("rooms.nowhere");
     return storeys_sentence(context, graph) + " " + shape_sentence(context, graph) + " " + neighbours_sentence(graph);
 }
@@ -289,4 +290,4 @@ Outline outline_of(const std::vector<Aabb>& boxes_m) {
     return {OutlineShape::Irregular, 0};
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -7,7 +7,7 @@
 
 #include "app/core/whereabouts/rooms.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // Size, exits with their walls, and what is along the walls, clockwise from the west end of the north wall, as seen
 // from above: "Library, 9 by 6 metres, 13 by 9 steps. 2 exits: ... North wall: shelf; table."
@@ -31,4 +31,4 @@ struct Outline {
 // The outline of boxes seen from above, sampled on a grid of squares; at least one box, none of them empty.
 Outline outline_of(const std::vector<Aabb>& boxes_m);
 
-}  // namespace handrail
+}  // namespace handrail::core

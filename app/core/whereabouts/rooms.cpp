@@ -13,19 +13,19 @@
 #include "worlds/base/text.h"
 #include "worlds/navigation/reach.h"
 
-namespace handrail {
+namespace handrail::core {
 
 std::shared_ptr<RoomsOfWorld> Rooms::enter_world(std::shared_ptr<const Scene> scene, RoutesKeeper keeper) {
     const WalkerSize size = body_size(*scene, context_.settings.walk.body_radius_m);
     std::shared_ptr<RoomsOfWorld> left = std::move(of_world_);
     if (left) left->give_up();  // before the next search begins
-    const WalkerMeasures body = walk_body(*scene, size.radius_m, size.height_m, size.step_up_m);
+    const navigation::WalkerMeasures body = navigation::walk_body(*scene, size.radius_m, size.height_m, size.step_up_m);
     of_world_ = std::make_shared<RoomsOfWorld>(std::move(scene), body, context_.executor, std::move(keeper),
                                                context_.rooms_kept, context_.arrivals);
     leaves_of_.reset();
     patience_.reset();
     looked_for_ = told_ = false;
-    here_ = kNothing;
+    here_ = navigation::kNothing;
     storey_.reset();
     visited_.clear();
     drawing_.reset();
@@ -41,7 +41,7 @@ bool Rooms::act(Command command, double now_s) {
             return true;
         case Command::NameRoom:
             if (!have(now_s)) return true;
-            if (here_ == kNothing) context_.answer(phrase("rooms.nowhere"), now_s);
+            if (here_ == navigation::kNothing) context_.answer(phrase("rooms.nowhere"), now_s);
             else ask_name(here_, {}, now_s);
             return true;
         default:
@@ -51,7 +51,7 @@ bool Rooms::act(Command command, double now_s) {
 
 void Rooms::tick(double now_s) {
     looked_for_ = looked_for_ || (of_world_ && of_world_->ready());
-    if (found()) say_room_names(graph());
+    if (found()) navigation::say_room_names(graph());
     know_leaves();
     notice(now_s, false);
     tell_that_it_takes_long(now_s);
@@ -63,13 +63,13 @@ void Rooms::tell_that_it_takes_long(double now_s) {
     if (!of_world_) return;
     if (looked_for_) {
         if (patience_ && patience_->told() && found())
-            context_.say(phrase("rooms.known_now"), SpeechClass::Ambient, now_s);
+            context_.say(phrase("rooms.known_now"), cues::SpeechClass::Ambient, now_s);
         patience_.reset();
         return;
     }
     if (!patience_) patience_.emplace(now_s);
     if (!patience_->told() && patience_->due(now_s))
-        context_.say(phrase("rooms.takes_long"), SpeechClass::Ambient, now_s);
+        context_.say(phrase("rooms.takes_long"), cues::SpeechClass::Ambient, now_s);
 }
 
 bool Rooms::known() {
@@ -82,7 +82,7 @@ bool Rooms::known() {
 void Rooms::know_leaves() {
     if (!found() || leaves_of_ == context_.world.scene) return;
     leaves_of_ = context_.world.scene;
-    std::vector<OpenLeaf> leaves;
+    std::vector<navigation::OpenLeaf> leaves;
     for (std::uint32_t i = 0; i < context_.world.movers.size(); ++i) {
         const Mover& mover = context_.world.scene->movers[i];
         if (context_.world.thing_of_mover[i] < 0 ||
@@ -117,31 +117,32 @@ bool Rooms::have(double now_s) {
 // Determines the present room; `quietly`: without announcing it.
 void Rooms::notice(double now_s, bool quietly) {
     if (!found()) return;
-    RoomGraph& graph = of_world_->graph();
+    navigation::RoomGraph& graph = of_world_->graph();
     if (!told_) {
         told_ = true;
         visited_.assign(graph.rooms.size(), false);
         lay_given_names(now_s);
-        for (const std::string& sentence : navigation().said()) context_.say(sentence, SpeechClass::Ambient, now_s);
-        if (std::string sentence = unreachable_words(of_world_->out_of_reach()); !sentence.empty())
-            context_.say(std::move(sentence), SpeechClass::Ambient, now_s);
+        for (const std::string& sentence : navigation().said())
+            context_.say(sentence, cues::SpeechClass::Ambient, now_s);
+        if (std::string sentence = navigation::unreachable_words(of_world_->out_of_reach()); !sentence.empty())
+            context_.say(std::move(sentence), cues::SpeechClass::Ambient, now_s);
         quietly = true;
     }
     if (drawn_) draw();
-    const std::uint32_t now_in = room_at(graph, navigation().space(), context_.body.feet_m());
-    if (now_in == kNothing || now_in == here_) return;
+    const std::uint32_t now_in = navigation::room_at(graph, navigation().space(), context_.body.feet_m());
+    if (now_in == navigation::kNothing || now_in == here_) return;
     here_ = now_in;
     visited_[here_] = true;
     context_.events.tell(RoomEntered{here_, graph.rooms[here_].name}, now_s);
     const std::string storey = storey_news(!quietly);
     if (!quietly && context_.settings.speech.rooms)
-        context_.tell(SpeechTopic::Place, storey + sentence_case(graph.rooms[here_].name), now_s);
+        context_.tell(cues::SpeechTopic::Place, storey + sentence_case(graph.rooms[here_].name), now_s);
 }
 
 bool Rooms::tell_here_anew(double now_s) {
-    if (!found() || here_ == kNothing) return false;
+    if (!found() || here_ == navigation::kNothing) return false;
     if (!context_.settings.speech.rooms) return true;
-    context_.tell(SpeechTopic::Place, sentence_case(graph().rooms[here_].name), now_s, {.anew = true});
+    context_.tell(cues::SpeechTopic::Place, sentence_case(graph().rooms[here_].name), now_s, {.anew = true});
     return true;
 }
 
@@ -160,10 +161,10 @@ std::string Rooms::storey_news(bool told) {
 
 // For the plan: once, and again after a name has changed.
 void Rooms::draw() {
-    const RoomGraph& graph = of_world_->graph();
+    const navigation::RoomGraph& graph = of_world_->graph();
     if (drawing_ && drawn_language_ == graph.language) return;
     drawn_language_ = graph.language;
-    std::vector<RoomOutline> outlines = room_outlines(graph, navigation().space());
+    std::vector<navigation::RoomOutline> outlines = navigation::room_outlines(graph, navigation().space());
     std::vector<DrawnRoom> drawn;
     for (std::size_t r = 0; r < outlines.size(); ++r)
         drawn.push_back({sentence_case(graph.rooms[r].name), graph.rooms[r].middle_m, graph.rooms[r].area_m2,
@@ -173,8 +174,8 @@ void Rooms::draw() {
 
 void Rooms::tell_exits(bool unvisited_only, double now_s) {
     if (!have(now_s)) return;
-    if (here_ == kNothing) return context_.answer(phrase("rooms.nowhere"), now_s);
-    const RoomGraph& graph = of_world_->graph();
+    if (here_ == navigation::kNothing) return context_.answer(phrase("rooms.nowhere"), now_s);
+    const navigation::RoomGraph& graph = of_world_->graph();
     const ListedExits exits =
         listed_exits(context_, graph, here_, [&](std::uint32_t other) { return !unvisited_only || !visited_[other]; });
     const std::string room = sentence_case(graph.rooms[here_].name);
@@ -189,13 +190,14 @@ void Rooms::tell_exits(bool unvisited_only, double now_s) {
 
 // Call it once the rooms are known.
 void Rooms::lay_given_names(double now_s) {
-    RoomGraph& graph = of_world_->graph();
+    navigation::RoomGraph& graph = of_world_->graph();
     std::vector<Error> faults;
     names_ = read_room_names(context_.additions, faults);
-    if (!faults.empty()) context_.say(unreadable_words("room_names.unreadable", faults), SpeechClass::Answer, now_s);
+    if (!faults.empty())
+        context_.say(unreadable_words("room_names.unreadable", faults), cues::SpeechClass::Answer, now_s);
     lay_room_names(graph, navigation().space(), context_.additions, names_);
     if (std::string unfit = unfit_sentence(names_); !unfit.empty())
-        context_.say(std::move(unfit), SpeechClass::Answer, now_s);
+        context_.say(std::move(unfit), cues::SpeechClass::Answer, now_s);
     if (on_known) on_known(now_s);
 }
 
@@ -213,16 +215,16 @@ void Rooms::ask_name(std::uint32_t room, std::function<void(double now_s)> then,
 void Rooms::give_name(std::uint32_t room, const std::string& typed, double now_s) {
     const auto name = good_name(typed);
     if (!name) return context_.answer(name.error().message, now_s);
-    RoomGraph& graph = of_world_->graph();
+    navigation::RoomGraph& graph = of_world_->graph();
     for (std::uint32_t other = 0; other < graph.rooms.size(); ++other)
         if (other != room && lower_ascii(graph.rooms[other].name) == lower_ascii(*name))
             return context_.answer(phrase("room_names.taken", {{"name", *name}, {"own", graph.rooms[room].name}}),
                                    now_s);
     const std::uint32_t known = name_of_room(graph, navigation().space(), names_, room);
-    if (known != kNothing) names_.erase(names_.begin() + known);
-    const std::string before = known_as(graph.rooms[room]);
+    if (known != navigation::kNothing) names_.erase(names_.begin() + known);
+    const std::string before = navigation::known_as(graph.rooms[room]);
     // If the person types the room's own name, the given one is removed.
-    graph.rooms[room].given = *name != own_name(graph.rooms[room]);
+    graph.rooms[room].given = *name != navigation::own_name(graph.rooms[room]);
     if (graph.rooms[room].given)
         names_.push_back({*name,
                           graph.rooms[room].middle_m,
@@ -232,7 +234,7 @@ void Rooms::give_name(std::uint32_t room, const std::string& typed, double now_s
                           {}});
     graph.rooms[room].name = *name;
     drawing_.reset();
-    if (on_renamed) on_renamed(before, known_as(graph.rooms[room]));
+    if (on_renamed) on_renamed(before, navigation::known_as(graph.rooms[room]));
     write_room_names(context_.additions, names_);
     context_.keep_and_answer(phrase("room_names.given", {{"name", *name}}), now_s);
 }
@@ -242,9 +244,9 @@ void Rooms::take_names_again() {
     names_ = read_room_names(context_.additions, faults);
     drawing_.reset();
     if (!found()) return;  // they are applied once the rooms are known
-    for (Room& room : graph().rooms)
-        if (std::exchange(room.given, false)) room.name = own_name(room);
+    for (navigation::Room& room : graph().rooms)
+        if (std::exchange(room.given, false)) room.name = navigation::own_name(room);
     lay_room_names(graph(), space(), context_.additions, names_);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -15,7 +15,7 @@
 #include "app/core/whereabouts/rooms_of_world.h"
 #include "worlds/base/patience.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class Rooms : SessionPart {
 public:
@@ -41,12 +41,12 @@ public:
     bool awaited() const { return of_world_ && !looked_for_; }
     const std::string& problem() const { return of_world_->problem(); }
     // Valid only if they are found.
-    RoomGraph& graph() const { return of_world_->graph(); }
-    Navigation& navigation() const { return of_world_->navigation(); }
-    const WalkSpace& space() const { return navigation().space(); }
+    navigation::RoomGraph& graph() const { return of_world_->graph(); }
+    navigation::Navigation& navigation() const { return of_world_->navigation(); }
+    const navigation::WalkSpace& space() const { return navigation().space(); }
     // The world as in its file.
     const std::shared_ptr<const Scene>& file_scene() const { return of_world_->scene(); }
-    std::shared_ptr<const Navigation> navigation_kept() const { return of_world_->navigation_kept(); }
+    std::shared_ptr<const navigation::Navigation> navigation_kept() const { return of_world_->navigation_kept(); }
 
     // The last room that the walker was in; kNothing: none.
     std::uint32_t here() const { return here_; }
@@ -82,7 +82,7 @@ private:
     bool looked_for_ = false, told_ = false, drawn_ = false, refused_ = false;
     std::shared_ptr<RoomsOfWorld> of_world_;
     std::optional<Patience> patience_;  // since the first tick in this world; none: not begun, or over
-    std::uint32_t here_ = kNothing;
+    std::uint32_t here_ = navigation::kNothing;
     std::optional<std::size_t> storey_;  // the last storey on which the walker was in a room
     std::vector<bool> visited_;          // since this world was entered
     std::vector<RoomNameGiven> names_;
@@ -91,4 +91,4 @@ private:
     std::shared_ptr<const Scene> leaves_of_;  // the scene in which the navigation last learnt of open leaves
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

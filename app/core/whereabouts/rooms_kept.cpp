@@ -5,9 +5,10 @@
 
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 
-const RoomsKept::Found* RoomsKept::of(const std::shared_ptr<const Scene>& scene, const WalkerMeasures& body) const {
+const RoomsKept::Found* RoomsKept::of(const std::shared_ptr<const Scene>& scene,
+                                      const navigation::WalkerMeasures& body) const {
     const std::string language = spoken_language();
     const auto found = std::find_if(found_.begin(), found_.end(), [&](const Found& one) {
         return one.scene == scene && one.body == body && one.language == language;
@@ -21,4 +22,4 @@ void RoomsKept::keep(Found found) {
     found_.push_back(std::move(found));
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -14,16 +14,16 @@
 #include "worlds/navigation/walk_space.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class RoomsKept {
 public:
     struct Found {
         std::shared_ptr<const Scene> scene;
-        WalkerMeasures body;
-        std::string language;  // of messages about it and of the rooms' names
-        WalkSpace space;       // without its walls
-        RoomGraph graph;
+        navigation::WalkerMeasures body;
+        std::string language;         // of messages about it and of the rooms' names
+        navigation::WalkSpace space;  // without its walls
+        navigation::RoomGraph graph;
         std::vector<std::string> out_of_reach;
     };
 
@@ -33,7 +33,7 @@ public:
     RoomsKept& operator=(const RoomsKept&) = delete;
 
     // Null: not found yet. Valid until the next keep().
-    const Found* of(const std::shared_ptr<const Scene>& scene, const WalkerMeasures& body) const;
+    const Found* of(const std::shared_ptr<const Scene>& scene, const navigation::WalkerMeasures& body) const;
     void keep(Found found);
 
 private:
@@ -41,4 +41,4 @@ private:
     std::deque<Found> found_;  // the latest last
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

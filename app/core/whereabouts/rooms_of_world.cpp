@@ -9,10 +9,10 @@
 #include "worlds/navigation/validate_ways.h"
 #include "worlds/stored/stored_ways.h"
 
-namespace handrail {
+namespace handrail::core {
 
-RoomsOfWorld::RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkerMeasures& body, const Executor& executor,
-                           RoutesKeeper keeper, RoomsKept* shared, Arrivals* arrivals)
+RoomsOfWorld::RoomsOfWorld(std::shared_ptr<const Scene> scene, const navigation::WalkerMeasures& body,
+                           const Executor& executor, RoutesKeeper keeper, RoomsKept* shared, Arrivals* arrivals)
     : scene_(std::move(scene)), body_(body), keeper_(std::move(keeper)), arrivals_(arrivals) {
     contract_pre(scene_ != nullptr);
     contract_pre(body.radius_m > 0.0 && body.height_m > 0.0);
@@ -32,7 +32,7 @@ RoomsOfWorld::~RoomsOfWorld() {
 bool RoomsOfWorld::take_from(const RoomsKept& shared) {
     const RoomsKept::Found* before = shared.of(scene_, body_);
     if (!before) return false;
-    auto made = Navigation::over(*scene_, before->space);
+    auto made = navigation::Navigation::over(*scene_, before->space);
     if (!made) return false;
     navigation_ = std::move(*made);
     graph_ = before->graph;
@@ -42,18 +42,19 @@ bool RoomsOfWorld::take_from(const RoomsKept& shared) {
 }
 
 void RoomsOfWorld::find_or_take(const std::string& key, const std::stop_token& stop) {
-    std::optional<FoundWays> kept;
-    if (keeper_) kept = ways_from(keeper_.take(key, stop), body_, *scene_);
-    Result<std::shared_ptr<Navigation>> made =
-        kept ? Navigation::over(*scene_, std::move(kept->space), stop) : Navigation::make(*scene_, body_, stop);
+    std::optional<stored::FoundWays> kept;
+    if (keeper_) kept = stored::ways_from(keeper_.take(key, stop), body_, *scene_);
+    Result<std::shared_ptr<navigation::Navigation>> made =
+        kept ? navigation::Navigation::over(*scene_, std::move(kept->space), stop)
+             : navigation::Navigation::make(*scene_, body_, stop);
     if (!made) {
         problem_ = made.error().message;
         return;
     }
-    graph_ = kept ? std::move(kept->graph) : make_rooms(*scene_, (*made)->space(), stop);
+    graph_ = kept ? std::move(kept->graph) : navigation::make_rooms(*scene_, (*made)->space(), stop);
     contract_valid(validate((*made)->space()));
     contract_valid(validate(graph_, (*made)->space()));
-    out_of_reach_ = unreachable_rooms(*scene_, (*made)->space(), graph_);
+    out_of_reach_ = navigation::unreachable_rooms(*scene_, (*made)->space(), graph_);
     (*made)->let_walls_go();
     navigation_ = std::move(*made);
     kept_ = kept.has_value();
@@ -61,13 +62,13 @@ void RoomsOfWorld::find_or_take(const std::string& key, const std::stop_token& s
 
 void RoomsOfWorld::find(const std::stop_token& stop) {
     std::string key;
-    std::shared_ptr<const Navigation> to_keep;
-    RoomGraph graph;  // a copy without the person's names, which come later
+    std::shared_ptr<const navigation::Navigation> to_keep;
+    navigation::RoomGraph graph;  // a copy without the person's names, which come later
     try {
-        if (keeper_) key = ways_key(*scene_, body_);
+        if (keeper_) key = stored::ways_key(*scene_, body_);
         find_or_take(key, stop);
         if (navigation_ && !kept_ && keeper_ && !stop.stop_requested() &&
-            worth_keeping(navigation_->space(), *scene_)) {
+            stored::worth_keeping(navigation_->space(), *scene_)) {
             graph = graph_;
             to_keep = navigation_;
         }
@@ -82,7 +83,7 @@ void RoomsOfWorld::find(const std::stop_token& stop) {
     done_.notify_all();
     if (!to_keep) return;
     try {
-        if (const std::string packed = stored_ways(to_keep->space(), graph, stop); !packed.empty())
+        if (const std::string packed = stored::stored_ways(to_keep->space(), graph, stop); !packed.empty())
             keeper_.keep(key, packed);
     } catch (const std::bad_alloc&) {  // the next start finds them again
     }
@@ -95,4 +96,4 @@ bool RoomsOfWorld::ready() {
     return known_;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

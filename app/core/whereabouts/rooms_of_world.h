@@ -15,7 +15,7 @@
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/rooms.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class RoomsKept;
 
@@ -23,7 +23,7 @@ class RoomsOfWorld {
 public:
     // keeper: takes what was kept for this scene and body, and keeps what was found again, after ready(). Without one
     // `shared` does so, unless it is null. arrivals: decide when ready() is true; null: as soon as it is done.
-    RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkerMeasures& body, const Executor& executor,
+    RoomsOfWorld(std::shared_ptr<const Scene> scene, const navigation::WalkerMeasures& body, const Executor& executor,
                  RoutesKeeper keeper = {}, RoomsKept* shared = nullptr, Arrivals* arrivals = nullptr);
     ~RoomsOfWorld();  // gives up what is not done yet, and waits for that
     RoomsOfWorld(const RoomsOfWorld&) = delete;
@@ -40,10 +40,10 @@ public:
     const std::vector<std::string>& out_of_reach() const { return out_of_reach_; }
     // As it was passed in.
     const std::shared_ptr<const Scene>& scene() const { return scene_; }
-    Navigation& navigation() { return *navigation_; }
+    navigation::Navigation& navigation() { return *navigation_; }
     // For background tasks that may still plan while another world is entered.
-    std::shared_ptr<const Navigation> navigation_kept() const { return navigation_; }
-    RoomGraph& graph() { return graph_; }
+    std::shared_ptr<const navigation::Navigation> navigation_kept() const { return navigation_; }
+    navigation::RoomGraph& graph() { return graph_; }
 
 private:
     bool take_from(const RoomsKept& shared);
@@ -51,12 +51,12 @@ private:
     void find_or_take(const std::string& key, const std::stop_token& stop);
 
     std::shared_ptr<const Scene> scene_;
-    WalkerMeasures body_;
+    navigation::WalkerMeasures body_;
     bool kept_ = false;
     RoutesKeeper keeper_;
     Arrivals* arrivals_;
-    std::shared_ptr<Navigation> navigation_;
-    RoomGraph graph_;
+    std::shared_ptr<navigation::Navigation> navigation_;
+    navigation::RoomGraph graph_;
     std::vector<std::string> out_of_reach_;
     std::string problem_;
     std::atomic<bool> done_{false};
@@ -65,4 +65,4 @@ private:
     std::thread worker_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

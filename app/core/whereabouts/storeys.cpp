@@ -11,17 +11,17 @@
 #include "worlds/scene/stated_building.h"
 #include "worlds/scene/surfaces.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
-bool is_room_of_storey(const Scene& scene, const Room& room) {
+bool is_room_of_storey(const Scene& scene, const navigation::Room& room) {
     if (scene.stated && !scene.stated->rooms.empty()) return !room.map_name.empty();
-    return room.kind == RoomKind::Room;
+    return room.kind == navigation::RoomKind::Room;
 }
 
 }  // namespace
 
-std::vector<StoreyOfRooms> storeys_of(const Scene& scene, const RoomGraph& graph) {
+std::vector<StoreyOfRooms> storeys_of(const Scene& scene, const navigation::RoomGraph& graph) {
     std::map<int, StoreyOfRooms> by_level;
     for (std::uint32_t r = 0; r < graph.rooms.size(); ++r)
         if (is_room_of_storey(scene, graph.rooms[r])) by_level[graph.rooms[r].level].rooms.push_back(r);
@@ -41,7 +41,8 @@ std::vector<StoreyOfRooms> storeys_of(const Scene& scene, const RoomGraph& graph
     return storeys;
 }
 
-std::size_t storey_of_room(const std::vector<StoreyOfRooms>& storeys, const RoomGraph& graph, std::uint32_t room) {
+std::size_t storey_of_room(const std::vector<StoreyOfRooms>& storeys, const navigation::RoomGraph& graph,
+                           std::uint32_t room) {
     if (room >= graph.rooms.size()) return storeys.size();
     const auto found = std::find_if(storeys.begin(), storeys.end(), [&](const StoreyOfRooms& storey) {
         return storey.level == graph.rooms[room].level;
@@ -66,4 +67,4 @@ std::string storey_sentence(const Scene& scene, const std::vector<StoreyOfRooms>
                                       {"rooms", storey.rooms.size()}});
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

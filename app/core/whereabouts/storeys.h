@@ -9,7 +9,7 @@
 #include "worlds/navigation/rooms.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct StoreyOfRooms {
     int level = 0;                     // as in Room::level, which also counts storeys without rooms
@@ -20,14 +20,15 @@ struct StoreyOfRooms {
 
 // From the lowest up. If the file states rooms, only those that it names count; otherwise all except stairs, water and
 // niches.
-std::vector<StoreyOfRooms> storeys_of(const Scene& scene, const RoomGraph& graph);
+std::vector<StoreyOfRooms> storeys_of(const Scene& scene, const navigation::RoomGraph& graph);
 
 // Index in `storeys` of the storey of a room; their number if it is on none.
-std::size_t storey_of_room(const std::vector<StoreyOfRooms>& storeys, const RoomGraph& graph, std::uint32_t room);
+std::size_t storey_of_room(const std::vector<StoreyOfRooms>& storeys, const navigation::RoomGraph& graph,
+                           std::uint32_t room);
 
 // "Level 1", as the file calls it, otherwise "Storey 1", counted from below.
 std::string storey_name(const std::vector<StoreyOfRooms>& storeys, std::size_t which);
 // "Duplex, Level 1, storey 1 of 2: 11 rooms."
 std::string storey_sentence(const Scene& scene, const std::vector<StoreyOfRooms>& storeys, std::size_t which);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -4,7 +4,7 @@
 
 #include "app/core/world/questions.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kStands_m = 0.02, kStandsTurn_rad = 0.02;
@@ -68,4 +68,4 @@ void Visits::tick(FeatureId asked_about, double now_s) {
     visit(faced(), VisitedBy::Facing, now_s);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -4,7 +4,7 @@
 
 #include "app/core/context/session_part.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class Visits : SessionPart {
 public:
@@ -32,4 +32,4 @@ private:
     Vec3 last_m_{0.0};  // from where it was visited
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -4,7 +4,7 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::core {
 
 std::optional<Seen> body_meets(const WalkerWorld& world, const Vec3& feet_m, const WalkerSize& size, double bearing_rad,
                                double range_m) {
@@ -18,4 +18,4 @@ std::optional<Seen> body_meets(const WalkerWorld& world, const Vec3& feet_m, con
     return Seen{bearing_rad, hit.fraction * range_m + size.radius_m, hit.feature, point};
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

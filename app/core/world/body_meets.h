@@ -6,10 +6,10 @@
 #include "app/core/world/surroundings.h"
 #include "app/core/world/walker.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // What a walker bumps into first in that direction, above what it steps over; no value: nothing within range.
 std::optional<Seen> body_meets(const WalkerWorld& world, const Vec3& feet_m, const WalkerSize& size, double bearing_rad,
                                double range_m = kSightRange_m);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -7,7 +7,7 @@
 #include "haptic/compile/compile_haptic.h"
 #include "worlds/scene/models.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 // Marks the door nearest to the start as the base's door.
@@ -27,8 +27,8 @@ void mark_base_door(Scene& scene, const Vec3& feet_m) {
 }
 
 // Null if nothing is movable.
-std::shared_ptr<const DynamicsScene> moves_freely(const Scene& scene, std::span<const int> thing_of_body) {
-    std::vector<FreeThing> free;
+std::shared_ptr<const render::DynamicsScene> moves_freely(const Scene& scene, std::span<const int> thing_of_body) {
+    std::vector<compile::FreeThing> free;
     for (std::size_t i = 0; i < thing_of_body.size(); ++i) {
         if (thing_of_body[i] < 0) continue;
         const FreeBody& body = scene.bodies[i];
@@ -41,7 +41,7 @@ std::shared_ptr<const DynamicsScene> moves_freely(const Scene& scene, std::span<
         if (body.string_n_per_m > 0.0) free.back().nature.string = {body.string_at_m, body.string_n_per_m};
     }
     if (free.empty()) return nullptr;
-    return compile_dynamics(scene, free, scene.bounds_m.empty() ? Vec3(0.0) : scene.bounds_m.centre_m());
+    return compile::compile_dynamics(scene, free, scene.bounds_m.empty() ? Vec3(0.0) : scene.bounds_m.centre_m());
 }
 
 }  // namespace
@@ -49,8 +49,8 @@ std::shared_ptr<const DynamicsScene> moves_freely(const Scene& scene, std::span<
 EnteringWorld make_ready_at(std::shared_ptr<const Scene> scene, const Vec3& feet_m, double heading_rad) {
     EnteringWorld world;
     std::vector<int> thing_of_body;
-    Scene entered = with_bodies_apart(with_movers_apart(*scene, HapticScene::kMostBodies, world.thing_of_mover),
-                                      HapticScene::kMostBodies, thing_of_body);
+    Scene entered = with_bodies_apart(with_movers_apart(*scene, render::HapticScene::kMostBodies, world.thing_of_mover),
+                                      render::HapticScene::kMostBodies, thing_of_body);
     mark_base_door(entered, feet_m);
     world.file = std::move(scene);
     world.scene = std::make_shared<const Scene>(std::move(entered));
@@ -81,10 +81,10 @@ EnteringWorld make_ready(std::shared_ptr<const Scene> scene) {
 
 EnteringWorld make_ready_to_touch(std::shared_ptr<const Scene> scene, const std::stop_token& stop) {
     EnteringWorld world = make_ready(std::move(scene));
-    CompileOptions options = exploring(0.0);
+    compile::CompileOptions options = compile::exploring(0.0);
     options.stop = stop;
-    world.sharp = compile_haptic(*world.scene, options);
+    world.sharp = compile::compile_haptic(*world.scene, options);
     return world;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -5,7 +5,7 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kSample_m = 0.05;
@@ -17,7 +17,8 @@ constexpr int kLeastRisers = 3, kMostRisers = 99;
 constexpr double kHeadroom_m = 1.2;  // free height above a step on the examined path
 
 // Ground under a point, searched from a step above `z_m` to `depth_m` below it.
-std::optional<double> ground_z(const WalkerWorld& world, double x, double y, double z_m, double step_m, double depth_m) {
+std::optional<double> ground_z(const WalkerWorld& world, double x, double y, double z_m, double step_m,
+                               double depth_m) {
     const TraceHit hit = world.trace({x, y, z_m + step_m + kAboveStep_m}, {x, y, z_m - depth_m}, WalkerShape{});
     if (!hit.hit) return std::nullopt;
     return hit.end_m.z;
@@ -115,4 +116,4 @@ double drop_beat_s(double distance_m) {
     return 0.12 + 0.68 * std::clamp(distance_m / kDropWarning_m, 0.0, 1.0);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -6,7 +6,7 @@
 
 #include "app/core/world/walker.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // Limits for a walker of this size. In games, people jump down what would be a fall in a building.
 struct GroundRules {
@@ -51,4 +51,4 @@ double ground_slope(const WalkerWorld& world, const Vec3& feet_m, double bearing
 inline constexpr double kDropWarning_m = 2.0, kStairsCallout_m = 6.0;
 double drop_beat_s(double distance_m);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -5,7 +5,7 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kTick_s = 0.05, kLongestFall_s = 30.0;
@@ -14,7 +14,8 @@ constexpr std::size_t kMostThings = 400;  // number of things whose tops are tri
 constexpr double kAbove_m = 0.1;
 
 // Lets a walker fall from there, as Walking would. No value: it falls out of the world, or slides for ever.
-std::optional<Vec3> rest_below(const Aabb& bounds_m, const WalkerWorld& world, const WalkerSize& size, const Vec3& from_m) {
+std::optional<Vec3> rest_below(const Aabb& bounds_m, const WalkerWorld& world, const WalkerSize& size,
+                               const Vec3& from_m) {
     const double lowest_m = bounds_m.min_m.z - kOutOfWorld_m;
     Walker walker(world, size);
     walker.place(from_m);
@@ -66,4 +67,4 @@ std::optional<Vec3> place_that_holds(const Scene& scene, const WalkerWorld& worl
     return std::nullopt;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -8,7 +8,7 @@
 #include "app/core/world/walker.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::core {
 
 inline constexpr double kOutOfWorld_m = 20.0;  // a walker this far below the lowest place has fallen out of the world
 
@@ -18,4 +18,4 @@ inline constexpr double kOutOfWorld_m = 20.0;  // a walker this far below the lo
 std::optional<Vec3> place_that_holds(const Scene& scene, const WalkerWorld& world, const WalkerSize& size,
                                      std::span<const Vec3> wishes);
 
-}  // namespace handrail
+}  // namespace handrail::core

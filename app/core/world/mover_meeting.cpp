@@ -6,7 +6,7 @@
 #include "app/core/world/walker.h"
 #include "worlds/scene/models.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kOnIt_m = 0.05;  // height of the soles above what carries them
@@ -112,4 +112,4 @@ Vec3 onto_thing(const Aabb& thing_m, const Vec3& feet_m, double radius_m) {
     return by;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -7,7 +7,7 @@
 #include "app/core/world/walker_world.h"
 #include "worlds/geometry/placement.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // True if a walker there and the thing there overlap. It is exact, as for walking, if the thing is rotated about the
 // upright axis; otherwise it uses the box of each solid.
@@ -31,4 +31,4 @@ Vec3 carried(const Vec3& point_m, const Placement& from, const Placement& to);
 // already, or is wider than the thing.
 Vec3 onto_thing(const Aabb& thing_m, const Vec3& feet_m, double radius_m);
 
-}  // namespace handrail
+}  // namespace handrail::core

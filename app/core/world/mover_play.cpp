@@ -4,7 +4,7 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr int kDeepestChain = 8;  // buttons that press buttons: limits rings of them
@@ -262,4 +262,4 @@ void MoverPlay::tick(double dt_s, const Meets& meets, std::vector<MoverEvent>& e
     }
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -15,7 +15,7 @@
 
 #include "worlds/scene/mover.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct MoverEvent {
     enum class Kind : std::uint8_t { Leaves, Arrives, TurnsBack, Waits } kind = Kind::Leaves;
@@ -107,4 +107,4 @@ private:
     std::vector<Part> parts_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -5,7 +5,7 @@
 #include "app/core/world/body_heights.h"
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::core {
 
 std::optional<NearestWall> nearest_wall(const WalkerWorld& world, const Vec3& feet_m, double reach_m) {
     contract_pre(is_finite(feet_m));
@@ -25,4 +25,4 @@ std::optional<NearestWall> nearest_wall(const WalkerWorld& world, const Vec3& fe
     return nearest;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

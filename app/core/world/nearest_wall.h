@@ -5,7 +5,7 @@
 
 #include "app/core/world/walker_world.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct NearestWall {
     FeatureId feature = kNoFeature;
@@ -16,4 +16,4 @@ struct NearestWall {
 // The nearest upright surface within `reach_m`; no value: there is none.
 std::optional<NearestWall> nearest_wall(const WalkerWorld& world, const Vec3& feet_m, double reach_m);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -5,9 +5,10 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::core {
 
-void PlacedThings::enter(const Scene& scene, const HapticScene& haptic, const Simplification& plan, double now_s) {
+void PlacedThings::enter(const Scene& scene, const render::HapticScene& haptic, const compile::Simplification& plan,
+                         double now_s) {
     contract_pre(std::isfinite(now_s));
     things_.clear();
     for (std::size_t i = 0; i < haptic.bodies.size() && i < scene.placed.size(); ++i)
@@ -15,11 +16,12 @@ void PlacedThings::enter(const Scene& scene, const HapticScene& haptic, const Si
     feel_as(scene, haptic, plan, now_s);
 }
 
-void PlacedThings::feel_as(const Scene& scene, const HapticScene& haptic, const Simplification& plan, double now_s) {
+void PlacedThings::feel_as(const Scene& scene, const render::HapticScene& haptic, const compile::Simplification& plan,
+                           double now_s) {
     doorways_.clear();
     for (std::size_t i = 0; i < things_.size(); ++i) {
         things_[i].doorway = -1;
-        if (const NarrowOpening* opening = plan.of_door(scene.placed[i].feature)) {
+        if (const compile::NarrowOpening* opening = plan.of_door(scene.placed[i].feature)) {
             things_[i].doorway = static_cast<int>(doorways_.size());
             doorways_.push_back(*opening);
         }
@@ -29,7 +31,7 @@ void PlacedThings::feel_as(const Scene& scene, const HapticScene& haptic, const 
 }
 
 void PlacedThings::publish(double now_s) {
-    std::vector<BodyPose> poses(things_.size());
+    std::vector<render::BodyPose> poses(things_.size());
     for (std::size_t i = 0; i < things_.size(); ++i) {
         poses[i] = {things_[i].at, true};
         Vec3& place_m = poses[i].at.position_m;
@@ -83,4 +85,4 @@ bool PlacedThings::moving() const {
     return std::any_of(things_.begin(), things_.end(), [](const Thing& t) { return t.part < 1.0; });
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -8,15 +8,17 @@
 #include "haptic/servo/body_playback.h"
 #include "worlds/scene/scene.h"
 
-namespace handrail {
+namespace handrail::core {
 
 class PlacedThings {
 public:
     // Takes the placed models of a scene at their places, and the haptic scene compiled from it with this plan. The
     // servo gets places in the simplified scene; everybody else gets the true ones.
-    void enter(const Scene& scene, const HapticScene& haptic, const Simplification& plan, double now_s);
+    void enter(const Scene& scene, const render::HapticScene& haptic, const compile::Simplification& plan,
+               double now_s);
     // The same things at their present places, in a haptic scene that was compiled again.
-    void feel_as(const Scene& scene, const HapticScene& haptic, const Simplification& plan, double now_s);
+    void feel_as(const Scene& scene, const render::HapticScene& haptic, const compile::Simplification& plan,
+                 double now_s);
     // Moves and turns a thing evenly to another placement; speed > 0, in world metres per second of its position. A
     // pure rotation or change of size takes one second. Index into Scene::placed.
     void send(std::size_t thing, const Placement& to, double speed_m_per_s);
@@ -30,7 +32,7 @@ public:
     bool moving() const;
     std::vector<Placement> all() const;
     // For the servo: its number increases whenever something has moved.
-    const BodyFrame& frame() const { return frame_; }
+    const servo::BodyFrame& frame() const { return frame_; }
 
 private:
     struct Thing {
@@ -41,10 +43,10 @@ private:
     void publish(double now_s);
 
     std::vector<Thing> things_;
-    std::vector<NarrowOpening> doorways_;
+    std::vector<compile::NarrowOpening> doorways_;
     bool put_ = false;              // since the last tick
     std::uint32_t generation_ = 0;  // of the haptic scene
-    BodyFrame frame_;
+    servo::BodyFrame frame_;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -9,7 +9,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kQuarter_rad = kPi / 2.0;
@@ -161,7 +161,7 @@ std::string sides_of_door(const Feature& door, double bearing_rad) {
 std::string tell(const Sight& sight, const std::string& state, const Telling& how) {
     std::string name = sentence_case(sight.name);
     // The same words as for exits: sixteenths of a circle. A person who wants degrees also has exact distances.
-    const bool in_sixteenths = how.distances.rounded && how.directions == DirectionChoice::Sides;
+    const bool in_sixteenths = how.distances.rounded && how.directions == settings::DirectionChoice::Sides;
     const auto words = in_sixteenths ? brief_place_words : place_words;
     const std::string place =
         words(sight.seen.distance_m, sight.seen.bearing_rad, how.heading_rad, how.directions, how.distances);
@@ -213,7 +213,8 @@ std::string scale_bar_words(bool outdoors, const Telling& how, double hand_scale
     const double bar_m = outdoors ? kBarOutdoors_m : kBarSteps * how.distances.step_length_m;
     const long steps = outdoors ? std::lround(bar_m / how.distances.step_length_m) : kBarSteps;
     // In compass words north needs no direction, so the sides are used.
-    const DirectionChoice choice = how.directions == DirectionChoice::Compass ? DirectionChoice::Sides : how.directions;
+    const settings::DirectionChoice choice =
+        how.directions == settings::DirectionChoice::Compass ? settings::DirectionChoice::Sides : how.directions;
     const std::string north = direction_words(0.0, how.heading_rad, choice, how.distances.rounded);
     if (!(hand_scale > 0.0)) {
         const std::string bar =
@@ -221,7 +222,7 @@ std::string scale_bar_words(bool outdoors, const Telling& how, double hand_scale
         return bar + " " + phrase("questions.north", {{"direction", north}});
     }
     const double turn_deg = std::abs(told_turn_deg(0.0, workspace_heading_rad, how.distances.rounded));
-    const bool clock = choice == DirectionChoice::Clock;
+    const bool clock = choice == settings::DirectionChoice::Clock;
     const std::string under_hand = !clock && turn_deg == 0.0 ? phrase("questions.away_from_you")
                                    : !clock && turn_deg == 180.0
                                        ? phrase("questions.towards_you")
@@ -252,4 +253,4 @@ bool under_roof(const WalkerWorld& world, const Vec3& feet_m) {
     return world.trace(eye, eye + Vec3(0.0, 0.0, kRoof_m), WalkerShape{}, true).hit;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

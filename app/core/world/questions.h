@@ -16,7 +16,7 @@
 #include "app/core/dialogue/words.h"
 #include "app/core/world/body_meets.h"
 
-namespace handrail {
+namespace handrail::core {
 
 inline constexpr double kLookHeight_m = 1.0;  // origin of rays for words, above most furniture
 inline constexpr std::size_t kMostAhead = 4;
@@ -62,7 +62,7 @@ std::vector<Sight> look_towards(const Asker& asker, double bearing_rad);
 // The person's choice of words.
 struct Telling {
     int verbosity = 2;
-    DirectionChoice directions = DirectionChoice::Sides;
+    settings::DirectionChoice directions = settings::DirectionChoice::Sides;
     DistanceWords distances;
     double heading_rad = 0.0;
 };
@@ -102,4 +102,4 @@ std::optional<double> above_floor_m(const WalkerWorld& world, const Vec3& place_
 // True if something is above the head, within 30 m.
 bool under_roof(const WalkerWorld& world, const Vec3& feet_m);
 
-}  // namespace handrail
+}  // namespace handrail::core

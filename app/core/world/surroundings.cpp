@@ -7,7 +7,7 @@
 #include "app/core/world/body_heights.h"
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::core {
 std::optional<Vec3> nearest_free_feet(const WalkerWorld& world, const Vec3& feet_m, const WalkerShape& body) {
     contract_pre(is_finite(feet_m));
     constexpr double kStep_m = 0.1, kFarthest_m = 12.0, kHighest_m = 3.0;
@@ -174,4 +174,4 @@ std::optional<Seen> nearest_ahead(const WalkerWorld& world, const Vec3& feet_m, 
     return nearest;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

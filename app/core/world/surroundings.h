@@ -7,7 +7,7 @@
 
 #include "app/core/world/walker_world.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // Something hit in a direction.
 struct Seen {
@@ -47,4 +47,4 @@ std::vector<Seen> things_in_sight(const WalkerWorld& world, const Vec3& feet_m, 
 std::optional<Seen> nearest_ahead(const WalkerWorld& world, const Vec3& feet_m, double height_m, double heading_rad,
                                   double range_m);
 
-}  // namespace handrail
+}  // namespace handrail::core

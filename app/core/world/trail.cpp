@@ -5,7 +5,7 @@
 
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kSteepest = 0.7;        // flatter surfaces are ground, not wall
@@ -77,7 +77,8 @@ void Trail::turn_round() {
 }
 
 // Names the thing at the side, at any height from a step to the shoulders, if it is different from the previous one.
-void Trail::name(const WalkerWorld& world, const Vec3& feet_m, const WalkerSize& body, std::vector<TrailEvent>& events) {
+void Trail::name(const WalkerWorld& world, const Vec3& feet_m, const WalkerSize& body,
+                 std::vector<TrailEvent>& events) {
     const Vec3 from = above_steps(feet_m, body);
     const WalkerShape probe{kProbe_m, body.height_m - body.step_up_m - 0.3};
     const TraceHit hit = world.trace(from, from - normal_ * (body.radius_m + kWallGone_m), probe);
@@ -195,4 +196,4 @@ TrailWay Trail::tick(const WalkerWorld& world, const Vec3& feet_m, double facing
     return way;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -9,7 +9,7 @@
 
 #include "app/core/world/walker.h"
 
-namespace handrail {
+namespace handrail::core {
 
 enum class TrailSide : std::uint8_t { Left, Right };
 
@@ -35,7 +35,8 @@ class Trail {
 public:
     // Searches for a wall: at that side within arm's reach, otherwise the nearest one within 4 m. Returns false if
     // there is none.
-    bool start(const WalkerWorld& world, const Vec3& feet_m, double heading_rad, const WalkerSize& body, TrailSide side);
+    bool start(const WalkerWorld& world, const Vec3& feet_m, double heading_rad, const WalkerSize& body,
+               TrailSide side);
     bool active() const { return active_; }
     void stop() { active_ = false; }
     TrailSide side() const { return side_; }
@@ -75,4 +76,4 @@ private:
     Vec3 wall_normal_{0.0};
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -6,7 +6,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/human_measures.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kGroundReach_m = 0.02;  // nearer ground carries the walker
@@ -153,8 +153,8 @@ WalkResult Walker::tick(const Vec3& wish_m_per_s, double dt_s) {
         state_.feet_m = ground.end_m;
         // The surface under the centre names the ground; at a border, the eastern or northern one (see
         // WalkerWorld::trace).
-        const TraceHit under =
-            world_.trace(state_.feet_m + Vec3(0.0, 0.0, 0.05), state_.feet_m - Vec3(0.0, 0.0, 0.05), WalkerShape{}, true);
+        const TraceHit under = world_.trace(state_.feet_m + Vec3(0.0, 0.0, 0.05), state_.feet_m - Vec3(0.0, 0.0, 0.05),
+                                            WalkerShape{}, true);
         result.ground = under.hit ? under.feature : ground.feature;
         result.ground_material = under.hit ? under.material : ground.material;
         if (!stood) {
@@ -171,4 +171,4 @@ WalkResult Walker::tick(const Vec3& wish_m_per_s, double dt_s) {
     return result;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

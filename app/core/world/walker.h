@@ -8,7 +8,7 @@
 #include "app/core/world/walker_world.h"
 #include "worlds/base/human_measures.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct WalkerSize {
     double radius_m = 0.25;
@@ -71,4 +71,4 @@ private:
     double fall_from_z_ = 0.0;
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

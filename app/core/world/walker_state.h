@@ -6,7 +6,7 @@
 
 #include "app/core/world/walker.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct WalkerState {
     std::unique_ptr<Walker> walker;  // null: in no world yet
@@ -23,4 +23,4 @@ struct WalkerState {
     }
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -8,7 +8,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/scene/outer_ground.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kAlong_m = 1e-7;      // a smaller approach to a surface is a rounding error of sliding along it
@@ -54,7 +54,8 @@ WalkerWorld::WalkerWorld(std::shared_ptr<const Scene> scene, std::span<const Pla
     set_down(placed, nullptr);
 }
 
-WalkerWorld::WalkerWorld(const WalkerWorld& before, std::shared_ptr<const Scene> scene, std::span<const Placement> placed)
+WalkerWorld::WalkerWorld(const WalkerWorld& before, std::shared_ptr<const Scene> scene,
+                         std::span<const Placement> placed)
     : scene_(std::move(scene)), building_(before.building_) {
     contract_pre(scene_ != nullptr);
     contract_pre(scene_->solids.size() == before.scene_->solids.size() &&
@@ -138,7 +139,7 @@ void WalkerWorld::Pieces::arrange() {
 
 // Adds the pieces of a scene, or of a model placed in the frame.
 void WalkerWorld::Pieces::add_scene(const Scene& scene, const PlacedFrame* frame, std::int32_t placed,
-                                  const StairRule* stairs) {
+                                    const StairRule* stairs) {
     const auto at = [frame](const Vec3& p) { return frame ? frame->to_world(p) : p; };
     std::vector<Bound> of_piece;
     const auto add_bevels = [&of_piece](const Aabb& box) {
@@ -227,7 +228,7 @@ void WalkerWorld::visit_near(const Aabb& box, Visit visit) const {
 }
 
 TraceHit WalkerWorld::trace(const Vec3& from_m, const Vec3& to_m, const WalkerShape& body, bool through_clips,
-                          std::int32_t but_placed) const {
+                            std::int32_t but_placed) const {
     contract_pre(is_finite(from_m) && is_finite(to_m));
     contract_pre(body.radius_m >= 0.0 && body.height_m >= 0.0);
     const Vec3 step = to_m - from_m;
@@ -330,7 +331,7 @@ TraceHit WalkerWorld::trace(const Vec3& from_m, const Vec3& to_m, const WalkerSh
 }
 
 void WalkerWorld::name_hit(const Piece& piece, std::int32_t face, const Vec3& normal, FeatureId& feature,
-                         MaterialId& material) const {
+                           MaterialId& material) const {
     if (piece.placed >= 0) {
         feature = scene_->placed[static_cast<std::size_t>(piece.placed)].feature;
         material = scene_->placed[static_cast<std::size_t>(piece.placed)].material;
@@ -462,4 +463,4 @@ bool WalkerWorld::hides(std::uint32_t number, const Vec3& eye_m, const Aabb& box
     return true;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

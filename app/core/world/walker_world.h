@@ -14,7 +14,7 @@
 #include "worlds/scene/scene.h"
 #include "worlds/scene/stair_rule.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // An upright cylinder that stands on its reference point; radius 0 and height 0 make a ray.
 struct WalkerShape {
@@ -140,4 +140,4 @@ private:
     Pieces placed_;                                     // of all things
 };
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -8,7 +8,7 @@
 #include "app/core/world/body_heights.h"
 #include "worlds/base/contract.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr int kDirections = 16;
@@ -37,7 +37,8 @@ bool is_a(const WalkerWorld& world, const TraceHit& hit, FeatureKind kind) {
 
 // True if so little space is between its face and a wall that nobody walks behind it.
 bool lines_a_wall(const WalkerWorld& world, const TraceHit& hit, const Vec3& ahead) {
-    const TraceHit behind = world.trace(hit.end_m + ahead * kInside_m, hit.end_m + ahead * kLines_m, WalkerShape{}, true);
+    const TraceHit behind =
+        world.trace(hit.end_m + ahead * kInside_m, hit.end_m + ahead * kLines_m, WalkerShape{}, true);
     return is_a(world, behind, FeatureKind::Wall);
 }
 
@@ -141,4 +142,4 @@ double wall_beside_m(const WalkerWorld& world, const Vec3& feet_m) {
     return nearest_m;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -4,7 +4,7 @@
 
 #include "app/core/world/walker_world.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // From the walker's centre, level; 1e9: no wall within 2 m.
 // A wall continues across what interrupts it: a window or its recess, a door, open or shut, or a board on it. The gap
@@ -16,4 +16,4 @@ namespace handrail {
 inline constexpr double kWallGoesOn_m = 2.5;
 double wall_beside_m(const WalkerWorld& world, const Vec3& feet_m);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -2,7 +2,7 @@
 
 #include "worlds/scene/models.h"
 
-namespace handrail {
+namespace handrail::core {
 
 ThingsNow things_now(const WorldState& world) {
     ThingsNow now{world.things.all(), {}, world.thing_of_mover};
@@ -32,4 +32,4 @@ void rebuild_solids(WorldState& world, WalkerState& body) {
     body.walker->resume(stood);
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

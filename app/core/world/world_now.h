@@ -7,7 +7,7 @@
 #include "app/core/world/walker_state.h"
 #include "app/core/world/world_state.h"
 
-namespace handrail {
+namespace handrail::core {
 
 // The present places of things, and the places at rest of door leaves.
 struct ThingsNow {
@@ -22,4 +22,4 @@ inline Scene world_now(const WorldState& world) { return with_things(*world.scen
 // Rebuilds the solids after anything in the world has moved; the walker stays where it is.
 void rebuild_solids(WorldState& world, WalkerState& body);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -5,7 +5,7 @@
 
 #include "worlds/geometry/closest_point.h"
 
-namespace handrail {
+namespace handrail::core {
 namespace {
 
 constexpr double kShut = 0.5;  // share of its path; a door opened less counts as shut
@@ -48,4 +48,4 @@ std::optional<FeatureId> button_of(const WorldState& world, std::uint32_t mover,
     return button;
 }
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "app/core/kept/marks.h"
-#include "app/core/world/walker_world.h"
 #include "app/core/world/mover_play.h"
 #include "app/core/world/placed_things.h"
+#include "app/core/world/walker_world.h"
 
-namespace handrail {
+namespace handrail::core {
 
 struct WorldState {
     std::shared_ptr<const Scene> scene;  // null: none entered yet
@@ -19,7 +19,7 @@ struct WorldState {
     std::uint32_t felt = 0;              // HapticScene::world of the scene that the hand gets
     PlacedThings things;
     MoverPlay movers;
-    std::vector<int> thing_of_mover;    // index among the things; -1: part of the building
+    std::vector<int> thing_of_mover;      // index among the things; -1: part of the building
     std::unique_ptr<WalkerWorld> solids;  // what a walker bumps into
     Vec3 home_feet_m{0.0};
     double home_heading_rad = 0.0;
@@ -39,4 +39,4 @@ bool shut(const WorldState& world, std::uint32_t mover);
 // A button that opens it and is pressed by hand: the one nearest to that place.
 std::optional<FeatureId> button_of(const WorldState& world, std::uint32_t mover, const Vec3& from_m);
 
-}  // namespace handrail
+}  // namespace handrail::core

@@ -7,6 +7,7 @@
 #include "tests/bench/compare/contestant.h"
 #include "tests/bench/compare/nearby.h"
 #include "tests/bench/compare/swept.h"
+#include "tests/support/names.h"
 #include "worlds/geometry/half_space_projection.h"
 
 namespace handrail::bench {

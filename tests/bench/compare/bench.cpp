@@ -7,6 +7,7 @@
 #include <fstream>
 #include <utility>
 
+#include "tests/support/names.h"
 #include "tests/support/worst_cases.h"
 #include "worlds/base/clock.h"
 #include "worlds/base/text.h"

@@ -11,6 +11,7 @@
 
 #include "haptic/servo/servo_measure.h"
 #include "tests/bench/compare/measure.h"
+#include "tests/support/names.h"
 #include "worlds/base/result.h"
 
 namespace handrail::bench {

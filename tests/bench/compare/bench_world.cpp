@@ -8,6 +8,7 @@
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/compile/simplify_mesh.h"
 #include "tests/bench/walk.h"
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 #include "tests/support/reference_proxy.h"
 #include "tests/support/sphere_mesh.h"

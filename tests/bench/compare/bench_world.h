@@ -12,6 +12,7 @@
 
 #include "haptic/render/haptic_scene.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/names.h"
 #include "worlds/base/result.h"
 
 namespace handrail::bench {

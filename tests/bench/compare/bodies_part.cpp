@@ -17,6 +17,7 @@
 #include "haptic/render/touch.h"
 #include "haptic/servo/bodies_in_reach.h"
 #include "tests/bench/compare/bench.h"
+#include "tests/support/names.h"
 
 namespace handrail::bench {
 namespace {

@@ -3,6 +3,7 @@
 
 #include "haptic/loop/closed_loop.h"
 #include "tests/bench/compare/bench.h"
+#include "tests/support/names.h"
 #include "tests/support/touch_worlds.h"
 
 namespace handrail::bench {

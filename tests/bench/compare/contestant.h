@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/bench/compare/bench_world.h"
+#include "tests/support/names.h"
 
 namespace handrail::bench {
 

@@ -2,6 +2,7 @@
 #include "haptic/render/proxy_solver.h"
 #include "haptic/render/touch.h"
 #include "tests/bench/compare/contestant.h"
+#include "tests/support/names.h"
 
 namespace handrail::bench {
 namespace {

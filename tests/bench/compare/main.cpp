@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "tests/bench/compare/report.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "worlds/base/files.h"
 

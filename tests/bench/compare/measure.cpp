@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/bench/compare/reference.h"
+#include "tests/support/names.h"
 #include "worlds/base/clock.h"
 
 namespace handrail::bench {

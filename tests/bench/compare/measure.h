@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/bench/compare/contestant.h"
+#include "tests/support/names.h"
 
 namespace handrail::bench {
 

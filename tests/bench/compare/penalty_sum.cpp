@@ -7,6 +7,7 @@
 
 #include "tests/bench/compare/contestant.h"
 #include "tests/bench/compare/nearby.h"
+#include "tests/support/names.h"
 
 namespace handrail::bench {
 namespace {

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "tests/bench/compare/svg_plot.h"
+#include "tests/support/names.h"
 #include "worlds/base/text.h"
 
 namespace handrail::bench {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/bench/compare/bench.h"
+#include "tests/support/names.h"
 
 namespace handrail::bench {
 

@@ -9,6 +9,7 @@
 #include "tests/bench/compare/contestant.h"
 #include "tests/bench/compare/nearby.h"
 #include "tests/bench/compare/swept.h"
+#include "tests/support/names.h"
 
 namespace handrail::bench {
 namespace {

@@ -1,5 +1,6 @@
 // The servo thread in a corner of two walls with friction and damping.
 #include "tests/bench/compare/bench.h"
+#include "tests/support/names.h"
 
 namespace handrail::bench {
 

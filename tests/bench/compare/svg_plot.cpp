@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/support/names.h"
 #include "worlds/base/markup.h"
 
 namespace handrail::bench {

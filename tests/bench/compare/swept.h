@@ -4,6 +4,7 @@
 #pragma once
 
 #include "tests/bench/compare/bench_world.h"
+#include "tests/support/names.h"
 
 namespace handrail::bench {
 

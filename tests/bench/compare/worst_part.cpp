@@ -4,6 +4,7 @@
 #include "haptic/render/proxy_solver.h"
 #include "tests/bench/compare/bench.h"
 #include "tests/bench/compare/measure.h"
+#include "tests/support/names.h"
 #include "tests/support/worst_cases.h"
 
 namespace handrail::bench {

@@ -7,6 +7,7 @@
 #include "haptic/dynamics/dynamics.h"
 #include "haptic/render/touch.h"
 #include "haptic/servo/bodies_in_reach.h"
+#include "tests/support/names.h"
 
 using namespace handrail;
 

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "haptic/render/touch.h"
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/support/touch_worlds.h"
 

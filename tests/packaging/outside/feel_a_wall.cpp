@@ -8,20 +8,21 @@
 
 int main(int count, char** words) {
     using namespace handrail;
-    const Result<Scene> world = read_world(count == 2 ? words[1] : "");
+    const Result<Scene> world = readers::read_world(count == 2 ? words[1] : "");
     if (!world || world->starts.empty()) {
         std::puts(world ? "This world names no place to start." : world.error().sentence().c_str());
         return 1;
     }
-    const auto felt = compile_haptic(*world, MaterialSource::Library);
-    TouchState state;
+    const auto felt = compile::compile_haptic(*world, compile::MaterialSource::Library);
+    render::TouchState state;
     Vec3 hand_m = world->starts.front().feet_m + Vec3(0.0, 0.0, 1.0);
-    TouchResult touch;
+    render::TouchResult touch;
     while (touch.contacts.count == 0) {
         hand_m.x += 0.0005;
-        touch = touch_tick(state, *felt, TouchTuning{}, hand_m, 1e-3);
+        touch = render::touch_tick(state, *felt, render::TouchTuning{}, hand_m, 1e-3);
     }
     hand_m.x = touch.proxy_m.x + 0.0001;
-    for (int tick = 0; tick < 2000; ++tick) touch = touch_tick(state, *felt, TouchTuning{}, hand_m, 1e-3);
+    for (int tick = 0; tick < 2000; ++tick)
+        touch = render::touch_tick(state, *felt, render::TouchTuning{}, hand_m, 1e-3);
     std::printf("%.17g\n", glm::length(touch.force_n));
 }

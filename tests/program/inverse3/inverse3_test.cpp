@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/emulators/haply_service.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"

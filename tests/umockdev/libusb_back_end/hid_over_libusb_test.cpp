@@ -1,6 +1,7 @@
 // A DualSense and a SpaceMouse through hidapi's libusb back end, on a bus that umockdev emulates. A system without
 // hidraw has only this back end.
 #include "tests/emulators/hid_claims.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/umockdev/mock_usb.h"
 

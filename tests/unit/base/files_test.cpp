@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <ctime>
 
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {

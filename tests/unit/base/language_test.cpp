@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "tests/support/environment.h"
+#include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/base/spoken_time.h"

@@ -6,6 +6,7 @@
 #include <memory>
 #include <thread>
 
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "worlds/base/spsc_ring.h"
 

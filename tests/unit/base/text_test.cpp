@@ -1,4 +1,5 @@
 #include "worlds/base/text.h"
+#include "tests/support/names.h"
 #include "worlds/base/markup.h"
 
 namespace handrail {

@@ -5,6 +5,7 @@
 #include "tests/bench/compare/nearby.h"
 #include "tests/bench/compare/reference.h"
 #include "tests/bench/compare/swept.h"
+#include "tests/support/names.h"
 #include "tests/support/touch_worlds.h"
 
 namespace handrail::bench {

@@ -6,6 +6,7 @@
 
 #include "tests/bench/compare/report.h"
 #include "tests/bench/compare/svg_plot.h"
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail::bench {

@@ -7,6 +7,7 @@
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/render/touch.h"
 #include "tests/support/count_allocations.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "worlds/readers/reader.h"
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tests/support/environment.h"
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/cache/sha256.h"
 

@@ -10,6 +10,7 @@
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/render/touch.h"
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/ifc/ifc_text.h"
 #include "worlds/check/faults.h"

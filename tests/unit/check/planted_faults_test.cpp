@@ -8,6 +8,7 @@
 #include "app/main/commands.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"

@@ -11,6 +11,7 @@
 #include "app/main/plain_output.h"
 #include "haptic/drivers/falcon_device.h"
 #include "tests/support/environment.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"

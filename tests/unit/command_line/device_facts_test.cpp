@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
 
 namespace handrail {

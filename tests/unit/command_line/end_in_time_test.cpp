@@ -1,4 +1,5 @@
 #include "app/main/end_in_time.h"
+#include "tests/support/names.h"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 
 #include "app/main/command_line.h"
 #include "app/main/commands.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/base/files.h"

@@ -8,6 +8,7 @@
 #include "app/core/session/session.h"
 #include "app/core/whereabouts/rooms_of_world.h"
 #include "app/core/world/walker.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"

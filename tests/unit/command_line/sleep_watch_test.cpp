@@ -5,6 +5,7 @@
 
 #include "tests/support/child_process.h"
 #include "tests/support/login_manager.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/base/clock.h"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "haptic/compile/compile_haptic.h"
+#include "tests/support/names.h"
 
 namespace handrail {
 namespace compile_dynamics_test {

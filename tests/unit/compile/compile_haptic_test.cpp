@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "haptic/render/touch.h"
+#include "tests/support/names.h"
 #include "tests/support/sphere_mesh.h"
 
 namespace handrail {

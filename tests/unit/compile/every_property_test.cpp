@@ -4,6 +4,7 @@
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/render/tick_math.h"
 #include "haptic/render/touch.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/project_root.h"
 #include "worlds/readers/reader.h"

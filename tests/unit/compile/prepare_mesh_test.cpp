@@ -10,6 +10,7 @@
 #include "haptic/compile/simplify_mesh.h"
 #include "haptic/render/haptic_scene.h"
 #include "haptic/render/touch.h"
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/support/sphere_mesh.h"
 #include "tests/support/touch_worlds.h"

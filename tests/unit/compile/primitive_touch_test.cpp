@@ -5,6 +5,7 @@
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/render/proxy_solver.h"
 #include "haptic/render/touch.h"
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 #include "tests/support/scale.h"
 #include "tests/support/touch_worlds.h"

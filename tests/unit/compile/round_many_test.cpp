@@ -3,6 +3,7 @@
 
 #include "haptic/compile/compile_haptic.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 
 namespace handrail {
 namespace round_many_test {

@@ -5,6 +5,7 @@
 
 #include "haptic/compile/compile_haptic.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/random_families.h"
 #include "worlds/geometry/clip.h"

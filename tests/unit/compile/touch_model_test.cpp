@@ -5,6 +5,7 @@
 
 #include "haptic/compile/prepare_mesh.h"
 #include "haptic/compile/round_edges.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/spoken_language.h"
 

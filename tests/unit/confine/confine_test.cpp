@@ -19,6 +19,7 @@
 #include <numeric>
 #include <thread>
 
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/base/descriptor.h"
 
@@ -48,7 +49,7 @@ Ending ending_of(const std::function<int()>& attempt) {
 }
 Ending confined(const Permissions& permissions, const std::function<int()>& attempt) {
     return ending_of([&] {
-        (void)confine(permissions);
+        (void)confine::confine(permissions);
         return attempt();
     });
 }
@@ -91,7 +92,7 @@ class Computing : public Confined {};
 
 TEST_F(Computing, receives_the_protection_that_the_kernel_offers) {
     const Confinement offered = confinement_offered();
-    EXPECT_EQ(ending_of([&] { return confine({}) == offered ? 0 : 1; }), kWentThrough);
+    EXPECT_EQ(ending_of([&] { return confine::confine({}) == offered ? 0 : 1; }), kWentThrough);
 }
 
 TEST_F(Computing, opens_and_creates_no_file) {
@@ -176,7 +177,7 @@ TEST_F(Driving, opens_only_files_permitted_at_the_start_or_later) {
     const pid_t guard = ::fork();
     char byte = 0;
     if (guard == 0) {
-        (void)confine(permissions);
+        (void)confine::confine(permissions);
         const bool waits =
             look() == ENOENT && ::write(misses.get(), "", 1) == 1 && ::read(plugged.get(), &byte, 1) == 1;
         ::_exit(waits ? look() : 1);
@@ -247,7 +248,7 @@ TEST(Confinement, that_the_kernel_lacks_is_reported_and_changes_nothing) {
                       return 11;
                   if (seccomp_load(filter) != 0) return 12;
                   if (confinement_offered() != Confinement{}) return 13;
-                  if (confine({}) != Confinement{}) return 14;
+                  if (confine::confine({}) != Confinement{}) return 14;
                   return open_error(file);
               }),
               kWentThrough);

@@ -1,6 +1,7 @@
 // How a person learns how to act: with words if they type, with keys if they press keys. Nothing is said about force if
 // there is no device, and soft things are named like hard ones.
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/unit/core/app_session.h"
 #include "tests/unit/core/explorer.h"
 #include "worlds/base/typist.h"

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "app/core/session/session.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/worlds_once.h"
 #include "worlds/readers/reader.h"

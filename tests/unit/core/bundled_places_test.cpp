@@ -6,6 +6,7 @@
 
 #include "app/core/learning/hunt.h"
 #include "app/core/learning/learning.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/core/house_and_school.h"

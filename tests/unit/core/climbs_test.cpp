@@ -1,6 +1,7 @@
 // Stairs that cannot be walked step by step: they are announced at their ends and taken with the key for using things.
 #include <gmock/gmock.h>
 
+#include "tests/support/names.h"
 #include "tests/unit/core/app_session.h"
 #include "tests/unit/core/hall_with_lift.h"
 

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "app/core/dialogue/key_map.h"
+#include "tests/support/names.h"
 
 namespace handrail {
 namespace command_test {

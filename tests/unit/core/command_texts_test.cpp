@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/core/dialogue/key_map.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "app/core/labyrinth/corridors.h"
+#include "tests/support/names.h"
 #include "tests/unit/core/app_session.h"
 
 namespace handrail {

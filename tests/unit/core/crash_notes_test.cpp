@@ -10,6 +10,7 @@
 
 #include "app/core/kept/last_place.h"
 #include "tests/support/child_process.h"
+#include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/core/app_session.h"

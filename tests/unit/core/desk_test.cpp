@@ -9,6 +9,7 @@
 #include "app/core/kept/marks.h"
 #include "haptic/servo/personal_space.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/scale.h"
 #include "tests/support/spoken_language.h"

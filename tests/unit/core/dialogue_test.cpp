@@ -4,6 +4,7 @@
 
 #include "app/core/session/session.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "worlds/base/text.h"
 
 namespace handrail {

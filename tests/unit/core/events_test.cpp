@@ -1,6 +1,7 @@
 // The facts that a session reports as events while a person walks through our house.
 #include <gtest/gtest.h>
 
+#include "tests/support/names.h"
 #include "tests/unit/core/way_walker.h"
 #include "worlds/base/text.h"
 

@@ -10,6 +10,7 @@
 
 #include "app/core/session/headless_session.h"
 #include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/names.h"
 #include "tests/unit/core/app_session.h"
 
 namespace handrail::test {

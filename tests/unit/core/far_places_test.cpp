@@ -6,6 +6,7 @@
 #include "app/core/dialogue/brief_words.h"
 #include "app/core/whereabouts/room_words.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/core/app_session.h"
 

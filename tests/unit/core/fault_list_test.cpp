@@ -2,6 +2,7 @@
 // place.
 #include "app/core/kept/landmarks.h"
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/core/explorer.h"
 #include "worlds/readers/reader.h"

@@ -12,6 +12,7 @@
 #include "app/core/dialogue/words.h"
 #include "app/core/wayfinding/hand_way.h"
 #include "audio-cues/plan/speakable.h"
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/unit/core/explorer.h"
 #include "worlds/navigation/route_place.h"

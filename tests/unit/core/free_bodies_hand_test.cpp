@@ -5,6 +5,7 @@
 #include <random>
 
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/random_families.h"
 #include "tests/support/real_worlds.h"
@@ -246,7 +247,9 @@ std::string among_things(const std::string& map, const WalkerWorld& bare, std::m
 }
 
 struct Among : Hand {
-    Among(std::shared_ptr<const Scene> scene, const WalkerWorld& bare) : Hand(std::move(scene)), bare_(bare) { forget(); }
+    Among(std::shared_ptr<const Scene> scene, const WalkerWorld& bare) : Hand(std::move(scene)), bare_(bare) {
+        forget();
+    }
     // Restarts the comparison of the things' positions.
     void forget() {
         for (int i = 0; i < kThings; ++i) were_m_[i] = at(name_of(i));

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 #include "tests/unit/core/app_session.h"
 #include "worlds/navigation/navigation.h"

@@ -1,6 +1,7 @@
 // A short session in German. Everything said is whole German sentences, with the map's German names, and a change of
 // the language takes effect with the next sentence.
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/core/app_session.h"

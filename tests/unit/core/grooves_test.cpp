@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "tests/support/names.h"
 #include "tests/unit/core/explorer.h"
 
 namespace handrail {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "tests/support/names.h"
 #include "worlds/floorplan/plan_scene.h"
 
 namespace handrail::test {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/core/world/walker_world.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
@@ -160,7 +161,8 @@ TEST(TheHand, is_visible_from_the_body_within_a_second_after_every_passage_throu
                     const double heading_rad = quarter * kPi / 2.0;
                     const Vec3 ahead = forward_of_heading(heading_rad), from = portal.place_m - ahead * 0.9;
                     if (walls.blocked(from + Vec3(0.0, 0.0, 0.01), {size.radius_m, size.height_m}) ||
-                        walls.trace(from + Vec3(0.0, 0.0, 0.3), portal.place_m + Vec3(0.0, 0.0, 0.3), WalkerShape{}).hit)
+                        walls.trace(from + Vec3(0.0, 0.0, 0.3), portal.place_m + Vec3(0.0, 0.0, 0.3), WalkerShape{})
+                            .hit)
                         continue;
                     p->app().apply(Placed{from, heading_rad}, p->now_s());
                     p->run(0.1);

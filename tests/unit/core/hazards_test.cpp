@@ -4,6 +4,7 @@
 #include <random>
 
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 
 namespace handrail {

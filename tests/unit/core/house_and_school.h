@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 
 namespace handrail::test {

@@ -6,6 +6,7 @@
 #include "app/core/scenario/session_log.h"
 #include "app/core/session/session.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/core/newcomer.h"

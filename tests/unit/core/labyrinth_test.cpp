@@ -4,6 +4,7 @@
 #include <regex>
 
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/core/app_session.h"

@@ -9,6 +9,7 @@
 #include <csignal>
 
 #include "tests/support/child_process.h"
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/core/app_session.h"
 

@@ -8,6 +8,7 @@
 #include "app/core/scenario/session_log.h"
 #include "app/core/session/session.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 #include "tests/support/scale.h"
 #include "tests/unit/core/app_session.h"

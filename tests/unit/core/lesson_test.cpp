@@ -2,6 +2,7 @@
 
 #include "app/core/session/session.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "worlds/base/language.h"
 
 namespace handrail {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "app/core/world/mover_play.h"
+#include "tests/support/names.h"
 #include "tests/unit/core/app_session.h"
 #include "tests/unit/core/hall_with_lift.h"
 

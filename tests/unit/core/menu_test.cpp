@@ -4,6 +4,7 @@
 
 #include "settings/adjust.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/core/app_session.h"
 

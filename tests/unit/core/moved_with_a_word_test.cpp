@@ -7,6 +7,7 @@
 #include <set>
 
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/core/app_session.h"
 

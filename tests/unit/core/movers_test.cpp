@@ -1,5 +1,6 @@
 // Doors, lifts, buttons and teleporters: how a map defines them, how they move, and what the session does with them.
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/unit/core/app_session.h"
 #include "worlds/scene/models.h"

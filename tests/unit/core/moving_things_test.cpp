@@ -4,6 +4,7 @@
 
 #include "app/core/world/mover_meeting.h"
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/unit/core/app_session.h"
 #include "tests/unit/core/explorer.h"

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/core/scenario/session_log.h"
+#include "tests/support/names.h"
 #include "tests/support/worlds_once.h"
 
 namespace handrail::test {

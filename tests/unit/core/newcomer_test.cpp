@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/core/scenario/session_log.h"
+#include "tests/support/names.h"
 #include "tests/support/office_ifc.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"

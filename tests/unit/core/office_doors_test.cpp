@@ -3,6 +3,7 @@
 #include "app/core/world/entering.h"
 #include "haptic/render/proxy_solver.h"
 #include "haptic/servo/body_playback.h"
+#include "tests/support/names.h"
 #include "tests/support/office_world.h"
 #include "tests/support/scale.h"
 #include "tests/unit/core/app_session.h"

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "tests/support/every.h"
+#include "tests/support/names.h"
 #include "tests/unit/core/app_session.h"
 
 namespace handrail {

@@ -5,6 +5,7 @@
 #include "app/core/wayfinding/leaf_ahead.h"
 #include "tests/support/every.h"
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/word_walker.h"
 #include "tests/unit/core/way_walker.h"
 

@@ -5,6 +5,7 @@
 
 #include "app/core/session/session.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 
 namespace handrail {
@@ -73,7 +74,8 @@ TEST(Questions, about_ahead_are_answered_with_at_most_four_things_by_distance_an
     const auto sights = ahead({world, {4, 4, 0}, 0.0});
     EXPECT_THAT(names(sights), testing::ElementsAre("Bench", "Post 0", "Post 1", "Post 2"));
     for (std::size_t i = 1; i < sights.size(); ++i) EXPECT_LE(sights[i - 1].seen.distance_m, sights[i].seen.distance_m);
-    EXPECT_THAT(names(ahead({WalkerWorld(hall().share()), {4, 4, 0}, 0.0})), testing::ElementsAre("Bench", "north wall"));
+    EXPECT_THAT(names(ahead({WalkerWorld(hall().share()), {4, 4, 0}, 0.0})),
+                testing::ElementsAre("Bench", "north wall"));
 }
 
 TEST(Questions, about_one_direction_find_low_things_and_things_behind_them) {

@@ -9,6 +9,7 @@
 
 #include "app/core/world/walker.h"
 #include "tests/support/known_buildings.h"
+#include "tests/support/names.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
 #include "tests/support/way_through.h"

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "tests/support/names.h"
 #include "tests/unit/core/app_session.h"
 #include "tests/unit/core/way_walker.h"
 #include "tests/unit/ifc/ifc_hut.h"

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/core/app_session.h"
 #include "worlds/base/files.h"

@@ -8,6 +8,7 @@
 #include "app/core/world/walker.h"
 #include "tests/support/child_process.h"
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/core/app_session.h"
 #include "worlds/stored/stored_ways.h"
@@ -282,7 +283,7 @@ TEST(RoomsKept, equal_newly_found_rooms_and_belong_to_their_session) {
 TEST(RoomsOfAWorld, are_taken_from_the_cache_unchanged) {
     std::map<std::string, std::string> cache;
     const RoutesKeeper keeper{[&](const std::string& key, const std::stop_token&) { return unpacked_ways(cache[key]); },
-                            [&](const std::string& key, std::string_view packed) { cache[key] = packed; }};
+                              [&](const std::string& key, std::string_view packed) { cache[key] = packed; }};
     const auto scene = house();
     const WalkerMeasures body = walk_body(*scene, 0.25, 1.8, 0.25);
     const std::string key = ways_key(*scene, body);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/core/kept/background_writer.h"
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {

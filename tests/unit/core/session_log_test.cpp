@@ -1,6 +1,7 @@
 #include "app/core/scenario/session_log.h"
 
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 
 namespace handrail {
 namespace session_log_test {

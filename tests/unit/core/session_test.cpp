@@ -3,6 +3,7 @@
 #include "haptic/render/free_place.h"
 
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "worlds/scene/models.h"
 
 #include <functional>

@@ -10,6 +10,7 @@
 #include "settings/adjust.h"
 #include "settings/table.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/core/app_session.h"

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 #include "tests/support/temporary_folder.h"
 

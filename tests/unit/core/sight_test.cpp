@@ -4,6 +4,7 @@
 
 #include "app/core/world/surroundings.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/office_world.h"
 #include "tests/support/project_root.h"
 #include "worlds/readers/reader.h"

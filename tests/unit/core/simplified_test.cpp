@@ -7,6 +7,7 @@
 #include "haptic/render/free_place.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/child_process.h"
+#include "tests/support/names.h"
 #include "tests/support/office_ifc.h"
 #include "tests/support/random_families.h"
 #include "tests/support/real_worlds.h"

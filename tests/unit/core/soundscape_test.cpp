@@ -6,6 +6,7 @@
 #include "app/core/session/session.h"
 #include "audio-cues/plan/sound_table.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 
 namespace handrail {
 namespace soundscape_test {

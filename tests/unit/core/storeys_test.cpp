@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "app/core/whereabouts/storeys.h"
+#include "tests/support/names.h"
 #include "tests/support/office_ifc.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/spoken_language.h"

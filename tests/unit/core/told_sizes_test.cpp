@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/support/names.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/worlds_once.h"
 #include "tests/unit/core/app_session.h"

@@ -6,6 +6,7 @@
 
 #include "tests/support/box_scene.h"
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 #include "worlds/readers/reader.h"
 

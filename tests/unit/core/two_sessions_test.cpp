@@ -9,6 +9,7 @@
 
 #include "app/core/kept/folder_lock.h"
 #include "app/core/kept/side_merge.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/random_families.h"
 #include "tests/support/scale.h"

@@ -3,6 +3,7 @@
 #include "app/core/context/workspace_scale.h"
 #include "app/core/dialogue/words.h"
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/unit/core/explorer.h"
 #include "worlds/readers/reader.h"

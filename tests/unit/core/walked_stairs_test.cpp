@@ -1,5 +1,6 @@
 // The walker climbs stairs of each form wherever the routes say that it can.
 #include "app/core/world/walker.h"
+#include "tests/support/names.h"
 #include "tests/support/stair_house.h"
 #include "worlds/navigation/navigation.h"
 

@@ -3,6 +3,7 @@
 #include <random>
 
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 
 namespace handrail {
 namespace walker_test {

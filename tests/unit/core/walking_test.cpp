@@ -6,6 +6,7 @@
 #include "app/core/session/session.h"
 #include "audio-cues/sinks/recording_sinks.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "worlds/readers/reader.h"

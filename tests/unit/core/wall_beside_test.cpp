@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/real_worlds.h"
 #include "worlds/readers/reader.h"
 

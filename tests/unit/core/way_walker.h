@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "tests/support/names.h"
 #include "tests/unit/core/app_session.h"
 
 namespace handrail::test {

@@ -9,6 +9,7 @@
 #include "app/core/world/walker.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/every.h"
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/navigation/route_place.h"
@@ -27,9 +28,9 @@ Stop stop(const std::string& name, const Vec3& place_m) {
 
 SavedRoute tour() {
     SavedRoute way{"Tür zu 家, \"hinten\"",
-                 {stop("Door", {1, 1, 0}), stop("", {1e-17, 2, 0}), stop("Table", {3, 1, 0.1 + 0.2})},
-                 "5f3a90c1",
-                 {}};
+                   {stop("Door", {1, 1, 0}), stop("", {1e-17, 2, 0}), stop("Table", {3, 1, 0.1 + 0.2})},
+                   "5f3a90c1",
+                   {}};
     way.stops[0].room = "Kitchen";
     way.stops[2].thing = "table";
     way.stops[2].thing_m = 0.4;

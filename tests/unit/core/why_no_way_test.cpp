@@ -3,6 +3,7 @@
 
 #include "tests/support/box_scene.h"
 #include "tests/support/child_process.h"
+#include "tests/support/names.h"
 #include "tests/unit/core/app_session.h"
 #include "worlds/check/faults.h"
 #include "worlds/navigation/rooms.h"

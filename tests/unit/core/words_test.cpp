@@ -1,5 +1,6 @@
 #include "app/core/dialogue/words.h"
 
+#include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
 
 namespace handrail {

@@ -1,6 +1,7 @@
 #include "app/core/context/workspace_scale.h"
 
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 
 namespace handrail {
 namespace workspace_scale_test {

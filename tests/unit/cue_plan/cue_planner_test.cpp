@@ -11,6 +11,7 @@
 #include <map>
 
 #include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/names.h"
 
 namespace handrail {
 namespace cue_planner_test {

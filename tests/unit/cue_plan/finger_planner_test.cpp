@@ -1,6 +1,7 @@
 // What the fingers on a pad feel of walls, doors, materials and stairs.
 #include "audio-cues/plan/finger_planner.h"
 
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 
 namespace handrail {

@@ -6,6 +6,7 @@
 
 #include "audio-cues/plan/sound_table.h"
 #include "audio-cues/plan/sound_words.h"
+#include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
 
 namespace handrail {

@@ -1,4 +1,5 @@
 #include "audio-cues/plan/speakable.h"
+#include "tests/support/names.h"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/names.h"
 
 namespace handrail {
 namespace speech_order_test {

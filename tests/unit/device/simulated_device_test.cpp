@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/world_axes.h"
 

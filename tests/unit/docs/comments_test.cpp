@@ -4,6 +4,7 @@
 #include <set>
 #include <sstream>
 
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/project_files.h"
 #include "tests/support/project_root.h"

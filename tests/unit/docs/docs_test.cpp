@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "settings/settings.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/unit/docs/table_rows.h"
 #include "worlds/scene/effect.h"

@@ -8,6 +8,7 @@
 #include "app/core/scenario/scenario_run.h"
 #include "audio-cues/plan/sound_table.h"
 #include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/readers/reader.h"

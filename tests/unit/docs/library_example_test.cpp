@@ -5,6 +5,7 @@
 
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/render/touch.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/readers/reader.h"

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/names.h"
+
 namespace handrail::test {
 
 struct Pattern {

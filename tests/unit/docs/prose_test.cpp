@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 
+#include "tests/support/names.h"
 #include "tests/support/project_files.h"
 #include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 

@@ -6,6 +6,7 @@
 #include "app/core/dialogue/command_words.h"
 #include "app/core/dialogue/key_map.h"
 #include "audio-cues/plan/sound_table.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/docs/table_rows.h"

@@ -5,6 +5,7 @@
 #include "haptic/drivers/falcon_kinematics.h"
 #include "haptic/servo/servo_tick.h"
 #include "tests/emulators/falcon_emulator.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/random_families.h"
 #include "tests/support/scale.h"

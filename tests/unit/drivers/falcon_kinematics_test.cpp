@@ -3,6 +3,7 @@
 #include <random>
 
 #include "tests/emulators/falcon_emulator.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/scale.h"
 

@@ -6,6 +6,7 @@
 
 #include "haptic/drivers/ff_link.h"
 #include "haptic/drivers/force_stick.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/scale.h"
 

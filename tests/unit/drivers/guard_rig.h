@@ -12,6 +12,7 @@
 
 #include "haptic/drivers/guarded_device.h"
 #include "tests/support/child_process.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

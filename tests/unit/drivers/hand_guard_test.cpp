@@ -15,6 +15,7 @@
 #include "haptic/drivers/guard_permissions.h"
 #include "haptic/drivers/haply_device.h"
 #include "tests/support/child_process.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"

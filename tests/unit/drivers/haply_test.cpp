@@ -5,6 +5,7 @@
 #include <random>
 
 #include "tests/emulators/haply_service.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/scale.h"
 #include "tests/support/world_axes.h"

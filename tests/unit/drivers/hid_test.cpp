@@ -3,6 +3,7 @@
 #include "haptic/drivers/playstation_pad.h"
 #include "haptic/drivers/space_mouse.h"
 #include "tests/emulators/hid_emulators.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 
 namespace handrail {

@@ -1,4 +1,5 @@
 #include "haptic/drivers/found_device.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"

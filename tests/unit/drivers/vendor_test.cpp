@@ -7,6 +7,7 @@
 #include "haptic/drivers/dhd_device.h"
 #include "haptic/drivers/hd_device.h"
 #include "tests/support/child_process.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/project_root.h"
 #include "tests/support/world_axes.h"

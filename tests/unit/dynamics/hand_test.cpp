@@ -2,6 +2,7 @@
 // hand no energy.
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/unit/dynamics/rig.h"
 

@@ -11,6 +11,7 @@
 #include "haptic/loop/closed_loop.h"
 #include "haptic/render/touch.h"
 #include "haptic/servo/bodies_in_reach.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

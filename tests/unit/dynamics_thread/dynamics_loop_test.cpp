@@ -2,6 +2,7 @@
 // bit-identical results.
 #include "haptic/dynamics/dynamics_loop.h"
 
+#include "tests/support/names.h"
 #include "tests/unit/dynamics/rig.h"
 
 namespace handrail::test {

@@ -2,6 +2,7 @@
 // in this program.
 #include "haptic/servo/servo_tick.h"
 #include "tests/support/count_allocations.h"
+#include "tests/support/names.h"
 #include "tests/unit/dynamics/rig.h"
 
 namespace handrail::test {

@@ -4,6 +4,7 @@
 
 #include "haptic/render/effects.h"
 #include "haptic/render/tick_math.h"
+#include "tests/support/names.h"
 #include "tests/unit/effects/loops.h"
 
 namespace handrail::test {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "haptic/render/touch.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

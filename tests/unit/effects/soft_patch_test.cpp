@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "haptic/render/soft_patch.h"
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/unit/effects/loops.h"
 

@@ -1,5 +1,6 @@
 // Text as braille cells, lines and BRF.
 #include "worlds/exports/braille.h"
+#include "tests/support/names.h"
 
 #include <gtest/gtest.h>
 

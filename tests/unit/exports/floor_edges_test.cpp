@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/names.h"
 #include "tests/unit/exports/plans.h"
 #include "worlds/exports/openings.h"
 #include "worlds/exports/storey_stl.h"

@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "tests/support/names.h"
 #include "worlds/exports/sheet.h"
 
 namespace handrail::test {

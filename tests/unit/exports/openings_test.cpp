@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "tests/support/names.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
 #include "tests/unit/exports/plans.h"

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 
+#include "tests/support/names.h"
 #include "tests/support/real_worlds.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/readers/reader.h"
@@ -26,7 +27,8 @@ const NamedStoreys* storeys_of(const std::string& file) {
     made.world = file;
     const auto scene = read_world(path);
     if (!scene) return ADD_FAILURE() << scene.error().sentence(), &made;
-    const WalkerMeasures body = scene->game_map ? walk_body(*scene, 0.25, 1.7, 0.57) : walk_body(*scene, 0.25, 1.8, 0.25);
+    const WalkerMeasures body =
+        scene->game_map ? walk_body(*scene, 0.25, 1.7, 0.57) : walk_body(*scene, 0.25, 1.8, 0.25);
     const auto ways = Navigation::make(*scene, body);
     if (!ways) return ADD_FAILURE() << ways.error().sentence(), &made;
     const RoomGraph graph = make_rooms(*scene, (*ways)->space());

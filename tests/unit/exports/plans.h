@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/names.h"
 #include "worlds/plan/storey.h"
 
 namespace handrail::test {

@@ -1,5 +1,6 @@
 // Directions on cards: lines, pages and contents.
 #include "worlds/exports/route_card.h"
+#include "tests/support/names.h"
 
 #include <gtest/gtest.h>
 

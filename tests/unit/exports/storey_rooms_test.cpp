@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/names.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
 #include "tests/unit/exports/plans.h"

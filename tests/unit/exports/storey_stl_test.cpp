@@ -10,6 +10,7 @@
 #include <map>
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/exports/plans.h"

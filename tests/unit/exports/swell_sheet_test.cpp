@@ -7,6 +7,7 @@
 #include <regex>
 #include <set>
 
+#include "tests/support/names.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
 #include "tests/support/spoken_language.h"

@@ -5,6 +5,7 @@
 
 #include "haptic/device/device_spec.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/unit/features/plain_session.h"
 
 namespace handrail {

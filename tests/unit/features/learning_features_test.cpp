@@ -6,6 +6,7 @@
 #include "app/core/learning/clock_hunt.h"
 #include "app/core/learning/place_learning.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/features/plain_session.h"
 

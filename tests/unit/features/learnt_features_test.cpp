@@ -7,6 +7,7 @@
 #include "app/core/learning/place_learning.h"
 #include "app/core/learning/route_memory.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/features/plain_session.h"
 

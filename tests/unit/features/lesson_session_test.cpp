@@ -6,6 +6,7 @@
 #include <map>
 
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/unit/features/plain_session.h"
 
 namespace handrail {

@@ -9,6 +9,7 @@
 #include "app/core/menu/simplified_list.h"
 #include "settings/adjust.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/features/plain_session.h"
 

@@ -6,6 +6,7 @@
 #include "app/core/places/kept_routes.h"
 #include "app/core/places/mark_list.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/features/plain_session.h"
 

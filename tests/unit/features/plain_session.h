@@ -10,6 +10,7 @@
 #include "app/core/context/session_state.h"
 #include "app/core/world/entering.h"
 #include "haptic/compile/compile_haptic.h"
+#include "tests/support/names.h"
 #include "worlds/scene/building_bounds.h"
 
 namespace handrail::test {

@@ -7,6 +7,7 @@
 #include "app/core/walking/paces.h"
 #include "app/core/walking/walking.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/unit/features/plain_session.h"
 #include "worlds/base/typist.h"
 

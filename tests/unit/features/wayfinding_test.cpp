@@ -5,6 +5,7 @@
 #include "app/core/wayfinding/guide.h"
 #include "app/core/wayfinding/way_words.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/features/plain_session.h"
 

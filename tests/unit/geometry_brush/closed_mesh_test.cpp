@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/support/block_mesh.h"
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "worlds/geometry/mass_properties.h"
 

@@ -1,5 +1,6 @@
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "worlds/geometry/exposed_surface.h"
 

@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "worlds/geometry/closest_point.h"
 

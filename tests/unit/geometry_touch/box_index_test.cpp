@@ -1,6 +1,7 @@
 // The box hierarchy for lines and boxes, compared with scans of all boxes.
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "worlds/geometry/box_index.h"
 

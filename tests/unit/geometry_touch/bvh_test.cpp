@@ -1,6 +1,7 @@
 // The box hierarchy, compared with scans of all boxes: ordinary, all at one place, empty, far away, moved at random.
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/support/sphere_mesh.h"
 #include "worlds/geometry/bvh.h"

@@ -1,6 +1,7 @@
 // Each geometry routine, compared with brute force: ordinary, degenerate, far away, in every order.
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/support/touch_worlds.h"
 #include "worlds/geometry/closest_point.h"

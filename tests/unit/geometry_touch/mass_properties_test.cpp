@@ -7,6 +7,7 @@
 #include <functional>
 #include <random>
 
+#include "tests/support/names.h"
 #include "worlds/geometry/clip.h"
 
 namespace handrail {

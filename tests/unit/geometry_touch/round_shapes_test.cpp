@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/support/touch_worlds.h"
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

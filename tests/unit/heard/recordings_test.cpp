@@ -14,6 +14,7 @@
 
 #include "tests/support/heard_legs.h"
 #include "tests/support/loudness_meter.h"
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/unit/heard/transcript.h"
 #include "tests/unit/heard/typist.h"

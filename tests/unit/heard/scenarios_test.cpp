@@ -10,6 +10,7 @@
 #include "app/core/scenario/scenario_run.h"
 #include "app/core/session/headless_session.h"
 #include "tests/support/loudness_meter.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/scale.h"
 #include "tests/unit/heard/heard.h"

@@ -1,4 +1,5 @@
 #include "tests/unit/heard/sounding.h"
+#include "tests/support/names.h"
 
 #include <algorithm>
 #include <stdexcept>

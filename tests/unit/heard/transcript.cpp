@@ -1,4 +1,5 @@
 #include "tests/unit/heard/transcript.h"
+#include "tests/support/names.h"
 
 #include <fmt/format.h>
 

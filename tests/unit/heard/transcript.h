@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/names.h"
 #include "tests/unit/heard/sounding.h"
 
 namespace handrail::test {

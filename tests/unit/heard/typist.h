@@ -17,6 +17,7 @@
 #include "app/core/session/headless_session.h"
 #include "audio-cues/plan/speakable.h"
 #include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/unit/heard/heard.h"
 #include "worlds/readers/reader.h"

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/names.h"
 #include "tests/unit/heard/heard.h"
 #include "tests/unit/heard/typist.h"
 #include "worlds/base/language.h"

@@ -3,6 +3,7 @@
 
 #include "app/core/session/headless_session.h"
 #include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "worlds/readers/reader.h"
 

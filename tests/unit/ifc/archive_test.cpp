@@ -1,6 +1,7 @@
 // Models in a ZIP archive.
 #include <gmock/gmock.h>
 
+#include "tests/support/names.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/zip_text.h"
 #include "tests/unit/ifc/ifc_text.h"

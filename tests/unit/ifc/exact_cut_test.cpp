@@ -9,6 +9,7 @@
 #include <random>
 #include <sstream>
 
+#include "tests/support/names.h"
 #include "tests/unit/ifc/ifc_hut.h"
 #include "worlds/geometry/mass_properties.h"
 #include "worlds/scene/honest_report.h"

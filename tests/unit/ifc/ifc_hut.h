@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "tests/support/names.h"
 #include "tests/unit/ifc/ifc_text.h"
 #include "worlds/geometry/flat_parts.h"
 #include "worlds/geometry/mass_properties.h"

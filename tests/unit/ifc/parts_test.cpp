@@ -6,6 +6,7 @@
 #include <optional>
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/unit/ifc/ifc_hut.h"
 #include "worlds/base/language.h"
 #include "worlds/check/faults.h"

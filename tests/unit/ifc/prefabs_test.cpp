@@ -1,6 +1,7 @@
 // Furniture for which a file states kind and place but no shape.
 #include <gmock/gmock.h>
 
+#include "tests/support/names.h"
 #include "tests/unit/ifc/ifc_text.h"
 #include "worlds/ifc/ifc_scene.h"
 #include "worlds/scene/honest_report.h"

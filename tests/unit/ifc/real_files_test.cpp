@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "tests/support/names.h"
 #include "tests/support/office_ifc.h"
 #include "tests/support/real_worlds.h"
 #include "tests/unit/ifc/ifc_text.h"

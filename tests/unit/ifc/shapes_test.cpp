@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/unit/ifc/ifc_text.h"
 #include "worlds/geometry/clip.h"
 #include "worlds/geometry/mass_properties.h"

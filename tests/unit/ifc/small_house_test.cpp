@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "tests/support/names.h"
 #include "tests/unit/ifc/ifc_text.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/rooms.h"

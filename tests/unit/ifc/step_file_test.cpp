@@ -1,6 +1,7 @@
 // The file format below IFC: strings, values, and the reports of damage.
 #include <gmock/gmock.h>
 
+#include "tests/support/names.h"
 #include "tests/unit/ifc/ifc_text.h"
 #include "worlds/ifc/step_file.h"
 

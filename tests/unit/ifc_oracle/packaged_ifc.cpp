@@ -1,4 +1,5 @@
 #include "tests/unit/ifc_oracle/packaged_ifc.h"
+#include "tests/support/names.h"
 
 #include <ifcpp/IFC4/include/IfcGloballyUniqueId.h>
 #include <ifcpp/IFC4/include/IfcProduct.h>

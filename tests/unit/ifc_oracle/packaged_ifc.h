@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "tests/support/names.h"
 #include "worlds/geometry/convex.h"
 
 namespace handrail::test {

@@ -1,6 +1,7 @@
 // Reading archives in the Indoor Mapping Data Format.
 #include <gmock/gmock.h>
 
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/zip_text.h"

@@ -14,6 +14,7 @@
 #include "app/import/kept_scene.h"
 #include "app/import/requested_files.h"
 #include "tests/support/child_process.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/ifc/ifc_text.h"
@@ -56,7 +57,7 @@ TEST(ImportedWorld, is_bit_identical_whether_read_in_this_process_or_from_the_ca
         ASSERT_TRUE(world.has_value()) << world.error().sentence();
         EXPECT_EQ(world->kept, again);
         EXPECT_FALSE(world->kept_damaged);
-        EXPECT_EQ(stored(world->scene), stored(*here));
+        EXPECT_EQ(stored::stored(world->scene), stored::stored(*here));
         EXPECT_EQ(kept_in(cache).size(), 1U);
     }
 }
@@ -75,7 +76,7 @@ TEST(ImportedWorld, of_a_map_is_cached_if_reading_it_takes_long) {
             ASSERT_TRUE(world.has_value()) << world.error().sentence();
             EXPECT_EQ(world->kept, again && text.size() > house.size()) << name;
             if (text.size() > house.size()) {
-                EXPECT_EQ(stored(world->scene), stored(*here));
+                EXPECT_EQ(stored::stored(world->scene), stored::stored(*here));
             }
         }
 }
@@ -143,7 +144,7 @@ TEST(ImportedWorld, is_read_again_if_its_cache_entry_is_damaged) {
     const ImportHow how{Cache(folder.path() / "cache"), find_reader_program(), {}};
     const Result<ImportedWorld> first = import_world(path, {}, how);
     ASSERT_TRUE(first.has_value()) << first.error().sentence();
-    const std::string bytes = stored(first->scene);
+    const std::string bytes = stored::stored(first->scene);
     const fs::path kept = kept_in(folder.path() / "cache").front();
     const std::string whole = test::content_of(kept);
     std::string changed = whole;
@@ -154,7 +155,7 @@ TEST(ImportedWorld, is_read_again_if_its_cache_entry_is_damaged) {
         ASSERT_TRUE(anew.has_value()) << anew.error().sentence();
         EXPECT_TRUE(anew->kept_damaged);
         EXPECT_FALSE(anew->kept);
-        EXPECT_EQ(stored(anew->scene), bytes);
+        EXPECT_EQ(stored::stored(anew->scene), bytes);
         EXPECT_EQ(test::content_of(kept), whole) << "mended";
     }
 }
@@ -178,7 +179,7 @@ TEST(ImportedWorld, uses_no_cache_entry_of_another_world_and_none_next_to_the_fi
     ASSERT_TRUE(again.has_value()) << again.error().sentence();
     EXPECT_TRUE(again->kept_damaged);
     EXPECT_FALSE(again->kept);
-    EXPECT_EQ(stored(again->scene), stored(first->scene));
+    EXPECT_EQ(stored::stored(again->scene), stored::stored(first->scene));
     EXPECT_EQ(test::content_of(folder.path() / "house.ifc.handrail.scene"), test::content_of(of_other));
     EXPECT_EQ(test::content_of(diary), "mine");
     fs::remove_all(cache);
@@ -192,7 +193,7 @@ TEST(KeptScene, cut_at_every_byte_is_reported_as_damaged) {
     Scene small = *scene;  // only a few of its solids, so that the test can change each byte
     small.solids.resize(3);
     small.surfaces.clear();
-    const std::string bytes = stored(small);
+    const std::string bytes = stored::stored(small);
     const std::vector<NeighbourFile> beside{{"beside.bin", std::string(64, 'a')}};
     const std::string whole = kept_scene(beside, bytes);
     const auto good = [&](const std::vector<NeighbourFile>& read) { return read == beside; };
@@ -200,7 +201,7 @@ TEST(KeptScene, cut_at_every_byte_is_reported_as_damaged) {
         ASSERT_FALSE(scene_in(std::string_view(whole).substr(0, length), good).has_value()) << length;
     const auto all = scene_in(whole, good);
     ASSERT_TRUE(all.has_value() && all->has_value());
-    EXPECT_EQ(stored(**all), bytes);
+    EXPECT_EQ(stored::stored(**all), bytes);
     EXPECT_FALSE(scene_in(whole + "x", good).has_value());
     const auto old = scene_in(whole, [](const std::vector<NeighbourFile>&) { return false; });
     ASSERT_TRUE(old.has_value());

@@ -12,6 +12,7 @@
 #include "app/core/kept/side_file.h"
 #include "app/import/reader_answer.h"
 #include "tests/support/deadly_toml.h"
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/stored/archive.h"
 

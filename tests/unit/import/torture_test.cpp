@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "app/import/import_world.h"
+#include "tests/support/names.h"
 #include "tests/support/office_ifc.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"

@@ -4,6 +4,7 @@
 
 #include "app/main/commands.h"
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/office_ifc.h"
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"

@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"

@@ -12,6 +12,7 @@
 #include "app/main/commands.h"
 #include "app/record/gzip_pieces.h"
 #include "tests/support/environment.h"
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/base/files.h"
 

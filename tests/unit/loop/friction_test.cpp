@@ -1,4 +1,5 @@
 // Friction and light touch under the hand's tremor, encoder steps, noise and delay, in open and closed loop.
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/unit/loop/loop_rig.h"
 

@@ -6,6 +6,7 @@
 #include "haptic/device/device_spec.h"
 #include "haptic/loop/closed_loop.h"
 #include "haptic/render/touch.h"
+#include "tests/support/names.h"
 #include "tests/support/touch_worlds.h"
 
 namespace handrail::test {

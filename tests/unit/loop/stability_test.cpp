@@ -1,5 +1,6 @@
 // Hands of every mass and grip on walls with the greatest stiffness that the rule allows, with delay, encoder steps and
 // dry friction.
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/unit/loop/loop_rig.h"
 

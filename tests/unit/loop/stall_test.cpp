@@ -1,5 +1,6 @@
 // The loop stalls repeatedly while a hand presses in and out. Runs the whole servo tick with its limiter.
 #include "haptic/servo/servo_tick.h"
+#include "tests/support/names.h"
 #include "tests/unit/loop/loop_rig.h"
 
 namespace handrail::test {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/block_mesh.h"
+#include "tests/support/names.h"
 #include "worlds/navigation/walk_space.h"
 #include "worlds/readers/reader.h"
 

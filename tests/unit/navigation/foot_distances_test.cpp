@@ -1,5 +1,6 @@
 // Walking distances from doorway to doorway, compared with all pairs by the Floyd-Warshall algorithm.
 #include "worlds/navigation/foot_distances.h"
+#include "tests/support/names.h"
 
 #include <gtest/gtest.h>
 

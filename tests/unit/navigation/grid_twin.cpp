@@ -1,4 +1,5 @@
 #include "tests/unit/navigation/grid_twin.h"
+#include "tests/support/names.h"
 
 #include <array>
 #include <cmath>

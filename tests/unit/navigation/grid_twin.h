@@ -10,9 +10,10 @@
 #include <tuple>
 #include <vector>
 
-#include "app/core/world/walker_world.h"
 #include "app/core/world/walker.h"
+#include "app/core/world/walker_world.h"
 #include "tests/support/every.h"
+#include "tests/support/names.h"
 #include "worlds/navigation/route.h"
 
 namespace handrail::test {

@@ -5,14 +5,15 @@
 #include <filesystem>
 #include <random>
 
-#include "app/core/world/walker_world.h"
 #include "app/core/world/walker.h"
+#include "app/core/world/walker_world.h"
 #include "tests/support/every.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "worlds/geometry/closest_point.h"
+#include "worlds/navigation/directions_route.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/rooms.h"
-#include "worlds/navigation/directions_route.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/models.h"
 
@@ -159,7 +160,8 @@ struct Told {
 };
 std::vector<Told> told(const DirectionsRoute& route) {
     std::vector<Told> legs;
-    for (const DirectionsLeg& leg : route.legs) legs.push_back({leg.turn_notches, leg.steps, leg.end, leg.door != kNothing});
+    for (const DirectionsLeg& leg : route.legs)
+        legs.push_back({leg.turn_notches, leg.steps, leg.end, leg.door != kNothing});
     return legs;
 }
 

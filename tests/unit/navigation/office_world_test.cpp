@@ -2,6 +2,7 @@
 #include <set>
 
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/office_world.h"
 #include "tests/support/scale.h"
 #include "worlds/navigation/navigation.h"

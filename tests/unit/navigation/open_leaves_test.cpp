@@ -6,6 +6,7 @@
 
 #include "app/core/world/walker.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 #include "tests/support/scale.h"
 #include "worlds/navigation/navigation.h"

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/readers/reader.h"

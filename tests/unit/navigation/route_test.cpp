@@ -5,6 +5,7 @@
 
 #include "tests/support/box_scene.h"
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/random_families.h"
 #include "tests/support/real_worlds.h"

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/support/stair_house.h"
 #include "worlds/navigation/navigation.h"
@@ -133,7 +134,8 @@ TEST(StatedStairs, next_to_walls_in_pieces_work_like_next_to_whole_walls) {
             SCOPED_TRACE(testing::PrintToString(tops_m));
             const auto whole = test::StairHouse(form, {kTop_m}).share(),
                        pieces = test::StairHouse(form, tops_m).share();
-            const Result<WalkSpace> a = make_walk_space(*whole, WalkerMeasures{}), b = make_walk_space(*pieces, WalkerMeasures{});
+            const Result<WalkSpace> a = make_walk_space(*whole, WalkerMeasures{}),
+                                    b = make_walk_space(*pieces, WalkerMeasures{});
             ASSERT_TRUE(a && b);
             ASSERT_EQ(a->spans.size(), b->spans.size());
             for (std::uint32_t s = 0; s < a->spans.size(); ++s) ASSERT_EQ(a->place_m(s), b->place_m(s));

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "worlds/navigation/navigation.h"
 
 namespace handrail {

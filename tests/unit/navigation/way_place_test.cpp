@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 
 namespace handrail {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "worlds/base/vec.h"
 #include "worlds/readers/reader.h"

@@ -1,6 +1,7 @@
 // Places too large for fine columns can still be walked, and the parts left out are reported.
 #include <gmock/gmock.h>
 
+#include "tests/support/names.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
 #include "tests/unit/osm/drawing.h"

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"

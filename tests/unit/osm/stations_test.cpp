@@ -1,6 +1,7 @@
 // Stations and campuses as mappers draw them: doors next to outlines, platforms, lifts, and paths without rooms.
 #include <gmock/gmock.h>
 
+#include "tests/support/names.h"
 #include "tests/unit/osm/drawing.h"
 #include "tests/unit/osm/osm_text.h"
 #include "worlds/navigation/navigation.h"

@@ -2,6 +2,7 @@
 #include <bzlib.h>
 #include <gmock/gmock.h>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/unit/osm/osm_text.h"

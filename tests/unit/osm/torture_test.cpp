@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/unit/osm/osm_text.h"
 
 namespace handrail {

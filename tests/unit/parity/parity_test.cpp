@@ -10,6 +10,7 @@
 #include "haptic/servo/servo_loop.h"
 #include "haptic/servo/workspace_mover.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/unit/docs/table_rows.h"
 #include "worlds/base/clock.h"

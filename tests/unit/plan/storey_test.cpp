@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/office_ifc.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/temporary_folder.h"

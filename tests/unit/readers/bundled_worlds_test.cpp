@@ -2,6 +2,7 @@
 // overlaps a start.
 #include <filesystem>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/unit/readers/reading.h"
 #include "worlds/readers/reader.h"

@@ -1,4 +1,5 @@
 // Maps of Doom 3: planes instead of points, and shapes relative to the origin of their entity.
+#include "tests/support/names.h"
 #include "tests/unit/readers/reading.h"
 
 namespace handrail {

@@ -1,5 +1,6 @@
 // The readers' messages in another language: whole sentences with that language's numbers and word order.
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/readers/reading.h"
 

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/readers/reader.h"

@@ -1,6 +1,7 @@
 // Things of a map that are free to move, by the original's class names or by the key `free`. Faults of their keys are
 // reported with file and line, and the rest loads.
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/unit/readers/reading.h"
 #include "worlds/scene/models.h"
 

@@ -1,5 +1,6 @@
 // Every case that real editors, other games and accidents may leave in a .map file.
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/readers/reading.h"
 #include "worlds/readers/map_syntax.h"

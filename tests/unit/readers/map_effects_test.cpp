@@ -1,6 +1,7 @@
 // Forces in space, as a map defines them: every key takes effect, impossible values are refused by name, and the rest
 // loads.
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/unit/readers/reading.h"
 
 namespace handrail::test {

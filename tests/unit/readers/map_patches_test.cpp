@@ -1,6 +1,7 @@
 // Curved patches and brushDef in a map are read, cut into triangles and reported. Damage costs only the patch, not the
 // map.
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/unit/readers/reading.h"
 
 namespace handrail {

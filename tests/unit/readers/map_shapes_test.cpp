@@ -1,5 +1,6 @@
 // Exact shapes in a map: cs_name of the original's maps, and the keys `shape` and `axis`.
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/unit/readers/reading.h"
 
 namespace handrail {

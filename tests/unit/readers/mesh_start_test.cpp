@@ -7,6 +7,7 @@
 
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "worlds/readers/reader.h"
 

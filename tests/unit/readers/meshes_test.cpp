@@ -3,6 +3,7 @@
 #include <random>
 
 #include "tests/support/block_mesh.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/temporary_folder.h"

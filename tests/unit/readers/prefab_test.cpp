@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
 #include "worlds/readers/reader.h"

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "worlds/readers/reader.h"
 

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"

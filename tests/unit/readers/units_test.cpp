@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/readers/reader.h"
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/record/hearing.h"
+#include "tests/support/names.h"
 
 namespace handrail {
 namespace hearing_test {

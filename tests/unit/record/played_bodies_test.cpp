@@ -6,6 +6,7 @@
 
 #include "haptic/dynamics/dynamics_loop.h"
 #include "haptic/servo/servo_tick.h"
+#include "tests/support/names.h"
 #include "tests/unit/dynamics/rig.h"
 
 namespace handrail::test {

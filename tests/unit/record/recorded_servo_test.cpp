@@ -6,6 +6,7 @@
 
 #include "haptic/device/simulated_device.h"
 #include "haptic/servo/servo_loop.h"
+#include "tests/support/names.h"
 #include "worlds/base/clock.h"
 
 namespace handrail {

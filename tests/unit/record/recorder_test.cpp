@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "app/record/recording.h"
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/record/full_disk.h"

@@ -7,6 +7,7 @@
 #include "app/record/gzip_pieces.h"
 #include "app/record/input_text.h"
 #include "app/record/recording.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/base/files.h"

@@ -7,6 +7,7 @@
 #include "app/core/scenario/scenario_run.h"
 #include "app/record/scenario_of.h"
 #include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "worlds/readers/reader.h"
 

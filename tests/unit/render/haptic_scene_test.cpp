@@ -4,6 +4,7 @@
 
 #include "haptic/render/proxy_solver.h"
 #include "haptic/render/touch.h"
+#include "tests/support/names.h"
 #include "tests/support/touch_worlds.h"
 
 namespace handrail::test {

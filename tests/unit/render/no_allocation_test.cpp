@@ -1,6 +1,7 @@
 // touch_tick neither allocates nor frees. The test counts every call of operator new and delete in this program.
 #include "haptic/render/touch.h"
 #include "tests/support/count_allocations.h"
+#include "tests/support/names.h"
 #include "tests/support/touch_worlds.h"
 
 namespace handrail::test {

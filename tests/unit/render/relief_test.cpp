@@ -4,6 +4,7 @@
 #include <random>
 
 #include "haptic/render/touch.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 namespace relief_test {

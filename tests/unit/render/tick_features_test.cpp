@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "haptic/render/touch.h"
+#include "tests/support/names.h"
 #include "tests/support/touch_worlds.h"
 
 namespace handrail::test {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "haptic/render/proxy_solver.h"
+#include "tests/support/names.h"
 #include "tests/support/sphere_mesh.h"
 #include "tests/support/touch_worlds.h"
 

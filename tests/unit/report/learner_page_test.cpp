@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/report/report_page.h"
+#include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/report/page_rules.h"
 

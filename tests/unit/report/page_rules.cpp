@@ -8,6 +8,7 @@
 #include <regex>
 #include <set>
 
+#include "tests/support/names.h"
 #include "worlds/base/text.h"
 
 namespace handrail::test {

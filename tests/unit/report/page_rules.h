@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/support/names.h"
+
 namespace handrail::test {
 
 // Returns each fault in a few words, such as "no language" or "heading h4 after h2". Empty: the page obeys all rules.

@@ -1,5 +1,6 @@
 // Compares measures with numbers worked out by hand, and with the simplest way to compute them.
 #include "app/results/measures.h"
+#include "tests/support/names.h"
 
 #include <gtest/gtest.h>
 

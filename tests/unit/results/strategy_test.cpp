@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 
 namespace handrail {

@@ -10,6 +10,7 @@
 
 #include "app/core/whereabouts/rooms_of_world.h"
 #include "app/core/world/walker.h"
+#include "tests/support/names.h"
 #include "tests/support/office_world.h"
 #include "tests/support/scale.h"
 #include "worlds/base/language.h"

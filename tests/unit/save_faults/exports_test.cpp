@@ -13,6 +13,7 @@
 #include "app/learners/way_out.h"
 #include "app/main/commands.h"
 #include "tests/support/environment.h"
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/save_faults/injected.h"

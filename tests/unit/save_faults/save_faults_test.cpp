@@ -20,6 +20,7 @@
 #include "app/learners/learners.h"
 #include "app/record/recorder.h"
 #include "settings/settings.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"

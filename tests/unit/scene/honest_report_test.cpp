@@ -1,5 +1,6 @@
 // The report on a building whose file states rooms: counts, and what the user should check first.
 #include "worlds/scene/honest_report.h"
+#include "tests/support/names.h"
 
 #include <functional>
 #include <memory>

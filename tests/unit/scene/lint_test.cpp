@@ -4,6 +4,7 @@
 #include <set>
 
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail {

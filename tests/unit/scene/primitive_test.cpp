@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "worlds/scene/models.h"
 

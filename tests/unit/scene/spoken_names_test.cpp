@@ -3,6 +3,7 @@
 #include <set>
 
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/spoken_language.h"
 #include "worlds/readers/reader.h"

@@ -3,6 +3,7 @@
 #include <random>
 
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "worlds/geometry/clip.h"

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/core/dialogue/brief_words.h"
+#include "tests/support/names.h"
 #include "worlds/base/text.h"
 
 namespace handrail::test {

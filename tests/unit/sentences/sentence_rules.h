@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/names.h"
+
 namespace handrail::test {
 
 // The faults of a text that is spoken in a language ("en", "de"), in a few words each; empty if there are none.

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "app/core/dialogue/brief_words.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"

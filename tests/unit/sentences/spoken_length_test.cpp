@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/names.h"
 #include "tests/unit/sentences/sentence_rules.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"

@@ -1,5 +1,6 @@
 #include "tests/unit/sentences/text_session.h"
 
+#include "tests/support/names.h"
 #include "tests/support/worlds_once.h"
 #include "worlds/base/language.h"
 #include "worlds/base/typist.h"

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <set>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/scale.h"
 #include "tests/support/spoken_language.h"

@@ -1,6 +1,7 @@
 // Bodies that the app moves sixty times a second are felt a thousand times a second.
 #include "haptic/servo/body_playback.h"
 
+#include "tests/support/names.h"
 #include "tests/support/servo_rig.h"
 
 namespace handrail::test {

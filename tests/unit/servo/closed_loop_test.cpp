@@ -1,6 +1,7 @@
 // The servo with a simulated hand at its grip: how a wall feels to a person who leans on it.
 #include "haptic/device/simulated_device.h"
 #include "haptic/servo/servo_loop.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/servo_rig.h"
 

@@ -1,5 +1,6 @@
 #include "haptic/servo/contact_tracker.h"
 
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 
 namespace handrail {

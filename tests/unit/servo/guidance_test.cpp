@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 
 namespace handrail {

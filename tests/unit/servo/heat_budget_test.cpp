@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 
 namespace handrail {

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "haptic/servo/fault.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/spoken_language.h"
 

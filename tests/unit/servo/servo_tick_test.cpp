@@ -3,6 +3,7 @@
 #include <limits>
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/random_families.h"
 #include "tests/support/servo_rig.h"

@@ -2,6 +2,7 @@
 
 #include "haptic/device/simulated_device.h"
 #include "haptic/servo/servo_tick.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/servo_rig.h"
 

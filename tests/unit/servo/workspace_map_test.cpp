@@ -3,6 +3,7 @@
 #include <limits>
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 
 namespace handrail {

@@ -11,6 +11,7 @@
 #include "haptic/device/simulated_device.h"
 #include "haptic/drivers/guarded_device.h"
 #include "haptic/servo/servo_loop.h"
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/project_root.h"
 #include "tests/support/scale.h"

@@ -5,6 +5,7 @@
 
 #include "settings/adjust.h"
 #include "settings/table.h"
+#include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
 
 namespace handrail {

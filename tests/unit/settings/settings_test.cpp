@@ -7,6 +7,7 @@
 #include <csignal>
 #include <fstream>
 
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"

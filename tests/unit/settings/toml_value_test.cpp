@@ -1,5 +1,6 @@
 // TOML files as plain values: they equal the values that toml++ reads, and read back unchanged after writing.
 #include "settings/toml_value.h"
+#include "tests/support/names.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

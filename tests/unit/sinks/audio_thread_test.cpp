@@ -9,6 +9,7 @@
 #include "audio-cues/sinks/espeak_speech.h"
 #include "audio-cues/sinks/openal_sink.h"
 #include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/names.h"
 
 namespace handrail {
 namespace audio_thread_test {

@@ -1,4 +1,5 @@
 #include "audio-cues/sinks/braille_line.h"
+#include "tests/support/names.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 #include "audio-cues/sinks/dropout_watch.h"
+#include "tests/support/names.h"
 
 #include <gtest/gtest.h>
 

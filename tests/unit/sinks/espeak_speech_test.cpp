@@ -8,6 +8,7 @@
 
 #include "audio-cues/sinks/openal_sink.h"
 #include "tests/support/child_process.h"
+#include "tests/support/names.h"
 
 namespace handrail {
 namespace espeak_speech_test {

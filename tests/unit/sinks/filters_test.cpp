@@ -8,6 +8,7 @@
 
 #include "audio-cues/sinks/openal_sink.h"
 #include "audio-cues/sinks/synth.h"
+#include "tests/support/names.h"
 #include "worlds/base/vec.h"
 
 namespace handrail {

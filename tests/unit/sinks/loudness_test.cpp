@@ -16,6 +16,7 @@
 #include "audio-cues/sinks/openal_sink.h"
 #include "audio-cues/sinks/synth.h"
 #include "tests/support/loudness_meter.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/base/vec.h"

@@ -12,6 +12,7 @@
 #include "audio-cues/plan/cue_planner.h"
 #include "audio-cues/sinks/recording_sinks.h"
 #include "audio-cues/sinks/synth.h"
+#include "tests/support/names.h"
 
 namespace handrail {
 namespace openal_sink_test {

@@ -1,4 +1,5 @@
 #include "audio-cues/sinks/reader_voice.h"
+#include "tests/support/names.h"
 
 #include <gtest/gtest.h>
 

@@ -13,6 +13,7 @@
 
 #include "audio-cues/sinks/speechd_speech.h"
 #include "tests/support/child_process.h"
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {

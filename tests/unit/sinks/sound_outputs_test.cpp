@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "audio-cues/sinks/voice_router.h"
+#include "tests/support/names.h"
 
 namespace handrail {
 namespace sound_outputs_test {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 
+#include "tests/support/names.h"
 #include "worlds/base/vec.h"
 
 namespace handrail {

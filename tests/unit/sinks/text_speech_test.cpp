@@ -9,6 +9,7 @@
 #include <array>
 
 #include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/names.h"
 
 namespace handrail {
 namespace text_speech_test {

@@ -1,4 +1,5 @@
 #include "audio-cues/sinks/voice_router.h"
+#include "tests/support/names.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

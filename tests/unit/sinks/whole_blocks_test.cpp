@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "audio-cues/sinks/openal_sink.h"
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 #include "tests/support/scale.h"
 

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/stated_building.h"
@@ -32,10 +33,10 @@ TEST(StoredScene, is_bit_identical_after_loading) {
         const Result<Scene> scene = read_world(path);
         if (!scene) continue;
         ++read;
-        const std::string bytes = stored(*scene);
+        const std::string bytes = stored::stored(*scene);
         const Result<Scene> back = scene_from(bytes);
         ASSERT_TRUE(back.has_value()) << path << ": " << back.error().sentence();
-        ASSERT_EQ(stored(*back), bytes) << path;
+        ASSERT_EQ(stored::stored(*back), bytes) << path;
         EXPECT_EQ(back->name, scene->name);
         ASSERT_EQ(back->solids.size(), scene->solids.size());
         for (std::size_t i = 0; i < scene->solids.size(); ++i) {
@@ -73,7 +74,7 @@ TEST(StoredScene, shares_everything_that_was_shared_before) {
     scene.effects[1].where = EffectBall{{1, 2, 3}, 0.5};
     scene.effects[2].where = EffectCapsule{{1, 2, 3}, {4, 5, 6}, 0.25};
     scene.effects[2].pull = MagnetPull::Object;
-    const Result<Scene> back = scene_from(stored(scene));
+    const Result<Scene> back = scene_from(stored::stored(scene));
     ASSERT_TRUE(back.has_value()) << back.error().sentence();
     ASSERT_EQ(back->effects.size(), 3U);
     EXPECT_EQ(std::get<ConvexSolid>(back->effects[0].where).planes.size(), scene.solids[0].shape.planes.size());
@@ -88,13 +89,13 @@ TEST(StoredScene, shares_everything_that_was_shared_before) {
     EXPECT_TRUE(back->solids[0].soft->plastic);
     ASSERT_EQ(back->placed.size(), 2U);
     EXPECT_EQ(back->placed[0].model, back->placed[1].model);
-    EXPECT_EQ(stored(*back->placed[0].model), stored(*house));
+    EXPECT_EQ(stored::stored(*back->placed[0].model), stored::stored(*house));
 }
 
 TEST(StoredScene, cut_or_changed_anywhere_is_a_complete_scene_or_an_error_sentence) {
     const Result<Scene> scene = read_world(test::project_root() / "tests/unit/ifc/worlds/small_house.ifc");
     ASSERT_TRUE(scene.has_value());
-    const std::string whole = stored(*scene);
+    const std::string whole = stored::stored(*scene);
     for (std::size_t at = 0; at < whole.size(); at += 1 + whole.size() / 1500)
         ASSERT_FALSE(scene_from(whole.substr(0, at)).has_value()) << "cut at " << at;
     EXPECT_FALSE(scene_from(whole + "x").has_value());

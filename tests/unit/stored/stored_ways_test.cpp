@@ -7,6 +7,7 @@
 
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/validate_ways.h"

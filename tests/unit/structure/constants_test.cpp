@@ -4,6 +4,7 @@
 #include <regex>
 #include <set>
 
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/project_files.h"
 #include "tests/support/project_root.h"

@@ -1,10 +1,11 @@
-// No two types may have the same name. If two libraries of one program each have a type of that name, the linker keeps
+// No two types may have the same full name. If two libraries of one program each have such a type, the linker keeps
 // one copy of a function for both, such as the growth of a vector. That function then writes past the end of the other
 // type. Linkers do not report this (ISO C++20, 6.3, the one-definition rule: no diagnostic required).
 #include <map>
 #include <regex>
 #include <sstream>
 
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/project_files.h"
 #include "tests/support/project_root.h"
@@ -43,7 +44,7 @@ TEST(Types, are_found_as_they_are_declared) {
         (std::vector<std::string>{"a::B", "a::C", "a::D", "a::F", "a::b::c::B", "a::G", "B"}));
 }
 
-TEST(Types, with_the_same_name_are_in_only_one_file) {
+TEST(Types, with_the_same_full_name_are_in_only_one_file) {
     std::map<std::string, std::string> first;
     for (const std::string& file : test::project_files()) {
         if (!file.ends_with(".h") && !file.ends_with(".cpp")) continue;

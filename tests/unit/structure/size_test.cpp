@@ -1,7 +1,10 @@
 // Limits for the size of a class and a file.
+#include <fstream>
 #include <map>
+#include <regex>
 #include <sstream>
 
+#include "tests/support/names.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/project_files.h"
 #include "tests/support/project_root.h"
@@ -234,12 +237,21 @@ TEST(Lines, of_sources_have_at_most_120_columns) {
     }
 }
 
-// Uses pmccabe: McCabe's cyclomatic number, in which a switch counts once.
+// Uses pmccabe: McCabe's cyclomatic number, in which a switch counts once. pmccabe does not understand a namespace of
+// several names, so it reads copies with one name.
 TEST(Functions, have_few_branches) {
     if (std::system("command -v pmccabe >/dev/null") != 0) GTEST_SKIP() << "pmccabe is not installed";
-    std::string command = "cd '" + test::project_root().string() + "' && pmccabe";
-    for (const std::string& file : test::project_files())
-        if (file.ends_with(".cpp") && !file.starts_with("tests/")) command += " '" + file + "'";
+    const test::TemporaryFolder copies;
+    std::string command = "cd '" + copies.path().string() + "' && pmccabe";
+    static const std::regex several("\\nnamespace handrail::\\w+ \\{");
+    for (const std::string& file : test::project_files()) {
+        if (!file.ends_with(".cpp") || file.starts_with("tests/")) continue;
+        const std::filesystem::path copy = copies.path() / file;
+        std::filesystem::create_directories(copy.parent_path());
+        std::ofstream(copy) << std::regex_replace(test::content_of(test::project_root() / file), several,
+                                                  "\nnamespace handrail {");
+        command += " '" + file + "'";
+    }
     FILE* pipe = ::popen((command + " 2>/dev/null").c_str(), "r");
     ASSERT_NE(pipe, nullptr);
     std::size_t looked_at = 0;

@@ -14,6 +14,7 @@
 #include <sstream>
 #include <thread>
 
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {

@@ -10,6 +10,7 @@
 #include "app/core/session/headless_session.h"
 #include "app/teaching/desk.h"
 #include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/worlds_once.h"

@@ -6,6 +6,7 @@
 #include "app/core/session/headless_session.h"
 #include "app/teaching/taught_world.h"
 #include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/worlds_once.h"

@@ -9,6 +9,7 @@
 #include "app/core/dialogue/dialogue.h"
 #include "app/core/dialogue/key_map.h"
 #include "app/core/dialogue/terminal_line.h"
+#include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
 #include "worlds/base/typist.h"
 

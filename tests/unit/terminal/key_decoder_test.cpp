@@ -10,6 +10,7 @@
 #include "app/core/dialogue/key_map.h"
 #include "app/core/dialogue/key_sets.h"
 #include "app/core/dialogue/terminal_sends.h"
+#include "tests/support/names.h"
 #include "worlds/base/typist.h"
 
 namespace handrail {

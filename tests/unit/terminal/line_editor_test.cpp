@@ -1,4 +1,5 @@
 #include "app/terminal/line_editor.h"
+#include "tests/support/names.h"
 
 #include <gmock/gmock.h>
 

@@ -9,6 +9,7 @@
 
 #include "app/core/dialogue/terminal_line.h"
 #include "tests/support/child_process.h"
+#include "tests/support/names.h"
 
 namespace handrail {
 namespace terminal_test {

@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "tests/support/child_process.h"
+#include "tests/support/names.h"
 #include "tests/support/pty_job.h"
 #include "tests/support/scale.h"
 

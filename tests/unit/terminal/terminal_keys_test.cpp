@@ -6,6 +6,7 @@
 #include <future>
 
 #include "tests/support/child_process.h"
+#include "tests/support/names.h"
 
 namespace handrail {
 namespace terminal_keys_test {

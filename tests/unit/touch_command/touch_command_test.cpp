@@ -4,6 +4,7 @@
 #include "app/main/commands.h"
 #include "haptic/device/device_spec.h"
 #include "tests/support/map_text.h"
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/base/vec.h"
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "app/main/commands.h"
+#include "tests/support/names.h"
 #include "tests/support/project_files.h"
 #include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"

@@ -7,6 +7,7 @@
 #include "app/core/world/walker.h"
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/render/validate_scene.h"
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "worlds/geometry/bezier_patch.h"
 #include "worlds/navigation/navigation.h"

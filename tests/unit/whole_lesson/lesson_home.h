@@ -15,6 +15,7 @@
 #include "app/learners/learners.h"
 #include "app/main/learner_start.h"
 #include "tests/support/environment.h"
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/whole_lesson/sitting.h"
 

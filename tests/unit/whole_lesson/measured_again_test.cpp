@@ -10,6 +10,7 @@
 #include "app/main/session_report.h"
 #include "app/main/world_files.h"
 #include "app/record/json_fields.h"
+#include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/unit/whole_lesson/lesson_home.h"
 #include "worlds/readers/reader.h"

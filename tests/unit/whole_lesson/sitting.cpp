@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "app/core/kept/spoken_language.h"
+#include "tests/support/names.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail::test {

@@ -15,6 +15,7 @@
 #include "app/main/session_recording.h"
 #include "app/main/world_visits.h"
 #include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 

@@ -13,6 +13,7 @@
 #include "app/main/world_files.h"
 #include "app/record/compute_again.h"
 #include "app/report/report_page.h"
+#include "tests/support/names.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
 #include "tests/unit/whole_lesson/lesson_home.h"

@@ -1,4 +1,5 @@
 #include "tests/unit/wizard/wizard_rig.h"
+#include "tests/support/names.h"
 
 namespace handrail::test {
 namespace {

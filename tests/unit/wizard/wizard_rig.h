@@ -6,6 +6,7 @@
 #include "audio-cues/sinks/recording_sinks.h"
 #include "haptic/drivers/falcon_device.h"
 #include "tests/emulators/falcon_emulator.h"
+#include "tests/support/names.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail::test {

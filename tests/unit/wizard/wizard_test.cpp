@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/wizard/wizard_rig.h"
 

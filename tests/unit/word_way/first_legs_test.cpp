@@ -1,5 +1,6 @@
 // The first legs of a route for words are planned before the rest, which is planned after them.
 #include "app/core/wayfinding/directions_ground.h"
+#include "tests/support/names.h"
 #include "tests/unit/core/app_session.h"
 #include "worlds/navigation/reach.h"
 #include "worlds/scene/models.h"
@@ -22,7 +23,8 @@ struct House {
         if (!made) throw std::runtime_error(made.error().message);
         navigation = *made;
         graph = make_rooms(*scene, navigation->space());
-        floor = std::make_unique<DirectionsFloor>(navigation, graph.room_of_span, word_doors(apart, thing_of_mover), 0.7);
+        floor =
+            std::make_unique<DirectionsFloor>(navigation, graph.room_of_span, word_doors(apart, thing_of_mover), 0.7);
     }
 };
 

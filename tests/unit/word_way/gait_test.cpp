@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/support/box_scene.h"
+#include "tests/support/names.h"
 #include "tests/unit/core/app_session.h"
 #include "worlds/navigation/blind_ground.h"
 

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "tests/support/names.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/core/app_session.h"
 

@@ -10,15 +10,16 @@
 
 #include "tests/support/every.h"
 #include "tests/support/heard_legs.h"
+#include "tests/support/names.h"
 #include "tests/support/random_families.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/core/app_session.h"
 #include "worlds/base/language.h"
+#include "worlds/navigation/directions_route.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/rooms.h"
-#include "worlds/navigation/directions_route.h"
 
 namespace handrail {
 namespace word_way_test {

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "tests/support/every.h"
+#include "tests/support/names.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/word_walker.h"
 #include "tests/unit/core/app_session.h"

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"

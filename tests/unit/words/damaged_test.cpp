@@ -1,6 +1,7 @@
 // Whatever a text contains, reading it gives a world or one sentence.
 #include <random>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/words/words_text.h"

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"

@@ -11,8 +11,9 @@
 #include <string>
 
 #include "tests/support/map_text.h"
-#include "worlds/floorplan/local_plane.h"
+#include "tests/support/names.h"
 #include "worlds/exports/as_words.h"
+#include "worlds/floorplan/local_plane.h"
 #include "worlds/scene/scene.h"
 #include "worlds/scene/stated_building.h"
 

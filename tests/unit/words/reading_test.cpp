@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/words/words_text.h"

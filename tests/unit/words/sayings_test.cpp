@@ -1,6 +1,7 @@
 // Expressions that people use, and what is reported about them.
 #include <gmock/gmock.h>
 
+#include "tests/support/names.h"
 #include "tests/unit/words/words_text.h"
 #include "worlds/exports/as_words.h"
 #include "worlds/navigation/navigation.h"

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "tests/support/names.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/stated_building.h"
 
