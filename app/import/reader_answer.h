@@ -52,7 +52,7 @@ struct ReaderAnswer {
     std::vector<NeighbourFile> beside;
 };
 
-template <class A, Is<NeighbourFile> T>
+template <class A, stored::Is<NeighbourFile> T>
 void fields(A& a, T& v) {
     auto& [name, sha256] = v;
     a(name, sha256);

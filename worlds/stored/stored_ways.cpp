@@ -18,7 +18,7 @@ inline constexpr int kLastOf<navigation::RoomKind> = static_cast<int>(navigation
 template <>
 inline constexpr int kLastOf<navigation::RoomLook> = static_cast<int>(navigation::RoomLook::Hall);
 
-template <class A, Is<WalkerMeasures> T>
+template <class A, Is<navigation::WalkerMeasures> T>
 void fields(A& a, T& v) {
     auto& [radius, height, step_up, most_drop, cell] = v;
     a(radius, height, step_up, most_drop, cell);

@@ -143,10 +143,10 @@ TEST_F(MenuAlone, lists_things_that_are_too_small_to_feel) {
     for (std::uint32_t i = 0; i < plain.world.scene->features.size(); ++i)
         if (plain.world.scene->features[i].name == "pebble") plan.left_out.push_back(FeatureId{i});
     ASSERT_EQ(plan.left_out.size(), 1U);
-    simplified.open(plan, {}, 1.0);
+    simplified.open(plan, {}, {}, 1.0);
     EXPECT_FALSE(plain.lists.dialogue.is_open()) << "no hand, nothing to be too small for it";
     plain.hands.right.present = true;
-    simplified.open(plan, {}, 1.0);
+    simplified.open(plan, {}, {}, 1.0);
     ASSERT_TRUE(plain.lists.dialogue.is_open());
     key("Enter");
     EXPECT_THAT(chosen, ElementsAre("Pebble"));
