@@ -354,6 +354,8 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
         }
         case CueRequestKind::Interrupt:
             end_demonstration(audio);
+            // Lines that were requested before this key in the same step. Text shows them; a voice begins and is cut.
+            if (!speech.speaking()) speak_waiting(now_s, speech);
             if (order_.key(now_s, speech.speaking())) speech.stop();
             return;
         case CueRequestKind::StopSpeech:

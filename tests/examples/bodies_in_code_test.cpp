@@ -4,10 +4,12 @@
 #include "haptic/dynamics/dynamics.h"
 #include "haptic/render/touch.h"
 #include "haptic/servo/bodies_in_reach.h"
-#include "tests/support/names.h"
 
 namespace handrail {
 namespace bodies_in_code_test {
+using namespace dynamics;
+using namespace render;
+using namespace servo;
 
 // A floor with a crate of one kilogram on it: one scene for touch and one for dynamics.
 struct CrateWorld {

@@ -1,10 +1,10 @@
 // A custom force that is computed on each tick; described in docs/developer/examples.md.
 #include "haptic/render/haptic_scene.h"
 #include "haptic/render/touch.h"
-#include "tests/support/names.h"
 
 namespace handrail {
 namespace new_effect_test {
+using namespace render;
 
 // A breeze from the west that rises and falls every two seconds. The servo thread calls it, so it must not allocate,
 // lock, read a clock or throw. It uses only + - x / and square root, so that every machine gives the same numbers.

@@ -1,10 +1,10 @@
 // A material made in code, described in docs/developer/examples.md.
 #include "haptic/render/haptic_scene.h"
 #include "haptic/render/touch.h"
-#include "tests/support/names.h"
 
 namespace handrail {
 namespace new_material_test {
+using namespace render;
 
 // Snow on one side, the default wall on the other. A surface refers to its material by index in the scene's list.
 std::shared_ptr<const HapticScene> snow_and_wall() {

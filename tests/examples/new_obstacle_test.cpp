@@ -3,10 +3,10 @@
 
 #include "haptic/render/haptic_scene.h"
 #include "haptic/render/touch.h"
-#include "tests/support/names.h"
 
 namespace handrail {
 namespace new_obstacle_test {
+using namespace render;
 
 // The knob at the end of a handrail: an ellipsoid with these half axes. The servo thread calls it, so it must not
 // allocate, lock or throw. It uses only + - * / and square root, so that every machine gives the same numbers.

@@ -1,11 +1,13 @@
 // Worlds made in code, described in docs/developer/examples.md.
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/render/touch.h"
-#include "tests/support/names.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail {
 namespace world_in_code_test {
+using namespace compile;
+using namespace readers;
+using namespace render;
 
 // A floor, a step and a slanting sheet. Each has the number by which contacts identify it.
 std::shared_ptr<const HapticScene> small_world() {

@@ -78,6 +78,7 @@ private:
     void add_spaces();
     void add_doors(std::size_t room);
     void add_door(std::size_t room, const Said& said);
+    std::optional<Border> first_outer_wall(const WordRoom& room);
     void add_lift(std::size_t room, const Said& said);
     void add_flight(std::size_t room, const Said& said);
     // The room of that name on another storey that contains the place, else the nearest one; kNoRoom if there is none.
@@ -105,6 +106,8 @@ private:
     Vec2 nearest_free(const WordRoom& room, const Vec2& at, const Vec2& half) const;
     Vec2 place_next_to(const Placed& other, const WordRoom& room, const Vec2& half) const;
     void add_thing(const WordRoom& room, const Said& said, bool first);
+    int stated_side(const Said& said, const WordRoom& room);
+    std::optional<Vec2> place_from_walls(const Said& said, const WordRoom& room, const Vec3& size_m);
     Vec2 place_of_thing(const Said& said, const WordRoom& room, Vec3& size_m, bool usual);
     std::size_t level_for(const WordRoom& a, const WordRoom* b) const;
 

@@ -43,6 +43,20 @@ int side_of_border(const Vec2& from, const Vec2& to, const Vec2& least, const Ve
     return 2 * static_cast<int>(std::min_element(off.begin(), off.end()) - off.begin());
 }
 
+// At the wall on that side: `least` and `most` bound the places that the middle of the thing can have.
+Vec2 middle_at_wall(int side, double along, const Vec2& least, const Vec2& most) {
+    switch (side) {
+        case 0:
+            return {along, most.y};
+        case 2:
+            return {most.x, along};
+        case 4:
+            return {along, least.y};
+        default:
+            return {least.x, along};
+    }
+}
+
 }  // namespace
 
 std::size_t WordsPlan::level_for(const WordRoom& a, const WordRoom* b) const {
@@ -207,6 +221,20 @@ void WordsPlan::add_lift(std::size_t paragraph, const Said& said) {
     plan_.lifts.push_back(std::move(lift));
 }
 
+// A door to the outside is in the first wall that has no room behind it.
+std::optional<WordsPlan::Border> WordsPlan::first_outer_wall(const WordRoom& room) {
+    for (const int side : {4, 0, 6, 2}) {
+        const Border wall = wall_of(room, side);
+        const Vec2 beyond = wall.at(0.5 * wall.length()) + side_direction(side) * kOut_m;
+        work_ += rooms_.size();
+        if (std::none_of(rooms_.begin(), rooms_.end(), [&](const WordRoom& other) {
+                return other.storey == room.storey && inside(other.rings, beyond);
+            }))
+            return wall;
+    }
+    return std::nullopt;
+}
+
 void WordsPlan::add_door(std::size_t r, const Said& said) {
     const WordRoom& room = rooms_[r];
     const SaidPart *to = said.words.find(Statement::To), *wide = said.words.find(Statement::Wide);
@@ -264,24 +292,12 @@ void WordsPlan::add_door(std::size_t r, const Said& said) {
                 wall_said = nullptr;
             }
         } else if (!to) {
-            // A door to the outside is in the first wall that has no room behind it.
-            bool found = false;
-            for (const int side : {4, 0, 6, 2}) {
-                const Border here = wall_of(room, side);
-                const Vec2 beyond = here.at(0.5 * here.length()) + side_direction(side) * kOut_m;
-                const bool free = std::none_of(rooms_.begin(), rooms_.end(), [&](const WordRoom& o) {
-                    return o.storey == room.storey && inside(o.rings, beyond);
-                });
-                work_ += rooms_.size();
-                if (!free) continue;
-                wall = here;
-                found = true;
-                break;
-            }
-            if (!found) {
+            const std::optional<Border> outer = first_outer_wall(room);
+            if (!outer) {
                 lost(phrase("rooms_text.no_outer_wall", {{"name", room_words(room)}}));
                 return;
             }
+            wall = *outer;
         } else if (said.words.find(Statement::Along) || said.words.find(Statement::FromWall)) {
             // The position is measured along the whole wall that the other room touches.
             const Border whole = wall_of(room, side_of_border(border.from, border.to, room.least, room.most));
@@ -455,9 +471,48 @@ Vec2 WordsPlan::place_next_to(const Placed& other, const WordRoom& room, const V
     return places[3];
 }
 
+// The number of the side whose wall the sentence names; -1 if it names none.
+int WordsPlan::stated_side(const Said& said, const WordRoom& room) {
+    int side = -1;
+    for (const Statement says : {Statement::InWall, Statement::MiddleOf, Statement::Along})
+        if (const SaidPart* part = said.words.find(says); part && !part->sides.empty() && side < 0) {
+            left_and_right_ |= part->sides[0] >= 8;
+            side = wall_side(room, part->sides[0]);
+        }
+    return side;
+}
+
+// The middle of the room, or as far from its walls as the sentence states. Nothing if the sentence states neither.
+std::optional<Vec2> WordsPlan::place_from_walls(const Said& said, const WordRoom& room, const Vec3& size_m) {
+    const double inside_m = 0.5 * plan_.wall_m;
+    const Vec2 least = room.least + inside_m, most = room.most - inside_m;
+    Vec2 place = 0.5 * (least + most);
+    bool placed = said.words.find(Statement::Middle) != nullptr;
+    for (const SaidPart& part : said.words.parts) {
+        if (part.says != Statement::FromWall) continue;
+        placed = true;
+        const double away = part.numbers[0];
+        switch (wall_side(room, part.sides[0])) {
+            case 0:
+                place.y = most.y - away - 0.5 * size_m.y;
+                break;
+            case 2:
+                place.x = most.x - away - 0.5 * size_m.x;
+                break;
+            case 4:
+                place.y = least.y + away + 0.5 * size_m.y;
+                break;
+            default:
+                place.x = least.x + away + 0.5 * size_m.x;
+                break;
+        }
+    }
+    return placed ? std::optional(place) : std::nullopt;
+}
+
 Vec2 WordsPlan::place_of_thing(const Said& said, const WordRoom& room, Vec3& size_m, bool usual) {
     const double inside_m = 0.5 * plan_.wall_m;
-    const Vec2 least = room.least + inside_m, most = room.most - inside_m, middle = 0.5 * (least + most);
+    const Vec2 least = room.least + inside_m, most = room.most - inside_m;
     // Things of usual size are turned so that the longer side is along the wall.
     const auto turn_to = [&](int side) {
         const bool upright = side == 2 || side == 6;
@@ -465,17 +520,7 @@ Vec2 WordsPlan::place_of_thing(const Said& said, const WordRoom& room, Vec3& siz
     };
     const auto against = [&](int side, double along) {
         turn_to(side);
-        const Vec2 half(0.5 * size_m.x, 0.5 * size_m.y);
-        switch (side) {
-            case 0:
-                return Vec2(along, most.y - half.y);
-            case 2:
-                return Vec2(most.x - half.x, along);
-            case 4:
-                return Vec2(along, least.y + half.y);
-            default:
-                return Vec2(least.x + half.x, along);
-        }
+        return middle_at_wall(side, along, least + 0.5 * Vec2(size_m), most - 0.5 * Vec2(size_m));
     };
     const auto along_of = [&](int side, const Vec2& place) { return side == 0 || side == 4 ? place.x : place.y; };
     // If the position along the wall is not given, the nearest free one is used.
@@ -527,40 +572,14 @@ Vec2 WordsPlan::place_of_thing(const Said& said, const WordRoom& room, Vec3& siz
                                   {{"name", room_words(room)}, {"thing", one_line(next->name.substr(0, 100))}}));
         return place_next_to(found->second, room, Vec2(0.5 * size_m.x, 0.5 * size_m.y));
     }
-    int side = -1;
-    for (const Statement says : {Statement::InWall, Statement::MiddleOf, Statement::Along})
-        if (const SaidPart* part = said.words.find(says); part && !part->sides.empty() && side < 0) {
-            left_and_right_ |= part->sides[0] >= 8;
-            side = wall_side(room, part->sides[0]);
-        }
+    const int side = stated_side(said, room);
     if (side >= 0) {
         const Border wall = wall_of(room, side);
         bool placed = false;
         const double along = along_of(side, wall.at(along_wall(said, room, wall, placed)));
         return placed ? against(side, along) : against_free(side, along);
     }
-    Vec2 place = middle;
-    bool placed = said.words.find(Statement::Middle) != nullptr;
-    for (const SaidPart& part : said.words.parts) {
-        if (part.says != Statement::FromWall) continue;
-        placed = true;
-        const double away = part.numbers[0];
-        switch (wall_side(room, part.sides[0])) {
-            case 0:
-                place.y = most.y - away - 0.5 * size_m.y;
-                break;
-            case 2:
-                place.x = most.x - away - 0.5 * size_m.x;
-                break;
-            case 4:
-                place.y = least.y + away + 0.5 * size_m.y;
-                break;
-            default:
-                place.x = least.x + away + 0.5 * size_m.x;
-                break;
-        }
-    }
-    if (placed) return place;
+    if (const auto place = place_from_walls(said, room, size_m)) return *place;
     ++without_place_;
     return free_corner(room, size_m);
 }
