@@ -238,7 +238,7 @@ bool ProxySolver::arc_step(const HapticScene& scene, double way_left_m) noexcept
 template <class Has>
 const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Request& request) noexcept {
     tick_assert(is_finite(request.goal_m) && request.path_cap_m >= 0.0 && request.margin_m >= 0.0);
-    tick_assert(request.growth_m >= 0.0 && (!request.bodies || !scene.bodies.empty() || !Has::kBodies));
+    tick_assert(request.growth_m >= 0.0);
     const double radius = std::max(request.radius_m, kSmallestRadius_m);
     const Vec3 goal_local = request.goal_m - scene.origin_m;
     path_.was_free = step_.count == 0;
