@@ -9,15 +9,17 @@
 namespace handrail::navigation {
 namespace {
 
-constexpr double kPartOfCell = 0.8;   // length of one stride on the grid, as a part of a cell
-constexpr double kDoorReach_m = 0.5;  // how far before the point where the leaf stops a walker it can still be opened
-constexpr double kLeast_m = 1e-4;     // a walker stays this far inside a cell's border
+constexpr double kPartOfCell = 0.8;  // length of one stride on the grid, as a fraction of a cell
+// A shut leaf can be opened from this far before the point where it stops the walker.
+constexpr double kDoorReach_m = 0.5;
+constexpr double kLeast_m = 1e-4;  // least distance between a walker's centre and the border of its cell
 constexpr double kRiser_m = 0.03;
-// Part of a cell on either side of a leaf, so that no two neighbouring cells have the leaf between them.
+// Half thickness of the middle of a shut leaf, as a fraction of a cell. It is thick enough that a step between two
+// neighbouring cells cannot skip it.
 constexpr double kLeafMiddle = 0.75;
 
-// Visits the spans whose middle is nearer than `reach_m` to a leaf at that placement. With the walker's radius, these
-// are the spans where the walker overlaps the leaf.
+// Calls `visit` for the spans whose middle is nearer than `reach_m` to a leaf that is placed at `at`. If `reach_m` is
+// the walker's radius, these are the spans where the walker overlaps the leaf.
 template <class Visit>
 void visit_leaf(const WalkSpace& space, const Aabb& own_m, const Placement& at, double reach_m, Visit visit) {
     const PlacedFrame frame(at);
@@ -57,7 +59,8 @@ std::vector<DirectionsDoor> word_doors(const Scene& scene, std::span<const int> 
         if (!feature || feature->kind != FeatureKind::Door || !mover.moves() || mover.endless()) continue;
         if (i >= thing_of_mover.size() || thing_of_mover[i] < 0) continue;
         const Aabb& own = scene.placed[static_cast<std::size_t>(thing_of_mover[i])].model->bounds_m;
-        if (own.empty() || own.size_m().z < std::min(own.size_m().x, own.size_m().y)) continue;  // a bridge, not a door
+        // A mover wider than it is high is a bridge, not a door.
+        if (own.empty() || own.size_m().z < std::min(own.size_m().x, own.size_m().y)) continue;
         auto door =
             std::find_if(doors.begin(), doors.end(), [&](const DirectionsDoor& d) { return d.group == mover.group; });
         if (door == doors.end()) {
@@ -100,7 +103,7 @@ BlindGround::BlindGround(const WalkSpace& space, std::vector<DirectionsDoor> doo
                        [&](std::uint32_t s) { open_leaf_[s] = static_cast<std::uint16_t>(d + 1); });
         }
     find_free();
-    // A walker a little before the door can open it.
+    // A door can also be opened from any span within kDoorReach_m of its leaf.
     const int rings = static_cast<int>(std::lround(kDoorReach_m / space_.cell_m));
     for (int ring = 0; ring < rings; ++ring) {
         std::vector<std::uint32_t> next;
@@ -114,8 +117,8 @@ BlindGround::BlindGround(const WalkSpace& space, std::vector<DirectionsDoor> doo
     }
 }
 
-// Limits free_m_ by the distance to where leaves may be. The ring number of a cell is at least its distance in cells,
-// and at most the diagonal factor times that.
+// Sets free_m_ to at most the distance from the places that leaves can occupy. The ring number of a cell is at least
+// the distance in cells; times the diagonal factor, it is at most the distance in cells.
 void BlindGround::find_free() {
     constexpr double kFarthest_m = 2.0, kDiagonal = 1.42;
     std::vector<std::uint32_t> ring;
@@ -140,7 +143,8 @@ void BlindGround::find_free() {
     }
 }
 
-// A walker with the column and row of the current cell and its borders. Most strides read these and few change them.
+// A walker, together with the borders of the walker's current cell. Most strides only read these fields and few change
+// them.
 struct BlindGround::OnCell : BlindWalker {
     double low_m[2], high_m[2];
     std::uint32_t at_cell[2];
@@ -158,7 +162,8 @@ struct BlindGround::OnCell : BlindWalker {
     }
 };
 
-// Moves the whole distance at once if nothing is near. Returns false if that is not certain.
+// Moves the walker `by_m` at once onto level floor without stairs. Returns false, without a move, if there is no such
+// floor.
 bool BlindGround::leap(OnCell& body, const Vec2& ahead, double by_m) const {
     const Vec2 to = body.at_m + ahead * by_m;
     const auto x = static_cast<std::int64_t>(std::floor((to.x - space_.origin_m.x) / space_.cell_m)),
@@ -183,8 +188,8 @@ BlindWalker BlindGround::body_at(const Vec3& feet_m) const {
             span};
 }
 
-// Returns whether a leaf stops the walker. A leaf stops walkers who are not yet in it; an opening leaf passes through
-// them. A shut leaf lets a walker close to it move away, and stops one at its middle.
+// Returns whether a leaf stops the walker who steps from span `from` to span `to`. A walker who already overlaps the
+// leaf may move on, except into the middle of a shut leaf.
 bool BlindGround::held(std::uint32_t from, std::uint32_t to, const DoorsOpen& open, bool through_doors) const {
     if (shut_leaf_.empty()) return false;
     const auto in = [&](std::uint32_t span, std::uint32_t& door) {
@@ -204,7 +209,8 @@ bool BlindGround::held(std::uint32_t from, std::uint32_t to, const DoorsOpen& op
     return shut_middle_[to] && !shut_middle_[from] && !open[there - 1U] && !through_doors;
 }
 
-// One stride, shorter than a cell, and the index of the neighbour that it enters along each axis.
+// One stride, shorter than a cell. `next` contains the index in WalkSpan::next of the neighbour that the stride may
+// enter along each axis.
 struct BlindGround::Stride {
     Vec2 by_m;
     std::uint8_t next[2];
@@ -294,7 +300,7 @@ Paced BlindGround::walk(BlindWalker& walks, double heading_rad, double most_m, P
         strides = 0;
         window_from_m = paced.walked_m;
         if (!slow) continue;
-        // Slide into the doorway whose frame the walker has met.
+        // Slide the walker into the doorway whose frame stopped them.
         const std::optional<double> aside_m = lined_up < 2 ? line_up_m(body, heading_rad, open) : std::nullopt;
         if (!aside_m) {
             paced.stopped = true;
@@ -319,12 +325,12 @@ std::optional<double> BlindGround::line_up_m(const BlindWalker& body, double hea
         const Stride by(way * stride_m);
         for (double left_m = most_m; left_m > 0.0 && !edge; left_m -= stride_m) {
             if (!advance(from, by, open, through_doors, edge)) break;
-            // Give up early if all remaining strides would not reach the least distance, which is the usual case.
+            // Give up early if all remaining strides together would not reach `least_m`, which is the usual case.
             if (glm::dot(from.at_m - start, way) + left_m + kLeast_m < least_m) break;
         }
         return edge ? 0.0 : glm::dot(from.at_m - start, way);
     };
-    // A doorway leads on ahead, but is not wide to the sides.
+    // Returns whether the walker can go on ahead from there through an opening that is narrow enough to be a doorway.
     const auto opens_there = [&](OnCell probe) {
         const double least_m = kLineUpDeep_m - 2.0 * stride_m;
         if (goes_m(probe, ahead, kLineUpDeep_m, true, least_m) < least_m) return false;
@@ -340,7 +346,7 @@ std::optional<double> BlindGround::line_up_m(const BlindWalker& body, double hea
             if (!goes[side]) continue;
             const double sign = side == 0 ? 1.0 : -1.0;
             goes[side] = goes_m(sides[side], right * sign, stride_m, false) > 0.25 * stride_m;
-            // Go a little farther in than where the walker just fits.
+            // Slide one stride farther than to the first position at which the walker fits.
             if (goes[side] && opens_there(sides[side])) return sign * (aside_m + stride_m);
         }
     return std::nullopt;

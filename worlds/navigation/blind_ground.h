@@ -1,8 +1,8 @@
-// The floor as walkers find it who follow spoken directions with their eyes shut. They walk straight on, slide along
-// obstacles that they meet at a slant, and stop at obstacles that they meet more squarely. They slide into a doorway
-// whose frame they have met. Door leaves are either shut or open. Spoken directions are tested on this ground.
-// Immutable once made, with pure functions; any thread may use it. World metres, radians clockwise from north. A walk
-// costs a few nanoseconds for each centimetre.
+// Simulates how people walk who follow spoken directions with their eyes shut. They walk straight on, slide along
+// obstacles that they meet at a slant, and stop at obstacles that they meet more squarely. They slide into a doorway if
+// its frame stops them. Door leaves are either shut or open. Handrail tests spoken directions on this ground. Immutable
+// once made. Any thread may call its functions, which change nothing but their arguments. World metres; radians
+// clockwise from north. A walk costs a few nanoseconds for each centimetre.
 #pragma once
 
 #include <cstdint>
@@ -16,24 +16,24 @@
 
 namespace handrail::navigation {
 
-// A door as people use it: all leaves of one group move together.
+// A door as people use it: all leaves of one group move together and form one door.
 struct DirectionsDoor {
     std::uint32_t mover = 0;  // index of the first leaf in Scene::movers
     FeatureId feature = kNoFeature;
     std::uint32_t group = 0;
     struct Leaf {
-        Aabb own_m;  // in the leaf's own frame
+        Aabb own_m;  // box of the leaf in its own coordinate frame
         Placement shut, open;
     };
     std::vector<Leaf> leaves;
     bool opens = true;  // can be opened at any time, by hand or automatically when someone approaches
 };
 
-// All doors that people walk through, in the order of their movers. The movers of the scene must be separate things:
-// see with_movers_apart().
+// Returns all doors that people walk through, in the order of their movers. In `thing_of_mover`, each mover of the
+// scene must be a separate thing: see with_movers_apart().
 std::vector<DirectionsDoor> word_doors(const Scene& scene, std::span<const int> thing_of_mover);
 
-// Which doors are open, by index of the DirectionsDoor.
+// For each index of a DirectionsDoor: whether that door is open.
 using DoorsOpen = std::vector<bool>;
 
 // Position of a walker on the ground.
@@ -42,29 +42,31 @@ struct BlindWalker {
     std::uint32_t span = kNothing;
 };
 
-// What ends a walk.
+// The event that ends a walk.
 enum class PaceEnd : std::uint8_t {
-    Steps,    // the given distance is complete
-    Stopped,  // something solid met at more than 45 degrees: a wall or a shut door
-    Stairs,   // a flight of stairs is behind the walker
+    Steps,    // the walker has covered the given distance
+    Stopped,  // the walker met a wall or a shut door at more than 45 degrees
+    Stairs,   // the walker has completed a flight of stairs
 };
 
-// What happened on the walk.
+// The result of a walk.
 struct Paced {
     double walked_m = 0.0;
     bool stopped = false;
     bool at_edge = false;  // the walker would have gone over an edge
-    bool climbed = false;  // a whole flight, up or down
+    bool climbed = false;  // the walker went up or down a whole flight
     double rise_m = 0.0;
 };
 
-// A walk counts as stopped if less than this part of the intended distance was covered over kStoppedWindow_m. The value
-// is between the sines of 22.5 and 45 degrees, with room for a turn that is 5 degrees off.
+// A walk counts as stopped if the walker has covered less than this fraction of the intended distance over
+// kStoppedWindow_m. The fraction is between the sines of 22.5 and 45 degrees, with room for a turn that is 5 degrees
+// off.
 inline constexpr double kStoppedBelow = 0.55, kStoppedWindow_m = 0.2;
-// A flight rises at least this far, and is over after this much level floor.
+// Least height of a flight, and the length of level floor after which it counts as over.
 inline constexpr double kFlightRise_m = 0.4, kFlightOver_m = 0.6;
-// Lining up with a doorway that the walker has missed: how far the walker slides sideways, how deep the way beyond must
-// be, and how wide it may be. The width is for the walker's centre; anything wider is no doorway.
+// Limits for sliding into a doorway that the walker has just missed. kLineUp_m: how far the walker slides sideways at
+// most. kLineUpDeep_m: how far the walker must be able to go on beyond the doorway. kDoorway_m: the greatest width over
+// which the walker's centre can move; a wider opening is not a doorway.
 inline constexpr double kLineUp_m = 0.5, kLineUpDeep_m = 0.35, kDoorway_m = 1.4;
 
 class BlindGround {
@@ -76,16 +78,18 @@ public:
     const std::vector<DirectionsDoor>& doors() const { return doors_; }
     DoorsOpen all_shut() const { return DoorsOpen(doors_.size(), false); }
 
-    // A walker at that place; `span` is kNothing if nobody can stand there.
+    // Returns a walker at that place. BlindWalker::span is kNothing if nobody can stand there.
     BlindWalker body_at(const Vec3& feet_m) const;
     Vec3 feet_m(const BlindWalker& body) const { return {body.at_m.x, body.at_m.y, space_.place_m(body.span).z}; }
-    // Walks on until `end` applies, something stops the walker, or `most_m` is covered.
+    // Moves `body` straight on until the event `end` happens, something stops the walker, or the walker has covered
+    // `most_m`.
     Paced walk(BlindWalker& body, double heading_rad, double most_m, PaceEnd end, const DoorsOpen& open,
                const std::function<bool(const BlindWalker&)>& each_step = {}, double step_m = 0.7) const;
-    // How far to the right a stopped walker must slide to go on through a doorway in the same direction. Negative: to
-    // the left. 0: the doorway is straight ahead, perhaps with a shut door. Nothing: no doorway within kLineUp_m.
+    // Returns how far to the right a stopped walker must slide to go on through a doorway in the same direction.
+    // Negative: to the left. 0: the doorway is straight ahead, perhaps with a shut door. Returns nothing if there is no
+    // doorway within kLineUp_m.
     std::optional<double> line_up_m(const BlindWalker& body, double heading_rad, const DoorsOpen& open) const;
-    // Index in doors() of the door within reach at that span; kNothing if there is none.
+    // Returns the index in doors() of the door that a walker on that span can reach; kNothing if there is none.
     std::uint32_t door_at(std::uint32_t span) const { return near_door_.empty() ? kNothing : near_door_[span]; }
 
 private:
@@ -98,11 +102,11 @@ private:
 
     const WalkSpace& space_;
     std::vector<DirectionsDoor> doors_;
-    // For each span: 1 + index of the door whose leaf is there; 0: none.
+    // For each span: 1 + the index of the door whose leaf a walker there would overlap. 0: no leaf.
     std::vector<std::uint16_t> shut_leaf_, open_leaf_;
-    std::vector<bool> shut_middle_;  // for each span: the walker's centre would be in a shut leaf
+    std::vector<bool> shut_middle_;  // for each span: whether a walker's centre would be in the middle of a shut leaf
     std::vector<std::uint32_t> near_door_;
-    // For each span: the distance within which nothing is in the way, ends or rises; 0 if it is not known.
+    // For each span: the radius within which the floor is level and has no obstacle, edge or step. 0 if unknown.
     std::vector<float> free_m_;
 };
 

@@ -12,33 +12,43 @@
 namespace handrail::navigation {
 namespace {
 
-constexpr std::uint32_t kPiece = 4;  // cells along a side of a piece
-constexpr int kBodies = 13;          // walkers that try each candidate: one without errors, twelve with errors
+constexpr std::uint32_t kPiece = 4;  // side of a piece of floor, in cells
+// Number of simulated walkers that try each candidate: one without errors, twelve with errors.
+constexpr int kBodies = 13;
 constexpr double kFarthestLeg_m = 30.0;
-constexpr double kMostApart_m = 1.8;      // from the walker without errors; beyond it they no longer share a place
-constexpr double kMostElsewhere_m = 4.0;  // how much farther from the goal a walker may be than the one without errors
-constexpr double kLeg_m = 2.0;            // cost of a leg, in metres of route
-constexpr double kStraightOn_m = 0.5;     // cost of a leg that continues in the same direction
-constexpr double kCrooked_m = 1.4;        // extra cost, as of two steps, of a turn that is not a multiple of a quarter
-constexpr double kBump_m = 0.4;           // cost of walking against a wall
-constexpr double kSlide_per_m = 0.3;      // cost along walls and past furniture nearer than a shoulder
+constexpr double kMostApart_m = 1.8;  // a walker farther than this from the one without errors counts as lost
+// As is a walker who is this much farther from the goal than the one without errors.
+constexpr double kMostElsewhere_m = 4.0;
+constexpr double kLeg_m = 2.0;         // cost of each leg, in metres of route
+constexpr double kStraightOn_m = 0.5;  // cost of a leg that continues in the same direction
+// Extra cost of a turn that is not a multiple of a quarter turn; as much as two steps.
+constexpr double kCrooked_m = 1.4;
+constexpr double kBump_m = 0.4;  // cost of a leg that ends at a wall
+// Extra cost of each metre walked along a wall, or past furniture nearer than a shoulder.
+constexpr double kSlide_per_m = 0.3;
 constexpr double kShoulder_m = 0.2;
 constexpr double kDoorAskew_m = 3.0;  // cost of going through a doorway at a slant
-constexpr double kHeadOn = 0.98;      // cosine of half a notch
-constexpr double kApart_per_m = 0.6;  // cost of uncertainty about the position
-constexpr double kGreed = 1.4;        // weight of the remaining distance: above 1, so that fewer nodes are expanded
-constexpr double kWider = 1.1;        // factor for the errors of the walkers used in the search
+// About the cosine of half a notch: a walker within this angle goes squarely through a door.
+constexpr double kHeadOn = 0.98;
+constexpr double kApart_per_m = 0.6;  // cost for each metre that the walkers are spread apart
+// Factor of the remaining distance in A*. Above 1, so that the search expands fewer nodes.
+constexpr double kGreed = 1.4;
+constexpr double kWider = 1.1;  // the search makes the walkers' errors larger by this factor
 constexpr double kSamePlace_m = 0.35;
-constexpr int kRefusals = 2;  // refused beginnings until one more lost walker is accepted
-// A stop must come within this multiple of the stated distance plus these metres; otherwise there is no wall.
+constexpr int kRefusals = 2;  // after this many refused first legs, one more lost walker is accepted
+// A leg that ends at an obstacle must meet it within kStopWithin times the stated distance plus kStopWithin_m.
+// Otherwise the walker counts as having found none.
 constexpr double kStopWithin = 2.0, kStopWithin_m = 4.0;
 constexpr double kBehind_m = 0.3;
-constexpr int kToCommit = 3, kLongEnough = 25;  // nodes beyond a milestone, or expanded since the first of them
-constexpr int kMostAtPlace = 4;                 // nodes; more would hardly improve the result
+// The first legs are good enough once this many nodes are beyond a milestone, or this many were expanded since the
+// first of them.
+constexpr int kToCommit = 3, kLongEnough = 25;
+constexpr int kMostAtPlace = 4;  // most nodes kept for one place; more would hardly improve the route
 constexpr int kMostExpanded = 1200, kMostTried = 25;
-constexpr int kGoodEnough = 98;        // of kWordTrials walkers
-constexpr double kShort_m = 0.1;       // cost, as uncertainty, if a counted leg is stopped much too early
-constexpr double kMostEndShort = 0.5;  // part of a step that may remain when a counted leg is stopped
+constexpr int kGoodEnough = 98;  // a route is accepted if this many of kWordTrials walkers arrive
+// Distance added to the spread of the walkers if something stops a counted leg much too early.
+constexpr double kShort_m = 0.1;
+constexpr double kMostEndShort = 0.5;  // a counted leg may lack this fraction of a step when something stops it
 constexpr std::uint64_t kTrialSeed = 20261123;
 
 std::uint64_t mixed(std::uint64_t x) {  // splitmix64, Steele, Lea, Flood 2014
@@ -53,14 +63,14 @@ double drawn(std::uint64_t& state) {
     return static_cast<double>(state >> 11) * 0x1.0p-52 - 1.0;
 }
 
-// A walker who may follow the directions.
+// One of the simulated walkers who try the directions. `off_rad` is the error of the walker's heading.
 struct Sample {
     BlindWalker body;
     double off_rad = 0.0;
 };
 
-// How much too long a walker's steps are and how far off the turn is, as parts of the greatest errors. Some walkers
-// always have the same errors; those of the others change with each leg.
+// The errors of a walker's step length and turns, as fractions of the greatest errors: from -1 to 1. Some walkers
+// always have the same errors. The errors of the others change with each leg.
 struct Wrong {
     double step = 0.0, turn = 0.0;
 };
@@ -135,7 +145,8 @@ DirectionsPlanner::DirectionsPlanner(const BlindGround& ground, double step_m) :
     for (std::size_t i = 1; i < first_beside_.size(); ++i) first_beside_[i] += first_beside_[i - 1];
 }
 
-// Returns whether the notch faces the door squarely. A leaf is thin across the way.
+// Returns whether a walker in the direction `notch` goes squarely through the door. A leaf is thinner in the direction
+// in which people walk through it.
 bool DirectionsPlanner::head_on(std::uint32_t door, int notch) const {
     const DirectionsDoor::Leaf& leaf = ground_.doors()[door].leaves.front();
     const Vec3 size = leaf.own_m.size_m();
@@ -144,8 +155,8 @@ bool DirectionsPlanner::head_on(std::uint32_t door, int notch) const {
     return std::abs(glm::dot(forward_of_heading(notch_heading_rad(notch)), across)) > kHeadOn;
 }
 
-// The walking distance from each piece to the goal. Infinite if there is no way, or if it is much longer than from the
-// piece of `until`.
+// Returns the walking distance from each piece of floor to the goal. The distance is infinite if no route leads there,
+// or if it is much longer than the distance from the piece of `until`.
 std::vector<float> DirectionsPlanner::flood(const DirectionsGoal& goal, std::uint32_t until) const {
     constexpr float kFar = std::numeric_limits<float>::infinity(), kBeyond_m = 8.0F;
     std::vector<float> far(first_beside_.size() - 1, kFar);
@@ -179,7 +190,7 @@ struct DirectionsPlanner::Trial {
     DirectionsErrors errors;
 };
 
-// The distance that remains after each door and flight on the shortest way, in walking order.
+// Returns the distances to the goal that remain after each door and flight on the shortest route, in walking order.
 std::vector<float> DirectionsPlanner::milestones(const std::vector<float>& far_m, std::uint32_t from) const {
     std::vector<float> left_m;
     bool in_narrow = false;
@@ -201,10 +212,10 @@ struct DirectionsPlanner::Search {
     struct Node {
         std::uint32_t before = kNothing;
         DirectionsLeg leg;
-        int notch = 0, legs = 0, behind = 0;  // `behind` counts milestones
+        int notch = 0, legs = 0, behind = 0;  // `behind`: number of milestones that all walkers have passed
         double cost_m = 0.0;
         DoorsOpen open;
-        std::uint64_t doors = 0;  // hash of the doors that are open
+        std::uint64_t doors = 0;  // hash of the set of open doors
         std::array<Sample, kBodies> samples;
     };
     struct Candidate {
@@ -215,7 +226,8 @@ struct DirectionsPlanner::Search {
         std::uint16_t steps = 0;
         float cost_m = 0.0F;
         std::uint64_t place = 0;
-        bool operator<(const Candidate& other) const {  // the top of the queue is the largest
+        // Orders candidates so that the top of the priority queue is the best one.
+        bool operator<(const Candidate& other) const {
             return estimate_m != other.estimate_m ? estimate_m > other.estimate_m : number > other.number;
         }
     };
@@ -229,7 +241,7 @@ struct DirectionsPlanner::Search {
     DirectionsErrors errors;
     std::vector<Node> nodes;
     std::priority_queue<Candidate> open;
-    // Neither is ever iterated.
+    // Nothing iterates over `seen` or `here`, because the order of their elements is arbitrary.
     std::unordered_map<std::uint64_t, double> seen;
     std::unordered_map<std::uint64_t, int> here;  // number of nodes at each place
 
@@ -260,7 +272,7 @@ struct DirectionsPlanner::Search {
         nodes.push_back(std::move(node));
     }
 
-    // Adds the possible next legs, as walked by the walker without errors.
+    // Adds the possible next legs to the queue, each as the walker without errors would walk it.
     void offer(std::uint32_t number) {
         const Node& node = nodes[number];
         for (int notch = 0; notch < kNotches; ++notch) {
@@ -313,7 +325,7 @@ struct DirectionsPlanner::Search {
         }
     }
 
-    // Lets all walkers walk the leg. Returns nothing if one of them would get lost.
+    // Lets all simulated walkers walk the leg. Returns nothing if one of them would get lost.
     std::optional<Node> walk(const Candidate& c) const {
         const Node& from = nodes[c.node];
         Node to;
@@ -372,7 +384,8 @@ struct DirectionsPlanner::Search {
         return to;
     }
 
-    // Lets all walkers walk these legs from the first node. Returns the last node, or nothing if one of them gets lost.
+    // Lets all simulated walkers walk these legs from the first node. Returns the index of the last node, or nothing if
+    // one of the walkers gets lost.
     std::optional<std::uint32_t> begin_with(std::span<const DirectionsLeg> legs) {
         std::uint32_t last = 0;
         for (const DirectionsLeg& leg : legs) {
@@ -389,8 +402,8 @@ struct DirectionsPlanner::Search {
         return last;
     }
 
-    // The node from `first` on with the most milestones behind it; of several, the one that promises the shortest
-    // route.
+    // Returns the node, from number `first` on, with the most milestones passed. Of several, it returns the one with
+    // the shortest estimated route.
     const Node& farthest(std::uint32_t first) const {
         const auto estimate_m = [&](const Node& node) {
             return node.cost_m + kGreed * left_m(node.samples[0].body.span);
@@ -436,7 +449,7 @@ std::optional<DirectionsRoute> DirectionsPlanner::plan(const Vec3& from_m, doubl
     const std::vector<float> milestones_m = milestones(far, stands.span);
     const Trial trial{stands, nearest_notch(heading_rad), doors, errors};
     std::optional<DirectionsRoute> best;
-    // If no route works for all errors, try smaller errors, and finally none.
+    // If no route works with the full errors, try smaller errors, and finally none.
     for (const double part : {1.0, 0.7, 0.4, 0.0}) {
         Search search{
             *this,
@@ -480,7 +493,7 @@ std::optional<DirectionsRoute> DirectionsPlanner::plan(const Vec3& from_m, doubl
             }
             ++expanded;
             if (node->behind > behind) {
-                // An error this early cannot be corrected by later legs.
+                // Later legs cannot bring back a walker who is lost at this stage, so refuse such a node.
                 const double left_m = static_cast<double>(milestones_m[static_cast<std::size_t>(node->behind - 1)]) +
                                       kSamePlace_m + kBehind_m;
                 const int passed = try_out(search.route_to(*node).legs, trial, kWordTrials, kTrialSeed,
@@ -561,7 +574,8 @@ DirectionsGoal goal_in_room(const WalkSpace& space, std::span<const std::uint32_
             if (all[s] && !holds(*outline, space.place_m(s))) within[s] = 0;
         if (std::any_of(within.begin(), within.end(), [](std::uint8_t in) { return in != 0; })) all = std::move(within);
     }
-    // A hand's breadth inside: on the border it would be unclear which room is announced.
+    // The goal begins a hand's breadth inside the room. On the border it would be unclear which room the program
+    // announces.
     const int rings = std::max(1, static_cast<int>(std::lround(0.15 / space.cell_m)));
     DirectionsGoal inside = all;
     for (int ring = 0; ring < rings; ++ring) {

@@ -15,7 +15,7 @@ std::optional<double> if_reached(double distance_m) {
     return distance_m < kNever_m ? std::optional(distance_m) : std::nullopt;
 }
 
-// A one-way portal leads only into its second room.
+// A walker can go through a one-way portal only into its second room.
 bool leads_into(const Portal& portal, std::uint32_t room) { return !portal.one_way || portal.rooms[1] == room; }
 bool leads_out_of(const Portal& portal, std::uint32_t room) { return !portal.one_way || portal.rooms[0] == room; }
 

@@ -17,17 +17,19 @@
 namespace handrail::navigation {
 namespace {
 
-// In Recast y is up. Its coordinates are (x, z, y) of ours, relative to the origin of the space.
+// In Recast, y points up. Its coordinates are our (x, z, y), relative to the origin of the space.
 enum Area : unsigned char { kOpen = 1, kNearWall, kNearEdge, kWading, kDropArea, kLiftArea, kTeleportArea };
-constexpr double kComfortable_m = 0.2;  // of clearance beyond the walker's radius
+constexpr double kComfortable_m = 0.2;  // clearance beyond the walker's radius that counts as comfortable
 constexpr double kEdgeComfort_m = 0.5, kWallComfort_m = 0.3;
-constexpr double kLeastHeight_m = 0.02;  // Recast's unit of height; grows in very high worlds
-// Largest side of a polygon, so that paths along polygon edges come close to the shortest.
+constexpr double kLeastHeight_m = 0.02;  // Recast's unit of height; larger in very high worlds
+// Largest side of a polygon. It is small, because paths run along polygon edges and should be close to the shortest
+// path.
 constexpr double kSquare_m = 1.0;
-constexpr std::uint32_t kLargestSquare = 8;                           // multiple of kSquare_m, in large worlds
-constexpr std::uint32_t kSquaresOfTile = 64;                          // along a side of a tile
-constexpr std::size_t kMostRegions = 30'000, kMostVertices = 60'000;  // for a tile, and regions of the whole world
-// Detour identifies a polygon by its tile and its index there, and needs 10 bits for itself.
+constexpr std::uint32_t kLargestSquare = 8;   // largest side of a polygon in large worlds, as a multiple of kSquare_m
+constexpr std::uint32_t kSquaresOfTile = 64;  // number of squares along a side of a tile
+// Limits of Recast's 16-bit indices: vertices of a tile, and regions of the whole world.
+constexpr std::size_t kMostRegions = 30'000, kMostVertices = 60'000;
+// Detour identifies a polygon by its tile and its index there. It needs 10 bits for other purposes.
 constexpr int kMostRefBits = 22;
 constexpr int kMostPath = 16'384;
 constexpr unsigned short kOnFoot = 1, kOverLink = 2;  // flags of polygons
@@ -68,15 +70,15 @@ float cost_of_area(unsigned char area, RouteWish wish) {
     }
 }
 
-// Divides the spans into what Recast calls regions: connected pieces of one area within one square, of which no two
-// spans are above each other. Returns their number.
+// Divides the spans into what Recast calls regions. A region is a connected piece of one area within one square, in
+// which no span is above another. Returns the number of regions.
 std::size_t regions_of(const WalkSpace& space, const std::vector<unsigned char>& areas, std::uint32_t side,
                        std::vector<std::uint32_t>& region) {
     region.assign(space.spans.size(), 0);
     std::size_t made = 0;
     std::vector<std::uint32_t> piece;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> cells;  // of the piece, sorted if needed
-    // For each column: the last region that took a span of it.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> cells;  // cells of the current piece, sorted when needed
+    // For each column: the last region that contains one of its spans.
     std::vector<std::size_t> taken_by(space.first.size(), 0);
     for (std::uint32_t s = 0; s < space.spans.size(); ++s) {
         if (region[s] != 0) continue;
@@ -149,11 +151,11 @@ std::size_t NavMesh::far_links() const { return parts_->far_links; }
 
 namespace {
 
-// Makes the polygons of one square part of the space at a time. Recast and Detour use 16-bit indices, and joining the
-// outlines of holes takes time that grows with the square of their number.
+// Makes the polygons of one square tile at a time. Tiles are needed because Recast and Detour use 16-bit indices, and
+// because joining the outlines of holes takes time that grows with the square of their number.
 class TileMaker {
 public:
-    // `side`: cells along a side of a tile, a multiple of the squares that were used for `region`.
+    // `side`: side of a tile in cells. It is a multiple of the side of the squares with which `region` was computed.
     TileMaker(const WalkSpace& space, const std::vector<unsigned char>& areas, const std::vector<std::uint32_t>& region,
               std::uint32_t side)
         : space_(space), areas_(areas), region_(region), side_(side) {
@@ -161,7 +163,7 @@ public:
         unit_m_ = static_cast<float>(std::max(kLeastHeight_m, static_cast<double>(highest_) / 60'000.0));
     }
 
-    // `polygons` is null if the tile is too large; otherwise it may be empty.
+    // `polygons` is null if the tile is too large. It may be empty.
     struct Made {
         std::unique_ptr<rcPolyMesh, Free> polygons;
         bool failed = false;
@@ -187,8 +189,8 @@ public:
         field.bmax[0] = field.bmin[0] + static_cast<float>(field.width) * field.cs;
         field.bmax[1] = highest_ + static_cast<float>(space_.body.height_m) + 1.0F;
         field.bmax[2] = field.bmin[2] + static_cast<float>(field.height) * field.cs;
-        // The arrays are filled here and lent to Recast. Its own rasteriser takes triangles, and does not know the
-        // walker's body and slopes as walking does.
+        // Recast uses the arrays that this function fills; they must outlive `field`. Recast's own rasteriser is not
+        // used, because it knows only triangles, not the walker's body and the slopes on which it can stand.
         field.cells = cells_.data();
         field.spans = spans_.data();
         field.areas = span_areas_.data();
@@ -245,7 +247,7 @@ private:
         span.reg = static_cast<unsigned short>(region | (border ? RC_BORDER_REG : 0U));
         span.h = 255;
         span.con = 0;
-        // Recast orders its directions west, north, east, south; its z is our north.
+        // Recast orders its directions west, north, east, south; its z axis is our north.
         constexpr int kDirections[4] = {2, 1, 0, 3};
         constexpr int kEast[4] = {-1, 0, 1, 0}, kNorth[4] = {0, 1, 0, -1};
         for (int d = 0; d < 4; ++d) {
@@ -268,13 +270,13 @@ private:
     std::vector<rcCompactCell> cells_;
     std::vector<rcCompactSpan> spans_;
     std::vector<unsigned char> span_areas_;
-    std::unordered_map<std::uint32_t, std::uint32_t> local_;  // regions of the tile; never iterated
+    std::unordered_map<std::uint32_t, std::uint32_t> local_;  // number in this tile of each region; never iterated
 };
 
 struct TileOfMesh {
     std::uint32_t x = 0, y = 0;
     std::unique_ptr<rcPolyMesh, Free> polygons;
-    std::vector<std::uint32_t> links;  // the links that begin here
+    std::vector<std::uint32_t> links;  // links that begin on this tile
 };
 
 int bits_for(std::size_t count) { return static_cast<int>(std::bit_width(std::bit_ceil(count)) - 1); }
@@ -295,7 +297,7 @@ Result<NavMesh> NavMesh::make(const WalkSpace& space, const std::stop_token& sto
             continue;
         }
         if (plain) break;
-        // There is so much furniture that the spans near it form too many pieces. So only edges and liquids stay
+        // If there is so much furniture that the spans near it form too many regions, only edges and liquids stay
         // separate areas. Routes still keep away from walls, because each span knows its distance from them.
         plain = true;
         square = finest;
@@ -360,7 +362,7 @@ Result<NavMesh> NavMesh::make(const WalkSpace& space, const std::stop_token& sto
     return NavMesh(std::move(parts));
 }
 
-// Gives the polygons of one tile, and the links that begin on it, to Detour.
+// Adds the polygons of one tile, and the links that begin on it, to Detour's mesh.
 bool NavMesh::Parts::add(const TileOfMesh& tile) {
     std::vector<float> link_ends, link_radius;
     std::vector<unsigned short> link_flags;
@@ -398,7 +400,7 @@ bool NavMesh::Parts::add(const TileOfMesh& tile) {
     params.offMeshConUserID = link_ids.data();
     params.offMeshConCount = static_cast<int>(link_ids.size());
     params.walkableHeight = static_cast<float>(space->body.height_m);
-    params.walkableRadius = 2.0F;  // Detour looks fifty times this far ahead when it straightens a path
+    params.walkableRadius = 2.0F;  // when Detour straightens a path, it looks ahead fifty times this distance
     params.walkableClimb = static_cast<float>(space->body.step_up_m);
     std::copy(made.bmin, made.bmin + 3, params.bmin);
     std::copy(made.bmax, made.bmax + 3, params.bmax);
@@ -447,8 +449,8 @@ std::optional<MeshPath> NavMesh::path(std::uint32_t from, std::uint32_t to, Rout
                      !dtStatusDetail(status, DT_PARTIAL_RESULT) && !dtStatusDetail(status, DT_BUFFER_TOO_SMALL);
     if (!found.complete) p.query->closestPointOnPoly(p.refs[static_cast<std::size_t>(count - 1)], on_b, on_b, nullptr);
 
-    // Straighten from link to link. On the whole path, links above each other would look like one place from above, and
-    // all but one would be lost.
+    // Straighten the path between links separately. Detour works as seen from above, so it would treat links that are
+    // above each other as one place and lose all but one.
     const auto straighten = [&](const float* begin, const float* end, int first_ref, int refs) {
         int corners = 0;
         if (refs > 0 &&

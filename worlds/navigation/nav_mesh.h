@@ -1,6 +1,6 @@
-// The walkable spans as a polygon mesh, made tile by tile, and the shortest paths over it. It uses Recast and Detour,
-// which only nav_mesh.cpp includes. Queries are not const because they share scratch memory: one thread at a time.
-// Making the mesh costs time and memory in proportion to the floor.
+// A polygon mesh of the walkable spans, made tile by tile, with which the program finds shortest paths. It uses Recast
+// and Detour, which only nav_mesh.cpp includes. Queries are not const because they share scratch memory, so only one
+// thread at a time may make them. Making the mesh costs time and memory in proportion to the floor.
 #pragma once
 
 #include <memory>
@@ -11,14 +11,14 @@
 
 namespace handrail::navigation {
 
-// The cost of a metre over this span: 1 if it is comfortable.
+// Returns the cost of a metre over this span; 1 is the cost of comfortable floor.
 double cost_per_m(const WalkSpan& span, RouteWish wish);
 
-// A path over the mesh: straight stretches, with links of WalkSpace::links between some of them.
+// A path over the mesh: straight stretches. Some of its corners are joined by links of WalkSpace::links instead.
 struct MeshPath {
     struct Corner {
         Vec3 place_m{0.0};
-        std::uint32_t link = kNothing;  // the link from this corner to the next, if any
+        std::uint32_t link = kNothing;  // the link that leads from this corner to the next, if any
     };
     std::vector<Corner> corners;
     bool complete = false;
@@ -26,21 +26,22 @@ struct MeshPath {
 
 class NavMesh {
 public:
-    // Fails with a sentence if the walkable space gives no mesh. The space must outlive the mesh.
+    // Fails with a sentence if no mesh can be made of the walkable space. The space must outlive the mesh.
     static Result<NavMesh> make(const WalkSpace& space, const std::stop_token& stop = {});
     ~NavMesh();
     NavMesh(NavMesh&&) noexcept;
     NavMesh& operator=(NavMesh&&) noexcept;
 
-    // The path from the middle of one span to that of another. Nothing if one of them is not on any polygon.
-    // `over_links`: links may be taken. Without links the path is closer to the shortest, because Detour then looks
-    // straight ahead. It does so in the plane, and would confuse the two ends of a link.
+    // Returns the path from the middle of one span to the middle of another. Returns nothing if one of them is not on
+    // any polygon. `over_links`: the path may use links. Without links the path is closer to the shortest one, because
+    // Detour can then look straight ahead. Detour does that as seen from above, so it would confuse the two ends of a
+    // link.
     std::optional<MeshPath> path(std::uint32_t from, std::uint32_t to, RouteWish wish, bool over_links);
-    // The cost of taking a link.
+    // Returns the cost of using a link.
     static double cost_of(const WalkLink& link, double length_m, RouteWish wish);
     int polygons() const;
     std::size_t bytes() const;
-    // The number of links that no path can use, because their ends are more than a tile (64 m) apart.
+    // Returns the number of links that no path can use, because their ends are more than a tile (64 m) apart.
     std::size_t far_links() const;
 
 private:

@@ -12,15 +12,16 @@
 namespace handrail::navigation {
 namespace {
 
-constexpr double kGoalReach_m = 3.0;  // greatest distance from an object to where people can stand next to it
+// Greatest distance from a requested place, such as an object, to where people can stand next to it.
+constexpr double kGoalReach_m = 3.0;
 constexpr double kStartReach_m = 1.0;
-constexpr double kNarrow_m = 0.25;     // a place with less clearance is narrow
-constexpr double kStairsTold_m = 0.4;  // stairs with a smaller rise are not announced
-constexpr double kOneFlight_m = 1.0;   // stairs with a smaller distance between them count as one
+constexpr double kNarrow_m = 0.25;     // floor with less clearance is narrow
+constexpr double kStairsTold_m = 0.4;  // a passage over stairs with a smaller rise is not announced
+constexpr double kOneFlight_m = 1.0;   // two passages over stairs with a smaller distance between them count as one
 constexpr double kGameCell_m = 0.1, kBuildingCell_m = 0.05;
-constexpr double kThroughLeaf_per_m = 30.0;  // cost of a metre through a leaf: worth about 15 metres of detour
+constexpr double kThroughLeaf_per_m = 30.0;  // cost of each metre through a leaf; worth about 15 metres of detour
 constexpr double kBesideLeaf_per_m = 3.0;
-constexpr double kRoundLeaf_m = 3.0;  // a route may change this far before and behind a leaf
+constexpr double kRoundLeaf_m = 3.0;  // to go around a leaf, a route may change this far before and after it
 constexpr double kOutOfLeaf_m = 1.0;
 constexpr double kMostGameDrop_m = 20.0, kMostPlannedDrop_m = 1.0;
 
@@ -51,7 +52,7 @@ Result<std::shared_ptr<Navigation>> Navigation::over(const Scene& scene, WalkSpa
             made->mesh_ = std::make_unique<NavMesh>(std::move(*mesh));
         if (made->mesh_ && made->mesh_->far_links() > 0)
             made->space_.said.push_back(phrase("navigation.far_links", {{"n", made->mesh_->far_links()}}));
-    } catch (const std::bad_alloc&) {  // continues without a mesh
+    } catch (const std::bad_alloc&) {  // continues without a mesh, from cell to cell
     }
     if (stop.stop_requested()) return fail(phrase("navigation.given_up"), scene.source_file);
 
@@ -141,8 +142,8 @@ void Navigation::block(std::span<const Aabb> boxes) {
     }
 }
 
-// The nearest span outside what is blocked, for a walker who is close before it. It does not lead under the leaf of a
-// door. kNothing if there is none.
+// Returns the nearest span that is not blocked, for a walker who starts inside or at the edge of a blocked box. The
+// search does not cross spans under a door leaf. Returns kNothing if there is none.
 std::uint32_t Navigation::out_of_blocked(std::uint32_t span) const {
     std::vector<std::uint32_t> open{span};
     std::set<std::uint32_t> seen{span};
@@ -162,7 +163,8 @@ bool Navigation::meets_blocked(const Way& way) const {
     return meets;
 }
 
-// Plans over the cells, on foot. If no route leads to the goal, `to` becomes the nearest reachable place.
+// Plans over the cells, on foot, around the blocked boxes. If no route leads to the goal, sets `to` to the nearest
+// place that the walker can reach.
 std::optional<Navigation::Way> Navigation::round_blocked(std::uint32_t from, std::uint32_t& to, const Vec3& to_m,
                                                          RouteWish wish) const {
     std::vector<std::uint32_t> cells = over_cells(from, to, wish);
@@ -209,7 +211,7 @@ double Navigation::cost(const Vec3& from_m, const Vec3& to_m, RouteWish wish) co
     return glm::length(to_m - from_m) * sum / static_cast<double>(std::max<std::size_t>(count, 1));
 }
 
-// Plans from cell to cell. This is used if a leg from the mesh is not walkable, because the mesh simplifies outlines a
+// Plans from cell to cell. This is used if a leg of a mesh path is not walkable, because the mesh simplifies outlines a
 // little.
 std::vector<std::uint32_t> Navigation::over_cells(std::uint32_t from, std::uint32_t to, RouteWish wish) const {
     std::vector<float>& best = search_.best;
@@ -261,7 +263,8 @@ std::vector<std::uint32_t> Navigation::over_cells(std::uint32_t from, std::uint3
     return way;
 }
 
-// The nearest place on foot that is outside every leaf, or the same place if none is near.
+// Returns the nearest span that the walker can reach on foot and that is outside every leaf. Returns `span` itself if
+// there is none nearby.
 std::uint32_t Navigation::out_of_leaf(std::uint32_t span) const {
     if (!in_leaf(span)) return span;
     const Vec3 from = space_.place_m(span);
@@ -285,7 +288,7 @@ std::uint32_t Navigation::out_of_leaf(std::uint32_t span) const {
     return best;
 }
 
-// The first and last distance along the points at which leaves are in the way.
+// Returns the first and last distance along the points at which a leaf is in the walker's way.
 Navigation::Stretch Navigation::in_leaves(std::span<const Vec3> points_m) const {
     Stretch found{std::numeric_limits<double>::infinity(), -1.0};
     double before_m = 0.0;
@@ -307,8 +310,8 @@ Navigation::Stretch Navigation::in_leaves(std::span<const Vec3> points_m) const 
 
 bool Navigation::meets_leaf(std::span<const Vec3> points_m) const { return in_leaves(points_m).to_m >= 0.0; }
 
-// The mesh does not know leaves. If one is in the way, the part of the route from a little before it to a little behind
-// it is planned from cell to cell.
+// Replaces the part of the route that leads through leaves, together with a little before and after it. The new part is
+// planned from cell to cell, because the mesh does not know leaves.
 void Navigation::go_round_leaves(std::vector<Vec3>& points_m, RouteWish wish) const {
     const Stretch across = in_leaves(points_m);
     if (across.to_m < 0.0) return;
@@ -336,7 +339,7 @@ void Navigation::go_round_leaves(std::vector<Vec3>& points_m, RouteWish wish) co
     points_m = std::move(round);
 }
 
-// Leaves out points if the straight line between their neighbours is as good.
+// Leaves out points if the straight line between their neighbours costs no more.
 void Navigation::straighten(std::vector<Vec3>& points_m, RouteWish wish) const {
     if (points_m.size() < 3) return;
     std::vector<double> so_far{0.0};
@@ -359,8 +362,8 @@ void Navigation::straighten(std::vector<Vec3>& points_m, RouteWish wish) const {
     points_m = std::move(kept);
 }
 
-// Moves the turning points to where there is more room, if that does not make the route worse: through the middle of
-// doors, and around corners at a distance.
+// Moves the turning points to where there is more room, if that does not make the route worse. The route then leads
+// through the middle of doors, and keeps a distance from corners.
 void Navigation::make_way(std::vector<Vec3>& points_m, RouteWish wish) const {
     if (wish == RouteWish::Shortest || points_m.size() < 2) return;
     // Adds a turning point in each narrow place.
@@ -404,7 +407,7 @@ void Navigation::make_way(std::vector<Vec3>& points_m, RouteWish wish) const {
     straighten(points_m, wish);
 }
 
-// Adds the doors and stairs on a walked stretch to the route, and the points where stairs begin and end.
+// Adds the doors and stairs on a walked leg to the route, and the points where stairs begin and end.
 void Navigation::tell_passages(Route& route, const std::vector<Vec3>& leg) const {
     std::uint32_t door = kNothing;
     bool on_stairs = false;
@@ -474,7 +477,7 @@ void Navigation::tell_passages(Route& route, const std::vector<Vec3>& leg) const
     if (on_stairs && last != kNothing) end_stairs(last);
 }
 
-// Takes the path over the mesh and puts its corners on the floor.
+// Finds the path over the mesh and moves its corners onto the floor.
 std::optional<Navigation::Way> Navigation::over_mesh(std::uint32_t from, std::uint32_t to, RouteWish wish,
                                                      bool over_links) {
     const std::optional<MeshPath> found = mesh_ ? mesh_->path(from, to, wish, over_links) : std::nullopt;
@@ -503,7 +506,7 @@ std::optional<Navigation::Way> Navigation::over_mesh(std::uint32_t from, std::ui
     return way;
 }
 
-// Makes every leg walkable, leads it around leaves, straightens it and gives it room.
+// Makes every leg walkable, leads it around leaves, straightens it and moves it away from walls.
 void Navigation::finish(Way& way, std::uint32_t to, RouteWish wish) const {
     for (std::vector<Vec3>& leg : way.legs_m) {
         if (leg.empty()) leg.push_back(space_.place_m(to));
@@ -566,7 +569,7 @@ Route Navigation::plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish) {
 
     if (to != kNothing) to = out_of_leaf(to);
 
-    // Plans over the mesh; if it has no path, from cell to cell.
+    // Plans over the mesh. If the mesh has no path, plans from cell to cell.
     std::optional<Way> way = best_over_mesh(from, to, wish);
     if (!way) {
         way.emplace();
@@ -600,7 +603,7 @@ Route Navigation::plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish) {
         }
         tell_passages(route, way->legs_m[i]);
     }
-    // Too few steps to be announced as stairs.
+    // Stairs with so small a rise are not announced.
     std::erase_if(route.passages, [&](const RoutePassage& p) {
         return p.kind == PassageKind::Stairs && std::abs(p.rise_m) < kStairsTold_m;
     });

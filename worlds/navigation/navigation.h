@@ -16,50 +16,51 @@
 
 namespace handrail::navigation {
 
-// The body of a person in a building or of a player in a game map, by the kind of scene, with a suitable cell size.
+// Returns the measures of a person in a building, or of a player in a game map, depending on the kind of scene. They
+// include a suitable cell size.
 WalkerMeasures walk_body(const Scene& scene, double radius_m, double height_m, double step_up_m);
 
 class Navigation {
 public:
-    // Fails with one sentence if there is no floor or the request was stopped. If the floor gives no mesh, or memory
-    // does not suffice for one, routes are planned from cell to cell. That takes longer, and such routes never use
+    // Fails with one sentence if there is no floor or if `stop` was requested. If the floor gives no mesh, or memory
+    // does not suffice for one, the object plans routes from cell to cell. That takes longer, and such routes never use
     // drops, lifts and teleporters.
     static Result<std::shared_ptr<Navigation>> make(const Scene& scene, const WalkerMeasures& body,
                                                     const std::stop_token& stop = {});
-    // Uses a walkable space that make_walk_space made of this scene before. Fails if it is stopped.
+    // Uses a walkable space that an earlier call of make_walk_space made of this scene. Fails if `stop` was requested.
     static Result<std::shared_ptr<Navigation>> over(const Scene& scene, WalkSpace space,
                                                     const std::stop_token& stop = {});
 
-    // Sets where the leaves of open doors are; at first there are none. Routes planned from now on go around them,
-    // unless that is much longer than going through one, because the walker can shut the door.
+    // Sets where the leaves of open doors are; initially there are none. Routes planned from now on go around these
+    // leaves, unless that is much longer than going through one. In that case the walker can shut the door.
     void know_leaves(std::span<const OpenLeaf> leaves) { leaf_marks_ = mark_leaves(space_, leaves); }
-    // Sets boxes that nobody can pass. Routes planned from now on lead around them, on foot. If none does, they lead to
-    // the nearest place before them. Replaces the boxes set before.
+    // Sets boxes that nobody can pass, instead of those set before. Routes planned from now on lead around the boxes,
+    // on foot. If no route leads around them, a route ends at the nearest place before them.
     void block(std::span<const Aabb> boxes);
     // Returns whether a walker along these points would meet a leaf.
     bool meets_leaf(std::span<const Vec3> points_m) const;
 
-    // Plans a route from where a walker is to a place, or to the nearest place next to it where people can stand. Doors
-    // count as open. A route that does not reach its goal ends at the nearest place that can be reached. A route
-    // without points means that there is no floor at `from_m`.
+    // Plans a route from a walker's place to another place, or to the nearest place next to that one where people can
+    // stand. Doors count as open. If the goal cannot be reached, the route ends at the nearest place that can be
+    // reached. A route without points means that there is no floor at `from_m`.
     Route plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish = RouteWish::Safest);
-    // Where a route to that place ends: the nearest place to stand, within 3 m, next to the leaf of an open door if one
-    // is there.
+    // Returns where a route to that place would end: the nearest place to stand within 3 m. If the leaf of an open door
+    // is at that place, it is a place next to the leaf.
     std::optional<Vec3> nearest_place(const Vec3& at_m) const;
-    // Returns whether a walker can get from one place to the other with all doors open. Drops, lifts and teleporters
-    // count as routes.
+    // Returns whether a walker can get from one place to the other with all doors open. The walker may use drops, lifts
+    // and teleporters.
     bool reachable(const Vec3& from_m, const Vec3& to_m) const;
 
     const WalkSpace& space() const { return space_; }
-    const NavMesh* mesh() const { return mesh_.get(); }  // null if there is none
-    // Frees the floor without furniture, which only the search for rooms needs.
+    const NavMesh* mesh() const { return mesh_.get(); }  // null if no mesh could be made
+    // Frees the copy of the floor without furniture, which only the search for rooms needs.
     void let_walls_go() { space_.walls.reset(); }
-    // What to announce about how it was made; empty if there is nothing special.
+    // Returns sentences to announce about how the walkable space was made; empty if there is nothing special.
     const std::vector<std::string>& said() const { return space_.said; }
 
 private:
     Navigation() = default;
-    // Walked stretches, and the links (of WalkSpace::links) between them.
+    // A planned route before it is refined: walked legs, with a link of WalkSpace::links between each two of them.
     struct Way {
         std::vector<std::vector<Vec3>> legs_m = std::vector<std::vector<Vec3>>(1);
         std::vector<std::uint32_t> links;
@@ -76,7 +77,7 @@ private:
     std::optional<Way> round_blocked(std::uint32_t from, std::uint32_t& to, const Vec3& to_m, RouteWish wish) const;
     std::uint32_t out_of_leaf(std::uint32_t span) const;
     struct Stretch {
-        double from_m = 0.0, to_m = -1.0;  // distances along the points; none if to_m < from_m
+        double from_m = 0.0, to_m = -1.0;  // two distances along the points; to_m < from_m: no stretch
     };
     Stretch in_leaves(std::span<const Vec3> points_m) const;
     void go_round_leaves(std::vector<Vec3>& points_m, RouteWish wish) const;
@@ -90,19 +91,19 @@ private:
 
     WalkSpace space_;
     std::unique_ptr<NavMesh> mesh_;
-    std::vector<std::uint32_t> piece_;  // for each span: the connected piece of floor that it belongs to
-    std::vector<std::vector<std::uint32_t>> leads_to_;  // for each piece: the pieces that links lead to
-    std::vector<FeatureId> door_features_;              // for each entry of Scene::movers
+    std::vector<std::uint32_t> piece_;  // for each span: number of the connected piece of floor that contains it
+    std::vector<std::vector<std::uint32_t>> leads_to_;  // for each piece of floor: the pieces to which links lead
+    std::vector<FeatureId> door_features_;              // for each entry of Scene::movers: the feature of its door
     std::vector<std::uint32_t> door_groups_;
     std::vector<Vec3> door_places_;
-    // Scratch data of over_cells for each span, restored after each search. Made when it is first needed.
+    // Scratch data of over_cells for each span. The first search allocates it, and each search restores it.
     struct Search {
         std::vector<float> best;
         std::vector<std::uint32_t> came, touched;
     };
     mutable Search search_;
-    std::vector<bool> blocked_;             // for each span; empty: nothing is blocked
-    std::vector<std::uint8_t> leaf_marks_;  // for each span; empty: no door is open
+    std::vector<bool> blocked_;             // for each span: whether it is blocked; empty: nothing is blocked
+    std::vector<std::uint8_t> leaf_marks_;  // for each span: its mark from mark_leaves; empty: no door is open
 };
 
 }  // namespace handrail::navigation

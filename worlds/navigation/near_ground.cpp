@@ -8,8 +8,9 @@
 namespace handrail::navigation {
 namespace {
 
-constexpr double kLeastSquare_m = 0.5, kMostSquares = 2'000.0;  // along a side of the grid
-constexpr double kSquareShare = 0.125;  // side of a square, as a part of the distance within which ground is kept
+// Least side of a square, and most squares along a side of the grid.
+constexpr double kLeastSquare_m = 0.5, kMostSquares = 2'000.0;
+constexpr double kSquareShare = 0.125;  // side of a square, as a fraction of the distance within which ground is kept
 
 }  // namespace
 

@@ -1,6 +1,6 @@
-// Limits how far out the ground outside is walked on. A reader lays the ground around everything in the file, but only
-// the part near the building and its paths matters for rooms and routes. Used by walk_space only. Costs a bit for each
-// small square of the ground, at most four million.
+// Limits how far from the building walkers can use the ground outside. A reader lays the ground around everything in
+// the file, but only the part near the building and its paths matters for rooms and routes. Only walk_space uses this
+// class. It costs one bit for each square of the ground, at most four million bits.
 #pragma once
 
 #include <vector>
@@ -11,20 +11,21 @@ namespace handrail::navigation {
 
 class NearGround {
 public:
-    // Leaves out ground farther than `within_m` from the boxes of everything else, except neighbouring buildings.
+    // Leaves out ground that is farther than `within_m` from the boxes of all other objects. Neighbouring buildings do
+    // not count as such objects.
     NearGround(const Scene& scene, const Obstacles& obstacles, double within_m);
 
-    // Returns true if the obstacle is ground that is left out at that place.
+    // Returns true if the obstacle is ground, and that ground is left out at `at_m`.
     bool leaves_out(std::uint32_t obstacle, const Vec2& at_m) const;
     double within_m() const { return within_m_; }
 
 private:
     double within_m_;
-    std::vector<bool> is_ground_;  // for each obstacle; empty: there is no ground
+    std::vector<bool> is_ground_;  // for each obstacle: whether it is ground; empty: there is no ground
     Vec2 least_{0.0};
     double square_m_ = 1.0;
     std::size_t wide_ = 0, deep_ = 0;
-    std::vector<bool> near_;  // for each square
+    std::vector<bool> near_;  // for each square: whether its ground is kept
 };
 
 }  // namespace handrail::navigation

@@ -1,6 +1,6 @@
-// Finds where walkers would overlap the leaves of open doors, over a walkable space that was made as if all doors were
-// open and had no leaves. Pure function; any thread. Costs a search around each leaf, and a byte for each span while
-// any door is open.
+// Marks where walkers would overlap the leaves of open doors. The walkable space itself is made as if all doors were
+// open and had no leaves. Pure function; any thread may call it. It searches around each leaf, and needs a byte for
+// each span while any door is open.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@
 namespace handrail::navigation {
 
 struct OpenLeaf {
-    Aabb own_m;    // in the leaf's own frame
-    Placement at;  // placement of the leaf, rotated about the vertical axis only
+    Aabb own_m;    // box of the leaf in its own coordinate frame
+    Placement at;  // placement of the leaf; it is rotated about the vertical axis only
 };
 
 enum LeafMark : std::uint8_t {
     kNoLeaf,
-    kBesideLeaf,  // a walker here has less than kLeafRoom_m to the leaf
+    kBesideLeaf,  // a walker here is less than kLeafRoom_m away from the leaf
     kInLeaf,      // a walker here would overlap the leaf
 };
 inline constexpr double kLeafRoom_m = 0.15;

@@ -14,9 +14,10 @@
 namespace handrail::navigation {
 namespace {
 
-constexpr double kDoorwayClear_m = 0.35;  // clearance of the walker's centre in a doorway: an opening of at most 1.2 m
-constexpr double kDoorwayShare = 0.6;     // a doorway is also narrower than this share of the places on both sides
-constexpr double kWideShare = 0.5;        // the same share for a wider opening
+// A place is a doorway if the walker's centre has less clearance than this, as in an opening of at most 1.2 m.
+constexpr double kDoorwayClear_m = 0.35;
+constexpr double kDoorwayShare = 0.6;  // and if its clearance is less than this fraction of the clearance on both sides
+constexpr double kWideShare = 0.5;     // the same fraction for a wider opening
 constexpr double kLeastPiece_m2 = 0.3, kLeastWide_m2 = 4.0;
 constexpr double kHuge_m2 = 150.0, kHugeShare = 0.75, kLeastOfHuge_m2 = 10.0;
 constexpr double kLong = 6.0;  // an area longer than this many times its greatest width is split into corridors
@@ -45,9 +46,9 @@ private:
     struct Basin {
         double peak_m = 0.0;
         std::size_t cells = 0;
-        std::uint32_t name = kNothing;  // index in Scene::room_names
+        std::uint32_t name = kNothing;  // name of the basin: index in Scene::room_names
     };
-    // Returns whether the file states no room here.
+    // Returns whether span `s` is plain floor that is in no room of the file.
     bool open(std::uint32_t s) const { return is_plain(walls_.spans[s]) && stated_[s] == kNothing; }
     double area(std::size_t cells) const { return static_cast<double>(cells) * cell_area_m2_; }
     double wide_m(std::uint32_t s) const { return static_cast<double>(walls_.spans[s].clearance_m); }
@@ -75,8 +76,8 @@ private:
         return doorway || wide;
     }
 
-    // The spans, widest first. Each entry has the inverted width in its upper half and the span in its lower half:
-    // whole numbers are sorted in a third of the time.
+    // Returns the spans, widest first. Each entry has the inverted width in its upper half and the span in its lower
+    // half. Sorting such whole numbers takes a third of the time.
     std::vector<std::uint64_t> by_width() const {
         std::vector<std::uint64_t> order;
         order.reserve(walls_.spans.size());
@@ -87,7 +88,7 @@ private:
         return order;
     }
 
-    // The names that the file gives to places, each at the widest place around.
+    // Assigns each name that the file gives to a place to the widest span around that place.
     std::unordered_map<std::uint32_t, std::uint32_t> names_at_peaks() const {
         std::unordered_map<std::uint32_t, std::uint32_t> names;  // never iterated
         for (std::uint32_t k = 0; k < scene_.room_names.size(); ++k) {
@@ -108,14 +109,14 @@ private:
         return names;
     }
 
-    // Floods from the widest places to the narrowest. Places that meet only in a narrow one stay separate.
+    // Floods from the widest spans to the narrowest. Two areas that meet only at a narrow spot become separate places.
     void watershed() {
         const std::vector<std::uint64_t> order = by_width();
         const std::unordered_map<std::uint32_t, std::uint32_t> names = names_at_peaks();
         parent_.resize(walls_.spans.size());
         std::iota(parent_.begin(), parent_.end(), 0U);
-        // Until the places are known, of_span contains the basin of each root, and kMet for every other span that was
-        // visited.
+        // While the flood runs, of_span contains the number of the basin for each root, and kMet for every other
+        // visited span.
         constexpr std::uint32_t kMet = kNothing - 1;
         places_.of_span.assign(walls_.spans.size(), kNothing);
         for (std::size_t k = 0; k < order.size(); ++k) {
@@ -123,7 +124,7 @@ private:
             const auto s = static_cast<std::uint32_t>(order[k]);
             const auto given = names.find(s);
             const std::uint32_t name = given == names.end() ? kNothing : given->second;
-            // Sort the neighbours by width, so that a span on a border joins the basin with the most room.
+            // Sort the neighbours by width. A span on a border then joins the widest basin.
             std::array<std::uint32_t, 4> around = {kNothing, kNothing, kNothing, kNothing};
             std::size_t count = 0;
             for (const std::uint32_t n : walls_.spans[s].next)
@@ -136,7 +137,7 @@ private:
                 basins_.push_back({wide_m(s), 1, name});
                 continue;
             }
-            // The span is narrower than all before it, so it joins one of them.
+            // This span is narrower than all spans before it, so it becomes part of its widest neighbour's basin.
             place(s) = kMet;
             parent_[s] = around[0];
             basin(around[0]).cells += 1;
@@ -144,7 +145,7 @@ private:
             for (std::size_t i = 1; i < count; ++i) {
                 const std::uint32_t a = root(s), b = root(around[i]);
                 if (a == b || cut(basin(a), basin(b), s)) continue;
-                // The basin with more room absorbs the other.
+                // Of two basins, the one with the wider peak absorbs the other.
                 const std::uint32_t keep = basin(a).peak_m > basin(b).peak_m ? a : b, gone = keep == a ? b : a;
                 parent_[gone] = keep;
                 basin(keep).cells += basin(gone).cells;
@@ -171,7 +172,7 @@ private:
         std::vector<std::uint32_t>().swap(parent_);
     }
 
-    // A room that the file states is one place, whatever divides it.
+    // Makes each room that the file states one place, even if something divides its floor.
     void label_stated() {
         places_.of_stated.assign(scene_.stated ? scene_.stated->rooms.size() : 0, kNothing);
         for (std::uint32_t s = 0; s < stated_.size(); ++s) {
@@ -182,8 +183,8 @@ private:
         }
     }
 
-    // Makes the ground outside, which the reader added, one place: all spans at its height. If most of a place is at
-    // that height, the rest of the place (ledges and thresholds) is outside, too.
+    // Makes the ground that the reader added outside one place, from all spans at its height. If most of a place is at
+    // that height, the rest of that place, such as ledges and thresholds, is also outside.
     void label_outside() {
         const auto ground = std::find_if(scene_.features.begin(), scene_.features.end(), is_outer_ground);
         if (!scene_.stated || ground == scene_.features.end()) return;
@@ -201,15 +202,16 @@ private:
                 place(s) = places_.outside;
     }
 
-    // Splits a huge place that is nowhere wide into corridors. It turns and branches, but nowhere do walls narrow it.
-    // Each straight stretch becomes a separate place.
+    // Splits long places that are nowhere wide into corridors. Such a place turns and branches, but no doorway divides
+    // it. Each straight stretch becomes a separate place.
     void part_long_ones() {
         const std::vector<bool> parts = long_places();
         if (std::none_of(parts.begin(), parts.end(), [](bool p) { return p; }) || stop_.stop_requested()) return;
         std::vector<std::uint32_t> stretch = stretches_of(parts);
         join_crumbs(stretch);
         std::map<std::uint32_t, std::uint32_t> label;
-        std::vector<bool> kept(parts.size(), false);  // true once a stretch has kept the label of its place
+        // For each place: true once one of its stretches has kept its label.
+        std::vector<bool> kept(parts.size(), false);
         for (std::uint32_t s = 0; s < stretch.size(); ++s) {
             if (stretch[s] == kNothing) continue;
             const auto [found, is_new] = label.try_emplace(stretch[s], place(s));
@@ -235,8 +237,9 @@ private:
         return parts;
     }
 
-    // Returns the number of the straight stretch for each span of these places. Two rows run through a span, one east
-    // and one north; the longer row decides. A row never leaves its place.
+    // Returns the number of the straight stretch of each span in these places. Two rows of spans cross in each span,
+    // one from west to east and one from south to north. The longer one determines the stretch. A row never leaves its
+    // place.
     std::vector<std::uint32_t> stretches_of(const std::vector<bool>& parts) {
         const std::vector<std::uint32_t> east = runs(0, 2), north = runs(1, 3);
         const auto along = [&](std::uint32_t s) { return east[s] >= north[s]; };
@@ -261,7 +264,8 @@ private:
 
     using Borders = std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t>;
 
-    // Joins recesses, and fragments along slanting walls, to the stretch with the longest common border.
+    // Joins recesses, and the fragments along slanting walls, to the stretch with which they have the longest common
+    // border.
     void join_crumbs(std::vector<std::uint32_t>& stretch) {
         std::vector<std::size_t> size;
         for (int round = 0; round < 8 && !stop_.stop_requested(); ++round) {
@@ -294,8 +298,8 @@ private:
         return borders;
     }
 
-    // The larger stretch with the longest common border, the first one if several are equal. Returns `part` itself if
-    // there is none.
+    // Returns the larger stretch that has the longest common border with `part`. If several borders are equally long,
+    // it returns the first stretch. Returns `part` itself if there is none.
     static std::uint32_t longest_border(std::uint32_t part, const Borders& borders,
                                         const std::vector<std::size_t>& size) {
         std::size_t longest = 0;
@@ -310,7 +314,8 @@ private:
         return best;
     }
 
-    // For each cell of a place: how many of its cells are in one row with it, in direction `way` and back.
+    // For each cell of a place, counts how many cells of that place are in one row with it, in the directions `way` and
+    // `back`.
     std::vector<std::uint32_t> runs(std::size_t way, std::size_t back) {
         const auto on = [&](std::uint32_t s, std::size_t to) {
             const std::uint32_t n = walls_.spans[s].next[to];
@@ -331,7 +336,7 @@ private:
     const double cell_area_m2_, radius_m_;
     const std::stop_token& stop_;
     OpenPlaces places_;
-    std::vector<std::uint32_t> stated_;  // the stated room of each span
+    std::vector<std::uint32_t> stated_;  // for each span: the room that the file states there
     std::vector<std::uint32_t> parent_;  // for each span, the next one towards the root of its basin
     std::vector<Basin> basins_;
 };

@@ -1,5 +1,5 @@
-// Finds the rooms of a world that nobody can reach on foot from its base: walled in, or beyond everything that doors,
-// lifts and teleporters connect. Works on the finished graph; pure functions; any thread.
+// Finds the rooms of a world that nobody can reach on foot from its base. Such rooms are walled in, or no door, lift or
+// teleporter connects them with the base. Works on the finished room graph. Pure functions; any thread may call them.
 #pragma once
 
 #include <string>
@@ -10,34 +10,37 @@
 
 namespace handrail::navigation {
 
-// The start at the base; null if the scene has no base.
+// Returns the start that is the base; null if the scene has no base.
 const Start* base_of(const Scene& scene);
 
-// For each span, the spans to which a drop, a lift or a teleporter leads from it.
+// Returns, for each span, the spans to which a drop, a lift or a teleporter leads from it.
 std::vector<std::vector<std::uint32_t>> spans_led_to(const WalkSpace& space);
-// The spans that can be reached from this one on foot and over such links, including itself.
+// Returns, for each span, whether a walker can get there from span `first` on foot and by drops, lifts and teleporters.
+// True for `first` itself.
 std::vector<bool> spans_reached(const WalkSpace& space, std::uint32_t first);
 
-// The end of a route to a room: its middle or, if that cannot be reached from `from_m`, the nearest place of the room
-// that can. The middle if there is none.
+// Returns the end of a route to a room. This is the middle of the room if it can be reached from `from_m`, otherwise
+// the nearest place in the room that can. If no place in the room can be reached, it is the middle.
 Vec3 goal_in_room(const Navigation& navigation, const RoomGraph& graph, std::uint32_t room, const Vec3& from_m);
 
 struct RoomOutOfReach {
-    std::string name;  // as it is announced
+    std::string name;  // the name that the program announces
     // Index in the graph. kNothing: the map names a place where nobody can stand.
     std::uint32_t room = kNothing;
     Vec3 at_m{0.0};
 };
-// All rooms out of reach, first in the order of the graph, then of the map's names. See unreachable_rooms for which
-// rooms count.
+// Returns all rooms out of reach, first those of the graph in its order, then those that only the map names. See
+// unreachable_rooms for which rooms count.
 std::vector<RoomOutOfReach> rooms_out_of_reach(const Scene& scene, const WalkSpace& space, const RoomGraph& graph);
 
-// The names of the rooms out of reach as they are announced, each once, in the order of the graph. Locked doors count
-// as passable. Liquids do not count. Niches, and rooms smaller than a square metre, count only if the map names them.
-// Names of the map count too if nobody can stand in their place. Empty if nobody can stand at the base.
+// Returns the names of the rooms out of reach as the program announces them, each once, in the order of the graph.
+// Locked doors count as passable. Liquids do not count. Niches, and rooms smaller than a square metre, count only if
+// the map names them. If the map names a place where nobody can stand, that name counts too. Empty if nobody can stand
+// at the base.
 std::vector<std::string> unreachable_rooms(const Scene& scene, const WalkSpace& space, const RoomGraph& graph);
 
-// "Vault cannot be reached on foot." Lists the first few by name; empty if there is none.
+// Returns a sentence such as "Vault cannot be reached on foot." It lists the first few names. Empty if `names` is
+// empty.
 std::string unreachable_words(const std::vector<std::string>& names);
 
 }  // namespace handrail::navigation

@@ -21,8 +21,8 @@ double area_m2(const std::vector<Vec2>& loop) {
 std::vector<RoomOutline> room_outlines(const RoomGraph& graph, const WalkSpace& space) {
     std::vector<RoomOutline> outlines(graph.rooms.size());
     std::vector<bool> met(graph.rooms.size(), false);
-    // The adjoining span, if people can walk there and back and stay in the room; else kNothing. Directions are as in
-    // WalkSpan::next: east, north, west, south.
+    // Returns the adjoining span in that direction, if people can step there and back without leaving the room; else
+    // kNothing. Directions are as in WalkSpan::next: east, north, west, south.
     const auto beside = [&](std::uint32_t span, std::size_t way) {
         const std::uint32_t n = space.spans[span].next[way];
         return n != kNothing && space.spans[n].next[(way + 2) % 4] == span &&
@@ -41,7 +41,7 @@ std::vector<RoomOutline> room_outlines(const RoomGraph& graph, const WalkSpace& 
         met[room] = true;
         for (std::size_t first = 0; first < 4; ++first) {
             if (done[4 * start + first] || beside(start, first) != kNothing) continue;
-            // Walk along the border with the room on the left; `side` is the side of the span that is border.
+            // Follow the border with the room on the left. `side` is the side of the span on which the border runs.
             std::vector<Vec2> loop;
             std::uint32_t span = start;
             std::size_t side = first;
@@ -54,9 +54,9 @@ std::vector<RoomOutline> room_outlines(const RoomGraph& graph, const WalkSpace& 
                     span = to;
                     continue;
                 }
-                // A corner: go around it from span to span to the next side that is border. On a stepped floor that may
-                // be the other side of the same step. No side can be reached from two others, so the loop ends where it
-                // began.
+                // At a corner, go from span to span around it until the next side with a border. On a stepped floor,
+                // that side may belong to another span of the same step. Each side has only one predecessor, so the
+                // loop ends where it began.
                 if (to == kNothing) to = span, to_side = ahead;
                 else
                     for (std::uint32_t on = beside(to, to_side); on != kNothing; on = beside(to, to_side))
@@ -73,7 +73,7 @@ std::vector<RoomOutline> room_outlines(const RoomGraph& graph, const WalkSpace& 
                 span = to;
                 side = to_side;
             } while (span != start || side != first);
-            // Clockwise loops, around objects in the room, have a negative area and are left out.
+            // Loops around objects in the room are clockwise. Their area is negative, so they are left out.
             if (area_m2(loop) >= kLeastLoop_m2) outline.loops_m.push_back(std::move(loop));
         }
     }
