@@ -23,7 +23,7 @@
 namespace handrail::navigation {
 namespace {
 
-// The ground outside that a building's reader added, if the span is on it; else null.
+// Returns the ground outside that a building's reader added, if the span is on it; else null.
 const Feature* outer_ground_under(std::uint32_t span, const WalkSpace& space, const Scene& scene) {
     const std::uint32_t ground = span == kNothing ? kNothing : space.spans[span].ground;
     const Feature* feature =
@@ -36,11 +36,12 @@ const Feature* ground_at_middle(const Room& room, const WalkSpace& space, const 
 }
 
 constexpr double kLeastRoom_m2 = 0.8, kNiche_m2 = 3.0, kLeastBorder_m2 = 1.0;
-constexpr double kNextStorey_m = 2.0;   // floors with a greater distance are on two storeys
-constexpr double kHalfStorey_m = 1.1;   // the same if the file states both storeys
-constexpr double kOnStorey_m = 0.5;     // from the height that a file states for a storey to the floors of its rooms
-constexpr double kMostBeside_m = 10.0;  // from the middle of a landmark to the floor next to it
-constexpr double kOnePortal_m = 1.0;    // smaller gaps in a border do not make two portals
+constexpr double kNextStorey_m = 2.0;  // floors that are farther apart in height are on two storeys
+constexpr double kHalfStorey_m = 1.1;  // the same limit if the file states both storeys
+// Greatest distance between the height that a file states for a storey and the floors of its rooms.
+constexpr double kOnStorey_m = 0.5;
+constexpr double kMostBeside_m = 10.0;  // greatest distance from the middle of a landmark to the floor next to it
+constexpr double kOnePortal_m = 1.0;    // two stretches of a border with a smaller gap between them are one portal
 
 MadeRoomName by_thing(const Feature& feature) {
     MadeRoomName called;
@@ -75,7 +76,7 @@ std::string unnumbered(const Room& room) {
 
 class Builder {
 public:
-    // `walls`: the same floor without furniture.
+    // `walls` is the same floor as `space`, but without furniture.
     Builder(const Scene& scene, const WalkSpace& space, const SpanGrid<WallSpan>& walls, const std::stop_token& stop)
         : scene_(scene), space_(space), walls_(walls), stop_(stop), label_(space.spans.size(), kNothing) {}
 
@@ -84,7 +85,7 @@ public:
         const auto liquid = [](const WalkSpan& s) { return s.liquid && s.door == kNothing; };
         const std::array<std::function<void()>, 11> stages{
             [&] { take_open_places(); },
-            // Floor on top of what open_places left out.
+            // Makes rooms of the floor on top of furniture and of other floor that is in no open place.
             [&] { pieces_of([](const WalkSpan& s) { return plain(s); }, RoomKind::Room); },
             [&] { pieces_of(stairs, RoomKind::Stairs); },
             [&] { pieces_of(liquid, RoomKind::Liquid); },
@@ -109,7 +110,7 @@ private:
     double clearance(std::uint32_t s) const { return static_cast<double>(space_.spans[s].clearance_m); }
     double area(std::size_t cells) const { return static_cast<double>(cells) * space_.cell_area_m2(); }
 
-    // A span belongs to the open place below it, which was found on the floor without furniture.
+    // Assigns each plain span to the open place below it. Open places were found on the floor without furniture.
     void take_open_places() {
         places_ = open_places(scene_, walls_, space_.cell_area_m2(), space_.body.radius_m, stop_);
         kinds_.assign(places_.names.size(), RoomKind::Room);
@@ -144,7 +145,7 @@ private:
         }
     }
 
-    // Joins pieces that are too small to be rooms to the neighbour with the longest common border.
+    // Joins pieces that are too small to be rooms to the neighbour with which they have the longest common border.
     void absorb_crumbs() {
         for (int round = 0; round < 4 && !stop_.stop_requested(); ++round) {
             std::vector<std::size_t> cells(kinds_.size(), 0);
@@ -179,7 +180,7 @@ private:
         }
     }
 
-    // Finds the rooms on the sides of each door, before the door's own spans are given to one of them.
+    // Finds the rooms on both sides of each door, before the spans in the doorway become part of one of them.
     void find_door_sides() {
         for (std::uint32_t s = 0; s < space_.spans.size(); ++s) {
             if (space_.spans[s].door == kNothing) continue;
@@ -190,8 +191,8 @@ private:
         if (scene_.stated) take_stated_doors();
     }
 
-    // What the file states about a door's two sides takes precedence. If it states only one room, the other side is
-    // outside unless something else was found there.
+    // Uses what the file states about the two sides of a door, instead of what was found. If the file states only one
+    // room, the other side is outside, unless rooms were found on both sides.
     void take_stated_doors() {
         for (const StatedPortal& stated : scene_.stated->portals) {
             const auto mover = std::find_if(scene_.movers.begin(), scene_.movers.end(),
@@ -207,7 +208,7 @@ private:
         }
     }
     bool beside_stated_door(const std::pair<std::uint32_t, std::uint32_t>& rooms, const Vec3& at_m) const {
-        constexpr double kSame_m = 1.0;  // a doorway's border is on one side of its leaf, a walker's radius away
+        constexpr double kSame_m = 1.0;  // a doorway's border is next to its leaf, at a distance of a walker's radius
         return scene_.stated && std::any_of(graph_.portals.begin(), graph_.portals.end(), [&](const Portal& p) {
                    return p.kind == PassageKind::Door && p.rooms[0] == rooms.first && p.rooms[1] == rooms.second &&
                           glm::length(p.place_m - at_m) < kSame_m;
@@ -224,13 +225,13 @@ private:
                     label_[n] = label_[open[i]];
                     open.push_back(n);
                 }
-        // Doors that lead nowhere else become places themselves.
+        // The doorways of doors that lead nowhere become rooms of their own.
         pieces_of([](const WalkSpan&) { return true; }, RoomKind::Niche);
     }
 
     void number_rooms() {
         std::vector<std::uint32_t> number(kinds_.size(), kNothing);
-        // The first translation of each name; never iterated.
+        // For each name, its first translation. Nothing iterates over this map, because its order is arbitrary.
         std::unordered_map<std::string_view, const OtherLanguages*> names_in;
         for (const RoomName& given : scene_.room_names)
             if (!given.name_in.empty()) names_in.try_emplace(given.name, &given.name_in);
@@ -255,8 +256,9 @@ private:
         graph_.room_of_span = label_;
     }
 
-    // The widest place of a room that is open to another may be on the border between them, where it is unclear in
-    // which of the two a person is. Such a middle moves to the place farthest from walls and borders.
+    // If two rooms are open to each other, the widest place of a room may be on the border between them. There it would
+    // be unclear in which room a person is. This function moves such a middle to the place farthest from walls and
+    // borders.
     void draw_middles_in() {
         constexpr double kOffBorder_m = 0.25;
         const auto most = static_cast<std::uint32_t>(std::lround(kOffBorder_m / space_.cell_m));
@@ -276,7 +278,7 @@ private:
                     }
         }
         if (std::none_of(drawn_in.begin(), drawn_in.end(), [](bool in) { return in; })) return;
-        // Measures the distance from the borders in rings inwards.
+        // Measure the distance of each span from the borders, in rings that grow inwards.
         std::vector<float> off_m(space_.spans.size(), std::numeric_limits<float>::max());
         std::vector<std::uint32_t> ring;
         for (std::uint32_t s = 0; s < space_.spans.size(); ++s)
@@ -302,8 +304,8 @@ private:
         }
     }
 
-    // A room may be in several pieces, and routes lead to its middle. So if the base reaches any part of a room, only
-    // the reached part may contain the middle.
+    // Finds the spans that may be the middle of a room, to which routes lead. A room may consist of several pieces. If
+    // people can reach any part of it from the base, its middle must be in such a part.
     void find_goals() {
         goal_.assign(space_.spans.size(), true);
         const Start* const base = base_of(scene_);
@@ -313,7 +315,7 @@ private:
         std::vector<bool> comes_to(graph_.rooms.size(), false);
         for (std::uint32_t s = 0; s < space_.spans.size(); ++s)
             if (reached[s]) comes_to[label_[s]] = true;
-        // The middle of the outside must be on the ground, not on a path that crosses it.
+        // The middle of the ground outside must be on the ground itself, not on a path that crosses it.
         for (std::uint32_t s = 0; s < space_.spans.size(); ++s)
             goal_[s] = (reached[s] || !comes_to[label_[s]]) &&
                        (label_[s] != outside_room_ || outer_ground_under(s, space_, scene_));
@@ -377,7 +379,7 @@ private:
             Aabb box;
             FeatureId first = kNoFeature;
         };
-        std::map<std::uint32_t, Leaves> leaves_of;  // by group
+        std::map<std::uint32_t, Leaves> leaves_of;  // the leaves of each group
         for (const Mover& mover : scene_.movers) {
             Leaves& leaves = leaves_of[mover.group];
             leaves.box.include(scene_.features[mover.feature.value].bounds_m);
@@ -399,7 +401,7 @@ private:
             portal.place_m = {centre.x, centre.y, box.min_m.z};
             graph_.portals.push_back(portal);
         }
-        // Finds borders without a door, stretch by stretch.
+        // Finds the portals without a door: stretches of the border between two rooms.
         struct Stretch {
             Vec3 sum{0.0};
             Aabb box;
@@ -447,7 +449,7 @@ private:
                 graph_.portals.push_back(portal);
             }
         std::set<std::tuple<PassageKind, std::uint32_t, std::uint32_t, std::uint32_t>>
-            // Two rooms have at most one drop, but one link of another kind for each feature.
+            // Two rooms have at most one drop in each direction. Links of other kinds make one portal for each feature.
             known;
         for (const WalkLink& link : space_.links) {
             const std::uint32_t a = label_[link.from], b = label_[link.to];
@@ -459,7 +461,7 @@ private:
         }
     }
 
-    // Names rooms by an object that is only in them, else by size and place.
+    // Names each room by an object in it; if the room has none, by its size and place.
     void name() {
         std::vector<MadeRoomName> content(graph_.rooms.size());
         for (const Feature& feature : scene_.features) {
@@ -497,7 +499,7 @@ private:
         number_room_names(graph_);
     }
 
-    // The file's name for each level, by the median floor height of its rooms.
+    // Returns the file's name for each level. The median floor height of the level's rooms determines which name it is.
     std::vector<std::string> storey_names() const {
         std::vector<std::string> names(static_cast<std::size_t>(levels_));
         if (!scene_.stated) return names;
@@ -517,7 +519,7 @@ private:
         return names;
     }
 
-    // For each flight of stairs, the first named object that it is walked on.
+    // Returns, for each flight of stairs, the first named object on which people walk there.
     std::vector<const Feature*> grounds_of_stairs() const {
         std::vector<const Feature*> grounds(graph_.rooms.size(), nullptr);
         for (std::uint32_t s = 0; s < label_.size(); ++s) {
@@ -564,7 +566,7 @@ private:
     OpenPlaces places_;
     std::vector<std::uint32_t> label_;  // for each span; spans in an open place have that place's number
     std::vector<RoomKind> kinds_;
-    std::uint32_t outside_room_ = kNothing;  // the ground that a reader added
+    std::uint32_t outside_room_ = kNothing;  // room of the ground that a reader added
     std::vector<std::string> names_;
     std::map<std::uint32_t, std::map<std::uint32_t, std::size_t>> door_sides_;
     int levels_ = 1;
@@ -575,7 +577,7 @@ private:
 
 RoomGraph make_rooms(const Scene& scene, const WalkSpace& space, const std::stop_token& stop) {
     if (space.walls) return Builder(scene, space, *space.walls, stop).build();
-    // Used if nobody can stand on the floor without furniture, or if that floor was freed.
+    // This copy is used if nobody can stand on the floor without furniture, or if that floor was freed.
     SpanGrid<WallSpan> as_it_is{space.origin_m, space.cell_m, space.width, space.depth, space.first, {}};
     for (const WalkSpan& s : space.spans)
         as_it_is.spans.push_back({s.floor_m,

@@ -1,5 +1,5 @@
-// Rooms and the portals between them: one graph for every kind of world, derived from the walkable space if the file
-// states none. Pure functions; any thread.
+// The rooms of a world and the portals between them. Every kind of world has such a graph, made from the walkable space
+// and the rooms that the file states. Pure functions; any thread may call them.
 #pragma once
 
 #include <array>
@@ -13,38 +13,39 @@ namespace handrail::navigation {
 
 enum class RoomKind : std::uint8_t { Room, Stairs, Liquid, Niche };
 
-// The kind of room in the name that Handrail makes for a room without one.
+// The word for a room in a name that Handrail makes.
 enum class RoomLook : std::uint8_t { Niche, Corridor, SmallRoom, Room, LargeRoom, Hall };
 struct MadeRoomName {
     std::string thing;        // an object in the room that gives it its name, if any: see Feature::name
     bool thing_made = false;  // see Feature::made_name
     OtherLanguages thing_in = {};
-    bool with_thing = false;  // "room with Stove"; else the room has the name of the object
+    bool with_thing = false;  // the name is "room with Stove"; otherwise it is the name of the object
     RoomLook look = RoomLook::Room;
-    int wide_m = 0, deep_m = 0;           // otherwise the name states the size and place
-    std::optional<double> side_rad = {};  // side of the storey; none: in the middle
+    int wide_m = 0, deep_m = 0;           // size of the room; a room without an object is named by its size and place
+    std::optional<double> side_rad = {};  // on which side of the storey the room is; none: in the middle
     int level = 0, levels = 1;
-    std::string storey = {};  // name of the storey in the file, if there are several; empty: the level is counted
+    // Name of the storey in the file, if there are several storeys; empty: the name contains the number of the level.
+    std::string storey = {};
 };
 
 struct Room {
     RoomKind kind = RoomKind::Room;
     // Lower case unless it is a proper name: "Kitchen", "large room, 12 by 8 metres, north". A name that no person gave
-    // is in the language that was spoken when the graph was made: see say_room_names. Files never refer to a room by
-    // it.
+    // is in the language that was spoken when the graph was made: see say_room_names. Files never use such a name to
+    // refer to a room.
     std::string name;
     bool given = false;  // `name` comes from a person
-    // Empty: the map gives no name, so the name is made from what is known about the room.
+    // The name that the map gives. Empty: it gives none, and Handrail made the name from what is known about the room.
     std::string map_name;
     OtherLanguages map_name_in;
-    bool is_way = false;  // a footway, a street or a platform outside rooms
+    bool is_way = false;  // the room is a footway, a street or a platform outdoors
     MadeRoomName made;
     int same_name = 1;     // number among the rooms of the same name; ways are not numbered
-    int level = 0;         // 0 is the lowest
-    double area_m2 = 0.0;  // floor where people can stand, plus the strip along the walls
-    double floor_m = 0.0;  // mean height
-    Aabb bounds_m;         // of the room's floor
-    Vec3 middle_m{0.0};    // the place with the most room around it
+    int level = 0;         // number of the storey; 0 is the lowest
+    double area_m2 = 0.0;  // area of the floor where people can stand, including the strip along the walls
+    double floor_m = 0.0;  // mean height of the floor
+    Aabb bounds_m;         // box around the room's floor
+    Vec3 middle_m{0.0};    // place in the room with the most clearance
 };
 
 struct Portal {
@@ -56,7 +57,7 @@ struct Portal {
     bool one_way = false;
 };
 
-// A name for the room around a place.
+// A name that a person gives to the room around a place.
 struct GivenName {
     Vec3 at_m{0.0};
     std::string name;
@@ -65,45 +66,49 @@ struct GivenName {
 struct RoomGraph {
     std::vector<Room> rooms;
     std::vector<Portal> portals;
-    std::vector<std::uint32_t> room_of_span;  // size as WalkSpace::spans
-    std::string language;                     // the language of the names
+    std::vector<std::uint32_t> room_of_span;  // for each entry of WalkSpace::spans: its room
+    std::string language;                     // language of the names that Handrail made
 };
 
-// Rooms are divided at doors, stairs, liquids and places where walls narrow the floor; furniture does not divide them.
-// Names of Scene::room_names divide floor that no wall divides, at the narrowest place between them. The time is
-// proportional to the spans. `stop` is queried every few milliseconds; after a stop the graph has no rooms.
+// Makes the graph. Rooms are divided at doors, stairs, liquids and places where walls narrow the floor; furniture does
+// not divide them. Floor that no wall divides, but that has several names of Scene::room_names, is divided at the
+// narrowest places between them. The time is proportional to the number of spans. `stop` is queried every few
+// milliseconds; after a stop the graph has no rooms.
 RoomGraph make_rooms(const Scene& scene, const WalkSpace& space, const std::stop_token& stop = {});
 
-// The name that Handrail makes for a room without one, in the language spoken.
+// Returns the name that Handrail makes for a room without one, in the language spoken.
 std::string own_name(const Room& room);
-// The name by which files refer to the room in any language: the person's or the map's. Empty if neither named it.
+// Returns the name by which files refer to the room in any language: the one that a person gave, else the map's. Empty
+// if neither named the room.
 const std::string& known_as(const Room& room);
 
-// Numbers the rooms of the same name and sets all names, as when the graph was made, before any person gave one.
+// Numbers the rooms that have the same name and sets all names. The names are then as when the graph was made, before
+// any person gave one.
 void number_room_names(RoomGraph& graph);
-// Remakes the names that Handrail made, if another language is spoken now. Costs nothing otherwise.
+// Remakes the names that Handrail made, if another language is spoken now. Otherwise returns at once.
 void say_room_names(RoomGraph& graph);
 
-// The room at that place; kNothing if it is not walkable.
+// Returns the room at that place; kNothing if nobody can walk there.
 std::uint32_t room_at(const RoomGraph& graph, const WalkSpace& space, const Vec3& feet_m);
 
-// Returns whether the walker is at least a hand's breadth inside the room, on its floor, and within the outline that
-// the file states for it, if any. On the border it would be unclear which room is announced.
+// Returns whether the walker is on the floor of the room and at least a hand's breadth inside it. The walker must also
+// be inside the outline that the file states for the room, if any. On the border it would be unclear which room is
+// announced.
 bool stands_inside(const RoomGraph& graph, const WalkSpace& space, const Scene& scene, const Vec3& feet_m,
                    std::uint32_t room);
 
 // Returns whether the room is on the ground that a reader laid around a building. Such a room has no walls.
 bool is_outside(const Room& room, const WalkSpace& space, const Scene& scene);
 
-// The boxes that nobody can pass if a door is blocked: its leaves as the file has them, and the doorway.
+// Returns the boxes that nobody can pass if a door is blocked: the leaves as they are in the file, and the doorway.
 std::vector<Aabb> door_boxes(const Scene& scene, const RoomGraph& graph, FeatureId door);
 
-// Gives a person's names to the rooms around their places. Returns the names that no longer have a room, or share one
-// with another name.
+// Applies each name that a person gave to the room around its place. Returns the names that no longer have a room, or
+// whose room has another given name.
 std::vector<std::string> give_names(RoomGraph& graph, const WalkSpace& space, const std::vector<GivenName>& names);
 
-// Indices in RoomGraph::portals of the exits from a room. They are in clockwise order as seen from that place, starting
-// from that heading.
+// Returns the exits from a room as indices in RoomGraph::portals. They are in clockwise order as seen from `feet_m`,
+// starting from `heading_rad`.
 std::vector<std::uint32_t> exits_of(const RoomGraph& graph, std::uint32_t room, const Vec3& feet_m, double heading_rad);
 
 }  // namespace handrail::navigation

@@ -1,5 +1,5 @@
-// A walking route from one place to another, as plain values. Guidance, spoken directions and the wall side of a route
-// are made from it. World metres; points are where the soles are.
+// A walking route from one place to another, as plain values. Guidance and spoken directions use it, and so does the
+// touchable wall along the route. World metres; points are at the height of the soles.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace handrail::navigation {
 
-// Something that the walker meets on a route, or that joins two rooms.
+// The kind of a passage: something that the walker meets on a route, or that joins two rooms.
 enum class PassageKind : std::uint8_t {
     Door,
     Opening,
@@ -17,7 +17,7 @@ enum class PassageKind : std::uint8_t {
     Lift,
     Drop,
     Teleporter,
-    Climb,  // stairs without walkable steps, taken in one go: see stated_stairs.h
+    Climb,  // stairs without walkable steps, which the walker takes like a lift: see stated_stairs.h
 };
 
 // A passage on a route.
@@ -25,9 +25,9 @@ struct RoutePassage {
     PassageKind kind = PassageKind::Door;
     Vec3 place_m{0.0};
     double at_m = 0.0;    // distance along the route
-    double rise_m = 0.0;  // stairs, climbs, lifts and drops: height to where they lead, negative down
-    // The door, lift or teleporter. For stairs, what the walker steps on. For a climb, the stairs if anything of them
-    // was built.
+    double rise_m = 0.0;  // rise of stairs, climbs, lifts and drops; negative: down
+    // The door, lift or teleporter. For stairs: the object that the walker steps on. For a climb: the stairs;
+    // kNoFeature if the file contains no shape for them.
     FeatureId feature = kNoFeature;
 };
 
@@ -35,16 +35,17 @@ struct Route {
     // From the start to the goal, or to the nearest place that can be reached. Empty if nobody can stand at the start.
     std::vector<Vec3> points_m;
     std::vector<RoutePassage> passages;  // in the order in which the walker meets them
-    double length_m = 0.0;    // along the points, including the rise; a lift, climb, drop or teleporter adds nothing
+    // Length along the points, including the rise; a lift, climb, drop or teleporter adds nothing.
+    double length_m = 0.0;
     bool reaches = false;     // the last point is the goal
-    double short_of_m = 0.0;  // from the last point to the goal, if the route does not reach it
-    bool drops = false;       // the route goes down somewhere without a way back up there
+    double short_of_m = 0.0;  // distance from the last point to the goal, if the route does not reach the goal
+    bool drops = false;       // at some place the route goes down and cannot be walked back up
 };
 
-// What matters if there are several routes.
+// Which of several possible routes the planner prefers.
 enum class RouteWish : std::uint8_t {
-    Safest,    // away from walls and edges, around liquids and drops
-    Shortest,  // shortest in metres
+    Safest,    // keeps away from walls and edges, and avoids liquids and drops
+    Shortest,  // the shortest route in metres
     OnFoot,    // as Safest, and never by a lift, a climb, a teleporter or a drop
 };
 

@@ -1,4 +1,4 @@
-// Assigns the places of a walkable space to the rooms that a file states. Pure functions; any thread.
+// Assigns the spans of a walkable space to the rooms that a file states. Pure functions; any thread may call them.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace handrail::navigation {
 
-// For each span, the index in StatedBuilding::rooms of the room that contains it, by outline and height; kNothing if
-// none does. Of two overlapping rooms the first counts. The time is proportional to the cells under the rooms'
-// outlines.
+// Returns, for each span, the index in StatedBuilding::rooms of the room that contains it by outline and height;
+// kNothing if no room does. If two rooms overlap, the first one counts. The time is proportional to the number of cells
+// under the rooms' outlines.
 template <class Span>
 std::vector<std::uint32_t> stated_rooms_of(const StatedBuilding& stated, const SpanGrid<Span>& grid);
 
-// The first room that contains the place; null if none does, or the file states no rooms.
+// Returns the first room that contains the place; null if none does, or if the file states no rooms.
 const StatedRoom* stated_room_at(const Scene& scene, const Vec3& at_m);
 
 }  // namespace handrail::navigation

@@ -13,19 +13,20 @@
 namespace handrail::navigation {
 namespace {
 
-constexpr double kLevel = 0.7;         // least vertical part of a tread's normal
+constexpr double kLevel = 0.7;  // a surface counts as a tread if the vertical component of its normal is at least this
 constexpr double kFirstTread_m = 0.6;  // greatest height of the first tread above the lower floor
-// Greatest depth of the last tread below the upper floor; a tenth above it is also allowed.
+// Greatest depth of the last tread below the upper floor. The last tread may also be up to a tenth of a metre above
+// that floor.
 constexpr double kLastTread_m = 0.6;
 constexpr double kNearEnd_m = 1.5, kSameFloor_m = 0.4;
 constexpr double kLeastRise_m = 0.5;
 
-// A surface to tread on, from the parts of one feature.
+// A surface on which people tread, made of several parts of one feature.
 struct Tread {
     Vec3 middle_m{0.0};
     double area_m2 = 0.0;
 };
-using Treads = std::map<std::uint32_t, std::vector<Tread>>;  // by feature
+using Treads = std::map<std::uint32_t, std::vector<Tread>>;  // the treads of each feature
 
 void add(std::vector<Tread>& treads, const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 normal = glm::cross(b - a, c - a);
@@ -55,7 +56,7 @@ Treads treads_of(const Scene& scene, const StatedBuilding& stated) {
     return treads;
 }
 
-// The area-weighted middle of the treads between two heights; nothing if there are none.
+// Returns the area-weighted middle of the treads between two heights; nothing if there are no treads.
 std::optional<Vec3> middle_of(const std::vector<Tread>& treads, double low_m, double high_m) {
     Vec3 sum{0.0};
     double area_m2 = 0.0;
@@ -70,10 +71,11 @@ std::optional<Vec3> middle_of(const std::vector<Tread>& treads, double low_m, do
 
 struct Stairs {
     Vec3 foot_m{0.0}, head_m{0.0};
-    Aabb around;  // where people walk on them; empty: nothing of them was built
+    Aabb around;  // box in which people walk on the stairs; empty: the file contains no shape for them
 };
 
-// Finds where a walker steps on and off the stairs: by their treads, else by the rooms that they join.
+// Finds where a walker steps on and off the stairs. Uses the treads or, if there are none, the rooms that the stairs
+// join.
 std::optional<Stairs> stairs_of(const Scene& scene, const StatedBuilding& stated, const StatedPortal& portal,
                                 const Treads& all) {
     const StatedRoom *low = nullptr, *high = nullptr;

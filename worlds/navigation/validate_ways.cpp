@@ -23,7 +23,7 @@ const char* fault_of_columns(const WalkSpace& space) {
     return nullptr;
 }
 
-// Directions are east, north, west, south.
+// Returns the first fault of a span as text; null if there is none. Directions are east, north, west, south.
 const char* fault_of_span(const WalkSpace& space, const WalkSpan& span) {
     if (!std::isfinite(span.floor_m) || !(span.floor_m <= span.ceiling_m)) return "a floor above its ceiling";
     if (!(span.clearance_m >= 0.0F)) return "a clearance that is none";

@@ -1,6 +1,6 @@
-// Checks the consistency of a walk space and of the rooms made from it, which route planning and room names rely on
-// without checking. For tests and the preset debug, after each search for rooms; any thread. Looks at every span once.
-// The messages are for developers.
+// Checks that a walk space and its rooms are consistent. Route planning and room names rely on that without checking
+// it. Tests use these functions, and the preset debug calls them after each search for rooms. Any thread may call them.
+// Each call looks at every span once. The messages are for developers.
 #pragma once
 
 #include "worlds/base/result.h"

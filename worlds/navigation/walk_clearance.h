@@ -1,5 +1,5 @@
-// Finds where people can stand in a column: the free stretches between obstacles, with a floor below. Used for the
-// tiles and for the estimate of how much floor there is.
+// Finds where people can stand in a column: the free stretches between obstacles that have a floor below. The tiles use
+// it, and so does the estimate of how much floor there is.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,8 @@
 
 namespace handrail::navigation {
 
-inline constexpr double kLeastRoom_m = 1e-3;  // least distance between the floor and the highest place of the soles
+// Least difference between a floor and the highest possible position of the soles above it.
+inline constexpr double kLeastRoom_m = 1e-3;
 inline constexpr double kSky = 1e7;
 
 // The part of a column that one obstacle occupies.
@@ -24,7 +25,7 @@ struct ColumnInterval {
     bool steep = false;
 };
 
-// Sorts by the lower ends, stably. Insertion sort suits most columns, which have few intervals.
+// Sorts by the lower ends, stably. Insertion sort is fastest for most columns, because they have few intervals.
 inline void from_below(std::span<ColumnInterval> intervals) {
     const auto lower = [](const ColumnInterval& a, const ColumnInterval& b) { return a.low < b.low; };
     if (intervals.size() > 16) return std::stable_sort(intervals.begin(), intervals.end(), lower);
@@ -33,18 +34,19 @@ inline void from_below(std::span<ColumnInterval> intervals) {
             std::swap(intervals[k], intervals[k - 1]);
 }
 
-// Finds the free stretches of one column with a floor to stand on, from below. `intervals`, and `floors` of movers,
-// must be sorted by their lower ends. Intervals for which `skip` is true are ignored. Calls `put(floor, ceiling,
-// ground)` for each stretch.
+// Finds the free stretches of one column that have a floor to stand on, from below. `intervals` of obstacles and
+// `floors` of movers must be sorted by their lower ends. Intervals for which `skip` returns true are ignored. Calls
+// `put(floor, ceiling, ground)` for each stretch.
 template <class Skip, class Put>
 void free_stretches(std::span<const ColumnInterval> intervals, std::span<const ColumnInterval> floors, double step_up_m,
                     Skip skip, Put put) {
-    const auto covered = [&](double floor_m) {  // by the floor of a mover, at most a step higher
+    // Returns whether the floor of a mover covers this floor, at most a step higher.
+    const auto covered = [&](double floor_m) {
         return std::any_of(floors.begin(), floors.end(), [&](const ColumnInterval& f) {
             return !f.steep && f.high > floor_m + kLeastRoom_m && f.high <= floor_m + step_up_m;
         });
     };
-    const auto bearable = [&](double from, double to) {  // floors of movers within a free stretch
+    const auto bearable = [&](double from, double to) {  // adds the floors of movers within a free stretch
         for (const ColumnInterval& f : floors)
             if (!f.steep && f.high > from + kLeastRoom_m && f.high < to - kLeastRoom_m) put(f.high, to, f.obstacle);
     };
@@ -57,7 +59,7 @@ void free_stretches(std::span<const ColumnInterval> intervals, std::span<const C
             if (!steep && !covered(top)) put(top, i.low, ground);
             bearable(top, i.low);
         }
-        // If several tops have the same height, one that people can stand on takes precedence.
+        // If several tops have the same height, use one that people can stand on.
         if (i.high > top + kWalkRounding_m || (i.high > top - kWalkRounding_m && steep && !i.steep)) {
             top = std::max(top, i.high);
             ground = i.obstacle;
@@ -68,9 +70,9 @@ void free_stretches(std::span<const ColumnInterval> intervals, std::span<const C
     bearable(top, kSky);
 }
 
-// Estimates the area of floor to stand on in the whole scene, reached or not, without ground that is left out. It
-// decides how fine the columns can be. The error is a few percent: if there are many obstacles, a fixed number of
-// columns is sampled.
+// Estimates the floor area of the whole scene on which people could stand, whether they can get there or not, without
+// ground that is left out. The estimate decides how fine the columns can be. If there are many obstacles, it comes from
+// a fixed number of sampled columns, with an error of a few percent.
 double standable_m2(const Obstacles& obstacles, const WalkerMeasures& body, const NearGround& ground,
                     double exact_enough_m2);
 

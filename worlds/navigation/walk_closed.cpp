@@ -1,5 +1,5 @@
-// Finds floor that nothing leads to: a room without a door, or with a door that nobody gets through. It counts as a
-// room, announced as out of reach, if something encloses it on all sides. So tops of walls, roofs and ledges do not
+// Finds floor to which nothing leads: a room without a door, or with a door that nobody gets through. Such floor counts
+// as a room, announced as out of reach, if obstacles enclose it on all sides. So tops of walls, roofs and ledges do not
 // count.
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@
 namespace handrail::navigation {
 namespace {
 
-constexpr double kLeast_m2 = 2.0;    // least floor area to stand on; anything smaller is a shaft
-constexpr std::int64_t kEvery = 10;  // cells between tested places
-constexpr double kInFloor_m = 0.01;  // obstacles that begin lower than this are on the floor
+constexpr double kLeast_m2 = 2.0;    // least floor area of a closed room; anything smaller is a shaft
+constexpr std::int64_t kEvery = 10;  // number of cells between two tested places
+constexpr double kInFloor_m = 0.01;  // an obstacle must begin lower than this above the floor to enclose it
 
 std::uint64_t key_of(std::uint32_t tile, std::uint32_t place) { return (std::uint64_t{tile} << 32) | place; }
 
@@ -54,7 +54,7 @@ Flood::End Flood::reach_closed_rooms() {
     return End::Done;
 }
 
-// If the start is under the open sky, the world may have no ceilings at all.
+// Returns whether the start is under the open sky. If it is, the world may have no ceilings at all.
 bool Flood::under_the_sky_at_the_start() {
     if (scene_.starts.empty()) return false;
     const Cell cell = tiles_.cell_at(scene_.starts.front().feet_m);
@@ -65,9 +65,9 @@ bool Flood::under_the_sky_at_the_start() {
            range.from + 1 == range.to;
 }
 
-// Visits everything that can be reached from there, without furniture. Returns false if the area is small, reached
-// already, partly under open sky and partly not, or has an edge to fall from. Then the search ends at once, and so does
-// any later search that comes to a place seen here.
+// Visits everything that a walker could reach from `from` if there were no furniture. Returns false if that area is
+// small, was reached already, is partly under open sky and partly not, or has an edge to fall from. The search ends as
+// soon as one of these is certain, and so does any later search that comes to a place in `seen`.
 bool Flood::is_closed_room(const Found& from, SeenPlaces& seen) {
     const auto trial = static_cast<std::uint32_t>(seen.size());
     const bool sky = tiles_[from.tile].places[from.place].ceiling >= kSky;

@@ -10,7 +10,7 @@
 namespace handrail::navigation {
 namespace {
 
-constexpr double kWading_m = 0.3;  // a place under deeper liquid counts as in it
+constexpr double kWading_m = 0.3;  // a walker counts as in a liquid if it is deeper than this
 
 bool lies_in(const Aabb& box, const Vec3& at) {
     return glm::all(glm::lessThanEqual(box.min_m, at)) && glm::all(glm::lessThanEqual(at, box.max_m));
@@ -51,7 +51,7 @@ Flood::End Flood::spread_all() {
     return stop_.stop_requested() ? End::Stopped : End::Done;
 }
 
-// Spreads from all open places of one tile to the tile's borders.
+// Spreads from all waiting places of one tile up to the tile's borders.
 Flood::End Flood::spread(std::uint32_t number) {
     while (!tiles_[number].open.empty()) {
         if (stopped()) return End::Stopped;
@@ -79,7 +79,7 @@ Flood::End Flood::spread(std::uint32_t number) {
             } else if (const std::uint32_t down = drop(here, other, to, spot.layer); down != kNothing)
                 visit(spot.layer, other, down, to);
         }
-        // Reaches the stops to which a lift carries its passengers.
+        // A walker on a lift also reaches all stops of that lift.
         if (here.ground != kNothing && here.ground >= obstacles_.all.size()) {
             const PassingFloor& floor = obstacles_.passing[here.ground - obstacles_.all.size()];
             const Range range = WalkTiles::column(tile, spot.cell, spot.layer);
@@ -97,14 +97,14 @@ bool Flood::is_within(const Place& place, Cell cell) const {
     return !trial_ || !trial_->within || lies_in(trial_->within->box_m, Vec3(tiles_.middle(cell), place.floor));
 }
 
-// The place below, if a walker steps over the edge into a cell of that tile.
+// Returns the place below where a walker lands who steps over the edge into a cell of that tile.
 std::uint32_t Flood::drop(const Place& here, std::uint32_t tile, Cell to, Layer layer) const {
     const std::uint32_t down = tiles_.drop(here, tiles_[tile], WalkTiles::local(to), layer);
     return down != kNothing && is_within(tiles_[tile].places[down], to) ? down : kNothing;
 }
 
-// Finds what blocks the walker in the directions without a step. The building itself takes precedence over objects in
-// it.
+// Finds what blocks the walker in the directions in which no step is possible. A part of the building takes precedence
+// over objects in it.
 void Flood::look_beside(std::uint32_t number, const Spot& spot, const Steps& steps) {
     const Tile& tile = tiles_[number];
     const Place here = tile.places[spot.place];
@@ -160,7 +160,7 @@ void Flood::seed_at(const Vec3& at, double level_m, double up_m, double down_m, 
     const Cell middle_cell = tiles_.cell_at(at);
     const auto rings = static_cast<std::int64_t>(std::min(level_m / body_.cell_m, 100.0));
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
-    double best[2] = {kInfinite, trial_ ? -kInfinite : kInfinite};  // a trial needs no walls
+    double best[2] = {kInfinite, trial_ ? -kInfinite : kInfinite};  // a trial searches only the floor with furniture
     Found found[2];
     const auto farthest = [&] { return std::max(best[kFurnished], best[kWalls]); };
     for (std::int64_t ring = 0; ring <= rings && static_cast<double>(ring) * body_.cell_m < farthest(); ++ring) {
@@ -209,19 +209,19 @@ void Flood::seed() {
         const bool thing = feature.kind == FeatureKind::Object || feature.kind == FeatureKind::Button ||
                            feature.kind == FeatureKind::Trigger || feature.kind == FeatureKind::Teleport;
         const Vec3 centre = feature.bounds_m.centre_m(), size = feature.bounds_m.size_m();
-        // The middle of something as large as a room or a hall's ceiling is no useful start.
+        // The middle of something as large as a room, or of a hall's ceiling, is no useful start.
         if (!thing || std::max(size.x, size.y) > 6.0) continue;
         seed_at({centre.x, centre.y, feature.bounds_m.min_m.z}, 0.5 * std::max(size.x, size.y) + body_.radius_m + 0.3,
                 0.3, 2.0, true);
     }
-    // If the designer placed nothing, start in the middle of the world, from above.
+    // If the flood has no start so far, begin in the middle of the world, from above.
     if (!layers_[kFurnished].any && scene_.starts.empty() && !scene_.bounds_m.empty()) {
         const Vec3 c = scene_.bounds_m.centre_m();
         seed_at({c.x, c.y, scene_.bounds_m.min_m.z}, 5.0, scene_.bounds_m.size_m().z + 0.1, 0.1, false);
     }
 }
 
-// Sets the size of the grid, and the first span of each cell.
+// Sets the size of the grid, and the number of the first span in each cell.
 template <class Span>
 bool Flood::number(Layer layer, SpanGrid<Span>& grid, double& lowest) {
     const Extent& extent = layers_[layer];
@@ -255,8 +255,8 @@ bool Flood::number(Layer layer, SpanGrid<Span>& grid, double& lowest) {
     return true;
 }
 
-// Writes each span with its surroundings and the spans that it leads to. Calls `each(span, number, tile, place)` with
-// the place from which the span was made.
+// Writes each span with its surroundings and the neighbouring spans to which a step leads. Calls `each(span, number,
+// tile, place)` with the place from which the span was made.
 template <class Span, class Each>
 bool Flood::write_spans(Layer layer, SpanGrid<Span>& grid, Each each) {
     double lowest = 0.0;
@@ -312,7 +312,7 @@ bool Flood::write_spans(Layer layer, SpanGrid<Span>& grid, Each each) {
                     const std::size_t at = WalkTiles::local(to);
                     const Tile& other = tiles_[tiles_.beside(number, cell, static_cast<int>(d))];
                     const std::uint32_t n = tiles_.known_step(tile, k, d, other, at, layer);
-                    // Keep a step only if it is the nearest in both directions.
+                    // Keep a step only if the step back leads to the same place.
                     if (n == kNothing || !tiles_.leads_back(tile, cell, k, other.places[n], layer)) continue;
                     const Range there = WalkTiles::column(other, at, layer);
                     std::uint32_t before = 0;

@@ -1,5 +1,5 @@
-// Floods everything that can be reached on foot, tile by tile and breadth first, both with furniture and without it,
-// and writes the result as spans. Used by walk_space only.
+// Finds everything that a walker can reach on foot by a breadth-first flood fill, tile by tile. It does so once with
+// furniture and once without, and writes the results as spans. Only walk_space uses this class.
 #pragma once
 
 #include <array>
@@ -15,21 +15,21 @@ namespace handrail::navigation {
 
 class Flood {
 public:
-    // Coarse columns may have more spans, so that a large station need not use columns too coarse for its doors.
+    // Returns the greatest number of spans. Coarse columns may have more spans, so that the columns of a large station
+    // do not become too coarse for its doors.
     static std::size_t most_spans(double cell_m) { return cell_m > 0.15 ? 4'000'000 : 2'000'000; }
-    static constexpr double kMostCells = 40e6;              // cells of the dense grid
-    static constexpr std::size_t kMostBytes = 400'000'000;  // memory of all tiles
+    static constexpr double kMostCells = 40e6;              // most cells of the grid over everything that was reached
+    static constexpr std::size_t kMostBytes = 400'000'000;  // most memory of all tiles
 
-    // `partly`: if there is too much floor, the flood ends with what it has reached by then.
-    // `trial`: see make_trial_space; null: everything is made.
-    // All arguments must outlive this object.
+    // `partly`: if there is too much floor, the flood ends and keeps what it has reached by then. `trial`: see
+    // make_trial_space; null: everything is made. All arguments must outlive this object.
     Flood(const Scene& scene, const WalkerMeasures& body, const Obstacles& obstacles, const NearGround& ground,
           bool partly, const std::stop_token& stop, const WalkTrial* trial = nullptr);
 
-    // TooLarge: too much floor, or too large a grid. Only returned if `partly` is false.
+    // TooLarge: there is too much floor, or the grid is too large. run() returns it only if `partly` is false.
     enum class End : std::uint8_t { Done, TooLarge, Stopped };
     End run();
-    // Call after run(). Returns false if stopped.
+    // Call write() after run(). Both functions return false if a stop was requested.
     bool write(WalkSpace& space);
     bool write(SpanGrid<WallSpan>& walls);
     // Returns true if there is more floor than was reached.
@@ -57,17 +57,18 @@ private:
         Cell low, high;
     };
 
-    // Returns false if the flood does not go there, because there is too much floor already.
+    // Marks the place as reached. Returns false, and does not mark it, if there is too much floor already.
     bool visit(Layer layer, std::uint32_t tile, std::uint32_t place, Cell cell);
     End spread_all();
     End spread(std::uint32_t tile);
-    // Finds rooms that nothing leads to, which are announced as out of reach; in walk_closed.cpp.
+    // Finds rooms to which nothing leads, which the program announces as out of reach; in walk_closed.cpp.
     End reach_closed_rooms();
-    // For each visited place, the number of the search that visited it. Never iterated, because its order is arbitrary.
+    // For each visited place, the number of the search that visited it. Nothing iterates over this map, because its
+    // order is arbitrary.
     using SeenPlaces = std::unordered_map<std::uint64_t, std::uint32_t>;
     bool is_closed_room(const Found& from, SeenPlaces& seen);
     bool under_the_sky_at_the_start();
-    // The places to which a walker steps from a place, in each direction.
+    // For each direction, the tile and the place to which a walker steps from a place.
     struct Steps {
         std::array<std::uint32_t, 4> tile{}, place{};
     };

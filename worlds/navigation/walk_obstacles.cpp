@@ -11,13 +11,14 @@
 namespace handrail::navigation {
 namespace {
 
-constexpr double kFlatMost_m = 1.5;   // a flat door no thicker than this may be a bridge
-constexpr double kWideThing_m = 5.0;  // an object this wide is a floor or platform
-constexpr double kTallThing_m = 2.3;  // an object this high counts as a wall
-constexpr double kDoorHigh_m = 1.8;   // an object as high as a door counts as a wall if it carries the wall above
-constexpr double kRests_m = 0.02;     // gap between a support and what rests on it
+constexpr double kFlatMost_m = 1.5;   // a door that lies flat and is no thicker than this may be a bridge
+constexpr double kWideThing_m = 5.0;  // an object at least this wide is a floor or platform, not furniture
+constexpr double kTallThing_m = 2.3;  // an object at least this high counts as a wall
+// An object at least as high as a door counts as a wall if the wall above rests on it.
+constexpr double kDoorHigh_m = 1.8;
+constexpr double kRests_m = 0.02;  // greatest gap between a support and what rests on it
 
-// Distinguishes walls from lower objects.
+// Distinguishes furniture from walls.
 class Furniture {
 public:
     explicit Furniture(const Scene& scene) : scene_(scene) {
@@ -36,7 +37,8 @@ public:
     }
 
 private:
-    // The pieces of a wall next to a door carry their lintel, which is a separate piece.
+    // Returns whether a wall rests on the object. The pieces of a wall on both sides of a door carry their lintel,
+    // which is a separate piece.
     bool carries_wall(const Aabb& thing) const {
         const auto lower = [](const Aabb* box, double z) { return box->min_m.z < z; };
         for (auto it = std::lower_bound(by_foot_.begin(), by_foot_.end(), thing.max_m.z - kRests_m, lower);
@@ -61,7 +63,7 @@ Obstacles::Obstacles(const Scene& scene, const WalkerMeasures& body, const Aabb*
     for (std::size_t m = 0; m < scene.movers.size(); ++m)
         if (scene.movers[m].feature.value < mover_of_feature.size() && scene.movers[m].moves())
             mover_of_feature[scene.movers[m].feature.value] = static_cast<int>(m);
-    // Objects that walkers push aside do not block anyone.
+    // Objects that walkers push aside do not block anyone, so they are left out.
     std::vector<bool> gives_way(scene.features.size(), false);
     for (const FreeBody& free : scene.bodies)
         if (free.feature.value < gives_way.size()) gives_way[free.feature.value] = free.gives_way_to_walkers();
@@ -130,10 +132,11 @@ double Obstacles::support(const Vec3& n, bool narrow) const {
     return radius_m * std::sqrt(n.x * n.x + n.y * n.y) + std::max(0.0, -n.z * height_m);
 }
 
-// `stands`: a part of the building, which may belong to stairs, rather than a movable object.
+// Adds an obstacle. `stands`: it is a part of the building that does not move, so it may belong to stairs.
 void Obstacles::finish(std::vector<Plane>& bounds, const Aabb& box, FeatureId feature, bool stands,
                        std::vector<WalkObstacle>& into) {
-    // Without axis planes, a sharp solid grown by the walker's radius would stick out far.
+    // Add the planes of the bounding box. Without them, a sharp solid that is grown by the walker's radius would stick
+    // out far.
     for (int axis = 0; axis < 3; ++axis)
         for (const double sign : {1.0, -1.0}) {
             Vec3 normal{0.0};
@@ -192,12 +195,12 @@ void Obstacles::add_triangle(const MeshTriangle& t, const PlacedFrame* frame, Fe
     if (is_looked_at(box)) finish(bounds, box, feature, !frame, all);
 }
 
-// Doors count as open. A platform that moves counts as present at all its stops. Returns false if the mover blocks the
-// way like a wall.
+// Returns true if walkers can pass the mover; false if it blocks them like a wall. Doors count as open. The floor of a
+// moving platform is added at all its stops.
 bool Obstacles::passes(const Scene& scene, std::uint32_t mover, const Solid& solid) {
     const Mover& m = scene.movers[mover];
     const Feature& feature = scene.features[m.feature.value];
-    if (!m.stops.empty()) return true;  // a train comes and goes, and waits for people in its way
+    if (!m.stops.empty()) return true;  // a train comes and goes, and waits for people in its path
     if (feature.kind != FeatureKind::Door && feature.kind != FeatureKind::Lift) return false;
     const Vec3 size = feature.bounds_m.size_m();
     const bool flat = size.z <= kFlatMost_m && size.z < 0.5 * std::min(size.x, size.y);

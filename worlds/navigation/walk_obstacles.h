@@ -1,5 +1,5 @@
-// Every solid of a scene, grown by the walker's body, as planes that vertical columns are cut from: where the soles
-// cannot be. Used by walk_space only.
+// Makes every solid of a scene into an obstacle: where a walker's soles cannot be. Each solid is grown by the walker's
+// size and stored as planes, which vertical lines are intersected with. Only walk_space uses this class.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ inline constexpr double kWalkRounding_m = 1e-6;
 
 struct WalkObstacle {
     std::uint32_t first_plane = 0, plane_count = 0;
-    Aabb box_m;  // grown by the walker's body
+    Aabb box_m;  // bounding box, grown by the walker's size
     FeatureId feature = kNoFeature;
     bool furniture = false;  // an object lower than a wall
     bool stairs = false;     // see StairRule
@@ -28,16 +28,16 @@ struct PassingFloor {
 
 class Obstacles {
 public:
-    // Includes everything that touches `within`, grown by the walker's body; null: everything.
+    // Includes every solid that touches `within` when it is grown by the walker's size. Null: all solids.
     Obstacles(const Scene& scene, const WalkerMeasures& body, const Aabb* within = nullptr);
 
-    // The heights above one place that an obstacle denies to the soles. Returns false if it denies none. `steep`:
-    // nobody can stand on its top there.
+    // Computes the range of heights, above one place, in which the obstacle excludes a walker's soles. Returns false if
+    // there is none. `steep`: nobody can stand on the obstacle's top there.
     bool column(const WalkObstacle& o, double x, double y, double& low, double& high, bool& steep) const;
 
     std::vector<WalkObstacle> all;
     std::vector<PassingFloor> passing;
-    std::vector<std::pair<Aabb, std::uint32_t>> doors;  // vertical leaves and their movers
+    std::vector<std::pair<Aabb, std::uint32_t>> doors;  // door leaves that are vertical, each with its mover
     std::vector<const Solid*> liquids;
 
 private:
@@ -52,7 +52,7 @@ private:
     WalkerMeasures body_;
     const Aabb* within_;
     StairRule stairs_;
-    std::vector<Plane> planes_;  // pushed outwards by the walker's body
+    std::vector<Plane> planes_;  // shifted outwards by the walker's size
 };
 
 std::vector<Aabb> boxes_of(const std::vector<WalkObstacle>& all);

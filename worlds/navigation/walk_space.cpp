@@ -15,11 +15,12 @@ namespace handrail::navigation {
 namespace {
 
 constexpr double kCoarsest_m = 0.4;
-constexpr double kStairWindow_m = 0.6;  // distance examined on either side
-constexpr double kStairRise_m = 0.35;   // rise over both sides
+constexpr double kStairWindow_m = 0.6;  // how far on either side of a span the search for stairs looks
+constexpr double kStairRise_m = 0.35;   // least rise over both sides together for stairs
 
-// Computes the distance of each span from the nearest border span, and which one that is. Every border spreads over the
-// spans that are nearer to it than to others. If stopped, it ends with what it has.
+// Computes the distance of each span from the nearest border span, and which border span that is. All borders spread at
+// the same time, each over the spans that are nearer to it than to any other. After a stop request, the result is
+// incomplete.
 template <class Span, class Counts>
 std::vector<float> distance_from(const SpanGrid<Span>& space, Counts counts, std::vector<std::uint32_t>& source,
                                  const std::stop_token& stop) {
@@ -28,7 +29,7 @@ std::vector<float> distance_from(const SpanGrid<Span>& space, Counts counts, std
     };
     struct Place {  // everything that the search reads of a span, in half a cache line
         std::uint32_t next[4];
-        std::uint32_t x = 0, y = 0;  // in cells
+        std::uint32_t x = 0, y = 0;  // column and row of the span
         float found = 1e6F;
         std::uint32_t source = kNothing;
     };
@@ -45,7 +46,7 @@ std::vector<float> distance_from(const SpanGrid<Span>& space, Counts counts, std
     const auto distance = [](const Place& a, const Place& b) {
         const double dx = static_cast<double>(a.x) - static_cast<double>(b.x),
                      dy = static_cast<double>(a.y) - static_cast<double>(b.y);
-        return std::sqrt(dx * dx + dy * dy);  // in cells
+        return std::sqrt(dx * dx + dy * dy);  // distance in cells
     };
     for (std::size_t b = 0; b < buckets.size() && !stop.stop_requested(); ++b) {
         for (std::size_t i = 0; i < buckets[b].size(); ++i) {
@@ -81,7 +82,7 @@ bool is_border(const Span& span) {
     return std::any_of(std::begin(span.next), std::end(span.next), [](std::uint32_t n) { return n == kNothing; });
 }
 
-// Measures how far each span is from the nearest border, and what is there.
+// Measures how far each span is from the nearest border, and which obstacle is there.
 void measure_clearance(WalkSpace& space, const std::stop_token& stop) {
     std::vector<std::uint32_t> source;
     const std::vector<float> clearance = distance_from(
@@ -100,13 +101,14 @@ void measure_clearance(SpanGrid<WallSpan>& walls, const std::stop_token& stop) {
     for (std::uint32_t s = 0; s < walls.spans.size(); ++s) walls.spans[s].clearance_m = clearance[s];
 }
 
-// Marks where the floor rises step by step.
+// Marks the spans on stairs, where the floor rises step by step.
 template <class Span>
 void find_stairs(SpanGrid<Span>& space, double step_up_m) {
     const auto reach = static_cast<std::size_t>(std::max(2L, std::lround(kStairWindow_m / space.cell_m)));
     const double least_range_m = std::max(0.6, 2.0 * step_up_m);
     const auto count = static_cast<std::uint32_t>(space.spans.size());
-    // Works along each row of consecutive spans; a step to the east leads back to the west.
+    // Works along each row of consecutive spans from west to east. That covers both directions, because each step also
+    // leads back.
     struct Tread {
         float floor_m = 0.0F;
         std::uint32_t next = kNothing;
@@ -151,7 +153,7 @@ void find_stairs(SpanGrid<Span>& space, double step_up_m) {
     }
 }
 
-// Keeps one of the many places along an edge where people could step off, for each stretch of about a metre.
+// People could step off almost anywhere along an edge. Keeps only one of these links for about each metre of the edge.
 void thin_drops(WalkSpace& space) {
     std::unordered_map<std::uint64_t, std::size_t> kept;
     std::vector<WalkLink> thin;
@@ -177,8 +179,9 @@ void link_lifts_and_teleporters(const Scene& scene, WalkSpace& space) {
         const Feature* found = scene.find(feature);
         return found && found->kind == FeatureKind::Lift ? feature : kNoFeature;
     };
-    std::vector<std::pair<double, WalkLink>> lifts;  // each with the distance of its column from the middle of the lift
-    // Key: the lift, and two of the heights where it stops, in centimetres.
+    // Lifts, each with the distance of its column from the middle of the lift.
+    std::vector<std::pair<double, WalkLink>> lifts;
+    // Key: the lift, and two of the heights at which it stops, in centimetres.
     std::map<std::tuple<std::uint32_t, long, long>, std::size_t> lift_number;
     for (std::uint32_t cell = 0; cell + 1 < space.first.size(); ++cell)
         for (std::uint32_t low = space.first[cell]; low < space.first[cell + 1]; ++low) {
@@ -218,7 +221,7 @@ std::uint32_t SpanGrid<Span>::nearest(const Vec3& feet_m, double level_m, double
     const double fx = (feet_m.x - origin_m.x) / cell_m, fy = (feet_m.y - origin_m.y) / cell_m;
     if (std::abs(fx) > 1e8 || std::abs(fy) > 1e8) return kNothing;
     const auto cx = static_cast<std::int64_t>(std::floor(fx)), cy = static_cast<std::int64_t>(std::floor(fy));
-    // Rings entirely outside the grid are skipped; of the others only the part inside is searched.
+    // Skip rings that are entirely outside the grid. Of the others, search only the part inside.
     const auto outside = [](std::int64_t c, std::int64_t count) {
         return std::max<std::int64_t>({std::int64_t{0}, -c, c - (count - 1)});
     };
@@ -233,7 +236,8 @@ std::uint32_t SpanGrid<Span>::nearest(const Vec3& feet_m, double level_m, double
     for (std::int64_t ring = from; ring <= rings && (static_cast<double>(ring) - 1.0) * cell_m < best; ++ring)
         for (std::int64_t y = std::max<std::int64_t>(cy - ring, 0);
              y <= std::min<std::int64_t>(cy + ring, std::int64_t{depth} - 1); ++y) {
-            const bool whole = std::abs(y - cy) == ring;  // a whole side of the ring; else only its two ends
+            // True: all cells of this row are on the ring; false: only its two ends are.
+            const bool whole = std::abs(y - cy) == ring;
             const std::int64_t low = whole ? std::max<std::int64_t>(cx - ring, 0) : cx - ring,
                                high = whole ? std::min<std::int64_t>(cx + ring, std::int64_t{width} - 1) : cx + ring;
             for (std::int64_t x = low; x <= high; x += whole ? 1 : 2 * ring) {
@@ -265,7 +269,7 @@ bool WalkSpace::straight(const Vec3& from_m, const Vec3& to_m,
     std::uint32_t here = nearest(from_m, 1.5 * cell_m, 1.5 * body.step_up_m + 0.1, 1.5 * body.step_up_m + 0.1);
     if (here == kNothing) return false;
     if (touched) touched(here);
-    // Walks along the line from cell to cell, across their sides.
+    // Follow the line from cell to cell, across their sides.
     const Vec3 start = place_m(here);
     const double dx = to_m.x - start.x, dy = to_m.y - start.y;
     auto x = static_cast<std::int64_t>(spans[here].cell % width),
@@ -301,8 +305,8 @@ std::vector<std::string> said_of(const WalkSpace& space, const WalkerMeasures& a
 
 namespace {
 
-// Column size, and how much of the ground outside is included, from best to worst. Columns wider than 20 cm are hardly
-// fine enough for doors, so ground is left out before they are used.
+// Possible column sizes, and how much of the ground outside is included with them, from best to worst. Columns wider
+// than 20 cm are hardly fine enough for doors, so ground is left out before such columns are used.
 struct Fineness {
     double columns;  // multiple of the requested width
     double outdoors_m;
@@ -310,8 +314,8 @@ struct Fineness {
 constexpr Fineness kFineness[] = {{1, 100}, {2, 100}, {2, 25},  {4, 100}, {4, 25},
                                   {4, 8},   {4, 0.5}, {8, 100}, {8, 25},  {8, 8}};
 
-// Floods what can be reached, with the finest columns for which there is room. `flood` is null if there is no floor or
-// the search was stopped.
+// Floods everything that can be reached, with the finest columns that do not exceed the limits. `flood` is null if
+// there is no floor or a stop was requested.
 struct Flooded {
     std::unique_ptr<NearGround> ground;
     std::unique_ptr<Flood> flood;

@@ -8,7 +8,7 @@
 namespace handrail::navigation {
 namespace {
 
-constexpr std::size_t kMostInColumn = 60;  // spans; Recast counts at most 62
+constexpr std::size_t kMostInColumn = 60;  // most spans in a column; Recast allows at most 62
 
 }  // namespace
 
@@ -32,7 +32,8 @@ void WalkTiles::drop_unreached() {
     for (const auto& tile : tiles_) drop_unreached(*tile);
 }
 
-// A step from a reached place leads to a reached place, so all steps stay valid.
+// Removes the places that were not reached. A step from a reached place always leads to a reached place, so all steps
+// stay valid.
 void WalkTiles::drop_unreached(Tile& tile) {
     std::vector<Spot>().swap(tile.open);
     if (tile.places.empty()) return;
@@ -113,7 +114,7 @@ std::uint32_t WalkTiles::tile_of(Cell c) {
     return tile_at(floor_div(c.x), floor_div(c.y));
 }
 
-// The tile that contains the next cell in that direction.
+// Returns the tile that contains the neighbour of `cell` in the direction `d`.
 std::uint32_t WalkTiles::beside(std::uint32_t tile, std::size_t cell, int d) {
     const std::size_t x = cell % kTile, y = cell / kTile;
     const bool inside = d == 0 ? x + 1 < kTile : d == 2 ? x > 0 : d == 1 ? y + 1 < kTile : y > 0;
@@ -124,7 +125,7 @@ std::uint32_t WalkTiles::beside(std::uint32_t tile, std::size_t cell, int d) {
     return tiles_[tile]->beside[static_cast<std::size_t>(d)] = found;
 }
 
-// Makes the columns of a tile and, the first time, the places in them.
+// Makes the columns of a tile. If `places` is set, also makes the places in them.
 void WalkTiles::fill(Tile& tile, bool places) {
     const Vec2 low = middle({tile.x * kTile, tile.y * kTile}),
                high = middle({tile.x * kTile + kTile - 1, tile.y * kTile + kTile - 1});
@@ -150,7 +151,7 @@ void WalkTiles::fill(Tile& tile, bool places) {
                     into.push_back({static_cast<std::uint32_t>(y * kTile + x), i});
             }
     };
-    // Sorts by cell, then from below, stably.
+    // Sorts by cell, then by height, stably.
     const auto sorted = [](const std::vector<InCell>& found, std::array<std::uint32_t, kTile * kTile + 1>& first) {
         std::vector<Interval> all(found.size());
         first.fill(0);
@@ -218,7 +219,7 @@ const WalkTiles::Columns& WalkTiles::columns_of(std::uint32_t number) {
     return *tile.columns;
 }
 
-// Keeps a tile's columns while there is room for them; the oldest go first.
+// Keeps the columns of a tile. If they need too much memory, frees the oldest columns first.
 void WalkTiles::keep(std::uint32_t number) {
     const auto bytes = [this](std::uint32_t of) {
         return sizeof(Columns) + tiles_[of]->columns->intervals.size() * sizeof(Interval);
@@ -250,7 +251,7 @@ std::uint32_t WalkTiles::step(const Place& here, const Tile& tile, std::size_t c
     return best;
 }
 
-// The place below, if a walker steps over the edge.
+// Returns the place below where a walker lands who steps over the edge.
 std::uint32_t WalkTiles::drop(const Place& here, const Tile& tile, std::size_t cell, Layer layer) const {
     const Range range = column(tile, cell, layer);
     std::uint32_t best = kNothing;

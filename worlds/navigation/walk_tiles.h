@@ -1,5 +1,6 @@
 // The places where people could stand, found tile by tile on request. Each tile has columns of the obstacles over each
-// cell, with furniture and without it, and the steps from a place to its neighbours. For the flood only.
+// cell, and the places with and without furniture. It also has the steps from each place to its neighbours. Only the
+// flood uses this class.
 #pragma once
 
 #include <array>
@@ -28,13 +29,13 @@ public:
     }
 
     using Interval = ColumnInterval;
-    struct Place {  // becomes a span
+    struct Place {  // a place where people could stand; becomes a span if it is reached
         double floor = 0.0, ceiling = 0.0;
         std::uint32_t ground = kNothing, beside = kNothing;
     };
     struct Spot {
         std::uint32_t place = 0;
-        std::uint16_t cell = 0;  // in the tile
+        std::uint16_t cell = 0;  // number of the cell in the tile
         Layer layer = kFurnished;
     };
     struct Columns {  // obstacles over each cell of a tile
@@ -43,17 +44,18 @@ public:
     };
     struct Tile {
         std::int64_t x = 0, y = 0;
-        // Neighbouring tiles, once requested.
+        // The four neighbouring tiles; kNothing until a search requests them.
         std::array<std::uint32_t, 4> beside = {kNothing, kNothing, kNothing, kNothing};
-        std::vector<std::uint32_t> first;  // for each cell its first place; empty: the tile has none
-        // For each cell, how many of its places are those with furniture. kSame: furniture changes nothing. Empty: it
-        // changes nothing in the whole tile.
+        std::vector<std::uint32_t> first;  // for each cell: its first place; empty: the tile has no places
+        // For each cell: how many of its first places belong to the floor with furniture. kSame: furniture changes
+        // nothing in this cell. Empty: it changes nothing in the whole tile.
         std::vector<std::uint8_t> split;
         std::vector<Place> places;
-        std::vector<std::uint8_t> marks;  // for each place
-        std::vector<std::uint8_t> steps;  // for each reached place: a step_bit() for each direction with a step
+        std::vector<std::uint8_t> marks;  // marks of each place
+        // For each reached place: a step_bit() for each direction in which a step is possible.
+        std::vector<std::uint8_t> steps;
         std::vector<Spot> open;
-        std::unique_ptr<Columns> columns;  // null while they are not kept
+        std::unique_ptr<Columns> columns;  // null while the columns are not kept
         bool waits = false;
     };
     struct Cell {  // position in the grid of the whole world
@@ -89,35 +91,35 @@ public:
     Vec2 middle(Cell c) const;
     Cell cell_at(const Vec3& p) const;
 
-    // Both make the tile if it does not exist yet.
+    // tile_of and beside both make the tile if it does not exist yet.
     std::uint32_t tile_of(Cell c);
     std::uint32_t beside(std::uint32_t tile, std::size_t cell, int d);
-    // Makes the columns again if they were not kept.
+    // Returns the columns of a tile. Makes them again if they were not kept.
     const Columns& columns_of(std::uint32_t tile);
 
-    // The place in that column to which a step leads; kNothing if there is none.
+    // Returns the place in the column of `cell` to which a step from `here` leads; kNothing if there is none.
     std::uint32_t step(const Place& here, const Tile& tile, std::size_t cell, Layer layer) const;
-    // The same after the flood, for a place that it reached.
+    // Returns the same as step(), but faster, for a place that the flood has reached. Call it after the flood.
     std::uint32_t known_step(const Tile& from, std::uint32_t place, std::size_t d, const Tile& to, std::size_t cell,
                              Layer layer) const {
         if (!(from.steps[place] & step_bit(layer, d))) return kNothing;
         const Range range = column(to, cell, layer);
         return range.to - range.from == 1 ? range.from : step(from.places[place], to, cell, layer);
     }
-    // Returns whether the step from `place` in the column of `cell` to `there` in another tile also leads back.
+    // Returns whether a step from `there`, in another tile, leads back to `place` in the column of `cell`.
     bool leads_back(const Tile& tile, std::size_t cell, std::uint32_t place, const Place& there, Layer layer) const {
         const Range range = column(tile, cell, layer);
-        // A step is equally high in both directions.
+        // A step is equally high in both directions, so a column with a single place needs no search.
         return range.to - range.from == 1 || step(there, tile, cell, layer) == place;
     }
     std::uint32_t drop(const Place& here, const Tile& tile, std::size_t cell, Layer layer) const;
-    // `passing_mover`: the mover that carries this ground; -1: none. `is_building`: the ground is not an object in the
-    // building.
+    // `passing_mover` returns the mover that carries this ground; -1: none. `is_building` returns whether the ground is
+    // part of the building, not an object in it.
     int passing_mover(std::uint32_t ground) const;
     bool is_building(std::uint32_t ground) const;
     bool is_stairs(std::uint32_t ground) const;
 
-    // Call after the flood: frees places that were not reached, and all columns.
+    // Call this function after the flood. It frees the places that were not reached, and all columns.
     void drop_unreached();
 
 private:
@@ -134,7 +136,7 @@ private:
     Vec3 anchor_{0.0};
     std::unordered_map<std::uint64_t, std::uint32_t> tile_number_;  // never iterated, because its order is arbitrary
     std::vector<std::unique_ptr<Tile>> tiles_;
-    std::deque<std::uint32_t> kept_;  // tiles with columns, the oldest first
+    std::deque<std::uint32_t> kept_;  // tiles whose columns are kept, the oldest first
     std::size_t kept_bytes_ = 0, tile_bytes_ = 0;
     bool ground_left_out_ = false;
     std::vector<std::uint32_t> near_;
