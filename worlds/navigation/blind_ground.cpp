@@ -117,8 +117,8 @@ BlindGround::BlindGround(const WalkSpace& space, std::vector<DirectionsDoor> doo
     }
 }
 
-// Sets free_m_ to at most the distance from the places that leaves can occupy. The ring number of a cell is at least
-// the distance in cells; times the diagonal factor, it is at most the distance in cells.
+// Lowers free_m_ to at most the distance from the places that leaves can occupy. That distance is estimated from below:
+// the ring number of a cell is at most kDiagonal times its distance in cells.
 void BlindGround::find_free() {
     constexpr double kFarthest_m = 2.0, kDiagonal = 1.42;
     std::vector<std::uint32_t> ring;
