@@ -15,13 +15,13 @@ namespace handrail::exports {
 namespace {
 
 constexpr double kFinest_m = 1e-4;
-constexpr double kLevel_m = 0.02;  // floors with a smaller difference in height are level
+constexpr double kLevel_m = 0.02;  // two floors with a smaller difference in height count as level
 
 bool on_grid(double value) { return std::abs(value / kFinest_m - std::round(value / kFinest_m)) < 1e-3; }
 
 struct Box {
     Vec2 least{1e300}, most{-1e300};
-    bool plain = false;  // the outline is this rectangle
+    bool plain = false;  // true: the outline is this rectangle
 };
 
 Box box_of(const std::vector<Ring>& rings) {
@@ -38,7 +38,7 @@ Box box_of(const std::vector<Ring>& rings) {
     return box;
 }
 
-// By the even-odd rule: returns true if an odd number of the other rings surround it.
+// Returns true if the ring is a hole by the even-odd rule, that is if an odd number of the other rings surround it.
 bool is_hole(const std::vector<Ring>& rings, std::size_t which) {
     const Vec2 on = 0.5 * (rings[which][0] + rings[which][1]);
     int around = 0;
@@ -121,7 +121,8 @@ private:
         return (german ? kGerman : kEnglish)[static_cast<std::size_t>(side)];
     }
 
-    // Places a room against one that is written already, if that is exact: "north of Hall, flush with its west end".
+    // Describes the place of room `r` relative to a room that is already written: "north of Hall, flush with its west
+    // end". Returns nothing if that description would not be exact.
     std::string beside(std::size_t r, const std::vector<std::size_t>& before) const {
         const Box& own = boxes_[r];
         const auto exact = [](const Box& box) {
@@ -265,7 +266,7 @@ private:
         text_ += ".\n";
     }
 
-    // The side of the outline that a window pane is on: the nearest side that it runs along.
+    // The side of the outline that contains a window pane: the nearest side that runs along the pane.
     struct Side {
         std::size_t ring = 0, corner = 0;
         Vec2 at{0.0};
@@ -295,7 +296,7 @@ private:
         const Side found = side_of_pane(room, window.box_m);
         text_ += words("Window", "Fenster");
         if (box.plain) {
-            // In a rectangle, the side is named by its wall and measured from the west or south.
+            // In a rectangle, the text names the side by its wall and measures from the west or south.
             const bool level = std::abs(found.at.y - box.most.y) < 1e-6 || std::abs(found.at.y - box.least.y) < 1e-6;
             const int wall = level ? (std::abs(found.at.y - box.most.y) < 1e-6 ? 0 : 4)
                                    : (std::abs(found.at.x - box.most.x) < 1e-6 ? 2 : 6);

@@ -1,5 +1,5 @@
-// Writes a world as a text that describes its rooms in words, English or German. The reader of such texts makes the
-// same rooms and doors from it. Pure functions; any thread.
+// Writes a world as a text that describes its rooms, in English or German. The reader of room descriptions makes the
+// same rooms and doors from the text. Pure functions; any thread may call them.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace handrail::exports {
 
-// The contents of the text: rooms as a file states them, or as they were found. World metres.
+// The contents of the text: rooms that a file states, or that were found in the walkable space. World metres.
 struct WordsHouse {
     struct Storey {
         std::string name;
@@ -22,18 +22,19 @@ struct WordsHouse {
     struct Room {
         Kind kind = Kind::Room;
         std::string name, floor_material;
-        std::size_t storey = 0, to_storey = 0;  // `to_storey`: the highest storey of stairs and lifts
-        double height_m = 0.0;                  // 0: the height of the storey
-        double raised_m = 0.0;                  // height of its floor above that of the storey
+        // Index of the storey; `to_storey` is the highest storey that stairs or a lift reach.
+        std::size_t storey = 0, to_storey = 0;
+        double height_m = 0.0;  // height of the room; 0: it is that of the storey
+        double raised_m = 0.0;  // height of the room's floor above that of its storey
         std::vector<std::vector<Vec2>> rings;
     };
     struct Door {
         bool opening = false, sliding = false, by_itself = false;
         std::string name;
-        std::vector<std::size_t> rooms;  // a single room: the door leads outside
+        std::vector<std::size_t> rooms;  // the rooms on both sides; a single one: the door leads outside
         Vec2 at_m{0.0};
         double width_m = 0.9;
-        double drop_m = 0.0;  // of an opening: how far the second room is below the first
+        double drop_m = 0.0;  // how far the floor of the second room is below that of the first, at an opening
     };
     // A lift platform without a shaft.
     struct Lift {
@@ -41,51 +42,52 @@ struct WordsHouse {
         std::size_t from = 0, to = 0;  // indices of rooms, the lower first
         Vec2 at_m{0.0}, size_m{1.4};
     };
-    // Stairs without a room of their own.
+    // Stairs inside a room, not in a room of their own.
     struct Flight {
         std::string name;
         std::size_t from = 0, to = 0;  // indices of rooms, the lower first
         Vec2 at_m{0.0}, size_m{1.0};
-        int side = 0;       // climbing direction, an eighth of the compass: 0, 2, 4 or 6
-        bool back = false;  // turns back at a landing
+        int side = 0;       // direction of the climb in eighths of the compass: 0, 2, 4 or 6
+        bool back = false;  // the flight turns back at a landing
     };
     // A window, or an object in a room.
     struct Thing {
         std::string name;  // empty for a window without a name
         std::size_t room = 0;
         Aabb box_m;
-        std::string material;  // material of the scene; may be one that the text has no word for
+        std::string material;  // material in the scene; the text may have no word for it
         bool landmark = false, clue = false;
         bool window = false;
         bool fixture = false;  // part of the building, not furniture
     };
     std::string name;
-    double wall_m = 0.0;        // 0: unknown
-    std::string wall_material;  // material of most walls; may be empty
+    double wall_m = 0.0;        // thickness of most walls; 0: unknown
+    std::string wall_material;  // material of most of the wall area; may be empty
     std::vector<Storey> storeys;
     std::vector<Room> rooms;
     std::vector<Door> doors;
     std::vector<Lift> lifts;
     std::vector<Flight> flights;
     std::vector<Thing> things;
-    std::vector<std::string> lost;  // sentences about what the text cannot express, in its language
+    std::vector<std::string> lost;  // sentences about what the text cannot express, in the language of the text
 };
 
-// For a world whose file states its rooms.
+// Describes a world whose file states its rooms.
 WordsHouse stated_house(const Scene& scene, words::WordLanguage language);
-// For any other world. The outlines come from the walkable floor, extended to the middle of the walls. `space` must
-// still have its walls. The time is proportional to its spans.
+// Describes any other world. The outlines come from the walkable floor, extended to the middle of the walls. `space`
+// must still contain its floor without furniture. The time is proportional to the number of spans.
 WordsHouse found_house(const Scene& scene, const navigation::RoomGraph& graph, const navigation::WalkSpace& space,
                        words::WordLanguage language);
 
-// The climbing direction of stairs, judged by their treads; nothing if they have none.
+// Returns where stairs are and in which direction they climb, judged by their treads; nothing if they have none.
 std::optional<WordsHouse::Flight> flight_of(const Scene& scene, FeatureId stairs);
 
-// The materials of walkable surfaces, by place.
+// Looks up the material of the floor at a place.
 class FloorMaterials {
 public:
     explicit FloorMaterials(const Scene& scene);
-    // The name used in the text; empty if unknown. Looks at the surfaces at that height.
+    // Returns the material's name in the text; empty if it is unknown. Considers only surfaces at the height of
+    // `place`.
     std::string at(const Vec3& place) const;
 
 private:
@@ -96,13 +98,13 @@ private:
     };
     std::vector<Piece> pieces_;  // sorted by height
 };
-// The material of most of the wall area; empty if unknown.
+// Returns the material that most of the wall area has; empty if it is unknown.
 std::string wall_material(const Scene& scene);
 
-// Puts windows and objects into the rooms. `stated_house` and `found_house` call this already.
+// Adds the windows and objects to the rooms. `stated_house` and `found_house` call this already.
 void furnish(WordsHouse& house, const Scene& scene, words::WordLanguage language);
 
-// Returns the text. The base is taken from the scene.
+// Returns the text. The base is taken from `scene`.
 std::string text_of(const WordsHouse& house, const Scene& scene, words::WordLanguage language);
 
 }  // namespace handrail::exports

@@ -15,8 +15,8 @@ namespace {
 struct TableRow {
     std::string_view word;
     BrailleTable table;
-    const char* file;        // table file of liblouis
-    const char* signs_file;  // table without contractions
+    const char* file;        // table file of liblouis for this kind of braille
+    const char* signs_file;  // table without contractions, for signs
 };
 constexpr std::array kTables{
     TableRow{"en-ueb-g1", BrailleTable::EnUebG1, "en-ueb-g1.ctb", "en-ueb-g1.ctb"},
@@ -54,7 +54,8 @@ Result<BrailleCells> translated(std::string_view text, const char* file) {
     lou_setLogLevel(LOU_LOG_OFF);
     const std::string tables = std::string("unicode.dis,") + file;
     std::vector<widechar> in = wide_of(text);
-    // A letter can need several cells: signs for numbers, capitals, unknown characters.
+    // The output may be longer than the text, because a letter can need several cells: signs for numbers, capitals and
+    // unknown characters.
     for (std::size_t room = in.size() * 8 + 64;; room *= 4) {
         std::vector<widechar> out(room);
         int taken = static_cast<int>(in.size()), made = static_cast<int>(out.size());
@@ -108,7 +109,7 @@ std::vector<BrailleCells> braille_lines(const BrailleCells& cells, std::size_t w
         lines.push_back(line);
         line.assign(indent, 0);
     };
-    bool bare = true;  // only the indent so far
+    bool bare = true;  // the line contains only the indent so far
     for (std::size_t i = 0; i < cells.size();) {
         if (cells[i] == 0) {
             if (!bare && line.size() < width) line.push_back(0);

@@ -10,11 +10,11 @@
 namespace handrail::exports {
 namespace {
 
-constexpr double kEdgeStep_mm = 0.5;   // between places along an edge at which a line is tried
-constexpr double kEdgeAside_mm = 0.4;  // to either side of an edge, what is there is looked at
-constexpr double kBesideExit_m = 0.6;  // an exit reaches so far beyond its width
+constexpr double kEdgeStep_mm = 0.5;   // step along an edge at which a line is tried
+constexpr double kEdgeAside_mm = 0.4;  // distance on either side of an edge at which the rooms are looked up
+constexpr double kBesideExit_m = 0.6;  // an exit extends this far beyond its width
 
-// A closed line by how far it is along it.
+// Finds places on a closed line by their distance along it.
 class AlongLoop {
 public:
     explicit AlongLoop(const std::vector<Vec2>& loop) : loop_(loop), from_(1, 0.0) {
@@ -32,7 +32,7 @@ public:
 
 private:
     const std::vector<Vec2>& loop_;
-    std::vector<double> from_;  // of each corner, and of the first one again
+    std::vector<double> from_;  // distance along the line of each corner, and at the end of the first corner again
 };
 
 class FloorEnds {
@@ -40,7 +40,7 @@ public:
     FloorEnds(const plan::Storey& storey, const OnPaper& on_paper, const plan::RoomGrid& rooms)
         : storey_(storey), on_paper_(on_paper), rooms_(rooms) {}
 
-    // The room whose floor ends along that line; nothing if no floor ends there.
+    // Returns the room whose floor ends along the line between the two points; nothing if no floor ends there.
     std::optional<std::uint32_t> ends_along(const Vec2& from, const Vec2& to) const {
         const Vec2 along = (to - from) / glm::distance(from, to), across(-along.y, along.x);
         std::optional<std::uint32_t> room;
@@ -63,7 +63,8 @@ private:
                   y = static_cast<int>(std::floor(mm.y / kInkPixel_mm));
         return rooms_.holds(x, y) ? rooms_.room[rooms_.at(x, y)] : navigation::kNothing;
     }
-    // Next to the storey, a finger's nearest room is no floor.
+    // Returns whether the place is inside the storey's area. Outside it, the grid only says which room is nearest, not
+    // where there is floor.
     bool on_storey(const Vec2& mm) const {
         const Vec2 at = on_paper_.world(mm);
         return at.x > storey_.min_m.x && at.y > storey_.min_m.y && at.x < storey_.max_m.x && at.y < storey_.max_m.y;
@@ -97,7 +98,8 @@ EdgeInk edge_lines(const plan::Storey& storey, const OnPaper& on_paper, const pl
         for (double far = 0.0; far + kEdgeLine_mm <= along.length();) {
             const Vec2 from = along.at(far), to = along.at(far + kEdgeLine_mm);
             const double length = glm::distance(from, to);
-            constexpr double kBent = 0.9;  // no line across a corner
+            // A line is not drawn if the edge bends so much that its ends are closer than this fraction of its length.
+            constexpr double kBent = 0.9;
             const plan::PlanBox line{
                 0.5 * (from + to), length > 0.0 ? (to - from) / length : Vec2(1.0, 0.0), {0.5 * length, 0.5 * line_mm}};
             const auto room = length > kBent * kEdgeLine_mm ? edges.ends_along(from, to) : std::nullopt;

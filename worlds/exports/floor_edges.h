@@ -1,5 +1,5 @@
-// The edges of floors that end without a wall, such as platforms and balconies, as rows of short lines. Pure functions;
-// any thread.
+// Draws the edges of floors that end without a wall, such as platforms and balconies, as rows of short lines. Pure
+// functions; any thread may call them.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,12 @@ namespace handrail::exports {
 
 struct EdgeInk {
     std::vector<plan::PlanBox> lines;
-    std::vector<std::uint32_t> rooms;  // places in Storey::rooms whose edge has some of them
+    std::vector<std::uint32_t> rooms;  // indices in Storey::rooms of the rooms whose edges have at least one line
 };
 inline constexpr double kEdgeLine_mm = 4.0;
-// Lines of that length along the edges, `line_mm` wide, with `clear_mm` between them; each takes its place. There are
-// none where a route leads to another storey, and none around flights of stairs and the ground outside. `rooms`: see
-// rooms_on.
+// Returns lines along the edges, `line_mm` wide, with `clear_mm` between them, and marks their space in `places` as
+// taken. There are no lines at routes to another storey, around flights of stairs, or around the ground outside.
+// `rooms`: see rooms_on.
 EdgeInk edge_lines(const plan::Storey& storey, const OnPaper& on_paper, const plan::RoomGrid& rooms, Places& places,
                    double line_mm, double clear_mm);
 

@@ -1,5 +1,5 @@
-// Outlines of rooms that were found from the floor. For each storey, a raster of its rooms is grown to the middle of
-// the walls, and the borders become outlines.
+// Makes the outlines of rooms that were found from the floor. For each storey, it rasters the rooms and extends them to
+// the middle of the walls. The borders in the raster become outlines.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,8 @@ namespace {
 
 constexpr double kHalfWall_m = 0.1, kDoorway_m = 0.65, kStoreyApart_m = 2.2, kNearSpan_m = 0.3, kLeastPiece_m2 = 0.3;
 
-// The room of each span without furniture: as in the walkable space, and for floor under furniture the adjoining room.
+// Returns the room of each span in the floor without furniture. It is the room of the same place in the walkable space;
+// where furniture is, it is the adjoining room.
 std::vector<std::uint32_t> rooms_of_walls(const navigation::RoomGraph& graph, const navigation::WalkSpace& space) {
     const navigation::SpanGrid<navigation::WallSpan>& walls = *space.walls;
     std::vector<std::uint32_t> room(walls.spans.size(), navigation::kNothing);
@@ -57,7 +58,8 @@ public:
 
     std::uint32_t& at(std::uint32_t cell) { return room_[cell]; }
 
-    // Clears areas narrower than `cells`, such as the floor in doorways. Rooms that are mostly narrow stay.
+    // Removes areas that are narrower than `cells`, such as the floor in doorways. Rooms that are mostly narrow do not
+    // change.
     void open(std::uint32_t cells, std::size_t rooms) {
         const auto depth = static_cast<std::uint32_t>(room_.size() / width_);
         std::vector<std::uint32_t> along(room_.size(), 0), up(room_.size(), 0),
@@ -83,7 +85,7 @@ public:
         room_ = std::move(kept);
     }
 
-    // Grows all rooms at once into unassigned cells, by that many cells. Corners stay corners.
+    // Extends all rooms at the same time into unassigned cells, by this many cells. Corners do not become round.
     void grow(int cells) {
         std::vector<std::uint32_t> edge;
         for (std::uint32_t c = 0; c < room_.size(); ++c)
@@ -98,7 +100,7 @@ public:
         }
     }
 
-    // Makes a room a rectangle if it nearly fills its bounding box and there is hardly anything of other rooms in it.
+    // Makes a room a rectangle if it nearly fills its bounding box, and if other rooms cover hardly any of that box.
     void square(std::size_t rooms) {
         struct Extent {
             std::uint32_t west = navigation::kNothing, east = 0, south = navigation::kNothing, north = 0;
@@ -117,7 +119,7 @@ public:
             const Extent& e = extents[r];
             if (e.cells == 0) continue;
             const std::size_t all = std::size_t{e.east - e.west + 1} * (e.north - e.south + 1);
-            std::map<std::uint32_t, std::size_t> lost;  // cells of each other room
+            std::map<std::uint32_t, std::size_t> lost;  // number of cells that each other room would lose
             std::size_t others = 0;
             for (std::uint32_t y = e.south; y <= e.north; ++y)
                 for (std::uint32_t x = e.west; x <= e.east; ++x)
@@ -132,7 +134,8 @@ public:
         }
     }
 
-    // The outlines of the largest piece of a room, in cells: the outer one first, then the holes that other rooms fill.
+    // Returns the outlines of the largest piece of a room, in cells: the outer one first, then the holes that other
+    // rooms fill.
     std::vector<Ring> outline(std::uint32_t r, double cell_m) const {
         std::vector<std::uint32_t> piece_of(room_.size(), navigation::kNothing);
         std::vector<std::size_t> sizes;
@@ -154,7 +157,7 @@ public:
         if (sizes.empty()) return {};
         const auto largest = static_cast<std::uint32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
         if (static_cast<double>(sizes[largest]) * cell_m * cell_m < kLeastPiece_m2) return {};
-        // Edges with the room to their left, by the corner where they begin.
+        // For each corner, the ends of the edges that begin there. The room is to the left of its edges.
         std::map<std::pair<int, int>, std::vector<std::pair<int, int>>> edges;
         const auto own = [&](int x, int y) {
             if (x < 0 || y < 0 || x >= static_cast<int>(width_)) return false;
@@ -194,7 +197,7 @@ public:
             } while (now != first);
             if (ring.size() > 3) rings.push_back(std::move(ring));
         }
-        // The first corner may be on a straight side.
+        // Remove the first corner of a ring if it is in the middle of a straight side.
         for (Ring& ring : rings) {
             const Vec2 before = ring.back(), &here = ring[0], after = ring[1];
             if ((before.x == here.x && here.x == after.x) || (before.y == here.y && here.y == after.y))
@@ -244,8 +247,8 @@ struct DropFound {
     Vec3 place_m{0.0};
 };
 
-// Describes drops. The lower rooms are set below their storey, and the edge becomes an opening with a drop. If a level
-// opening also joins the two rooms, their floors cannot differ, so the drop is lost.
+// Describes drops. Raises or lowers both rooms from their storey, and makes the edge an opening with a drop. If the two
+// rooms must have the same height for another reason, such as a level opening, the drop is only mentioned in `lost`.
 void lay_drops(WordsHouse& house, const navigation::RoomGraph& graph, const std::vector<DropFound>& drops,
                bool german) {
     constexpr double kLeastDrop_m = 0.3;
@@ -275,7 +278,8 @@ void lay_drops(WordsHouse& house, const navigation::RoomGraph& graph, const std:
     }
 }
 
-// Builds the house in the order of dependency: storeys, rooms, their outlines, and what joins them.
+// Builds the house step by step, as each step depends on those before: storeys, rooms, their outlines, and doors and
+// flights between them.
 class FoundHouse {
 public:
     FoundHouse(const Scene& scene, const navigation::RoomGraph& graph, const navigation::WalkSpace& space, bool german)
@@ -296,8 +300,8 @@ public:
     }
 
 private:
-    // Finds storeys from the floors of rooms other than stairs. Floors closer than a storey are grouped, and the most
-    // frequent floor of each group counts.
+    // Finds the storeys from the floor heights of all rooms that are not stairs. Floors whose heights differ by less
+    // than a storey form one group; the most frequent height of a group becomes the height of its storey.
     void add_storeys() {
         std::vector<double> floors;
         for (const navigation::Room& room : graph_.rooms)
@@ -380,7 +384,7 @@ private:
         }
     }
 
-    // Gives rooms that are too small for an outline a square metre around their middle.
+    // Makes the outline of a room that is too small for one: a square metre around its middle.
     void outline_small_rooms() {
         for (std::size_t r = 0; r < graph_.rooms.size(); ++r) {
             if (!house_.rooms[r].rings.empty()) continue;
@@ -434,7 +438,7 @@ private:
     const navigation::WalkSpace& space_;
     const bool german_;
     WordsHouse house_;
-    std::vector<std::uint32_t> of_wall_;  // the room of each span without furniture
+    std::vector<std::uint32_t> of_wall_;  // for each span of the floor without furniture: its room
     std::vector<DropFound> drops_;
 };
 

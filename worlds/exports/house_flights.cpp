@@ -1,4 +1,4 @@
-// The climbing direction of stairs, for a building that is written in words.
+// Finds the climbing direction of stairs, for the text that describes a building.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,9 +9,11 @@
 namespace handrail::exports {
 namespace {
 
-constexpr double kTread = 0.7;   // least vertical part of a tread's normal
-constexpr double kEnd = 0.2;     // part of the climb that counts as the foot, and as the top
-constexpr double kTurns = 0.25;  // part of the length: if foot and top are closer, there is a turn between them
+constexpr double kTread = 0.7;  // a surface counts as a tread if the vertical component of its normal is at least this
+// Fraction of the climb that counts as its foot; the same fraction at the end counts as its top.
+constexpr double kEnd = 0.2;
+// Fraction of the length: if the foot and the top are closer to each other, the stairs turn back between them.
+constexpr double kTurns = 0.25;
 constexpr double kLeastClimb_m = 0.3;
 
 struct FlightTread {
@@ -54,14 +56,14 @@ std::optional<WordsHouse::Flight> flight_of(const Scene& scene, FeatureId stairs
     };
     WordsHouse::Flight flight;
     const Vec2 size(feature->bounds_m.size_m());
-    // Rounded to a tenth of a millimetre, like everything that is written.
+    // Round to a tenth of a millimetre, like all lengths in the text.
     flight.at_m = glm::round(Vec2(feature->bounds_m.centre_m()) * 1e4) * 1e-4;
     flight.size_m = glm::round(size * 1e4) * 1e-4;
     const Vec2 foot = middle_between(0.0, kEnd), top = middle_between(1.0 - kEnd, 1.0), climb = top - foot;
     const double length = std::max(size.x, size.y);
     flight.back = std::max(std::abs(climb.x), std::abs(climb.y)) < kTurns * length;
     const int axis = flight.back ? (size.x > size.y ? 0 : 1) : (std::abs(climb.x) > std::abs(climb.y) ? 0 : 1);
-    // Two flights climb away from the end where both the foot and the top are.
+    // Stairs that turn back have their foot and their top at the same end. Both flights climb away from that end.
     const double way = flight.back ? feature->bounds_m.centre_m()[axis] - 0.5 * (foot + top)[axis] : climb[axis];
     flight.side = axis == 0 ? (way < 0.0 ? 6 : 2) : (way < 0.0 ? 4 : 0);
     return flight;

@@ -1,4 +1,4 @@
-// Materials of floors and walls, for a building that is written in words.
+// Finds the materials of floors and walls, for the text that describes a building.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -40,7 +40,7 @@ std::string FloorMaterials::at(const Vec3& place) const {
 }
 
 std::string wall_material(const Scene& scene) {
-    std::map<std::string, double> areas;  // includes walls without a material
+    std::map<std::string, double> areas;  // wall area of each material; the empty name is for walls without one
     for (const SurfacePolygon& surface : scene.surfaces) {
         const Feature* feature = scene.find(surface.feature);
         if (!feature || feature->kind != FeatureKind::Wall || std::abs(surface.normal.z) > kUpright) continue;

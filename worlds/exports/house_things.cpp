@@ -1,5 +1,5 @@
-// Windows and objects of a building that is written in words. Each is in the room that contains it, else in the
-// nearest.
+// Finds the windows and objects, for the text that describes a building. Each belongs to the room that contains it,
+// else to the nearest room.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,9 +17,10 @@ namespace {
 
 constexpr double kUnderFloor_m = 0.1, kUnderCeiling_m = 0.2;
 constexpr double kThickestPane_m = 0.6;
-// Distance outside an outline that still belongs to the room, as for shelves along its wall.
+// An object outside an outline by at most this distance still belongs to the room, such as shelves along its wall.
 constexpr double kBesideRoom_m = 0.5;
-// One metre too high or too low counts as this many metres sideways, so that an object stays on its storey.
+// To find the room of an object, a metre too high or too low counts as this many metres sideways. So the object stays
+// on its storey.
 constexpr double kStoreyFirst = 100.0;
 
 bool is_called_window(const Feature& feature) {
@@ -28,7 +29,7 @@ bool is_called_window(const Feature& feature) {
     return (name.ends_with("window") || name.ends_with("fenster")) && std::min(size_m.x, size_m.y) < kThickestPane_m;
 }
 
-// Stairs of a map become a separate room, in which they are rebuilt.
+// Returns whether a name is that of stairs. The stairs of a map become a separate room, in which they are rebuilt.
 bool is_called_stairs(const std::string& of) {
     const std::string name = words::folded(of);
     return name.starts_with("stair") || name.starts_with("treppe");
@@ -80,8 +81,8 @@ public:
             for (const StatedPortal& portal : scene_.stated->portals)
                 if (portal.feature) told[portal.feature.value] = true;
         }
-        // Collects named objects that stand in the building, except doors, stairs, lifts and walls. If the file counts
-        // its furniture, the others are not furniture.
+        // Add the named objects in the building, except doors, stairs, lifts and walls. If the file lists its
+        // furniture, all other objects are fixtures.
         const bool counted = scene_.stated && !scene_.stated->furnishings.empty();
         std::vector<bool> solid(scene_.features.size(), false);
         for (const Solid& one : scene_.solids)
@@ -100,7 +101,8 @@ public:
     const std::vector<std::string>& of_stairs() const { return of_stairs_; }
 
 private:
-    // `counted`: the file counts it as furniture or a window, so it is written wherever it is.
+    // Adds one window or object. `counted`: the file lists it as furniture or a window, so it is written even if it is
+    // outside all rooms.
     void add(FeatureId id, const Aabb& box, bool window, bool fixture, bool counted) {
         WordsHouse::Thing thing;
         thing.box_m = box;
@@ -126,7 +128,7 @@ private:
         else house_.things.push_back(std::move(thing));
     }
 
-    // The object's own material, else that of most of its faces.
+    // Returns the object's own material, or the material that most of its faces have.
     std::string material_of(FeatureId id) const {
         if (const std::string& own = scene_.material(scene_.features[id.value].material).name; !own.empty()) return own;
         const auto found = of_faces_.find(id.value);
@@ -150,7 +152,8 @@ private:
         return boxes_.size();
     }
 
-    // The room with the nearest outline, for the height at the fraction `up` of the object.
+    // Returns the room with the nearest outline. The object's height is measured at the fraction `up` between its
+    // bottom and its top.
     std::size_t nearest(const Aabb& box, double up) const {
         std::size_t best = 0;
         double best_m = 1e300;
@@ -159,8 +162,8 @@ private:
         return best;
     }
 
-    // The distance from a room's outline, increased if the object is above or below the room. May return `most_m` as
-    // soon as the distance reaches it.
+    // Returns the distance of an object from a room's outline. It is larger if the object is above or below the room.
+    // The function may stop and return `most_m` as soon as the distance reaches that value.
     double distance_to(std::size_t r, const Aabb& box, double up, double most_m = 1e300) const {
         const Aabb& room = boxes_[r];
         const Vec2 middle(box.centre_m());
@@ -173,8 +176,8 @@ private:
 
     WordsHouse& house_;
     const Scene& scene_;
-    std::vector<Aabb> boxes_;  // box of each room, from its floor to the top of its highest storey
-    // For each feature, its materials with the number of faces.
+    std::vector<Aabb> boxes_;  // for each room: its box, from its floor to the top of its highest storey
+    // For each feature: the number of its faces that have each material.
     std::map<std::uint32_t, std::map<std::string, int>> of_faces_;
     std::vector<std::string> outside_;  // names of the objects outside every room
     std::vector<std::string> of_stairs_;

@@ -11,7 +11,8 @@ namespace {
 constexpr double kStraight_mm = 0.13;
 constexpr float kFar = 1e9F;
 
-// The largest square of a pixel distance that is less than `limit_px`, or equal to it if `as_far` is set.
+// Returns the largest squared distance, in pixels, that is less than the square of `limit_px`. If `as_far` is set, it
+// may be equal to that square.
 int most_squared(double limit_px, bool as_far) {
     const auto counts = [&](int squared) {
         const auto far = static_cast<double>(static_cast<float>(std::sqrt(static_cast<double>(squared))));
@@ -22,7 +23,7 @@ int most_squared(double limit_px, bool as_far) {
     return squared;
 }
 
-// The distance to the nearest black pixel in the same column, limited to `most`.
+// Returns, for each pixel, the distance to the nearest black pixel in the same column, at most `most`.
 std::vector<std::uint8_t> heights_to_black(const Ink& ink, std::uint8_t most) {
     std::vector<std::uint8_t> far(ink.black.size());
     const auto wide = static_cast<std::size_t>(ink.wide);
@@ -46,8 +47,8 @@ Ink opposite(const Ink& ink) {
     return other;
 }
 
-// Source: Douglas, Peucker, Algorithms for the reduction of the number of points, 1973; with a stack instead of
-// recursion.
+// Marks the points that a simplified line needs. Source: Douglas, Peucker, Algorithms for the reduction of the number
+// of points, 1973, with a stack instead of recursion.
 void keep_corners(const std::vector<Vec2>& points, std::size_t from, std::size_t to, std::vector<bool>& kept) {
     std::vector<std::pair<std::size_t, std::size_t>> open{{from, to}};
     const auto point = [&](std::size_t i) { return points[i % points.size()]; };
@@ -86,8 +87,8 @@ std::vector<Vec2> straightened(const std::vector<Vec2>& points) {
     return out.size() < 3 ? points : out;
 }
 
-// Properties of a piece of white: whether it adjoins an area where a disc fits, and whether it is deeper than the
-// requested gap.
+// Properties of a connected piece of narrow white: whether it adjoins an area that a disc can cover, and whether it is
+// deeper than the requested gap.
 struct Surroundings {
     bool open = false, deep = false;
 };
@@ -130,7 +131,7 @@ std::vector<float> distances_px(const Ink& ink, std::vector<std::uint32_t>* whos
     std::vector<int> foot(static_cast<std::size_t>(wide));
     std::vector<double> from(static_cast<std::size_t>(wide) + 1), height(static_cast<std::size_t>(wide));
     for (int y = 0; y < high; ++y) {
-        std::size_t count = 0;  // parabolas of the lower envelope
+        std::size_t count = 0;  // number of parabolas in the lower envelope
         for (int x = 0; x < wide; ++x) {
             const std::int32_t row = row_of[ink.at(x, y)];
             if (row < 0) continue;
@@ -167,7 +168,7 @@ Ink near_black(const Ink& ink, double limit_px, bool as_far) {
     if (most < 0 || ink.wide == 0) return near;
     const int reach = static_cast<int>(std::sqrt(static_cast<double>(most)));
     const std::vector<std::uint8_t> far = heights_to_black(ink, static_cast<std::uint8_t>(reach + 1));
-    // For each horizontal distance, how far up or down a black pixel may be.
+    // For each horizontal distance, how far up or down a black pixel may be to count as near.
     std::vector<std::uint8_t> high;
     for (int aside = 0; aside <= reach; ++aside)
         high.push_back(static_cast<std::uint8_t>(std::sqrt(static_cast<double>(most - aside * aside))));
@@ -221,14 +222,15 @@ InkPieces pieces_of(const Ink& ink) {
 
 Ink narrow_white(const Ink& ink, double gap_mm) {
     const double radius = 0.5 * gap_mm / kInkPixel_mm;
-    // Pixels that a disc can cover, or that are near such a disc; the rest is either black or narrow.
+    // White pixels that a disc can cover, or that are near such a disc. All other white pixels are narrow.
     const Ink reached = near_black(opposite(near_black(ink, radius + 0.5, false)), radius + 0.5, true);
     Ink white = ink;
     for (std::size_t i = 0; i < white.black.size(); ++i) white.black[i] = !ink.black[i] && !reached.black[i] ? 1 : 0;
     const InkPieces pieces = pieces_of(white);
     const Ink near_reached = near_black(reached, gap_mm / kInkPixel_mm, true);
     std::vector<Surroundings> found(pieces.pixels.size());
-    // For each piece, the black pixels within two pixels; below, how many separate groups they form.
+    // For each piece of narrow white, the black pixels within two pixels of it. The loop after this one counts how many
+    // separate groups these pixels form.
     std::vector<std::vector<std::uint32_t>> border(pieces.pixels.size());
     for (int y = 0; y < ink.high; ++y)
         for (int x = 0; x < ink.wide; ++x) {
@@ -246,12 +248,12 @@ Ink narrow_white(const Ink& ink, double gap_mm) {
         }
     std::vector<bool> narrow(pieces.pixels.size(), false);
     for (std::size_t piece = 1; piece < narrow.size(); ++piece) {
-        constexpr std::uint32_t kSpeck = 6;  // in pixels: smaller pieces are the steps of a slanting line
+        constexpr std::uint32_t kSpeck = 6;  // pixels; a smaller piece is only a step in the border of a slanting line
         if (pieces.pixels[piece] < kSpeck) continue;
         std::vector<std::uint32_t>& around = border[piece];
         std::sort(around.begin(), around.end());
         around.erase(std::unique(around.begin(), around.end()), around.end());
-        // Counts the pixels connected with the first.
+        // Count the pixels that are connected with the first one.
         std::vector<bool> seen(around.size(), false);
         std::vector<std::size_t> open;
         if (!around.empty()) open.push_back(0), seen[0] = true;
@@ -310,7 +312,8 @@ void part_corners(Ink& ink) {
 }
 
 std::vector<std::vector<Vec2>> traced_mm(const Ink& ink) {
-    // Pixel sides with black on their left, by the corner where they begin: 0 east, 1 north, 2 west, 3 south.
+    // The sides of pixels that have black on their left, stored at the corner where each begins: 0 east, 1 north, 2
+    // west, 3 south.
     const auto black = [&](int x, int y) { return ink.holds(x, y) && ink.black[ink.at(x, y)] != 0; };
     const auto corner = [&](int x, int y) {
         return static_cast<std::uint64_t>(y) << 32U | static_cast<std::uint32_t>(x);

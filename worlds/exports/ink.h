@@ -1,6 +1,6 @@
-// A page as a picture of black and white pixels. Distances on it are exact and cheap for any shapes: where something
-// still fits, where black is too near to black, where it is too thick. Pure functions; any thread. Lengths are in
-// pixels unless the name says millimetres.
+// A page as a picture of black and white pixels. For shapes of any form it answers, exactly and quickly, where
+// something still fits, where black is too near to other black, and where black is too thick. Pure functions; any
+// thread may call them. Lengths are in pixels unless the name says millimetres.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ inline constexpr double kInkPixel_mm = 0.1;
 
 struct Ink {
     int wide = 0, high = 0;
-    std::vector<std::uint8_t> black;  // row by row from the bottom; 0 or 1
+    std::vector<std::uint8_t> black;  // the pixels row by row from the bottom; 0 is white, 1 is black
 
     Ink() = default;
     Ink(double width_mm, double height_mm);
@@ -56,37 +56,41 @@ void for_pixels_in(const Ink& ink, std::span<const std::vector<Vec2>> loops_mm, 
 void fill(Ink& ink, std::span<const std::vector<Vec2>> loops_mm, bool black);
 void fill_disc(Ink& ink, const Vec2& middle_mm, double radius_mm);
 
-// The distance from each pixel to the nearest black one, centre to centre: 0 on black, a large number if nothing is
-// black. Exact, in time proportional to the pixels. `whose`, if given, receives the index of that black pixel. Source:
-// Felzenszwalb, Huttenlocher, Distance transforms of sampled functions, Theory of Computing 8, 2012.
+// Returns the distance from each pixel to the nearest black one, centre to centre. It is 0 on black, and a large number
+// if nothing is black. Exact; the time is proportional to the number of pixels. `whose`, if not null, receives the
+// index of that black pixel. Source: Felzenszwalb, Huttenlocher, Distance transforms of sampled functions, Theory of
+// Computing 8, 2012.
 std::vector<float> distances_px(const Ink& ink, std::vector<std::uint32_t>* whose = nullptr);
 
-// The pixels with a black one nearer than `limit_px`, centre to centre; `as_far` includes that distance. At most 250
-// pixels; much faster than distances_px.
+// Returns the pixels that have a black pixel nearer than `limit_px`, centre to centre. If `as_far` is set, exactly that
+// distance also counts. `limit_px` is at most 250. Much faster than distances_px.
 Ink near_black(const Ink& ink, double limit_px, bool as_far);
 
-// The white pixels where the distance between black and black is less than `gap_mm`: gaps and slits through which no
-// disc of that size fits. Inner corners, which no disc fills either, are not included unless they are deeper than
+// Returns the white pixels in gaps and slits between black that are narrower than `gap_mm`, so that no disc of that
+// size fits through. A disc does not fill inner corners either. These are included only if they are deeper than
 // `gap_mm`.
 Ink narrow_white(const Ink& ink, double gap_mm);
 
-// Connected pieces of black, over sides and corners. Piece 0 is white; pieces count from 1.
+// The connected pieces of black. Pixels that touch at a side or a corner are connected. Piece 0 is white; pieces count
+// from 1.
 struct InkPieces {
-    std::vector<std::uint32_t> of;      // the piece of each pixel
-    std::vector<std::uint32_t> pixels;  // the number of pixels in each piece; [0] is unused
-    std::vector<int> extent;            // the longer side of each piece's bounding box
+    std::vector<std::uint32_t> of;      // for each pixel: its piece
+    std::vector<std::uint32_t> pixels;  // for each piece: its number of pixels; [0] is unused
+    std::vector<int> extent;            // for each piece: the longer side of its bounding box
 };
 InkPieces pieces_of(const Ink& ink);
 
-// Makes black thicker than `thick_mm` hollow, with a border of `border_mm`. Hollows shorter than `least_mm` stay black,
-// unless they are wider than the crossing of two walls of that thickness. So none appears where walls merely meet.
-// Returns the number of hollows.
+// Makes black that is thicker than `thick_mm` hollow, with a border of `border_mm`. Areas whose hollow would be shorter
+// than `least_mm` stay black, unless they are wider than the crossing of two walls of that thickness. So there are no
+// hollows where walls merely meet. Returns the number of hollows.
 int hollow_out(Ink& ink, double thick_mm, double border_mm, double least_mm);
 
-// Fills in where two black pixels meet only at a corner, so that pieces touch along sides or not at all.
+// If two black pixels meet only at a corner, fills in a pixel next to them. Pieces then touch along sides or not at
+// all.
 void part_corners(Ink& ink);
 
-// Traces the borders of black as closed lines, to be filled by the even-odd rule; straight within 0.13 mm.
+// Traces the borders of black as closed lines, which are filled by the even-odd rule. The lines deviate at most 0.13 mm
+// from the pixels.
 std::vector<std::vector<Vec2>> traced_mm(const Ink& ink);
 
 }  // namespace handrail::exports

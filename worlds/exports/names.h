@@ -1,4 +1,4 @@
-// Joins names to a list as used in a sentence. Pure; any thread.
+// Joins names to a list for use in a sentence. Pure function; any thread may call it.
 #pragma once
 
 #include <span>
@@ -6,7 +6,7 @@
 
 namespace handrail::exports {
 
-// "Table; 3 of Chair; Stove": in the order of first appearance, with equal names counted.
+// Returns a list such as "Table; 3 of Chair; Stove", in the order of first appearance. Equal names are counted.
 std::string names_list(std::span<const std::string> names);
 
 }  // namespace handrail::exports

@@ -8,10 +8,10 @@
 namespace handrail::exports {
 namespace {
 
-// A finger this close to a portal passes through it: half the portal's width, or half of a door's width on paper, plus
-// a little.
+// A finger passes through a portal if it is this close to it: half the portal's width, or half of a door's width on
+// paper, plus a small distance in millimetres and in metres.
 constexpr double kHalfDoor_mm = 3.3, kBesidePortal_mm = 2.0, kBesidePortal_m = 0.5;
-constexpr double kLeastLeak_mm = 0.3;  // narrower leaks come from the pixels
+constexpr double kLeastLeak_mm = 0.3;  // a narrower gap between rooms is an effect of the pixels
 
 Vec2 middle_of(const plan::RoomGrid& grid, std::size_t square) {
     return Vec2(static_cast<double>(square % static_cast<std::size_t>(grid.wide)) + 0.5,
@@ -60,10 +60,12 @@ private:
                kBesidePortal_m * on_paper_.mm_per_m + kBesidePortal_mm;
     }
 
-    // The lines of a flight show its sides, which have no walls; a line around them would leave no space for them.
+    // Returns whether the room is a flight of stairs. Its lines show its sides, which have no walls. A line around it
+    // would leave no space for those lines.
     bool is_flight(std::uint32_t room) const { return storey_.rooms[room].kind == navigation::RoomKind::Stairs; }
 
-    // Where a route leads to another storey, as at the low end of a ramp, a finger finds no wall.
+    // Returns whether a route leads to another storey there, as at the low end of a ramp. A finger finds no wall at
+    // such a place.
     bool leads_on(const plan::RoomBorder& border, const Vec2& at) const {
         return std::any_of(storey_.exits.begin(), storey_.exits.end(), [&](const plan::StoreyExit& exit) {
             const double reach = (0.5 * exit.width_m + kBesidePortal_m) * on_paper_.mm_per_m + kBesidePortal_mm;
@@ -72,7 +74,7 @@ private:
         });
     }
 
-    // The part of a border that nothing explains.
+    // Returns the part of a border between two rooms that has no wall although no portal and no exit is there.
     WrongOpening leak_of(const plan::RoomBorder& border) const {
         WrongOpening leak{border.rooms, Vec2(0.0), {}};
         if (is_flight(border.rooms[0]) || is_flight(border.rooms[1])) return leak;
@@ -116,7 +118,8 @@ plan::RoomGrid rooms_on(const Ink& walls, const plan::Storey& storey, const OnPa
             const std::size_t here = grid.at(x, y);
             const bool rim = x == 0 || y == 0 || x == grid.wide - 1 || y == grid.high - 1;
             const bool on_storey = cell >= 0 && row >= 0 && cell < floor.wide && row < floor.high;
-            // The rim of one of several sheets can be in the middle of a room.
+            // The rim of the picture is outside, unless this is one of several sheets. Then the rim can be in the
+            // middle of a room.
             if (rim && (!on_storey || floor.beyond.empty())) grid.room[here] = outside;
             if (!on_storey) continue;
             const std::size_t square =

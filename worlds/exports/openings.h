@@ -1,6 +1,6 @@
-// What a drawing of walls promises: between two rooms it is open where the route graph has a way through, and nowhere
-// else. The sides of a flight of stairs are left open: its lines show them. So are routes to another storey. Pure
-// functions; any thread.
+// Checks what a drawing of walls promises: two rooms are open to each other where the route graph has a portal between
+// them, and nowhere else. Flights of stairs are an exception: their sides stay open, because their lines show them.
+// Routes to another storey also stay open. Pure functions; any thread may call them.
 #pragma once
 
 #include <array>
@@ -14,34 +14,38 @@
 
 namespace handrail::exports {
 
-// For every pixel, the room from whose floor a finger reaches it first. The number of rooms stands for the outside.
+// Returns, for every pixel, the room whose floor is nearest for a finger that moves without crossing a wall. The number
+// of rooms stands for the outside.
 plan::RoomGrid rooms_on(const Ink& walls, const plan::Storey& storey, const OnPaper& on_paper);
 
 struct WrongOpening {
     std::array<std::uint32_t, 2> rooms{};  // indices in Storey::rooms
     Vec2 at_mm{0.0};
-    std::vector<Vec2> squares_mm;  // of an opening without a portal: the centres of its pixels
+    std::vector<Vec2> squares_mm;  // for a wrong opening without a portal: the centres of its pixels
 };
 
 struct OpeningCheck {
-    std::vector<WrongOpening> lacking;  // doors and openings of the graph that the drawing does not show
-    std::vector<WrongOpening> leaking;  // rooms that the drawing joins and the graph does not
+    std::vector<WrongOpening> lacking;  // doors and openings of the graph that are closed in the drawing
+    // Pairs of rooms that are open to each other in the drawing, but not in the graph.
+    std::vector<WrongOpening> leaking;
 };
-// `walls` must contain only walls. Doors and openings outside the drawing are not checked.
+// Checks a drawing that contains only walls. Doors and openings outside the drawing are not checked.
 OpeningCheck check_openings(const Ink& walls, const plan::Storey& storey, const OnPaper& on_paper);
-// The same for the result of rooms_on for that drawing.
+// Checks the drawing for which rooms_on returned `rooms`.
 OpeningCheck check_openings(const plan::RoomGrid& rooms, const plan::Storey& storey, const OnPaper& on_paper);
 
-// Finds the rooms whose floor meets the outside without a wall, for at least `least_mm` of the part shown. Returns
-// indices in Storey::rooms. `rooms`: see rooms_on.
+// Returns the rooms whose floor meets the outside without a wall over at least `least_mm`, as indices in Storey::rooms.
+// `shown` returns whether a place is on the sheet; other places do not count. `rooms`: see rooms_on.
 std::vector<std::uint32_t> rooms_with_open_edges(const plan::RoomGrid& rooms, const plan::Storey& storey,
                                                  double least_mm, const std::function<bool(const Vec2&)>& shown);
 
-// Opens missing openings, with the door width of `look`, and closes leaks. Leaks are places too narrow or too low for a
-// walker; missing openings were closed when lines were joined. Black that is too near to a mended place is joined.
+// Opens doors and openings that are closed in the drawing, with the door width of `look`, and closes wrong openings.
+// Wrong openings are places that are too narrow or too low for a walker. Openings are closed if lines next to them were
+// joined. Black that is then too near to a mended place is joined to it.
 struct MendedOpenings {
     std::size_t opened = 0;
-    std::vector<std::array<std::uint32_t, 2>> closed;  // pairs of indices in Storey::rooms
+    // Pairs of indices in Storey::rooms between which a wrong opening was closed.
+    std::vector<std::array<std::uint32_t, 2>> closed;
 };
 MendedOpenings mend_openings(Ink& walls, const plan::Storey& storey, const OnPaper& on_paper, const WallLook& look);
 

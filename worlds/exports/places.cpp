@@ -101,7 +101,8 @@ std::optional<Vec2> Places::nearest_fit(const Vec2& from_mm, double reach_mm,
         least = far;
         best = from_mm + off;
     };
-    for (int ring = 0; ring <= reach && ring * kStep_mm <= least; ++ring)  // squares, from within
+    // Rings of squares, from the innermost outwards.
+    for (int ring = 0; ring <= reach && ring * kStep_mm <= least; ++ring)
         for (int i = std::max(-ring, first_i); i <= std::min(ring, last_i); ++i) {
             if (std::abs(i) == ring) {
                 for (int j = std::max(-ring, first_j); j <= std::min(ring, last_j); ++j) take_nearer(i, j);

@@ -1,5 +1,5 @@
-// Keeps track of where on a sheet or plate something still fits, given what was drawn before. Plain state; one thread
-// at a time. Millimetres.
+// Finds where on a sheet or plate something still fits, and remembers what was drawn before. Plain state; only one
+// thread at a time may use an object. Millimetres.
 #pragma once
 
 #include <functional>
@@ -16,24 +16,25 @@ double distance_to_loop_mm(const std::vector<Vec2>& loop, const Vec2& at);
 // Returns whether the straight line between the two places crosses no black.
 bool clear_between(const Ink& ink, const Vec2& from_mm, const Vec2& to_mm);
 
-// Returns whether a box is closer than `gap_mm` to one of the others; all have sides parallel to the axes.
+// Returns whether a box is closer than `gap_mm` to one of the other boxes. All boxes have sides parallel to the axes.
 bool is_near_any(const plan::PlanBox& box, const std::vector<plan::PlanBox>& others, double gap_mm);
 
 class Places {
 public:
     Places() = default;
-    // Everything between `low_mm` and `high_mm` that is at least `clear_mm` from black.
+    // At first, everything between `low_mm` and `high_mm` is free that is at least `clear_mm` from black.
     Places(const Ink& black, double clear_mm, const Vec2& low_mm, const Vec2& high_mm);
 
-    // From now on, keeps others at the same distance from what was drawn in this closed line.
+    // Marks a closed line and its inside as taken. From now on, everything else keeps the distance `clear_mm` from it.
     void take(const std::vector<Vec2>& loop_mm);
-    // Tests points half a millimetre apart.
+    // Returns whether the box is free. Tests points half a millimetre apart.
     bool fits(const plan::PlanBox& box_mm) const;
-    // The nearest allowed place to `from_mm` at which a box fits, on a grid of half a millimetre.
+    // Returns the allowed place nearest to `from_mm` at which a box fits. Tests places on a grid of half a millimetre.
     std::optional<Vec2> nearest_fit(const Vec2& from_mm, double reach_mm,
                                     const std::function<plan::PlanBox(const Vec2&)>& box_at,
                                     const std::function<bool(const Vec2&)>& allowed) const;
-    // The largest free part of a box, with half sides of at least `least_half_mm`.
+    // Returns the largest free part of a box. Its half sides are at least `least_half_mm`; nothing if there is no such
+    // part.
     std::optional<plan::PlanBox> largest_fit(const plan::PlanBox& box_mm, double least_half_mm) const;
 
 private:

@@ -8,7 +8,7 @@
 namespace handrail::exports {
 namespace {
 
-// The ASCII letters of a name, in lower case; "x" if it has none.
+// Returns the ASCII letters of a name, in lower case; "x" if it has none.
 std::string letters_of(const std::string& name) {
     std::string letters;
     for (const char c : name)
@@ -17,7 +17,7 @@ std::string letters_of(const std::string& name) {
     return letters.empty() ? "x" : letters;
 }
 
-// Removes the storey at the end of a name, as in "Hall, west, storey 4" or "Stairs, Level -1".
+// Removes the storey from the end of a name, as in "Hall, west, storey 4" or "Stairs, Level -1".
 std::string without_storey(const std::string& name, const plan::Storey& storey) {
     const std::string made = phrase("room_name.level", {{"room", ""}, {"level", storey.number}});
     for (const std::string& end : {made, storey.name})
@@ -52,7 +52,7 @@ std::vector<RoomSign> room_signs(const plan::Storey& storey) {
         std::string number;
         for (std::size_t i = name.size(); i > 0 && std::isdigit(static_cast<unsigned char>(name[i - 1])); --i)
             number.insert(number.begin(), name[i - 1]);
-        // "Cellar 4-1" has two numbers, so neither 1 nor 4 is its sign.
+        // A name such as "Cellar 4-1" contains two numbers, so neither 1 nor 4 is used for its sign.
         const bool other_numbers = std::any_of(name.begin(), name.end() - std::ptrdiff_t(number.size()),
                                                [](char c) { return std::isdigit(static_cast<unsigned char>(c)); });
         std::string sign = number.size() == name.size() ? number : letters_of(name).substr(0, 1) + number;

@@ -1,5 +1,5 @@
-// Spoken directions on a card to take along: as text, or as a BRF file for braille displays and embossers, 40 cells by
-// 25 lines to a page. Pure functions; any thread.
+// Writes spoken directions on a card that people carry with them. The card is a text, or a BRF file for braille
+// displays and embossers with 40 cells by 25 lines to a page. Pure functions; any thread may call them.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@ namespace handrail::exports {
 
 inline constexpr std::size_t kCardCells = 40, kCardLines = 25;
 
-// The directions of one route; each sentence begins a line.
+// The directions of one route. Each sentence begins a new line.
 using CardRoute = std::vector<std::string>;
 
-// UTF-8 with LF, lines of at most `kCardCells` characters, and a blank line between routes.
+// Returns UTF-8 text with LF, lines of at most `kCardCells` characters, and a blank line between routes.
 std::string card_text(const std::vector<CardRoute>& ways);
 
-// North American braille ASCII with CR LF, each route on a new page, with form feeds between pages. Fails with one
-// sentence if braille is not available.
+// Returns North American braille ASCII with CR LF. Each route begins a new page, and form feeds separate pages. Fails
+// with one sentence if braille is not available.
 Result<std::string> card_brf(const std::vector<CardRoute>& ways, BrailleTable table);
 
 }  // namespace handrail::exports

@@ -9,7 +9,7 @@
 namespace handrail::exports {
 namespace {
 
-// A PDF text string: UTF-16 in hexadecimal digits.
+// Returns a PDF text string: UTF-16 in hexadecimal digits.
 std::string pdf_text(const std::string& text) {
     std::string out = "<FEFF";
     for (std::size_t i = 0; i < text.size();) {
@@ -66,7 +66,7 @@ std::string pdf_of(std::span<const SheetPage> pages, const std::string& language
             }
             drawn += "f*\n";
         }
-        for (const SheetDot& dot : page.dots)  // a line of zero length with round ends
+        for (const SheetDot& dot : page.dots)  // a disc is a line of zero length with round ends
             drawn += fmt::format("{:.3f} w {:.3f} {:.3f} m {:.3f} {:.3f} l S\n", 2.0 * dot.radius_mm, dot.at_mm.x,
                                  dot.at_mm.y, dot.at_mm.x, dot.at_mm.y);
         objects.push_back(fmt::format("<</Length {}>>stream\n{}endstream", drawn.size(), drawn));

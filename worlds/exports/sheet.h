@@ -1,5 +1,5 @@
-// A printed page as plain values, black shapes and dots in millimetres, and how it is written to a file. It consists
-// only of paths and circles, so no font is needed and every length is exact. Pure functions; any thread.
+// A printed page as plain values: black shapes and dots in millimetres. Also writes it to a file. The file contains
+// only paths and circles, so no font is needed and every length is exact. Pure functions; any thread may call them.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace handrail::exports {
 
-// A shape that is black at every point inside an odd number of the loops.
+// A shape. A point is black if it is inside an odd number of the loops.
 struct SheetShape {
     std::vector<std::vector<Vec2>> loops_mm;  // x to the right, y up, from the lower left corner of the page
-    int part = 0;                             // gaps within one part may be smaller, see check_gaps
+    int part = 0;  // number of the part to which the shape belongs; gaps within one part may be smaller, see check_gaps
 };
 
 struct SheetDot {
@@ -24,28 +24,28 @@ struct SheetDot {
 
 struct SheetPage {
     double width_mm = 210.0, height_mm = 297.0;
-    std::string title, text;  // for readers of the file, not of the paper
+    std::string title, text;  // title and description in the file, which are not printed
     std::vector<SheetShape> shapes;
     std::vector<SheetDot> dots;
 };
 
-// One page as SVG 1.1 with its size in millimetres. Title and text become its name and description. `language` is a
-// language code.
+// Returns one page as SVG 1.1 with its size in millimetres. The page's title and text become the name and description
+// of the SVG. `language` is a language code.
 std::string svg_of(const SheetPage& page, const std::string& language);
-// All pages as PDF 1.7 that is printed at actual size.
+// Returns all pages as PDF 1.7 that is printed at actual size.
 std::string pdf_of(std::span<const SheetPage> pages, const std::string& language);
 
-// The distances between black and black. See check_gaps.
+// The distances between black shapes, as check_gaps measured them.
 struct GapCheck {
-    // The least distance between two parts; the page's size if there are fewer than two parts.
+    // The least distance between two parts; the size of the page if there are fewer than two parts.
     double least_mm = 0.0;
-    // Places with less than the requested distance: between parts, and in slits of shapes.
+    // Places where the distance is too small, between two parts or in a slit of a shape.
     std::vector<Vec2> narrow_mm;
 };
-// Examines a picture of the page with 0.1 mm to a pixel, so the result is exact to about that. Different parts must be
-// at least `least_mm` apart everywhere. Within a part shapes may touch, but gaps and slits through which no disc of
-// that size fits are also reported, except where two lines simply meet at a corner. Dots of one part are not compared
-// with each other.
+// Measures distances in a picture of the page with 0.1 mm to a pixel, so the result is exact to about that length.
+// Different parts must be at least `least_mm` apart everywhere. Within a part, shapes may touch. Gaps and slits inside
+// a part are reported if no disc of that size fits through them, unless two lines simply meet at a corner. Dots of one
+// part are not compared with each other.
 GapCheck check_gaps(const SheetPage& page, double least_mm);
 
 }  // namespace handrail::exports

@@ -12,11 +12,12 @@
 namespace handrail::exports {
 namespace {
 
-// How far the part shown extends beyond the floor, to include its walls; as for a whole storey.
+// How far the part shown extends beyond the floor, so that it includes the walls. The same as for a whole storey.
 constexpr double kAroundFloor_m = 0.9, kAroundBase_m = 1.0;
-constexpr double kLeastProgress_m = 0.5;  // each part must be smaller than the whole by at least this
-constexpr double kUneven = 0.15;  // cost, in metres of crossed floor, for each metre by which the two sides differ
-constexpr double kLeastSide_mm = 10.0;  // least length of a common strip that makes two sheets neighbours
+constexpr double kLeastProgress_m = 0.5;  // each part must be smaller than the undivided area by at least this length
+// Cost of a cut, in metres of crossed floor, for each metre by which its two sides differ in size.
+constexpr double kUneven = 0.15;
+constexpr double kLeastSide_mm = 10.0;  // two sheets are neighbours if their common strip is at least this long
 
 struct Area {
     Vec2 low{0.0}, high{0.0};
@@ -38,7 +39,7 @@ public:
             }
     }
 
-    // Shrinks an area to the floor in it and its surroundings; nothing if there is no floor in it.
+    // Shrinks an area to the floor in it, with a margin around that floor; nothing if there is no floor in it.
     std::optional<Area> fitted(const Area& area) const {
         int x0 = cell(area.low.x, 0), x1 = cell(area.high.x, 0) + 1, y0 = cell(area.low.y, 1),
             y1 = cell(area.high.y, 1) + 1;
@@ -53,7 +54,7 @@ public:
                     glm::min(area.high, storey_.min_m + Vec2(x1, y1) * floor_.cell_m + around)};
     }
 
-    // Length over which a line across the area divides the floor of a room, in metres.
+    // Returns the length, in metres, over which a line across the area divides the floor of rooms.
     double crossed_m(const Area& area, int axis, double at) const {
         const int other = 1 - axis, here = cell(at, axis);
         double crossed = 0.0;
@@ -122,7 +123,7 @@ private:
         Area before, behind;
     };
 
-    // The number of sheets that cover a rectangle.
+    // Returns the number of sheets that cover a rectangle.
     int sheets_for(const Area& area) const {
         const Vec2 size = area.high - area.low;
         int least = std::numeric_limits<int>::max();
@@ -166,7 +167,7 @@ private:
         return best;
     }
 
-    // North comes before south, in reading order.
+    // Divides an area into sheets. North comes before south, as in reading order.
     bool divide(const Area& area) {
         if (sheets_for(area) == 1) {
             if (static_cast<int>(parts_.size()) == kMostSheets) return false;
@@ -192,7 +193,7 @@ private:
         return true;
     }
 
-    // Makes two sheets neighbours. `before` is to the west or south.
+    // Makes two sheets neighbours. `before` is to the west or south of `behind`.
     void meet(SheetPart& before, SheetPart& behind, int axis, double at) const {
         const int other = 1 - axis;
         Area strip;
@@ -215,7 +216,7 @@ private:
     std::vector<SheetPart> parts_;
 };
 
-// Returns whether a box of that many pixels fits somewhere into the room.
+// Returns whether a box of `wide` by `high` pixels fits somewhere into the room.
 bool has_free_box(const std::vector<std::int32_t>& sums, int wide, int high, int box_x, int box_y) {
     const auto of = [&](int x, int y) {
         return sums[static_cast<std::size_t>(y) * static_cast<std::size_t>(wide + 1) + static_cast<std::size_t>(x)];
@@ -226,7 +227,7 @@ bool has_free_box(const std::vector<std::int32_t>& sums, int wide, int high, int
     return false;
 }
 
-// The walls without changes, except that none is thinner than a pixel.
+// Draws the walls without changes, except that none is thinner than a pixel.
 Ink plain_walls(const plan::Storey& storey, const OnPaper& on_paper) {
     const Vec2 size_mm = (storey.max_m - storey.min_m) * on_paper.mm_per_m;
     Ink ink(size_mm.x, size_mm.y);
@@ -260,7 +261,7 @@ std::vector<SheetPart> parts_of(const plan::Storey& storey, const PaperSize& pap
 }
 
 std::vector<double> scales_needed(const plan::Storey& storey, const std::vector<double>& scales, const Vec2& box_mm) {
-    // A picture in which a pixel is 10 cm of the world.
+    // In this picture, a pixel is 10 cm of the world.
     const OnPaper on_paper{storey.min_m, Vec2(0.0), 1.0};
     const double pixel_m = kInkPixel_mm / on_paper.mm_per_m;
     const plan::RoomGrid grid = rooms_on(plain_walls(storey, on_paper), storey, on_paper);

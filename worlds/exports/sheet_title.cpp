@@ -11,7 +11,7 @@ namespace handrail::exports {
 namespace {
 
 constexpr std::size_t kTitleLines = 2;
-constexpr double kNorth_mm = 20.0;  // width of the triangle to the right of the title
+constexpr double kNorth_mm = 20.0;  // width of the space to the right of the title, for the triangle that points north
 
 std::string storey_text(const plan::Storey& storey, bool with_number) {
     return phrase(storey.name.empty() ? "export.storey_numbered"
@@ -67,7 +67,7 @@ Result<std::vector<BrailleCells>> title_lines(const plan::Storey& storey, std::o
         std::vector<BrailleCells> lines = braille_lines(*cells, width, 0);
         if (lines.size() > kTitleLines && !name.empty()) continue;
         lines.resize(std::min(lines.size(), kTitleLines));
-        // No single word is left for the last line: all lines are about as long.
+        // Balance the lines, so that no single word is left for the last one: all lines are about equally long.
         const std::size_t least = std::max<std::size_t>(2, longest_word(*cells));
         for (std::size_t narrower = width; lines.size() > 1 && --narrower >= least;) {
             std::vector<BrailleCells> even = braille_lines(*cells, narrower, 0);

@@ -1,4 +1,4 @@
-// The title of a sheet, in print and in the braille at its head. Pure functions; any thread.
+// Makes the title of a sheet, in print and in the braille at its head. Pure functions; any thread may call them.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@
 
 namespace handrail::exports {
 
-// The world, the file's name for the storey, and its number among the storeys. `sheet`: number of the sheet if there
-// are several.
+// Returns the world, the file's name for the storey, and its number among the storeys. `sheet`: number of the sheet if
+// there are several.
 std::string sheet_title(const plan::Storey& storey, std::optional<int> sheet);
 
-// One or two lines for the head of a page of that width. A long name of the world is cut after its first words. The
-// storey is always kept, without its number if it has a name.
+// Returns one or two lines for the head of a page that is `page_mm` wide. A long name of the world is cut after its
+// first words. The title always contains the storey, without its number if the storey has a name.
 Result<std::vector<BrailleCells>> title_lines(const plan::Storey& storey, std::optional<int> sheet, BrailleTable table,
                                               double page_mm);
 

@@ -9,7 +9,8 @@
 namespace handrail::exports {
 namespace {
 
-// Twice the area of a triangle, positive if counter-clockwise. A plate is under 2 m wide, so there is no overflow.
+// Returns twice the area of a triangle, positive if it is counter-clockwise. A plate is less than 2 m wide, so the
+// product does not overflow.
 std::int64_t turn(const PlatePoint& a, const PlatePoint& b, const PlatePoint& c) {
     return (std::int64_t{b.x_um} - a.x_um) * (std::int64_t{c.y_um} - a.y_um) -
            (std::int64_t{b.y_um} - a.y_um) * (std::int64_t{c.x_um} - a.x_um);
@@ -25,7 +26,7 @@ bool between(const PlatePoint& a, const PlatePoint& b, const PlatePoint& at) {
            std::min(a.y_um, b.y_um) <= at.y_um && at.y_um <= std::max(a.y_um, b.y_um);
 }
 
-// Returns whether the side a-b meets the bridge p-q anywhere except at an end of the bridge.
+// Returns whether the side a-b of a ring meets the bridge p-q, other than at an end of the bridge.
 bool in_the_way(const PlatePoint& a, const PlatePoint& b, const PlatePoint& p, const PlatePoint& q) {
     for (const PlatePoint& end : {a, b})
         if (end != p && end != q && between(p, q, end)) return true;
@@ -35,7 +36,7 @@ bool in_the_way(const PlatePoint& a, const PlatePoint& b, const PlatePoint& p, c
            turn(p, q, a) != 0 && turn(p, q, b) != 0;
 }
 
-// Returns whether the direction from corner `at` of the ring to q leads into the area.
+// Returns whether the direction from corner `at` of the ring to q leads into the area inside the ring.
 bool looks_in(const PlateRing& ring, std::size_t at, const PlatePoint& q) {
     const PlatePoint &before = ring[(at + ring.size() - 1) % ring.size()], &here = ring[at];
     const PlatePoint& after = ring[(at + 1) % ring.size()];
@@ -49,8 +50,8 @@ bool free_sight(const PlateRing& ring, const PlatePoint& p, const PlatePoint& q)
     return true;
 }
 
-// Joins a hole to the ring by a bridge there and back. Returns false if no corner of the ring has a free line to the
-// hole.
+// Makes a hole part of the ring by a bridge: two coinciding lines from the ring to the hole and back. Returns false if
+// no corner of the ring has a free line to the hole.
 bool join(PlateRing& ring, const std::vector<PlateRing>& holes, std::size_t which) {
     const PlateRing& hole = holes[which];
     const auto right = std::max_element(hole.begin(), hole.end(), [](const PlatePoint& a, const PlatePoint& b) {
@@ -117,7 +118,7 @@ public:
         return true;
     }
 
-    // Adds vertical sides; the solid is on the left of the ring.
+    // Adds the vertical sides below a ring. The solid is on the left of the ring.
     void sides(const PlateRing& ring, std::int32_t low_um, std::int32_t high_um) {
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const PlatePoint &a = ring[i], &b = ring[(i + 1) % ring.size()];
@@ -162,7 +163,8 @@ std::optional<std::vector<std::array<PlatePoint, 3>>> triangulated(const PlateAr
     std::size_t i = 0, misses = 0, left = ring.size();
     while (left > 3) {
         const std::size_t a = last[i], c = next[i];
-        const bool back = ring[a] == ring[c];  // both sides of a bridge are used up
+        // A corner that only leads back along a bridge; both lines of the bridge are used up.
+        const bool back = ring[a] == ring[c];
         if (!back && !is_ear(i)) {
             if (++misses > left) return std::nullopt;
             i = c;
@@ -181,7 +183,7 @@ std::optional<std::vector<std::array<PlatePoint, 3>>> triangulated(const PlateAr
 
 std::optional<std::vector<SolidTriangle>> plate_with(std::int32_t wide_um, std::int32_t deep_um, std::int32_t thick_um,
                                                      std::span<const RaisedArea> raised) {
-    // The floors between the raised areas: that of the plate, and one in each hole of a raised area.
+    // The horizontal surfaces between the raised areas: that of the plate, and one in each hole of a raised area.
     std::vector<PlateArea> floors{{{{0, 0}, {wide_um, 0}, {wide_um, deep_um}, {0, deep_um}}, {}}};
     const PlateArea bottom = floors.front();
     for (const RaisedArea& one : raised)

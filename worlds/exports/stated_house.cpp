@@ -1,4 +1,4 @@
-// Describes a building whose file states its rooms, to be written in words.
+// Describes a building whose file states its rooms, for the text that describes a building.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,11 +15,11 @@ namespace handrail::exports {
 namespace {
 
 constexpr double kStatedFinest_m = 1e-4, kSlabs_m = 0.3, kLeastStorey_m = 2.3;
-constexpr double kStepDown_m = 0.3;   // an opening with at least this difference in height is a drop
-constexpr double kMostRaise_m = 1.5;  // greatest height by which a room is described as raised or sunk
+constexpr double kStepDown_m = 0.3;   // an opening between floors with at least this difference in height is a drop
+constexpr double kMostRaise_m = 1.5;  // greatest height by which a room can be described as raised or sunk
 constexpr double kStatedLevel_m = 0.02;
 
-// Removes the level that was appended to a name, as in "Stairs, Level 1".
+// Removes the level from the end of a name, as in "Stairs, Level 1".
 std::string without_level(const std::string& name, const std::string& level) {
     const std::string end = phrase("plan.on_level", {{"name", ""}, {"level", level}});
     return name.size() > end.size() && name.ends_with(end) ? name.substr(0, name.size() - end.size()) : name;
@@ -35,14 +35,15 @@ bool same_outline(const StatedRoom& a, const StatedRoom& b) {
     return true;
 }
 
-// A lift without a shaft, which the file states separately. A lift with a shaft has the guid of the shaft.
+// Returns whether a lift has no shaft. The file states such a lift separately; a lift with a shaft has the guid of the
+// shaft.
 bool is_platform(const Scene& scene, const StatedPortal& portal) {
     const Feature* feature = scene.find(portal.feature);
     if (!feature || feature->bounds_m.empty() || portal.rooms.size() != 2 || !portal.guid.empty()) return false;
     return scene.stated->rooms[portal.rooms[0]].storey != scene.stated->rooms[portal.rooms[1]].storey;
 }
 
-// Stairs from one room to another that can be written as they are.
+// Returns whether the portal is stairs from one room to another that the text can express as they are.
 bool takes_flight(const Scene& scene, const StatedPortal& portal) {
     return portal.kind == StatedPortalKind::Stairs && portal.rooms.size() == 2 &&
            scene.stated->rooms[portal.rooms[0]].storey != scene.stated->rooms[portal.rooms[1]].storey &&
@@ -60,7 +61,7 @@ void note_drop(const WordsHouse& house, WordsHouse::Door& door) {
     door.drop_m = std::abs(down_m);
 }
 
-// The storey of a room. If the file states none, it is the one with the nearest floor.
+// Returns the storey of a room. If the file states none, it is the storey with the nearest floor height.
 std::uint32_t storey_of(const StatedBuilding& stated, const StatedRoom& room) {
     if (room.storey < stated.storeys.size()) return room.storey;
     std::uint32_t best = 0;
@@ -70,7 +71,8 @@ std::uint32_t storey_of(const StatedBuilding& stated, const StatedRoom& room) {
     return best;
 }
 
-// Builds the house in the order of dependency: storeys, which rooms are one, rooms, doors, lifts and flights.
+// Builds the house step by step, as each step depends on those before: storeys, rooms that belong together, rooms,
+// doors, lifts and flights.
 class StatedHouse {
 public:
     StatedHouse(const Scene& scene, bool german) : scene_(scene), stated_(*scene.stated), german_(german) {
@@ -119,7 +121,7 @@ private:
         return r;
     }
 
-    // Joins stairs and lifts that have the same outline on all their storeys into one room.
+    // Joins the pieces of stairs and lifts into one room if they have the same outline on all their storeys.
     void part_stairs_and_lifts() {
         parent_.resize(stated_.rooms.size());
         for (std::size_t r = 0; r < parent_.size(); ++r) parent_[r] = r;
@@ -133,7 +135,7 @@ private:
         bool one = portal.rooms.size() > 1;
         for (const std::uint32_t r : portal.rooms)
             one &= same_outline(stated_.rooms[r], stated_.rooms[portal.rooms[0]]);
-        // Stairs that fill their room on all storeys are that room; other stairs are in a room.
+        // Stairs that fill their room on all storeys become that room. Other stairs are described inside their room.
         const bool fill = one && (lift || std::all_of(portal.rooms.begin(), portal.rooms.end(),
                                                       [&](std::uint32_t r) { return stated_.rooms[r].holds_stairs; }));
         if (!fill && takes_flight(scene_, portal)) return flights_.push_back(&portal);
@@ -189,7 +191,7 @@ private:
         for (const std::uint32_t r : portal.rooms)
             if (door.rooms.size() < 2) door.rooms.push_back(room_of_[r]);
         if (door.rooms.empty()) return lose("Eine Tür ohne Raum: {}.", "A door of no room: {}.", portal.name);
-        // Of stairs and a room, the room comes first, because it determines the storey.
+        // If a door joins stairs and a room, put the room first, because it determines the storey of the door.
         if (door.rooms.size() > 1 && house_.rooms[door.rooms[0]].kind != WordsHouse::Kind::Room)
             std::swap(door.rooms[0], door.rooms[1]);
         if (door.opening && door.rooms.size() > 1) note_drop(house_, door);
@@ -233,10 +235,11 @@ private:
     const bool german_;
     const FloorMaterials floors_{scene_};
     WordsHouse house_;
-    std::map<std::uint32_t, std::size_t> number_;    // index in the house of each stated storey
-    std::vector<std::size_t> parent_;                // union-find: another stated room that is part of the same room
-    std::map<std::size_t, WordsHouse::Kind> kinds_;  // kinds of roots that are not plain rooms
-    std::vector<std::size_t> room_of_;               // index in the house of each stated room
+    std::map<std::uint32_t, std::size_t> number_;  // for each stated storey: its index in the house
+    // Union-find: for each stated room, another one that belongs to the same room of the house.
+    std::vector<std::size_t> parent_;
+    std::map<std::size_t, WordsHouse::Kind> kinds_;  // kind of each union-find root that is not a plain room
+    std::vector<std::size_t> room_of_;               // for each stated room: its index in the house
     std::vector<const StatedPortal*> platforms_, flights_;
 };
 

@@ -34,8 +34,8 @@ double area_of(const std::vector<Vec2>& loop) {
     return 0.5 * twice;
 }
 
-// Turns lines around black, and around holes in it, into areas that neither touch nor overlap: their union in whole
-// micrometres.
+// Turns lines around black, and around holes in black, into areas that neither touch nor overlap. The areas are the
+// union of the lines, in whole micrometres.
 std::vector<PlateArea> areas_of(const Loops& loops_mm) {
     namespace bp = boost::polygon;
     using Point = bp::point_data<int>;
@@ -114,14 +114,14 @@ private:
         for (const plan::StoreyThing& thing : storey_.things) beside_things_.take(corners_of(on_plate_(thing.box)));
     }
 
-    // Fills cavities where nobody can walk, such as between the two leaves of a wall. Fingers then feel one wall, and
-    // the plate is stronger.
+    // Fills cavities where nobody can walk, such as between the two leaves of a cavity wall. Fingers then feel a single
+    // wall, and the plate is stronger.
     void fill_cavities() {
         for (std::size_t i = 0; i < rooms_.room.size(); ++i)
             if (rooms_.room[i] == navigation::kNothing) walls_.ink.black[i] = 1;
     }
 
-    // A wall that was thickened where the plan is cut off must not reach over the plate's rim.
+    // Keeps walls off the plate's rim. A wall that was thickened where the plan is cut off would reach over it.
     void keep_off_the_rim() {
         const int rim = static_cast<int>(1.0 / kInkPixel_mm);
         Ink& ink = walls_.ink;

@@ -1,5 +1,5 @@
-// A storey as a plate to be printed in plastic and read with both hands: walls 4 mm high, objects and stairs 1.5 mm,
-// the signs of rooms in braille. Pure functions; any thread.
+// Makes a storey into a plate that is printed in plastic and read with both hands. Walls are 4 mm high, objects and
+// stairs 1.5 mm, and the signs of rooms are in braille. Pure functions; any thread may call them.
 //
 // Numbers: the plate is 2 mm thick, walls at least 1.2 mm, and the longer side 200 mm, as touch-mapper prints its maps.
 // Dots are 1.6 mm wide and 0.8 mm high, which 48 readers preferred in plastic. Raised parts are 1 mm apart, as a
@@ -18,12 +18,12 @@ struct StoreyPlate {
     std::vector<SolidTriangle> triangles;
     double one_to = 0.0, wide_mm = 0.0, deep_mm = 0.0;
     std::vector<RoomSign> signs;
-    std::vector<std::string> drawn;       // names of the objects on it
-    std::vector<std::string> simplified;  // sentences for the report
+    std::vector<std::string> drawn;       // names of the objects on the plate
+    std::vector<std::string> simplified;  // sentences for the report about what was simplified
 };
 
-// Fails with one sentence if the storey is too large, braille is not available, or the solid is not closed, which is
-// checked each time.
+// Makes the plate. Fails with one sentence if the storey is too large, braille is not available, or the solid is not
+// closed. The function checks every solid for that.
 Result<StoreyPlate> storey_plate(const plan::Storey& storey, BrailleTable table, double longer_side_mm = 200.0);
 
 }  // namespace handrail::exports

@@ -107,8 +107,8 @@ void find_stairs(SpanGrid<Span>& space, double step_up_m) {
     const auto reach = static_cast<std::size_t>(std::max(2L, std::lround(kStairWindow_m / space.cell_m)));
     const double least_range_m = std::max(0.6, 2.0 * step_up_m);
     const auto count = static_cast<std::uint32_t>(space.spans.size());
-    // Works along each row of consecutive spans, first to the east, then to the north. Each step also leads back, so the
-    // other two directions need no search.
+    // Works along each row of consecutive spans, first to the east, then to the north. Each step also leads back, so
+    // the other two directions need no search.
     struct Tread {
         float floor_m = 0.0F;
         std::uint32_t next = kNothing;
