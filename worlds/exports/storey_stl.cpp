@@ -34,8 +34,8 @@ double area_of(const std::vector<Vec2>& loop) {
     return 0.5 * twice;
 }
 
-// Turns lines around black, and around holes in black, into areas that neither touch nor overlap. The areas are the
-// union of the lines, in whole micrometres.
+// Turns lines around black, and around holes in black, into areas that neither touch nor overlap. Together they are the
+// union of all black, in whole micrometres.
 std::vector<PlateArea> areas_of(const Loops& loops_mm) {
     namespace bp = boost::polygon;
     using Point = bp::point_data<int>;

@@ -24,12 +24,12 @@ namespace {
 using Loops = std::vector<std::vector<Vec2>>;
 
 constexpr double kMargin_mm = kSheetMargin_mm;
-// A little more than promised, because lines are traced to a tenth of a millimetre.
+// A little more than the promised distance, because lines are traced with an error of about a tenth of a millimetre.
 constexpr double kClear_mm = kLeastGap_mm + 0.2;
 constexpr double kHollowFrom_mm = 6.0, kHollowLong_mm = 9.0, kLeastPiece_mm = 4.0, kLeastStair_mm = 3.0;
 
 constexpr double kMark_mm = 4.0;
-constexpr double kLeastEdge_m = 2.0;  // shorter floor edges without a wall are not reported
+constexpr double kLeastEdge_m = 2.0;  // floor edges without a wall are not reported if they are shorter than this
 
 double whole_scale(const Vec2& size_m, const Vec2& room_mm) {
     for (const double one_to : kSheetScales)
@@ -37,7 +37,7 @@ double whole_scale(const Vec2& size_m, const Vec2& room_mm) {
     return 0.0;
 }
 
-// Makes one sheet, in the order in which things take their space: walls, stairs, base, signs, objects.
+// Makes one sheet. The order determines which items get their space first: walls, stairs, base, signs, objects.
 class SheetMaker {
 public:
     SheetMaker(const plan::Storey& storey, const SheetWish& wish, std::optional<SheetPart> part,
@@ -119,7 +119,8 @@ private:
         return {};
     }
 
-    // Cuts walls off at the edge of the part shown, and walls of other parts of the building below the title.
+    // Cuts walls off at the edge of the part shown. Also removes walls of other parts of the building from the space of
+    // the title.
     void cut_to_sheet() {
         Ink& ink = walls_.ink;
         for (int y = 0; y < ink.high; ++y)
@@ -131,8 +132,8 @@ private:
         return at.x < low_mm_.x || at.y < low_mm_.y || at.x > high_mm_.x || at.y > high_mm_.y;
     }
 
-    // Beyond the part shown, everything counts as wall. A finger that leaves the part is on another sheet, so rooms
-    // must not be joined there.
+    // Returns the walls; everything outside the part shown also counts as wall. A finger that leaves the part is on
+    // another sheet, so rooms must not be joined there.
     Ink walls_within_part() const {
         Ink walls = walls_.ink;
         if (!made_.part) return walls;
@@ -200,7 +201,8 @@ private:
     void draw_base() {
         if (!storey_.base) return;
         if (!shown(storey_.base->place_m)) {
-            if (!made_.part) base_ = phrase("export.base_outside");  // of several sheets another may show it
+            // Another sheet may show the base if there are several.
+            if (!made_.part) base_ = phrase("export.base_outside");
             return;
         }
         const auto arrow = arrow_in(places_);
@@ -231,7 +233,7 @@ private:
         lay_braille(made_.plan, cells, place + Vec2(-half.x, half.y) + Vec2(0.5, -0.5) * kBrailleDot_mm, ++parts_);
     }
 
-    // Calls `each`, with the cells of the sign, for every room that needs a sign and has none yet.
+    // Calls `each(room, cells)`, with the cells of the sign, for every room that needs a sign and has none yet.
     template <class Each>
     Result<void> for_unsigned(Each each) {
         for (std::size_t i = 0; i < storey_.rooms.size(); ++i) {
@@ -243,8 +245,8 @@ private:
         return {};
     }
 
-    // In a small room, stairs or the base may leave no space for its sign. There the sign comes first, because lines
-    // can be shorter and the arrow can be a little off.
+    // Draws the signs of small rooms before their stairs and the base, which might otherwise leave no space. Lines of
+    // stairs can be shorter, and the arrow at the base can be a little off, but a sign cannot shrink.
     Result<void> draw_signs_of_tight_rooms() {
         Places others = places_;
         const StairInk stairs =
@@ -269,15 +271,16 @@ private:
         });
     }
 
-    // A sign with a number needs at least three cells. Two letters that no room of the storey uses may fit instead.
+    // Returns two letters that no room of the storey uses. They may fit if the room's own sign does not: a sign with a
+    // number needs at least three cells.
     std::string free_pair(std::size_t room) const {
         std::set<std::string> used(letters_.begin(), letters_.end());
         for (const RoomSign& sign : room_signs(storey_)) used.insert(sign.sign);
         return letters_[room].size() == 2 ? letters_[room] : free_letters(storey_.rooms[room].name, used);
     }
 
-    // If two cells do not fit, a single one may. It is the room's letter on an earlier sheet, else a letter of its
-    // name, else any that no room of the sheet uses. "a" is a single dot, so it is not used.
+    // Returns a single letter, which may fit if two cells do not. It is the room's letter on an earlier sheet, else a
+    // letter of its name, else any letter that no room of the sheet uses. It is never "a", which is a single dot.
     std::string free_letter(std::size_t room) const {
         std::string wished = letters_[room].size() == 1 ? letters_[room] : std::string();
         for (const char c : storey_.rooms[room].name)
@@ -288,7 +291,7 @@ private:
         return free == std::string::npos ? std::string() : wished.substr(free, 1);
     }
 
-    // Draws a shorter sign than the room's own if there is space for it. Returns whether it did.
+    // Draws a shorter sign than the room's own if there is space for it. Returns whether it drew the sign.
     Result<bool> draw_short(std::size_t room, const std::string& sign) {
         const Result<BrailleCells> cells = braille_signs(sign, table_);
         if (!cells) return tl::unexpected(cells.error());
@@ -316,13 +319,15 @@ private:
         return {};
     }
 
-    // Pieces of stairs that lead to the same room are adjacent, and feel like one staircase.
+    // Returns whether two rooms are pieces of one staircase. Pieces of stairs that lead to the same room are adjacent,
+    // and feel like one staircase.
     bool are_flights(std::size_t a, std::size_t b) const {
         return storey_.rooms[a].kind == navigation::RoomKind::Stairs &&
                storey_.rooms[b].kind == navigation::RoomKind::Stairs;
     }
 
-    // A corridor may be too narrow for any sign. Then the key names the rooms to which it leads, if that identifies it.
+    // Lists the rooms to which the doors of a room without a sign lead. A corridor may be too narrow for any sign; the
+    // key then names these rooms if that identifies the corridor.
     void find_by_doors() {
         for (const std::uint32_t flight : stairs_.drawn) made_.signs[flight].by_lines = true;
         std::vector<std::set<std::string>> leads_to(storey_.rooms.size()), all(storey_.rooms.size());
@@ -411,8 +416,8 @@ private:
         return made_.part ? draw_marks() : Result<void>{};
     }
 
-    // Draws short lines at the edges, in the middle of shared strips, and the numbers of the neighbouring sheets next
-    // to the plan.
+    // Draws short lines at the edges in the middle of shared strips. Next to the plan, draws the numbers of the
+    // neighbouring sheets.
     Result<void> draw_marks() {
         const SheetPart& part = *made_.part;
         const double off = kClear_mm + 0.5 * kMark_mm;
@@ -421,7 +426,7 @@ private:
             const Vec2 half =
                 upright ? Vec2(0.5 * kThinLine_mm, 0.5 * kMark_mm) : Vec2(0.5 * kMark_mm, 0.5 * kThinLine_mm);
             const plan::PlanBox box{at, {1.0, 0.0}, half};
-            if (is_near_any(box, taken, kClear_mm)) return;  // another neighbour has drawn it already
+            if (is_near_any(box, taken, kClear_mm)) return;  // the mark of another neighbour is already there
             taken.push_back(box);
             made_.plan.shapes.push_back({{corners_of(box)}, ++parts_});
         };
@@ -442,9 +447,9 @@ private:
         return {};
     }
 
-    // Places the number of a neighbouring sheet. West and east: on the outer side of the mark, above the plan for
-    // neighbours of its northern half and below for the southern. North and south: above and below. If there is no
-    // space, only the key names the sheet.
+    // Places the number of a neighbouring sheet next to its mark. For neighbours to the west and east: outside the
+    // plan, above or below the mark if the neighbour is in the northern or the southern half. For neighbours to the
+    // north and south: above and below the plan. If there is no space, only the key names the sheet.
     Result<void> draw_number(std::size_t side, const NextSheet& next, std::vector<plan::PlanBox>& taken) {
         const Result<BrailleCells> cells = braille_of(std::to_string(next.number), table_);
         if (!cells) return tl::unexpected(cells.error());
@@ -470,7 +475,8 @@ private:
         return {};
     }
 
-    // A coarse plan has no signs in small rooms; stairs are recognised by their lines.
+    // Returns whether only the key names the room. On a coarse plan, small rooms have no signs; stairs are recognised
+    // by their lines.
     bool is_left_to_key(std::size_t room) const { return wish_.coarse && storey_.rooms[room].area_m2 < kCoarseRoom_m2; }
     bool needs_sign(std::size_t room) const {
         return present_[room] && !is_left_to_key(room) && !storey_.rooms[room].shut && !storey_.rooms[room].elsewhere;
@@ -504,8 +510,8 @@ private:
         if (storey_.moving > 0) said.push_back(phrase("export.moving", {{"count", storey_.moving}}));
     }
 
-    // The names of flights on the sheet that have neither a line nor a sign; for flights of other storeys the room that
-    // they lead to. Flights above each other share their lines.
+    // Returns the names of the flights on the sheet that have neither lines nor a sign. For flights of other storeys,
+    // it returns the room to which they lead. Flights above each other share their lines.
     std::vector<std::string> undrawn_flights() const {
         std::vector<std::string> names;
         for (std::size_t i = 0; i < storey_.rooms.size(); ++i)
@@ -528,7 +534,7 @@ private:
         return names;
     }
 
-    // Routes to other storeys, except flights with lines and drops.
+    // Returns the routes to other storeys. Flights with lines and drops are not included.
     std::vector<std::string> exits() const {
         std::vector<std::string> names;
         for (const plan::StoreyExit& exit : storey_.exits) {
@@ -547,7 +553,8 @@ private:
                       {{"one", storey_.rooms[rooms[0]].name}, {"other", storey_.rooms[rooms[1]].name}});
     }
 
-    // A coarse plan leaves the doors of small rooms as narrow as their walls do.
+    // Reports doors that are too narrow. On a coarse plan, the doors of small rooms may be as narrow as their walls
+    // make them, so they do not count as broken promises.
     void list_narrow_doors() {
         std::vector<std::size_t> broken, small;
         for (const std::size_t place : walls_.narrow_gaps) {
@@ -567,12 +574,12 @@ private:
         add(small, made_.simplified);
     }
 
-    // What a sheet promises, looked at on the sheet that came out.
+    // Checks on the finished sheet whether it keeps its promises.
     void keep_promises() {
         std::vector<std::string> unsigned_rooms;
         for (std::size_t i = 0; i < made_.signs.size(); ++i)
             if (needs_sign(i) && !made_.signs[i].is_known()) unsigned_rooms.push_back(made_.signs[i].name);
-        // If there are several sheets, another one may have the sign: see swell_sheets.
+        // If there are several sheets, another one may have the room's sign: see swell_sheets.
         if (!unsigned_rooms.empty() && !made_.part)
             made_.broken.push_back(
                 phrase("export.no_sign", {{"count", unsigned_rooms.size()}, {"names", names_list(unsigned_rooms)}}));
@@ -589,7 +596,7 @@ private:
         if (!leaking.empty()) made_.broken.push_back(phrase("export.leaking", {{"names", names_list(leaking)}}));
     }
 
-    // The room at a place of the sheet; kNothing outside.
+    // Returns the room at a place of the sheet; kNothing outside all rooms.
     std::uint32_t room_at_mm(const Vec2& at_mm) const {
         const int x = static_cast<int>(at_mm.x / kInkPixel_mm), y = static_cast<int>(at_mm.y / kInkPixel_mm);
         const std::uint32_t room = rooms_.holds(x, y) ? rooms_.room[rooms_.at(x, y)] : navigation::kNothing;
@@ -673,28 +680,29 @@ private:
     const SheetWish& wish_;
     BrailleTable table_;
     std::vector<std::string>& letters_;  // see swell_sheet
-    std::string taken_letters_;          // used by one-letter signs on this sheet
+    std::string taken_letters_;          // letters of the one-letter signs on this sheet
     std::vector<plan::PlanBox> sign_boxes_;
     Vec2 low_mm_{0.0}, high_mm_{0.0};  // corners of the plan on the page
-    std::vector<bool> present_;        // rooms with floor on the sheet
+    std::vector<bool> present_;        // for each room: whether part of its floor is on the sheet
     SwellSheet made_;
     OnPaper on_paper_;
     double bar_m_ = 5.0;
     int parts_ = kWallPart;
     WallInk walls_;
-    Places places_;         // where something may be drawn
-    Places beside_things_;  // the same, without the space of objects
+    Places places_;         // free space for signs
+    Places beside_things_;  // the same as places_, but objects take no space
     int hollow_ = 0;
     MendedOpenings mended_;
-    std::vector<std::string> edges_, undrawn_edges_;  // rooms that end in the open, by whether lines show it
+    // Names of rooms whose floor ends without a wall: those where lines show it, and those where no lines fit.
+    std::vector<std::string> edges_, undrawn_edges_;
     plan::RoomGrid rooms_;
-    plan::RoomGrid whole_;     // as rooms_, but one of several sheets does not end them
-    StairInk stairs_, rungs_;  // in the end all of them; those that reach into walls
+    plan::RoomGrid whole_;     // as rooms_, but the edges of one of several sheets do not end rooms
+    StairInk stairs_, rungs_;  // stairs_: finally all lines; rungs_: the lines that reach into walls
     bool base_drawn_ = false;
     std::uint32_t base_room_ = navigation::kNothing;
     std::string base_;
     std::vector<bool> thing_drawn_;
-    std::vector<std::uint32_t> thing_room_;  // room in which each object is drawn
+    std::vector<std::uint32_t> thing_room_;  // for each object: the room in which it is drawn
     std::vector<std::string> shrunk_, left_out_;
 };
 

@@ -1,11 +1,11 @@
-// A storey for swell paper, on which black rises under heat. Walls are thick lines, objects thin ones, and stairs
-// parallel lines; rooms have two cells of braille that a key explains. What a finger cannot tell apart is kept 3 mm
-// apart, widened, shrunk or left out, and each such change is reported in a sentence. Pure functions over plain values;
-// any thread. A sheet of A4 takes about a second.
+// Draws a storey for swell paper, on which black rises under heat. Walls are thick lines, objects thin ones, and stairs
+// parallel lines. Rooms have two cells of braille that a key explains. Items that a finger could not tell apart are
+// moved 3 mm apart, widened, shrunk or left out; a sentence reports each such change. Pure functions over plain values;
+// any thread may call them. A sheet of A4 takes about a second.
 //
 // Numbers: 3 mm between separate things (1/8 inch) and 6.4 mm (1/4 inch) for the smallest symbol and doorway, as the
 // American Printing House advises for tactile graphics. Braille 2.5 / 6.0 / 10.0 mm with dots of 1.5 mm, DIN 32976
-// medium. The widths of lines are our own choice: two that differ by half.
+// medium. We chose the widths of the two kinds of lines: one is half as wide again as the other.
 #pragma once
 
 #include <array>
@@ -27,57 +27,61 @@ namespace handrail::exports {
 inline constexpr double kLeastGap_mm = 3.0, kLeastSymbol_mm = 6.4, kWallLine_mm = 1.5, kThinLine_mm = 1.0;
 inline constexpr double kBrailleDot_mm = 1.5, kBraillePitch_mm = 2.5, kBrailleCell_mm = 6.0, kBrailleLine_mm = 10.0;
 
-// What is requested of a sheet.
+// The options of a sheet.
 struct SheetWish {
     PaperSize paper = kA4;
     BrailleTable table = BrailleTable::EnUebG1;
-    // No things, and no signs of rooms under kCoarseRoom_m2, whose doors may stay narrow: the key alone names those.
+    // Leaves out objects, and the signs of rooms smaller than kCoarseRoom_m2, which only the key names. The doors of
+    // such rooms may stay narrow.
     bool coarse = false;
-    std::vector<std::string> plate_signs = {};  // of a plate whose key this is, by place in Storey::rooms; may be empty
+    // For each entry of Storey::rooms: its sign on the plate, if this sheet is the key to a plate; otherwise empty.
+    std::vector<std::string> plate_signs = {};
 };
 inline constexpr double kCoarseRoom_m2 = 6.0;
 
 inline constexpr int kWallPart = 1;  // SheetShape::part of all walls
 
-// The names of the rooms that the storey's second plan shows; see Storey::hidden.
+// Returns the names of the rooms that only the storey's second plan shows; see Storey::hidden.
 std::string hidden_names(const plan::Storey& storey);
 
 struct SwellSheet {
     SheetPage plan;
-    std::vector<SheetPage> key;           // pages of braille: meaning of signs and lines, and what was simplified
-    std::vector<std::string> key_text;    // the same in print, one line each
-    std::vector<std::string> simplified;  // sentences for the report
-    std::vector<RoomSign> signs;          // see room_signs; two letters or one if there is no space for these
-    double one_to = 0.0;                  // 75 means a scale of 1 to 75
-    OnPaper on_paper;                     // converts places of the world to places on the plan
-    std::vector<std::string> drawn;       // names of the objects on it
-    // Sentences about promises that this sheet does not keep; empty: it keeps all. The promises: 3 mm between separate
-    // things, a sign in every room or its doors in the key, doors of 6.4 mm, and openings where the route graph has
-    // them.
+    std::vector<SheetPage> key;         // pages of braille with the meaning of signs and lines, and what was simplified
+    std::vector<std::string> key_text;  // the same key in print, one line each
+    std::vector<std::string> simplified;  // sentences for the report about what was simplified
+    std::vector<RoomSign> signs;     // as room_signs returns them; two letters or one if the longer sign does not fit
+    double one_to = 0.0;             // 75 means a scale of 1 to 75
+    OnPaper on_paper;                // converts places of the world to places on the plan
+    std::vector<std::string> drawn;  // names of the objects on the sheet
+    // Sentences about promises that this sheet does not keep; empty if it keeps all. The promises: 3 mm between
+    // separate things, a sign in every room or its doors in the key, doors of 6.4 mm, and openings where the route
+    // graph has them.
     std::vector<std::string> broken;
-    std::optional<SheetPart> part;              // if there are several sheets
-    std::vector<KeyLine> key_lines;             // the source of `key`, `key_text` and the text of the plan
-    std::vector<std::size_t> key_line_of_room;  // index in key_lines; kNoKeyLine: the room is on another sheet
+    std::optional<SheetPart> part;   // the part of the storey that the sheet shows, if there are several sheets
+    std::vector<KeyLine> key_lines;  // the lines from which `key`, `key_text` and the description of the plan are made
+    // For each room: index in key_lines; kNoKeyLine: the room is on another sheet.
+    std::vector<std::size_t> key_line_of_room;
 };
 inline constexpr std::size_t kNoKeyLine = static_cast<std::size_t>(-1);
 
-// In portrait or landscape, whichever gives the larger scale. Fails with one sentence if the storey is larger than a
-// sheet at 1 to 1000, if there is nothing to draw, or if braille is not available.
+// Makes a single sheet, in portrait or landscape, whichever gives the larger scale. Fails with one sentence if the
+// storey does not fit on a sheet at 1 to 1000, if there is nothing to draw, or if braille is not available.
 Result<SwellSheet> swell_sheet(const plan::Storey& storey, const SheetWish& wish);
-// Makes one of several sheets. `letters`: for every room, the shorter sign that it has on earlier sheets, or nothing;
-// the signs of this sheet are added.
+// Makes one of several sheets. `letters` contains, for every room, the shorter sign that it has on earlier sheets, or
+// an empty string. The function adds the shorter signs of this sheet.
 Result<SwellSheet> swell_sheet(const plan::Storey& storey, const SheetWish& wish, const SheetPart& part,
                                std::vector<std::string>& letters);
-// Makes the pages of the key from its lines, simplifications and broken promises.
+// Makes the pages of the key from its lines and from the sentences about simplifications and broken promises.
 Result<void> write_key(SwellSheet& sheet, BrailleTable table);
-// The same on several sheets, if a single one does not keep its promises. The sheets have the coarsest scale that gives
-// most rooms their sign, and there are at most kMostSheets. Rooms that are too small at that scale appear on more
-// sheets, which show their surroundings larger, and each key says on which. If no scale keeps all promises, the one
-// that keeps the most is used. Takes half a second for each sheet.
+// Makes a single sheet, or several sheets if a single one does not keep its promises. The sheets have the coarsest
+// scale at which most rooms have space for a sign, and there are at most kMostSheets. Rooms that are too small at that
+// scale also appear on further sheets, which show their surroundings larger; each key says on which. If no scale keeps
+// all promises, the one that keeps most of them is used. Takes half a second for each sheet.
 Result<std::vector<SwellSheet>> swell_sheets(const plan::Storey& storey, const SheetWish& wish);
 
-// A page to be printed and swollen first, to choose from by touch. It has dots of 1.2 to 1.8 mm, lines of 0.5 to 2 mm
-// and gaps of 2 to 6 mm, each with its size in braille.
+// Makes a page with samples. It is printed and swollen first, so that people can choose the dots, lines and gaps that
+// they feel best. It has dots of 1.2 to 1.8 mm, lines of 0.5 to 2 mm and gaps of 2 to 6 mm, each with its size in
+// braille.
 Result<SheetPage> calibration_strip(const PaperSize& paper, BrailleTable table);
 
 }  // namespace handrail::exports

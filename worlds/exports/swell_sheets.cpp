@@ -9,20 +9,22 @@
 namespace handrail::exports {
 namespace {
 
-// At the chosen scale, this share of the rooms has space for at least one cell. At most this many rooms of a sheet have
-// a single letter, because there are 25.
+// kWithOneCell: at the chosen scale, at least this share of the rooms has space for one cell of braille. kMostLetters:
+// at most this many rooms of a sheet have a single letter as their sign, because only 25 letters are usable.
 constexpr double kWithOneCell = 0.7;
 constexpr std::size_t kMostLetters = 20;
-constexpr int kScalesTried = 2;         // tries a finer scale if the first breaks promises other than signs
-constexpr int kMostLarger = 10;         // sheets tried for rooms that are too small on the other sheets
-constexpr double kFinestLarger = 50.0;  // at a finer scale, a shaft of half a metre would get a sheet to itself
+constexpr int kScalesTried = 2;  // number of scales to try if the first one breaks promises that do not concern signs
+constexpr int kMostLarger = 10;  // most larger sheets to try for rooms that are too small on the other sheets
+// Finest scale of a larger sheet; with a finer one, a shaft of half a metre would get a sheet to itself.
+constexpr double kFinestLarger = 50.0;
 constexpr double kAroundSmall_m = 2.0;  // margin around the rooms on a larger sheet
-constexpr double kBesideSign_mm = 3.7;  // space on either side of a sign: its clearance and thickened walls
+// Space needed on either side of a sign, for its clearance and for thickened walls.
+constexpr double kBesideSign_mm = 3.7;
 
 Vec2 needed_mm(std::size_t cells) { return braille_size_mm(cells) + Vec2(2.0 * kBesideSign_mm); }
 
-// Makes the sheets of one storey: sheets of one scale that cover it, then larger ones of the rooms that are too small
-// there.
+// Makes the sheets of one storey. First come sheets of one scale that cover the storey, then larger sheets of the rooms
+// that are too small on those.
 class SheetsMaker {
 public:
     SheetsMaker(const plan::Storey& storey, const SheetWish& wish)
@@ -32,7 +34,7 @@ public:
           for_one_cell_(scales_needed(storey, scales_, needed_mm(1))),
           for_sign_(for_whole_signs()) {}
 
-    // Empty if every scale needs too many sheets.
+    // Returns an empty list if every scale needs too many sheets.
     Result<std::vector<SwellSheet>> make() {
         std::size_t least = std::numeric_limits<std::size_t>::max();
         std::vector<SwellSheet> best;
@@ -63,14 +65,15 @@ private:
                !(wish_.coarse && storey_.rooms[room].area_m2 < kCoarseRoom_m2);
     }
 
-    // Two letters replace a sign with a number, which has more cells.
+    // Returns, for each room, the scale at which its sign fits. A sign with a number counts as two cells, because two
+    // letters can replace it.
     std::vector<double> for_whole_signs() const {
         std::vector<double> needed(storey_.rooms.size(), 0.0);
         std::map<std::size_t, std::vector<double>> of_cells;
         const std::vector<RoomSign> signs = room_signs(storey_);
         for (std::size_t i = 0; i < needed.size(); ++i) {
             const Result<BrailleCells> cells = braille_signs(signs[i].sign, wish_.table);
-            if (!cells) continue;  // the sheets report this
+            if (!cells) continue;  // the sheets report this error
             const std::size_t most = std::min<std::size_t>(cells->size(), 2);
             std::vector<double>& known = of_cells[most];
             if (known.empty()) known = scales_needed(storey_, scales_, needed_mm(most));
@@ -79,7 +82,7 @@ private:
         return needed;
     }
 
-    // The number of rooms with space for only one letter.
+    // Returns the number of rooms that have space for only one letter at that scale.
     std::size_t letters_at(std::size_t scale) const {
         std::size_t letters = 0;
         for (std::size_t i = 0; i < storey_.rooms.size(); ++i)
@@ -87,7 +90,7 @@ private:
         return letters;
     }
 
-    // The coarsest scale at which this share of the rooms has enough space.
+    // Returns the coarsest scale at which the given share of the rooms has enough space.
     double needed_by(const std::vector<double>& of_room, double share) const {
         std::vector<double> needed;
         for (std::size_t i = 0; i < storey_.rooms.size(); ++i)
@@ -98,8 +101,8 @@ private:
         return needed.empty() ? scales_.back() : needed[static_cast<std::size_t>(last * (1.0 - share))];
     }
 
-    // The coarsest scale that most rooms need and that takes no more than kMostSheets. From there, the finest scale
-    // with the same number of sheets.
+    // Returns the scale to try first. It starts with the coarsest scale that most rooms need and that takes no more
+    // than kMostSheets. Then it goes on to the finest scale with the same number of sheets.
     std::size_t first_scale() const {
         const double most = needed_by(for_one_cell_, kWithOneCell);
         std::size_t scale = 0;
@@ -112,7 +115,7 @@ private:
         return scale;
     }
 
-    // Draws the sheets and returns how many promises they break. Stops as soon as these reach `most`.
+    // Draws the sheets and returns how many promises they break. Stops as soon as the number reaches `most`.
     Result<std::size_t> draw(const std::vector<SheetPart>& parts, std::size_t most) {
         sheets_.clear();
         letters_.clear();
@@ -139,8 +142,8 @@ private:
         return rooms;
     }
 
-    // Adds larger sheets. Neighbouring rooms that need about the same scale share one. If a sign still does not fit, a
-    // finer scale is tried once more.
+    // Adds larger sheets. Neighbouring rooms that need about the same scale are on one sheet. If a sign still does not
+    // fit, tries a finer scale once more.
     Result<void> add_larger() {
         std::vector<std::size_t> at_scale(storey_.rooms.size(), 0), tried(storey_.rooms.size(), 0);
         for (std::size_t i = 0; i < at_scale.size(); ++i)
@@ -206,7 +209,8 @@ private:
         return made;
     }
 
-    // Only now is it known which rooms are named on other sheets, and which on none.
+    // Writes the keys after all sheets are drawn, because only then it is known which rooms have a sign on another
+    // sheet and which on none.
     Result<void> write_keys() {
         for (SwellSheet& sheet : sheets_) {
             sheet.part->count = static_cast<int>(sheets_.size());
@@ -248,7 +252,8 @@ private:
 
     const plan::Storey& storey_;
     const SheetWish& wish_;
-    std::vector<double> scales_, for_one_cell_, for_sign_;  // for every room, see scales_needed
+    // scales_: all scales; for each room, the scale that it needs for one cell and for its sign: see scales_needed.
+    std::vector<double> scales_, for_one_cell_, for_sign_;
     std::vector<SwellSheet> sheets_;
     std::vector<std::string> letters_, best_letters_;
 };

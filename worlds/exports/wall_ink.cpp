@@ -54,7 +54,8 @@ private:
         return made_.ink.holds(x, y) && made_.ink.black[made_.ink.at(x, y)];
     }
 
-    // The thickness of the wall next to a jamb; -1 if a wall continues across there, which must not be cut.
+    // Returns the thickness of the wall next to a jamb. Returns -1 if a wall continues across the gap at this place,
+    // because that wall must not be cut.
     double thickness(const Vec2& at, const Vec2& across) const {
         const double most = 0.7 * on_paper_.mm_per_m;
         double deepest = 0.0;
@@ -67,7 +68,7 @@ private:
         return deepest;
     }
 
-    // A door must stay as wide as a finger needs, and no line that was made thicker may stand in it.
+    // Opens a doorway. A door must stay as wide as a finger needs, and no thickened line may extend into it.
     void open_gap(std::size_t place) {
         const plan::StoreyGap& gap = storey_.gaps[place];
         const Vec2 middle = on_paper_(gap.place_m), along = gap.along, across(-along.y, along.x);
@@ -83,7 +84,7 @@ private:
             if (can_before || can_behind) ++made_.wider;
             else made_.narrow_gaps.push_back(place);
         }
-        // If the gap is wide, a thickened wall that ends at a jamb may stay as it is.
+        // If the gap is wide, a thickened wall that ends at a jamb may extend into it.
         if (width > look_.door_mm + look_.line_mm) low += 0.5 * look_.line_mm, high -= 0.5 * look_.line_mm;
         const double deep = std::max({before, behind, look_.line_mm, gap.deep_m * on_paper_.mm_per_m}) + 0.3;
         fill(made_.ink, Loops{corners_of({middle + along * (0.5 * (low + high)), along, {0.5 * (high - low), deep}})},
@@ -152,7 +153,7 @@ std::uint32_t room_on(const plan::RoomGrid& rooms, const Vec2& at_mm) {
     return rooms.holds(x, y) ? rooms.room[rooms.at(x, y)] : navigation::kNothing;
 }
 
-// Possible places of the lines across a flight, each as long as the flight is wide.
+// Returns the possible places of the lines across a flight. Each line is as long as the flight is wide.
 std::vector<plan::PlanBox> lines_across(const std::vector<std::vector<Vec2>>& loops_m, const OnPaper& on_paper,
                                         double line_mm, double clear_mm) {
     std::vector<Vec2> all;
@@ -161,7 +162,8 @@ std::vector<plan::PlanBox> lines_across(const std::vector<std::vector<Vec2>>& lo
     const plan::PlanOutline hull = plan::convex_hull(std::move(all));
     if (hull.empty()) return lines;
     const plan::PlanBox box = plan::box_around(hull);
-    const double pitch_mm = line_mm + clear_mm + 0.2;  // a little more, or the next line would not fit
+    // Distance from line to line; slightly larger than needed, or the next line would not fit.
+    const double pitch_mm = line_mm + clear_mm + 0.2;
     for (double at = -box.half_m.x; at <= box.half_m.x + 1e-9; at += pitch_mm)
         lines.push_back({box.middle_m + box.along * at,
                          Vec2(-box.along.y, box.along.x),
@@ -201,12 +203,14 @@ bool black_at(const Ink& ink, const Vec2& mm) {
     return ink.holds(x, y) && ink.black[ink.at(x, y)];
 }
 
-// Makes a line that has no room between walls reach into them, and keeps an end that reaches none away from what is
-// there; false if the line is too short then, or too near to something before or behind it.
+// Adjusts a line for which there is too little space between walls. An end near a wall is extended into that wall; the
+// other end keeps the distance `clear_mm` from what is there. Returns false if the line is then too short, or if
+// something next to it is too near.
 bool reaches_walls(plan::PlanBox& line, const Ink& walls, double clear_mm, double least_mm) {
     if (black_at(walls, line.middle_m)) return false;
     constexpr double kIntoWall_mm = 0.3;
-    constexpr double kBesideWall_mm = 0.8;  // the walls that it reaches into may slant
+    // Distance from a wall up to which nothing may be near, as the wall may slant.
+    constexpr double kBesideWall_mm = 0.8;
     const double half = line.half_m.x;
     const Vec2 across(-line.along.y, line.along.x);
     const auto is_clear = [&](const Vec2& way, double far) {
@@ -290,10 +294,12 @@ std::optional<BaseArrow> arrow_of_base(const plan::StoreyBase& base, const OnPap
 
 namespace {
 
-// The sign of the ground outside keeps a larger distance from doors, because it has plenty of space.
+// least distance of a sign from a door. The sign of the ground outside keeps a larger distance, because it has plenty
+// of space.
 constexpr double kBeforeDoor_mm = 2.0, kBeforeHouse_mm = 12.0;
 
-// `clear_mm`: half depth of the area that belongs to a doorway, from the middle of its wall.
+// Returns whether a box overlaps the area that belongs to a doorway. `clear_mm`: half depth of that area, measured from
+// the middle of the wall.
 bool in_doorway(const plan::Storey& storey, const OnPaper& on_paper, const plan::PlanBox& box, double clear_mm) {
     return std::any_of(storey.gaps.begin(), storey.gaps.end(), [&](const plan::StoreyGap& gap) {
         const Vec2 off = box.middle_m - on_paper(gap.place_m), across(-gap.along.y, gap.along.x);
@@ -313,14 +319,14 @@ std::optional<Vec2> place_of_sign(const plan::Storey& storey, std::size_t room, 
     const plan::StoreyRoom& mine = storey.rooms[room];
     const double reach = glm::distance(on_paper(mine.min_m), on_paper(mine.max_m)) + 5.0;
     const auto box_at = [&](const Vec2& p) { return plan::PlanBox{p, {1.0, 0.0}, half_mm}; };
-    // The floor begins a walker's radius inside the walls. Beyond that, nobody would recognise the room, although no
-    // wall ends it.
+    // How far beyond its floor a room's sign may be. The floor begins a walker's radius inside the walls. Farther out,
+    // nobody would know to which room the sign belongs, even if no wall is between them.
     constexpr double kBesideFloor_m = 0.35;
     const Vec2 low = on_paper(mine.min_m - Vec2(kBesideFloor_m)), high = on_paper(mine.max_m + Vec2(kBesideFloor_m));
     const auto is_mine = [&](const Vec2& p) {
         return p.x >= low.x && p.y >= low.y && p.x <= high.x && p.y <= high.y && room_on(rooms, p) == room;
     };
-    // On a floor without walls that is narrower than the sign, the sign reaches over its edges.
+    // If a floor without walls is narrower than the sign, the sign may extend over its edges.
     const auto is_mine_or_beyond = [&](const Vec2& p) {
         return is_mine(p) || room_on(rooms, p) == storey.rooms.size();
     };

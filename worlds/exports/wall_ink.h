@@ -1,6 +1,6 @@
-// The walls of a storey as black on a sheet or plate, fit for fingers. Thin walls are thickened, doors are open and
-// wide enough, and walls that are too close are joined. Also finds where the sign of a room fits. Pure functions; any
-// thread.
+// Draws the walls of a storey in black on a sheet or plate, so that fingers can read them. Thin walls are thickened,
+// doors are open and wide enough, and walls that are too close are joined. Also finds where the sign of a room fits.
+// Pure functions; any thread may call them.
 #pragma once
 
 #include <optional>
@@ -27,53 +27,55 @@ struct OnPaper {
 
 struct WallLook {
     double line_mm = 1.5;   // least thickness of a wall
-    double clear_mm = 3.2;  // walls that are closer are joined
+    double clear_mm = 3.2;  // walls that are closer to each other are joined
     double door_mm = 6.6;   // least width of a door
-    double piece_mm = 4.0;  // shorter pieces are left out
+    double piece_mm = 4.0;  // pieces of wall that are shorter are left out
 };
 
 struct WallInk {
     Ink ink;
     int thicker = 0, wider = 0, pieces_left_out = 0;
-    std::size_t joined = 0;                // places
-    std::vector<std::size_t> narrow_gaps;  // places in Storey::gaps, between walls that leave no room to widen them
+    std::size_t joined = 0;  // number of places at which walls were joined
+    // Indices in Storey::gaps of gaps that cannot be widened, because the walls leave no space for that.
+    std::vector<std::size_t> narrow_gaps;
 };
-// The names of gaps, as a sentence lists them.
+// Returns the names of gaps for use in a sentence.
 std::string gap_names(const plan::Storey& storey, const std::vector<std::size_t>& gaps);
 WallInk ink_of_walls(const plan::Storey& storey, const OnPaper& on_paper, double width_mm, double height_mm,
                      const WallLook& look);
 
-// Fills the gaps between lines that are narrower than `clear_mm`. Returns how many there were.
+// Fills the gaps between lines that are narrower than `clear_mm`. Returns the number of gaps.
 std::size_t join_near(Ink& walls, double clear_mm);
 
-// Draws lines across every flight of stairs, whatever pieces its floor has, `clear_mm` apart, and takes the space of
-// each. Lines shorter than `least_mm` are left out. So are lines of another storey's flight outside the room that it
-// leads to. `rooms`: see rooms_on.
+// The lines across flights of stairs. stair_lines draws lines `clear_mm` apart across every flight, even if its floor
+// is in several pieces, and marks their space in `places` as taken. It leaves out lines shorter than `least_mm`. It
+// also leaves out lines of another storey's flight outside the room to which that flight leads. `rooms`: see rooms_on.
 struct StairInk {
     std::vector<plan::PlanBox> lines;
     std::vector<std::uint32_t> drawn;      // indices in Storey::rooms of the storey's own flights that have lines
-    std::vector<std::uint32_t> of_others;  // indices in Storey::stairs_of_others, of flights that have lines
+    std::vector<std::uint32_t> of_others;  // indices in Storey::stairs_of_others of the flights that have lines
 };
 StairInk stair_lines(const plan::Storey& storey, const OnPaper& on_paper, const plan::RoomGrid& rooms, Places& places,
                      double line_mm, double clear_mm, double least_mm);
 
-// Draws the lines of flights that are too narrow for lines between their walls. Their lines reach into the walls, like
-// the rungs of a ladder. `free`: where the lines of other flights would fit.
+// Draws the lines of flights that are too narrow for lines between their walls. These lines reach into the walls, like
+// the rungs of a ladder. `free`: the space in which stair_lines would draw its lines.
 StairInk stair_rungs(const plan::Storey& storey, const OnPaper& on_paper, const plan::RoomGrid& rooms, Places free,
                      Ink& walls, double line_mm, double clear_mm, double least_mm);
 
-// The free part of an object's box; nothing if the box or its free part is smaller than `least_mm`. Landmarks count as
-// at least that large.
+// The free part of an object's box; nothing if the box or its free part is smaller than `least_mm`. A landmark's box is
+// enlarged to at least that size.
 struct ThingFit {
     std::optional<plan::PlanBox> box;
-    bool shrunk = false;  // to under four fifths of its area
+    bool shrunk = false;  // the free part has less than four fifths of the area of the box
 };
 ThingFit fit_of_thing(const plan::StoreyThing& thing, const OnPaper& on_paper, const Places& places, double least_mm);
 
-// The arrow at the base, its tip first: as close to the base as there is space, within 12 mm, with no wall between.
+// The arrow at the base, with its tip first in the loop. It is as close to the base as possible, at most 12 mm away,
+// and no wall is between the two.
 struct BaseArrow {
     std::vector<Vec2> loop_mm;
-    double off_mm = 0.0;  // distance from the base
+    double off_mm = 0.0;  // distance of the arrow from the base
 };
 std::optional<BaseArrow> arrow_of_base(const plan::StoreyBase& base, const OnPaper& on_paper, const Ink& walls,
                                        const Places& places, const Vec2& half_mm);
@@ -81,9 +83,9 @@ std::optional<BaseArrow> arrow_of_base(const plan::StoreyBase& base, const OnPap
 // Distance between two signs, so that they are not read as one word.
 inline constexpr double kBetweenSigns_mm = 6.4;
 
-// Where a sign of these half sides fits into the room with index `room`. All four corners must be in the room and
-// outside doorways, at a distance from the `others`. It avoids objects if possible. Of all such places, returns the
-// nearest to the middle of the room. `rooms`: see rooms_on.
+// Returns where a sign with these half sides fits into the room with index `room`. All four corners must be in the room
+// and outside doorways, at a distance from the `others`. The sign avoids objects if possible. Of all such places, the
+// function returns the one nearest to the middle of the room. `rooms`: see rooms_on.
 std::optional<Vec2> place_of_sign(const plan::Storey& storey, std::size_t room, const OnPaper& on_paper,
                                   const plan::RoomGrid& rooms, const Places& places, const Places& beside_things,
                                   const Vec2& half_mm, const std::vector<plan::PlanBox>& others);
