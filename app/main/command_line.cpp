@@ -26,7 +26,8 @@ namespace handrail::program {
 namespace fs = std::filesystem;
 namespace {
 
-// A number option, read without regard to the locale. CLI11's own conversion would follow LC_NUMERIC.
+// Adds an option with a number that is read in the same way in every locale. CLI11's own conversion would follow
+// LC_NUMERIC.
 CLI::Option* add_number(CLI::App& app, const std::string& name, const std::string& unit,
                         std::function<void(double)> take, bool zero_allowed, const std::string& help) {
     const auto read = [name, take = std::move(take), zero_allowed](const std::string& word) {
@@ -70,11 +71,11 @@ std::string part_words() {
     return words;
 }
 
-// The whole grammar. It lives during one parse, which fills in the arguments of the commands.
+// The whole grammar of the command line. It lives during one parse, which fills in the arguments of the commands.
 struct Grammar {
     CLI::App app{phrase("help.program")};
     ExploreCall explore;
-    std::vector<std::string> explore_devices;  // --device, given once or twice
+    std::vector<std::string> explore_devices;  // --device, which may be given once or twice
     bool explore_recorded = false;             // --record
     InfoArguments info;
     CheckArguments check;
@@ -92,7 +93,7 @@ struct Grammar {
         CLI::App* learner_app;
         LessonCall lesson;
         CLI::App* lesson_app = nullptr;
-    } recorded;  // what to do with recordings, learners and lessons
+    } recorded;  // arguments of the commands for recordings, learners and lessons
     CLI::App *replay_app, *report_app, *calibrate_app, *info_app, *check_app, *touch_app, *scenario_app, *export_app,
         *bench_app, *settings_app, *devices_app;
 
@@ -235,13 +236,13 @@ struct Grammar {
     }
 };
 
-// Adds to the sentence where to read more.
+// Adds to the sentence how to get help.
 UsageError with_hint(const CLI::App& app, const std::string& sentence) {
     return {phrase(app.get_parent() ? "help.see_command" : "help.see", {{"sentence", sentence}})};
 }
 
-// The parser reads "handrail inof" as a world named inof. If no such file exists and the word is not a path either, a
-// command was meant.
+// Returns whether a word that the parser took as a world is a misspelt command. CLI11 reads "handrail inof" as a world
+// named inof. If no such file exists, and the word is not a path either, the person meant a command.
 bool is_misspelt_command(const fs::path& world) {
     std::error_code ec;
     return world.string().find_first_of("./") == std::string::npos && !fs::exists(world, ec);
@@ -253,7 +254,7 @@ UsageError no_such_command(Grammar& grammar, const std::string& word) {
     return {phrase("help.no_such_command", {{"word", word}, {"nearest", nearest_name(word, names)}})};
 }
 
-// Explains a word that no part of the grammar took: an unknown option, or one name too many.
+// Explains a word that the grammar does not know: an unknown option, or one name too many.
 UsageError leftover_word(Grammar& grammar, const std::string& word) {
     CLI::App& app = grammar.chosen();
     if (word.starts_with("-")) {
@@ -269,7 +270,7 @@ UsageError leftover_word(Grammar& grammar, const std::string& word) {
     return with_hint(app, phrase("help.one_too_many", {{"word", word}}));
 }
 
-// Refuses options that stand before a command, which would otherwise be lost silently.
+// Refuses options before a command. The parser accepts them there, but they would have no effect.
 std::optional<UsageError> options_before_command(Grammar& grammar) {
     for (const CLI::Option* option : grammar.app.get_options())
         if (option->count() > 0) {
@@ -280,7 +281,7 @@ std::optional<UsageError> options_before_command(Grammar& grammar) {
 }
 
 std::optional<UsageError> check_touch(TouchArguments& touch) {
-    // One friction option sets both.
+    // If only one of the two friction options is given, it sets both values.
     if (!touch.friction_static) touch.friction_static = touch.friction_kinetic;
     if (!touch.friction_kinetic) touch.friction_kinetic = touch.friction_static;
     if (touch.friction_static && *touch.friction_static < *touch.friction_kinetic)
@@ -289,8 +290,8 @@ std::optional<UsageError> check_touch(TouchArguments& touch) {
     return std::nullopt;
 }
 
-// The language spoken until the settings are read, and the faults of its file. The faults are reported later, and only
-// if the settings choose the same language.
+// The language that the program speaks until it has read the settings, and the faults of that language's file. The
+// faults are reported later, and only if the settings choose the same language.
 struct FirstLanguage {
     std::string code;
     std::vector<Diagnostic> faults;
@@ -300,8 +301,8 @@ FirstLanguage speak_first() {
     return {core::language_as_set({}, folder), core::speak_as_set({}, folder)};
 }
 
-// The person's settings with the changes from the command line. Wrong usage writes a sentence to `err` and returns
-// nothing.
+// Returns the person's settings, changed by the command line. If the command line is wrong, writes a sentence to `err`
+// and returns nothing.
 std::optional<settings::SettingsStore> load_settings(const SettingsOptions& options, FirstLanguage first,
                                                      std::vector<Diagnostic>& problems, std::ostream& err) {
     std::vector<std::string> words;
@@ -325,7 +326,7 @@ std::optional<settings::SettingsStore> load_settings(const SettingsOptions& opti
 
 int refused(std::ostream& err, const Error& error) { return err << error.sentence() << "\n", 1; }
 
-// Runs one session after the other, as long as each ends because another learner was chosen.
+// Runs one session. If it ends because another learner was chosen, runs a session for that learner, and so on.
 int explore(ExploreCall call, FirstLanguage first, std::ostream& err, const LongWork& progress) {
     for (;; first = speak_first()) {
         const ExploreCall asked = call;
@@ -344,7 +345,7 @@ int explore(ExploreCall call, FirstLanguage first, std::ostream& err, const Long
 ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
     Grammar grammar;
     try {
-        std::vector<std::string> reversed(words.rbegin(), words.rend());  // CLI11 takes its words in reverse order
+        std::vector<std::string> reversed(words.rbegin(), words.rend());  // CLI11 expects the words in reverse order
         grammar.app.parse(std::move(reversed));
     } catch (const CLI::CallForHelp&) {
         return PrintedText{grammar.app.help()};
@@ -387,7 +388,7 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
     grammar.explore.arguments.program_version = HANDRAIL_VERSION;
     auto& world = grammar.explore.arguments.world;
     if (world && is_misspelt_command(*world)) {
-        const auto named = world_by_name(*world);  // "handrail house"
+        const auto named = world_by_name(*world);  // a name such as "house", as in "handrail house"
         if (!named) return no_such_command(grammar, world->string());
         world = *named;
     }
@@ -451,7 +452,8 @@ int run_command_line(const std::vector<std::string>& words, std::ostream& to_out
                 return 0;
             },
             [&](const UsageError& error) {
-                err << one_line(error.sentence) << "\n";  // the sentence may quote what was typed
+                // One line, because the sentence may quote what the person typed.
+                err << one_line(error.sentence) << "\n";
                 return 2;
             }},
         parsed);

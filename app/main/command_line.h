@@ -1,5 +1,5 @@
-// Parses the command line into one of the commands in commands.h. App thread. Numbers are read the same way in every
-// language setting.
+// Parses the command line and runs one of the commands in commands.h. App thread. The current locale does not affect
+// how numbers are read.
 #pragma once
 
 #include <filesystem>
@@ -12,10 +12,10 @@
 
 namespace handrail::program {
 
-// --settings and --set, for the commands that use settings.
+// The options --settings and --set, for the commands that use settings.
 struct SettingsOptions {
-    std::optional<std::filesystem::path> file;  // --settings FILE; none: user_settings_path()
-    std::vector<std::string> assignments;       // --set key=value, in order
+    std::optional<std::filesystem::path> file;  // --settings FILE; none: the file is user_settings_path()
+    std::vector<std::string> assignments;       // each --set key=value, in order
 };
 
 struct ExploreCall {
@@ -39,11 +39,11 @@ struct LessonCall {
     ExploreCall explore;
     bool recorded = false;  // --record
 };
-// The text of --help or --version; exit status 0.
+// The text to print for --help or --version; the exit status is 0.
 struct PrintedText {
     std::string text;
 };
-// One sentence about wrong usage, which names the nearest known word; exit status 2.
+// One sentence about wrong usage, which suggests the nearest known word; the exit status is 2.
 struct UsageError {
     std::string sentence;
 };
@@ -52,11 +52,12 @@ using ParsedCommandLine = std::variant<ExploreCall, InfoArguments, CheckArgument
                                        ExportCall, BenchArguments, SettingsCall, DevicesArguments, LessonCall,
                                        ReplayCall, ReportArguments, LearnerArguments, PrintedText, UsageError>;
 
-// `words` are the arguments after the program's name. Touches no file, except to check whether a WORLD exists.
+// Parses the words, which are the arguments after the program's name. Accesses no file, except to check whether a WORLD
+// exists.
 ParsedCommandLine parse_command_line(const std::vector<std::string>& words);
 
 // Parses the words, loads the settings if the command uses them, runs the command and returns the exit status.
-// `progress` reports long work to whoever waits.
+// `progress` reports long work to a person who waits for it.
 int run_command_line(const std::vector<std::string>& words, std::ostream& out, std::ostream& err,
                      const LongWork& progress = {});
 

@@ -1,6 +1,7 @@
-// What the command line can do: one function per subcommand. Each returns the exit status: 0 for success, 1 if the
+// The commands of the command line: one function per subcommand. Each returns the exit status: 0 for success, 1 if the
 // request failed, 2 for wrong usage. Errors go to `err` as one sentence that a person can act on. main.cpp only parses
-// and dispatches; tests call these functions directly. `progress` reports long work, except if the output is JSON.
+// the command line and calls these functions; tests call them directly. `progress` reports long work, except if the
+// output is JSON.
 #pragma once
 
 #include <filesystem>
@@ -28,16 +29,17 @@ namespace handrail::program {
 // Options that every command takes.
 struct CommonArguments {
     std::optional<double> map_scale_m_per_unit;  // --map-scale, default 1/32 for every .map
-    std::optional<double> unit_m;                // --unit, for a file that states none
-    std::string building;                        // --building, for a file with several
+    std::optional<double> unit_m;                // --unit, for a file that states no unit
+    std::string building;                        // --building, for a file with several buildings
     std::filesystem::path data_in;               // folder of the person's data; empty: user_data_folder()
 
-    // A request for that world with these options.
+    // Returns a request for that world with these options.
     core::WorldRequest request(std::filesystem::path world) const {
         return {std::move(world), map_scale_m_per_unit, unit_m, building};
     }
     std::filesystem::path data_folder() const;
-    // How a reader should read that world, including what a person has said about it before.
+    // Returns how a reader should read that world. The options include what a person has stated about the world in
+    // earlier sessions.
     readers::ReadOptions read_options(const std::filesystem::path& world) const;
 };
 
@@ -45,66 +47,67 @@ struct InfoArguments {
     CommonArguments common;
     std::filesystem::path world;
     bool json = false;
-    bool lint = false;      // --lint: checks only whether the materials can be told apart
-    bool as_words = false;  // --as-words: writes the rooms as a text that can be read in again
-    std::string language;   // --language, of that text; empty: the spoken one
-    // --scale: also lists what is simplified at this scale, given by name or in world metres per hand metre.
+    bool lint = false;      // --lint: checks only whether a hand can tell the materials apart
+    bool as_words = false;  // --as-words: writes the rooms as a room description, which Handrail can read again
+    std::string language;   // --language, the language of that text; empty: the spoken language
+    // --scale: also lists what is simplified at this scale. It is a name, or a number of world metres per hand metre.
     std::string scale;
 };
 int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& err, const LongWork& progress = {});
 
-// Lists what an author or instructor should mend.
+// `handrail check`: lists what an author or instructor should correct in a world.
 struct CheckArguments {
     CommonArguments common;
     std::filesystem::path world;
     bool json = false;
 };
-// Returns 1 also if a fault stops or misleads people.
+// Checks the world. Returns 1 if the request failed, and also if the world has a fault that stops or misleads people.
 int run_check(const CheckArguments& arguments, std::ostream& out, std::ostream& err, const LongWork& progress = {});
 
 struct TouchArguments {
     CommonArguments common;
     std::filesystem::path world, path_csv, out_csv;
     double radius_m = 0.005;                // --radius; 0 means 1e-5
-    double scale_world_m_per_hand_m = 1.0;  // --scale
+    double scale_world_m_per_hand_m = 1.0;  // --scale, in world metres per hand metre
     std::optional<double> stiffness_n_per_m, damping_ns_per_m, friction_static, friction_kinetic;
-    std::optional<std::string> device;  // --device
+    std::optional<std::string> device;  // --device, whose limits apply
 };
 int run_touch(const TouchArguments& arguments, std::ostream& out, std::ostream& err, const LongWork& progress = {});
 
 struct ScenarioArguments {
     CommonArguments common;
-    std::vector<std::filesystem::path> paths;          // files, or folders of *.toml
-    std::optional<std::filesystem::path> junit;        // --junit
-    std::optional<std::filesystem::path> transcripts;  // --transcripts: a folder; each scenario writes one text there
+    std::vector<std::filesystem::path> paths;          // scenario files, or folders of *.toml
+    std::optional<std::filesystem::path> junit;        // --junit: file for the results
+    std::optional<std::filesystem::path> transcripts;  // --transcripts: folder in which each scenario writes a text
 };
 int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::ostream& err,
                   const LongWork& progress = {});
 
-// Writes a storey as something to touch on paper or as a printed model.
+// `handrail export`: writes a storey as a tactile sheet or a printed model, or writes a route card.
 struct ExportArguments {
     CommonArguments common;
     std::filesystem::path world;
-    std::optional<std::filesystem::path> swell;       // --swell: .svg, with a separate file for the key, or .pdf
-    std::optional<std::filesystem::path> stl;         // --stl
+    std::optional<std::filesystem::path> swell;       // --swell: .svg, with separate files for the key, or .pdf
+    std::optional<std::filesystem::path> stl;         // --stl: file for a printed model
     std::optional<std::filesystem::path> route_card;  // --route-card: .brf or .txt
-    std::optional<std::string> from, to;  // --from, --to of the route card; none: from the base, to every room
-    settings::Settings settings;          // the person's: steps or metres, what is announced on the way
-    std::optional<int> storey;            // --storey, counted from 1; none: the one with the base
-    std::string paper = "a4";             // --paper
-    std::string braille;                  // --braille; empty: grade 1 of the spoken language
-    bool sheets = false;  // --sheets: splits the plan into several sheets if one cannot meet its guarantees
+    // --from and --to of the route card; without --from: from the base; without --to: to every room.
+    std::optional<std::string> from, to;
+    settings::Settings settings;  // the person's settings; they decide, for example, between steps and metres
+    std::optional<int> storey;    // --storey, counted from 1; none: the storey with the base
+    std::string paper = "a4";     // --paper: "a4" or "a3"
+    std::string braille;          // --braille: name of a table; empty: grade 1 of the spoken language
+    bool sheets = false;  // --sheets: splits the plan into several sheets if a single one cannot keep its promises
     std::optional<std::string> around;  // --around: keeps only the sheets that show this room
-    bool coarse = false;                // --coarse: leaves out things, and the signs of small rooms
-    bool strip = false;                 // --strip: also writes samples to choose from
+    bool coarse = false;                // --coarse: leaves out objects, and the signs of small rooms
+    bool strip = false;                 // --strip: also writes a page of samples from which people choose
     bool force = false;                 // --force: replaces existing files
 };
 int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream& err, const LongWork& progress = {});
 
-// Measures how steadily the servo runs on this machine, and how long a tick takes, in one world.
+// `handrail bench`: measures in one world how steadily the servo runs on this machine, and how long a tick takes.
 struct BenchArguments {
     CommonArguments common;
-    std::optional<std::filesystem::path> world;  // none: the house that comes with the program
+    std::optional<std::filesystem::path> world;  // none: the house that is shipped with the program
     std::optional<double> seconds;               // --seconds; none: 10
     bool json = false;
 };
@@ -122,35 +125,35 @@ struct DevicesArguments {
 };
 int run_devices(const DevicesArguments& arguments, std::ostream& out, std::ostream& err);
 
-// Plays back a recorded session, computes it again, or converts it.
+// `handrail replay`: plays back a recorded session, computes it again, or converts it.
 struct ReplayArguments {
-    std::optional<std::filesystem::path> folder;    // none: the newest in the data folder
+    std::optional<std::filesystem::path> folder;    // none: the newest recording in the data folder
     double speed = 1.0;                             // --speed, 0.5 to 4
-    bool check = false;                             // --check
-    std::optional<std::filesystem::path> csv;       // --csv: a folder for tables of the numbers themselves
-    std::optional<std::filesystem::path> scenario;  // --scenario: a scenario file
+    bool check = false;                             // --check: computes the session again
+    std::optional<std::filesystem::path> csv;       // --csv: a folder for tables of the recorded numbers
+    std::optional<std::filesystem::path> scenario;  // --scenario: a scenario file to write
 };
-// The newest folder in `folder`, judged by its name; empty if there is none.
+// Returns the newest folder in `folder`, judged by its name; empty if there is none.
 std::filesystem::path newest_in(const std::filesystem::path& folder);
 int run_replay(const ReplayArguments& arguments, const settings::Settings& settings, std::ostream& out,
                std::ostream& err, const LongWork& progress = {});
 
-// `handrail learner`: who learns, and what they have agreed to.
+// `handrail learner`: manages the learners and what they have agreed to.
 struct LearnerArguments {
     std::string action = "list";           // list, new, show, consent, delete
-    std::string name = {};                 // chosen name or id
-    std::string give = {}, withdraw = {};  // purposes joined by commas
-    std::string by = {}, until = {};       // of the consent that is given
-    bool yes = false;                      // asks no questions
+    std::string name = {};                 // chosen name or id of the learner
+    std::string give = {}, withdraw = {};  // purposes of the consent that is given or withdrawn, joined by commas
+    std::string by = {}, until = {};       // who gives the consent, and until when
+    bool yes = false;                      // the command asks no questions
 };
-// Asks questions on `out` and reads the answers as lines from `in`. Returns 1 if the request failed, nothing was agreed
-// to, or some data could not be deleted.
+// Asks questions on `out` and reads the answers as lines from `in`. Returns 1 if the request failed, if nobody agreed,
+// or if some data could not be deleted.
 int run_learner(const LearnerArguments& arguments, std::istream& in, std::ostream& out, std::ostream& err,
                 const LongWork& progress = {});
 
 // `handrail report`: describes a recorded session.
 struct ReportArguments {
-    std::optional<std::filesystem::path> folder;           // none: the newest in the data folder
+    std::optional<std::filesystem::path> folder;           // none: the newest recording in the data folder
     std::optional<std::filesystem::path> html, csv, json;  // files to write
     std::string learner;  // --learner; without a folder: covers all sessions of that learner
     bool force = false;   // replaces existing files
@@ -161,13 +164,14 @@ int run_report(const ReportArguments& arguments, std::ostream& out, std::ostream
 
 // `handrail lesson`: runs a lesson that an instructor has written.
 struct LessonArguments {
-    std::filesystem::path file;          // "watch" opens the desk instead
-    std::optional<std::size_t> session;  // --session, from 1; none: the next one for the learner, else the first
-    std::string learner;                 // --learner
-    bool check = false;                  // --check
-    bool protocol = false;               // --protocol
+    std::filesystem::path file;  // the lesson file; "watch" opens the instructor's desk instead
+    // --session, counted from 1; none: the next one for the learner, else the first.
+    std::optional<std::size_t> session;
+    std::string learner;    // --learner
+    bool check = false;     // --check: tries the lesson with simulated pupils
+    bool protocol = false;  // --protocol: prints the lesson's protocol
 };
-// A lesson to be taught, with its world and its learner.
+// A lesson to teach, with its world and its learner.
 struct LessonToTeach {
     std::shared_ptr<teaching::TaughtWorld> world;
     std::size_t session = 0;
@@ -176,31 +180,33 @@ struct LessonToTeach {
 struct ExploreArguments {
     CommonArguments common;
     std::optional<LessonToTeach> lesson;
-    std::optional<std::filesystem::path> world;  // none: the first of the worlds that come with the program
-    bool no_window = false;                      // --no-window
+    std::optional<std::filesystem::path> world;  // none: the first of the worlds that are shipped with the program
+    bool no_window = false;                      // --no-window: opens no window
     std::optional<std::string> device;           // --device NAME|SERIAL|none
-    std::optional<std::string> left_device;      // second --device
-    // `handrail calibrate`: only these parts of the set-up, without a world.
+    std::optional<std::string> left_device;      // the second --device, for the left hand
+    // `handrail calibrate`: the session consists only of these parts of the set-up, without a world.
     std::optional<std::vector<wizard::WizardPart>> calibrate;
-    std::optional<std::filesystem::path> record_in;  // --record, --record-in: folder of the recordings
-    std::string learner;                             // --learner: chosen name or id; empty: no named learner
-    bool remember = false;                           // the learner has agreed that progress is kept
-    std::vector<std::string> lines;                  // run before those from standard input
+    std::optional<std::filesystem::path> record_in;  // --record or --record-in: folder for the recordings
+    std::string learner;             // --learner: chosen name or id; empty: the session is for no named learner
+    bool remember = false;           // the learner has agreed that the program remembers progress
+    std::vector<std::string> lines;  // lines to run before those from standard input
     std::string program_version;
-    // Apply while the person is in the lesson's world.
+    // Settings that apply while the person is in the lesson's world.
     std::vector<std::pair<std::string, std::string>> lesson_settings;
-    std::vector<std::string> news;              // announced with the welcome
-    std::vector<Diagnostic> settings_problems;  // met while reading the settings; announced as well as printed
+    std::vector<std::string> news;              // sentences that are announced with the welcome
+    std::vector<Diagnostic> settings_problems;  // faults of the settings file; announced as well as printed
 };
-// Defined in lesson_command.cpp.
+// Runs `handrail lesson`. Returns the exit status; nothing if the lesson is to be taught in a session, for which it
+// fills in `explore`. Defined in lesson_command.cpp.
 std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments& explore, std::ostream& out,
                               std::ostream& err, const LongWork& progress = {});
-// How a session ended: for good, or because another learner takes over.
+// How a session ended, and who continues.
 struct ExploreEnd {
     int status = 0;
-    std::optional<std::string> learner;  // id of the next learner; empty: nobody named; none: it ended for good
-    core::WorldRequest world;            // the world that the session was in
-    std::vector<std::string> lines;      // read but not yet carried out
+    // Id of the learner who takes over; empty: nobody named takes over; none: the program ends.
+    std::optional<std::string> learner;
+    core::WorldRequest world;        // the world that the session was in
+    std::vector<std::string> lines;  // lines that were read but not yet carried out
 };
 ExploreEnd run_explore(const ExploreArguments& arguments, settings::SettingsStore& settings, std::ostream& err,
                        const LongWork& progress = {});

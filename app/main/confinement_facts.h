@@ -1,4 +1,4 @@
-// Describes as data how the file reader and the device guards are confined. Every command reports the same.
+// Returns as JSON how the file reader and the device guards are confined. Every command reports this in the same form.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <csignal>
 
-// The addresses at which this program begins and its code ends in memory. The linker defines them.
+// Addresses that the linker defines: where this program begins in memory, and where its code ends.
 extern "C" const char __ehdr_start;  // NOLINT(bugprone-reserved-identifier): that is its name
 extern "C" const char etext;
 
@@ -17,10 +17,10 @@ namespace {
 
 constexpr std::array<int, 5> kSignals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 std::array<struct sigaction, kSignals.size()> former_actions{};
-volatile std::sig_atomic_t noted = -1;  // descriptor of the file with the note
+volatile std::sig_atomic_t noted = -1;  // descriptor of the file for the note; -1: none
 
-// Calls only what a signal handler may call. backtrace() is called once before a crash, so that it has loaded what it
-// needs.
+// The functions from here to on_crash call only what a signal handler may call. For backtrace() that is true only after
+// a first call, so CrashSignal calls it before any crash.
 void write_number(unsigned long value, unsigned base) {
     std::array<char, 24> digits;
     std::size_t at = digits.size();
@@ -56,7 +56,7 @@ void on_crash(int signal) {
     }
     for (std::size_t i = 0; i < kSignals.size(); ++i)
         if (kSignals[i] == signal) ::sigaction(signal, &former_actions[i], nullptr);
-    ::raise(signal);  // reaches the previous handler as soon as we return
+    ::raise(signal);  // this function blocks the signal, so the previous handler receives it after the return
     errno = error;
 }
 

@@ -1,5 +1,5 @@
-// Writes to a file how a signal ended the program: the signal's number, and where in the program it struck. Places are
-// distances from the program's beginning, which reveal nothing about the machine. The program then ends as it would
+// If a signal ends the program, writes to a file which signal it was and where in the program it struck. Places are
+// distances from the program's beginning, so they reveal nothing about the machine. The program then ends as it would
 // have anyway.
 #pragma once
 
@@ -7,7 +7,8 @@
 
 namespace handrail::program {
 
-// Catches crash signals while it lives; only one object at a time. With an empty file it does nothing.
+// Catches crash signals as long as the object exists. Only one object at a time may exist. With an empty file name it
+// does nothing.
 class CrashSignal {
 public:
     explicit CrashSignal(const std::filesystem::path& file);

@@ -1,5 +1,5 @@
-// Describes the connected devices in sentences. `handrail devices` prints them, and a session announces them on
-// request. A session must not wait while devices are searched.
+// Describes the connected devices in sentences. `handrail devices` prints these sentences, and a session announces them
+// on request. A session uses DeviceFacts, because it must not wait while devices are searched for.
 #pragma once
 
 #include <span>
@@ -12,15 +12,17 @@
 
 namespace handrail::program {
 
-// The sentences about one device; the main one comes first.
+// Returns the sentences about one device; the most important one comes first.
 std::vector<std::string> device_sentences(const drivers::FoundDevice& device);
-// The sentences about all devices, or that there is none. The simulated devices come last, as they are always there.
+// Returns the sentences about all devices, or a sentence that there is none. The simulated devices come last, as they
+// are always present.
 std::vector<std::string> device_sentences(std::span<const drivers::FoundDevice> devices);
 
-// Used by the app thread. Searches on a background thread, for up to half a second.
+// Answers the requests of a session about devices. The app thread owns and uses it. It searches on a background thread,
+// for up to half a second.
 class DeviceFacts {
 public:
-    // Once a frame.
+    // Call once a frame. Starts a search if the session has requested one, and gives the session the result.
     void answer(core::Session& app, double now_s);
 
 private:

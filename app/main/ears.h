@@ -1,4 +1,4 @@
-// All outputs for hearing and reading: the audio thread and, with a window, the accessible list and the braille
+// Owns all outputs for hearing and reading: the audio thread and, with a window, the accessible list and the braille
 // display. App thread.
 #pragma once
 
@@ -17,26 +17,26 @@ namespace handrail::program {
 
 class Ears {
 public:
-    // Opens all outputs that exist and adds to `news` which these are. The clock, the rings and the recording outlive
-    // this object. `with_window`: a window will open.
+    // Opens all outputs that exist, and adds sentences about them to `news`. The clock, the rings and the recording
+    // must outlive this object. `with_window`: a window will open.
     Ears(const settings::Settings& settings, bool with_window, Clock& clock,
          cues::AudioThread::ContactRing& left_contacts, SessionRecording& recording, std::vector<std::string>& news);
 
     cues::AudioThread& sound() { return *sound_; }
-    cues::AudioThread::ContactRing& contacts() { return contacts_; }  // of the hand in use
-    bool has_sound() const { return has_sound_; }                     // there is a sound device
+    cues::AudioThread::ContactRing& contacts() { return contacts_; }  // contacts of the hand that leads the session
+    bool has_sound() const { return has_sound_; }                     // true if there is a sound device
     // Null without a window. Call close_accessible if the window failed to open.
     accessible::Accessible* accessible() { return accessible_.get(); }
     sinks::BrailleLink* braille() { return braille_.get(); }
     void close_accessible() { accessible_.reset(); }
 
-    // The voice that will speak. A better voice may still be opening, so this waits for it, but at most 1.5 s: the
-    // welcome is due within two seconds.
+    // Returns the name of the voice that will speak. Waits at most 1.5 s for a better voice that is still opening,
+    // because the welcome is due within two seconds.
     std::string voice_that_speaks();
-    // Passes the open list and the heading to the screen reader and the braille display.
+    // Passes the open list to the screen reader and the braille display, and the heading to the braille display.
     void show(const core::Session& app);
     void follow_hands(bool two, bool stands_in);
-    // The last sentence that had been spoken when note_spoken was called.
+    // Stores which sentence was spoken last; last_spoken() returns it.
     void note_spoken();
     const std::string& last_spoken() const { return last_spoken_; }
 
@@ -45,7 +45,7 @@ private:
     SessionRecording& recording_;
     std::unique_ptr<accessible::Accessible> accessible_;
     std::shared_ptr<sinks::BrailleLink> braille_;
-    core::DialogueView shown_dialogue_;  // as last passed to these two
+    core::DialogueView shown_dialogue_;  // the list as last passed to accessible_ and braille_
     bool has_sound_ = false;
     cues::AudioThread::ContactRing contacts_;
     std::unique_ptr<cues::AudioThread> sound_;

@@ -1,6 +1,7 @@
-// Ends the program in time once its end is decided. Work on other threads, such as the search for routes through a
-// large building, is then given up, but some of it is in a library that cannot be stopped. Construct this object before
-// everything that may have to be waited for. App thread. Costs a sleeping thread once armed.
+// Makes sure that the program ends in time once it has decided to end. It then gives up work on other threads, such as
+// the search for routes through a large building; some of that work is in libraries that cannot be stopped. Construct
+// this object before everything whose destructor may have to wait. App thread. Costs a sleeping thread once end_within
+// was called.
 #pragma once
 
 #include <thread>
@@ -9,8 +10,8 @@ namespace handrail::program {
 
 class EndInTime {
 public:
-    // Call it when everything that matters is saved. Unless this object is destroyed within `seconds`, the process ends
-    // with `status`.
+    // Call this function after everything important is saved. If this object is not destroyed within `seconds`, the
+    // process ends with `status`.
     void end_within(double seconds, int status);
 
 private:

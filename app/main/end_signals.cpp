@@ -5,7 +5,7 @@
 namespace handrail::program {
 namespace {
 
-// A signal handler may touch nothing but a plain flag.
+// A signal handler may change nothing except a plain flag.
 std::atomic<bool> end_asked{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 

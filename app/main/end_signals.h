@@ -1,5 +1,6 @@
-// Notes SIGINT, SIGTERM and SIGHUP instead of obeying them at once: a session first lets go of the hand, saves and says
-// its last words. Construct it before everything that may have to be waited for at the end. App thread.
+// Catches SIGINT, SIGTERM and SIGHUP, which would otherwise end the program at once. A session first removes the force
+// from the hand, saves, and speaks its last words. Construct this object before everything whose destructor may have to
+// wait. App thread.
 #pragma once
 
 #include <array>
@@ -9,7 +10,7 @@
 
 namespace handrail::program {
 
-// Catches the ending signals while it lives; only one object at a time.
+// Catches these signals as long as the object exists. Only one object at a time may exist.
 class EndSignals {
 public:
     EndSignals();
@@ -17,10 +18,10 @@ public:
     EndSignals(const EndSignals&) = delete;
     EndSignals& operator=(const EndSignals&) = delete;
 
-    // True if one of the signals has come.
+    // Returns true if one of the signals has arrived.
     bool asked() const;
 
-    EndInTime in_time;  // limits how long the end may take, whether signals or the person requested it
+    EndInTime in_time;  // limits how long ending takes, whether a signal or the person requested the end
 
 private:
     static constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};

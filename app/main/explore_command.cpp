@@ -36,10 +36,11 @@
 namespace handrail::program {
 namespace {
 
-// How long the end waits for the current sentence; "Goodbye." takes this long. Together with the wait below it is at
-// most a second.
+// How long the program waits at the end for the current sentence; "Goodbye." takes this long. Together with
+// kAfterLastWord_s it waits at most a second.
 constexpr double kLastWords_s = 0.6;
-constexpr double kAfterLastWord_s = 0.3;  // the process then ends, whatever other threads are doing
+// The process ends this long after the last word, whatever other threads are doing.
+constexpr double kAfterLastWord_s = 0.3;
 
 bool a_display_is_there() {
     for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"})
@@ -57,7 +58,7 @@ std::string joined(const std::vector<std::string>& sentences) {
     return text;
 }
 
-// One session with a person. It owns every part and carries values between them about sixty times a second.
+// One session with a person. It owns every part and passes values between the parts about sixty times a second.
 class Exploration {
 public:
     Exploration(const ExploreArguments& arguments, settings::SettingsStore& settings)
@@ -74,7 +75,7 @@ public:
         recording_.listen_to(app_);
     }
 
-    // Problems that prevent the start are also written to `err`.
+    // Runs the session. Problems that prevent the start are also written to `err`.
     ExploreEnd run(std::ostream& err, const LongWork& progress) {
         const double asked_s = begin();
         if (arguments_.calibrate) {
@@ -96,7 +97,7 @@ public:
 private:
     // ---- the start ----
 
-    // Everything up to the welcome. Returns the time to which the welcome belongs as a reply.
+    // Does everything up to the welcome. Returns the time of the reply to which the welcome belongs.
     double begin() {
         news_.insert(news_.begin(), arguments_.news.begin(), arguments_.news.end());
         if (std::vector<std::string> faults = sentences_of(arguments_.settings_problems); !faults.empty()) {
@@ -104,7 +105,7 @@ private:
             app_.apply(core::SettingsFaultsKnown{std::move(faults)}, clock_.now_s());
         }
         open_window();
-        // Keys act at once if the terminal supports them; the first sentence says so.
+        // If the terminal supports it, keys act at once. The first sentence says so.
         if (!window_) keys_ = TypedKeys::open(app_, worlds_, switches_, clock_);
         if (keys_) {
             speak_to(ActsBy::TerminalKeys);
@@ -118,7 +119,7 @@ private:
         const std::string voice = first ? ears_.voice_that_speaks() : std::string{};
         const double asked_s = clock_.now_s();
         if (first)
-            // Without a hand there is nothing to set up.
+            // The first minutes include the set-up only if there is a sound device.
             app_.apply(core::FirstMinutesBegun{voice, ears_.has_sound()}, asked_s);
         news_.push_back(worlds_.take_news());
         news_.push_back(worlds_.crash_words(!speaks_to_typist(), asked_s));
@@ -132,7 +133,7 @@ private:
         auto opened = window::Window::open();
         if (!opened) {
             ears_.close_accessible();
-            // A person without a display does not need to hear that no window opened.
+            // A person without a display need not hear that no window opened.
             if (a_display_is_there()) news_.push_back(opened.error().message);
             return;
         }
@@ -146,7 +147,8 @@ private:
 
     // ---- the three loops: while the first world is read, in a world, and in a set-up without one ----
 
-    // Returns false if the world cannot be read or if the person leaves meanwhile.
+    // Reads the first world while the person waits. Returns false if the world cannot be read, or if the person leaves
+    // meanwhile.
     bool load_world(std::ostream& err) {
         WorldLoading loading(worlds_.first(), arguments_.common);
         watch_lines();
@@ -160,7 +162,7 @@ private:
             kept_.keep_saved(clock_.now_s());
             worlds_.keep_notes(clock_.now_s());
             loading.tell(clock_.now_s(), [this](const std::string& words) { say_(words); });
-            hand_over();  // hands over the replies to keys and lines
+            hand_over();  // passes on the replies to keys and lines
             draw_words();
         }
         auto world = loading.take();
@@ -170,7 +172,8 @@ private:
             return false;
         }
         if (ended()) return false;
-        worlds_.enter(std::move(*world), hand_.asked_s());  // continues after the greeting instead of interrupting it
+        // The world's announcement waits for the greeting instead of interrupting it.
+        worlds_.enter(std::move(*world), hand_.asked_s());
         return true;
     }
 
@@ -191,7 +194,7 @@ private:
             set_up_.begin_if_asked();
             recording_.set_up(set_up_.under_way());
             if (auto ended = recording_.take_problem()) say_(std::move(*ended));
-            driver_.hand_over_settings();  // before another world brings its own settings
+            driver_.hand_over_settings();  // before another world brings settings that override these changes
             worlds_.change(now_s);
             learners_.turn(now_s);
             if (set_up_.under_way()) {
@@ -248,7 +251,7 @@ private:
         set_up_.end_if_finished(now_s);
     }
 
-    // Draws the window while there is no world: the last words, in large letters.
+    // Draws the last spoken words in large letters, because the window has nothing else to show without a world.
     void draw_words() {
         ears_.note_spoken();
         if (!window_) return;
@@ -257,7 +260,7 @@ private:
         window_->draw(view);
     }
 
-    // Adds a second hand once it is found.
+    // Adds a second hand to the session once the search has found it.
     void notice_left_hand(double now_s) {
         std::vector<std::string> news;
         if (left_.take_change(news)) {
@@ -273,7 +276,7 @@ private:
         if (set_up_.under_way()) set_up_.hand_over();
     }
 
-    // The work around each hand-over.
+    // The functions that the session driver calls around each hand-over.
     core::SessionDriver::Steps steps() {
         return {.ticked =
                     [this](double now_s, const servo::ToolState& tool, const servo::ToolState& left_tool) {
@@ -298,7 +301,8 @@ private:
                     }};
     }
 
-    // If the sound device drops out with two periods, sets three from the next start on.
+    // If the sound device drops out with two periods, sets sound.periods to three, which takes effect at the next
+    // start.
     void hold_more_sound() {
         if (settings_.values().sound.periods >= 3 || !ears_.sound().sound_drops_out()) return;
         app_.apply(core::SettingSet{"sound.periods", "3"}, clock_.now_s());
@@ -312,7 +316,7 @@ private:
         return next_s;
     }
 
-    // Ends in this order: the forces, then the settings, then the last words.
+    // Ends the session in this order: removes the forces, saves the settings, speaks the last words.
     void finish(std::ostream& err, int status, const LongWork& progress) {
         companions_.reset();
         hand_.stop_looking();
@@ -326,8 +330,8 @@ private:
         progress.at(phrase("progress.recording_end"));
         recording_.end();
         progress.done();
-        // Everything is saved and said. If another learner follows, this process continues; otherwise it does not wait
-        // for work on other threads.
+        // Everything is saved and spoken. If another learner follows, this process continues. Otherwise it does not
+        // wait for work on other threads.
         if (!learners_.next()) signals_.in_time.end_within(kAfterLastWord_s, status);
         worlds_.end();
     }
@@ -337,7 +341,7 @@ private:
     EndSignals signals_;
     SteadyClock clock_;
     servo::ServoSwitches switches_;
-    std::vector<std::string> news_;  // announced with the welcome
+    std::vector<std::string> news_;  // sentences that are announced with the welcome
     SessionRecording recording_;
     LeftHand left_{clock_, switches_, recording_.hand(1)};
     Ears ears_;
@@ -356,7 +360,7 @@ private:
     DeviceFacts device_facts_;
     LessonHere lesson_{arguments_, app_, worlds_, say_};
     LearnersHere learners_{arguments_, app_, recording_, say_};
-    std::optional<WindowInput> window_;  // at most one of these three is used
+    std::optional<WindowInput> window_;  // how the person types: window_, keys_ or lines_; at most one of them is used
     std::unique_ptr<TypedKeys> keys_;
     std::optional<TypedLines> lines_;
     std::optional<companions::CompanionSession> companions_;

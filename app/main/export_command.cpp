@@ -23,16 +23,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A file to be written. Nothing is written before all files are made.
+// A file that the command will write. It writes none before the contents of all files are complete.
 struct MadeFile {
     fs::path path;
     std::string content, said;
-    bool named = true;  // the person named it; otherwise its name is derived from theirs
+    bool named = true;  // the person named the file; otherwise its name is derived from one that the person gave
 };
 
 std::string ending_of(const fs::path& path) { return lower_ascii(path.extension().string()); }
 
-// From "plan.svg" and "key-2" makes "plan-key-2.svg".
+// Inserts `what` into the file name: "plan.svg" and "key-2" give "plan-key-2.svg".
 fs::path beside(const fs::path& path, const std::string& what) {
     return path.parent_path() / (path.stem().string() + "-" + what + path.extension().string());
 }
@@ -60,13 +60,13 @@ Result<exports::SheetWish> wishes_of(const ExportArguments& arguments) {
     return wishes;
 }
 
-// A storey, and its second plan if it has floors above each other.
+// The plan of a storey and, if it has floors above each other, its second plan.
 struct StoreyPlans {
     plan::Storey storey;
     std::optional<plan::Storey> upper;
 };
 
-// Of several sheets those that show the middle of a room of that name.
+// Returns only those of several sheets that show the middle of the room with that name.
 Result<std::vector<exports::SwellSheet>> sheets_around(const std::string& name, const StoreyPlans& plans,
                                                        const exports::SheetWish& wish) {
     std::vector<std::string> names;
@@ -91,7 +91,7 @@ Result<std::vector<exports::SwellSheet>> sheets_around(const std::string& name, 
     return fail(phrase("export.no_place", {{"name", name}, {"nearest", nearest_name(name, names)}}));
 }
 
-// One sheet, or several if they were requested.
+// Returns one sheet, or several if the person requested them.
 Result<std::vector<exports::SwellSheet>> sheets_of(const StoreyPlans& plans, const exports::SheetWish& wish,
                                                    const ExportArguments& arguments) {
     if (arguments.around) return sheets_around(*arguments.around, plans, wish);
@@ -103,14 +103,14 @@ Result<std::vector<exports::SwellSheet>> sheets_of(const StoreyPlans& plans, con
     Result<std::vector<exports::SwellSheet>> sheets = exports::swell_sheets(plans.storey, wish);
     if (!sheets || !plans.upper) return sheets;
     exports::SheetWish without_plate = wish;
-    without_plate.plate_signs.clear();  // the plate shows the lower floors
+    without_plate.plate_signs.clear();  // the plate shows only the lower floors
     Result<std::vector<exports::SwellSheet>> more = exports::swell_sheets(*plans.upper, without_plate);
     if (!more) return more;
     std::move(more->begin(), more->end(), std::back_inserter(*sheets));
     return sheets;
 }
 
-// One sheet shows no rooms that are above others.
+// Returns whether the request leaves out rooms that are above others, which only a second plan can show.
 bool hides_rooms(const StoreyPlans& plans, const ExportArguments& arguments) {
     return plans.upper && !arguments.sheets && !arguments.around;
 }
@@ -122,7 +122,8 @@ bool keep_promises(const StoreyPlans& plans, const exports::SheetWish& wish, con
                                  [](const exports::SwellSheet& sheet) { return sheet.broken.empty(); });
 }
 
-// What helps where sheets do not keep their promises: other paper and a coarser plan are tried first.
+// Returns sentences that suggest what to change if sheets do not keep their promises. Larger paper and a coarser plan
+// are suggested only if a trial shows that they help.
 std::vector<std::string> helps(const StoreyPlans& plans, const exports::SheetWish& wish,
                                const ExportArguments& arguments) {
     std::vector<std::string> said;
@@ -146,7 +147,7 @@ struct ToldOfSheets {
     bool broken = false;
 };
 
-// The files of one sheet and its key. `which` is empty for the first sheet.
+// Adds the files of one sheet and its key. `which` is empty for the first sheet.
 void add_svg(const fs::path& path, const std::string& which, const exports::SwellSheet& sheet, const std::string& said,
              std::vector<MadeFile>& files) {
     const std::string language = spoken_language();
@@ -242,7 +243,7 @@ Result<void> add_card(const fs::path& path, const std::vector<exports::CardRoute
     return {};
 }
 
-// Writes nothing if one of the files exists and must not be replaced.
+// Writes all files. Writes none if one of them exists and must not be replaced.
 Result<void> write_all(const learners::WayOut& way_out, const std::vector<MadeFile>& files, bool force,
                        std::ostream& out) {
     std::error_code ec;

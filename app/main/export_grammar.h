@@ -1,4 +1,4 @@
-// The grammar of `handrail export`; the rest is in command_line.cpp. App thread.
+// Adds `handrail export` to the grammar of the command line; see command_line.cpp for the rest. App thread.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,7 +7,7 @@
 
 namespace handrail::program {
 
-// The command without its settings and the map scale. Parsing fills in `arguments`, which outlive the grammar.
+// Adds the command without its settings and --map-scale. Parsing fills in `arguments`, which must outlive the grammar.
 CLI::App* add_export_command(CLI::App& app, ExportArguments& arguments);
 
 }  // namespace handrail::program

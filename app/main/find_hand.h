@@ -1,6 +1,6 @@
-// Decides which hand is used. Devices are searched and opened on a separate thread, as both can take seconds, while the
-// person already uses the program by keyboard. Sentences report the progress. App thread; the search thread touches
-// only what its mutex guards.
+// Decides which hand the session uses. A separate thread searches for devices and opens them, because both can take
+// seconds. Meanwhile the person already uses the program by keyboard. Sentences report the progress. App thread; the
+// search thread accesses only what its mutex guards.
 #pragma once
 
 #include <atomic>
@@ -19,28 +19,30 @@
 
 namespace handrail::program {
 
-// The chosen hand and, for a real device, how the guard finds it.
+// The chosen hand and, for a real device, the arguments with which its guard finds it.
 struct Hand {
     core::HandFacts facts;
-    std::vector<std::string> guard_arguments;  // empty: no real device
+    std::vector<std::string> guard_arguments;  // arguments of the guard; empty: the device is not real
 };
 
 Hand simulated_hand(std::string_view name);
 
-// The hand that `wanted` names, if no device must be searched for that: none, or a simulated one.
+// Returns the hand that `wanted` names if that needs no search for devices: none, or a simulated one.
 std::optional<Hand> hand_without_looking(const std::string& wanted);
 
-// Chooses by name or serial number, or with "auto" from what is connected. Takes up to a second. Success without a hand
-// means that "auto" found nothing usable, or that the wanted device has no hand.
+// Chooses a hand by name or serial number, or with "auto" from the connected devices. Takes up to a second. Returns no
+// hand if "auto" found nothing usable, or if the wanted device has no hand.
 Result<std::optional<Hand>> choose_hand(const std::string& wanted, std::vector<std::string>& news);
 
-// A search, which begins on construction. Destruction cancels it and waits for its thread, at most about a second.
+// A search for a hand, which begins on construction. The destructor cancels it and waits for its thread, at most about
+// a second.
 class HandSearch {
 public:
     struct Found {
         core::HandFacts facts;
-        std::unique_ptr<drivers::GuardedDevice> device;  // open; null if no device can be used, and the news say why
-        std::vector<drivers::PluggedHand> plugged;       // what was connected when the search began
+        // The opened device; null if none can be used, and the news say why.
+        std::unique_ptr<drivers::GuardedDevice> device;
+        std::vector<drivers::PluggedHand> plugged;  // devices that were connected when the search began
     };
 
     explicit HandSearch(std::string wanted);
@@ -48,10 +50,11 @@ public:
     HandSearch(const HandSearch&) = delete;
     HandSearch& operator=(const HandSearch&) = delete;
 
-    // Returns the sentences since the last call.
+    // Returns the sentences that are new since the last call.
     std::vector<std::string> take_news();
     bool ready() const { return found_.ready(); }
-    // Returns the result once, when ready. Fails if a device that was requested by name is missing or cannot be used.
+    // Returns the result once, when it is ready. Fails if a device that was requested by name is missing or cannot be
+    // used.
     Result<Found> take() { return found_.take().value_or(Found{}); }
 
 private:
@@ -60,35 +63,38 @@ private:
 
     std::mutex mutex_;  // guards news_ and opening_
     std::vector<std::string> news_;
-    drivers::GuardedDevice* opening_ = nullptr;  // set while its opening is awaited
+    drivers::GuardedDevice* opening_ = nullptr;  // the device whose opening the search thread waits for; null: none
     bool given_up_ = false;
-    BackgroundTask<Result<Found>> found_{on_threads(), "hand-search"};  // last: its thread uses the others
+    // Declared last, because its thread uses the other members.
+    BackgroundTask<Result<Found>> found_{on_threads(), "hand-search"};
 };
 
-// Looks every two seconds for newly connected force devices. It only reads their names, and runs on a separate thread.
+// Checks every two seconds whether a force device was newly connected. It only reads the names of devices, on a
+// separate thread.
 class PlugWatch {
 public:
-    // `known` lists the devices that are not new. Without a list, whatever the first look finds is not new.
+    // `known` lists the devices that are not new. Without a list, the devices found by the first check are not new.
     explicit PlugWatch(std::optional<std::vector<drivers::PluggedHand>> known);
     ~PlugWatch();
     PlugWatch(const PlugWatch&) = delete;
     PlugWatch& operator=(const PlugWatch&) = delete;
 
-    // The devices connected since the last call.
+    // Returns the devices that were connected since the last call.
     std::vector<drivers::PluggedHand> take_new();
-    // Rests while a device is in use, because the guard that holds it looks for it itself.
+    // Pauses or resumes the checks. They pause while a device is in use, because the guard of that device checks itself
+    // whether it is connected.
     void rest(bool resting) { resting_.store(resting, std::memory_order_relaxed); }
 
 private:
     void run();
 
-    std::optional<std::vector<drivers::PluggedHand>> known_;  // used by the watch's thread
-    std::mutex mutex_;                                        // guards new_, and together with ended_ the wait
+    std::optional<std::vector<drivers::PluggedHand>> known_;  // used only by the thread of this object
+    std::mutex mutex_;  // guards new_, and together with ended_ the waiting of the thread
     std::condition_variable wake_;
     std::vector<drivers::PluggedHand> new_;
     bool ended_ = false;
     std::atomic<bool> resting_{false};
-    std::thread thread_;  // last: its thread uses the others
+    std::thread thread_;  // declared last, because it uses the other members
 };
 
 }  // namespace handrail::program

@@ -79,7 +79,7 @@ void GuidedSetUp::end_if_finished(double now_s) {
     if (!app.scene()) return;
     app.apply(core::SettingsChanged{parts_.settings.values()}, now_s);
     app.apply(core::Stopped{stops_}, now_s);
-    // The person stopped the forces in the wizard and then switched them on again.
+    // In the wizard, the person stopped the forces with the stop key and then switched them on again.
     if (app.hand().tuning.panic && !stopped) {
         app.apply(core::CommandDown{core::Command::ToggleForces}, now_s);
         app.apply(core::CommandUp{core::Command::ToggleForces}, now_s);

@@ -1,5 +1,5 @@
-// The wizard's turn in a session, with or without a world. While it leads the set-up it alone receives the answers,
-// moves the hand and speaks. App thread.
+// Runs the set-up wizard in a session, with or without a world. During the set-up, only the wizard receives the
+// answers, moves the hand and speaks. App thread.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace handrail::program {
 
 class GuidedSetUp {
 public:
-    // All of these outlive this object.
+    // The parts that this class uses. All of them must outlive the GuidedSetUp.
     struct Parts {
         const settings::SettingsStore& settings;
         const servo::ServoSwitches& switches;
@@ -29,21 +29,21 @@ public:
         Ears& ears;
         KeptSettings& kept;
         const SessionVoice& say;
-        // Without a world: the set-up searches for the hand only when it reaches that step, so that the news of the
-        // search come at the right place.
+        // True without a world. The set-up then searches for the hand only when it reaches that step, so that the
+        // person hears the news of the search at the right place.
         bool alone;
     };
     explicit GuidedSetUp(const Parts& parts) : parts_(parts) {}
 
     void begin(std::span<const wizard::WizardPart> wanted);
-    // Call once a frame; begins the set-up if the person has requested it.
+    // Call once a frame. Begins the set-up if the person has requested it.
     void begin_if_asked();
-    // Null while no set-up is under way. Otherwise it receives the person's answers.
+    // Returns the wizard that receives the person's answers; null if no set-up is under way.
     wizard::WizardSession* session() { return session_.get(); }
     bool under_way() const { return session_ != nullptr; }
 
-    // Call these once a frame while it is under way, in this order: look (only when alone), sense, hand_over,
-    // end_if_finished.
+    // During a set-up, call these functions once a frame and in this order: look_for_hand (only if `alone`), sense,
+    // hand_over, end_if_finished.
     void look_for_hand();
     void sense(double now_s);
     void hand_over();

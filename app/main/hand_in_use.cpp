@@ -25,7 +25,7 @@ void HandInUse::tell_of_guard() {
     for (std::string& sentence : guarded_->take_news()) parts_.say(std::move(sentence));
 }
 
-// Replaces the current hand by this one. `device` is open, or null for a simulated hand or none.
+// Replaces the current hand. `device` is the opened device, or null for a simulated hand or none.
 void HandInUse::use(const core::HandFacts& facts, std::unique_ptr<drivers::GuardedDevice> device) {
     let_go();
     parts_.driver.drive(0, nullptr);
@@ -51,7 +51,7 @@ void HandInUse::use(const core::HandFacts& facts, std::unique_ptr<drivers::Guard
         parts_.driver.drive(0, servo_.get(), simulated_);
         return servo_->start();
     }
-    // The device was open a moment ago, so it was disconnected meanwhile.
+    // Opening failed although the device was open a moment ago, so it was disconnected meanwhile.
     servo_.reset();
     guarded_ = nullptr;
     facts_ = {};
@@ -69,7 +69,7 @@ void HandInUse::tell_how_it_runs() {
         told_how_it_runs_ = true;
         if (report.scheduling == servo::Scheduling::Ordinary) parts_.say(servo::scheduling_sentence(report.scheduling));
         if (!report.memory_locked) parts_.say(servo::memory_sentence(report.memory_locked));
-        for (std::string& sentence : guarded_->unprotected())  // reports the same limit only once
+        for (std::string& sentence : guarded_->unprotected())  // unprotected() reports the same limit only once
             if (report.memory_locked || sentence != phrase("guard.memory_not_locked")) parts_.say(std::move(sentence));
     }
     tell_of_guard();
@@ -142,11 +142,12 @@ bool HandInUse::take_found(std::ostream& err) {
     return true;
 }
 
-// Returns false if the session cannot continue without the device.
+// Continues without the wanted device. Returns false if the session cannot continue.
 bool HandInUse::do_without(const Error& problem, std::ostream& err) {
     parts_.say(problem.sentence());
-    if (guarded_) use(simulated_hand("sim-t").facts, nullptr);  // the lost device will not come back
-    if (servo_) return true;                                    // the current hand stays in use
+    // The lost device will not come back, so a simulated hand replaces it.
+    if (guarded_) use(simulated_hand("sim-t").facts, nullptr);
+    if (servo_) return true;  // the current hand remains in use
     if (parts_.arguments.device) {
         fmt::print(err, "{}\n", problem.sentence());
         return false;

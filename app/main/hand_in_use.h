@@ -1,5 +1,5 @@
-// The hand that leads the session: which one is wanted, the search for it, and devices that are connected later. App
-// thread.
+// The hand that leads the session. This class decides which one the person wants, searches for it, and offers devices
+// that are connected later. App thread.
 #pragma once
 
 #include <memory>
@@ -20,57 +20,61 @@ namespace handrail::program {
 
 class HandInUse {
 public:
-    // All of these outlive this object.
+    // The parts that this class uses. All of them must outlive the HandInUse.
     struct Parts {
         const ExploreArguments& arguments;
         const settings::SettingsStore& settings;
         Clock& clock;
         servo::ServoSwitches& switches;
-        servo::ServoLoop::EventRing& contacts;  // contacts of whichever device is in use
+        servo::ServoLoop::EventRing& contacts;  // contacts of the hand in use
         core::Session& app;
-        core::SessionDriver& driver;  // is notified which servo is used
+        core::SessionDriver& driver;  // learns which servo is used
         const SessionVoice& say;
-        servo::HandRing* recording;  // null: nothing is recorded
+        servo::HandRing* recording;  // null if nothing is recorded
     };
     explicit HandInUse(const Parts& parts) : parts_(parts) {}
 
-    // A name, a serial number, "auto" or "none", from the command line or else from the settings.
+    // Returns a name, a serial number, "auto" or "none", from the command line or else from the settings.
     std::string wanted() const { return parts_.arguments.device.value_or(parts_.settings.values().haptic.device); }
 
-    // Starts the search. A simulated hand is used until a real one is found, or for good if there is none. Somebody who
-    // requested a certain device waits for it instead. Sentences about the search belong to the reply of `asked_s`.
+    // Starts the search. Until it finds a real hand, the session uses a simulated one; if there is no real hand, it
+    // keeps the simulated one. A person who requested a certain device waits for it instead. Sentences about the search
+    // belong to the reply of `asked_s`.
     void begin(double asked_s);
-    // Call once a frame. Announces news of the search and of connected devices, and starts to use a hand that was
-    // found. Returns false, with the reason in `err`, if a device requested on the command line is not available.
+    // Call once a frame. Announces news of the search and of connected devices, and starts to use a hand that the
+    // search has found. Returns false, and writes the reason to `err`, if a device requested on the command line is not
+    // available.
     bool look(std::ostream& err);
-    // For the set-up without a world: starts the search, then takes its result. The sentences go to `news`, so that the
-    // set-up says them at the right place.
+    // For the set-up without a world: begin_for_set_up starts the search, and look_for_set_up takes its result. The
+    // sentences go to `news`, so that the set-up can speak them at the right place.
     void begin_for_set_up();
     void look_for_set_up(std::vector<std::string>& news);
     bool looking() const { return search_.has_value(); }
-    // The reply to which the sentences of the search belong: that of the start, or of the last accepted offer.
+    // Returns the time of the reply to which sentences about the search belong: the start, or the last accepted offer.
     double asked_s() const { return asked_s_; }
 
-    // True if a servo runs, so that forces can be felt.
+    // Returns true if a servo runs, so that the person can feel forces.
     bool driven() const { return servo_ != nullptr; }
-    // True for a simulated hand that nobody requested.
+    // Returns true if the hand is a simulated one that nobody requested.
     bool stands_in() const { return facts_.present && facts_.simulated && !hand_without_looking(wanted()); }
-    // True for a hand that can be set up. A simulated one counts only if the person requested it: nobody else wants to
-    // be asked to move its grip.
+    // Returns true if the hand can be set up. A simulated hand counts only if the person requested it: nobody else
+    // wants to be asked to move its grip.
     bool can_be_set_up() const;
     const core::HandFacts& facts() const { return facts_; }
-    // Reads the newest state of the servo, which is kept until the next call.
+    // Reads the newest state of the servo. tool() returns that state until the next call.
     void read();
     const servo::ToolState& tool() const { return tool_; }
-    // For a real device: reports once what may make the servo uneven, and always what its guard reports.
+    // For a real device: announces once what may make the servo uneven, and announces everything that the guard
+    // reports.
     void tell_how_it_runs();
 
-    // Call once a frame. From the first real device on, removes all force before the computer sleeps, as the stop key
-    // does, and afterwards says how to bring it back. `left` is the newest state of the left hand; null if it is no
-    // real device.
+    // Call once a frame. Once a real device has been used, removes all force before the computer sleeps, as the stop
+    // key does. Afterwards it says how to bring the force back. `left` is the newest state of the left hand; null if
+    // the left hand is no real device.
     void watch_sleep(const servo::ToolState* left);
 
-    // Removes the force, and reports if that cannot be guaranteed. Waits at most 76 ms for a remaining force to fade.
+    // Removes the force, and announces it if that cannot be guaranteed. Waits at most 76 ms for a remaining force to
+    // fade.
     void let_go();
     void stop_looking() { search_.reset(); }
 
@@ -91,10 +95,10 @@ private:
     servo::ToolState tool_;
     std::optional<HandSearch> search_;
     std::optional<PlugWatch> plug_watch_;
-    std::optional<drivers::PluggedHand> offer_;  // the last offer made
+    std::optional<drivers::PluggedHand> offer_;  // the device that was last offered to the person
     double asked_s_ = 0.0;                       // when the program or the person started the search
     bool told_how_it_runs_ = false;
-    bool guard_missed_ = false;  // and the device was offered again
+    bool guard_missed_ = false;  // the guard ended, and the device was offered again
     std::optional<SleepWatch> sleep_;
 };
 

@@ -37,8 +37,8 @@ using Json = nlohmann::ordered_json;
 struct Cost {
     double load_s = 0.0;                 // time to read the file
     double all_s = 0.0;                  // time to read the file and make everything that a session needs
-    std::int64_t peak_memory_bytes = 0;  // of the whole process, at its end
-    bool kept = false;                   // from the cache; the file was not read again
+    std::int64_t peak_memory_bytes = 0;  // peak memory of the whole process, measured at its end
+    bool kept = false;                   // the world came from the cache, so the file was not read again
 };
 
 std::int64_t peak_memory_bytes() {
@@ -57,12 +57,12 @@ std::vector<std::string> material_names(const Scene& scene) {
     return names;
 }
 
-// Counts only movers that can go somewhere. A map door that cannot open counts as a wall.
+// Counts only movers that can move. A door of a map that cannot open counts as a wall.
 std::ptrdiff_t moving_parts(const Scene& scene) {
     return std::count_if(scene.movers.begin(), scene.movers.end(), [](const Mover& mover) { return mover.moves(); });
 }
 
-// Lists what is free to move, the heaviest last: "Ball 0.5 kg, Safe 400 kg".
+// Lists the freely movable objects, the heaviest last: "Ball 0.5 kg, Safe 400 kg".
 std::string bodies_words(const Scene& scene) {
     constexpr std::size_t kMostTold = 20;
     std::vector<FreeBody> bodies = scene.bodies;
@@ -78,7 +78,7 @@ std::string bodies_words(const Scene& scene) {
                                   {"more", bodies.size() - words.size()}});
 }
 
-// Null if the file states no rooms.
+// Returns what Handrail understood of a building as JSON; null if the file states no rooms.
 Json honesty_json(const Scene& scene) {
     if (!scene.stated) return nullptr;
     const HonestReport report = honest_report(scene);
@@ -196,7 +196,7 @@ std::string spoken_stages(const std::vector<std::string_view>& stages) {
     return text;
 }
 
-// For a file that states rooms: what was understood of it and what should be checked, in sentences.
+// For a file that states rooms, prints sentences about what Handrail understood and about what the author should check.
 void tell_honestly(const Scene& scene, std::ostream& out) {
     constexpr std::size_t kMostTold = 20;
     const HonestReport report = honest_report(scene);
@@ -213,7 +213,7 @@ void tell_honestly(const Scene& scene, std::ostream& out) {
         out << "  " << phrase("info.more", {{"count", report.check.size() - kMostTold}}) << '\n';
 }
 
-// Prints sentences for listening to one after another, the important ones first.
+// Prints sentences for people who listen to them in order, so the important ones come first.
 void tell(const Scene& scene, const compile::TouchModel& touch, const Cost& cost, std::ostream& out) {
     const ReadReport& report = scene.report;
     const Aabb building = building_bounds_m(scene);
@@ -282,8 +282,8 @@ void tell(const Scene& scene, const compile::TouchModel& touch, const Cost& cost
     if (cost.kept) line(phrase("info.kept"));
 }
 
-// Finds rooms in a world whose file states none, as a session does, or says why it finds none. `unreachable` gets a
-// sentence about the rooms that cannot be reached on foot, or stays empty.
+// Finds the rooms of a world whose file states none, as a session does. If it finds none, it says why. `unreachable`
+// receives a sentence about the rooms that cannot be reached on foot, or stays empty.
 navigation::RoomGraph rooms_of(const std::shared_ptr<const Scene>& scene, std::string& unreachable,
                                std::vector<std::string>& left_out) {
     const core::WalkerSize size = core::body_size(*scene, settings::Settings{}.walk.body_radius_m);
@@ -313,8 +313,8 @@ std::optional<std::string> rooms_sentence(const navigation::RoomGraph& graph) {
     return phrase("found_rooms.all", {{"rooms", rooms}, {"ways", ways}, {"names", list}});
 }
 
-// The scale in world metres per hand metre. `wish` is the name of a scale or a number; "building" fits the whole
-// building into the workspace of a Touch.
+// Returns the scale in world metres per hand metre. `wish` is the name of a scale or a number. "building" fits the
+// whole building into the workspace of a Touch.
 std::optional<double> scale_of(const std::string& wish, const Aabb& bounds_m) {
     constexpr double kReach_hand_m = 0.075;
     const std::string word = lower_ascii(wish);
@@ -327,7 +327,7 @@ std::optional<double> scale_of(const std::string& wish, const Aabb& bounds_m) {
     return number;
 }
 
-// One sentence for each thing that is simplified at a scale.
+// Returns one sentence for each object that is simplified at the scale.
 std::vector<std::string> simplified_at(const Scene& scene, double world_m_per_hand_m,
                                        const navigation::RoomGraph& graph) {
     const core::OpenPortals portals = core::open_portals(graph);
@@ -347,7 +347,7 @@ std::vector<std::string> simplified_at(const Scene& scene, double world_m_per_ha
     return sentences;
 }
 
-// Reports whether a hand can tell this world's materials apart. Returns 1 if not.
+// Prints whether a hand can tell the materials of this world apart. Returns 1 if it cannot.
 int tell_lint(const Scene& scene, std::ostream& out) {
     const LintReport lint = lint_materials(scene);
     for (const std::string& problem : lint.problems) out << one_line(problem) << '\n';
@@ -356,7 +356,7 @@ int tell_lint(const Scene& scene, std::ostream& out) {
     return lint.problems.empty() ? 0 : 1;
 }
 
-// Writes the rooms as a text: those that the file states, otherwise those that are found.
+// Prints a room description: of the rooms that the file states, otherwise of those that Handrail finds.
 int tell_as_words(const Scene& scene, const std::string& wish, const LongWork& progress, std::ostream& out,
                   std::ostream& err) {
     const std::string code = wish.empty() ? spoken_language() : wish;
@@ -418,7 +418,7 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
         return 2;
     }
     const auto scene = std::make_shared<Scene>(std::move(*read));
-    // Prepares the world as exploring does.
+    // Prepares the world as a session does, to measure the time.
     progress.at(phrase("progress.touch"));
     compile::CompileReport compiled;
     const settings::Settings defaults;

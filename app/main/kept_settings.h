@@ -1,5 +1,5 @@
-// The settings as a session changes them, and how they are saved: soon after each change and not only at the end. A
-// background task writes them, since a disk may take long. App thread.
+// Keeps the settings that a session changes, and saves them: soon after each change, and once more at the end. A
+// background task writes the file, because a disk may be slow. App thread.
 #pragma once
 
 #include <ostream>
@@ -17,16 +17,16 @@ namespace handrail::program {
 
 class KeptSettings {
 public:
-    // All of these outlive this object.
+    // All arguments must outlive this object.
     KeptSettings(settings::SettingsStore& settings, Clock& clock, const SessionVoice& say)
         : settings_(settings), clock_(clock), say_(say) {}
 
-    // Applies live changes in their order; returns true if at least one was accepted. A rejected change leaves its
-    // setting as it was.
+    // Applies changes of settings in their order. Returns true if at least one was accepted. A rejected change leaves
+    // its setting as it was.
     bool take(const std::vector<std::pair<std::string, std::string>>& changes);
-    // Call once a frame; saves what is due, and announces what cannot be saved.
+    // Call once a frame. Saves changes that are due, and announces it if they cannot be saved.
     void keep_saved(double now_s);
-    // The last chance to save. Call it while there still is a voice.
+    // Saves the last changes. Call it while the session still has a voice, so that it can announce a failure.
     void save_at_the_end(std::ostream& err);
 
 private:

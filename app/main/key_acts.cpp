@@ -4,18 +4,18 @@ namespace handrail::program {
 
 void KeyActs::take(const window::KeyEvent& key, wizard::WizardSession* wizard, double now_s) {
     const auto command = app_.keys().find(key.key);
-    if (wizard) {  // the stop key has already acted through the switches
+    if (wizard) {  // nothing to do, because ServoSwitches has already carried out the stop key
         if (key.action != window::KeyAction::Release && command != core::Command::StopEverything)
             wizard->press(key.key, now_s);
         return;
     }
-    // Before there is a world, the key that leaves it ends the program. While another world is read, the key cancels
-    // that.
+    // Before there is a world, the Leave key ends the program. While another world is read, the key cancels the
+    // reading.
     const bool leaves =
         key.action == window::KeyAction::Press && command == core::Command::Leave && !app_.dialogue().is_open();
     if (leaves && !app_.scene()) closed_ = true;
     if (leaves && worlds_.give_up_reading(now_s)) return;
-    // The characters of a key belong to what was open before the key was pressed.
+    // Characters follow their key. They belong to the list or question that was open before the key was pressed.
     typing_ = app_.dialogue().is_open();
     if (key.action != window::KeyAction::Release && app_.apply(core::KeyTapped{key.key}, now_s)) return;
     if (!command || !app_.scene()) return;

@@ -1,5 +1,5 @@
-// What a key does, wherever it comes from. It answers the set-up by voice if that is under way, else it goes to the
-// open list or question, else it is a command. App thread.
+// Decides what a key does, whether it comes from the window or the terminal. During a set-up by voice, the key is an
+// answer. Otherwise an open list or question receives it; without either, it is a command. App thread.
 #pragma once
 
 #include <string>
@@ -13,19 +13,19 @@ namespace handrail::program {
 
 class KeyActs {
 public:
-    // Both outlive this object.
+    // Both arguments must outlive this object.
     KeyActs(core::Session& app, WorldVisits& worlds) : app_(app), worlds_(worlds) {}
 
     void take(const window::KeyEvent& key, wizard::WizardSession* wizard, double now_s);
-    // The characters of the last key given to take().
+    // Takes the characters of the key that was last given to take().
     void take_text(const std::string& utf8, wizard::WizardSession* wizard, double now_s);
-    // True if the person left before there was a world.
+    // Returns true if the person left before there was a world.
     bool closed() const { return closed_; }
 
 private:
     core::Session& app_;
     WorldVisits& worlds_;
-    bool typing_ = false;  // a list or question was open when the last key went down
+    bool typing_ = false;  // true if a list or question was open when the last key went down
     bool closed_ = false;
 };
 
