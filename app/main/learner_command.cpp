@@ -22,7 +22,7 @@ std::string purpose_words(learners::Purpose purpose) {
     return phrase(purpose == learners::Purpose::Record ? "learner.record" : "learner.share");
 }
 
-// One run of the command: where the learners are, and who asks and answers.
+// One run of the command. It has the list of learners, the person who is asked, and the answers.
 class LearnerCommand {
 public:
     LearnerCommand(const LearnerArguments& arguments, const LongWork& progress, std::istream& in, std::ostream& out,
@@ -55,7 +55,7 @@ private:
     }
     int refuse(const Error& error, int status = 1) { return refuse(error.sentence(), status); }
 
-    // Returns false if nobody answers.
+    // Asks a question. Returns false if the answer is no or nobody answers.
     bool agreed(const std::string& question) {
         if (arguments_.yes) return true;
         out_ << question << ' ' << phrase("learner.yes_or_no") << std::endl;
@@ -87,7 +87,7 @@ private:
         if (learners::may_be_real(arguments_.name) &&
             !agreed(phrase("learner.real_name", {{"name", arguments_.name}, {"offer", learners_.offer()}})))
             return refuse(phrase("learner.not_made"), 1);
-        // The new learner's settings begin as a copy of the user's own, because device and voice are the same.
+        // The new learner's settings begin as a copy of the user's own, because the device and the voice are the same.
         std::error_code ec;
         std::string settings;
         if (const fs::path own = settings::user_settings_path(); fs::exists(own, ec))
@@ -135,7 +135,7 @@ private:
         }
     }
 
-    // Parses "remember,record". Wrong usage is reported and returns none.
+    // Parses purposes such as "remember,record". Reports wrong usage and then returns nothing.
     std::optional<std::vector<learners::Purpose>> purposes(const std::string& words) {
         std::vector<learners::Purpose> all;
         for (std::size_t at = 0; at < words.size();) {
@@ -195,7 +195,8 @@ private:
         return search({id, learner ? learner->name : std::string()}, holdings.exported_other);
     }
 
-    // Searches for what is left of a deleted learner: text hits, and exported files that somebody has changed since.
+    // Searches for what is left of a deleted learner: files that contain the learner's name or id, and exported files
+    // that somebody has changed since.
     int search(const std::array<std::string, 2>& words, const std::vector<fs::path>& changed) {
         std::vector<fs::path> folders = {core::user_data_folder(), settings::user_settings_path().parent_path()};
         if (const fs::path sessions = core::sessions_folder(); !sessions.empty())

@@ -1,4 +1,5 @@
-// The grammar of `handrail learner` and of --learner; the rest is in command_line.cpp. App thread.
+// Adds `handrail learner` and --learner to the grammar of the command line; see command_line.cpp for the rest. App
+// thread.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,10 +8,11 @@
 
 namespace handrail::program {
 
-// Adds the command. Parsing fills in `arguments`, which outlive the grammar.
+// Adds the command. Parsing fills in `arguments`, which must outlive the grammar.
 CLI::App* add_learner_command(CLI::App& app, LearnerArguments& arguments);
 
-// Adds --learner NAME for exploring. It excludes --record-in, which must already be in the grammar.
+// Adds --learner NAME for exploring. It cannot be combined with --record-in, so that option must be in the grammar
+// already.
 void add_learner_option(CLI::App& app, ExploreArguments& arguments);
 
 }  // namespace handrail::program

@@ -21,7 +21,7 @@ Result<void> begin_as_learner(ExploreCall& call) {
     if (!call.settings.file) call.settings.file = learners.settings_of(learner->id);
     arguments.common.data_in = learners.folder_of(learner->id);
     arguments.remember = learner->allows(learners::Purpose::Remember, learners::today());
-    if (!arguments.remember)  // deletes what was kept before the consent was withdrawn
+    if (!arguments.remember)  // deletes progress that was kept before the learner withdrew the consent
         if (auto forgotten = learners::forget_lessons(arguments.common.data_in); !forgotten) return forgotten;
     arguments.learner = learner->name;
     arguments.news.push_back(phrase("learner.welcome", {{"name", learner->name}}));
@@ -33,7 +33,7 @@ Result<void> begin_as_learner(LessonCall& call) {
     LessonArguments& arguments = call.arguments;
     if (arguments.learner.empty() || arguments.check || (arguments.file == "watch" && !fs::exists(arguments.file, ec)))
         return {};
-    if (arguments.protocol) {  // a protocol may be printed before the learner exists
+    if (arguments.protocol) {  // the command can print a protocol for a learner who does not exist yet
         if (const auto learner = learners::Learners(core::user_data_folder()).find(arguments.learner))
             arguments.learner = learner->name;
         return {};
@@ -47,10 +47,11 @@ Result<void> begin_as_learner(LessonCall& call) {
 ExploreCall as_somebody_else(ExploreCall asked, ExploreEnd end) {
     ExploreArguments& arguments = asked.arguments;
     arguments.learner = end.learner.value_or(std::string());
-    if (!arguments.learner.empty()) arguments.record_in.reset();  // recording depends on what they have agreed to
+    // Whether the session is recorded depends on what the learner has agreed to.
+    if (!arguments.learner.empty()) arguments.record_in.reset();
     arguments.world = std::move(end.world.file);
     arguments.common.building = std::move(end.world.building);
-    arguments.common.unit_m.reset();  // it is kept next to the world
+    arguments.common.unit_m.reset();  // the next session finds the unit next to the world
     arguments.lesson_settings.clear();
     arguments.lines = std::move(end.lines);
     arguments.lesson.reset();

@@ -36,7 +36,7 @@ void LearnersHere::show(double now_s) {
     app_.apply(std::move(act), now_s);
 }
 
-// Says what is kept about the current learner, and where their lessons continue.
+// Returns sentences about the current learner: what is kept about the person, and where the lessons continue.
 std::string LearnersHere::told_of(const learners::Learner& learner) const {
     const std::filesystem::path folder = learners_.folder_of(learner.id);
     const learners::Holdings holdings = learners::holdings_of(folder);
@@ -64,7 +64,8 @@ void LearnersHere::choose(std::size_t at, double now_s) {
         return;
     }
     if (at > shown_.size()) return;
-    const auto learner = learners_.find(shown_[at - 1].id);  // it may have been damaged or deleted since
+    // Another process may have deleted or damaged the learner since the list was made.
+    const auto learner = learners_.find(shown_[at - 1].id);
     if (!learner) return say_(learner.error().sentence(), now_s);
     if (learner->name == here) return say_(told_of(*learner), now_s);
     next_ = learner->id;

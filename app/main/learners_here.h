@@ -1,6 +1,6 @@
-// The list of learners in the program. The person chooses a learner, hears what is remembered of them, and the session
-// continues as that learner. Only a learner's own recording may contain their name, so the recording of a session ends
-// before the list is announced. App thread.
+// The list of learners in the program. The person chooses a learner and hears what is remembered of that learner; the
+// session then continues as that learner. Only a learner's own recording may contain the learner's name, so this class
+// ends the recording of the session before it announces the list. App thread.
 #pragma once
 
 #include <optional>
@@ -17,13 +17,14 @@ namespace handrail::program {
 
 class LearnersHere {
 public:
-    // All of these outlive this object.
+    // All arguments must outlive this object.
     LearnersHere(const ExploreArguments& arguments, core::Session& app, SessionRecording& recording,
                  const SessionVoice& say);
 
     // Call once a frame, before the session's tick.
     void turn(double now_s);
-    // The id of the learner who takes over; empty for nobody named. The session then ends for the current one.
+    // Returns the id of the learner who takes over; empty for nobody named. The session then ends for the current
+    // learner. Returns nothing while no learner takes over.
     const std::optional<std::string>& next() const { return next_; }
 
 private:
@@ -36,7 +37,7 @@ private:
     SessionRecording& recording_;
     const SessionVoice& say_;
     const learners::Learners learners_;
-    std::vector<learners::Learner> shown_;  // in the list they follow the entry for nobody named
+    std::vector<learners::Learner> shown_;  // learners in the list, after the entry for nobody named
     std::optional<std::string> next_;
 };
 

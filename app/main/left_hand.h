@@ -1,5 +1,5 @@
-// A second force device for the left hand, in addition to the one that leads the session. It is found, driven and
-// released here. App thread.
+// A second force device for the left hand, in addition to the hand that leads the session. This class finds the device,
+// drives it and releases it. App thread.
 #pragma once
 
 #include <memory>
@@ -15,21 +15,21 @@ namespace handrail::program {
 
 class LeftHand {
 public:
-    // Both outlive this object.
+    // Clock and switches must outlive this object. `recording` is null if nothing is recorded.
     LeftHand(Clock& clock, const servo::ServoSwitches& switches, servo::HandRing* recording)
         : clock_(clock), switches_(switches), recording_(recording) {}
 
     // Starts to search for a device by name or serial number; with "none" there is no second hand.
     void look_for(const std::string& wanted);
-    // Call once a frame; adds what is new. Returns true on the frame on which the hand was found.
+    // Call once a frame. Adds new sentences to `news`. Returns true on the frame on which the hand was found.
     bool take_change(std::vector<std::string>& news);
     bool real() const { return guarded_ != nullptr; }
     const core::HandFacts& facts() const { return facts_; }
     servo::ServoInbox* servo() { return servo_.get(); }  // null: there is no second hand
     const servo::ToolState& tool();
-    // For the audio thread, which reads it from the start.
+    // Contacts of this hand. The audio thread reads them from its start, before a hand is found.
     servo::ServoLoop::EventRing& contacts() { return contacts_; }
-    // Removes the force and waits for that, at most 76 ms.
+    // Removes the force and waits until it has faded, at most 76 ms.
     void stop();
 
 private:
@@ -40,7 +40,7 @@ private:
     const servo::ServoSwitches& switches_;
     servo::HandRing* recording_;
     servo::ServoLoop::EventRing contacts_;
-    std::optional<Hand> simulated_;  // waits to be used
+    std::optional<Hand> simulated_;  // a simulated hand that take_change has still to put into use
     std::optional<HandSearch> search_;
     std::unique_ptr<servo::ServoLoop> servo_;
     drivers::GuardedDevice* guarded_ = nullptr;  // servo_ owns it

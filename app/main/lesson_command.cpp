@@ -14,7 +14,8 @@
 namespace handrail::program {
 namespace {
 
-// 0: every pupil's expectations hold; 1: one does not, or a script cannot be done.
+// Tries the lesson with simulated pupils. Returns 0 if the expectations of every pupil are met. Returns 1 if one is not
+// met, or if a pupil's script cannot be carried out.
 int check_lesson(const std::shared_ptr<teaching::TaughtWorld>& world, core::RoomsKept& rooms_kept,
                  const LongWork& progress, std::ostream& out) {
     bool all_hold = true;
@@ -41,8 +42,8 @@ int check_lesson(const std::shared_ptr<teaching::TaughtWorld>& world, core::Room
 
 }  // namespace
 
-// Returns 0 if done; 1 if a pupil failed or there is nothing to watch; 2 if the lesson is refused. None: the lesson is
-// to be taught, and `explore` says how.
+// Returns 0 on success. Returns 1 if a pupil failed or if there is nothing to watch, and 2 if the lesson is refused.
+// Returns nothing if the lesson is to be taught; `explore` then says how.
 std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments& explore, std::ostream& out,
                               std::ostream& err, const LongWork& progress) {
     std::error_code ec;
@@ -61,7 +62,7 @@ std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments
     progress.done();
     if (!world) return refused(world.error());
     if (arguments.check) return check_lesson(*world, of_all_pupils, progress, out);
-    if (arguments.protocol) {  // of what can be taught: what its world lacks is found before it is printed
+    if (arguments.protocol) {  // the world was read before, so that only a lesson that can be taught is printed
         out << teaching::protocol_of((*world)->lesson(), learner);
         return 0;
     }

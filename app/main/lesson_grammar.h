@@ -1,4 +1,4 @@
-// The grammar of `handrail lesson`; the rest is in command_line.cpp. App thread.
+// Adds `handrail lesson` to the grammar of the command line; see command_line.cpp for the rest. App thread.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,7 +7,7 @@
 
 namespace handrail::program {
 
-// The command without its settings. Parsing fills in `call`, which outlives the grammar.
+// Adds the command without its settings. Parsing fills in `call`, which must outlive the grammar.
 CLI::App* add_lesson_command(CLI::App& app, LessonCall& call);
 
 }  // namespace handrail::program

@@ -20,10 +20,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kTurn_s = 0.1;
-constexpr std::size_t kMostLooked = 50;  // most lessons of one folder that are looked at
+constexpr std::size_t kMostLooked = 50;  // most lessons of one folder that are offered
 constexpr std::string_view kEnding = ".lesson.toml";
 
-// The lessons of a folder, sorted by name.
+// Returns the lesson files in a folder, sorted by name.
 std::vector<fs::path> lessons_in(const fs::path& folder) {
     std::error_code ec;
     std::vector<fs::path> files;
@@ -33,7 +33,7 @@ std::vector<fs::path> lessons_in(const fs::path& folder) {
     return files;
 }
 
-// The lessons next to the world and in the person's own folder, each once.
+// Returns the lesson files next to the world and in the person's own folder, each once.
 std::vector<fs::path> lessons_near(const fs::path& world) {
     std::vector<fs::path> files;
     for (const fs::path& folder : {world.parent_path(), lessons_folder()}) {
@@ -79,7 +79,7 @@ Result<std::shared_ptr<teaching::TaughtWorld>> read_taught_world(const fs::path&
                                        rooms_kept);
 }
 
-// Offers the lessons for the current world.
+// Offers the lessons that can be taught in the current world.
 void LessonHere::offer(double now_s) {
     const fs::path& world = worlds_.path();
     offered_.clear();
@@ -126,7 +126,7 @@ void LessonHere::begin(const LessonToTeach& lesson, double now_s) {
     else say_(desk.error().sentence());
 }
 
-// Writes the draft under a new name in the person's folder; existing files stay.
+// Writes a lesson draft to the person's folder under a new name, so that existing files do not change.
 void LessonHere::write_draft(double now_s) {
     const auto draft = app_.requests().take_lesson_draft();
     if (!draft) return;
@@ -142,10 +142,11 @@ void LessonHere::write_draft(double now_s) {
         else if (!stem.empty() && stem.back() != '-') stem += '-';
     while (stem.ends_with('-')) stem.pop_back();
     if (stem.empty()) stem = "lesson";
-    fs::create_directories(folder, ec);  // if the folder cannot be made, the write reports why
+    fs::create_directories(folder, ec);  // if the folder cannot be made, writing the file fails with the reason
     fs::path file = folder / (stem + ".lesson.toml");
     for (int number = 2; fs::exists(file, ec); ++number) file = folder / fmt::format("{}-{}.lesson.toml", stem, number);
-    // The draft may contain a learner's own marks and routes, and it is saved where others find it.
+    // The draft may contain a learner's own marks and routes, and it is saved where other people find it. So it is
+    // written through a WayOut.
     const fs::path& data = arguments_.common.data_in;
     const auto way_out =
         learners::WayOut::of(learners::Learners(core::user_data_folder()), data.empty() ? folder : data);
@@ -159,14 +160,14 @@ void LessonHere::write_draft(double now_s) {
     if (written) offer(now_s);
 }
 
-// Starts the lesson chosen from the list, once its world has been read.
+// Reads the lesson that the person chose from the list, with its world, and then starts it.
 void LessonHere::begin_chosen(double now_s) {
     if (const auto chosen = app_.requests().take_lesson(); chosen && *chosen < offered_.size() && !looked_for_.busy())
         looked_for_.begin([lesson = offered_[*chosen]](const std::stop_token&) { return read_taught_world(lesson); });
     const auto looked = looked_for_.take();
     if (!looked) return;
     if (const Result<std::shared_ptr<teaching::TaughtWorld>>& found = *looked) {
-        std::vector<std::string> news;  // already announced when it was offered
+        std::vector<std::string> news;  // unused, because these sentences were announced when the lesson was offered
         const std::size_t session = next_session(arguments_, (*found)->lesson(), news);
         begin({*found, session, teaching::learner_named(arguments_.learner)}, now_s);
     } else app_.apply(core::Told{found.error().sentence(), cues::SpeechClass::Answer}, now_s);
@@ -200,7 +201,7 @@ void LessonHere::turn(bool speaking, double now_s) {
     offer(now_s);
 }
 
-// A recording already contains the results.
+// Writes the results of the lesson. A recording contains them already.
 void LessonHere::close(double now_s) {
     if (run_ && arguments_.remember && !arguments_.common.data_in.empty()) {
         const std::filesystem::path& folder = arguments_.common.data_in;

@@ -1,5 +1,5 @@
-// An instructor's lesson in a session with a person, and the desk from which the instructor follows it. It begins from
-// the command line or from the list of lessons, and advances ten times a second. App thread.
+// An instructor's lesson in a session with a person, and the desk from which the instructor follows it. The lesson
+// begins from the command line or from the list of lessons. It advances ten times a second. App thread.
 #pragma once
 
 #include <filesystem>
@@ -21,15 +21,15 @@ namespace handrail::program {
 
 class LessonHere {
 public:
-    // All of these outlive this object. The arguments say which lesson is taught, and to whom.
+    // All arguments must outlive this object. `arguments` says which lesson is taught, and to whom.
     LessonHere(const ExploreArguments& arguments, core::Session& app, WorldVisits& worlds, const SessionVoice& say)
         : arguments_(arguments), app_(app), worlds_(worlds), say_(say) {}
 
-    // Call before the session's tick. `speaking`: a sentence is being spoken.
+    // Call before the session's tick. `speaking`: the voice is speaking a sentence.
     void turn(bool speaking, double now_s);
-    // Call after the tick, with what happened in it.
+    // Call after the tick, with the events of that tick.
     void see(const std::vector<core::SessionEvent>& events);
-    // Call when the session ends. Keeps what was measured until now, if the learner has agreed to that.
+    // Call when the session ends. Saves the measures made until now, if the learner has agreed to that.
     void end(double now_s);
 
 private:
@@ -44,12 +44,12 @@ private:
     core::Session& app_;
     WorldVisits& worlds_;
     const SessionVoice& say_;
-    int world_ = 0;  // the last Session::worlds_entered() that was seen
+    int world_ = 0;  // Session::worlds_entered() when turn() last looked at it
     bool began_ = false;
     std::vector<std::filesystem::path> offered_;
     BackgroundTask<Result<std::shared_ptr<teaching::TaughtWorld>>> looked_for_{on_threads(), "lesson"};
     std::optional<teaching::TeachingRun> run_;
-    LessonToTeach taught_;  // set while a lesson runs
+    LessonToTeach taught_;  // the lesson that runs; set only while run_ is
     double begun_s_ = 0.0;
     std::string begun_utc_;
     std::unique_ptr<teaching::DeskServer> desk_;
@@ -57,20 +57,20 @@ private:
     double turned_s_ = -1e9, told_s_ = -1e9;
 };
 
-// Reads the lessons that will be offered in a world, so that toml_beside_worlds already has them when the app thread
-// asks.
+// Reads the lessons that will be offered in a world. The app thread then gets them from the cache of
+// toml_beside_worlds, without waiting.
 void read_lessons_ahead(const std::filesystem::path& world, const std::stop_token& stop);
-// Finds the lesson that a command names: a file, or a name such as "school". A name is that of one of the person's own
-// lessons or of a lesson that comes with the program. Fails with a list of what exists.
+// Finds the lesson that a command names. `word` is a file, or a name such as "school": one of the person's own lessons,
+// or a lesson that is shipped with the program. Fails with a list of the existing names.
 Result<std::filesystem::path> lesson_given(const std::filesystem::path& word);
-// A lesson in its world, both read. Fails with file and line. rooms_kept: as of TaughtWorld::find.
+// Reads a lesson and its world. Fails with file and line. `rooms_kept` is as for TaughtWorld::find.
 Result<std::shared_ptr<teaching::TaughtWorld>> read_taught_world(const std::filesystem::path& file,
                                                                  core::RoomsKept* rooms_kept = nullptr);
-// The session of that lesson, from 0, which comes next for the learner of these arguments; the first one where nothing
-// is remembered. What is wrong with the file of it is added to `news`.
+// Returns which session of the lesson, counted from 0, comes next for the learner of these arguments. If nothing is
+// remembered, it is the first. Faults of the file with the learner's progress are added to `news`.
 std::size_t next_session(const ExploreArguments& arguments, const teaching::LessonFile& lesson,
                          std::vector<std::string>& news);
-// The folder of the person's own lessons.
+// Returns the folder of the person's own lessons.
 std::filesystem::path lessons_folder();
 
 }  // namespace handrail::program

@@ -17,12 +17,12 @@
 namespace handrail::program {
 
 struct LongWork::State {
-    std::mutex mutex;  // held while a sentence is reported, so that none follows after done() has returned
+    std::mutex mutex;  // held while a sentence is reported, so that no report follows after done() has returned
     std::condition_variable changed;
     bool under_way = false, reads = false;
-    std::string what;  // the current work; while a file is read, its stage in words, or empty
+    std::string what;  // the current work in words; while a file is read, its stage, which may be empty
     int percent = 0;
-    std::optional<Patience> patience;  // starts at the first query
+    std::optional<Patience> patience;  // decides when a sentence is due; exists from the first call of tell() on
     std::function<void(const std::string&)> noted;
 
     std::string words(double now_s) const {
@@ -116,7 +116,7 @@ LongWorkLines::LongWorkLines(const LongWork& progress, std::ostream& to) : progr
     constexpr double kLook_s = 0.25;
     sigset_t all, before;
     sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before);  // the new thread keeps this signal mask
+    pthread_sigmask(SIG_SETMASK, &all, &before);  // the new thread inherits this signal mask, which blocks all signals
     thread_ = std::thread([this, &to] {
         name_this_thread("progress");
         const SteadyClock clock;

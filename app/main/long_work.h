@@ -1,5 +1,6 @@
-// Reports progress to somebody who waits for a command or a world: nothing within two seconds, then a sentence every
-// few seconds. The working side says what it does; the reporting side queries what is due.
+// Reports progress to a person who waits for a command or a world. It reports nothing during the first two seconds,
+// then a sentence every few seconds. The thread that works says what it does; the thread that reports queries what is
+// due.
 #pragma once
 
 #include <condition_variable>
@@ -14,35 +15,38 @@
 
 namespace handrail::program {
 
-// A handle on the state that both sides share; copies refer to the same work. Any thread.
+// A handle on the state that the working and the reporting thread share. Copies refer to the same work. Any thread may
+// use it.
 class LongWork {
 public:
-    // For work that nobody waits for; nothing is reported.
+    // Makes a handle for work that nobody waits for; nothing is reported.
     LongWork() = default;
-    // For work that somebody waits for. `noted` is called at once whenever the current work changes, and never when it
-    // is done; it is for callers that follow the work itself. Called on the working thread.
+    // Makes a handle for work that somebody waits for. `noted` is called on the working thread each time when other
+    // work begins, but not when the work is done. It is for callers that log the work itself.
     static LongWork begun(std::function<void(const std::string& what)> noted = {});
 
     // ---- the working side ----
-    // Names the current work, which is printed with the time so far: "Finding rooms and routes". If work is already
-    // under way, its time goes on.
+    // Sets the name of the current work, which is reported with the time since the work began: "Finding rooms and
+    // routes".
+    // If other work is already under way, the time does not start again.
     void at(std::string what) const;
-    // A file is being read, which is reported by percent and stage. The stage is the key of a text ("import.shapes"),
-    // or empty while unknown.
+    // Says that a file is being read. Percent and stage are reported. `stage` is the key of a text ("import.shapes"),
+    // or empty if it is unknown.
     void reading(std::string_view stage = {}) const;
     void read(double fraction) const;
-    // The same options, but with the reader's progress reported here.
+    // Returns the same options, except that the reader reports its progress to this object.
     readers::ReadOptions followed(readers::ReadOptions options) const;
-    // The work is over; the next may again take two seconds in silence. When this returns, no report is under way.
+    // Ends the current work. The next work may again take two seconds without a report. When this function returns, no
+    // report is under way.
     void done() const;
 
     // ---- the reporting side ----
-    // Calls `say` with the sentence that is due at this time, if any. All times must be from one clock; the wait begins
-    // with the first call.
+    // Calls `say` with the sentence that is due at this time, if any. All times must be from one clock. The two seconds
+    // begin with the first call.
     void tell(double now_s, const std::function<void(const std::string&)>& say) const;
-    // Waits for work, or until end_waiting() has set `stop`. Returns true if there is work.
+    // Waits until there is work, or until end_waiting() has set `stop`. Returns true if there is work.
     bool wait_for_work(const bool& stop) const;
-    // Waits for `seconds` at most, or until `stop` is set.
+    // Waits for `seconds`, or until `stop` is set.
     void wait_s(double seconds, const bool& stop) const;
     void end_waiting(bool& stop) const;
 
@@ -51,11 +55,11 @@ private:
     std::shared_ptr<State> state_;
 };
 
-// Writes each due sentence as a line to a stream, for a terminal. It runs on a separate thread that sleeps while there
-// is no work and takes no signals.
+// Writes each sentence that is due as a line to a stream, for a terminal. A separate thread does that. It sleeps while
+// there is no work, and receives no signals.
 class LongWorkLines {
 public:
-    // The stream outlives it.
+    // The stream must outlive this object.
     LongWorkLines(const LongWork& progress, std::ostream& to);
     ~LongWorkLines();
     LongWorkLines(const LongWorkLines&) = delete;
@@ -63,7 +67,7 @@ public:
 
 private:
     LongWork progress_;
-    bool stop_ = false;  // guarded by the mutex that progress_ shares
+    bool stop_ = false;  // guarded by the mutex in the state that progress_ shares
     std::thread thread_;
 };
 

@@ -10,8 +10,8 @@
 
 namespace {
 
-// Opens those of the first three descriptors that our parent has closed. Otherwise the next file that we open would get
-// such a number, and our printed output would be written into it.
+// Opens those of the descriptors 0, 1 and 2 that our parent process has closed. Otherwise the next file that we open
+// would get one of these numbers, and our printed output would be written into that file.
 void open_standard_descriptors() {
     for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(number, F_GETFD) < 0 && errno == EBADF && ::open("/dev/null", O_RDWR) != number)

@@ -15,7 +15,7 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-// Parses a number; a device fault may have written `nan` or `inf`.
+// Parses a number. A device fault may have written `nan` or `inf`, which are accepted.
 bool parse_cell(std::string_view cell, double& value) {
     cell = trimmed(cell);
     const auto taken = take_number(cell);

@@ -7,7 +7,8 @@
 namespace handrail::program {
 namespace {
 
-// True if the bytes may begin a direction control; all of them begin with one of these.
+// Returns true if the bytes may be the beginning of a direction control. All direction controls begin in one of these
+// ways.
 bool may_become_one(std::string_view bytes) {
     return bytes == "\xd8" || bytes == "\xe2" || bytes == "\xe2\x80" || bytes == "\xe2\x81";
 }

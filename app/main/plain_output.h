@@ -1,6 +1,6 @@
-// Filters what commands print, because names come from files that others made. It drops direction controls, which would
-// reverse the words that follow, and all control characters except line ends and tabs. Used by one thread; costs a look
-// at each byte.
+// Filters what commands print, because it may contain names from files of unknown origin. Drops direction controls,
+// which would reverse the order of the following words, and all control characters except line ends and tabs. Only one
+// thread may use an object. Looks at each byte once.
 #pragma once
 
 #include <ostream>
@@ -11,7 +11,7 @@ namespace handrail::program {
 
 class PlainOutput : std::streambuf, public std::ostream {
 public:
-    // `to` outlives this object.
+    // `to` must outlive this object.
     explicit PlainOutput(std::ostream& to) : std::ostream(static_cast<std::streambuf*>(this)), to_(to) {}
     ~PlainOutput() override { let_go(); }
     PlainOutput(const PlainOutput&) = delete;
@@ -23,7 +23,7 @@ private:
     void let_go();
 
     std::ostream& to_;
-    std::string held_;  // the first bytes of a possible direction control, at most two
+    std::string held_;  // first bytes of what may become a direction control; at most two
 };
 
 }  // namespace handrail::program

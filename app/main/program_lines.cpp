@@ -6,7 +6,7 @@ namespace handrail::program {
 
 bool ProgramLines::take(double now_s, wizard::WizardSession* wizard) {
     if (wizard) return answer(*wizard, now_s);
-    const bool first = !app_.scene();  // before the first world is read the person is nowhere
+    const bool first = !app_.scene();  // true before the first world is read, when the person is in no world
     if (first || worlds_.reading()) {
         if (!by_person_) return true;
         if (lines_.next_leaves() && (first || worlds_.give_up_reading(now_s))) {

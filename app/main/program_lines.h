@@ -1,5 +1,5 @@
-// Lines typed to the program. The session carries them out, but an open set-up takes them as answers, and they wait
-// while a world is read. App thread.
+// Lines that a person or a script types to the program. During a set-up, the wizard takes them as answers. Otherwise
+// the session carries them out, and lines of a script wait while a world is read. App thread.
 #pragma once
 
 #include <string>
@@ -13,16 +13,16 @@ namespace handrail::program {
 
 class ProgramLines {
 public:
-    // Both outlive this object. `by_person`: a person types the lines, so they are not held back while a world is read,
-    // as those of a script are.
+    // `app` and `worlds` must outlive this object. `by_person`: a person types the lines, not a script. Lines of a
+    // person do not wait while a world is read.
     ProgramLines(core::Session& app, WorldVisits& worlds, bool by_person)
         : app_(app), worlds_(worlds), by_person_(by_person), lines_(app) {}
 
     core::CarriedLines& lines() { return lines_; }
-    // Call once a frame. While a world is read, a person's lines are carried out at once, in the world the person is
-    // still in; a script's lines wait. Returns false if there was nothing to do and nothing is awaited.
+    // Call once a frame. While another world is read, a person's lines are carried out at once, in the world that the
+    // person has not left yet. Lines of a script wait. Returns false if there was no line and nothing is awaited.
     bool take(double now_s, wizard::WizardSession* wizard);
-    // True if a line has ended the program.
+    // Returns true if a line has ended the program.
     bool left() const { return left_ || lines_.left(); }
 
 private:
@@ -32,7 +32,7 @@ private:
     WorldVisits& worlds_;
     const bool by_person_;
     core::CarriedLines lines_;
-    bool left_ = false;  // before the first world was there
+    bool left_ = false;  // true if the person left before there was a world
 };
 
 }  // namespace handrail::program

@@ -1,4 +1,4 @@
-// The grammar of `handrail replay` and `handrail report`.
+// Adds `handrail replay` and `handrail report` to the grammar of the command line.
 #pragma once
 
 #include <CLI/CLI.hpp>

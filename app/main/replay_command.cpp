@@ -32,9 +32,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kBegins_s = 0.1;           // time from the hand-over of a line until it is being spoken
-constexpr double kReplayLastWords_s = 3.0;  // how long the end waits for the current sentence
-constexpr double kEars_m = 1.6;             // height above the soles
+// A line that was handed over to the voice counts as being spoken for at least this time.
+constexpr double kBegins_s = 0.1;
+constexpr double kReplayLastWords_s = 3.0;  // longest time that the program waits at the end for the current sentence
+constexpr double kEars_m = 1.6;             // height of the ears above the soles
 
 // ---- playback ----
 
@@ -54,7 +55,8 @@ Wish wish_of(std::string_view typed) {
     return Wish::None;
 }
 
-// The person's wishes during playback: keys that act at once if the terminal supports them, else lines of words.
+// Reads what the person wants during playback. If the terminal supports it, keys act at once; otherwise the person
+// types words, one on each line.
 class Wishes {
 public:
     explicit Wishes(Clock& clock) : terminal_(terminal::RawTerminal::take(STDIN_FILENO, STDOUT_FILENO)) {

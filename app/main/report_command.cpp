@@ -19,8 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The world of the previous session. Most sessions of a learner share a world, so it is read, and its rooms are found,
-// only once.
+// Keeps the world of the previous recording. Most sessions of a learner are in the same world, so its file is read, and
+// its rooms are found, only once.
 class WorldBefore {
 public:
     Result<std::shared_ptr<const Scene>> read(const record::RecordedWorld& world) {
@@ -46,7 +46,7 @@ private:
     std::shared_ptr<const Scene> scene_;
 };
 
-// The report of one recording. Says if the recording is damaged or continues in other worlds.
+// Makes the report of one recording. Prints a sentence if the recording is damaged or continues in other worlds.
 Result<report::SessionReport> report_of_folder(const fs::path& folder, WorldBefore& before, const LongWork& progress,
                                                std::ostream& out, std::ostream& err) {
     progress.at(phrase("progress.recording"));
@@ -69,7 +69,7 @@ std::vector<fs::path> folders_in(const fs::path& folder) {
     std::error_code ec;
     for (fs::directory_iterator at(folder, ec), end; !ec && at != end; at.increment(ec))
         if (std::error_code other; at->is_directory(other)) found.push_back(at->path());
-    std::sort(found.begin(), found.end());  // folders are named by the time they were begun
+    std::sort(found.begin(), found.end());  // oldest first, because the names of folders begin with the time
     return found;
 }
 
@@ -82,7 +82,7 @@ public:
     int run() {
         if (!arguments_.html && !arguments_.csv && !arguments_.json)
             return refuse({{}, 0, 0, phrase("report.nothing_asked")}, 2);
-        // Checks this before anything is read or measured.
+        // Checks this first, because reading and measuring take long.
         std::error_code ec;
         for (const auto& file : {arguments_.html, arguments_.csv, arguments_.json})
             if (file && !arguments_.force && fs::exists(fs::symlink_status(*file, ec)))
@@ -113,7 +113,8 @@ private:
         return 0;
     }
 
-    // A recording in a learner's folder belongs to that learner. For any other, the person says to whom it belongs.
+    // Returns through which WayOut the results are written. A recording in a learner's folder belongs to that learner;
+    // for any other recording, the person says to whom it belongs.
     Result<learners::WayOut> way_out_of(const fs::path& folder) const {
         auto way = learners::WayOut::of(learners_, folder);
         if (!way || arguments_.learner.empty()) return way;
@@ -130,7 +131,7 @@ private:
         return {};
     }
 
-    // Reports all readable sessions; the others are named and left out.
+    // Reports all sessions of a learner that can be read. Names the others and leaves them out.
     int of_learner() {
         const auto learner = learners_.find(arguments_.learner);
         if (!learner) return refuse(learner.error());
@@ -146,7 +147,7 @@ private:
             }
             reports.push_back(std::move(*report));
         }
-        // Sessions of which the learner agreed to keep only the results.
+        // Add the sessions for which the learner agreed only that the results are kept.
         std::vector<Error> faults;
         for (const learners::KeptResults& kept : learners::kept_results(learners_.folder_of(learner->id), faults))
             reports.push_back(report_of(kept));
@@ -173,7 +174,7 @@ private:
         struct Made {
             fs::path path;
             std::string content;
-            bool named = true;  // the person named it
+            bool named = true;  // the person named the file
         };
         std::vector<Made> files;
         if (arguments_.html) files.push_back({*arguments_.html, std::move(page)});

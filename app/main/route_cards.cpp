@@ -14,11 +14,12 @@ namespace {
 struct CardPlace {
     std::string name;
     Vec3 at_m{0.0};
-    std::optional<double> heading_rad;  // the direction in which a person stands there, if known
+    std::optional<double> heading_rad;  // the direction in which a person faces at that place, if it is known
     bool room = false;
 };
 
-// Everything with a name that can be a destination. Rooms come first, since a thing may have the name of its room.
+// Returns everything with a name that can be a destination. Rooms come first, because an object may have the same name
+// as its room.
 std::vector<CardPlace> places_of(const Scene& scene, const navigation::RoomGraph& graph) {
     std::vector<CardPlace> places;
     for (const navigation::Room& room : graph.rooms) places.push_back({room.name, room.middle_m, std::nullopt, true});
@@ -47,7 +48,7 @@ Result<CardPlace> base_of(const Scene& scene) {
     return CardPlace{phrase("export.the_base"), base->feet_m, base->heading_rad};
 }
 
-// A simulated person who stands at the start of a route and requests directions.
+// A session with a simulated person who stands at the start of a route and requests directions.
 class AtStart {
 public:
     AtStart(const std::shared_ptr<const Scene>& scene, const settings::Settings& settings)
@@ -57,7 +58,7 @@ public:
 
     std::vector<std::string> legs(const Vec3& from_m, double heading_rad, const CardPlace& to) {
         session_.apply(core::Placed{from_m, heading_rad}, now_s_);
-        // Ticks until the walker stands.
+        // Tick the session until the walker stands on the floor.
         for (int i = 0; i < 30 && (i < 2 || !session_.standing()); ++i)
             session_.tick(now_s_ += core::kFrame_s, servo::ToolState{});
         const bool leads = session_.guide().follow_to(to.at_m, to.name, to.room, now_s_);
@@ -87,7 +88,7 @@ std::optional<exports::CardRoute> way_between(AtStart& at_start, navigation::Nav
         }
     }
     heading_rad = navigation::notch_heading_rad(
-        navigation::nearest_notch(heading_rad));  // rounded to a direction that the card can name
+        navigation::nearest_notch(heading_rad));  // Round to a direction that the card can name.
     const std::vector<std::string> legs = at_start.legs(start_m, heading_rad, to);
     if (legs.empty()) return std::nullopt;
     exports::CardRoute way{phrase("export.card_title", {{"from", from.name}, {"to", to.name}}),

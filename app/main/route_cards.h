@@ -1,4 +1,4 @@
-// Directions between places of a world as text, for a route card. The functions depend only on what was read; one
+// Makes the text of a route card: directions between places of a world. The result depends only on the arguments. One
 // thread.
 #pragma once
 
@@ -17,19 +17,21 @@
 namespace handrail::program {
 
 struct CardWish {
-    // Names of a room, a thing or a start; no `from`: the base; no `to`: every room.
+    // Names of a room, an object or a start. Without `from`, routes begin at the base. Without `to`, they lead to every
+    // room.
     std::optional<std::string> from, to;
     settings::Settings settings;
 };
 
 struct CardRoutes {
     std::vector<exports::CardRoute> ways;
-    std::vector<std::string> unreached;  // rooms of the storey that no route reaches
+    std::vector<std::string> unreached;  // names of the rooms on the storey to which no route leads
 };
 
-// Directions from one place to the other, or to every room of the storey in the order of their names. Each leg is a
-// sentence, the same that a session with these settings announces to a person who stands there. Fails with one sentence
-// if the name is unknown (and gives the nearest), or if there is no base or no route at all.
+// Returns directions from one place to another, or to every room of the storey in the order of their names. Each leg is
+// a sentence. It is the same sentence that a session with these settings announces to a person at that place. Fails
+// with one sentence if a name is unknown, which suggests the nearest name. Also fails if there is no base or no route
+// at all.
 Result<CardRoutes> card_ways(const std::shared_ptr<const Scene>& scene, const navigation::RoomGraph& graph,
                              navigation::Navigation& navigation, const plan::Storey& storey, const CardWish& wish);
 

@@ -21,13 +21,14 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Outcome {
-    std::string name;  // of the file
+    std::string name;  // name of the scenario file
     std::string title;
     std::vector<std::string> failures;  // empty: all expectations were met
     double virtual_s = 0.0;
 };
 
-// The files to run, sorted by name; folders are opened one level deep. Fails for a path that is neither.
+// Returns the scenario files to run, sorted by name. Folders are searched, but not their subfolders. Fails if a path is
+// neither a file nor a folder.
 Result<std::vector<fs::path>> scenario_files(const std::vector<fs::path>& paths) {
     std::vector<fs::path> files;
     for (const fs::path& path : paths) {
@@ -48,7 +49,7 @@ Result<std::vector<fs::path>> scenario_files(const std::vector<fs::path>& paths)
     return files;
 }
 
-// Copies what the recording sinks received into the log against which expectations are checked.
+// Adds the sounds and sentences that the recording sinks received to `log`, with which the expectations are compared.
 void note_heard(const sinks::RecordingAudio& audio, const sinks::RecordingSpeech& speech, core::SessionLog& log) {
     for (const sinks::HeardSound& sound : audio.sounds()) log.sounds.push_back({sound.time_s, sound.cue, false});
     for (const sinks::HeardSound& change : audio.loop_changes())
@@ -58,7 +59,7 @@ void note_heard(const sinks::RecordingAudio& audio, const sinks::RecordingSpeech
     for (const sinks::HeardSpeech& line : speech.lines()) log.lines.push_back({line.time_s, line.utterance.text});
 }
 
-// Writes FOLDER/NAME.txt; NAME is the scenario file's.
+// Writes the transcript to FOLDER/NAME.txt, in which NAME is the name of the scenario file.
 Result<void> write_transcript(const fs::path& folder, const core::Scenario& scenario, const learners::WayOut& way_out,
                               const core::SessionLog& log) {
     const fs::path file = folder / scenario.file.filename().replace_extension(".txt");
@@ -117,7 +118,8 @@ std::string junit_xml(const std::vector<Outcome>& outcomes) {
     return xml + "</testsuite>\n";
 }
 
-// Each scenario may come from a recorded session, so the file belongs to all learners whose scenarios ran.
+// Writes the JUnit file. Scenarios may come from recorded sessions, so the file belongs to all learners whose scenarios
+// ran.
 Result<void> write_junit(const fs::path& file, const std::string& xml, const std::vector<learners::WayOut>& ways_out) {
     Result<void> written = {};
     bool of_learners = false;
@@ -139,7 +141,7 @@ int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::os
         fmt::print(err, "{}\n", files.error().sentence());
         return 2;
     }
-    // All files are read before any runs, so that one bad file means that nothing has run.
+    // Read all files before running any, so that nothing has run if one of them is bad.
     std::vector<core::Scenario> scenarios;
     std::vector<learners::WayOut> ways_out;
     const learners::Learners learners(core::user_data_folder());

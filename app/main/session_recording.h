@@ -1,5 +1,5 @@
-// The recording of a session with a person, if one was requested. All other parts report here; without a recording the
-// calls do nothing. App thread, except for what the audio thread calls.
+// The recording of a session with a person, if the person requested one. All other parts report to this class; without
+// a recording, its functions do nothing. App thread, except for the functions that the audio thread calls.
 #pragma once
 
 #include <memory>
@@ -20,21 +20,21 @@ namespace handrail::program {
 
 class SessionRecording {
 public:
-    // Begins a recording if the arguments request it. `news` get where it is, or why there is none. The clock outlives
-    // this object.
+    // Begins a recording if the arguments request it. Adds a sentence to `news` that says where the recording is, or
+    // why there is none. The clock must outlive this object.
     SessionRecording(const ExploreArguments& arguments, const settings::Settings& settings, Clock& clock,
                      std::vector<std::string>& news);
 
-    // For the parts that are recorded; null if nothing is recorded.
+    // These functions return where other parts write what is recorded of them; null if nothing is recorded.
     Arrivals* arrivals() { return arrivals_ ? &*arrivals_ : nullptr; }
     servo::HandRing* hand(std::size_t which) { return recorder_ ? &recorder_->hand(which) : nullptr; }
     dynamics::EngineRecording* bodies() { return recorder_ ? &recorder_->bodies() : nullptr; }
     void listen_to(core::Session& app);
-    // Call before the audio thread starts.
+    // Wraps the outputs, so that their use is recorded. Call it before the audio thread starts.
     sinks::SoundOutputs noted(sinks::SoundOutputs outputs);
     void listen_to(cues::AudioThread& sound);
 
-    // Call after the session's tick; returns what happened in it.
+    // Call after the session's tick. Records the tick and returns the events that happened in it.
     std::vector<core::SessionEvent> ticked(core::Session& app, double now_s, const servo::ToolState& tool,
                                            const servo::ToolState& left_tool);
     // See Recorder::handed_over.
@@ -44,14 +44,14 @@ public:
     void note(const char* is, std::uint64_t number = 0) {
         if (recorder_) recorder_->note(is, clock_.now_s(), number);
     }
-    // Stops recording, as what follows concerns other people. Returns false if nothing was being recorded.
+    // Stops recording, because what follows concerns other people. Returns false if nothing was being recorded.
     bool leave_off();
-    // Call each frame: whether a set-up leads the person instead of the session. The recording notes it once, when it
-    // begins.
+    // Call each frame. `under_way`: the set-up, not the session, leads the person. The recording notes the beginning of
+    // each set-up.
     void set_up(bool under_way);
-    // If the recording ended too early, returns the reason once.
+    // If the recording ended too early, returns the reason once; otherwise nothing.
     std::optional<std::string> take_problem() { return recorder_ ? recorder_->take_problem() : std::nullopt; }
-    // Call after the last word.
+    // Call after the last word was spoken.
     void end() {
         if (recorder_) recorder_->end(clock_.now_s());
     }

@@ -18,7 +18,8 @@ namespace handrail::program {
 namespace {
 
 constexpr double kSample_s = 0.1, kLeap_m = 1.0;
-constexpr double kTouchCounts_s = 0.5;  // a touch or a visit counts as "here" for this long
+// A place where the person touched or visited something counts for this long as "here".
+constexpr double kTouchCounts_s = 0.5;
 constexpr std::size_t kMostContacts = 20, kMostLines = 400;
 
 // ---- the walked path ----
@@ -31,7 +32,7 @@ std::vector<results::WayPoint> way_of(const record::Recording& recording, const 
     for (const record::FrameRow& frame : recording.frames) {
         const double t_s = frame.now_s - recording.head.begun_s;
         if (t_s < events.from_s || t_s > events.to_s) continue;
-        // Frames show the state at the end of a tick; leaps are noted during the tick.
+        // Frames contain the state at the end of a tick, but leaps were noted during the tick.
         for (; leaps < events.leaps_s.size() && events.leaps_s[leaps] <= t_s + 1e-3; ++leaps) leap = true;
         leap = leap || (!first && glm::length(frame.feet_m - before) > kLeap_m);
         before = frame.feet_m;
@@ -91,7 +92,7 @@ std::vector<report::ReportStrategy> strategies_of(std::span<const results::WalkS
          {results::Strategy::None, "none"}}};
     const std::vector<results::StrategyWindow> windows = results::strategy_windows(samples, base_m);
     std::array<double, results::kStrategies> seconds{};
-    // The windows overlap: each counts until the next one ends.
+    // Windows overlap. Each window counts from the end of the one before to its own end.
     for (std::size_t i = 0; i < windows.size(); ++i) {
         const double begin_s = i == 0 ? windows[i].from_s : windows[i].to_s;
         const double end_s = i + 1 < windows.size() ? windows[i + 1].to_s : to_s;
@@ -178,7 +179,7 @@ report::ReportTask task_of(const record::RecordedTask& done) {
     return task;
 }
 
-// Adds the rooms that were walked through, and the path if it is on that storey.
+// Adds the rooms through which the person walked, and the walked path on that storey.
 void add_rooms(report::SessionReport& report, std::span<const results::WayPoint> walk,
                const navigation::RoomGraph& graph, const navigation::WalkSpace& space, int storey) {
     bool on_plan = false;
@@ -198,7 +199,8 @@ void add_rooms(report::SessionReport& report, std::span<const results::WayPoint>
     }
 }
 
-// What was said. When a person looks through a list, only the first answer is kept and its items are left out.
+// Returns what was said. If the person looked through a list, only the first answer is included, not the items of the
+// list.
 std::vector<report::ReportEvent> course_of(const record::Recording& recording, const record::RecordedEvents& events) {
     std::vector<report::ReportEvent> course;
     std::size_t list = 0;
@@ -241,7 +243,7 @@ Result<report::SessionReport> report_of(const record::Recording& recording, cons
     report.tasks.push_back(whole(events, walk));
     report.lesson = events.lesson;
     for (const record::RecordedTask& task : events.tasks) report.tasks.push_back(task_of(task));
-    // Without a lesson, each route on which the person was led counts as a task.
+    // In a session without a lesson, each route on which the person was guided counts as a task.
     for (std::size_t i = 0; i < (events.lesson.empty() ? events.ways.size() : 0); ++i)
         report.tasks.push_back(task_of(events.ways[i],
                                        i + 1 < events.ways.size() ? events.ways[i + 1].from_s : events.to_s, walk,

@@ -1,5 +1,5 @@
-// Makes a report from a recording and the world in which it was made: measures, strategies, contacts, the walked path
-// and the course of the session. Any thread; takes as long as finding the rooms of the world.
+// Makes a report from a recording and its world: measures, strategies, contacts, the walked path and the course of the
+// session. Any thread may call it. It takes about as long as finding the rooms of the world.
 #pragma once
 
 #include <memory>
@@ -14,13 +14,14 @@ class RoomsKept;
 
 namespace handrail::program {
 
-// Fails with a sentence where the rooms of the world cannot be found. scene: that of events.world. rooms_kept: of
-// other reports in the same world; may be null.
+// Fails with a sentence if the rooms of the world cannot be found. `scene` is the scene of events.world. `rooms_kept`
+// contains the rooms found for other reports on the same world; it may be null.
 Result<report::SessionReport> report_of(const record::Recording& recording, const record::RecordedEvents& events,
                                         const std::shared_ptr<const Scene>& scene,
                                         core::RoomsKept* rooms_kept = nullptr);
 
-// For a session of which only the results were kept: has its tasks, but neither path nor course.
+// Makes the report of a session of which only the results were kept. It contains the tasks, but neither path nor
+// course.
 report::SessionReport report_of(const learners::KeptResults& results);
 
 }  // namespace handrail::program

@@ -1,4 +1,4 @@
-// Lets the parts of a session speak, through one function that their owner provides. App thread.
+// Lets the parts of a session speak. They call a function that the owner of the session provides. App thread.
 #pragma once
 
 #include <functional>
@@ -11,12 +11,13 @@ namespace handrail::program {
 
 class SessionVoice {
 public:
-    // The clock outlives this object.
+    // The clock must outlive this object.
     SessionVoice(Clock& clock, std::function<void(std::string text, double asked_s)> speak)
         : clock_(clock), speak_(std::move(speak)) {}
 
     void operator()(std::string text) const { speak_(std::move(text), clock_.now_s()); }
-    // Sentences with the same asked_s form one reply and wait for each other; those with another one interrupt.
+    // Speaks a sentence. Sentences with the same `asked_s` form one reply: each waits for the one before. A sentence
+    // with another `asked_s` interrupts them.
     void operator()(std::string text, double asked_s) const { speak_(std::move(text), asked_s); }
 
 private:

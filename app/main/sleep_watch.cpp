@@ -14,7 +14,7 @@
 namespace handrail::program {
 namespace {
 
-constexpr int kLook_ms = 50;  // time between two checks whether to end
+constexpr int kLook_ms = 50;  // interval at which the thread checks whether it has to end
 constexpr const char* kLogin = "org.freedesktop.login1";
 constexpr const char* kLoginPath = "/org/freedesktop/login1";
 constexpr const char* kManager = "org.freedesktop.login1.Manager";
@@ -33,7 +33,7 @@ Message method(const char* service, const char* path, const char* interface, con
     return Message(dbus_message_new_method_call(service, path, interface, name));
 }
 
-// Returns the message's serial number; 0 if it could not be sent.
+// Sends a message on the bus. Returns its serial number; 0 if it could not be sent.
 unsigned send(DBusConnection* bus, const Message& message) {
     dbus_uint32_t serial = 0;
     return message && dbus_connection_send(bus, message.get(), &serial) ? serial : 0;
@@ -62,7 +62,8 @@ void SleepWatch::let_sleep() {
     inhibitor_ = Descriptor(-1);
 }
 
-// libdbus's own calls wait up to 25 s for answers. Here messages are only sent, and take() receives the answers.
+// Runs on the thread of this object. libdbus's own calls wait up to 25 s for an answer, so this function only sends
+// messages, and take() receives the answers.
 void SleepWatch::run(const std::stop_token& end) {
     bus_ = dbus_connection_open_private(system_bus(), nullptr);
     if (!bus_) return;

@@ -1,7 +1,7 @@
-// Removes the force before the computer sleeps. A suspended program commands nothing, and a device with its own power
-// would hold the last force. logind announces each sleep and waits, by default up to 5 s, for programs that hold a
-// delay inhibitor. The app thread owns one SleepWatch for the program. Its separate thread talks to logind over the
-// system bus and never waits for an answer. Without a bus or logind it does nothing.
+// Removes the force before the computer sleeps. A suspended program sends no commands, and a device with its own power
+// supply would keep applying the last force. logind announces each sleep and waits, by default up to 5 s, for programs
+// that have a delay inhibitor. The app thread owns one SleepWatch for the program. A separate thread talks to logind
+// over the system bus and never waits for an answer. If there is no bus or no logind, the class does nothing.
 #pragma once
 
 #include <atomic>
@@ -18,17 +18,18 @@ namespace handrail::program {
 
 class SleepWatch {
 public:
-    // `release` runs on the watch's thread as soon as logind announces a sleep. It must not wait.
+    // `release` is called on the thread of this object as soon as logind announces a sleep. It must not wait.
     explicit SleepWatch(std::function<void()> release);
     ~SleepWatch();
     SleepWatch(const SleepWatch&) = delete;
     SleepWatch& operator=(const SleepWatch&) = delete;
 
-    // Any thread. True while the computer waits for us. Call let_sleep() only when no force is left. After kMostDelay_s
-    // the watch lets the computer sleep in any case.
+    // delays_sleep() returns true while the computer waits for us before it sleeps. Call let_sleep() once no force is
+    // left. After kMostDelay_s, the thread of this object lets the computer sleep in any case. Any thread may call both
+    // functions.
     bool delays_sleep() const;
     void let_sleep();
-    // App thread: true once after each sleep.
+    // Returns true once after each sleep. App thread.
     bool take_woken() { return woken_.exchange(false); }
 
     static constexpr double kMostDelay_s = 1.0;
@@ -40,14 +41,14 @@ private:
     void inhibit();
 
     std::function<void()> release_;
-    // Used by the watch's thread.
+    // Members that only the thread of this object uses.
     DBusConnection* bus_ = nullptr;
-    unsigned hello_ = 0, inhibit_ = 0;  // serial numbers of calls
+    unsigned hello_ = 0, inhibit_ = 0;  // serial numbers of calls whose answers are awaited
     double announced_s_ = 0.0;
 
     mutable std::mutex mutex_;
-    Descriptor inhibitor_{-1};  // under mutex_; logind waits until it is closed
-    bool delaying_ = false;     // under mutex_
+    Descriptor inhibitor_{-1};  // guarded by mutex_; logind delays the sleep until this descriptor is closed
+    bool delaying_ = false;     // guarded by mutex_; the computer waits for us
     std::atomic<bool> woken_{false};
     std::jthread thread_;
 };

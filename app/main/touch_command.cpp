@@ -30,12 +30,14 @@ namespace {
 
 constexpr double kFarthest_m = 1e6;
 constexpr double kFirstTick_s = 1e-3;
-constexpr double kMostReact_s = 0.01;    // a row that comes later than this does not push any more
-constexpr double kMostGap_s = 10.0;      // longest time between two rows; everything has come to rest before
-constexpr double kIdealCeiling_n = 2.5;  // force limit of the hand that moves things, if no device gives one
-constexpr double kJump_hand_m = 0.020;   // farthest hand travel between two rows that is accepted from a device
+constexpr double kMostReact_s = 0.01;  // longest time between two rows during which the hand pushes free bodies
+constexpr double kMostGap_s = 10.0;    // longest accepted time between two rows; free bodies come to rest sooner
+// Force limit, in newtons, with which the hand pushes bodies if no device gives one.
+constexpr double kIdealCeiling_n = 2.5;
+// Farthest that a hand can travel between two rows without counting as a fault of the device.
+constexpr double kJump_hand_m = 0.020;
 
-// The shortest decimal that reads back as the same double; zero never has a sign.
+// Appends the shortest decimal that reads back as the same double. Zero never has a sign.
 void append_number(std::string& out, double value) {
     if (std::isnan(value)) {
         out += "nan";
@@ -46,7 +48,7 @@ void append_number(std::string& out, double value) {
     out.append(digits.data(), written.ptr);
 }
 
-// RFC 4180: quoted where the text holds a comma, a quote or a line break.
+// Appends a text as in RFC 4180: in quotes if it contains a comma, a quote or a line break.
 void append_text(std::string& out, std::string_view text) {
     if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
         out += text;
@@ -60,14 +62,14 @@ void append_text(std::string& out, std::string_view text) {
     out += '"';
 }
 
-// Finds faults of a row before the renderer sees it.
+// Finds faults of rows, so that the renderer sees only sound ones.
 class RowChecks {
 public:
     // `jump_m` is infinity if no device's limits apply.
     explicit RowChecks(double jump_m) : jump_m_(jump_m) {}
 
-    // Returns the name of the fault, or an empty string. A row is accepted if it is near the last good row (after a
-    // spike) or near the previous row (after a real jump).
+    // Returns the name of the row's fault, or an empty string. A row is accepted if it is near the last good row, or
+    // near the row before. So a single spike is refused, but a real jump is accepted from its second row on.
     const char* judge(const Vec3& p) {
         if (!is_finite(p)) return "not_finite";
         if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kFarthest_m) return "out_of_range";
@@ -93,7 +95,7 @@ render::TouchTuning tuning_of(const TouchArguments& arguments, const device::Dev
     constexpr double kNotGiven = -1.0;
     tuning.override_stiffness_n_per_m = arguments.stiffness_n_per_m.value_or(kNotGiven);
     tuning.override_damping_ns_per_m = arguments.damping_ns_per_m.value_or(kNotGiven);
-    // One friction option sets both.
+    // If only one of the two friction options is given, it sets both values.
     tuning.override_friction_static =
         arguments.friction_static.value_or(arguments.friction_kinetic.value_or(kNotGiven));
     tuning.override_friction_kinetic =
@@ -101,12 +103,11 @@ render::TouchTuning tuning_of(const TouchArguments& arguments, const device::Dev
     return tuning;
 }
 
-// The bodies of the world that are free to move, in the time of the rows. At each row the hand pushes and feels them,
-// while the physics engine continues in its own steps. The same rows give bit-identical results. Does nothing if no
-// body is free.
+// Simulates the free bodies of the world. At each row, the hand pushes and feels them; between rows, the physics engine
+// advances in its own steps. Equal rows give bit-identical results. Does nothing if no body is free.
 class MovingThings {
 public:
-    // `scene`: the moving things are separated from it. `felt` is compiled from it.
+    // `felt` is compiled from the scene from which the free bodies were separated.
     MovingThings(const core::EnteringWorld& world, const render::HapticScene& felt, const render::TouchTuning& tuning,
                  double ceiling_n)
         : scene_(world.moves_freely), engine_(scene_) {
@@ -118,7 +119,7 @@ public:
         for (const auto& body : felt.bodies) poses_.push_back({body.start, true});
         engine_.step(frame_, events_);
     }
-    // Touches the bodies where they are at this row.
+    // Computes the contact of the hand with the scene and with the bodies, where they are at the time of this row.
     render::TouchResult touch(render::TouchState& state, const render::HapticScene& felt,
                               const render::TouchTuning& tuning, const Vec3& hand_m, double dt_s) {
         bodies_.hear(frame_);
@@ -214,7 +215,8 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err,
                 << '\n';
             return 2;
         }
-        if (limits->name == device::ideal_device_spec().name) limits = nullptr;  // the ideal device has no limits
+        // The limits of the ideal device do not apply, because it has none.
+        if (limits->name == device::ideal_device_spec().name) limits = nullptr;
     }
     const auto refuse = [&](const Error& error) {
         progress.done();

@@ -13,7 +13,8 @@
 namespace handrail::program {
 namespace {
 
-// FNV-1a, 64 bits (Fowler, Noll and Vo; RFC 9923). It compares bits and not values, so 0.0 and -0.0 differ.
+// The checksum FNV-1a with 64 bits (Fowler, Noll and Vo; RFC 9923). It uses the bits of numbers, so 0.0 and -0.0
+// differ.
 class Checksum {
 public:
     void take(double value) {

@@ -1,5 +1,5 @@
-// What was said, played and felt in a session on the virtual clock, as text for people and for a comparison of two
-// program versions byte for byte. Pure functions.
+// Writes what was said, played and felt in a session on the virtual clock. People can read the text, and two versions
+// of the program can be compared byte for byte. Pure functions.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace handrail::program {
 
-// One line for each sentence ("   1.250 say ..."), each sound and each change of a loop, in the order of time. Every
-// tenth of a second a line says where the walker and the hand are. Numbers read back bit for bit. Each of these lines
-// ends in a checksum of all ticks until then (a thousand a second), so two sessions that differ anywhere differ in
-// their text. Seconds, metres, newtons, radians; world axes. Ends in a line feed.
+// Returns a text with one line for each sentence ("   1.250 say ..."), each sound and each change of a loop, in the
+// order of time. Every tenth of a second, a line says where the walker and the hand are. Each such line ends in a
+// checksum of all ticks until then, a thousand a second. So the texts of two sessions differ if the sessions differ
+// anywhere. Numbers read back bit for bit. Seconds, metres, newtons, radians; world axes. The text ends in a line feed.
 std::string transcript(const core::SessionLog& log);
 
 }  // namespace handrail::program

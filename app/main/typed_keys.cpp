@@ -10,8 +10,8 @@
 namespace handrail::program {
 namespace {
 
-// Equal keys that follow each other faster than this are one key held down. The Linux console repeats eleven times a
-// second, other terminals faster, and nobody taps one key so fast on purpose.
+// If the same key arrives again within this time, it counts as held down. The Linux console repeats eleven times a
+// second, other terminals faster, and nobody taps a key so fast on purpose.
 constexpr double kRepeats_s = 0.1;
 
 std::string_view terminal_kind() {
@@ -19,7 +19,7 @@ std::string_view terminal_kind() {
     return kind ? kind : "";
 }
 
-// Writes to the terminal, which takes a few characters without waiting.
+// Writes to the terminal, which accepts a few characters without waiting.
 void show(std::string_view text) {
     while (!text.empty()) {
         const ssize_t put = ::write(STDOUT_FILENO, text.data(), text.size());
@@ -64,7 +64,7 @@ void TypedKeys::take(double now_s, wizard::WizardSession* wizard) {
 }
 
 void TypedKeys::take_input(const terminal::TimedInput& came, wizard::WizardSession* wizard, double now_s) {
-    // The question was answered or left meanwhile through another input.
+    // Another input has answered the question, or left it, so close the line for its answer.
     if (editor_.is_open() && answers_ && !asked(wizard)) show(editor_.close());
     if (!editor_.is_open()) {
         const terminal::TerminalInput& input = came.input;
@@ -85,7 +85,7 @@ bool TypedKeys::take_into_line(const terminal::TerminalInput& input, wizard::Wiz
     terminal::LineEditor::Reply reply = editor_.take(input);
     show(reply.echo);
     for (std::string& line : reply.lines) {
-        // The answer to a question does not wait until a walk ends.
+        // Apply the answer to a question at once; other lines wait until a walk ends.
         if (asked(wizard)) app_.apply(core::LineTyped{line}, now_s);
         else lines_.lines().add(std::move(line));
     }
@@ -98,7 +98,7 @@ void TypedKeys::take_key(const terminal::TimedInput& came, wizard::WizardSession
     const bool held = !key.empty() && key == last_key_ && came.at_s - last_key_s_ < kRepeats_s;
     last_key_ = key;
     last_key_s_ = came.at_s;
-    // A pressed key cancels the typed lines that still wait.
+    // A newly pressed key discards the typed lines that still wait.
     if (!held) lines_.lines().drop();
     const auto command = app_.keys().find(key);
     const bool again =

@@ -1,6 +1,6 @@
-// The keys of a terminal, which act at once as those of the window do, and words typed after a colon. A terminal never
-// reports that a key goes up, so each key is a tap. A key that repeats, as if held, acts again only when what it began
-// is over. App thread; the stop key acts on the thread of the terminal keys.
+// Keys of a terminal, which act at once as the keys of the window do, and words that the person types after a colon. A
+// terminal never reports that a key was released, so each key counts as a tap. A held key repeats, and then acts again
+// only after the action that it began has ended. App thread; the stop key acts on the thread of terminal::TerminalKeys.
 #pragma once
 
 #include <memory>
@@ -19,14 +19,14 @@ namespace handrail::program {
 
 class TypedKeys {
 public:
-    // Null if standard input or output is no terminal, or if the terminal supports no keys (TERM=dumb), as in editors.
-    // All arguments outlive this object, whose destruction restores the terminal.
+    // Returns null if standard input or output is no terminal. Also returns null if the terminal supports no keys
+    // (TERM=dumb), as in editors. All arguments must outlive the object. Its destructor restores the terminal.
     static std::unique_ptr<TypedKeys> open(core::Session& app, WorldVisits& worlds, servo::ServoSwitches& switches,
                                            Clock& clock);
 
-    // Call once a frame. Input goes to the wizard if it is not null.
+    // Call once a frame. If `wizard` is not null, it receives the input.
     void take(double now_s, wizard::WizardSession* wizard);
-    // True if the person left, or if the terminal has gone.
+    // Returns true if the person left, or if the terminal was closed.
     bool closed() const { return closed_ || acts_.closed() || lines_.left(); }
 
 private:
@@ -41,12 +41,12 @@ private:
     KeyActs acts_;
     ProgramLines lines_;
     terminal::LineEditor editor_;
-    bool answers_ = false;  // the open line answers a question of the session
+    bool answers_ = false;  // true if the open line is the answer to a question of the session
     std::string last_key_;
     double last_key_s_ = 0.0;
     bool closed_ = false;
     std::unique_ptr<terminal::RawTerminal> terminal_;
-    terminal::TerminalKeys keys_;  // last: its thread uses the switches
+    terminal::TerminalKeys keys_;  // declared last, because its thread uses the switches
 };
 
 }  // namespace handrail::program

@@ -32,8 +32,8 @@ std::vector<std::string> TypedLines::take_rest() {
     return rest;
 }
 
-// The word for the stop key acts at once when a person types it at a terminal. In a file or a pipe it waits for its
-// turn, as a line of a script. Runs on the line watch's thread.
+// Carries out the word for the stop key at once, if a person typed it at a terminal. In a file or a pipe, the word
+// waits for its turn like any line of a script. Runs on the thread of the LineWatch.
 bool TypedLines::stops_at_once(std::string_view line) {
     if (!typed_) return false;
     const auto parsed = core::parse_terminal_line(line);
@@ -43,7 +43,8 @@ bool TypedLines::stops_at_once(std::string_view line) {
 }
 
 void TypedLines::take(double now_s, wizard::WizardSession* wizard, bool hand_is_sought) {
-    const bool ended = watch_.ended();  // checked first: lines that came before the end are taken below
+    // Queried first, so that the lines that arrived before the end are certainly read below.
+    const bool ended = watch_.ended();
     bool emptied = false;
     std::vector<std::string> typed =
         watch_.take(emptied, terminal::LineWatch::kMostWaiting -
@@ -52,7 +53,7 @@ void TypedLines::take(double now_s, wizard::WizardSession* wizard, bool hand_is_
     for (std::string& line : typed) lines_.lines().add(std::move(line));
     if (lines_.take(now_s, wizard) || !ended) return;
     if (wizard) return wizard->end_of_lines();
-    // Nobody will answer the welcome any more, as the input has ended.
+    // The input has ended, so nobody can answer the welcome any more.
     if (app_.greeting_waits()) return void(app_.apply(core::LessonLeft{}, now_s));
     closed_ = !hand_is_sought;
 }

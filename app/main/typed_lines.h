@@ -1,5 +1,5 @@
-// What a person or a script types line by line when there is no window. App thread; the word for the stop key, typed at
-// a terminal, acts on the line watch's thread.
+// Reads the lines that a person or a script types when there is no window. App thread. If a person types the word for
+// the stop key at a terminal, it acts on the thread of the LineWatch.
 #pragma once
 
 #include <string>
@@ -14,17 +14,17 @@ namespace handrail::program {
 
 class TypedLines {
 public:
-    // All of these outlive this object. It reads standard input from its construction on; the lines of `before` come
-    // first.
+    // All arguments must outlive this object. From its construction on, it reads standard input. The lines in `before`
+    // are carried out first.
     TypedLines(core::Session& app, WorldVisits& worlds, servo::ServoSwitches& switches,
                const std::vector<std::string>& before = {});
 
-    // Call once a frame. Input goes to the wizard if it is not null. While a hand is searched for, the end of the lines
-    // does not end the session.
+    // Call once a frame. If `wizard` is not null, it receives the input. If `hand_is_sought`, the session does not end
+    // at the end of the lines, because the search for a hand is not over.
     void take(double now_s, wizard::WizardSession* wizard, bool hand_is_sought);
-    // True if the person left, or if there are no more lines and nothing is awaited.
+    // Returns true if the person left, or if all lines were carried out and nothing is awaited.
     bool closed() const { return closed_ || lines_.left(); }
-    // Lines that were read but not yet carried out, for the next reader.
+    // Returns the lines that were read but not yet carried out, for the next session.
     std::vector<std::string> take_rest();
 
 private:
@@ -35,7 +35,7 @@ private:
     const bool typed_;  // standard input is a terminal
     ProgramLines lines_;
     bool closed_ = false;
-    terminal::LineWatch watch_;  // last: its thread uses the others
+    terminal::LineWatch watch_;  // declared last, because its thread uses the other members
 };
 
 }  // namespace handrail::program

@@ -1,6 +1,6 @@
-// The person's input at the window and the parts that belong to it: keys, text, pointer movement, the accessible list,
-// the braille display's keys. App thread; the stop key and the loss of keyboard focus also act at once on the window's
-// own thread.
+// Handles the person's input if there is a window: keys, text, pointer movement, the accessible list, and the keys of
+// the braille display. App thread. The stop key and the loss of keyboard focus also act at once, on the thread of the
+// window.
 #pragma once
 
 #include <memory>
@@ -17,13 +17,13 @@ namespace handrail::program {
 
 class WindowInput {
 public:
-    // All of these outlive this object. The ears own the outputs that belong to a window.
+    // All arguments that are references must outlive this object. `ears` owns the outputs that belong to a window.
     WindowInput(std::unique_ptr<window::Window> window, core::Session& app, WorldVisits& worlds, Ears& ears,
                 servo::ServoSwitches& switches, Clock& clock);
 
-    // Call once a frame. Input goes to the wizard if it is not null.
+    // Call once a frame. If `wizard` is not null, it receives the input.
     void take(wizard::WizardSession* wizard);
-    // True if the person left before there was a world, or closed the window.
+    // Returns true if the person left before there was a world, or closed the window.
     bool closed() const { return closed_ || acts_.closed(); }
     void draw(const core::ViewState& view) { window_->draw(view); }
 

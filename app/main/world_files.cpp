@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The folder next to the program, installed or built. A build folder contains a link to it, which is followed. If it
-// does not exist, this is still a path that an error can name.
+// Returns the folder with the worlds that are installed with the program. A build folder contains a link to it, which
+// this function follows. If the folder does not exist, returns its path all the same, so that an error can name it.
 fs::path installed_folder() {
     std::error_code ec;
     const fs::path program = fs::read_symlink("/proc/self/exe", ec);
@@ -35,7 +35,7 @@ fs::path folder_as_set() {
     return set && *set ? fs::path(set) : fs::path();
 }
 
-// The absolute path with links followed.
+// Returns the absolute path of a world, with links followed.
 fs::path real_world(const fs::path& world) {
     std::error_code ec;
     fs::path whole = fs::weakly_canonical(fs::absolute(world, ec), ec);

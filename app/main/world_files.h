@@ -1,5 +1,5 @@
-// Finds the worlds that come with the program: next to an installed program, else in the source tree from which it was
-// built.
+// Finds the worlds that are shipped with the program: next to the installed program, or else in the source tree from
+// which it was built.
 #pragma once
 
 #include <filesystem>
@@ -16,40 +16,44 @@ namespace handrail::program {
 
 struct CommonArguments;
 
-// HANDRAIL_WORLDS if set, else ../share/handrail/worlds relative to the program, else worlds/maps in the source tree.
+// Returns HANDRAIL_WORLDS if it is set, else ../share/handrail/worlds relative to the program, else worlds/maps in the
+// source tree.
 std::filesystem::path world_folder();
-// True if the world is one of these, or one of those that would be used without HANDRAIL_WORLDS or an installation. The
-// path may be any one to it; links are followed.
+// Returns true if the world is in world_folder(), or in the folder that would be used without HANDRAIL_WORLDS or
+// without an installation. `world` may be any path to it; links are followed.
 bool is_shipped(const std::filesystem::path& world);
-// The path under which the data kept about a world is found again. It is the path as given; for a world that comes with
-// the program it is absolute with links followed.
+// Returns the path under which data about a world is kept and found again. It is `world` as given. If the world is
+// shipped with the program, it is the absolute path with links followed.
 std::filesystem::path kept_by(const std::filesystem::path& world);
-// The world in world_folder() with this name ("house"), if no file here has that name; none if there is none.
+// Returns the world in world_folder() with this name, such as "house". Returns nothing if there is no such world, or if
+// a file in the current folder has that name.
 std::optional<std::filesystem::path> world_by_name(const std::filesystem::path& name);
-// The names of those worlds, such as "house".
+// Returns the names of the worlds in world_folder(), such as "house".
 std::vector<std::string> world_names();
-// Finds the world that a command names: a file, or a name such as "house". If neither exists and the word may be a
-// name, fails with the nearest one; a missing file is reported by the reader.
+// Finds the world that a command names: a file, or a name such as "house". If neither exists, and `word` may be a name,
+// fails and suggests the nearest name. If `word` is a path, returns it, and the reader then reports the missing file.
 Result<std::filesystem::path> world_given(const std::filesystem::path& word);
-// Calls import_world with the person's cache. Any thread except the app thread.
+// Calls import_world with the person's cache. Any thread except the app thread may call it.
 Result<importing::ImportedWorld> imported(const std::filesystem::path& world, const readers::ReadOptions& options);
-// The same for scenarios, recordings and lessons; see WorldReader in app/core/scenario/read_request.h.
+// Imports a world for scenarios, recordings and lessons; see WorldReader in app/core/scenario/read_request.h.
 Result<Scene> imported_scene(const core::WorldRequest& request);
-// Reads the TOML files next to a world, which somebody else may have written. Uses TomlApart, or this process if
-// handrail-reader is missing. Any thread.
+// Returns a reader for the TOML files next to a world, which somebody else may have written. It parses them in a
+// separate process with TomlApart, or in this process if handrail-reader is missing. Any thread may use it.
 const settings::TomlReader& toml_beside_worlds();
-// Keeps routes and rooms in the person's cache. Does nothing without a cache, or without handrail-reader, which unpacks
-// them.
+// Returns an object that keeps routes and rooms in the person's cache. It does nothing if there is no cache. It also
+// does nothing if handrail-reader is missing, because that program unpacks them.
 core::RoutesKeeper ways_in_cache();
-// Adds the unit that a person has stated for this world before, if the request has none. See keep_unit. Any thread.
+// Returns the request with the unit that a person has stated for this world before, if it contains none. See keep_unit.
+// Any thread may call it.
 core::WorldRequest with_kept_unit(core::WorldRequest request, const CommonArguments& common);
-// Adds the doors that a person has marked as missing. They come from the data folder of `common`, be it the user's or a
-// learner's. Without any, the scene stays as it is. Any thread.
+// Returns the scene with the doors that a person has marked as missing from the file. They come from the data folder of
+// `common`, which is the user's or a learner's. Without such doors, the scene does not change. Any thread may call it.
 Scene mended(Scene scene, const std::filesystem::path& world, const CommonArguments& common);
-// An imported world as commands use it: with the doors added, and valid by validate(). Any thread.
+// Returns an imported world as commands use it: with the missing doors added, and checked by validate(). Any thread may
+// call it.
 Result<Scene> mended_and_valid(Result<importing::ImportedWorld> read, const std::filesystem::path& world,
                                const CommonArguments& common);
-// The world that the first start of the program explores.
+// Returns the world that the program explores if the person names none.
 std::filesystem::path first_world();
 
 }  // namespace handrail::program

@@ -1,4 +1,5 @@
-// Reads a world from its file and prepares it for entering, on a separate thread. App thread.
+// Reads a world from its file and prepares it for a session, on a separate thread. The app thread owns and uses the
+// object.
 #pragma once
 
 #include <functional>
@@ -14,33 +15,34 @@
 
 namespace handrail::program {
 
-// The loaded world, how its file was read, and the settings that it brings.
+// The loaded world, the request by which it was read, and the settings that it brings.
 struct LoadedWorld {
     core::EnteringWorld entering;
     core::WorldRequest asked;
-    core::WorldRequest request;        // the same with the unit that a person has stated before
-    settings::SettingsStore settings;  // only those of SettingSource::World
+    core::WorldRequest request;        // the same as `asked`, with the unit that a person has stated before
+    settings::SettingsStore settings;  // only the settings of SettingSource::World
     std::vector<Diagnostic> settings_problems;
 };
 
-// The settings in the file next to the world (SettingSource::World), overridden by those of a lesson.
+// Returns the settings from the file next to the world (SettingSource::World). The settings of a lesson override them.
 settings::SettingsStore settings_of(const core::WorldRequest& request, std::vector<Diagnostic>& problems);
 
 class WorldLoading {
 public:
-    // Begins to load at once.
+    // Begins to load the world at once.
     WorldLoading(const core::WorldRequest& request, const CommonArguments& common);
 
     bool ready() const { return task_.ready(); }
-    // Calls `say` with the sentence that is due: "Loading, 40 percent: building walls and floors."
+    // Calls `say` with the sentence that is due, such as "Loading, 40 percent: building walls and floors."
     void tell(double now_s, const std::function<void(const std::string&)>& say) const { progress_.tell(now_s, say); }
-    // Returns the world once, when ready. Fails as read_world does, or if memory did not suffice.
+    // Returns the world once, when it is ready. Fails as read_world does, or if memory did not suffice.
     Result<LoadedWorld> take();
 
 private:
     LongWork progress_ = LongWork::begun();
-    std::string file_;                                                 // name of the file
-    BackgroundTask<Result<LoadedWorld>> task_{on_threads(), "world"};  // last: its thread uses the others
+    std::string file_;  // name of the file
+    // Declared last, because its thread uses the other members.
+    BackgroundTask<Result<LoadedWorld>> task_{on_threads(), "world"};
 };
 
 }  // namespace handrail::program

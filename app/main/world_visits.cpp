@@ -16,7 +16,8 @@ namespace handrail::program {
 
 namespace {
 
-// The word for an input in a crash report. Empty if the input says nothing, or only something about the person.
+// Returns the word for an input in a crash report. Empty if the input does not help to explain a crash, or only says
+// something about the person.
 std::string_view act_word(const core::SessionInput& input) {
     if (const auto* down = std::get_if<core::CommandDown>(&input)) return core::info(down->command).word;
     if (std::holds_alternative<core::LineTyped>(input)) return "line-typed";
@@ -94,7 +95,7 @@ core::WorldRequest WorldVisits::first() const {
     return request;
 }
 
-// Removes the settings of the previous world and applies those of the new one.
+// Replaces the settings of the previous world by those of the new one.
 void WorldVisits::take_settings(settings::SettingsStore settings, const std::vector<Diagnostic>& problems,
                                 double asked_s) {
     settings_.take_layer(settings::SettingSource::World, std::move(settings));
@@ -121,12 +122,13 @@ void WorldVisits::enter(LoadedWorld world, double asked_s) {
                     {{"count", report.warnings_in_all}, {"first", report.warnings.front().sentence()}}),
              asked_s);
     core::SideFile side_file = additions_to(world.request.file);
-    // The unit from the command line is kept when the world is first entered. From then on the kept unit applies.
+    // Stores the unit that the command line states when the person first enters the world. From then on, the stored
+    // unit applies.
     if (world.asked.unit_m) {
         core::keep_unit(side_file, *world.asked.unit_m);
         if (const auto saved = side_file.save(); !saved) say_(saved.error().sentence(), asked_s);
     }
-    // Deletes progress that was kept without consent, or before it was withdrawn.
+    // Deletes progress that was stored without consent, or before the consent was withdrawn.
     if (!arguments_.common.data_in.empty()) {
         core::set_remembers(side_file, arguments_.remember);
         if (const auto saved = side_file.save(); !saved) say_(saved.error().sentence(), asked_s);
@@ -145,8 +147,8 @@ void WorldVisits::enter(LoadedWorld world, double asked_s) {
     app_.apply(core::WorldsKnown{{world_folder(), recent_.worlds()}}, asked_s);
 }
 
-// The person's additions to the world. A learner's are in the learner's own folder, and begin as a copy of the common
-// ones.
+// Returns the person's additions to the world. Those of a learner are in the learner's own folder, and begin as a copy
+// of the common ones.
 core::SideFile WorldVisits::additions_to(const std::filesystem::path& path) const {
     const std::filesystem::path kept = kept_by(path);
     if (arguments_.common.data_in.empty())
@@ -166,7 +168,7 @@ void WorldVisits::begin_reading(core::WorldRequest request) {
     next_ = std::make_unique<WorldLoading>(asked_, arguments_.common);
 }
 
-// Course to the last place. If that is in another world, this world is read first.
+// Leads the person to the last place. If that place is in another world, reads that world first.
 void WorldVisits::go_on_at(core::LastPlace last, double now_s) {
     std::error_code ec;
     if (std::filesystem::equivalent(last.world.file, here_.file, ec) && last.world.building == here_.building)
@@ -178,7 +180,8 @@ void WorldVisits::go_on_at(core::LastPlace last, double now_s) {
 void WorldVisits::change(double now_s) {
     if (auto wanted = app_.requests().take_world()) {
         if (next_) return say_(phrase("program.still_read", {{"world", core::name_of_file(asked_.file)}}));
-        wanted->map_scale_m_per_unit = arguments_.common.map_scale_m_per_unit;  // applies to every map
+        // The scale from the command line applies to every map.
+        wanted->map_scale_m_per_unit = arguments_.common.map_scale_m_per_unit;
         begin_reading(std::move(*wanted));
     }
     if (app_.requests().take_read_again() && !next_ && !here_.file.empty()) {
@@ -198,7 +201,7 @@ void WorldVisits::change(double now_s) {
     if (place) app_.apply(core::WentOnAt{*place}, now_s);
 }
 
-// The current world stays as it was read until the person reloads it.
+// Announces it if the file has changed. The current world does not change until the person reloads it.
 void WorldVisits::watch_file(double now_s) {
     const WorldWatch::News news = watch_.look(now_s);
     if (news == WorldWatch::News::None) return;

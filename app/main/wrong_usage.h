@@ -1,5 +1,5 @@
-// Says what is wrong with a command line in one sentence of the spoken language: the parsing library finds the fault,
-// the words are ours. App thread.
+// Explains in one sentence of the spoken language what is wrong with a command line. CLI11 finds the fault; this file
+// has the sentences. App thread.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,7 +7,8 @@
 
 namespace handrail::program {
 
-// `app` is the command that was parsed. The library's own words appear only for a fault for which we have no sentence.
+// `app` is the command that was parsed. CLI11's own message is used only for a fault for which Handrail has no
+// sentence.
 std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace handrail::program
