@@ -46,7 +46,7 @@ public:
     void tell(double now_s, const std::function<void(const std::string&)>& say) const;
     // Waits until there is work, or until end_waiting() has set `stop`. Returns true if there is work.
     bool wait_for_work(const bool& stop) const;
-    // Waits for `seconds`, or until `stop` is set.
+    // Waits for `seconds`, or until `stop` is set or the work is done.
     void wait_s(double seconds, const bool& stop) const;
     void end_waiting(bool& stop) const;
 

@@ -30,8 +30,8 @@ namespace {
 
 constexpr double kFarthest_m = 1e6;
 constexpr double kFirstTick_s = 1e-3;
-constexpr double kMostReact_s = 0.01;  // longest time between two rows during which the hand pushes free bodies
-constexpr double kMostGap_s = 10.0;    // longest accepted time between two rows; free bodies come to rest sooner
+constexpr double kMostReact_s = 0.01;  // the hand pushes free bodies for at most this time at each row
+constexpr double kMostGap_s = 10.0;    // longest simulated time between two rows; free bodies come to rest sooner
 // Force limit, in newtons, with which the hand pushes bodies if no device gives one.
 constexpr double kIdealCeiling_n = 2.5;
 // Farthest that a hand can travel between two rows without counting as a fault of the device.
@@ -215,7 +215,7 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err,
                 << '\n';
             return 2;
         }
-        // The limits of the ideal device do not apply, because it has none.
+        // The ideal device has no limits.
         if (limits->name == device::ideal_device_spec().name) limits = nullptr;
     }
     const auto refuse = [&](const Error& error) {
