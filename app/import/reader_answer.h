@@ -1,4 +1,4 @@
-// The protocol between read_apart and the process that it starts. Private to this folder.
+// The protocol between read_apart and the process that it starts, handrail-reader. Private to this folder.
 #pragma once
 
 #include "app/import/reader_process.h"
@@ -6,7 +6,8 @@
 #include "worlds/stored/archive.h"
 #include "worlds/stored/stored_scene.h"
 
-// Functions that the archive finds by its own namespace, because these types are neither its nor this folder's.
+// The archive finds these functions by argument-dependent lookup in its own namespace. Their types belong neither to
+// the archive nor to this folder.
 namespace handrail::stored {
 
 template <class A, Is<Error> T>
@@ -40,12 +41,12 @@ namespace handrail::importing {
 inline constexpr int kAnswerFd = 3, kTellFd = 4, kFilesFd = 5, kKeptFd = 6;
 inline constexpr int kReaderWords = 12;  // number of arguments, including the program's name
 inline constexpr int kWrongUse = 2, kNoMemory = 3, kNoRoom = 4, kCutMeanwhile = 5;
-// Passed in place of the names of a world and of a cached file: the text at kKeptFd is TOML. No cached file has this
-// name.
+// The program passes this word instead of the names of a world and of a cached file. It means that the text at kKeptFd
+// is TOML. No cached file has this name.
 inline constexpr const char* kTomlText = "toml";
 inline constexpr std::size_t kMostHandedOver_bytes = std::size_t{1} << 30;
 
-// Comes before the bytes of the scene or of the routes, which follow if `read` is true.
+// The first part of an answer. If `read` is true, the bytes of the scene or of the routes follow.
 struct ReaderAnswer {
     bool read = false, kept = false, kept_damaged = false;
     Error error;
@@ -63,7 +64,7 @@ void fields(A& a, T& v) {
     a(read, kept, kept_damaged, error, beside);
 }
 
-// Comes after the answer to kTomlText. A fault has a line; otherwise there are values.
+// Follows the ReaderAnswer if the request was kTomlText. If `fault` has a line, there are no values.
 struct TomlAnswer {
     Error fault;
     settings::TomlValue values;

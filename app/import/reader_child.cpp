@@ -1,4 +1,4 @@
-// The other side of read_apart, which runs in handrail-reader.
+// The part of the protocol with read_apart that runs in handrail-reader.
 #include <fmt/format.h>
 #include <signal.h>
 #include <sys/prctl.h>
@@ -26,7 +26,8 @@ namespace {
 
 void limit(int what, rlim_t most) {
     rlimit both{most, most};
-    if (what == RLIMIT_CPU) ++both.rlim_max;  // first a signal that explains the reason, then the end
+    // At the soft limit, a signal tells the reason; a second later, the hard limit ends the process.
+    if (what == RLIMIT_CPU) ++both.rlim_max;
     ::setrlimit(static_cast<__rlimit_resource_t>(what), &both);
 }
 
@@ -53,12 +54,13 @@ double metres(const char* word) {
     return parse_finite(word, value) ? value : 0.0;
 }
 
-// Ends the process if it reads a part of a mapped file that has been cut off meanwhile.
+// From now on, ends the process if it reads a part of a mapped file that somebody has cut off meanwhile.
 void end_where_the_file_was_cut() {
     struct sigaction act {};
     act.sa_sigaction = [](int, siginfo_t* info, void*) {
         if (info->si_code == BUS_ADRERR) ::_exit(kCutMeanwhile);
-        ::signal(SIGBUS, SIG_DFL);  // other faults happen again, and are then reported correctly
+        // The default action: the faulting access is repeated, and the signal then ends the process.
+        ::signal(SIGBUS, SIG_DFL);
     };
     act.sa_flags = SA_SIGINFO;
     ::sigaction(SIGBUS, &act, nullptr);
@@ -82,7 +84,8 @@ Result<Scene> read_requested(const std::string& name, const readers::ReadOptions
     return mapped ? readers::read_world_bytes(name, mapped->bytes(), options) : tl::unexpected(mapped.error());
 }
 
-// Returns true if the files needed next to the world are unchanged, and those that were missing still are.
+// Returns true if the files that the world needs next to it are unchanged. Files that were missing must still be
+// missing.
 bool same_beside(const std::vector<NeighbourFile>& beside) {
     return std::all_of(beside.begin(), beside.end(), [](const NeighbourFile& file) {
         const Result<std::string> bytes = read_requested_beside(file.name);
@@ -90,8 +93,8 @@ bool same_beside(const std::vector<NeighbourFile>& beside) {
     });
 }
 
-// Returns the cached scene with that name. Returns nothing if it is out of date, or if it cannot be trusted, which
-// `damaged` then indicates.
+// Returns the cached scene with that name. Returns nothing if it is out of date or cannot be trusted. In the second
+// case, sets `damaged`.
 std::optional<Scene> scene_kept(const std::string& name, bool& damaged) {
     const std::optional<std::string> kept = cache::kept_content(kKeptFd, name);
     Result<std::optional<Scene>> scene = fail("");
@@ -144,11 +147,12 @@ int answer_with_toml() {
 int reader_process(int argc, char** argv) {
     if (argc != kReaderWords) return kWrongUse;
     const auto parent = number<pid_t>(argv[3]);
-    // The parent may have ended before the kernel knew that it must end this process with it.
+    // Returns if the parent has already ended. The kernel then did not know yet that it must end this process together
+    // with its parent.
     if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent) return kWrongUse;
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, kMostHandedOver_bytes);
-    ::signal(SIGXFSZ, SIG_IGN);  // so that writing fails instead
+    ::signal(SIGXFSZ, SIG_IGN);  // writing too much then fails instead of ending the process
     limit(RLIMIT_CPU, number<rlim_t>(argv[5]));
 #ifndef HANDRAIL_SANITIZED
     limit(RLIMIT_AS, number<rlim_t>(argv[4]));
@@ -157,13 +161,14 @@ int reader_process(int argc, char** argv) {
     std::set_new_handler([] { ::_exit(kNoMemory); });
     const std::string name = argv[6];
     const bool reads_toml = name.empty() && std::string_view(argv[11]) == kTomlText;
-    if (!reads_toml) {  // TOML needs neither, and someone waits for it
+    if (!reads_toml) {  // parsing TOML needs neither, and a person waits for it
         (void)speak_language(argv[1], argv[2]);
-        (void)cache::sha256_of("");  // libgcrypt inspects the system when it is first used
+        // Libgcrypt reads files of the system when it is first used, which must be before confinement.
+        (void)cache::sha256_of("");
     }
     confine::Permissions permissions;
 #if defined(HANDRAIL_SANITIZED)
-    permissions.read.emplace_back("/proc");  // needed by the leak check of a sanitizer
+    permissions.read.emplace_back("/proc");  // the leak check of the sanitizer needs it
 #endif
     (void)confine::confine(permissions);  // `handrail devices` reports what the kernel lacks
 
@@ -174,7 +179,8 @@ int reader_process(int argc, char** argv) {
     options.guess_materials = argv[9][1] == '1';
     options.solid_meshes = argv[9][2] == '1';
     options.building = argv[10];
-    // Progress goes through the pipe as lines. However often the reader calls, only whole hundredths are sent.
+    // Send progress as lines through the pipe. Only whole hundredths are sent, however often the reader calls this
+    // function.
     int told = -1;
     options.progress = [&](double fraction) {
         const int percent = static_cast<int>(100.0 * std::clamp(fraction, 0.0, 1.0));

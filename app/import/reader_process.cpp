@@ -32,22 +32,24 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kReaderProgram = "handrail-reader";
-constexpr int kLookEvery_ms = 50;  // interval for checking whether the result is still wanted
+constexpr int kLookEvery_ms = 50;  // interval at which the caller checks whether the result is still wanted
 
-// The reader must not write to the person's terminal, because a terminal obeys what is written to it.
+// The reader must not write to the person's terminal, because terminals obey control sequences that are written to
+// them.
 #if defined(HANDRAIL_SANITIZED)
-constexpr bool kSanitized = true;  // a sanitizer reports there
+constexpr bool kSanitized = true;  // a sanitizer writes its reports to the terminal
 #else
 constexpr bool kSanitized = false;
 #endif
 
-// Owns a process, and ends it in the destructor.
+// Owns a process. The destructor kills the process if it has not ended.
 class Reading {
 public:
     explicit Reading(pid_t process) : process_(process) {}
     ~Reading() {
         if (ended_) return;
-        ::kill(-process_, SIGKILL);  // with everything that it may have started: it leads its own process group
+        // Kills all processes that it may have started, too, because it leads its own process group.
+        ::kill(-process_, SIGKILL);
         wait();
     }
     Reading(const Reading&) = delete;
@@ -66,7 +68,7 @@ private:
     bool ended_ = false;
 };
 
-// Handles a line of progress. "p57": percent; "stext.key": the current stage.
+// Handles a line of progress. "p57": 57 percent; "stext.key": the key of the current stage.
 void tell(const readers::ReadOptions& options, std::string_view line) {
     if (line.starts_with('p') && options.progress) {
         int percent = 0;
@@ -100,7 +102,7 @@ std::string end_words(int status, const ReaderLimits& limits, double cpu_s) {
     if (WIFSIGNALED(status)) {
         const int signal = WTERMSIG(status);
         if (signal == SIGXCPU) return too_long();
-        // The kernel killed it: either its time was over, or the machine had no memory left.
+        // The kernel killed the process: either it used up its processor time, or the machine had no memory left.
         if (signal == SIGKILL) return cpu_s >= limits.cpu_s ? too_long() : too_much();
         return phrase("import.broke_down", {{"reason", ::strsignal(signal)}});
     }
@@ -110,7 +112,7 @@ std::string end_words(int status, const ReaderLimits& limits, double cpu_s) {
     return phrase("import.broke_down", {{"reason", phrase("import.status", {{"status", WEXITSTATUS(status)}})}});
 }
 
-// The processor time that the process has used; 0 if it has ended.
+// Returns the processor time that the process has used; 0 if the process has ended.
 double processor_s(pid_t process) {
     clockid_t its{};
     timespec used{};
@@ -137,9 +139,9 @@ Result<ReadApart> read_answer(int fd, std::size_t most_bytes) {
     return ReadApart{std::move(*bytes), answer.kept, answer.kept_damaged, std::move(answer.beside)};
 }
 
-// Starts the program. The descriptors become 3, 4 and so on there.
+// Starts the program. In the new process, the descriptors in `passed` are 3, 4 and so on.
 Result<pid_t> start(const fs::path& program, std::vector<std::string> words, const std::vector<int>& passed) {
-    // First moves the descriptors to high numbers, so that none is overwritten before it is passed on.
+    // First move the descriptors to high numbers, so that none is overwritten before it is passed on.
     std::vector<Descriptor> high;
     for (const int fd : passed) high.emplace_back(::fcntl(fd, F_DUPFD_CLOEXEC, 64));
     for (const Descriptor& fd : high)
@@ -154,7 +156,8 @@ Result<pid_t> start(const fs::path& program, std::vector<std::string> words, con
     posix_spawn_file_actions_addclosefrom_np(&actions, next);
     posix_spawnattr_t how;
     posix_spawnattr_init(&how);
-    // A separate process group: a terminal's keys signal only the program, which then ends this process.
+    // Put the process into its own process group. Keys of a terminal then signal only this program, which ends the
+    // process.
     sigset_t none, all;
     sigemptyset(&none);
     sigfillset(&all);
@@ -219,10 +222,12 @@ Result<ReadApart> read_apart(const fs::path& path, const readers::ReadOptions& o
     }
     Reading reading(process);
     const SteadyClock clock;
-    // A busy machine makes reading slow. So the clock ends only a process that uses no processor time at all.
+    // On a busy machine, reading takes long. So the limit of time on the clock ends only a process that uses no
+    // processor time at all.
     double worked_s = 0.0, idle_since_s = clock.now_s();
     std::string line;
-    bool asks = !path.empty();  // unpacking routes and parsing TOML need no world, so these get no file
+    // True if the process may request files; unpacking routes and parsing TOML need no world.
+    bool asks = !path.empty();
     for (bool open = true; open;) {
         if (options.stop.stop_requested()) return fail(phrase("files.stopped"), name);
         if (const double now_worked_s = processor_s(process); now_worked_s > worked_s) {
@@ -254,7 +259,8 @@ std::string unpack_ways_apart(const KeptForReader& kept, const fs::path& program
                               const ReaderLimits& limits) {
     readers::ReadOptions options;
     options.stop = stop;
-    Result<ReadApart> read = read_apart({}, options, program, limits, kept);  // no file: the routes come from the cache
+    // No file, because the routes come from the cache.
+    Result<ReadApart> read = read_apart({}, options, program, limits, kept);
     return read ? std::move(read->scene) : std::string();
 }
 

@@ -13,9 +13,10 @@ namespace handrail::importing {
 namespace {
 
 constexpr std::size_t kLongestRequest_bytes = 4096, kLongestAnswer_bytes = 16'384;
-constexpr char kWorld = 'w', kBeside = 'b';  // first byte of a request; the name follows
+// First byte of a request: for the world itself, and for a file next to it; the name follows.
+constexpr char kWorld = 'w', kBeside = 'b';
 
-// Comes before the descriptor, which follows if the file is open.
+// The answer to a request. If the file was opened, its descriptor follows.
 struct FileAnswer {
     bool opened = false;
     std::uint64_t size = 0;
@@ -31,7 +32,7 @@ void fields(A& a, T& v) {
     a(name, error);
 }
 
-// A socket message with room for one descriptor.
+// A socket message that can carry one descriptor.
 struct Parcel {
     explicit Parcel(std::string& bytes) : part{bytes.data(), bytes.size()} {
         head.msg_iov = &part;
@@ -118,7 +119,7 @@ bool answer_request(int socket, const std::filesystem::path& world) {
     std::string bytes = pack.take();
     Parcel parcel(bytes);
     if (file) parcel.put(file->file.get());
-    // If the reader fills the socket instead of waiting for answers, it gets none.
+    // Does not wait. A reader that fills the socket instead of reading answers gets none.
     return ::sendmsg(socket, &parcel.head, MSG_DONTWAIT | MSG_NOSIGNAL) >= 0;
 }
 

@@ -22,10 +22,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// How much of the end of a recording that was cut off may be missing from some of its files.
+// If a recording was cut off, some of its files may lack this much of the end.
 constexpr double kLost_s = 0.6;
 
-// A temporary folder for what the session saves meanwhile; the destructor deletes it.
+// A temporary folder for the files that the computed session saves. The destructor deletes it.
 class Aside {
 public:
     Aside() {
@@ -40,7 +40,8 @@ public:
     Aside& operator=(const Aside&) = delete;
     const fs::path& path() const { return path_; }
 
-    // Writes what the person had added to the world to a file, next to a link to the world.
+    // Makes a folder with a link to the world and, next to the link, a file with the additions that the person had made
+    // to the world.
     core::SideFile additions_of(const RecordedWorld& world) {
         const fs::path folder = path_ / std::to_string(++worlds_);
         std::error_code ec;
@@ -140,7 +141,7 @@ private:
         return options;
     }
 
-    // Returns false if the computation cannot go on.
+    // Takes the next line of the recording. Returns false if the computation cannot continue.
     Result<bool> take(const RecordedLine& line) {
         const bool of_ears = line.is == "ears_settings" || line.is == "ears_two_hands" || line.is == "ears_stand_in";
         const bool is_one =
@@ -176,7 +177,8 @@ private:
         return true;
     }
 
-    // Reports missing rows, if the recording should have them. Always returns false.
+    // Stops the computation. If the recording was ended properly, adds a remark that rows are missing. Always returns
+    // false.
     bool stop() {
         if (recording_.ended) again_.remarks.push_back(phrase("replay.rows_missing"));
         stopped_ = true;
@@ -201,8 +203,8 @@ private:
         return {};
     }
 
-    // Computes one tick of the session; `flush` hands over its results afterwards. Returns false if the recording has
-    // no such tick, or lacks what it read.
+    // Computes one tick of the session; `flush` later hands over the results of the tick. Returns false if the
+    // recording has no such tick, or lacks something that the tick read.
     bool frame() {
         flush();
         if (frames_ >= recording_.frames.size()) return false;
@@ -221,7 +223,7 @@ private:
         if (std::exchange(to_hand_over_, false)) driver_.hand_over();
     }
 
-    // Computes all steps of the ears for which everything is available.
+    // Computes all steps of the ears for which the recording and the computation have everything that they take.
     void hear() {
         while (cues_ < recording_.cues.size()) {
             const CueRow& row = recording_.cues[cues_];
@@ -244,7 +246,7 @@ private:
     core::Session app_;
     PlayedHand right_, left_;
     PlayedEars ears_;
-    // `take_settings` does nothing, because the recording says when the ears were given the settings.
+    // `take_settings` does nothing, because lines of the recording say when the ears received the settings.
     core::SessionDriver driver_{
         app_, ears_, {.ticked = {}, .take_settings = [](auto) { return false; }, .hands_over = {}, .look_at_cues = {}}};
     ComputedAgain again_;
@@ -277,7 +279,7 @@ std::optional<LineDifference> first_difference(const Recording& recording, const
         if (both && said[i].text == again.said[i].text && said[i].speech_class == again.said[i].speech_class &&
             said[i].voiced == again.said[i].voiced)
             continue;
-        // Near the end of a recording that was cut off, one file may contain more than another, so lines there are not
+        // If a recording was cut off, one of its files may reach farther than another. So lines near its end are not
         // compared.
         if ((i < said.size() ? said[i].t_s : again.said[i].t_s) > sure_s) break;
         return LineDifference{i, i < said.size() ? said[i].text : "", i < again.said.size() ? again.said[i].text : ""};

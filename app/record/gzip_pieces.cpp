@@ -12,7 +12,7 @@
 namespace handrail::record {
 namespace {
 
-constexpr int kGzip = 15 + 16;  // the largest window; 16 selects the gzip format
+constexpr int kGzip = 15 + 16;  // 15: the largest window; 16: the gzip format
 
 Bytef* bytes_of(std::string_view text) { return reinterpret_cast<Bytef*>(const_cast<char*>(text.data())); }
 

@@ -1,5 +1,5 @@
-// Text as a series of gzip pieces in one file. Each piece is complete, so nothing already written is lost if the rest
-// is cut off, and `zcat` reads the whole file. Any thread.
+// Writes text as a series of gzip pieces in one file. Each piece is complete, so a file whose end is cut off loses only
+// the cut piece. `zcat` reads the whole file. Any thread.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,11 @@
 
 namespace handrail::record {
 
-// Packs one piece; an empty text gives an empty result. Throws std::bad_alloc if memory does not suffice.
+// Compresses one piece; an empty text gives an empty result. Throws std::bad_alloc if memory does not suffice.
 std::string gzip_piece(std::string_view text);
 
 struct GzipText {
-    std::string text;   // as much as could be read
+    std::string text;   // the text that could be read
     bool whole = true;  // false: the file is cut off or damaged after `text`
     bool huge = false;  // the text was cut at `most_bytes`
 };

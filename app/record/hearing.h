@@ -1,6 +1,6 @@
-// Plays a recording back to the listener: its lines and knocks at their times, faster or slower, with pause and jumps.
-// Its time stops while today's voice needs longer than the recorded one did. Pure logic; the owner of the voice calls
-// `go_on`.
+// Plays a recording back to a listener: its lines and knocks at their times, faster or slower, with pause and jumps.
+// The playback stops while the present voice needs longer for a line than the recorded voice did. Pure logic; the owner
+// of the voice calls `go_on`.
 #pragma once
 
 #include <vector>
@@ -18,25 +18,25 @@ public:
         double force_n = 0.0;
     };
     struct Heard {
-        std::vector<SaidLine> lines;  // at most one of them has to be spoken, the last
+        std::vector<SaidLine> lines;  // at most one of these lines has to be spoken, the last one
         std::vector<Knock> knocks;
     };
 
     // `recording` must outlive this object. `speed` is from kSlowest to kFastest.
     Hearing(const Recording& recording, double speed);
 
-    // Returns what is heard now, after `dt_s` of real time. `speaking`: the lines returned before are still being
-    // spoken.
+    // Advances the playback by `dt_s` of real time, and returns what is heard in that time. `speaking`: the voice is
+    // still speaking the lines that were returned before.
     Heard go_on(double dt_s, bool speaking);
     void stop_or_go_on() { stopped_ = !stopped_; }
     bool stopped() const { return stopped_; }
-    // Jumps to another time, limited to the ends.
+    // Jumps forwards or backwards by this time, but not beyond the ends of the recording.
     void jump(double by_s);
 
-    double at_s() const { return at_s_; }  // since the recording began
+    double at_s() const { return at_s_; }  // current time, from the beginning of the recording
     double length_s() const { return length_s_; }
     bool over() const { return at_s_ >= length_s_ && next_ >= events_.size(); }
-    // Where the walker was then; null before the first tick.
+    // Returns where the walker was at the current time; null before the first tick.
     const FrameRow* place() const;
 
 private:

@@ -1,4 +1,4 @@
-// Converts all inputs and events of a session to lines of JSON and back. Pure functions; app thread.
+// Converts the inputs and events of a session to lines of JSON, and inputs back. Pure functions; app thread.
 #pragma once
 
 #include <cstdint>
@@ -10,32 +10,34 @@
 
 namespace handrail::record {
 
-// Times are in the session's clock. "t" is written in whole milliseconds since `begun_s`.
+// Returns the line for an input. Times are on the session's clock; "t" is written in whole milliseconds since
+// `begun_s`.
 std::string input_line(const core::SessionInput& input, double now_s, std::uint64_t frame, double begun_s);
-// If a feature has a name in `scene`, the name is written next to its number. Null: no feature has a name.
+// Returns the line for an event. If a feature has a name in `scene`, the name is written next to its number. If `scene`
+// is null, no names are written.
 std::string event_line(const core::SessionEvent& event, const Scene* scene, double begun_s);
 
-// The settings that differ from the defaults, as JSON.
+// Returns the settings that differ from the defaults, as JSON.
 std::string settings_text(const settings::Settings& settings);
-// Fails with a sentence that names the key.
+// Reads settings written by settings_text. Fails with a sentence that names the key.
 Result<settings::Settings> read_settings_text(const std::string& json);
 
-// A world as a recording names it, so that it can be read again for computing the session again.
+// What a recording contains about a world: enough to read the world again when the session is computed again.
 struct RecordedWorld {
     core::WorldRequest request;
-    std::string checksum;  // of the file's bytes; empty if unknown
+    std::string checksum;  // checksum of the file's bytes; empty if unknown
     bool has_additions = false;
-    std::string additions;  // text of its side file; empty if there was none
+    std::string additions;  // text of the side file with the person's additions; empty if there was none
 };
 struct RecordedInput {
-    std::uint64_t frame = 0;  // number of the frame that it came before, counted from 0
+    std::uint64_t frame = 0;  // index of the frame before which the input arrived, counted from 0
     double now_s = 0.0;
-    core::SessionInput input;  // a WorldEntered lacks its world
-    RecordedWorld world;       // only for a WorldEntered
+    core::SessionInput input;  // the input; a WorldEntered has no world yet
+    RecordedWorld world;       // filled in only for a WorldEntered
 };
-// Reads one line written by input_line. Fails if it is anything else.
+// Reads one line written by input_line. Fails if the line is anything else.
 Result<RecordedInput> read_input_line(const std::string& line);
-// Returns true if "is" names an input.
+// Returns true if `is`, the field "is" of a line, names an input.
 bool is_input(const std::string& is);
 
 }  // namespace handrail::record

@@ -1,5 +1,5 @@
-// Converts between the fields in a line of events.jsonl and plain values. Private to this folder, so that JSON stays
-// inside it.
+// Converts between plain values and the fields of lines in events.jsonl. Private to this folder, so that no other
+// folder uses JSON for recordings.
 #pragma once
 
 #include <array>
@@ -14,17 +14,17 @@ namespace handrail::record {
 
 using Json = nlohmann::ordered_json;
 
-// Of SpeechClass, in its order.
+// The words for SpeechClass, in its order.
 inline constexpr std::array<const char*, 6> kClassWords = {"alarm",    "warning", "answer",
                                                            "guidance", "contact", "ambient"};
 
 inline Json json_of_vec(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
-// Throws Json::exception if it is not an array of three numbers.
+// Reads a vector. Throws Json::exception if `json` is not an array of three numbers.
 inline Vec3 vec_of(const Json& json) {
     return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
-// Throws Json::exception unless it is a whole number that fits. The library's get<int>() converts any number, and
-// converting one that does not fit is undefined.
+// Reads a whole number. Throws Json::exception unless `json` is a whole number that fits into `Whole`. The library's
+// get<int>() converts any number, and the result is undefined if the number does not fit.
 template <class Whole>
 Whole whole_of(const Json& json) {
     if (json.is_number_unsigned()) {
@@ -36,7 +36,7 @@ Whole whole_of(const Json& json) {
     }
     throw Json::out_of_range::create(401, "range", &json);
 }
-// One line without its line break; invalid UTF-8 is replaced.
+// Returns the JSON as one line without its line break. Invalid UTF-8 is replaced.
 inline std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 }  // namespace handrail::record

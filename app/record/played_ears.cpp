@@ -77,7 +77,7 @@ void PlayedEars::hear_of(std::uint64_t step, bool from_voice, std::string text) 
     (from_voice ? told.first : told.second) = std::move(text);
 }
 
-// Takes the posts as AudioThread::step takes its inbox.
+// Takes the posted items in the same way as AudioThread::step takes its inbox.
 void PlayedEars::step(const CueRow& row, std::vector<servo::ContactEvent> contacts) {
     std::vector<cues::CueRequest> requests;
     std::shared_ptr<const Scene> entered, edited;
@@ -116,7 +116,8 @@ void PlayedEars::step(const CueRow& row, std::vector<servo::ContactEvent> contac
     voice_.begin(row.speaking);
     planner_.tick({.now_s = row.now_s, .contacts = contacts, .requests = requests, .listener = listener_}, sound_,
                   voice_);
-    // As AudioThread::step, so that the voice is asked as often; the recording has what came of it.
+    // AudioThread::step makes this call too. It is made here so that `voice_` is queried equally often; its result is
+    // in the recording.
     (void)planner_.take_owed(row.now_s, voice_);
     voice_.end();
 }

@@ -1,5 +1,5 @@
-// Computes the ears of a recording again, step by step, with what the app hands over, the contacts of the hands, and a
-// voice that answers as the recorded one did. One thread.
+// Computes the ears of a recorded session again, step by step. The inputs are the items that the app hands over and the
+// contacts of the hands. A voice answers as the recorded one did. One thread.
 #pragma once
 
 #include <deque>
@@ -17,7 +17,7 @@ class PlayedEars final : public cues::EarsInbox {
 public:
     PlayedEars(const settings::Settings& settings, double begun_s);
 
-    // What the app hands over; each item is counted.
+    // Functions by which the app hands over items. Each item is counted.
     void post(cues::CueRequest request) override;
     void set_settings(const settings::Settings& settings) override;
     void set_two_hands(bool two) override;
@@ -26,18 +26,18 @@ public:
     void follow_edit(std::shared_ptr<const Scene> scene) override;
     void set_listener(const cues::Listener& listener) override { listener_ = listener; }
     std::size_t posted() const { return posts_.size(); }
-    // Notes what a sink reported about itself, and in which step.
+    // Stores what a sink reported about itself, and in which step.
     void hear_of(std::uint64_t step, bool from_voice, std::string text);
 
-    // Requires row.posts <= posted().
+    // Computes one step, which takes row.posts items. Requires row.posts <= posted().
     void step(const CueRow& row, std::vector<servo::ContactEvent> contacts);
-    // Call at the end: writes the lines that are still waiting.
+    // Writes the lines that still wait. Call it at the end.
     void finish();
     const std::vector<SaidLine>& said() const { return voice_.said; }
 
 private:
     struct Voice final : cues::SpeechSink {
-        double now_s = 0.0;  // since the recording began
+        double now_s = 0.0;  // time since the recording began
         std::uint64_t answers = 0;
         int answers_left = 0;
         bool last = false;
@@ -50,7 +50,7 @@ private:
         void say(const cues::Utterance& utterance) override { keep(utterance, true); }
         void write(const cues::Utterance& utterance) override { keep(utterance, false); }
         void stop() override {}
-        // The recorded voice answered in a fixed order, so each call returns the next recorded answer.
+        // Returns the next recorded answer, because the queries come in the same order as during the recording.
         bool speaking() const override { return const_cast<Voice*>(this)->answer(); }
         std::optional<std::string> news() override;
         void keep(const cues::Utterance& utterance, bool voiced);
@@ -78,7 +78,7 @@ private:
     Voice voice_;
     Silence sound_;
     std::deque<Post> posts_;
-    // By step: news of the voice, and of the sounds.
+    // For each step: what the voice and the sounds reported about themselves.
     std::map<std::uint64_t, std::pair<std::string, std::string>> news_;
     cues::Listener listener_;
     std::uint64_t steps_ = 0;

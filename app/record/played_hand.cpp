@@ -7,7 +7,8 @@
 namespace handrail::record {
 namespace {
 
-constexpr double kAsWritten_n = 0.501e-3;  // tolerance, because forces are written as whole millinewtons
+// Greatest difference due to rounding, because forces are written in whole millinewtons.
+constexpr double kAsWritten_n = 0.501e-3;
 
 }  // namespace
 

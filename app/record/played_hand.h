@@ -1,5 +1,5 @@
-// Computes a recorded hand again, tick by tick as its servo did, with the same samples and the same values from the
-// app, identified by their numbers. One thread.
+// Computes a recorded hand again, tick by tick as its servo did. It uses the same samples of the device and the same
+// values from the app, which the recording identifies by their numbers. One thread.
 #pragma once
 
 #include <deque>
@@ -15,13 +15,14 @@
 
 namespace handrail::record {
 
-// The values that were handed over, numbered from 1 in order.
+// The values that the app has handed over, numbered from 1 in their order.
 template <class T>
 class NumberedValues {
 public:
     void give(T value) { values_.push_back(std::move(value)); }
     std::uint32_t given() const { return let_go_ + static_cast<std::uint32_t>(values_.size()); }
-    // Requires number <= given(). Earlier values must not be requested again. 0 means that no value had been given.
+    // Returns the value with that number; 0 means the value before any was given. Requires number <= given(). Once a
+    // value was requested, earlier ones must not be requested.
     const T& at(std::uint32_t number) {
         if (number == 0) return none_;
         while (let_go_ + 1 < number) {
@@ -37,7 +38,7 @@ private:
     T none_{};
 };
 
-// One of the servos that a hand had.
+// Computes one of the servos that a hand had during the session.
 class PlayedServo final : public servo::ServoInbox {
 public:
     explicit PlayedServo(const device::DeviceSpec& spec) : state_(std::make_unique<servo::ServoState>(spec)) {}
@@ -49,11 +50,11 @@ public:
     void set_pose(const servo::WorkspacePose& pose) override { poses_.give(pose); }
     void set_bodies(const servo::BodyFrame& bodies) override { bodies_.give(bodies); }
     void set_guidance(const servo::GuidancePath& guidance) override { guidances_.give(guidance); }
-    // Returns whether everything that the tick read has been given.
+    // Returns whether the app has already handed over everything that the tick read.
     bool can(const servo::ServoReads& reads) const;
-    // Returns the force.
+    // Computes one tick and returns its force.
     device::ForceCommand tick(const servo::HandRow& row);
-    // The hand's side of the engine of free bodies at the last tick; null: none.
+    // Returns the hand's part of the engine of free bodies at the last tick; null if there was none.
     servo::HandBodyServo* engine() const { return engine_; }
     const servo::ServoState& state() const { return *state_; }
 
@@ -68,29 +69,29 @@ private:
     NumberedValues<servo::WorkspacePose> poses_;
     NumberedValues<servo::BodyFrame> bodies_;
     NumberedValues<servo::GuidancePath> guidances_;
-    Scenes given_;  // the latest values
+    Scenes given_;  // the values that the app handed over last
     servo::HandBodyServo* engine_ = nullptr;
 };
 
 class PlayedHand {
 public:
-    // Rows and bodies must outlive this object.
+    // `rows` and `bodies` must outlive this object.
     PlayedHand(const std::vector<servo::HandRow>& rows, std::size_t which, PlayedBodies& bodies)
         : rows_(rows), which_(which), bodies_(bodies) {}
 
-    // Called if the session is given another hand. Returns its servo; null if the hand has none.
+    // Call if the session receives another hand. Returns the servo of that hand; null if no hand is present.
     servo::ServoInbox* change(const core::HandFacts& facts);
-    // Computes ticks until the newest servo has done that many. Returns false if the rows end before. Other readers may
-    // already have needed more ticks.
+    // Computes ticks until the newest servo has done `tick` ticks. Returns false if the rows end before. The servo may
+    // already have done more, because other readers needed them.
     bool run_to(std::uint64_t tick);
-    // Computes ticks until that many events wait. Returns false if the rows do not contain them yet.
+    // Computes ticks until `count` events wait. Returns false if the rows do not contain so many.
     bool run_to_events(std::size_t count);
-    // The state that the newest servo reported after the tick given to run_to.
+    // Returns the state that the newest servo reported after the tick given to run_to.
     const servo::ToolState& tool() const { return tool_; }
     std::vector<servo::ContactEvent> take_events(std::size_t count);
-    // Computes one more tick. Returns false if something that it read is missing.
+    // Computes one more tick. Returns false if something that the tick read is missing.
     bool step();
-    // The ticks computed so far, and how many of them gave another force than the recorded one.
+    // Return how many ticks were computed, and how many of them gave another force than the recorded one.
     std::size_t ticks() const { return next_; }
     std::size_t other_forces() const { return other_forces_; }
 
@@ -101,9 +102,9 @@ private:
     std::size_t next_ = 0, other_forces_ = 0;
     bool stepping_ = false;
     std::vector<std::unique_ptr<PlayedServo>> servos_;
-    bool driven_ = false;  // true while there is a hand
+    bool driven_ = false;  // true while the session has a hand
     servo::ToolState tool_;
-    std::deque<servo::ToolState> told_;  // states that the newest servo has reported since
+    std::deque<servo::ToolState> told_;  // states that the newest servo reported after tool_
     std::deque<servo::ContactEvent> events_;
 };
 

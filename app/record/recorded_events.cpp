@@ -12,7 +12,7 @@ public:
         for (const RecordedLine& line : recording.lines) {
             if (events_.more_worlds) break;
             const Json json = Json::parse(line.json, nullptr, false);
-            // Damage was reported when the recording was read. Lines with missing fields are skipped here.
+            // Skip lines with missing fields. Such damage was reported when the recording was read.
             if (!json.is_object()) continue;
             try {
                 take(line, json);
@@ -30,8 +30,8 @@ public:
     }
 
 private:
-    // Derived from the ears' own queries whether the voice is speaking. The last answer of a step is valid until the
-    // next.
+    // Adds the times during which the voice was speaking. They come from the ears' queries whether it speaks; the last
+    // answer in a step is valid until the next step with an answer.
     void add_speaking(const Recording& recording) {
         std::optional<double> since_s;
         for (const CueRow& row : recording.cues) {
@@ -65,7 +65,7 @@ private:
         if (line.is == "teacher") teacher(line, json);
         if (line.is == "led") {
             const std::string goal = json.at("goal").get<std::string>();
-            // Resumed guidance to the same goal counts as the same route.
+            // Guidance that resumes to the same goal belongs to the same route.
             if (events_.ways.empty() || events_.ways.back().goal != goal || events_.ways.back().arrived_s)
                 events_.ways.push_back({goal, line.t_s, {}});
         }

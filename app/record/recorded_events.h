@@ -1,4 +1,5 @@
-// The events of a recorded session as plain values, taken from its lines. Reports are made from them. Any thread.
+// The events of a recorded session as plain values, taken from the lines of the recording. Reports use them. Any
+// thread.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +14,9 @@
 namespace handrail::record {
 
 struct RecordedContact {
-    double t_s = 0.0;  // since the recording began, like all times here
+    double t_s = 0.0;  // time since the recording began, like all times in this file
     std::uint32_t feature = kNoFeature.value;
-    std::string thing;  // name in the world's file; empty: none
+    std::string thing;  // name in the world's file; empty if there is none
     Vec3 at_m{0.0};
 };
 struct RecordedVisit {
@@ -32,36 +33,36 @@ struct RecordedRoute {
 // The measures of one task of a lesson.
 struct RecordedTask {
     double t_s = 0.0;  // end of the task
-    std::string kind;  // as in lesson files, such as "go"
+    std::string kind;  // kind of task as in lesson files, such as "go"
     std::string name;
     std::map<std::string, double> measures;
 };
 
-// What the instructor did: a note, or an order and its result.
+// What the instructor did: a note, or an order with its result.
 struct RecordedNote {
     double t_s = 0.0;
     std::string text;
 };
-// A time span.
+// A span of time.
 struct RecordedSpan {
     double from_s = 0.0, to_s = 0.0;
 };
 
 // The events in the first world that was entered.
 struct RecordedEvents {
-    std::string lesson;  // title; empty: no lesson
+    std::string lesson;  // title of the lesson; empty: no lesson
     std::vector<RecordedTask> tasks;
     std::optional<RecordedWorld> world;
-    double from_s = 0.0, to_s = 0.0;  // time in that world
+    double from_s = 0.0, to_s = 0.0;  // when the person entered that world and left it
     bool more_worlds = false;         // another world was entered later
     std::vector<RecordedContact> contacts;
     std::vector<RecordedVisit> visits;
     std::vector<RecordedRoute> ways;
-    // Help requested; back to the base by its key; put somewhere else.
+    // Times at which the person requested help, used the key that leads back to the base, and was put somewhere else.
     std::vector<double> help_s, home_s, leaps_s;
     std::vector<RecordedNote> notes;
-    std::vector<RecordedSpan> busy;   // a list was open, or the voice was speaking
-    std::vector<RecordedSpan> lists;  // a list was open
+    std::vector<RecordedSpan> busy;   // times when a list was open or the voice was speaking
+    std::vector<RecordedSpan> lists;  // times when a list was open
 };
 RecordedEvents events_of(const Recording& recording);
 

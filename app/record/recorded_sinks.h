@@ -1,5 +1,5 @@
-// Wraps the voice and the sounds, so that a recorder notes what they say and answer. AudioThread owns them, and every
-// function runs on its thread.
+// Wraps the voice and the sounds, so that a recorder notes what they are given and what they answer. AudioThread owns
+// the wrappers and calls all their functions on its thread.
 #pragma once
 
 #include <memory>
@@ -10,12 +10,12 @@
 
 namespace handrail::record {
 
-// Data that both sinks of a session share.
+// Data of the current step that both sinks of a session share.
 struct StepNotes {
     double now_s = 0.0;
-    std::uint64_t step = 0;  // counted from 0
+    std::uint64_t step = 0;  // number of the step, counted from 0
     bool in_step = false;
-    std::uint64_t answers = 1;  // answers of speaking() in this step, after a leading 1
+    std::uint64_t answers = 1;  // answers of speaking() in this step as binary digits, after a leading 1
     bool last_answer = false, changed = false;
 
     void begin(double at_s);

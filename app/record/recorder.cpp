@@ -32,8 +32,8 @@ namespace {
 namespace fs = std::filesystem;
 using SteadyTime = std::chrono::steady_clock::time_point;
 
-constexpr std::size_t kMostWaiting_bytes = std::size_t{64} << 20;  // lines waiting to be written
-constexpr std::size_t kMostWaitingRows = 200'000;                  // rows of each table waiting to be written
+constexpr std::size_t kMostWaiting_bytes = std::size_t{64} << 20;  // most bytes of lines that may wait to be written
+constexpr std::size_t kMostWaitingRows = 200'000;  // most rows of each table that may wait to be written
 
 double seconds_since(SteadyTime then) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
@@ -47,7 +47,7 @@ std::string name_by_time_and_chance(std::time_t now) {
     return name;
 }
 
-// A file that is only appended to.
+// A file to which text is only appended.
 class Growing {
 public:
     explicit Growing(fs::path path) : path_(std::move(path)) {}
@@ -57,7 +57,7 @@ public:
     Growing(const Growing&) = delete;
     Growing& operator=(const Growing&) = delete;
 
-    // Returns 0, or the errno of the failure. The file is created with the first text.
+    // Appends the text. Returns 0, or the errno of the failure. The first text creates the file.
     int append(std::string_view text) {
         if (text.empty()) return 0;
         if (file_ < 0) file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0600);
@@ -136,18 +136,18 @@ struct Recorder::State {
     std::array<servo::HandRing, 2> rings;
     struct {
         dynamics::EngineRecording recording;
-        Table<EngineNumbers> table;  // this and what follows belongs to the writing thread
+        Table<EngineNumbers> table;  // only the writing thread uses the members from here on
         std::uint64_t told_lost = 0;
     } bodies;
-    std::atomic<bool> over{false};  // nothing is recorded any more
+    std::atomic<bool> over{false};  // true once nothing is recorded any more
 
-    // Used by the app thread.
+    // Members that only the app thread uses.
     std::uint64_t frames_told = 0;
     std::uint32_t stops = 0;
-    bool fresh_frame = false;  // nothing has come since the last frame
+    bool fresh_frame = false;  // nothing was recorded since the last frame
     bool problem_told = false, ended = false;
 
-    std::mutex mutex;  // guards the members up to the next comment
+    std::mutex mutex;  // guards the members from here to `problem`
     std::condition_variable wake;
     bool end_asked = false;
     std::string lines;
@@ -155,7 +155,7 @@ struct Recorder::State {
     std::vector<CueRow> cues;
     std::string problem;
 
-    // Used by the writing thread.
+    // Members that only the writing thread uses.
     Growing events;
     std::array<Table<HandNumbers>, 2> hands;
     Table<FrameNumbers> frame_table;
@@ -185,7 +185,7 @@ struct Recorder::State {
     int write_round(bool last);
 };
 
-// One round of the writing thread. Returns 0, or the errno of the failure.
+// Writes everything that waits. Called on the writing thread. Returns 0, or the errno of the failure.
 int Recorder::State::write_round(bool last) {
     std::string text;
     std::vector<FrameRow> more_frames;
@@ -287,7 +287,7 @@ dynamics::EngineRecording& Recorder::bodies() { return state_->bodies.recording;
 
 void Recorder::input(const core::SessionInput& input, double now_s) {
     if (state_->over) return;
-    // The number of stops is reported in each frame; only a new number matters.
+    // Each frame reports the number of stops. Only a new number is recorded.
     if (const auto* stopped = std::get_if<core::Stopped>(&input);
         stopped && std::exchange(state_->stops, stopped->count) == stopped->count)
         return;
@@ -308,7 +308,7 @@ void Recorder::frame(const FrameRow& row) {
 }
 
 void Recorder::handed_over() {
-    // After a frame, handing over is implied.
+    // After each frame, the session hands over its results anyway, so no line is needed.
     if (std::exchange(state_->fresh_frame, false) || state_->over) return;
     state_->add(line_of({{"is", "handed_over"}, {"frame", state_->frames_told}}));
 }

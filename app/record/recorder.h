@@ -3,8 +3,9 @@
 // - hand.csv.gz and left.csv.gz: each tick of a hand
 // - frames.csv.gz: each tick of the session
 // - cues.csv.gz: each step of the ears
-// A separate thread compresses and writes: lines every kLines_s, tables every kPieces_s. So at most half a second is
-// lost, however the program ends. If writing fails, the recording ends and reports it once; the session goes on.
+// A separate thread compresses and writes the files: lines every kLines_s, tables every kPieces_s. So at most half a
+// second is lost, however the program ends. If writing fails, the recording ends and reports that once; the session
+// continues.
 #pragma once
 
 #include <filesystem>
@@ -20,60 +21,63 @@
 
 namespace handrail::record {
 
-// The contents of the first line.
+// The contents of the first line of events.jsonl.
 struct RecordingHead {
-    // 2: adds what the engine of free bodies reads, and what others read from it.
+    // Version of the format. 2 adds what the engine of free bodies reads, and what others read from it.
     static constexpr int kForm = 2;
 
     int form = kForm;
     std::string program;  // version of the program
     std::string language;
-    std::string begun_utc;        // "2026-11-22T17:30:00Z"
-    double begun_s = 0.0;         // of the session's clock; times "t" count from here
-    bool virtual_time = false;    // the session ran without threads
-    settings::Settings settings;  // settings at the beginning
+    std::string begun_utc;        // time of day, such as "2026-11-22T17:30:00Z"
+    double begun_s = 0.0;         // time on the session's clock at which the recording began; times "t" count from it
+    bool virtual_time = false;    // true if the session ran without threads, on a virtual clock
+    settings::Settings settings;  // settings at the beginning of the session
 };
 
 class Recorder {
 public:
     static constexpr double kLines_s = 0.05, kPieces_s = 0.4, kSync_s = 10.0;
 
-    // Creates a folder below `recordings`, with a name from the time and random letters, that only the person can
-    // access (0700, files 0600). Fills in the head's time of day. If it fails, it returns a sentence and leaves nothing
+    // Creates a folder below `recordings`. Its name contains the time and random letters. Only the person can access it
+    // (0700, files 0600). Fills in the time of day in `head`. If it fails, it returns a sentence and leaves nothing
     // behind.
     static Result<std::unique_ptr<Recorder>> begin(const std::filesystem::path& recordings, RecordingHead head);
-    // Calls end() if that was not done.
+    // Calls end() if nobody has called it.
     ~Recorder();
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
     const std::filesystem::path& folder() const;
 
-    // App thread. Call these in the order in which everything reached the session.
+    // App thread. Call input, not_taken, frame and handed_over in the order in which the session received or did these
+    // things.
     void input(const core::SessionInput& input, double now_s);
-    void not_taken();                 // the last input was refused
+    void not_taken();                 // call if the session refused the last input
     void frame(const FrameRow& row);  // call after the session's tick
-    // Call if the session handed something to servos and ears at any other time than after a frame.
+    // Call if the session handed something to the servos and the ears at another time than after a frame.
     void handed_over();
     void event(const core::SessionEvent& event, const Scene* scene);
-    // Records something else that the app did and that computing again needs: "is" and one whole number.
+    // Records another action of the app that is needed to compute the session again. The line contains `is` as "is" and
+    // a whole number.
     void note(const char* is, double now_s, std::uint64_t number);
 
-    // Call on the thread of the ears.
+    // Records a step of the ears. Call it on the thread of the ears.
     void cue_step(const CueRow& row);
-    // `voiced`: spoken by a voice; otherwise only written.
+    // Records a line. `voiced`: a voice spoke it; otherwise it was only written.
     void said(double now_s, const cues::Utterance& utterance, bool voiced);
-    // A sink reported a sentence about itself before that step. `from_voice`: by the voice; otherwise by the sounds.
+    // Records a sentence that a sink reported about itself before `step`. `from_voice`: the voice reported it;
+    // otherwise the sounds did.
     void sink_news(double now_s, std::uint64_t step, bool from_voice, const std::string& text);
 
-    // For the servo of the right or only hand (0) and of the left one (1).
+    // Returns where a servo writes its ticks. `which` is 0 for the right or only hand, 1 for the left one.
     servo::HandRing& hand(std::size_t which);
-    // For the engine of free bodies.
+    // Returns where the engine of free bodies writes its steps.
     dynamics::EngineRecording& bodies();
 
-    // App thread. The reason if the recording has ended early; returned once.
+    // If the recording has ended early, returns the reason once; otherwise nothing. App thread.
     std::optional<std::string> take_problem();
-    // Writes the rest and the last line. Nothing is recorded afterwards.
+    // Writes the rest and the last line. After that, nothing is recorded.
     void end(double now_s);
 
 private:

@@ -1,4 +1,4 @@
-// Reads a recording: everything in it that is intact, whatever ended it. Any thread.
+// Reads a recording: everything in it that is intact, however the recording ended. Any thread.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace handrail::record {
 
 // One line of events.jsonl; `json` contains its other fields. Unknown fields are kept.
 struct RecordedLine {
-    double t_s = 0.0;  // since the recording began
+    double t_s = 0.0;  // time since the recording began
     std::string is;
     std::string json;
     int line = 0;
@@ -24,22 +24,22 @@ struct RecordedLine {
 
 struct Recording {
     RecordingHead head;
-    std::vector<RecordedLine> lines;  // without the first line, the head
+    std::vector<RecordedLine> lines;  // lines without the first one, which is the head
     std::vector<servo::HandRow> hands[2];
     std::vector<FrameRow> frames;
     std::vector<CueRow> cues;
-    std::vector<dynamics::EngineRow> bodies;  // of the engine of free bodies
-    bool ended = false;                       // the last line is present
-    std::vector<Error> problems;              // one for each file that is cut off or damaged: where and why
+    std::vector<dynamics::EngineRow> bodies;  // steps of the engine of free bodies
+    bool ended = false;                       // the last line, which a properly ended recording has, is present
+    std::vector<Error> problems;  // where and why a file is cut off or damaged; one entry for each such file
 };
 
 // Fails with a sentence if the folder is not a recording or its head is invalid. Everything else is read up to the
 // first damage.
 Result<Recording> read_recording(const std::filesystem::path& folder);
-// Reads the text of events.jsonl alone; `file` is its name in error messages.
+// Reads a recording from the text of events.jsonl alone; `file` is its name in error messages.
 Result<Recording> read_events(std::string_view text, const std::string& file);
 
-// The text of the "said" lines, in order.
+// A line that was said.
 struct SaidLine {
     double t_s = 0.0;
     std::string text, speech_class;

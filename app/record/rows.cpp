@@ -23,19 +23,19 @@ constexpr std::string_view kEngineHeader =
 
 constexpr double kMillionths = 1e6;
 constexpr double kThousandths = 1e3;
-constexpr std::int64_t kAway = -1;  // there is no hand
+constexpr std::int64_t kAway = -1;  // value that means that there is no hand
 constexpr double kLargest = 9e15;   // whole numbers up to this are exact as doubles
 constexpr double kCentidegrees = 18000.0 / std::numbers::pi;
 
-// The flags of a DeviceSample in one number.
+// The flags of a DeviceSample, which form one number.
 enum StateBit : std::int64_t {
     kNotFresh = 1,
     kNotConnected = 2,
     kNotHomed = 4,
     kHot = 8,
     kFailed = 16,
-    kNoPlace = 32,  // the position is not a number
-    kNoGrip = 64,   // the gimbal angles are not numbers
+    kNoPlace = 32,  // the position is not finite
+    kNoGrip = 64,   // the gimbal angles are not finite
     kLossFrom = 128,
     kLegsFrom = 512,
 };
@@ -65,7 +65,7 @@ std::int64_t state_of(const device::DeviceSample& sample) {
     return state + static_cast<std::int64_t>(sample.loss) * kLossFrom + sample.homed_legs * std::int64_t{kLegsFrom};
 }
 
-// `text` is a single column.
+// Reads a whole number. `text` is a single column.
 bool read_number(std::string_view text, std::int64_t& number) {
     number = 0;
     if (text.empty()) return true;
@@ -73,7 +73,7 @@ bool read_number(std::string_view text, std::int64_t& number) {
     return fault == std::errc() && end == text.data() + text.size();
 }
 
-// Returns false if the line is not a row.
+// Reads one line of a table. Returns false if the line is not a valid row.
 template <std::size_t N>
 bool read_row(std::string_view line, bool first, const std::array<std::int64_t, N>& before,
               std::array<std::int64_t, N>& row) {
@@ -91,7 +91,7 @@ bool read_row(std::string_view line, bool first, const std::array<std::int64_t, 
     }
 }
 
-// `columns`: the first columns of the header, at least one.
+// Returns whether the header begins with these columns, at least one.
 bool begins(std::string_view header, std::string_view columns) {
     return !columns.empty() && header.starts_with(columns) &&
            (columns.size() == header.size() || header[columns.size()] == ',');

@@ -18,17 +18,17 @@
 namespace handrail::record {
 namespace {
 
-constexpr double kHandEvery_s = 0.1;   // interval between moves of the hand
-constexpr double kHandMoved_m = 1e-3;  // smaller movements are ignored
-constexpr double kTail_s = 5.0;        // time for the last lines to be spoken
+constexpr double kHandEvery_s = 0.1;   // interval between two moves of the hand in the scenario
+constexpr double kHandMoved_m = 1e-3;  // movements of the hand that are smaller are ignored
+constexpr double kTail_s = 5.0;        // time at the end of the scenario in which the last lines are spoken
 constexpr std::size_t kMostExpected = 40;
 
-// A TOML string is written like a JSON string, except that JSON may escape the slash.
+// Returns a text as a TOML string. JSON strings are valid in TOML, unless JSON escapes the slash.
 std::string in_quotes(const std::string& text) {
     return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-// A setting's value in TOML: numbers and booleans plain, everything else in quotes.
+// Returns a setting's value in TOML: numbers and booleans without quotes, everything else in quotes.
 std::string as_value(const std::string& text) {
     double number = 0.0;
     return text == "true" || text == "false" || text.starts_with('"') || parse_finite(text, number) ? text
@@ -96,7 +96,7 @@ struct Writer {
     }
 };
 
-// The movements of the hand, as moves between its positions every tenth of a second.
+// Returns the movements of the hand: one move from each position to the one a tenth of a second later.
 std::vector<std::pair<double, std::string>> moves_of(const Recording& recording, double begun_s) {
     std::vector<std::pair<double, std::string>> moves;
     Vec3 was_m(0.0);
@@ -117,7 +117,7 @@ std::vector<std::pair<double, std::string>> moves_of(const Recording& recording,
     return moves;
 }
 
-// Removes the tables that begin at these lines. A table ends at the next blank line.
+// Removes the TOML tables that begin at these lines. A table ends at the next blank line.
 std::string without_actions(const std::string& toml, const std::vector<int>& lines) {
     std::string kept;
     bool leaves = false;
@@ -132,12 +132,14 @@ std::string without_actions(const std::string& toml, const std::vector<int>& lin
     return kept;
 }
 
-// Reads a recording line by line: which world was entered and how, what the person did in it, and what was answered.
+// Reads a recording line by line: which world the person entered and how, what the person did in it, and what the
+// program answered.
 class RecordingReader {
 public:
     explicit RecordingReader(const Recording& recording)
         : recording_(recording), writer_{recording, 0.0, {}, {}, {}}, settings_(recording.head.settings) {
-        // A scenario knows the rooms of its world at once, so answers given before the rooms were found would differ.
+        // Whether the rooms are known when the recording begins. A scenario knows the rooms of its world at once, so
+        // answers that the program gave before it had found the rooms would differ.
         rooms_known_ = std::none_of(recording.lines.begin(), recording.lines.end(), enters_room);
     }
 
@@ -166,7 +168,7 @@ private:
             acts_by_ = who == 1 ? "terminal-keys" : who == 2 ? "lines" : "window-keys";
         }
         if (line.is == "said") take_said(line);
-        // A key that no list took is followed by its command, so the key is dropped.
+        // If no list took a key, the key's command follows as another line. So drop the key.
         if (line.is == "not_taken" && !writer_.inputs.empty()) writer_.inputs.pop_back();
         if (!is_input(line.is)) return {};
         auto input = read_input_line(line.json);
@@ -175,8 +177,8 @@ private:
         return {};
     }
 
-    // Expects an answer if it was spoken at least half a second after the world was entered. Earlier answers may belong
-    // to what came before.
+    // Adds an answer to the expectations if it was spoken at least half a second after the person entered the world. An
+    // earlier answer may belong to something before that.
     void take_said(const RecordedLine& line) {
         if (!entered() || !expects_ || !rooms_known_) return;
         const Json json = Json::parse(line.json, nullptr, false);
@@ -190,7 +192,7 @@ private:
     void take_input(RecordedInput input) {
         if (const auto* hand = std::get_if<core::HandChanged>(&input.input); hand && hand->hand.present && !entered())
             device_ = std::string(hand->hand.spec.name) == "sim-f" ? "sim-f" : "sim-t";
-        // Announcements by the program itself are not answers of the world.
+        // What the program itself announced is not an answer of the world.
         if (const auto* told = std::get_if<core::Told>(&input.input)) told_by_program_.insert(told->text);
         if (const auto* world = std::get_if<core::WorldEntered>(&input.input)) {
             if (!entered()) {
@@ -203,7 +205,7 @@ private:
             over_ = true;
         }
         if (!entered()) return;
-        // A scenario ends without a Leave command.
+        // The scenario must not contain the command Leave, which would end it.
         if (const auto* down = std::get_if<core::CommandDown>(&input.input)) {
             expects_ = down->command != core::Command::Leave;
             if (!expects_) return;
@@ -229,7 +231,7 @@ private:
         return toml;
     }
 
-    // Writes keys and moves of the hand in order of time, because the hand moves while keys are held.
+    // Writes keys and movements of the hand in the order of time, because the hand also moves while keys are held down.
     void write_actions() {
         const auto moves = moves_of(recording_, writer_.begun_s);
         std::size_t next = 0;
@@ -247,7 +249,7 @@ private:
     const Recording& recording_;
     Writer writer_;
     core::WorldRequest world_;
-    settings::Settings settings_;  // including those that the world brings
+    settings::Settings settings_;  // settings of the session, including those that the world brings
     std::string device_ = "none", acts_by_ = "window-keys";
     double last_s_ = 0.0;
     std::vector<std::string> expected_;
@@ -269,7 +271,7 @@ std::string with_expectations(const ScenarioText& scenario) {
 }
 
 std::vector<std::string> said_by_both(const std::vector<std::string>& a, const std::vector<std::string>& b) {
-    // longest[i][j]: length of the longest common part of a from i on and b from j on.
+    // longest[i][j] is the length of the longest common subsequence of a from i on and b from j on.
     std::vector<std::vector<std::size_t>> longest(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
     for (std::size_t i = a.size(); i-- > 0;)
         for (std::size_t j = b.size(); j-- > 0;)

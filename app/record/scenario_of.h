@@ -1,6 +1,6 @@
-// Turns a recording into a scenario file: the person's actions become its actions, and the answers become its
-// expectations. Whatever a scenario cannot do (two worlds, plugging in, a set-up, a lesson) is left out and reported.
-// Any thread.
+// Turns a recording into a scenario file. The person's actions become actions of the scenario, and the program's
+// answers become its expectations. Whatever a scenario cannot do (two worlds, plugging in, a set-up, a lesson) is left
+// out and reported. Any thread.
 #pragma once
 
 #include <string>
@@ -13,24 +13,25 @@
 namespace handrail::record {
 
 struct ScenarioText {
-    std::string toml;                   // without expectations
-    std::vector<std::string> expected;  // answers, in order
-    std::vector<std::string> left_out;  // sentences for the report
+    std::string toml;                   // the scenario file without expectations
+    std::vector<std::string> expected;  // the expected answers, in order
+    std::vector<std::string> left_out;  // sentences for the report about what was left out
 };
-// Covers the time from the first world to the second. Fails with a sentence if no world was entered or nothing was
-// answered.
+// Makes a scenario of the time in the first world. Fails with a sentence if the person entered no world, or if the
+// program answered nothing.
 Result<ScenarioText> scenario_of(const Recording& recording, const std::string& title);
 
-// Runs the scenario and keeps what works: removes actions that are impossible, and answers that come out differently.
-// Answers can differ because the program has changed, something was left out, or they came later in the session than in
-// a scenario, where rooms and routes are known at once. `left_out` reports their numbers. Fails with a sentence if the
-// world cannot be read or no answer comes out as recorded. Takes about as long as the scenario.
+// Runs the scenario and keeps only what works: removes actions that are impossible, and answers that come out
+// differently. Answers can differ because the program has changed, or because something was left out. In a scenario,
+// rooms and routes are also known at once, so some answers come earlier than in the session. `left_out` reports how
+// many were removed. Fails with a sentence if the world cannot be read, or if no answer comes out as recorded. Takes
+// about as long as the scenario.
 Result<ScenarioText> as_it_runs(ScenarioText scenario, const core::WorldReader& read);
 
-// The text of the file. If there are many answers, only the first are expected.
+// Returns the text of the scenario file. If there are many answers, it expects only the first ones.
 std::string with_expectations(const ScenarioText& scenario);
 
-// The longest common sequence of both lists.
+// Returns the longest common subsequence of both lists.
 std::vector<std::string> said_by_both(const std::vector<std::string>& a, const std::vector<std::string>& b);
 
 }  // namespace handrail::record

@@ -22,7 +22,7 @@ Json json_of(const settings::Settings::Workspace::Override& of) {
     return json;
 }
 
-// The numbers that a profile can contain, each with its name in the file.
+// A number that a profile can contain, with its name in the file.
 struct ProfileNumber {
     const char* key;
     std::optional<double> settings::DeviceProfile::*value;
@@ -51,7 +51,7 @@ settings::DeviceProfile profile_of(const Json& json) {
     return profile;
 }
 
-// The keys of the settings table. [workspace.device], [profile] and [keys] are handled separately.
+// Returns the keys of the settings table. [workspace.device], [profile] and [keys] are handled separately.
 const std::vector<std::string>& table_keys() {
     static const std::vector<std::string> keys = [] {
         std::vector<std::string> all;

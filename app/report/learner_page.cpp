@@ -12,9 +12,9 @@
 namespace handrail::report {
 namespace {
 
-// One attempt at a route to a goal.
+// One attempt to walk to a goal.
 struct Went {
-    std::size_t session = 0;  // counted from 1
+    std::size_t session = 0;  // number of the session, counted from 1
     const ReportTask* task = nullptr;
 };
 struct Goal {
@@ -47,7 +47,7 @@ std::optional<double> wrong_turns(const ReportTask& task) {
     return missed.value_or(0.0) + early.value_or(0.0);
 }
 
-// The first and the last measured value; nothing if there are fewer than two.
+// Returns the first and the last measured value; nothing if there are fewer than two.
 template <class Of>
 std::optional<std::pair<double, double>> first_and_last(const Goal& goal, Of of) {
     std::vector<double> values;

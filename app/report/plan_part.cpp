@@ -1,4 +1,4 @@
-// The plan of a page: where the learner walked and what was touched, with the same in words.
+// Makes the plan on a page: where the learner walked and what was touched, followed by the same in words.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace handrail::report {
 namespace {
 
-// A box on the plan that no other text may overlap.
+// A box on the plan that is taken by a text, so that no other text may overlap it.
 struct Box {
     double left, top, right, bottom;
     bool meets(const Box& other) const {
@@ -22,14 +22,15 @@ struct Box {
     }
 };
 
-// The space for a name in letters of this height, centred at a point. Its width assumes a generous mean letter width.
+// Returns the space for a name in letters of height `letter`, centred at a point. It assumes a generous mean width of
+// the letters.
 Box box_of(const std::string& name, double x, double y, double letter) {
     const double half = 0.32 * letter * static_cast<double>(characters_of(name).size());
     return {x - half, y - letter, x + half, y + 0.3 * letter};
 }
 
-// The line on which a name can be read: at its place, or as little above or below as is free, within the picture.
-// Nothing if there is no space; then the name appears only in the words below.
+// Returns the height at which a name can be read without overlaps: at its place, or up to two lines above or below,
+// inside the picture. Returns nothing if there is no space; the name is then only in the words below the plan.
 std::optional<double> free_line(const std::string& name, double x, double y, double letter, double wide, double high,
                                 const std::vector<Box>& taken) {
     for (const double lines : {0.0, 1.4, -1.4, 2.8, -2.8}) {
@@ -41,8 +42,8 @@ std::optional<double> free_line(const std::string& name, double x, double y, dou
     return std::nullopt;
 }
 
-// The plan in tenths of a metre, north up. Its texts are hidden from screen readers, which would otherwise read them in
-// the middle of the page. The words below contain them in order.
+// Draws the plan as SVG in tenths of a metre, north up. Its texts are hidden from screen readers, which would otherwise
+// read them in the middle of the page. The words below the plan contain the same in order.
 std::string plan_svg(const SessionReport& report, std::string_view id) {
     const plan::Storey& storey = *report.storey;
     const auto x = [&](const Vec2& p) { return (p.x - storey.min_m.x) * 10.0; };
@@ -67,8 +68,8 @@ std::string plan_svg(const SessionReport& report, std::string_view id) {
         if (way.size() >= 2)
             svg += fmt::format("<path class=\"way\" stroke-width=\"{:.2f}\" d=\"{}\"/>\n", stroke, path(way));
     svg += fmt::format("<g aria-hidden=\"true\" text-anchor=\"middle\" font-size=\"{:.1f}\">\n", letter);
-    // Numbers first, then names around them. If several things were touched in one place, the most frequent gets its
-    // number there.
+    // Place the numbers of touched objects first, then the names around them. If several objects were touched in one
+    // place, only the most frequently touched one gets a number there.
     std::vector<Box> taken;
     std::string numbers;
     for (std::size_t i = 0; i < report.contacts.size(); ++i) {

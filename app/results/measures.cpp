@@ -11,7 +11,7 @@ namespace {
 
 double flat_distance(const Vec3& a, const Vec3& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
-// Position relative to the line from a to b: distance along it from a, and distance to its right.
+// A position relative to the line from a to b: the distance along the line from a, and the distance to the right of it.
 struct Beside {
     double along_m = 0.0, right_m = 0.0;
 };
@@ -29,7 +29,7 @@ double off_leg(const Vec3& a, const Vec3& b, const Vec3& p) {
     return std::hypot(at.along_m - std::clamp(at.along_m, 0.0, length_m), at.right_m);
 }
 
-// The route without consecutive duplicate points.
+// Returns the route without consecutive duplicate points.
 std::vector<Vec3> legs_only(std::span<const Vec3> route_m) {
     std::vector<Vec3> route;
     for (const Vec3& place : route_m)
@@ -152,13 +152,14 @@ std::optional<double> order_tau(std::span<const std::size_t> order) {
 TurnsMet turns_met(std::span<const Vec3> route_m, std::span<const WayPoint> walk) {
     const std::vector<Vec3> route = legs_only(route_m);
     TurnsMet met;
-    std::size_t begin = 0;  // where the leg that leads to the turn begins in the walk
+    std::size_t begin = 0;  // index in the walk at which the leg before the current turn begins
     for (std::size_t i = 1; i + 1 < route.size(); ++i) {
         const Vec3 &from = route[i - 1], &turn = route[i], &next = route[i + 1];
         const double leg_m = flat_distance(from, turn);
         const Beside after = beside(from, turn, next);
-        const double turned_rad = std::atan2(after.right_m, after.along_m - leg_m);  // positive: to the right
-        // Take the walk until it comes near the point after the turn.
+        // The angle of the turn; positive: to the right.
+        const double turned_rad = std::atan2(after.right_m, after.along_m - leg_m);
+        // Consider the walk up to where it comes near the point after the turn.
         std::size_t end = begin;
         while (end < walk.size() && flat_distance(walk[end].place_m, next) >= kNearTurn_m) ++end;
         if (std::abs(turned_rad) < kTurn_rad) continue;
@@ -170,12 +171,12 @@ TurnsMet turns_met(std::span<const Vec3> route_m, std::span<const WayPoint> walk
             const Vec3& place = walk[p].place_m;
             const Beside at = beside(from, turn, place);
             at_turn = at_turn || (at.along_m >= leg_m - kNearTurn_m && std::abs(at.right_m) < kOff_m);
-            if (glm::length(place - turn) < kNearTurn_m) past = p;  // the last time near the turn
+            if (glm::length(place - turn) < kNearTurn_m) past = p;  // the last time that the walker was near the turn
             if (!at_turn && at.along_m >= 0.0 && leg_m - at.along_m >= kEarly_m && side * at.right_m >= kEarlyOff_m)
                 early = true;
             if (!at_turn) continue;
-            // Missed: past the turn, and off the leg that follows. After a shallow turn, that leg continues in nearly
-            // the same direction.
+            // The walker missed the turn if they are past it and off the next leg. Being past the turn is not enough:
+            // after a shallow turn, the next leg continues in nearly the same direction.
             const double off_m = off_leg(turn, next, place);
             missed = missed || (at.along_m - leg_m >= kPast_m && off_m >= 0.5 * kPast_m) ||
                      (off_m >= kOff_m && off_leg(from, turn, place) >= kOff_m);

@@ -16,7 +16,7 @@ double turn_between(double a_rad, double b_rad) {
     return std::abs(std::remainder(b_rad - a_rad, 2.0 * std::numbers::pi));
 }
 
-// The distance of `p` from the straight line between two points.
+// Returns the distance of `p` from the straight line between two points.
 double off_line(const Vec3& a, const Vec3& b, const Vec3& p) {
     const double ux = b.x - a.x, uy = b.y - a.y, square = ux * ux + uy * uy;
     const double along = square > 0.0 ? std::clamp(((p.x - a.x) * ux + (p.y - a.y) * uy) / square, 0.0, 1.0) : 0.0;
@@ -27,13 +27,13 @@ bool at_base(const WalkSample& sample, const Vec3& base_m, const StrategyTuning&
     return sample.home || flat_way_m(sample.place_m, base_m) < tuning.base_m;
 }
 
-// The samples at which legs end: at visits, and at bends of the path.
+// Returns the indices of the samples at which legs end: at visits, and at bends of the path.
 std::vector<std::size_t> cuts_of(std::span<const WalkSample> walk, const StrategyTuning& tuning) {
     std::vector<std::size_t> cuts{0};
     for (std::size_t i = 1; i < walk.size(); ++i)
         if (walk[i].thing >= 0 && walk[i].thing != walk[i - 1].thing && i > cuts.back()) cuts.push_back(i);
     if (cuts.back() + 1 < walk.size()) cuts.push_back(walk.size() - 1);
-    // Split until all parts are straight, working from the start.
+    // Split the walk until all parts are straight, from the start to the end.
     std::vector<std::size_t> open(cuts.rbegin(), cuts.rend()), done;
     done.push_back(open.back());
     open.pop_back();
@@ -85,7 +85,7 @@ std::vector<WalkedLeg> cut_legs(std::span<const WalkSample> walk, const Vec3& ba
     return legs;
 }
 
-// Joins legs that were split at a bend but continue in nearly the same direction.
+// Joins two legs if they were split at a bend but continue in nearly the same direction.
 void join_straight(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
     constexpr double kSlack_m = 0.2;
     std::vector<WalkedLeg> joined;
@@ -112,7 +112,7 @@ void join_straight(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
     legs = std::move(joined);
 }
 
-// Returns whether two legs are lanes of one grid: side by side, there and back.
+// Returns whether two legs are lanes of one grid, which run side by side in opposite directions.
 bool are_lanes(const WalkedLeg& a, const WalkedLeg& b, const StrategyTuning& tuning) {
     const double long_m = length_of(a), other_m = length_of(b);
     if (other_m < 0.5 * long_m || long_m < 0.5 * other_m) return false;
@@ -146,7 +146,8 @@ Strategy kind_of(const WalkedLeg& leg, bool between_lanes, const StrategyTuning&
 }
 
 void name_legs(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
-    constexpr double kStep_m = 0.4;  // a leg between two lanes may exceed their greatest distance by this
+    // A leg between two lanes may be longer than the greatest distance of lanes by this length.
+    constexpr double kStep_m = 0.4;
     for (std::size_t i = 0; i < legs.size(); ++i) {
         const bool between = i > 0 && i + 1 < legs.size() && legs[i - 1].kind == Strategy::Grid &&
                              legs[i + 1].kind == Strategy::Grid && length_of(legs[i]) <= tuning.lane_high_m + kStep_m;
@@ -154,8 +155,8 @@ void name_legs(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
     }
 }
 
-// Legs without a visit get the kind of the whole path from one visit or the base to the next, if that path is direct
-// enough.
+// Gives one kind to all legs of the path from one visit to the next, or between a visit and the base, if that path is
+// direct enough.
 void name_ways(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
     constexpr double kSlack_m = 0.5;
     for (std::size_t first = 0; first < legs.size();) {
