@@ -1,4 +1,4 @@
-// Reads the files of a learner that are lists of lines, with one entry for each line. Any thread.
+// Reads files of a learner that contain one entry on each line. Any thread.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace handrail::learners {
 
-// Calls `take` for each line of the file with its number, from 1. Does nothing if the file does not exist. A file that
-// cannot be read, or is longer than `longest_bytes`, is added to `faults`.
+// Calls `take` for each line of the file, with the line's number counted from 1. Does nothing if the file does not
+// exist. If the file cannot be read, or is longer than `longest_bytes`, adds a fault.
 void each_kept_line(const std::filesystem::path& file, std::size_t longest_bytes, std::vector<Error>& faults,
                     const std::function<void(std::string_view line, int number)>& take);
 

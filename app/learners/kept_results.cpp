@@ -80,7 +80,8 @@ Result<void> keep_results(const fs::path& learner_folder, const KeptResults& res
         if (!all.empty() && all.back() != '\n') all += '\n';
     }
     auto written = write_file_atomically(file, all + line_of(results));
-    if (written) (void)::chmod(file.c_str(), 0600);  // the folder keeps others out already
+    // A failure does no harm, because other users cannot enter the folder.
+    if (written) (void)::chmod(file.c_str(), 0600);
     return written;
 }
 

@@ -1,10 +1,11 @@
-// The learners of one data folder. Below learners/, each has a folder with a random name, which contains:
+// The learners of one data folder. Each has a folder with a random name below learners/, which contains:
 // - learner.toml and settings.toml
 // - recordings/
 // - worlds/: what the learner added to worlds
 // - learnt/: what the learner knows about worlds
-// - exports.jsonl: what was written elsewhere
-// Only the person may read them (0700, 0600). Any thread. Changes lock the folder and replace files atomically.
+// - exports.jsonl: the list of files about the learner outside this folder
+// Only the person at the computer may read these files (0700, 0600). Any thread. Changes lock the folder and replace
+// files atomically.
 #pragma once
 
 #include <filesystem>
@@ -27,16 +28,17 @@ public:
         std::vector<Error> faults;      // one for each folder whose learner.toml cannot be read
     };
     Found all() const;
-    // Finds a learner by the chosen name (ignoring the case of ASCII letters) or by id. Fails with the nearest name, or
-    // with what is wrong with the file.
+    // Finds a learner by the chosen name, ignoring the case of ASCII letters, or by id. Fails with the nearest name, or
+    // with what is wrong with the learner's file.
     Result<Learner> find(const std::string& name_or_id) const;
-    // The folder name of that learner; empty if there is none. If learner.toml is damaged, only the id is recognised.
+    // Returns the name of the learner's folder, which is the id; empty if there is none. If learner.toml is damaged,
+    // the function recognises only the id, not the chosen name.
     std::string id_of(const std::string& name_or_id) const;
     // Creates a learner with a folder. `settings` is the initial text of settings.toml. Fails if the name is taken.
     Result<Learner> make(const std::string& name, const std::string& settings) const;
-    // Reads the file, calls `to` to change the learner, and writes the file.
+    // Reads the learner's file, calls `to` to change the learner, and writes the file.
     Result<Learner> change(const std::string& id, const std::function<void(Learner&)>& to) const;
-    // Offers a name from the two lists that no learner has yet.
+    // Returns a name from the two lists that no learner has yet.
     std::string offer() const;
 
     const std::filesystem::path& folder() const { return folder_; }

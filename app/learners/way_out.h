@@ -1,6 +1,6 @@
-// The only way out for a learner's data. Every command that writes a file from data that may belong to a learner writes
-// it with a WayOut. It checks that the learner agreed to share, and notes the file in the learner's folder, so that
-// deleting the learner deletes it too. Any thread.
+// Every command that writes a file from data that may belong to a learner writes it with a WayOut. There is no other
+// way for a learner's data to leave the learner's folder. A WayOut checks that the learner agreed to share. It also
+// adds the file to the list in the learner's folder, so that deleting the learner deletes the file, too. Any thread.
 #pragma once
 
 #include <filesystem>
@@ -22,8 +22,7 @@ public:
 
     // The owner of the data; null: nobody.
     const Learner* learner() const { return learner_ ? &*learner_ : nullptr; }
-    // Fails if `file` is outside the learner's folder and the learner has not agreed to share. Call it before long
-    // work; write() checks again.
+    // Returns the owner of the data; null: nobody.
     Result<void> allows(const std::filesystem::path& file) const;
     // Checks the consent, notes the file and writes it. A file that cannot be noted is not written.
     using Writer = Result<void> (*)(const std::filesystem::path& file, std::string_view content);

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestOrder = 400, kMostWatchers = 4, kKept = 20;
 
-// The rest of an order after its word: "Library" for "lead Library" and "lead".
+// Returns the rest of an order after its first word: "Library" for the order "lead Library" and the word "lead".
 std::optional<std::string> rest_of(std::string_view order, std::string_view word) {
     if (order.size() <= word.size() + 1 || lower_ascii(order.substr(0, word.size())) != word ||
         order[word.size()] != ' ')
@@ -46,7 +46,7 @@ bool address_of(const fs::path& path, sockaddr_un& address) {
 }
 
 bool connects(int descriptor, const sockaddr_un& address) {
-    // The socket interface requires this type of address.
+    // The socket functions require this type of address.
     return ::connect(descriptor, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
 }
 
@@ -61,7 +61,8 @@ bool same_person_owns(const fs::path& file) {
     return ::lstat(file.c_str(), &found) == 0 && S_ISSOCK(found.st_mode) && found.st_uid == ::getuid();
 }
 
-// Takes whole lines out of what has arrived. Anything longer than an order is dropped.
+// Moves complete lines from the received text `come` to `lines`. Lines that are longer than an order can be are
+// dropped.
 void take_lines(std::string& come, std::vector<std::string>& lines) {
     for (std::size_t end = come.find('\n'); end != std::string::npos; end = come.find('\n')) {
         std::string line = one_line(come.substr(0, end));
@@ -157,11 +158,11 @@ Result<std::unique_ptr<DeskServer>> DeskServer::open(const fs::path& folder, con
     struct stat found {};
     if (::lstat(folder.c_str(), &found) != 0) return refused();
     errno = EACCES;
-    // Other users could replace the socket.
+    // Refuse a folder to which other users have access, because they could replace the socket.
     if (found.st_uid != ::getuid() || (found.st_mode & 0077U) != 0U) return refused();
     state->listening = ::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     if (state->listening < 0) return refused();
-    fs::remove(state->path, ec);  // left by an earlier process with the same id
+    fs::remove(state->path, ec);  // a socket that an earlier process with the same id left behind
     const mode_t before = ::umask(0077);
     const bool bound = ::bind(state->listening, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
                        ::listen(state->listening, static_cast<int>(kMostWatchers)) == 0;
@@ -199,7 +200,7 @@ void DeskServer::tell(const std::string& line) {
 
 namespace {
 
-// A connection to a desk, for an instructor who watches.
+// An instructor's connection to a desk.
 class WatchedDesk {
 public:
     explicit WatchedDesk(int descriptor) : descriptor_(descriptor) {}
@@ -219,7 +220,8 @@ public:
         return got > 0 || (got < 0 && errno == EINTR);
     }
     std::string take_come() { return std::exchange(come_, {}); }
-    // The first line of the desk, once it has arrived. Empty if the desk closes before or does not answer.
+    // Waits for the first line of the desk, its title, and returns it. Returns an empty text if the desk closes the
+    // connection or does not answer.
     std::string title() {
         constexpr timeval kWait{5, 0}, kForEver{0, 0};
         ::setsockopt(descriptor_, SOL_SOCKET, SO_RCVTIMEO, &kWait, sizeof kWait);
@@ -238,7 +240,7 @@ private:
     std::string come_;
 };
 
-// All desks that answer, sorted by file name. Sockets that a crashed program left behind are deleted.
+// Connects to all desks that answer, sorted by file name. Deletes sockets that a crashed program left behind.
 std::vector<WatchedDesk> desks_in(const fs::path& folder) {
     std::error_code ec;
     std::vector<fs::path> files;
@@ -265,7 +267,7 @@ class TypedLines {
 public:
     explicit TypedLines(int descriptor) : descriptor_(descriptor) {}
     int descriptor() const { return descriptor_; }  // -1: the input has ended
-    // Waits for input, unless it has ended.
+    // Waits for input. At the end of the input, descriptor() becomes -1.
     void read() {
         std::array<char, 1024> bytes{};
         const ssize_t got = ::read(descriptor_, bytes.data(), bytes.size());
@@ -276,7 +278,7 @@ public:
         typed_.append(bytes.data(), static_cast<std::size_t>(got));
         take_lines(typed_, lines_);
     }
-    // The next complete line, if any.
+    // Returns the next complete line, if there is one.
     std::optional<std::string> take() {
         if (lines_.empty()) return std::nullopt;
         std::string line = std::move(lines_.front());
@@ -290,7 +292,7 @@ private:
     std::vector<std::string> lines_;
 };
 
-// Asks for the number of a desk. Returns nothing if the input ends first.
+// Asks the instructor for the number of a desk. Returns nothing if the input ends first.
 std::optional<std::size_t> chosen_of(std::vector<WatchedDesk>& desks, TypedLines& input, std::ostream& out) {
     while (input.descriptor() >= 0) {
         out << phrase("desk_order.several", {{"count", desks.size()}}) << "\n";

@@ -1,4 +1,4 @@
-// What a lesson needs to know about the learner. Plain data.
+// The name of a learner in a lesson, and a number derived from it. Plain data.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,10 @@
 namespace handrail::teaching {
 
 struct LearnerName {
-    std::string name;          // chosen name; empty: nobody in particular
-    std::uint64_t number = 0;  // seed for shuffled orders
+    std::string name;          // chosen name; empty: no particular learner
+    std::uint64_t number = 0;  // seed for shuffled orders, derived from the name
 };
-// The name with its number, which is always the same.
+// Returns the name with its number. Equal names have equal numbers.
 LearnerName learner_named(const std::string& name);
 
 }  // namespace handrail::teaching

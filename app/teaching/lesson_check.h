@@ -1,4 +1,5 @@
-// Connects a lesson with a session, and runs the scripted pupils of a lesson in a session without a user interface.
+// Connects a lesson with a session. Also tries a lesson with its scripted pupils, in a session without a user
+// interface.
 #pragma once
 
 #include <span>
@@ -14,12 +15,12 @@ class Session;
 
 namespace handrail::teaching {
 
-// One turn of a lesson: it sees what has happened since the last turn, and its wishes reach the session. Call it
-// between two ticks of the session; ten times a second is enough. `speaking`: the voice is speaking.
+// Runs one turn of a lesson. The lesson receives the events since the last turn, and its acts are applied to the
+// session. Call it between two ticks of the session; ten times a second is enough. `speaking`: the voice is speaking.
 void teach_on(TeachingRun& run, core::Session& app, std::span<const core::SessionEvent> events, double now_s,
               bool speaking = false);
 
-// Begins a run for a session, with the session's settings and keys.
+// Begins a run of a lesson's session, with the settings and keys of `app`.
 TeachingRun begin_lesson(const std::shared_ptr<TaughtWorld>& world, std::size_t session, const LearnerName& learner,
                          const core::Session& app);
 
@@ -28,15 +29,15 @@ struct PupilOutcome {
     std::vector<std::string> failures;  // sentences with file and line
     std::vector<TaskResult> results;
     std::vector<core::LoggedLine> lines;
-    double seconds = 0.0;  // in virtual time
+    double seconds = 0.0;  // duration on the virtual clock
 };
-// Fails only where the script asks for something impossible. read, rooms_kept: as of run_scenario.
+// Fails only if the script asks for something impossible. `read` and `rooms_kept` are as for run_scenario.
 Result<PupilOutcome> run_pupil(const std::shared_ptr<TaughtWorld>& world, const LessonPupil& pupil,
                                cues::AudioSink& audio, cues::SpeechSink& speech, const core::WorldReader& read,
                                core::RoomsKept* rooms_kept = nullptr);
 
-// The protocol of a lesson for a learner, to be written down in advance: sessions, steps in their order, help in each
-// lap, and blocked doors.
+// Returns the protocol of a lesson for a learner, which an instructor can write down in advance: sessions, steps in
+// their order, help in each lap, and blocked doors.
 std::string protocol_of(const LessonFile& lesson, const LearnerName& learner);
 
 }  // namespace handrail::teaching

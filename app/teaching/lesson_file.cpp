@@ -15,14 +15,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLongestText = 2000;  // longest sentence to be spoken
+constexpr std::size_t kLongestText = 2000;  // longest sentence that a lesson can contain, in bytes
 constexpr int kMostLaps = 20;
 
 [[noreturn]] void bad(const settings::TomlValue& node, std::string message) {
     throw core::BadField{node.line, std::move(message)};
 }
 
-// The text as a single line that can be spoken.
+// Returns the text as a single line that can be spoken.
 std::string line_of_text(const settings::TomlValue& node, const std::string& text) {
     if (text.size() > kLongestText || !is_utf8(text)) bad(node, phrase("teaching.long_text", {{"most", kLongestText}}));
     std::string line = one_line(text);
@@ -34,7 +34,7 @@ std::string name_in(core::TomlFields& fields, const char* key) {
     return line_of_text(fields.node(key), fields.text(key));
 }
 
-// Reads `key`, and its translations such as key_de.
+// Reads the text under `key`, and its translations under keys such as key_de.
 LessonText text_in(const settings::TomlValue& table, core::TomlFields& fields, const char* key) {
     LessonText text;
     if (fields.has(key)) text.text = name_in(fields, key);
@@ -43,7 +43,8 @@ LessonText text_in(const settings::TomlValue& table, core::TomlFields& fields, c
         if (name.size() != head.size() + 2 || !name.starts_with(head)) continue;
         text.others.push_back({name.substr(head.size()), name_in(fields, name.c_str())});
     }
-    if (text.text.empty() && !text.others.empty()) fields.node(key);  // reports that the main text is missing
+    // Looks up the main text again, to report that it is missing.
+    if (text.text.empty() && !text.others.empty()) fields.node(key);
     return text;
 }
 
@@ -84,8 +85,8 @@ const settings::TomlValue& table_in(core::TomlFields& fields, const char* key) {
     return node;
 }
 
-// A lesson must not set anything that affects the person directly: the strength of forces, or what is heard and how
-// fast.
+// Returns whether a lesson may set `key`. It must not set anything that affects the person directly: the strength of
+// forces, or what the person hears and how fast.
 bool may_be_set(std::string_view key) {
     for (const std::string_view topic : {"haptic.", "speech.", "sound.", "keyboard.", "welcome.", "desk.", "profile."})
         if (key.starts_with(topic)) return false;
@@ -152,7 +153,7 @@ StepKind kind_in(core::TomlFields& fields) {
                 {"nearest", nearest_name(word, std::vector<std::string>(kStepWords.begin(), kStepWords.end()))}}));
 }
 
-// The help in each lap; the last lap has none.
+// Returns the help in each lap. The last lap has none.
 std::vector<int> laps_in(core::TomlFields& fields) {
     std::vector<int> help{0};
     if (fields.has("help_percent")) {
@@ -383,8 +384,8 @@ std::vector<std::size_t> step_order(const TaughtSession& session, std::size_t se
     std::vector<std::size_t> order(session.steps.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     if (!session.shuffle) return order;
-    // SplitMix64 (Steele, Lea, Flood 2014) gives the same numbers on every machine, which std::shuffle does not
-    // guarantee.
+    // Shuffle with SplitMix64 (Steele, Lea, Flood 2014), which gives the same order on every machine. std::shuffle does
+    // not guarantee that.
     std::uint64_t state = learner * 0x9e3779b97f4a7c15U + session_index + 1;
     const auto next = [&] {
         std::uint64_t z = (state += 0x9e3779b97f4a7c15U);

@@ -1,4 +1,4 @@
-// The lesson that the program makes, see lesson_file.h.
+// Makes a lesson of three sessions from a draft; see lesson_file.h.
 #include <algorithm>
 
 #include "app/teaching/lesson_file.h"
@@ -11,7 +11,7 @@ LessonPlace place_of(const core::LessonDraft::Place& from) {
     place.name = from.name;
     place.thing = from.thing;
     if (from.thing.empty()) place.room = from.room;
-    place.place_m = from.place_m;  // tells apart several objects or rooms of the same name
+    place.place_m = from.place_m;  // the place tells apart several objects or rooms of the same name
     return place;
 }
 

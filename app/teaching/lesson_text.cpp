@@ -1,4 +1,4 @@
-// Writes lessons as text, see lesson_file.h.
+// Writes lessons as text; see lesson_file.h.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,7 +7,7 @@
 namespace handrail::teaching {
 namespace {
 
-// For a text of a single line.
+// Returns a text of a single line as a TOML string.
 std::string quoted(const std::string& text) {
     std::string out = "\"";
     for (const char c : text) {

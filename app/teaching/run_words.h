@@ -1,4 +1,4 @@
-// Functions that both parts of a run use.
+// Functions that both parts of a running lesson use, teaching_run.cpp and teaching_questions.cpp.
 #pragma once
 
 #include <cmath>
@@ -8,13 +8,13 @@
 
 namespace handrail::teaching {
 
-// Returns whether two places are this close horizontally and on the same storey.
+// Returns whether two places are on the same storey and at most `level_m` apart horizontally.
 inline bool near_place(const Vec3& a, const Vec3& b, double level_m) {
     constexpr double kSameHeight_m = 1.0;
     return std::abs(a.z - b.z) < kSameHeight_m && std::hypot(a.x - b.x, a.y - b.y) < level_m;
 }
 
-// Joins two sentences, either of which may be empty.
+// Joins two sentences. Either may be empty.
 inline std::string one_after(std::string first, const std::string& then) {
     if (!first.empty() && !then.empty()) first += ' ';
     return first + then;

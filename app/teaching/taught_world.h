@@ -1,5 +1,5 @@
-// A lesson in its world: all names are looked up before anything runs. One thread owns and queries it. Finding the
-// rooms takes from milliseconds to seconds.
+// A lesson together with its world. All names in the lesson are looked up before anything runs. One thread owns and
+// queries the object. Finding the rooms takes from milliseconds to seconds.
 #pragma once
 
 #include <map>
@@ -16,17 +16,18 @@
 namespace handrail::teaching {
 
 struct TaughtPlace {
-    std::string name;    // as announced
-    Vec3 stand_m{0.0};   // where people stand there
-    Vec3 middle_m{0.0};  // the target for pointing
-    Aabb box_m{};        // the whole object; empty for a room or a place
+    std::string name;    // the name as announced
+    Vec3 stand_m{0.0};   // where people stand at this place
+    Vec3 middle_m{0.0};  // the target when the learner points to this place
+    Aabb box_m{};        // box of the whole object; empty for a room or another place
 };
 
 class TaughtWorld {
 public:
-    // Fails with file and line where a thing, room or door is not in the world (the message gives the nearest name),
-    // nobody can walk a route, or a block leaves no way. checksum: of the world's file now; empty: unknown. rooms_kept:
-    // of the sessions that will enter the same scene; null: the rooms are found for the lesson alone.
+    // Looks up everything in the lesson. Fails with file and line if an object, room or door is not in the world; the
+    // message suggests the nearest name. Also fails if nobody can walk a route, or if blocked doors leave no route.
+    // `checksum`: of the world's file now; empty: unknown. `rooms_kept`: the rooms for all sessions that will enter the
+    // same scene; null: the rooms are found for this lesson alone.
     static Result<std::shared_ptr<TaughtWorld>> find(LessonFile lesson, const std::shared_ptr<const Scene>& scene,
                                                      const std::string& checksum = {},
                                                      core::RoomsKept* rooms_kept = nullptr);
@@ -35,23 +36,23 @@ public:
     const std::shared_ptr<const Scene>& scene() const { return scene_; }
     const TaughtPlace& base() const { return base_; }
     double base_heading_rad() const { return base_heading_rad_; }
-    // Finds a place by any name of the lesson or of a room; null if there is none.
+    // Returns a place by any name of the lesson or of a room; null if there is none.
     const TaughtPlace* place(std::string_view name) const;
-    // The places of a route's stops.
+    // Returns the places at which a route stops.
     std::vector<TaughtPlace> stops_of(const LessonRoute& route) const;
     std::optional<FeatureId> door(std::string_view name) const;
-    // The most similar name, among all names that place() knows, or among the doors.
+    // nearest returns the most similar of all names that place() knows; nearest_door returns that of the doors.
     std::string nearest(std::string_view name) const;
     std::string nearest_door(std::string_view name) const;
-    // The walking route through all stops, with the given doors blocked.
+    // Returns the walking route through all stops while the given doors are blocked.
     navigation::Route way(const Vec3& from_m, const std::vector<TaughtPlace>& stops,
                           const std::vector<FeatureId>& blocked = {});
-    // A sentence about what has changed since the lesson was written; empty if nothing has.
+    // Returns a sentence about what has changed in the world since the lesson was written; empty if nothing has.
     const std::string& news() const { return news_; }
 
 private:
     TaughtWorld() = default;
-    // The candidate that `place` means. Fails if there are several and nothing decides between them.
+    // Returns the candidate that `place` means. Fails if there are several candidates and nothing decides between them.
     Result<TaughtPlace> one_of(const LessonPlace& place, const std::vector<TaughtPlace>& candidates) const;
     Result<TaughtPlace> look_up(const LessonPlace& place) const;
     Result<void> know(const LessonPlace& place);
@@ -59,7 +60,8 @@ private:
     Result<void> check_asked(const TaughtStep& step) const;
     Result<void> check_step(const TaughtStep& step);
     std::vector<std::string> names() const;
-    // Each door by its name, by its kind if it is the only one, and by the rooms that it joins.
+    // Returns each door with its name, with its kind if it is the only one of that kind, and with the rooms that it
+    // joins.
     std::vector<std::pair<std::string, FeatureId>> doors() const;
     std::vector<std::string> door_names() const;
     tl::unexpected<Error> bad(int line, const char* key, const std::string& name,

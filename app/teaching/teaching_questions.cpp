@@ -1,4 +1,4 @@
-// The questions of a lesson, and how it evaluates answers. See teaching_run.h.
+// Asks the questions of a lesson and evaluates the answers. See teaching_run.h.
 #include <algorithm>
 #include <cmath>
 
@@ -9,9 +9,10 @@
 namespace handrail::teaching {
 namespace {
 
-constexpr double kAway_m = 1.0;  // learners farther than this from the place of a question are put there
+constexpr double kAway_m = 1.0;  // a learner who is farther than this from the place of a question is put there
 
-// The tolerance is half a hundredth of a degree, because answers come in whole hundredths.
+// Returns whether an answer passes. The tolerance is half a hundredth of a degree, because answers are in whole
+// hundredths.
 bool passes(double error_rad, double pass_deg) { return std::abs(degrees_from_radians(error_rad)) <= pass_deg + 0.005; }
 
 }  // namespace
@@ -27,7 +28,7 @@ void TeachingRun::ask() {
         return act(core::TeacherActed::Kind::Ask, asked_.text);
     }
     if (now.kind == StepKind::Order) {
-        // Shows the items in a shuffled order, never in the right one.
+        // Shows the items in a shuffled order that is never the right one.
         asked_.shown.clear();
         TaughtSession drawn;
         drawn.shuffle = true;
@@ -121,7 +122,8 @@ void TeachingRun::answered(const std::string& text) {
                                      : "teaching.pointed_left",
                        {{"degrees", degrees}});
         const bool passed = now.pass_deg && passes(error, *now.pass_deg);
-        if (now.pass_deg && !(passed && degrees < 5))  // not announced if the pointing was good: the learner then knows
+        // Not announced after a very good answer, which the learner knows has passed.
+        if (now.pass_deg && !(passed && degrees < 5))
             words = one_after(words, phrase(passed ? "teaching.point_passes" : "teaching.point_passes_not",
                                             {{"degrees", *now.pass_deg}}));
     } else {

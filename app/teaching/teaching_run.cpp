@@ -14,10 +14,10 @@ namespace {
 
 constexpr double kSample_s = 0.1, kArrived_m = 1.5, kNotReachedHigh_m = 1.0;
 constexpr double kAtDoor_m = 1.5, kLeftDoor_m = 2.0;
-constexpr std::size_t kMostSamples = 36000;  // of one hour
+constexpr std::size_t kMostSamples = 36000;  // samples of one hour
 constexpr double kWallTouched_s = 0.5;
 
-// The horizontal distance of a place from a route on the same storey.
+// Returns the horizontal distance of a place from a route, if both are on the same storey.
 double off_way_m(const std::vector<Vec3>& way, const Vec3& at) {
     double best = 1e9;
     for (std::size_t i = 1; i < way.size(); ++i) {
@@ -45,7 +45,7 @@ int times_off(const std::vector<Vec3>& way, const std::vector<results::WayPoint>
 
 LearnerName learner_named(const std::string& name) {
     if (name.empty()) return {};
-    std::uint64_t hash = 14695981039346656037U;  // FNV-1a
+    std::uint64_t hash = 14695981039346656037U;  // the hash FNV-1a
     for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
     return {name, hash};
 }
@@ -160,7 +160,7 @@ void TeachingRun::follow_walk() {
                                   .thing = std::exchange(whole_.visited, -1)});
 }
 
-// The knowledge of the room counts as it was when the learner was last in it.
+// Updates what the learner knows about the room to learn. After the learner has left the room, the last values count.
 void TeachingRun::follow_room() {
     if (step().kind != StepKind::Learn || lower_ascii(view_.room) != lower_ascii(step().room)) return;
     if (view_.perimeter_m > 0.0) task_.walls_percent = 100.0 * view_.walls_share;
@@ -169,7 +169,8 @@ void TeachingRun::follow_room() {
 
 void TeachingRun::tick(double now_s, const core::LessonView& view, bool speaking) {
     now_s_ = now_s;
-    // The view is current, but events arrive a frame later. Until then a jump must not look like a walk.
+    // The view is current, but events arrive a frame later. Until then, a walker who was put somewhere must not seem to
+    // have walked there.
     if (view.times_put != view_.times_put) task_.leap = true;
     view_ = view;
     if (!speaking) end_busy(speaks_since_s_);
@@ -253,7 +254,7 @@ void TeachingRun::begin_go() {
     begin_lap();
 }
 
-// The share of help in this lap, at the level that the learner has reached.
+// Returns the help in this lap, as a fraction, at the level that the learner has reached.
 double TeachingRun::level() const {
     const std::vector<int>& help = step().help_percent;
     const bool last = laps_.lap + 1 == static_cast<int>(help.size());
@@ -277,7 +278,8 @@ void TeachingRun::begin_lap() {
     lead();
 }
 
-// A stop behind a blocked door cannot be passed, so if doors are blocked, only the last stop counts.
+// Returns the stops to which the lap leads. The learner may be unable to pass a stop behind a blocked door, so if doors
+// are blocked, only the last stop counts.
 std::vector<TaughtPlace> TeachingRun::led_stops() const {
     return laps_.blocked.empty() ? laps_.stops : std::vector{laps_.stops.back()};
 }
@@ -313,10 +315,10 @@ TaskResult TeachingRun::measured(std::string name) const {
 void TeachingRun::end_lap(bool reached) {
     TaskResult result = measured(laps_.stops.back().name);
     result.measures["reached"] = reached ? 1.0 : 0.0;
-    // The walker was put at the start of the lap, so the walk counts from there.
+    // The lap put the walker at its start, so the walk counts from there.
     int errors = times_off(laps_.shortest.points_m, task_.walk, step().off_route_m);
     if (reached) {
-        // The shortest route ends where the walker counts as arrived, a little before the stop itself.
+        // The shortest route is measured to where the walker arrived, which is a little before the stop itself.
         std::vector<TaughtPlace> stops = led_stops();
         stops.back().stand_m = view_.feet_m;
         const navigation::Route shortest = world_->way(world_->base().stand_m, stops, laps_.blocked);

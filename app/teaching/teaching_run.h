@@ -1,6 +1,6 @@
-// A running session of a lesson. It sees what happens, says what to do next, and measures. It changes nothing directly:
-// its wishes become inputs of the session (session_input.h), so a recording contains all of them. Plain state; one
-// thread.
+// A running session of a lesson. It receives what happens, says what the learner does next, and measures. It changes
+// nothing directly: its acts become inputs of the session (session_input.h), so a recording contains all of them. Plain
+// state; one thread.
 #pragma once
 
 #include <map>
@@ -19,16 +19,16 @@
 
 namespace handrail::teaching {
 
-// The measures of one task, with the keys of reports, and also "reached" and "detour" (1: yes).
+// The measures of one task, with the keys of reports. "reached" and "detour" are also measures (1: yes).
 struct TaskResult {
     StepKind kind = StepKind::Free;
-    std::size_t step = 0;  // index in the file, from 0
-    int lap = 0;           // from 0
+    std::size_t step = 0;  // index of the step in the file, from 0
+    int lap = 0;           // index of the lap, from 0
     std::string name;
     std::map<std::string, double> measures;
-    double ended_s = 0.0;  // in the session's clock
+    double ended_s = 0.0;  // time on the session's clock
 };
-// In the form in which a recording contains it.
+// Returns the result as an input of the session, which a recording contains.
 core::TeacherActed result_act(const TaskResult& result);
 
 class TeachingRun {
@@ -39,7 +39,8 @@ public:
         std::size_t session = 0;
         LearnerName learner;
         double step_length_m = 0.7;
-        std::string done_key, task_key;  // names of keys as they are announced
+        // Names of the keys for answering and for hearing the task again, as they are announced.
+        std::string done_key, task_key;
     };
     TeachingRun(std::shared_ptr<TaughtWorld> world, Start start);
 
@@ -47,30 +48,30 @@ public:
     // Call after the session's tick; about ten times a second is enough. The lesson begins once the rooms are known.
     // `speaking`: the voice is speaking, as the ears report it.
     void tick(double now_s, const core::LessonView& view, bool speaking = false);
-    // The inputs that the session must get now, in order.
+    // Returns the inputs to apply to the session now, in their order.
     std::vector<core::SessionInput> take_acts() { return std::exchange(acts_, {}); }
     bool over() const { return over_; }
-    // Over with all steps done, not left early.
+    // Returns true if the lesson is over and all its steps were done, so that it was not left early.
     bool finished() const { return finished_; }
 
-    // Orders of the instructor. Each returns what happened, or why it is impossible. If the instructor blocks a door on
-    // a route that is being learnt, it counts like a door that the lesson blocks: the lap is then measured against the
-    // detour.
+    // The orders of the instructor. Each returns what happened, or why it is impossible. If the instructor blocks a
+    // door on a route that the learner is learning, it counts like a door that the lesson blocks: the lap is then
+    // measured against the detour.
     std::string next(double now_s);
     std::string repeat();
-    std::string change_help(int by);  // 1: more, -1: less
-    // Guides the learner to a place until arrival, the next task, or leave_lead(). Refused while a question about
-    // places waits, because it would give the answer away.
+    std::string change_help(int by);  // `by`: 1 for more help, -1 for less
+    // Guides the learner to a place until the learner arrives, the next task begins, or leave_lead() is called. Refused
+    // while the learner has to answer a question about places, because guidance would give the answer away.
     std::string lead_to(const std::string& name);
     std::string leave_lead();
     std::string block(const std::string& door, bool blocked);
     void note(const std::string& text);
     std::string end(double now_s);
 
-    // One line about the current state: place, walls, contacts, help, strategy.
+    // Returns one line about the current state: place, walls, contacts, help, strategy.
     std::string summary() const;
     const std::vector<TaskResult>& results() const { return results_; }
-    // Share of the session's time so far.
+    // Returns the strategy's share of the session's time until now.
     double share_of(results::Strategy strategy) const;
 
 private:
@@ -86,7 +87,7 @@ private:
     void end_lap(bool reached);
     void end_step();
     void finish(bool all);
-    // Ends a busy time and adds it to the current task.
+    // Ends a time in which the learner was busy, and adds it to the current task. `since_s` is its beginning.
     void end_busy(std::optional<double>& since_s);
     void follow_walk();
     void follow_room();
@@ -113,29 +114,30 @@ private:
     std::vector<TaskResult> results_;
     core::LessonView view_;
     double now_s_ = 0.0, sampled_s_ = -1e9, summed_s_ = -1e9;
-    // Since when; nothing: not at the moment.
+    // Since when the learner has been guided, a list has been open, and the voice has been speaking; nothing: not at
+    // the moment.
     std::optional<double> led_since_s_, list_since_s_, speaks_since_s_;
 
-    // The current task.
+    // What was measured in the current task.
     struct Task {
         double begun_s = 0.0;
         std::vector<results::WayPoint> walk;
         std::vector<results::Touch> touches;
         int help = 0;
         double led_s = 0.0;
-        std::vector<results::Span> busy;  // a list was open, or the voice was speaking
+        std::vector<results::Span> busy;  // times when a list was open, or the voice was speaking
         bool leap = false;
-        // For a room to be learnt: as it was when the learner was last in it.
-        std::optional<double> walls_percent, exits_percent;  // nothing: it has no walls, or no exits
+        // How much of a room to learn was known when the learner was last in it.
+        std::optional<double> walls_percent, exits_percent;  // nothing: the room has no walls, or no exits
     } task_;
     struct Questions {
         std::string told, text;          // texts of the task and of the question; empty: none
-        std::size_t at = 0;              // index in the step's `to`
-        std::vector<double> errors_rad;  // errors of pointing
+        std::size_t at = 0;              // index of the current question in the step's `to`
+        std::vector<double> errors_rad;  // errors of the answers to pointing questions
         std::vector<results::Judged> judged;
         std::vector<std::size_t> shown;  // order in which the items were shown
     } asked_;
-    // For a route that is being learnt.
+    // State of a step in which the learner learns a route.
     struct Laps {
         int lap = 0;
         std::size_t level = 0;
@@ -143,7 +145,7 @@ private:
         std::vector<TaughtPlace> stops;
         std::vector<FeatureId> blocked;
         navigation::Route shortest;
-        // When the learner came to a blocked door, and was last near it.
+        // When the learner first came to a blocked door in this lap, and was last near it.
         std::optional<double> met_s, left_s;
     } laps_;
     struct Whole {

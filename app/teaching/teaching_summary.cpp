@@ -1,4 +1,4 @@
-// The summary of the lesson so far, for the instructor. See teaching_run.h.
+// Makes the instructor's summary of the lesson until now. See teaching_run.h.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace handrail::teaching {
 namespace {
 
-constexpr double kWindow_s = 100.0;  // time span of the samples that decide the current strategy
+constexpr double kWindow_s = 100.0;  // length of the time whose samples decide the current strategy
 
 }  // namespace
 
