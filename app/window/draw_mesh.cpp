@@ -7,16 +7,17 @@
 namespace handrail::window {
 namespace {
 
-constexpr double kSameLine_m = 1e-4;  // far above the rounding of file coordinates, far below what is visible
+// Points on one line may be this far apart: far above the rounding of file coordinates, far below what is visible.
+constexpr double kSameLine_m = 1e-4;
 constexpr double kAngleCell_rad = 1e-3;
 constexpr double kOffsetCell_m = 1e-3;
 
-// Two perpendicular unit vectors in a plane.
+// Two perpendicular unit vectors in a plane: u is level, and v is as upright as the plane allows.
 struct PlaneAxes {
     Vec3 u, v;
 };
 
-// u is level, and v is as upright as the plane allows, so that stripes look upright or level in the room.
+// Returns the axes in which the patterns of a surface are drawn, so that stripes look upright or level in the room.
 PlaneAxes axes_of(const Vec3& normal) {
     const Vec3 level = glm::cross(Vec3(0.0, 0.0, 1.0), normal);
     const double length = glm::length(level);
@@ -24,14 +25,14 @@ PlaneAxes axes_of(const Vec3& normal) {
     return {u, glm::cross(normal, u)};
 }
 
-// An edge of a polygon as a piece of a line in its plane. The line's direction has an angle in [0, pi); t runs along
-// it.
+// An edge of a polygon as a piece of a line in the polygon's plane. The direction of the line has an angle in [0, pi).
+// t is the position along the line.
 struct PlaneEdge {
     Vec3 a_m, b_m;
     double angle_rad = 0.0;
-    double offset_m = 0.0;  // distance of the line from the plane's origin
+    double offset_m = 0.0;  // distance of the line from the origin of the plane's axes
     double t_from_m = 0.0, t_to_m = 0.0;
-    bool forward = true;  // the polygon runs in the line's direction
+    bool forward = true;  // true if the polygon's corners follow the line's direction
 };
 
 PlaneEdge plane_edge(const Vec3& a_m, const Vec3& b_m, const PlaneAxes& axes) {
@@ -50,7 +51,7 @@ PlaneEdge plane_edge(const Vec3& a_m, const Vec3& b_m, const PlaneAxes& axes) {
     return edge;
 }
 
-// Finds the parts of the edges of coplanar pieces across which no other piece continues.
+// Finds the outline of coplanar pieces: the parts of their edges across which no other piece continues.
 class Outline {
 public:
     void add(const Polygon& polygon, const PlaneAxes& axes, const Vec3& origin_m) {
@@ -83,7 +84,8 @@ private:
         const std::int64_t angles = std::llround(kPi / kAngleCell_rad);
         std::int64_t angle = std::llround(angle_rad / kAngleCell_rad) + d_angle;
         double offset = offset_m;
-        if (angle < 0 || angle >= angles) {  // beyond the end of its range of angles the line's direction reverses
+        // Beyond either end of the range of angles, the direction of the line reverses.
+        if (angle < 0 || angle >= angles) {
             angle += angle < 0 ? angles : -angles;
             offset = -offset;
         }
@@ -92,7 +94,7 @@ private:
 
     static void cover(const PlaneEdge& edge, const PlaneEdge& other, std::vector<std::pair<double, double>>& covered) {
         const double turned = std::abs(edge.angle_rad - other.angle_rad) > kPi / 2 ? -1.0 : 1.0;
-        // The other piece is on the same side of the line.
+        // The other piece is on the same side of the line, so it does not continue the surface.
         if (edge.forward == (other.forward == (turned > 0.0))) return;
         const Vec3 along = (edge.b_m - edge.a_m) / glm::distance(edge.a_m, edge.b_m);
         for (const Vec3& p : {other.a_m, other.b_m}) {
@@ -152,8 +154,8 @@ public:
             if (both_sides) indices.insert(indices.end(), {first, first + i + 1, first + i});
         }
 
-        // Rounding can put two coplanar pieces under different keys. A line is then drawn between them, which does no
-        // harm.
+        // Two coplanar pieces can have different keys because of rounding. A line is then drawn between them, which
+        // does no harm.
         const Vec3 local = points.front() - mesh_.origin_m;
         const auto rounded = [](double value) { return std::llround(value * 1000.0); };
         const auto key = std::tuple(feature.value, rounded(normal.x), rounded(normal.y), rounded(normal.z),
@@ -227,8 +229,8 @@ DrawLook look_of(FeatureKind kind, SolidRole role, const Vec3& normal) {
                 DrawPattern::Plain, false};
     if (normal.z < -0.9) return {grey(object ? 0.30 : 0.36), DrawPattern::Plain, false};
     if (normal.z > 0.2) return {{56, 66, 90}, DrawPattern::Plain, false};
-    // Walls that face east and west are lighter than those that face north and south, so that a corner shows without
-    // its outline.
+    // Walls that face east and west are lighter than those that face north and south. So the corner between two walls
+    // is visible without its outline.
     const double level = 0.64 + 0.14 * std::abs(normal.x);
     if (!object) return {grey(level), DrawPattern::Plain, false};
     return {{static_cast<std::uint8_t>(std::lround(255.0 * (level + 0.15))),
@@ -264,7 +266,8 @@ DrawMesh build_draw_mesh(const Scene& scene, const std::function<bool(FeatureId)
     for (const MeshTriangle& triangle : scene.triangles) {
         const Vec3 across = glm::cross(triangle.b_m - triangle.a_m, triangle.c_m - triangle.a_m);
         const double twice_area_m2 = glm::length(across);
-        if (twice_area_m2 < 1e-12 || left_out(triangle.feature)) continue;  // a needle-shaped triangle is invisible
+        // Leave out degenerate triangles, which are invisible.
+        if (twice_area_m2 < 1e-12 || left_out(triangle.feature)) continue;
         const Vec3 normal = across / twice_area_m2;
         builder.add({{triangle.a_m, triangle.b_m, triangle.c_m}}, normal, triangle.feature,
                     look_of(kind_of(triangle.feature), SolidRole::Solid, normal), true);

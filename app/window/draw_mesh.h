@@ -1,6 +1,6 @@
-// Converts a Scene to data for the graphics card: triangles, outlines and the brightness of each surface. Built once
-// per scene by pure functions on any thread. Kinds of surface differ in luminance or pattern, never in hue alone, so
-// that people with any colour vision can tell them apart.
+// Converts a Scene to data for the graphics card: triangles, outlines and the brightness of each surface. These pure
+// functions run once for each scene, on any thread. Kinds of surface differ in luminance or pattern, never in hue
+// alone, so that people with any colour vision can tell them apart.
 #pragma once
 
 #include <array>
@@ -20,11 +20,11 @@ struct DrawLook {
     bool translucent = false;
 };
 
-// A vertex in the graphics card's layout. Float is precise enough once the origin is inside the building: at a distance
-// of 128 m neighbouring values differ by 0.008 mm.
+// A vertex in the layout that the graphics card reads. Float is precise enough if the origin is inside the building: at
+// a distance of 128 m, neighbouring values differ by 0.008 mm.
 struct DrawVertex {
     std::array<float, 3> position_m;  // relative to DrawMesh::origin_m
-    std::array<float, 2> surface_m;   // position in the surface's own plane, for patterns
+    std::array<float, 2> surface_m;   // position on the surface's own axes, for patterns
     std::array<std::uint8_t, 3> rgb;
     DrawPattern pattern;
 };
@@ -33,7 +33,7 @@ struct DrawEdge {
     std::array<float, 3> a_m, b_m;  // relative to DrawMesh::origin_m
 };
 
-// A part of the building that is drawn or omitted as a whole.
+// A part of the building that is drawn or left out as a whole.
 struct DrawChunk {
     Aabb bounds_m;                                   // relative to DrawMesh::origin_m
     std::uint32_t first_index = 0, index_count = 0;  // range in DrawMesh::opaque
@@ -45,22 +45,24 @@ struct DrawMesh {
     Vec3 origin_m{0.0};
     std::vector<DrawVertex> vertices;
     std::vector<std::uint32_t>
-        opaque;  // triples of vertex indices, counter-clockwise as seen from outside; sheets have both sides
-    std::vector<std::uint32_t> translucent;  // also triples, but visible from both sides; drawn last
+        // Corners of triangles as vertex indices, counter-clockwise as seen from outside; sheets have triangles for
+        // both sides.
+        opaque;
+    std::vector<std::uint32_t> translucent;  // corners of triangles that are visible from both sides; drawn last
     std::vector<DrawEdge> edges;
-    std::vector<DrawChunk> chunks;  // together they cover all of `opaque` and `edges`
+    std::vector<DrawChunk> chunks;  // parts that together cover all of `opaque` and `edges`
 };
 
-// Walls are bright, doors brightest with upright stripes, floors dark, ceilings in between. Liquids have slanted
-// stripes and are translucent.
+// Returns how a surface looks. Walls are bright, doors brightest with upright stripes, floors dark, and ceilings in
+// between. Liquids have slanted stripes and are translucent.
 DrawLook look_of(FeatureKind kind, SolidRole role, const Vec3& normal);
 
-// Perceived luminance, 0 to 255: the weights of ITU-R BT.709, applied to the encoded values.
+// Returns the perceived luminance, 0 to 255. It uses the weights of ITU-R BT.709 on the encoded values.
 double luminance(const std::array<std::uint8_t, 3>& rgb);
 
-// Omits volumes without a visible surface (triggers, clips). Outlines are the borders of surfaces; there is none where
-// two pieces of one feature meet in one plane. Takes about 25 ms for a map of 7,000 polygons. `drawn` selects the
-// features; an empty function selects all.
+// Makes the mesh. Leaves out volumes without a visible surface, such as triggers and clips. Outlines are drawn at the
+// borders of surfaces, but not where two pieces of one feature meet in one plane. Takes about 25 ms for a map of 7,000
+// polygons. `drawn` selects the features; an empty function selects all.
 DrawMesh build_draw_mesh(const Scene& scene, const std::function<bool(FeatureId)>& drawn = {});
 
 }  // namespace handrail::window

@@ -14,7 +14,7 @@ constexpr ImU32 kWallColour = IM_COL32(200, 200, 200, 255);
 
 ImVec2 im(const Vec2& p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
-// Indices into ViewState::rooms, the smallest room first and the current one last.
+// Returns indices into ViewState::rooms of the rooms on the storey, the smallest first, but the current room last.
 std::vector<std::size_t> rooms_of_storey(const core::ViewState& view) {
     std::vector<std::size_t> rooms;
     if (!view.rooms) return rooms;
@@ -30,9 +30,9 @@ std::vector<std::size_t> rooms_of_storey(const core::ViewState& view) {
     return rooms;
 }
 
-// Draws each name white on black in the middle of its room, and that of the current room inverted. If names would cover
-// each other or the walker, a name moves up or down or becomes smaller. A small room's name is dropped at last, but the
-// current room's is always drawn.
+// Draws the name of each room white on black in the middle of the room. The name of the current room is inverted. If
+// names would cover each other or the walker, a name moves up or down or becomes smaller. If that does not suffice, a
+// name is left out, but never that of the current room. Larger rooms come first.
 void draw_room_names(ImDrawList& list, ImFont& font, const PlanLayout& layout, const core::ViewState& view,
                      float unit_px) {
     const std::vector<std::size_t> rooms = rooms_of_storey(view);
@@ -91,7 +91,7 @@ void draw_hand(ImDrawList& list, const PlanLayout& layout, const core::ViewState
     list.AddCircleFilled(at, radius_px, view.touching ? IM_COL32(255, 13, 13, 255) : IM_COL32(13, 255, 51, 255));
 }
 
-// An arrow whose tip points where the walker faces.
+// Draws the walker as an arrow that points where the walker faces.
 void draw_body(ImDrawList& list, const PlanLayout& layout, const core::ViewState& view, float unit_px) {
     const ImVec2 at = im(layout.to_pixels(view.feet_m));
     const double turn = view.heading_rad - layout.turn_rad;
@@ -155,7 +155,7 @@ void PlanDrawing::draw(const core::ViewState& view, ImFont& font, PixelSize pict
     const PlanLayout layout = lay_out_plan(view.scene->bounds_m, view.feet_m, view.heading_rad, view.north_up, box);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.PushClipRect({0.0F, 0.0F}, im(box.max_px));
-    // A step up or down cuts the plan again; the small height changes of walking on a slope do not.
+    // Cut the plan again after a step up or down, but not after each of the small height changes on a slope.
     if (!cut_ || std::abs(cut_->feet_height_m - view.feet_m.z) > 0.1) cut(view);
     for (const plan::PlanShape& shape : cut_->shapes) draw_shape(list, layout, shape);
     const auto where_free = [&](std::size_t thing) -> std::optional<Placement> {
@@ -185,13 +185,13 @@ void PlanDrawing::draw(const core::ViewState& view, ImFont& font, PixelSize pict
     list.PopClipRect();
 }
 
-// Kinds differ in filling and outline:
-// - floors are dark, walls filled;
+// Draws a shape of the plan. Kinds of shapes differ in filling and outline:
+// - floors are dark, and walls are filled;
 // - objects are darker with a light border;
-// - doors are unfilled with a cross, movers unfilled;
-// - liquids are hatched, low things have thin outlines.
+// - doors have a cross and no filling, and movers have no filling;
+// - liquids are hatched, and low things have thin outlines.
 void PlanDrawing::draw_shape(ImDrawList& list, const PlanLayout& layout, const plan::PlanShape& shape) {
-    // ImGui smooths borders correctly if corners run clockwise as seen; the flipped y axis makes them so.
+    // ImGui smooths borders correctly if the corners are clockwise as seen. They are, because the y axis is flipped.
     points_.clear();
     Aabb bounds_px;
     for (const Vec2& p : shape.outline_m) {
@@ -236,8 +236,8 @@ void PlanDrawing::draw_shape(ImDrawList& list, const PlanLayout& layout, const p
     }
 }
 
-// Outlines the rooms of the storey. The current one comes last and is three times as thick: white on black, like
-// everything that matters here.
+// Draws the outlines of the rooms on the storey. The outline of the current room is drawn last and three times as
+// thick. It is white on black, like everything important on the plan.
 void PlanDrawing::draw_room_outlines(ImDrawList& list, const PlanLayout& layout, const core::ViewState& view,
                                      float unit_px) {
     for (const std::size_t r : rooms_of_storey(view)) {
@@ -253,7 +253,7 @@ void PlanDrawing::draw_room_outlines(ImDrawList& list, const PlanLayout& layout,
     }
 }
 
-// Draws level lines across the shape in points_, which it cuts as a plan is cut.
+// Draws horizontal lines across the shape in points_.
 void PlanDrawing::draw_hatch(ImDrawList& list, const Aabb& bounds_px) {
     const ImU32 colour = IM_COL32(90, 170, 255, 255);
     list.AddPolyline(points_.data(), static_cast<int>(points_.size()), colour, ImDrawFlags_Closed, 2.0F);

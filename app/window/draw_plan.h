@@ -1,5 +1,5 @@
-// Draws the plan: the cut through the storey, the rooms with their names, the route, the hand, the walker, the scale
-// and north. App thread.
+// Draws the plan: the horizontal cut through the storey, the rooms with their names, the route, the hand, the walker,
+// the scale and north. App thread.
 #pragma once
 
 #include <imgui.h>
@@ -15,9 +15,9 @@ namespace handrail::window {
 
 class PlanDrawing {
 public:
-    // Draws into ImGui's background list; its context must be current.
+    // Draws into ImGui's background list. ImGui's context must be current.
     void draw(const core::ViewState& view, ImFont& font, PixelSize picture);
-    // Call it when the view gets another scene.
+    // Call this function when the view receives another scene.
     void forget_scene() {
         cut_.reset();
         free_.clear();
@@ -29,9 +29,9 @@ private:
     void draw_room_outlines(ImDrawList& list, const PlanLayout& layout, const core::ViewState& view, float unit_px);
     void draw_hatch(ImDrawList& list, const Aabb& bounds_px);
 
-    std::optional<plan::PlanCut> cut_;  // without freely moving bodies
-    std::vector<bool> free_;            // for each thing of Scene::placed; empty: not known yet
-    std::vector<ImVec2> points_;        // of the current shape
+    std::optional<plan::PlanCut> cut_;  // the cut without freely moving bodies
+    std::vector<bool> free_;      // for each thing of Scene::placed: whether it moves freely; empty: not known yet
+    std::vector<ImVec2> points_;  // corners of the current shape
 };
 
 }  // namespace handrail::window

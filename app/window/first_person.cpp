@@ -8,11 +8,12 @@
 namespace handrail::window {
 namespace {
 
-constexpr double kFieldOfView_rad = kPi / 3.0;  // vertical
+constexpr double kFieldOfView_rad = kPi / 3.0;  // vertical field of view
 constexpr double kNear_m = 0.02;
-// Smallest radius as a share of the distance: the hand's 5 mm ball stays visible across a room.
+// Smallest radius of the ball as a fraction of its distance. So the ball of 5 mm at the hand stays visible across a
+// room.
 constexpr double kSmallestBallPart = 0.02;
-// Width of an outline as a share of the picture's height. Its white core takes a third of it.
+// Width of an outline as a fraction of the picture's height. Its white core takes a third of the width.
 constexpr float kEdgePart = 1.0F / 100.0F;
 
 constexpr const char* kSurfaceVertex = R"(#version 330 core
@@ -55,9 +56,9 @@ void main() {
     shown = vec4(colour * (1.0 - 0.6 * dark), opacity);
 })";
 
-// Draws a line of a given width in pixels, because core profiles draw lines one pixel wide only. Makes four corners
-// from the two ends, cuts them off in front of the eye, and moves them a little towards it, so that the bordering
-// surfaces do not hide the line.
+// Draws a line of a given width in pixels, because core profiles only draw lines that are one pixel wide. The shader
+// makes four corners from the two ends and cuts the line off in front of the eye. It also moves the line a little
+// towards the eye, so that the surfaces next to it do not hide it.
 constexpr const char* kEdgeVertex = R"(#version 330 core
 layout(location = 0) in vec3 a_m;
 layout(location = 1) in vec3 b_m;
@@ -89,7 +90,7 @@ void main() {
     gl_Position = end;
 })";
 
-// Black with a white core, because one of the two stands out on any surface.
+// The line is black with a white core, because one of the two colours stands out on any surface.
 constexpr const char* kEdgeFragment = R"(#version 330 core
 in float across;
 out vec4 shown;
@@ -128,14 +129,14 @@ void main() {
     }
 })";
 
-// A mesh with its rotation about its origin, and that origin relative to the eye.
+// A mesh to draw, its rotation about its origin, and the position of that origin relative to the eye.
 struct Part {
     UploadedMesh* mesh;
     glm::mat3 turn;
     Vec3 origin_from_eye_m;
 };
 
-// A thing that the scene has placed at `from` and that is now at `to`.
+// Returns the part of a thing that the scene placed at `from` and that is now at `to`.
 Part moved_part(UploadedMesh& mesh, const Placement& from, const Placement& to, const Vec3& eyes_m) {
     const PlacedFrame was(from), is(to);
     glm::mat3 turn;
@@ -176,7 +177,8 @@ void FirstPerson::draw(const core::ViewState& view, UploadedScene& scene, PixelS
     const Vec3 right = right_of_heading(view.heading_rad);
     const Vec3 forward = std::cos(view.tilt_rad) * level + std::sin(view.tilt_rad) * Vec3(0.0, 0.0, 1.0);
     const Vec3 up = glm::cross(right, forward);
-    // The eye is subtracted in double precision, so that a building far from its file's origin does not tremble.
+    // Positions relative to the eye are computed in double precision. So a building that is far from its file's origin
+    // does not tremble.
     const std::vector<Part> parts = parts_of(view, scene);
     const Vec3& origin_from_eye = parts.front().origin_from_eye_m;
     const double far_m = std::max(100.0, 1.1 * (scene.reach_m() + glm::length(origin_from_eye)));
@@ -191,7 +193,7 @@ void FirstPerson::draw(const core::ViewState& view, UploadedScene& scene, PixelS
     glDepthFunc(GL_LEQUAL);
     glDisable(GL_BLEND);
     glEnable(GL_CULL_FACE);
-    // Limits the view by the four sides of the picture and the plane of the eyes.
+    // The view is limited by the four sides of the picture and by the plane through the eyes.
     const double half_high = std::tan(0.5 * kFieldOfView_rad), half_wide = aspect * half_high;
     scene.building().choose(origin_from_eye, {forward, forward * half_wide - right, forward * half_wide + right,
                                               forward * half_high - up, forward * half_high + up});
@@ -236,7 +238,7 @@ void FirstPerson::draw_ball(const core::ViewState& view, const glm::mat4& clip_f
     ball_program_.set("clip_from_eye", clip_from_eye);
     ball_program_.set("centre_from_eye_m", glm::vec3(centre));
     ball_program_.set("radius_m", static_cast<float>(radius_m));
-    // Moves the ball in front of the surface on which it rests; a wall between eye and ball still hides it.
+    // Moves the ball in front of the surface on which it rests. A wall between the eye and the ball still hides it.
     ball_program_.set("pull", static_cast<float>(std::max(0.5, 1.0 - 2.0 * radius_m / std::max(distance_m, 1e-3))));
     ball_program_.set("right", glm::vec3(right));
     ball_program_.set("up", glm::vec3(up));

@@ -1,5 +1,5 @@
 // Draws the first-person view: surfaces, their outlines, the ball that shows the hand, and translucent surfaces last.
-// Used by the app thread, whose OpenGL context must be current.
+// The app thread uses it; its OpenGL context must be current.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -15,15 +15,16 @@ class FirstPerson {
 public:
     // Fails if the driver rejects a shader program.
     Result<void> start();
-    // Draws into a picture that begins `bottom_px` above the framebuffer's lower edge. `scene` must be that of the
-    // view.
+    // Draws into a picture that begins `bottom_px` above the lower edge of the framebuffer. `scene` must be the scene
+    // of the view.
     void draw(const core::ViewState& view, UploadedScene& scene, PixelSize picture, int bottom_px);
 
 private:
     void draw_ball(const core::ViewState& view, const glm::mat4& clip_from_eye, const Vec3& right, const Vec3& up);
 
     GlProgram surface_program_, edge_program_, ball_program_;
-    GlVertexArray no_vertices_;  // core profiles require one to be bound even for shaders that make their own vertices
+    // Core profiles require a bound vertex array even for shaders that compute their own vertices.
+    GlVertexArray no_vertices_;
 };
 
 }  // namespace handrail::window

@@ -1,5 +1,5 @@
-// Owners for objects of the graphics card: buffers, vertex arrays and programs. Used by the app thread, whose OpenGL
-// context must be current.
+// Classes that own objects of the graphics card: buffers, vertex arrays and programs. The app thread uses them; its
+// OpenGL context must be current.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -14,7 +14,7 @@
 
 namespace handrail::window {
 
-// Owns one OpenGL name. The context must be current on destruction.
+// Owns one OpenGL name. When it is destroyed, the context must be current.
 class GlName {
 protected:
     GLuint name_ = 0;
@@ -49,7 +49,7 @@ public:
     GlProgram() { name_ = glCreateProgram(); }
     ~GlProgram() { glDeleteProgram(name_); }
 
-    // If the driver rejects the program, fails with the driver's own message.
+    // Compiles the two shaders and links the program. If the driver rejects it, fails with the driver's own message.
     Result<void> build(const char* vertex, const char* fragment);
     void use() const { glUseProgram(name_); }
     void set(const char* uniform, float value) const { glUniform1f(at(uniform), value); }

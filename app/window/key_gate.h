@@ -1,6 +1,6 @@
-// Offers each key to a screen reader before the program acts on it. The request is sent at once and the answer is
-// fetched later, so the app's loop never waits for another program; keys stay in order meanwhile. If a reader does not
-// answer in time, the key is ours. App thread.
+// Offers each key to a screen reader before the program acts on it. This class sends the request at once and fetches
+// the answer later, so the app's loop never waits for another program. Keys keep their order. If a reader does not
+// answer in time, the program acts on the key. App thread.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,19 @@
 
 namespace handrail::window {
 
-// A key in the terms of X and screen readers.
+// A key as X and screen readers describe it.
 struct KeyStroke {
     bool press = true;
     unsigned state = 0;  // X's modifier bits
     unsigned keycode = 0;
     unsigned keysym = 0;
-    std::string name;  // name of the keysym: "Return"
+    std::string name;  // name of the keysym, such as "Return"
 };
 
 enum class KeyVerdict { Waiting, Ours, Readers };
 
 struct KeyReader {
-    // Returns a ticket for fetching the answer; 0: no reader listens.
+    // Offers a key to the reader. Returns a ticket with which the answer can be fetched; 0: no reader listens.
     std::function<std::uint64_t(const KeyStroke&)> offer;
     std::function<KeyVerdict(std::uint64_t)> verdict;
 };
@@ -37,23 +37,23 @@ public:
     };
     struct Passed {
         Key key;
-        std::string text;  // the text that the key typed, UTF-8
-        bool ours = true;  // false: the reader has used the key up
+        std::string text;  // the text in UTF-8 that the key typed
+        bool ours = true;  // false: the reader has used the key, so the program ignores it
     };
 
     void set_reader(KeyReader reader) { reader_ = std::move(reader); }
     void take(const Key& key, const KeyStroke& stroke, double now_s);
-    // Adds the text that the last key typed. Returns false if that key has already been passed on.
+    // Adds the text that the last key typed. Returns false if decided() has already returned that key.
     bool take_text(const std::string& utf8);
-    // The keys decided since the last call, in the order in which they came.
+    // Returns the keys that were decided since the last call, in the order in which they were pressed.
     std::vector<Passed> decided(double now_s);
-    // Call it when the window loses the keyboard; drops all undecided keys.
+    // Call this function when the window loses the keyboard. It drops all undecided keys.
     void clear() { waiting_.clear(); }
 
 private:
     struct Waiting {
         Key key;
-        std::uint64_t ticket = 0;  // 0: no reader was asked, so the key is ours
+        std::uint64_t ticket = 0;  // 0: no reader was asked, so the program acts on the key
         double since_s = 0.0;
         std::string text;
     };

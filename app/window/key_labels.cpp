@@ -52,7 +52,7 @@ std::map<int, int> keys_by_label(const KeyLabels& labels) {
     const auto give = [&](int key, int name) {
         if (!named.contains(key) && taken.insert(name).second) named[key] = name;
     };
-    // Tries letters at their American places first, so that of two keys with one label the usual one gets it.
+    // Try letters at their American places first. If two keys have the same label, the usual one then gets the letter.
     for (int key = GLFW_KEY_A; key <= GLFW_KEY_Z; ++key)
         if (letter_of(label_of(labels, key)) == key) give(key, key);
     const auto by_label = [&](int key) {
@@ -60,7 +60,7 @@ std::map<int, int> keys_by_label(const KeyLabels& labels) {
     };
     for (int key = GLFW_KEY_A; key <= GLFW_KEY_Z; ++key) by_label(key);
     for (const auto& [key, sign] : kSigns) by_label(key);
-    // The remaining keys stay at their places.
+    // All other keys keep their places.
     for (int key = GLFW_KEY_A; key <= GLFW_KEY_Z; ++key) give(key, key);
     for (const auto& [key, sign] : kSigns) give(key, key);
     for (const auto& [name, sign] : kSigns)

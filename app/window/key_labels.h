@@ -1,5 +1,6 @@
-// Letters act by the label of their key: Q of a French keyboard is where an American one has A. Digits and signs act by
-// their place. Pure functions, except key_labels(), which belongs to GLFW's thread.
+// Finds which letter each key stands for. Letters act by the label of their key: Q is where a French keyboard has it,
+// which is the place of A on an American one. Digits and signs act by the place of their key. Pure functions, except
+// key_labels(), which belongs to GLFW's thread.
 #pragma once
 
 #include <array>
@@ -8,19 +9,18 @@
 
 namespace handrail::window {
 
-// For each key that types something: what it types without modifiers, UTF-8. The map is keyed by GLFW's token, which
-// stands for the place of the key.
+// For each key that types something, what it types without modifiers, in UTF-8. GLFW's key token, which stands for the
+// place of a key, is the map's key.
 using KeyLabels = std::map<int, std::string>;
 
-// The labels in the current keyboard layout.
+// Returns the labels in the current keyboard layout.
 KeyLabels key_labels();
 
-// Maps GLFW's token of each key to the token whose name the key has. Every name stays on exactly one key:
+// For GLFW's token of each key, returns the token whose name the key gets. Every name is on exactly one key:
 // - a key with the label of a letter is that letter;
-// - a letter that no key has as its label is at its American place, as on a Greek keyboard;
-// - if a letter is on the key of a sign, the sign moves to a key that has lost its letter: to one that is labelled
-//   with
-//   the sign, if there is one.
+// - a letter that is no key's label is at its American place, as on a Greek keyboard;
+// - if a letter is on the key of a sign, the sign moves to a key that has lost its letter. If there is a key that is
+//   labelled with the sign, it is that key.
 std::map<int, int> keys_by_label(const KeyLabels& labels);
 
 }  // namespace handrail::window

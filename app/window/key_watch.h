@@ -1,8 +1,8 @@
-// Sees the stop key, and the loss of the keyboard, as soon as the display reports them, on a separate thread that the
-// app thread cannot delay. From the key to the call it takes the display's own delay and a thread's waking, well below
-// a millisecond on an idle machine. Without it, keys are seen when the app next polls, up to a sixtieth of a second
-// later, or after a slow picture. The app thread constructs and destroys it while the window exists. The calls come on
-// the watch's thread.
+// Sees the stop key, and the loss of the keyboard, as soon as the display reports them. It uses a separate thread that
+// the app thread cannot delay. From the key to the call it takes the delay of the display and the time until the thread
+// wakes, well below a millisecond on an idle machine. Without this class, the program sees keys when the app thread
+// polls, up to a sixtieth of a second later, or after a slow picture. The app thread constructs and destroys the object
+// while the window exists. The object makes its calls on its own thread.
 #pragma once
 
 #include <functional>
@@ -11,10 +11,11 @@
 namespace handrail::window {
 
 struct KeyWatchCalls {
-    // Is given a key's name as in KeyEvent::key. Called at each press; on X11 also when a held key repeats.
+    // Returns whether the key is the stop key. Receives the key's name as in KeyEvent::key. Called at each press; on
+    // X11 also when a held key repeats.
     std::function<bool(const std::string&)> is_wanted;
-    std::function<void()> pressed;      // a wanted key went down
-    std::function<void(bool)> focused;  // the window got the keyboard, or lost it
+    std::function<void()> pressed;      // a key for which is_wanted returned true went down
+    std::function<void(bool)> focused;  // true: the window received the keyboard; false: it lost it
 };
 
 class KeyWatch {

@@ -117,7 +117,7 @@ constexpr auto kKeys = std::to_array<NamedKey>({
     {GLFW_KEY_LEFT_ALT, "Alt"},
 });
 
-// Left and right modifiers count as one key.
+// Returns the same token for the left and the right modifier key.
 int without_side(int glfw_key) {
     switch (glfw_key) {
         case GLFW_KEY_RIGHT_CONTROL:

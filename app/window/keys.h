@@ -1,5 +1,5 @@
-// Keys by name. Letters are bound by the label of their key (key_labels.h), all others by their place: GLFW derives the
-// key token from the scancode. The names are those of settings files. Plain values; app thread.
+// Names of keys. Letters are found by the label of their key (key_labels.h), and all other keys by their place, because
+// GLFW derives the key token from the scancode. The names are those of settings files. Plain values; app thread.
 #pragma once
 
 #include <optional>
@@ -20,21 +20,21 @@ struct KeyEvent {
     bool operator==(const KeyEvent&) const = default;
 };
 
-// The name of a GLFW key token with GLFW's modifier bits; nothing for keys without a name here. Lock keys do not count
-// as modifiers.
+// Returns the name of a GLFW key token with GLFW's modifier bits. Returns nothing for a key that has no name. Lock keys
+// do not count as modifiers.
 std::optional<std::string> key_name(int glfw_key, int glfw_modifiers);
 
-// Turns the stream of raw keys into events. A release has the same name as its press, even if modifiers changed in
-// between. Pressing Control, Shift or Alt reports nothing. When one is released and no other key or mouse button went
-// down meanwhile, it becomes a press followed at once by a release. So Control+C never means silence, but Control alone
+// Turns raw keys into events. A release has the same name as its press, even if the modifiers changed in between.
+// Pressing Control, Shift or Alt gives no event. If such a key is released, and no other key or mouse button went down
+// in the meantime, it gives a press followed at once by a release. So Control+C never stops speech, but Control alone
 // does, even while a walking key is held.
 class KeyTracker {
 public:
     std::vector<KeyEvent> take(int glfw_key, int glfw_action, int glfw_modifiers);
-    // Call it when a mouse button or the wheel is used: a held modifier then belonged to that.
+    // Call this function when the person uses a mouse button or the wheel. A held modifier then belongs to that action.
     void other_input() { lone_modifier_ = 0; }
-    // Call it when the window loses the keyboard. Returns releases for all keys that are down; modifiers that were down
-    // no longer count as alone.
+    // Call this function when the window loses the keyboard. Returns releases for all keys that are down. Modifiers
+    // that were down no longer count as pressed alone.
     std::vector<KeyEvent> let_go();
 
 private:
@@ -43,7 +43,7 @@ private:
         std::string name;
     };
     std::vector<Held> held_;
-    int lone_modifier_ = 0;  // GLFW's token of a modifier that is down with no key after it, or 0
+    int lone_modifier_ = 0;  // GLFW's token of a modifier that is down while no other key was pressed after it; 0: none
 };
 
 }  // namespace handrail::window

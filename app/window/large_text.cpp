@@ -21,7 +21,7 @@ void put(ImDrawList& list, ImFont& font, float line_px, ImVec2 at, ImU32 colour,
     list.AddText(&font, line_px, at, colour, text.data(), text.data() + text.size());
 }
 
-// Shortens the text to one line; three dots show that something is left out.
+// Shortens the text so that it fits on one line. Three dots show that something is left out.
 std::string cut_short(ImFont& font, float line_px, const std::string& text, float wrap_px) {
     if (width_of(font, line_px, text) <= wrap_px) return text;
     const auto lines = wrapped_lines(font, line_px, text, std::max(line_px, wrap_px - width_of(font, line_px, " ...")));
@@ -34,7 +34,7 @@ std::string words_of(const core::ListItem& item) {
 
 void draw_arrow(ImDrawList& list, ImVec2 middle, float half_px, bool up) {
     const float tip = up ? -half_px : half_px;
-    // Corners run clockwise as seen, as ImGui's smooth borders require.
+    // The corners are clockwise as seen, as ImGui requires for smooth borders.
     if (up)
         list.AddTriangleFilled({middle.x, middle.y + tip}, {middle.x + half_px, middle.y - tip},
                                {middle.x - half_px, middle.y - tip}, kWhite);
@@ -50,12 +50,12 @@ std::vector<std::string_view> wrapped_lines(ImFont& font, float line_px, const s
     const char* at = text.data();
     const char* const end = at + text.size();
     while (at < end) {
-#if IMGUI_VERSION_NUM >= 19200  // since this version fonts have no fixed size
+#if IMGUI_VERSION_NUM >= 19200  // from this version on, fonts have no fixed size
         const char* stop = font.CalcWordWrapPosition(line_px, at, end, wrap_px);
 #else
         const char* stop = font.CalcWordWrapPositionA(line_px / font.FontSize, at, end, wrap_px);
 #endif
-        if (stop == at) ++stop;  // not even one letter fits, so take it anyway
+        if (stop == at) ++stop;  // not even one letter fits, so put one on the line anyway
         const char* newline = std::find(at, stop, '\n');
         lines.emplace_back(at, static_cast<std::size_t>(newline - at));
         at = newline < stop ? newline + 1 : stop;
@@ -69,7 +69,7 @@ ListWindow list_window(std::span<const std::size_t> lines, std::size_t at, std::
     contract_pre(at < lines.size());
     ListWindow window{at, 1};
     std::size_t used = lines[at];
-    // Adds neighbours on alternate sides, the next one first, until none fits on either side.
+    // Add neighbours on alternate sides, beginning with the next item, until none fits on either side.
     for (bool more = true; more;) {
         more = false;
         if (const std::size_t after = window.first + window.count;
@@ -101,7 +101,7 @@ void draw_dialogue(ImDrawList& list, ImFont& font, const core::DialogueView& dia
                                   : std::string();
     const float place_px = place.empty() ? 0.0F : width_of(font, line_px, place) + line_px;
 
-    // Draws the title; a question's is cut so that room for the answer remains.
+    // Draw the title. The title of a question is cut so that space for the answer remains.
     float y = min_px.y + margin;
     const std::size_t most_title =
         is_list ? kMostTitleLines : static_cast<std::size_t>(std::max(1.0F, (max_px.y - y) / line_px - 2.0F));
@@ -115,7 +115,7 @@ void draw_dialogue(ImDrawList& list, ImFont& font, const core::DialogueView& dia
     y += 2.0F * margin;
 
     if (!is_list) {
-        // Draws the typed text in a frame, with a bar after the last letter.
+        // Draw the typed text in a frame, with a bar after the last letter.
         const float text_px = right - left - 4.0F * margin, frame_px = std::max(2.0F, line_px / 16.0F);
         std::string_view end = dialogue.text;
         while (!end.empty() && width_of(font, line_px, end) > text_px) {

@@ -1,4 +1,4 @@
-// A picture of the window in memory. Plain value.
+// A picture of the window in memory, as a plain value.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace handrail::window {
 struct Picture {
     int width = 0;
     int height = 0;
-    std::vector<std::uint8_t> rgb;  // width * height * 3, top row first
+    std::vector<std::uint8_t> rgb;  // red, green and blue of each pixel (width * height * 3), top row first
 
     std::array<std::uint8_t, 3> at(int x, int y) const {
         contract_pre(x >= 0 && x < width && y >= 0 && y < height);

@@ -1,6 +1,6 @@
 // Draws a ViewState with OpenGL 3.3 core into the current framebuffer: the first-person view, the plan, or the open
-// list or question. The last spoken line is in large letters on a black band. Knows nothing of windows and takes no
-// input. Used by the app thread, whose context must be current.
+// list or question. The last spoken line is below it in large letters on a black band. The class knows nothing of
+// windows and takes no input. The app thread uses it; its context must be current.
 #pragma once
 
 #include <memory>
@@ -18,26 +18,27 @@ struct PixelSize {
     bool operator==(const PixelSize&) const = default;
 };
 
-// Height of a line of text as a share of the picture's height, for people with low vision.
+// Height of a line of text as a fraction of the picture's height, for people with low vision.
 inline constexpr double kTextLinePart = 1.0 / 12.0;
-// The band takes at least two lines, so that the picture stays in place from one sentence to the next, and at most this
-// share of the height.
+// Greatest height of the band as a fraction of the picture's height. The band always takes at least two lines, so that
+// the picture does not move from one sentence to the next.
 inline constexpr double kLargestBandPart = 0.75;
 
 class Renderer {
 public:
-    // Needs a current OpenGL context of 3.3 or later. Fails with a sentence if the driver lacks something.
+    // Makes a renderer. An OpenGL context of 3.3 or later must be current. Fails with a sentence if the driver lacks
+    // something.
     static Result<std::unique_ptr<Renderer>> create();
-    // Needs the same context to be current.
+    // The same context must be current.
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    // The first call with another scene uploads it (build_draw_mesh). After that a frame costs only the card's own
-    // work.
+    // Draws the view. The first call with another scene uploads that scene (see build_draw_mesh). After that, a frame
+    // costs almost only time of the graphics card.
     void draw(const core::ViewState& view, PixelSize size);
 
-    // Reads the picture in the read buffer of the current framebuffer.
+    // Returns the picture in the read buffer of the current framebuffer.
     static Picture read_back(PixelSize size);
 
 private:

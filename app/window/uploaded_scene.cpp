@@ -36,7 +36,7 @@ UploadedMesh::UploadedMesh(const DrawMesh& mesh) {
     glVertexAttribPointer(2, 3, GL_UNSIGNED_BYTE, GL_TRUE, stride, byte_offset(offsetof(DrawVertex, rgb)));
     glVertexAttribIPointer(3, 1, GL_UNSIGNED_BYTE, stride, byte_offset(offsetof(DrawVertex, pattern)));
 
-    // Each edge is stored four times, so that the vertex shader can derive a corner from the vertex number.
+    // Store each edge four times. The vertex shader derives from the vertex number which of the four corners to make.
     std::vector<DrawEdge> corners;
     std::vector<std::uint32_t> corner_indices;
     corners.reserve(4 * mesh.edges.size());

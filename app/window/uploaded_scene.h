@@ -1,5 +1,5 @@
 // A scene on the graphics card: triangles and outlines of the building, and separately those of each thing that moves
-// freely. Chooses which parts a view may show. Used by the app thread, whose context must be current.
+// freely. Also chooses which parts a view may show. The app thread uses it; its context must be current.
 #pragma once
 
 #include <array>
@@ -19,14 +19,14 @@ public:
 
     const Vec3& origin_m() const { return origin_m_; }
     double reach_m() const { return reach_m_; }  // greatest distance of a drawn point from the origin
-    // Chooses the chunks that the view may show, nearest first, so that near walls save the card from painting what
-    // they hide.
+    // Chooses the chunks that the view may show, nearest first. The graphics card then need not paint what near walls
+    // hide.
     void choose(const Vec3& origin_from_eye_m, const std::array<Vec3, 5>& inward_normals);
     void choose_all();
-    // These two draw the chunks that were chosen last.
+    // draw_opaque and draw_edges draw the chunks that were chosen last.
     void draw_opaque();
     void draw_edges();
-    void draw_translucent() const;  // draws all of it
+    void draw_translucent() const;  // draws all translucent triangles, chosen or not
 
 private:
     template <class Range>
@@ -46,13 +46,13 @@ private:
 
 class UploadedScene {
 public:
-    // Takes as long as build_draw_mesh does.
+    // Uploads the scene. Takes about as long as build_draw_mesh.
     explicit UploadedScene(std::shared_ptr<const Scene> scene);
 
     const Scene* scene() const { return scene_.get(); }
     UploadedMesh& building() { return *building_; }
     double reach_m() const { return building_->reach_m(); }
-    // A thing that moves freely, as placed in the scene.
+    // A thing that moves freely, at the place that the scene states for it.
     struct Body {
         std::uint32_t thing = 0;  // index into Scene::placed
         std::unique_ptr<UploadedMesh> mesh;
@@ -60,7 +60,7 @@ public:
     const std::vector<Body>& bodies() const { return bodies_; }
 
 private:
-    std::shared_ptr<const Scene> scene_;  // held, so that no other scene can get its address
+    std::shared_ptr<const Scene> scene_;  // owned, so that no other scene can get the same address
     std::unique_ptr<UploadedMesh> building_;
     std::vector<Body> bodies_;
 };

@@ -13,13 +13,13 @@
 namespace handrail::window {
 namespace {
 
-constexpr std::uint32_t kSeatVersion = 5;  // the first version whose seat can be released
+constexpr std::uint32_t kSeatVersion = 5;  // first version of the interface in which a seat can be released
 
 struct FreeContext {
     void operator()(xkb_context* context) const { xkb_context_unref(context); }
 };
 
-// Reads the compositor's description of the layout; null if it cannot be read.
+// Reads the compositor's description of the keyboard layout; null if it cannot be read.
 Keymap keymap_from(int fd, std::uint32_t size) {
     void* text = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, fd, 0);
     if (text == MAP_FAILED) return nullptr;
@@ -91,13 +91,14 @@ struct WaylandKeyboard::Listeners {
 
 WaylandKeyboard::WaylandKeyboard(wl_display* display, Calls calls)
     : display_(display), calls_(std::move(calls)), queue_(wl_display_create_queue(display)) {
-    // Every object made from this wrapper reports to our queue.
+    // All objects that are made with this wrapper send their events to queue_.
     auto* own = static_cast<wl_display*>(wl_proxy_create_wrapper(display));
     wl_proxy_set_queue(reinterpret_cast<wl_proxy*>(own), queue_);
     registry_ = wl_display_get_registry(own);
     wl_proxy_wrapper_destroy(own);
     wl_registry_add_listener(registry_, &Listeners::kRegistry, this);
-    for (int answer = 0; answer < 3; ++answer)  // waits for the seat, its keyboard and the keyboard's layout in turn
+    // Wait in turn for the seat, for its keyboard and for the keyboard's layout.
+    for (int answer = 0; answer < 3; ++answer)
         if (wl_display_roundtrip_queue(display_, queue_) < 0) return;
 }
 
@@ -127,14 +128,14 @@ KeySymbol WaylandKeyboard::symbol_of(int scancode, bool shift) const {
     return keymap_ ? key_symbol(*keymap_, scancode, layout_, shift) : KeySymbol{};
 }
 
-// The first seat is the person's; GLFW assumes the same.
+// Use the first seat, which is the person's; GLFW does the same.
 void WaylandKeyboard::bind_seat(wl_registry* registry, std::uint32_t name, std::uint32_t version) {
     if (seat_ || version < kSeatVersion) return;
     seat_ = static_cast<wl_seat*>(wl_registry_bind(registry, name, &wl_seat_interface, kSeatVersion));
     wl_seat_add_listener(seat_, &Listeners::kSeat, this);
 }
 
-// A keyboard may be connected or removed at any time.
+// Called whenever a keyboard is connected or removed.
 void WaylandKeyboard::take_capabilities(std::uint32_t capabilities) {
     const bool there = (capabilities & WL_SEAT_CAPABILITY_KEYBOARD) != 0;
     if (there && !keyboard_) {

@@ -1,6 +1,6 @@
-// The keyboard of a Wayland session, as the compositor reports it to this program's window. It has its own event queue
-// on GLFW's connection, so it needs neither GLFW's thread nor its key table. Only one thread uses an object; two
-// objects on two threads do not disturb each other.
+// The keyboard of a Wayland session, as the compositor reports it to this program's window. The object has its own
+// event queue on GLFW's connection, so it needs neither GLFW's thread nor its key table. Only one thread uses an
+// object; two objects on two threads do not affect each other.
 #pragma once
 
 #include <wayland-client.h>
@@ -18,11 +18,11 @@ struct FreeKeymap {
 };
 using Keymap = std::unique_ptr<xkb_keymap, FreeKeymap>;
 
-// The meaning of the key in that layout, alone or with Shift. If the layout has no second level for the key, Shift is
-// ignored.
+// Returns the meaning of the key in that layout, alone or with Shift. If the layout has no second level for the key,
+// `shift` has no effect.
 KeySymbol key_symbol(xkb_keymap& keymap, int scancode, unsigned layout, bool shift);
 
-// X counts the kernel's key codes from 8.
+// Returns X's code for a kernel key code. X counts the codes from 8.
 constexpr unsigned x_code_of(int scancode) { return static_cast<unsigned>(scancode) + 8; }
 
 class WaylandKeyboard {
@@ -32,15 +32,17 @@ public:
         std::function<void(bool)> focused;
     };
 
-    // Waits until the compositor has reported whether there is a keyboard, and its layout; about 1 ms.
+    // Waits until the compositor has reported whether there is a keyboard, and which layout it has; this takes about 1
+    // ms.
     WaylandKeyboard(wl_display* display, Calls calls);
     ~WaylandKeyboard();
     WaylandKeyboard(const WaylandKeyboard&) = delete;
     WaylandKeyboard& operator=(const WaylandKeyboard&) = delete;
 
-    // Makes the calls for all events that have arrived. Never waits.
+    // Makes the calls for all events that have arrived. Never waits for events.
     void take_pending();
-    // Waits for events, or until `wake` is readable. Returns false after `wake`, or if the connection is broken.
+    // Waits for events, or until `wake` is readable. Returns false if `wake` is readable, or if the connection is
+    // broken.
     bool wait(int wake);
 
     KeySymbol symbol_of(int scancode, bool shift) const;

@@ -13,7 +13,7 @@
 #include "worlds/base/descriptor.h"
 #include "worlds/base/executor.h"
 
-// A weak symbol, because GLFW before 3.4, and a GLFW built for X11 alone, does not have it.
+// A weak symbol, because neither GLFW before 3.4 nor a GLFW that was built only for X11 has this function.
 extern "C" __attribute__((weak)) wl_display* glfwGetWaylandDisplay();
 
 namespace handrail::window {
@@ -47,7 +47,7 @@ private:
 
     KeyWatchCalls calls_;
     KeysByCode keys_;
-    WaylandKeyboard keyboard_;  // used by the watch's thread while that runs
+    WaylandKeyboard keyboard_;  // while the key watch runs, only its thread uses this
     Descriptor wake_;
     std::thread thread_;
 };

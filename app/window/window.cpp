@@ -12,10 +12,10 @@
 namespace handrail::window {
 namespace {
 
-// After a change of size, drivers may still present a buffer of the old size.
+// Draw this many further frames after a change of size, because drivers may still present a buffer of the old size.
 constexpr int kFramesToSettle = 3;
 
-// Returns an empty string for a character beyond Unicode, which GLFW never reports.
+// Returns the character in UTF-8. Returns an empty text for a code beyond Unicode, which GLFW never reports.
 std::string utf8_of(unsigned int c) {
     const auto byte = [](unsigned int bits) { return static_cast<char>(bits); };
     if (c < 0x80) return {byte(c)};
@@ -40,7 +40,7 @@ public:
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
         glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-        // Some displays offer OpenGL through EGL only.
+        // Some displays provide OpenGL only through EGL.
         for (const int way : {GLFW_NATIVE_CONTEXT_API, GLFW_EGL_CONTEXT_API}) {
             glfwWindowHint(GLFW_CONTEXT_CREATION_API, way);
             window_ = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
@@ -103,7 +103,8 @@ public:
         const PixelSize size = framebuffer_size();
         if (size != shown_size_) frames_in_size_ = 0;
         if (shown_ && *shown_ == view && frames_in_size_ >= kFramesToSettle) return;
-        // Without a graphics card a picture can take longer to draw than the time until the next one.
+        // Without a graphics card, drawing a picture can take longer than the time until the next one, so skip
+        // pictures.
         const double begin_s = glfwGetTime();
         if (begin_s < rest_until_s_) return;
         renderer_->draw(view, size);
@@ -131,8 +132,8 @@ private:
         return size;
     }
 
-    // A held key keeps its name even if the layout changes meanwhile. GLFW does not report layout changes, so its table
-    // is read at each key press.
+    // Returns the token whose name the key has. A held key keeps its name even if the layout changes in the meantime.
+    // GLFW does not report changes of the layout, so this function reads GLFW's table at each key press.
     int named_key(int key, int action) {
         if (key < GLFW_KEY_SPACE || key > GLFW_KEY_WORLD_2) return key;
         if (action == GLFW_PRESS) {
@@ -169,7 +170,7 @@ private:
         }
     }
 
-    // The text that a key types follows the key directly and goes to the same receiver.
+    // Adds typed text. It follows its key directly, and goes to whoever received that key.
     void take_text(std::string text) {
         if (!gate_.take_text(text)) events_.emplace_back(TextEvent{std::move(text)});
     }
@@ -182,11 +183,11 @@ private:
         events_.emplace_back(FocusChange{focused});
         if (focused) return;
         gate_.clear();
-        // GLFW also reports these releases later; the tracker has no key down by then and ignores them.
+        // GLFW also reports these releases later. By then, the tracker has no key down and ignores them.
         for (KeyEvent& event : keys_.let_go()) events_.emplace_back(std::move(event));
     }
 
-    // poll() already reports, once, that the display has gone.
+    // Does nothing if the display is lost, because poll() reports that once.
     void take_close() {
         if (!system_->lost()) events_.emplace_back(CloseRequest{});
     }
@@ -203,7 +204,7 @@ private:
         move_hand({0.0, 0.0, kHandMetresPerNotch * notches});
     }
 
-    // Consecutive motions become one.
+    // Adds a movement of the hand. Consecutive movements become one event.
     void move_hand(const Vec3& by_m) {
         if (!events_.empty())
             if (auto* last = std::get_if<HandDragged>(&events_.back())) {
@@ -218,15 +219,16 @@ private:
     std::unique_ptr<KeyWatch> watch_;
     std::unique_ptr<Renderer> renderer_;
     KeyTracker keys_;
-    std::map<int, int> held_as_;  // maps the key by its place to the key by its label
+    std::map<int, int> held_as_;  // for each held key by its place: the key by its label
     KeyGate gate_;
-    std::function<bool(const std::string&)> never_waits_;  // empty: no screen reader is asked
+    std::function<bool(const std::string&)> never_waits_;  // empty: keys are not offered to a screen reader
     std::vector<WindowEvent> events_;
-    std::optional<Vec2> cursor_;  // position in the last motion event; GLFW itself would return the present one
-    std::optional<core::ViewState> shown_;  // shown in the window; none if it must be drawn again
+    // Position in the last motion event; GLFW itself would only return the present position.
+    std::optional<Vec2> cursor_;
+    std::optional<core::ViewState> shown_;  // the view that the window shows; none if it must be drawn again
     PixelSize shown_size_;
     int frames_in_size_ = 0;
-    double rest_until_s_ = 0.0;  // in GLFW's time
+    double rest_until_s_ = 0.0;  // no picture is drawn before this time on GLFW's clock
     bool told_of_loss_ = false;
 };
 

@@ -1,6 +1,6 @@
-// The real window: takes keys, mouse and focus, and shows a picture for people with low vision and sighted helpers.
-// Everything in it is also available by touch, sound and terminal. App thread only, which GLFW requires to be the main
-// thread; at most one Window at a time.
+// The program's window: takes keys, mouse and focus, and shows a picture for people with low vision and sighted
+// helpers. Everything in it is also available by touch, sound and terminal. Only the app thread uses it, which must be
+// the main thread, as GLFW requires. There is at most one Window at a time.
 #pragma once
 
 #include <functional>
@@ -18,66 +18,66 @@
 
 namespace handrail::window {
 
-// A mouse movement of the simulated hand, in hand metres to the right, forward and up. Dragging with the left button
-// moves it in the level plane, with the right button to the right and up. A notch of the wheel is one
-// kHandMetresPerNotch up.
+// A mouse movement that moves the simulated hand, in hand metres to the right, forwards and up. Dragging with the left
+// button moves the hand horizontally. Dragging with the right button moves it to the right and up. Each notch of the
+// wheel moves it up by kHandMetresPerNotch.
 struct HandDragged {
     Vec3 by_m{0.0};
 };
-inline constexpr double kHandMetresPerPixel = 0.0002;  // a device's workspace of 15 cm spans 750 pixels
+inline constexpr double kHandMetresPerPixel = 0.0002;  // a workspace of 15 cm then spans 750 pixels
 inline constexpr double kHandMetresPerNotch = 0.005;
 
 struct FocusChange {
     bool focused = false;
 };
 
-// Characters from the keyboard's layout; they come after the key's own event.
+// Characters that the keyboard's layout gives. They follow the event of their key.
 struct TextEvent {
     std::string utf8;
 };
 
-// The person closed the window, or the display went away. The window stays until it is destroyed.
+// The person closed the window, or the display was lost. The window exists until it is destroyed.
 struct CloseRequest {};
 
 using WindowEvent = std::variant<KeyEvent, TextEvent, HandDragged, FocusChange, CloseRequest>;
 
 struct WindowOptions {
     std::string title = "Handrail";
-    int width = 960;  // inner size, in screen coordinates
+    int width = 960;  // width of the window's content, in screen coordinates
     int height = 720;
 };
 
 class Window {
 public:
-    // Takes about 0.2 s. Fails with one sentence: "There is no display; ..." if none can be reached, else what the
-    // graphics driver lacks.
+    // Opens the window, which takes about 0.2 s. Fails with one sentence: "There is no display; ..." if no display can
+    // be reached, otherwise what the graphics driver lacks.
     static Result<std::unique_ptr<Window>> open(const WindowOptions& options = {});
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    // The events since the last call, in order. Never waits. If the focus is lost, releases of all held keys follow its
-    // FocusChange.
+    // Returns the events since the last call, in their order. Never waits. If the window loses the focus, releases of
+    // all held keys follow the FocusChange.
     std::vector<WindowEvent> poll();
 
-    // From now on a separate thread also reports keys and the loss of the keyboard, at once; see KeyWatch. poll() still
-    // returns them all. Returns false if the display allows no second connection.
+    // From now on, a separate thread also reports keys, and the loss of the keyboard, at once; see KeyWatch. poll()
+    // still returns all of them. Returns false if the display allows no second connection.
     bool watch_keys(KeyWatchCalls calls);
 
-    // From now on a screen reader is offered each key first, except those for which `never_waits` is true. It is given
-    // the name as in KeyEvent::key.
+    // From now on, each key is first offered to a screen reader. Keys for which `never_waits` returns true are not
+    // offered; it receives the name as in KeyEvent::key.
     void offer_keys(KeyReader reader, std::function<bool(const std::string&)> never_waits);
 
-    // X's number of this window, from which other programs know which window has the keyboard. 0 on Wayland, which has
-    // no such numbers.
+    // Returns X's number of this window. With it, other programs know which window has the keyboard. 0 on Wayland,
+    // which has no such numbers.
     unsigned number() const;
 
-    // Shows the view; call it each time round the loop. It never waits for the screen's refresh, because the same
+    // Shows the view. Call it each time round the loop. It never waits for the refresh of the screen, because the app
     // thread also serves sound and hand. It costs nothing if neither view nor window has changed. If drawing is slow,
-    // it skips pictures to take at most a third of the time; a later call shows what was skipped.
+    // it skips pictures, so that drawing takes at most a third of the time. A later call then shows the newest view.
     void draw(const core::ViewState& view);
 
-    // A picture of the view as draw() would show it.
+    // Returns a picture of the view as draw() would show it.
     Picture picture(const core::ViewState& view);
 
 private:

@@ -24,7 +24,7 @@ public:
         : display_(display), calls_(std::move(calls)), keys_(keys_by_code()), wake_(::eventfd(0, EFD_CLOEXEC)) {
         XSetIOErrorExitHandler(
             display_, [](Display*, void* self) { static_cast<X11KeyWatch*>(self)->lost_ = true; }, this);
-        // Any number of clients may select the keys of a window; each receives all of them.
+        // Any number of programs may select the keys of a window; each receives all keys.
         XSelectInput(display_, window, KeyPressMask | FocusChangeMask);
         XSync(display_, False);
         thread_ = std::thread([this] {
@@ -36,12 +36,12 @@ public:
         const std::uint64_t one = 1;
         [[maybe_unused]] const ssize_t written = ::write(wake_.get(), &one, sizeof one);
         thread_.join();
-        // A broken connection stays locked, and closing it would wait for ever. The program is about to end anyway.
+        // Xlib keeps a broken connection locked, so closing it would wait for ever. The program is about to end anyway.
         if (!lost_ && !broken()) XCloseDisplay(display_);
     }
 
 private:
-    // True if the server has closed the connection, even if Xlib has not noticed yet.
+    // Returns true if the server has closed the connection, even if Xlib has not noticed it yet.
     bool broken() const {
         pollfd connection{ConnectionNumber(display_), POLLIN, 0};
         if (::poll(&connection, 1, 0) < 0 || (connection.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0) return true;
@@ -71,11 +71,11 @@ private:
         }
     }
 
-    Display* display_;  // used by the watch's thread while that runs
+    Display* display_;  // while the key watch runs, only its thread uses this
     KeyWatchCalls calls_;
     KeysByCode keys_;
     Descriptor wake_;
-    std::atomic<bool> lost_{false};  // the display is gone
+    std::atomic<bool> lost_{false};  // true if the display was lost
     std::thread thread_;
 };
 

@@ -7,8 +7,8 @@
 #include "app/window/window_system.h"
 #include "app/window/x11_key_watch.h"
 
-// Declared as in GLFW's own header for native access, which would require more X headers than we need. Weak symbols,
-// because a GLFW built for Wayland alone does not have them.
+// These functions are declared as in GLFW's own header for native access, which would require more X headers than this
+// file needs. They are weak symbols, because a GLFW that was built only for Wayland does not have them.
 extern "C" __attribute__((weak)) Display* glfwGetX11Display();
 extern "C" __attribute__((weak)) XID glfwGetX11Window(GLFWwindow*);
 
@@ -18,8 +18,8 @@ namespace {
 class X11System final : public WindowSystem {
 public:
     explicit X11System(Display* display) : display_(display) {
-        // By default Xlib ends the whole program when the display goes away, and the force on the hand would then end
-        // without a ramp.
+        // By default, Xlib ends the whole program when the display is lost. The force on the hand would then end
+        // abruptly, without a ramp.
         XSetIOErrorHandler([](Display*) { return 0; });
         XSetIOErrorExitHandler(
             display_, [](Display*, void* self) { static_cast<X11System*>(self)->lost_ = true; }, this);
