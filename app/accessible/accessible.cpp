@@ -34,7 +34,8 @@ double now_s() { return std::chrono::duration<double>(SteadyTime::now().time_sin
 class Accessible::Impl {
 public:
     explicit Impl(std::shared_ptr<sinks::ReaderChannel> channel) : channel_(std::move(channel)) {
-        const char* unwanted = std::getenv("NO_AT_BRIDGE");  // the bridges of all toolkits obey this variable
+        // The accessibility bridges of all toolkits obey this variable.
+        const char* unwanted = std::getenv("NO_AT_BRIDGE");
         if ((unwanted && std::string_view(unwanted) == "1") || !session_bus_is_there()) return;
         channel_->set_state(sinks::VoiceState::Opening);
         channel_->on_change([] { g_main_context_wakeup(nullptr); });
@@ -101,7 +102,7 @@ private:
         answer_reader({});
     }
 
-    // Waits until there is work or until the next thing is due.
+    // Waits until there is work, or until the next timed task is due.
     void wait() {
         double due_s = look_due_s_;
         if (settles_at_s_ > now_s()) due_s = std::min(due_s, settles_at_s_);
@@ -113,7 +114,7 @@ private:
         g_main_context_iteration(nullptr, TRUE);
         g_source_destroy(alarm);
         g_source_unref(alarm);
-        // Handles the queued bus messages, but never for so long that words must wait.
+        // Handle the queued bus messages, but at most 50, so that words need not wait long.
         for (int i = 0; i < 50 && g_main_context_iteration(nullptr, FALSE); ++i) {
         }
     }
@@ -122,22 +123,23 @@ private:
         tried_ = true;
         frame_ = make_node(handrail_frame_get_type(), ATK_ROLE_FRAME, "Handrail", root_node(),
                            {ATK_STATE_SHOWING, ATK_STATE_VISIBLE, ATK_STATE_ENABLED, ATK_STATE_SENSITIVE});
-        // For a drawing area, Orca 43 would add the role to the name whenever the focus returns to it. Each message is
-        // such a name, so the role is unknown.
+        // If the role were a drawing area, Orca 43 would add it to the name whenever the focus returns. The name is
+        // always a message, so the role is unknown.
         view_ = make_node(
             handrail_node_get_type(), ATK_ROLE_UNKNOWN, phrase("window.building").c_str(), frame_,
             {ATK_STATE_SHOWING, ATK_STATE_VISIBLE, ATK_STATE_FOCUSABLE, ATK_STATE_ENABLED, ATK_STATE_SENSITIVE});
-        // The bridge reads none of our arguments.
+        // The bridge reads no arguments of the program.
         if (atk_bridge_adaptor_init(nullptr, nullptr) != 0) return;
-        // By default libdbus ends the whole program when the person's session ends, and the force on the hand would
-        // then end without a ramp.
+        // By default, libdbus ends the whole program when the person's session ends. The force on the hand would then
+        // end abruptly, without a ramp.
         if (DBusConnection* session = dbus_bus_get(DBUS_BUS_SESSION, nullptr)) {
             dbus_connection_set_exit_on_disconnect(session, FALSE);
             dbus_connection_unref(session);
         }
         answer_reader({[this](std::size_t item, int action) {
                            constexpr std::array kActs{core::ItemAct::Kind::Choose, core::ItemAct::Kind::More,
-                                                      core::ItemAct::Kind::Less};  // in the order of ReaderCalls::act
+                                                      // In the order of the actions in ReaderCalls::act.
+                                                      core::ItemAct::Kind::Less};
                            note_act(item, kActs[static_cast<std::size_t>(action)], {});
                        },
                        [this](std::size_t item, double number) { note_act(item, core::ItemAct::Kind::Put, number); }});
@@ -174,8 +176,8 @@ private:
         if (focused) set_state(focus_, ATK_STATE_FOCUSED, true);
     }
 
-    // Sets what has the keyboard within the window. Orca itself announces what receives the focus, so a message that
-    // was shown there must not be announced again.
+    // Sets which object in the window has the keyboard. Orca announces an object that receives the focus, so a message
+    // that is still shown there must not be announced again.
     void move_focus(HandrailNode* to) {
         if (to == focus_) return;
         if (told_focus_) set_state(focus_, ATK_STATE_FOCUSED, false);
@@ -184,8 +186,8 @@ private:
         if (told_focus_) set_state(focus_, ATK_STATE_FOCUSED, true);
     }
 
-    // After the settling time the reader is notified of window and focus again, and from then on speaks for us. It does
-    // so until it goes, wherever the keyboard is: while another window has the keyboard, the reader reads there, and a
+    // After the settling time, notifies the reader of the window and its focus again. From then on, the reader speaks
+    // for Handrail until it ends, even if another window has the keyboard. The reader then reads in that window, and a
     // second voice would talk over it.
     void settle() {
         if (heard_ && told_focus_ && !settled_ && now_s() >= settles_at_s_) {
@@ -199,17 +201,18 @@ private:
         if (!settled_ || !told_focus_) return;
         auto text = channel_->take();
         if (!text) return;
-        follow_dialogue();  // the open list must be reported before the words about it
+        follow_dialogue();  // the reader must know the open list before it gets words about it
         if (!told_by_focus_.empty() && (*text == told_by_focus_ || text->ends_with(". " + told_by_focus_))) {
             told_by_focus_.clear();
-            return;  // Orca has announced it, because the focus moved there
+            return;  // Orca has announced this text already, because the focus moved to that item
         }
         if (focus_ != view_) {
-            // For an item with the keyboard, Orca reads each new description as a message, and the item keeps its name.
+            // If an item has the keyboard, Orca reads each new description of it as a message. The name of the item
+            // stays the same.
             if (const char* shown = atk_object_get_description(&focus_->parent); shown && *text == shown) *text += ' ';
             return atk_object_set_description(&focus_->parent, text->c_str());
         }
-        // The reader reads only names that change.
+        // The reader reads a name only if it changes, so make it different with a blank.
         if (const char* shown = atk_object_get_name(&view_->parent); shown && *text == shown) *text += ' ';
         atk_object_set_name(&view_->parent, text->c_str());
     }
@@ -218,8 +221,8 @@ private:
         return item.value.empty() ? item.name : phrase("window.item", {{"name", item.name}, {"value", item.value}});
     }
 
-    // Updates the objects of the open list or question, or makes new ones if another one is open. The keyboard is with
-    // the current item, or with the question.
+    // Updates the objects of the open list or question. If another one is open now, makes new objects. The current
+    // item, or the question, gets the keyboard.
     void follow_dialogue() {
         if (!built_) return;
         std::optional<core::DialogueView> next;
@@ -245,8 +248,8 @@ private:
                           });
     }
 
-    // The change of the name announces that of the number. Orca 43 would say the value twice if it were notified of
-    // both.
+    // Notifies the reader only of the changed name, which contains the value. If the number were notified as well, Orca
+    // 43 would say the value twice.
     static void fill_item(HandrailNode& node, const core::ListItem& item) {
         node.actions = item.adjustable ? 3 : 1;
         node.number = item.number.value_or(core::ItemNumber{});
@@ -320,20 +323,22 @@ private:
 
     core::DialogueView given_;  // used by the app thread
     std::mutex dialogue_mutex_;
-    std::optional<core::DialogueView> next_dialogue_;  // guarded by dialogue_mutex_
+    // Newest list or question; none: unchanged; guarded by dialogue_mutex_.
+    std::optional<core::DialogueView> next_dialogue_;
 
-    // Used by the accessibility thread.
+    // Members that only the accessibility thread uses.
     core::DialogueView shown_;
-    HandrailNode* dialogue_ = nullptr;  // child of frame_; null: nothing is open
+    HandrailNode* dialogue_ = nullptr;  // object of the open list or question, a child of frame_; null: nothing is open
     double look_due_s_ = 0.0;
     bool listened_to_ = false, tried_ = false, built_ = false;
     double built_at_s_ = 0.0;
     bool told_focus_ = false, heard_ = false, settled_ = false;
     double settles_at_s_ = 0.0;
-    HandrailNode* frame_ = nullptr;  // child of the root
+    HandrailNode* frame_ = nullptr;  // object of the window, a child of the root
     HandrailNode* view_ = nullptr;
-    HandrailNode* focus_ = nullptr;  // has the keyboard while the window does: view_, or the open list or question
-    std::string told_by_focus_;      // words that the reader says itself, because the focus moved to them
+    // The object that has the keyboard while the window has it: view_, or the open list or question.
+    HandrailNode* focus_ = nullptr;
+    std::string told_by_focus_;  // words that the reader announces because the focus moved to them
 };
 
 Accessible::Accessible(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

@@ -39,7 +39,7 @@ struct HandrailEntryClass {
 
 namespace {
 
-// Reports the whole window, as nobody points into it.
+// Reports the whole window as the extent of every object, because nobody points into it.
 void node_extents(AtkComponent*, gint* x, gint* y, gint* width, gint* height, AtkCoordType) {
     *x = *y = 0;
     *width = 960;
@@ -71,7 +71,7 @@ void item_action_init(gpointer interface, gpointer) {
     actions->get_name = item_action_name;
 }
 
-// If a reader sets a number, the item takes the nearest value that it accepts.
+// Returns the number of an item. If a reader sets it, the item takes the nearest value that it accepts.
 void quantity_now(AtkValue* object, gdouble* now, gchar** words) {
     if (now) *now = node_of(object)->number.now;
     if (words) *words = g_strdup(node_of(object)->text->c_str());
@@ -93,7 +93,8 @@ void quantity_value_init(gpointer interface, gpointer) {
     value->set_value = quantity_put;
 }
 
-// Read-only: typed characters go through the program's own keys, and the program echoes them.
+// Returns the typed text, which a reader can only read. Typed characters go through the program's own keys, and the
+// program echoes them.
 gchar* entry_text(AtkText* object, gint begin, gint end) {
     const gchar* text = node_of(object)->text->c_str();
     const glong length = g_utf8_strlen(text, -1);
@@ -111,7 +112,7 @@ void entry_text_init(gpointer interface, gpointer) {
 }  // namespace
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wold-style-cast"  // because of GLib's macros
+#pragma GCC diagnostic ignored "-Wold-style-cast"  // needed because of GLib's macros
 G_DEFINE_TYPE_WITH_CODE(HandrailNode, handrail_node, ATK_TYPE_OBJECT,
                         G_IMPLEMENT_INTERFACE(ATK_TYPE_COMPONENT, node_component_init))
 G_DEFINE_TYPE_WITH_CODE(HandrailFrame, handrail_frame, handrail_node_get_type(),
@@ -185,7 +186,8 @@ HandrailNode* make_node(GType type, AtkRole role, const char* name, HandrailNode
     HandrailNode* node = node_of(g_object_new(type, nullptr));
     atk_object_set_role(&node->parent, role);
     atk_object_set_name(&node->parent, name);
-    atk_object_set_description(&node->parent, "");  // set now, as the first description causes no notification
+    // Set an empty one now, because the first description of an object causes no notification.
+    atk_object_set_description(&node->parent, "");
     for (const AtkStateType state : states) atk_state_set_add_state(node->states, state);
     if (parent) {
         atk_object_set_parent(&node->parent, &parent->parent);

@@ -1,5 +1,6 @@
-// The objects of the window's tree for a screen reader. They are GObject classes, hence the C style, and AtkUtil calls
-// plain functions. Accessibility thread only; one Accessible at a time.
+// The objects that represent the window for a screen reader. They are GObject classes, hence the C style. AtkUtil calls
+// plain functions, so the objects and functions are global: there may be only one Accessible at a time. Accessibility
+// thread only.
 #pragma once
 
 #include <atk/atk.h>
@@ -14,14 +15,14 @@
 
 namespace handrail::accessible {
 
-// An object of the tree: plain data in addition to what AtkObject itself keeps.
+// An object of the tree. Its data are additional to what AtkObject itself stores.
 struct HandrailNode {
     AtkObject parent;
-    std::vector<HandrailNode*>* children;  // owned references
+    std::vector<HandrailNode*>* children;  // references that this object owns
     AtkStateSet* states;
-    int actions;              // of an item: 0 none, 1 press, 3 also increase and decrease
+    int actions;              // actions of an item: 0 none; 1 press; 3 also increase and decrease
     std::string* text;        // for an entry: the typed text; for a quantity: its value in words
-    core::ItemNumber number;  // for a quantity
+    core::ItemNumber number;  // number of a quantity
 };
 
 inline HandrailNode* node_of(gpointer object) { return static_cast<HandrailNode*>(object); }
@@ -30,24 +31,25 @@ GType handrail_node_get_type();
 GType handrail_frame_get_type();     // a window
 GType handrail_item_get_type();      // an item of a list, which can be pressed
 GType handrail_quantity_get_type();  // an item that also has a number
-// A text entry, read-only: typed characters go through the program's own keys, and the program echoes them.
+// A text entry that readers can only read. Typed characters go through the program's own keys, and the program echoes
+// them.
 GType handrail_entry_get_type();
 
 HandrailNode* make_node(GType type, AtkRole role, const char* name, HandrailNode* parent,
                         std::initializer_list<AtkStateType> states);
 void set_state(HandrailNode* node, AtkStateType state, bool on);
 
-// Called when a reader acts on an item, which is given by its place in the list. The program decides whether it accepts
-// a number.
+// Functions that are called when a reader acts on an item. `item` is the position of the item in the list. The program
+// decides whether it accepts a number.
 struct ReaderCalls {
-    std::function<void(std::size_t item, int action)> act;  // 0 press, 1 increase, 2 decrease
+    std::function<void(std::size_t item, int action)> act;  // `action`: 0 press, 1 increase, 2 decrease
     std::function<void(std::size_t item, double number)> put;
 };
-void answer_reader(ReaderCalls calls);  // empty functions: calls are ignored
+void answer_reader(ReaderCalls calls);  // sets the functions; empty functions: calls are ignored
 
-// The root of the tree, made once and kept. AtkUtil returns it from then on.
+// Returns the root of the tree. The first call makes it, and AtkUtil returns it from then on.
 HandrailNode* root_node();
-// The function that receives keys: the screen reader's, if it has registered one.
+// The function that receives keys. It belongs to the screen reader, if the reader has registered one.
 struct KeyListener {
     AtkKeySnoopFunc listens = nullptr;
     gpointer data = nullptr;

@@ -1,5 +1,5 @@
-// Passes keys to a screen reader and its answers back. The window offers each key first, and the reader says whether it
-// takes it.
+// Passes keys to a screen reader, and its answers back. The window offers each key to the reader first. The reader
+// answers whether it uses the key itself.
 #pragma once
 
 #include <atomic>
@@ -14,14 +14,15 @@ namespace handrail::accessible {
 
 class ReaderKeys {
 public:
-    // App thread. Returns 0 if no reader listens, or if it has left an earlier key unanswered. `now_s` may be of any
-    // clock that never goes back.
+    // App thread. Returns a ticket for verdict(). Returns 0 if no reader listens, or if the reader has left an earlier
+    // key unanswered. `now_s` may be of any clock that never goes back.
     std::uint64_t offer(const window::KeyStroke& stroke, double now_s);
     window::KeyVerdict verdict(std::uint64_t ticket);
 
-    // Accessibility thread. `heard`: a reader has noticed the window, so a reader that listens to keys may be asked.
+    // Accessibility thread. `heard`: a reader has noticed the window. From then on, a reader that listens to keys may
+    // be asked.
     void set_heard(bool heard);
-    // Asks the reader about each offered key.
+    // Accessibility thread. Asks the reader about each offered key.
     void ask();
 
 private:
@@ -32,7 +33,7 @@ private:
     };
 
     std::atomic<bool> listened_to_{false};
-    std::uint64_t last_ticket_ = 0;  // used by the app thread
+    std::uint64_t last_ticket_ = 0;  // only the app thread uses it
     std::mutex mutex_;               // guards all members below
     std::deque<Offered> offered_;
     std::map<std::uint64_t, window::KeyVerdict> verdicts_;

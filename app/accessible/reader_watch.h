@@ -1,4 +1,4 @@
-// Watches who listens on the accessibility bus. Accessibility thread.
+// Watches which programs listen on the accessibility bus. Accessibility thread.
 #pragma once
 
 #include <gio/gio.h>
@@ -10,13 +10,14 @@
 
 namespace handrail::accessible {
 
-// Call this first: without a session bus, GLib and libdbus would start one and leave it behind.
+// Returns whether there is a session bus. Call it first: without a session bus, GLib and libdbus would start one and
+// leave it running.
 bool session_bus_is_there();
 
-// Reports whether somebody on the accessibility bus listens to names and focus, as a screen reader does.
+// Reports whether a program on the accessibility bus listens to names and focus, as screen readers do.
 class ReaderWatch {
 public:
-    // `news` is called from GLib's default context when a listener comes or goes.
+    // `news` is called from GLib's default context when such a listener appears or ends.
     explicit ReaderWatch(std::function<void()> news) : news_(std::move(news)) {}
     ~ReaderWatch() { forget(); }
     ReaderWatch(const ReaderWatch&) = delete;

@@ -23,7 +23,7 @@ std::optional<core::Command> command_of(drivers::CompanionButton button) {
         core::Command::WhereAmI, core::Command::WhatIsThis, core::Command::Repeat, core::Command::Heading,
         core::Command::TurnLeft, core::Command::TurnRight, core::Command::StopSpeech, core::Command::StopEverything,
         core::Command::Home, std::nullopt,
-        // In the order of CompanionButton.
+        // Up, right, down and left, in the order of CompanionButton.
         core::Command::Forward, core::Command::TurnRight, core::Command::Back, core::Command::TurnLeft};
     return kMeans.at(static_cast<std::size_t>(button));
 }
@@ -74,7 +74,8 @@ void CompanionDevices::run() {
     plugged_.clear();
 }
 
-// Opens and announces new devices. One that could not be opened is tried again only after it was disconnected.
+// Finds, opens and announces new devices. If a device could not be opened, it is tried again only after it was
+// disconnected.
 void CompanionDevices::look_around(double now_s) {
     looked_s_ = now_s;
     std::vector<drivers::FoundCompanion> found = drivers::find_companions();
@@ -103,7 +104,7 @@ void CompanionDevices::look_around(double now_s) {
     news_.insert(news_.end(), std::make_move_iterator(news.begin()), std::make_move_iterator(news.end()));
 }
 
-// Returns false if the device is gone.
+// Reads a device and gives it its cue. Returns false if the device was disconnected.
 bool CompanionDevices::serve(Plugged& plugged, const device::FingerCue& cue, double now_s, core::Steering& sum) {
     const std::uint32_t was = plugged.state.buttons;
     if (!plugged.device->read(plugged.state, now_s)) return false;

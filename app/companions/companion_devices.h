@@ -1,8 +1,8 @@
-// Game pads, SpaceMouse and rumble pads in a session. Finds them, whether connected before or later, turns their sticks
-// and buttons into steering and commands, and gives them cues. A separate thread alone touches the devices, so a slow
-// one delays neither app nor servo. The app thread calls everything marked so, which holds a mutex for microseconds.
-// step() is the whole body of the loop, so tests with a virtual clock need no thread. With no device connected, the
-// thread only looks around every two seconds.
+// The game pads, SpaceMouse and rumble pads of a session. The class finds these devices, even if they are connected
+// later. It turns their sticks and buttons into steering and commands, and gives them cues. Only a separate thread
+// accesses the devices, so a slow one delays neither the app thread nor the servo. The functions for the app thread
+// lock a mutex for microseconds. step() is the whole body of the thread's loop, so tests with a virtual clock need no
+// thread. If no device is connected, the thread only searches every two seconds.
 #pragma once
 
 #include <atomic>
@@ -19,33 +19,36 @@
 
 namespace handrail::companions {
 
-// The command of a button, as in the table of docs/user-guide/devices.md; nothing if it has none.
+// Returns the command of a button, as in the table of docs/user-guide/devices.md; nothing if the button has none.
 std::optional<core::Command> command_of(drivers::CompanionButton button);
 
 class CompanionDevices {
 public:
     static constexpr double kPeriod_s = 0.008, kLookAgain_s = 2.0;
-    static constexpr double kCueEvery_s = 0.016;  // 62 reports a second, half of what a pad accepts over Bluetooth
-    static constexpr double kCueAgain_s = 0.5;    // repeats an unchanged cue, in case a report was lost
+    // Interval between cues, about 62 a second; that is half of what a pad accepts over Bluetooth.
+    static constexpr double kCueEvery_s = 0.016;
+    // Interval after which an unchanged cue is sent again, in case a report was lost.
+    static constexpr double kCueAgain_s = 0.5;
 
-    // The clock outlives this object.
+    // The clock must outlive this object.
     explicit CompanionDevices(Clock& clock) : clock_(clock) {}
     ~CompanionDevices() { stop(); }
     CompanionDevices(const CompanionDevices&) = delete;
     CompanionDevices& operator=(const CompanionDevices&) = delete;
 
-    // App thread. stop() leaves every device still and without force; calling it again does no harm.
+    // App thread. stop() leaves every device still and without force. It may be called again.
     void start();
     void stop();
 
-    // App thread.
+    // The functions from here to give() are for the app thread.
     bool any() const { return count_.load(std::memory_order_relaxed) > 0; }
-    core::Steering steering();                   // of all devices together
-    std::vector<core::Command> take_commands();  // from the buttons pressed since the last call
-    std::vector<std::string> take_news();        // sentences: device found, gone, or not permitted
-    void give(const device::FingerCue& cue);     // felt until the next cue
+    core::Steering steering();                   // sum of the steering of all devices
+    std::vector<core::Command> take_commands();  // commands of the buttons that were pressed since the last call
+    std::vector<std::string> take_news();        // sentences about devices: found, disconnected, or not permitted
+    void give(const device::FingerCue& cue);     // gives a cue that lasts until the next one
 
-    // One round at the clock's time: the thread's body, or called by the owner of a virtual clock.
+    // Runs one round at the clock's present time. The thread calls it; with a virtual clock, the owner of the clock
+    // calls it.
     void step();
 
 private:
@@ -62,7 +65,7 @@ private:
     bool serve(Plugged& plugged, const device::FingerCue& cue, double now_s, core::Steering& sum);
 
     Clock& clock_;
-    std::thread thread_;  // used by the app thread
+    std::thread thread_;  // only the app thread uses it
     std::atomic<bool> stop_asked_{false};
     std::atomic<std::size_t> count_{0};
 
@@ -72,9 +75,9 @@ private:
     std::vector<std::string> news_;
     device::FingerCue cue_;
 
-    // Used by the companions' thread only.
+    // Members that only the thread of this object uses.
     std::vector<Plugged> plugged_;
-    std::set<std::string> refused_;  // paths that could not be opened; reported once
+    std::set<std::string> refused_;  // paths of devices that could not be opened, which are reported once
     double looked_s_ = -1e9;
 };
 

@@ -1,5 +1,5 @@
-// Connects pads and pucks with a session in both directions, in two calls a frame. App thread. With no device
-// connected, both calls cost one comparison.
+// Connects pads and SpaceMouse devices with a session: guide() passes input to the session, and follow() passes cues to
+// the devices. App thread. If no device is connected, each call costs one comparison.
 #pragma once
 
 #include <span>
@@ -14,15 +14,15 @@ namespace handrail::companions {
 
 class CompanionSession {
 public:
-    // Looks for devices from now on, on a separate thread. With `run_thread` false, the owner of a virtual clock calls
-    // devices().step().
+    // Begins to search for devices on a separate thread. If `run_thread` is false, the owner of a virtual clock calls
+    // devices().step() instead.
     explicit CompanionSession(Clock& clock, bool run_thread = true);
 
-    // Call before the session's tick: steers the session and carries out pressed buttons, unless the person is busy
-    // elsewhere. Returns the sentences that are due: which devices were found or have gone.
+    // Call before the session's tick. Steers the session and carries out pressed buttons, unless the person is busy
+    // elsewhere. Returns the sentences that are due: which devices were found or disconnected.
     std::vector<std::string> guide(core::Session& app, double now_s, bool busy_elsewhere = false);
-    // Call after the tick: makes cues from the session's cue requests and the hand's contacts. `tool` is nullptr if
-    // there is no hand.
+    // Call after the tick. Makes cues from the session's cue requests and the contacts of the hand. `tool` is nullptr
+    // if there is no hand.
     void follow(const core::Session& app, std::span<const cues::CueRequest> requests, const servo::ToolState* tool,
                 double now_s);
 
@@ -36,7 +36,7 @@ private:
     core::Steering steering_;
 };
 
-// True if the name is that of a device without a hand.
+// Returns true if the name is that of a device without a hand.
 bool is_companion(std::string_view name);
 std::string cues_and_walking_sentence(std::string_view model);
 std::string no_companion_sentence(std::string_view name);

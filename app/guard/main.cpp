@@ -1,5 +1,5 @@
-// handrail-guard: the small processes that hold a real device and remove its force when the program, or another of
-// them, dies. Started only by the program; see haptic/drivers/guard_process.h.
+// The program handrail-guard. Small processes of it hold a real device, and remove its force when the main program, or
+// another of these processes, dies. Only the main program starts it; see haptic/drivers/guard_process.h.
 #include "haptic/drivers/guard_process.h"
 #include "worlds/base/clock.h"
 

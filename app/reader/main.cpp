@@ -1,4 +1,4 @@
-// handrail-reader: the process that reads files which others made. Started only by the program; see
+// The program handrail-reader: a process that reads files of unknown origin. Only the main program starts it; see
 // app/import/reader_process.h.
 #include "app/import/reader_process.h"
 

@@ -14,7 +14,7 @@ constexpr char kEscape = '\x1b';
 constexpr std::string_view kPasteEnds = "\x1b[201~";
 constexpr std::size_t kLongestSequence = 64;
 
-// Modifier bits. The sequences contain their sum plus one.
+// Modifier keys as bits. Key sequences contain the sum of these bits plus one.
 enum Modifier : unsigned { kShift = 1, kAlt = 2, kControl = 4 };
 
 struct Sign {
@@ -22,7 +22,8 @@ struct Sign {
     std::string_view key;
 };
 
-// Signs by the keys of an English keyboard. The signs on digits depend on the keyboard.
+// Characters and the keys that type them on an English keyboard. The characters on the digit keys are in
+// TerminalKeyboard instead.
 constexpr Sign kSigns[] = {{" ", "Space"},
                            {"`", "Grave"},
                            {"-", "Minus"},
@@ -52,13 +53,14 @@ struct Numbered {
     std::string_view key;
 };
 
-// CSI number ~, as of VT220 and its relatives, with rxvt's Home and End.
+// Keys sent as CSI number ~. The numbers are those of VT220 and its successors, and Home and End of rxvt.
 constexpr Numbered kNumbered[] = {{1, "Home"},     {2, "Insert"}, {3, "Delete"}, {4, "End"},  {5, "PageUp"},
                                   {6, "PageDown"}, {7, "Home"},   {8, "End"},    {11, "F1"},  {12, "F2"},
                                   {13, "F3"},      {14, "F4"},    {15, "F5"},    {17, "F6"},  {18, "F7"},
                                   {19, "F8"},      {20, "F9"},    {21, "F10"},   {23, "F11"}, {24, "F12"}};
 
-// The same beyond F12: function keys with Shift. The Linux console uses them from F1 on, and rxvt from F3 on.
+// The numbers after that of F12, which mean function keys with Shift. On the Linux console, they begin with Shift+F1;
+// on rxvt, with Shift+F3.
 constexpr unsigned kShiftedFunctions[] = {25, 26, 28, 29, 31, 32, 33, 34};
 
 struct Lettered {
@@ -78,7 +80,7 @@ constexpr Lettered kKeypad[] = {
     {'s', "Keypad3"},       {'t', "Keypad4"},      {'u', "Keypad5"},        {'v', "Keypad6"},   {'w', "Keypad7"},
     {'x', "Keypad8"},       {'y', "Keypad9"}};
 
-// Modifiers pressed alone, as numbered by the kitty protocol.
+// Numbers in the kitty protocol of modifiers that are pressed alone.
 constexpr Numbered kLoneModifiers[] = {{57441, "Shift"}, {57442, "Control"}, {57443, "Alt"},
                                        {57447, "Shift"}, {57448, "Control"}, {57449, "Alt"}};
 
@@ -99,7 +101,8 @@ std::string_view key_of(const Rows& rows, unsigned number) {
     return {};
 }
 
-// Puts the modifiers before the key in the window's order; one that the name already contains is not repeated.
+// Puts the modifiers before the key in the order that the window uses. A modifier that the name already contains is not
+// repeated.
 std::string with_modifiers(std::string_view key, unsigned modifiers) {
     if (key.empty()) return {};
     constexpr std::string_view kShifted = "Shift+";
@@ -122,7 +125,7 @@ std::size_t length_of_character(unsigned char first) {
     return 0;
 }
 
-// The numbers of a sequence. A missing one is 0; of a number with parts ("97:65") the first part counts.
+// Returns the numbers of a sequence. A missing number is 0. If a number has parts ("97:65"), the first part counts.
 std::vector<unsigned> numbers_of(std::string_view text) {
     std::vector<unsigned> numbers;
     while (true) {
@@ -135,7 +138,7 @@ std::vector<unsigned> numbers_of(std::string_view text) {
     }
 }
 
-// The kind of event, which follows the colon of the modifiers: 3 in "1;5:3"; 1 is a press.
+// Returns the kind of event, which follows the colon after the modifiers: 3 in "1;5:3". 1 is a press.
 unsigned event_of(std::string_view parameters) {
     const std::size_t colon = parameters.find(':', std::min(parameters.find(';'), parameters.size()));
     unsigned event = 1;
@@ -158,7 +161,7 @@ std::string_view sign_key(std::string_view text) {
 
 TerminalKeyboard terminal_keyboard(std::string_view language, std::string_view terminal, char erase) {
     TerminalKeyboard keyboard;
-    // Slash and equals sign are separate keys with their own names.
+    // The slash and the equals sign are empty, because they have keys of their own.
     if (language == "de") keyboard.shifted_digits = {"", "!", "\"", "§", "$", "%", "&", "", "(", ")"};
     keyboard.erase = erase;
     keyboard.rxvt_functions = terminal.starts_with("rxvt");
@@ -195,7 +198,8 @@ void KeyDecoder::take_held(std::vector<TerminalInput>& done, bool nothing_follow
 bool KeyDecoder::paste_step(std::vector<TerminalInput>& done) {
     const std::size_t escape = held_.find(kEscape);
     if (escape != 0) {
-        // An incomplete character waits for its remaining bytes, unless they can no longer come.
+        // If the text ends in an incomplete character, it waits for the remaining bytes, unless they can no longer
+        // come.
         std::size_t end = std::min(escape, held_.size());
         for (std::size_t back = 1; escape == std::string::npos && back <= std::min<std::size_t>(3, end); ++back) {
             const auto byte = static_cast<unsigned char>(held_[end - back]);
@@ -214,7 +218,7 @@ bool KeyDecoder::paste_step(std::vector<TerminalInput>& done) {
         return true;
     }
     if (kPasteEnds.starts_with(held_)) return false;
-    // Terminals remove Escape from pasted text. So the end mark was lost, and this is a key again.
+    // Terminals remove Escape from pasted text, so the end mark of the paste was lost. This Escape begins a key.
     pasting_ = false;
     return true;
 }
@@ -234,13 +238,13 @@ KeyDecoder::Step KeyDecoder::escape_step(std::string_view bytes, bool nothing_fo
         behind = control_step(bytes);
         if (behind.bytes > 0) return behind;
         if (!nothing_follows) return {};
-        // Two bytes are Alt with that key. A longer sequence was cut off and is skipped.
+        // Two bytes are Alt with the second character as a key. A longer sequence was cut off and is skipped.
         if (bytes.size() > 2) return {bytes.size(), {}};
         return {2, {with_modifiers(bytes[1] == '[' ? "LeftBracket" : "O", bytes[1] == '[' ? kAlt : kAlt | kShift), {}}};
     }
     behind = step(bytes.substr(1), nothing_follows);
     if (behind.bytes == 0) return {};
-    // Two Escapes with nothing after them are two keys.
+    // Two Escapes with nothing after them are two presses of Escape.
     if (behind.input.key == "Escape" || behind.input.pasted) return alone;
     if (behind.input.key.empty()) return {1 + behind.bytes, {}};
     std::string key = behind.input.key;
@@ -257,10 +261,10 @@ KeyDecoder::Step KeyDecoder::named(std::size_t used, std::string_view key, unsig
     return {used, {with_modifiers(key, modifiers), {}, false}};
 }
 
-// Sequences ESC [ ... and ESC O ...
+// Decodes sequences that begin with ESC [ or ESC O.
 KeyDecoder::Step KeyDecoder::control_step(std::string_view bytes) const {
     if (bytes.size() < 3) return {};
-    // F1 to F5 of the Linux console.
+    // F1 to F5 of the Linux console begin with ESC [ [.
     if (bytes[1] == '[' && bytes[2] == '[') {
         if (bytes.size() < 4) return {};
         constexpr std::string_view kFunctions[] = {"F1", "F2", "F3", "F4", "F5"};
@@ -270,18 +274,19 @@ KeyDecoder::Step KeyDecoder::control_step(std::string_view bytes) const {
     while (end < bytes.size() && bytes[end] >= 0x30 && bytes[end] <= 0x3F) ++end;
     const std::string_view parameters = bytes.substr(2, end - 2);
     const bool plain_number = !parameters.empty() && parameters.find_first_not_of("0123456789") == std::string::npos;
-    // The $ that rxvt sends for Shift comes where other terminals begin the bytes before the last letter.
+    // rxvt ends the sequence of a key with Shift in $. Other terminals use that character only for intermediate bytes
+    // before the final letter.
     const bool rxvt_shift = plain_number && end < bytes.size() && bytes[end] == '$';
     while (!rxvt_shift && end < bytes.size() && bytes[end] >= 0x20 && bytes[end] <= 0x2F) ++end;
     if (end >= kLongestSequence) return {end, {}};
     if (end == bytes.size()) return {};
     const char last = bytes[end];
     const std::size_t used = end + 1;
-    // A byte that cannot be part of a sequence ends it and counts separately.
+    // A byte that cannot be part of a sequence ends it, and is decoded separately.
     if (!rxvt_shift && (last < 0x40 || last > 0x7E)) return {end, {}};
     const std::vector<unsigned> numbers = numbers_of(parameters);
     unsigned modifiers = modifiers_of(numbers, 1);
-    // Some terminals send the modifiers of a lettered key as the only number.
+    // If a key ends in a letter, some terminals send the modifiers as its only number.
     if (numbers.size() == 1 && !key_of(kLettered, last).empty()) modifiers = modifiers_of(numbers, 0);
     if (parameters.find_first_of("<=>?") != std::string_view::npos || event_of(parameters) == 3) return {used, {}};
 
@@ -301,7 +306,7 @@ KeyDecoder::Step KeyDecoder::control_step(std::string_view bytes) const {
     return named(used, key_of(kLettered, last), modifiers);
 }
 
-// Decodes a key given by the code of its character.
+// Decodes a key whose sequence contains the code of its character.
 KeyDecoder::Step KeyDecoder::coded_step(std::size_t used, unsigned code, unsigned modifiers) const {
     if (const std::string_view alone = key_of(kLoneModifiers, code); !alone.empty()) return named(used, alone, 0);
     if (code == 27) return named(used, "Escape", modifiers);
@@ -312,7 +317,7 @@ KeyDecoder::Step KeyDecoder::coded_step(std::size_t used, unsigned code, unsigne
             {with_modifiers(typed.input.key, modifiers), modifiers == 0 ? typed.input.text : std::string{}, false}};
 }
 
-// Decodes a key given by its number, with the sign that ends its sequence.
+// Decodes a key whose sequence contains its number. `last` is the character that ends the sequence.
 KeyDecoder::Step KeyDecoder::numbered_step(std::size_t used, char last, unsigned number, unsigned modifiers) const {
     unsigned held = modifiers;
     if (last == '^' || last == '@') held |= kControl;

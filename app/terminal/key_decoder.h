@@ -1,10 +1,10 @@
-// Turns the bytes from a terminal into keys by name and text: a pure state machine, without a clock or a terminal. It
-// knows the sequences of xterm and its followers (VTE, kitty, tmux), VT220, the Linux console and rxvt, UTF-8 text, and
-// bracketed paste. The names are those of the window (app/window/keys.h): "Control+Up", "Shift+5".
+// Turns the bytes from a terminal into names of keys and text. It is a pure state machine, without a clock or a
+// terminal. It knows the sequences of xterm and its successors (VTE, kitty, tmux), VT220, the Linux console and rxvt,
+// UTF-8 text, and bracketed paste. The names are those of the window (app/window/keys.h): "Control+Up", "Shift+5".
 //
-// A terminal reports characters and not keys. A letter is therefore the key that bears it, whatever its place. Shift
-// with a digit is recognised by the sign that it makes on the keyboard of a language. No key ever goes up, and
-// modifiers alone are seen only if the terminal reports them by the kitty protocol.
+// A terminal reports characters and not keys. A letter is therefore the key with that letter, regardless of its place.
+// Shift with a digit is recognised by the character that it types on the keyboard of a language. Terminals never report
+// that a key was released. They report modifiers alone only if they use the kitty protocol.
 //
 // Sources: ECMA-48; XTerm Control Sequences (T. Dickey), PC-Style Function Keys; console_codes(4); urxvt(7); the
 // keyboard protocol of kitty.
@@ -19,40 +19,41 @@ namespace handrail::terminal {
 
 // One input at the terminal: a key, typed text, or pasted text.
 struct TerminalInput {
-    std::string key;      // name of the key; empty for text that none of our keys types
-    std::string text;     // typed text in UTF-8; empty for arrows and the like
-    bool pasted = false;  // pasted text without a key; one paste may arrive in several inputs
+    std::string key;      // name of the key; empty for text that no named key types
+    std::string text;     // typed text in UTF-8; empty for keys such as arrows
+    bool pasted = false;  // true for pasted text, which has no key; one paste may arrive in several inputs
 
     bool operator==(const TerminalInput&) const = default;
 };
 
 struct TerminalKeyboard {
-    // What Shift makes of 0 to 9; empty if that sign has its own key.
+    // The characters that Shift with the digits 0 to 9 types. An empty one has its own key.
     std::array<std::string_view, 10> shifted_digits{")", "!", "@", "#", "$", "%", "^", "&", "*", "("};
-    char erase = '\x7f';          // what Backspace sends (termios, VERASE)
-    bool rxvt_functions = false;  // CSI 25 ~ is Shift+F3, as in rxvt; else Shift+F1, as on the Linux console
+    char erase = '\x7f';          // the character that Backspace sends (VERASE in termios)
+    bool rxvt_functions = false;  // CSI 25 ~ is Shift+F3, as in rxvt; otherwise it is Shift+F1, as on the Linux console
 };
 
-// The keyboard of a person who is spoken to in `language` ("de"), at a terminal of the kind `terminal` (TERM) with that
-// erase character.
+// Returns the keyboard of a person who is spoken to in `language`, such as "de". `terminal` is the kind of terminal
+// (TERM), and `erase` its erase character.
 TerminalKeyboard terminal_keyboard(std::string_view language, std::string_view terminal, char erase);
 
 class KeyDecoder {
 public:
     explicit KeyDecoder(const TerminalKeyboard& keyboard = {}) : keyboard_(keyboard) {}
 
-    // The inputs that these bytes complete, in order. Unknown sequences, and bytes that are not UTF-8, are skipped.
+    // Returns the inputs that these bytes complete, in their order. Unknown sequences, and bytes that are not UTF-8,
+    // are skipped.
     std::vector<TerminalInput> take(std::string_view bytes);
-    // True while the beginning of something is held, such as an Escape, which is the key Escape if nothing follows it
-    // at once.
+    // Returns true while the decoder holds the beginning of an input, such as an Escape. It is the key Escape if
+    // nothing follows at once.
     bool waits() const { return !held_.empty() && !pasting_; }
-    // Nothing has followed in time: the held bytes are decoded as they are.
+    // Call this function if nothing has followed in time. Returns the inputs that the held bytes mean as they are.
     std::vector<TerminalInput> time_out();
 
 private:
     struct Step {
-        std::size_t bytes = 0;  // 0: more bytes are needed to decide
-        TerminalInput input;    // empty: unknown
+        std::size_t bytes = 0;  // number of bytes that were decoded; 0: more bytes are needed to decide
+        TerminalInput input;    // the decoded input; empty: unknown sequence
     };
     void take_held(std::vector<TerminalInput>& done, bool nothing_follows);
     Step step(std::string_view bytes, bool nothing_follows) const;
@@ -62,7 +63,7 @@ private:
     Step numbered_step(std::size_t used, char last, unsigned number, unsigned modifiers) const;
     static Step named(std::size_t used, std::string_view key, unsigned modifiers);
     Step character_step(std::string_view bytes) const;
-    // Decodes the text between the marks of a paste. Returns false if all held bytes may be part of the end mark.
+    // Decodes the text of a paste. Returns false if all held bytes may be part of the mark that ends the paste.
     bool paste_step(std::vector<TerminalInput>& done);
 
     TerminalKeyboard keyboard_;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kBackOne = "\b \b";
 
-// Removes the last whole UTF-8 character.
+// Removes the last UTF-8 character.
 void drop_last(std::string& text) {
     while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U) text.pop_back();
     if (!text.empty()) text.pop_back();
@@ -69,7 +69,7 @@ LineEditor::Reply LineEditor::take_text(std::string_view text) {
         reply.lines.push_back(std::exchange(text_, {}));
         reply.echo += '\n';
     }
-    // If the pasted text ends in a line end, that ends the line, as Enter does.
+    // If the pasted text ends in a line end, it completes the line, as Enter does.
     if (!reply.lines.empty() && text_.empty()) open_ = false;
     return reply;
 }

@@ -1,6 +1,6 @@
-// A line that is typed at a terminal where keys otherwise act at once: what to show for each key, and the line when it
-// is complete. It moves the cursor only one step back to delete, as the terminal itself does, so that screen readers
-// and braille displays can follow. Pure state.
+// Edits a line that is typed at a terminal where keys otherwise act at once. Returns what to show for each key, and the
+// line once it is complete. It moves the cursor only one step back to delete, as the terminal itself does, so that
+// screen readers and braille displays can follow. Pure state.
 #pragma once
 
 #include <string>
@@ -14,21 +14,21 @@ namespace handrail::terminal {
 class LineEditor {
 public:
     struct Reply {
-        std::string echo;                // to be written to the terminal
-        std::vector<std::string> lines;  // the completed lines; more than one only from pasted text
-        bool left = false;               // Escape was pressed: the line is cancelled
-        bool taken = false;              // false: the key does not belong to a line
+        std::string echo;                // what to write to the terminal
+        std::vector<std::string> lines;  // the completed lines; only pasted text can give more than one
+        bool left = false;               // true if Escape cancelled the line
+        bool taken = false;              // false: the key has no meaning in a line, so the caller uses it
     };
 
     bool is_open() const { return open_; }
-    // Begins a line; returns `prompt`, which is to be shown before it.
+    // Begins a line. Returns `prompt`, which the caller shows before the line.
     std::string open(std::string_view prompt = {});
     // Call it only while a line is open.
     Reply take(const TerminalInput& input);
-    // Cancels the line without carrying it out. Returns what ends it on the terminal.
+    // Cancels the line. Returns what the caller writes to the terminal to end it.
     std::string close();
 
-    static constexpr std::size_t kLongest = 4096;  // bytes; further typing is ignored
+    static constexpr std::size_t kLongest = 4096;  // longest line in bytes; further typing is ignored
 
 private:
     Reply take_text(std::string_view text);

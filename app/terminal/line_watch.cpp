@@ -96,7 +96,8 @@ void LineWatch::run() {
         }
         if (waits) continue;
         for (std::string& line : input_.take()) {
-            // Held while the line acts as well, so that a caller who takes lines afterwards finds none from before it.
+            // The mutex stays locked while the line acts. So a caller who takes lines afterwards finds none from before
+            // that line.
             const std::lock_guard guard(mutex_);
             if (at_once_(line)) {
                 lines_.clear();

@@ -15,7 +15,8 @@
 namespace handrail::terminal {
 namespace {
 
-// Data for the signal handlers: written before `is_taken` is set, and only read while it is.
+// Data for the signal handlers. The program writes them before it sets `is_taken`, and only reads them while that is
+// set.
 struct Held {
     int input = -1, output = -1;
     termios before{}, raw{};
@@ -24,7 +25,8 @@ Held held;
 std::atomic<bool> is_taken{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-// Signals that end a program by default. Those that a session handles (EndSignals) or ignores are left alone.
+// Signals that end a program by default. If a session handles (EndSignals) or ignores one of them, RawTerminal does not
+// change that.
 constexpr std::array kEnding{SIGHUP,  SIGINT,  SIGQUIT, SIGILL,  SIGTRAP, SIGABRT,   SIGBUS,  SIGFPE,  SIGSEGV, SIGSYS,
                              SIGPIPE, SIGALRM, SIGTERM, SIGUSR1, SIGUSR2, SIGVTALRM, SIGPROF, SIGXCPU, SIGXFSZ};
 std::array<struct sigaction, kEnding.size()> ending_before;
@@ -32,19 +34,19 @@ std::array<bool, kEnding.size()> ending_caught;
 struct sigaction stop_before, go_on_before;
 bool stop_caught = false, go_on_caught = false;
 
-// The stack for a handler after the normal stack has overflowed.
+// The stack on which a handler runs after the normal stack has overflowed.
 alignas(16) std::array<char, 65536> spare_stack;
 
 constexpr std::string_view kMarkPastes = "\x1b[?2004h", kMarkNoPastes = "\x1b[?2004l";
 
-// In the background the terminal's modes belong to the shell, and changing them would stop us. A negative group means
-// that there is no job control.
+// Returns whether the program is in the foreground of the terminal. In the background, the terminal's modes belong to
+// the shell, and changing them would stop this process. A negative group means that there is no job control.
 bool is_ours(int terminal) {
     const pid_t foreground = ::tcgetpgrp(terminal);
     return foreground < 0 || foreground == ::getpgrp();
 }
 
-// Never waits: if nobody reads, the text is dropped.
+// Writes text to the terminal without waiting. If the terminal accepts nothing, the text is dropped.
 void write_if_ready(std::string_view text) {
     pollfd ready{held.output, POLLOUT, 0};
     if (::poll(&ready, 1, 0) != 1 || (ready.revents & POLLOUT) == 0) return;
@@ -63,13 +65,13 @@ void take_again() {
     write_if_ready(kMarkPastes);
 }
 
-// Restores the terminal and then lets the signal do what it would have done.
+// Restores the terminal, and then lets the signal have its usual effect.
 void on_ending(int signal) {
     const int error = errno;
     give_back();
     for (std::size_t i = 0; i < kEnding.size(); ++i)
         if (kEnding[i] == signal) ::sigaction(signal, &ending_before[i], nullptr);
-    ::raise(signal);  // delayed until this handler has returned
+    ::raise(signal);  // delivered only after this handler has returned
     errno = error;
 }
 
@@ -85,7 +87,7 @@ void on_stop(int signal) {
     sigemptyset(&this_one);
     sigaddset(&this_one, signal);
     ::raise(signal);
-    ::pthread_sigmask(SIG_UNBLOCK, &this_one, &mask);  // stops here until the process is continued
+    ::pthread_sigmask(SIG_UNBLOCK, &this_one, &mask);  // the process stops here until it is continued
     ::pthread_sigmask(SIG_SETMASK, &mask, nullptr);
     catch_stop();
     take_again();
@@ -113,7 +115,8 @@ bool ends_by_default(int signal) {
     return ::sigaction(signal, nullptr, &now) == 0 && (now.sa_flags & SA_SIGINFO) == 0 && now.sa_handler == SIG_DFL;
 }
 
-// Crashes are handled even if another handler exists, such as a sanitizer's; that one is called after ours.
+// Returns whether the signal reports a crash. Crashes are handled even if another handler exists, such as a
+// sanitizer's. That handler is called after this one.
 bool is_crash(int signal) {
     return signal == SIGSEGV || signal == SIGBUS || signal == SIGFPE || signal == SIGILL || signal == SIGABRT ||
            signal == SIGTRAP || signal == SIGSYS;
@@ -156,7 +159,7 @@ std::unique_ptr<RawTerminal> RawTerminal::take(int input, int output) {
     held = {input, output, before, before};
     held.raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO | ECHONL | IEXTEN);
     held.raw.c_lflag |= ISIG;
-    // Enter stays CR, Ctrl+S and Ctrl+Q are keys, and all eight bits of a character arrive.
+    // Enter arrives as CR, Ctrl+S and Ctrl+Q are keys, and all eight bits of a character arrive.
     held.raw.c_iflag &= ~static_cast<tcflag_t>(ICRNL | INLCR | IGNCR | IXON | ISTRIP);
     held.raw.c_cc[VMIN] = 1;
     held.raw.c_cc[VTIME] = 0;
@@ -177,8 +180,8 @@ std::unique_ptr<RawTerminal> RawTerminal::take(int input, int output) {
 RawTerminal::RawTerminal() = default;
 
 RawTerminal::~RawTerminal() {
-    // Drops keys that were meant for us, so that the shell does not get them: Up and Enter would repeat its last
-    // command.
+    // Discard keys that were meant for this program, so that the shell does not receive them: Up and Enter would repeat
+    // its last command.
     if (is_ours(held.input)) ::tcflush(held.input, TCIFLUSH);
     give_back();
     is_taken.store(false, std::memory_order_release);

@@ -42,7 +42,7 @@ std::vector<TimedInput> TerminalKeys::take(bool& emptied) {
 
 void TerminalKeys::add(std::vector<TerminalInput> inputs) {
     const double now_s = clock_.now_s();
-    // Held while a key acts as well, so that a caller who takes keys afterwards finds none from before it.
+    // The mutex stays locked while a key acts. So a caller who takes keys afterwards finds none from before that key.
     const std::lock_guard guard(mutex_);
     for (TerminalInput& input : inputs) {
         if (!input.key.empty() && at_once_(input.key)) {

@@ -1,5 +1,5 @@
-// Reads the keys of a terminal on a separate thread, so that a key which must not wait is seen at once, whatever the
-// app thread is doing.
+// Reads the keys of a terminal on a separate thread. So a key that must act at once does so, even while the app thread
+// is busy.
 #pragma once
 
 #include <atomic>
@@ -18,28 +18,28 @@ namespace handrail::terminal {
 
 struct TimedInput {
     TerminalInput input;
-    double at_s = 0.0;  // time of arrival by the clock
+    double at_s = 0.0;  // time at which the input arrived
 };
 
 class TerminalKeys {
 public:
-    // How long an Escape waits for bytes that would make it a sequence.
+    // How long an Escape waits for further bytes that would make it a sequence.
     static constexpr double kEscapeAlone_s = 0.1;
-    // A person who holds a key down never fills this; further input is lost.
+    // Most inputs that can wait. A person who holds a key down never reaches this number; further input is lost.
     static constexpr std::size_t kMostWaiting = 1024;
 
-    // Reads `descriptor`, a terminal that delivers keys at once (RawTerminal); it and the clock outlive this object.
-    // `at_once` is called with each key's name as it arrives, on this object's thread. If it returns true, the key has
-    // already acted, and all input before it must be dropped.
+    // Reads `descriptor`, a terminal that delivers keys at once (RawTerminal). The descriptor and the clock must
+    // outlive this object. `at_once` is called on the thread of this object with the name of each key as it arrives. If
+    // it returns true, the key has acted, and all input before it must be dropped.
     TerminalKeys(int descriptor, const TerminalKeyboard& keyboard, Clock& clock,
                  std::function<bool(const std::string&)> at_once);
     ~TerminalKeys();
     TerminalKeys(const TerminalKeys&) = delete;
     TerminalKeys& operator=(const TerminalKeys&) = delete;
 
-    // App thread. Sets `emptied` if input from an earlier call must not be carried out any more.
+    // App thread. Sets `emptied` if input that an earlier call returned must not be carried out any more.
     std::vector<TimedInput> take(bool& emptied);
-    bool ended() const { return ended_.load(std::memory_order_acquire); }  // the terminal has gone
+    bool ended() const { return ended_.load(std::memory_order_acquire); }  // true if the terminal was closed
 
 private:
     void run();
@@ -48,13 +48,13 @@ private:
     int descriptor_;
     Clock& clock_;
     std::function<bool(const std::string&)> at_once_;
-    KeyDecoder decoder_;  // used by this object's thread
+    KeyDecoder decoder_;  // only the thread of this object uses it
     Descriptor wake_;
     std::mutex mutex_;  // guards waiting_ and emptied_
     std::deque<TimedInput> waiting_;
     bool emptied_ = false;
     std::atomic<bool> ended_{false};
-    std::thread thread_;  // last: its thread uses the others
+    std::thread thread_;  // declared last, because it uses the other members
 };
 
 }  // namespace handrail::terminal

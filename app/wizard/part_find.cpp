@@ -1,4 +1,5 @@
-// The part `find`: the search for a device. The host searches; this part announces its news.
+// The part `find` of the set-up: the search for a device. The host searches, and this part announces the news of the
+// search.
 #include "app/wizard/wizard.h"
 
 #include "worlds/base/language.h"
@@ -6,7 +7,7 @@
 namespace handrail::wizard {
 namespace {
 
-constexpr double kFirstAnswer_s = 0.2;  // a device needs a moment after opening before it reports its position
+constexpr double kFirstAnswer_s = 0.2;  // after opening, a device needs this long until it reports its position
 
 }  // namespace
 

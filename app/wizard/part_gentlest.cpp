@@ -1,5 +1,5 @@
-// The part `gentlest`: a force that grows until the person notices it. There is enough room for the person to let go of
-// it.
+// The part `gentlest` of the set-up: a force that grows until the person notices it. There is enough time for the
+// person to let go of the grip.
 #include "app/wizard/wizard.h"
 
 #include <fmt/format.h>
@@ -12,11 +12,14 @@
 namespace handrail::wizard {
 namespace {
 
-constexpr double kPressAfter_s = 1.5;  // earliest time after the question began; never before it has been spoken
-constexpr double kLetGoAfter_s = 5.0;  // time at this part's greatest force until it is switched off
-constexpr double kNoticed_n = 0.05;    // an answer below this force is not an answer to the force
+// The force begins at the earliest this long after the question began, and never before the question has been spoken.
+constexpr double kPressAfter_s = 1.5;
+constexpr double kLetGoAfter_s = 5.0;  // after this time at the greatest force of this part, the force is switched off
+// If the person answers while the force is smaller, the answer is not about the force.
+constexpr double kNoticed_n = 0.05;
 
-// Fills the whole workspace and pushes the hand towards the person. The ceiling decides how strongly.
+// Returns a scene whose force fills the whole workspace and pushes the hand towards the person. The servo's force
+// ceiling decides how strong the force is.
 std::shared_ptr<const render::HapticScene> pressing_scene() {
     render::EffectVolume push;
     push.region = render::SphereRegion{Vec3(0.0), 1.0};

@@ -1,4 +1,4 @@
-// The part `hand`: which hand holds the grip. The person presses a key or moves the grip to that side.
+// The part `hand` of the set-up: which hand holds the grip. The person presses a key or moves the grip to that side.
 #include "app/wizard/wizard.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// The part `home`: the person pulls and pushes the grip until the device knows its position. Each completed leg clicks.
+// The part `home` of the set-up: the person pulls and pushes the grip until the device knows its position. A click
+// reports each completed movement.
 #include "app/wizard/wizard.h"
 
 #include <bit>
@@ -15,7 +16,8 @@ void Wizard::accept_homing() {
     say(phrase("wizard.not_homed", {{"legs", std::popcount(static_cast<unsigned>(sense_.tool.homed_legs))}}));
 }
 
-// Returns true to ignore the button, because a person who takes the grip may squeeze it.
+// Watches the device find its position. Returns true, so that the button is ignored: a person who takes the grip may
+// squeeze it.
 bool Wizard::watch_homing(double) {
     const auto legs = [](std::uint8_t bits) { return std::popcount(static_cast<unsigned>(bits)); };
     const int fresh = legs(sense_.tool.homed_legs) - legs(homing_.legs_seen);

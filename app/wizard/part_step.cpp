@@ -1,4 +1,4 @@
-// The part `step`: the length of the person's step, typed in figures or set with the arrows.
+// The part `step` of the set-up: the length of the person's step, typed in figures or set with the arrows.
 #include "app/wizard/wizard.h"
 
 #include <fmt/format.h>
@@ -29,7 +29,8 @@ bool Wizard::adjust_step_length(WizardKey key) {
     return true;
 }
 
-// Takes one number, whose size shows its unit: metres of a step, metres of ten steps, or centimetres of a step.
+// Stores the typed number. Its size shows which unit the person means: metres of one step, metres of ten steps, or
+// centimetres of one step.
 void Wizard::keep_step_length() {
     double typed = 0.0;
     if (!asked_.typed.empty()) {

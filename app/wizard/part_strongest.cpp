@@ -1,5 +1,5 @@
-// The part `strongest`: a wall to push against. The arrows change its force until it is as strong as the person ever
-// wants the device to be.
+// The part `strongest` of the set-up: a wall to push against. With the arrows, the person changes its force until it is
+// as strong as the device should ever be.
 #include "app/wizard/wizard.h"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ double Wizard::weakest_ceiling_n() const {
     return std::min(strongest_n(), std::max(kLeastCeiling_n, 2.0 * found_.gentlest_n));
 }
 
-// A person who has never chosen begins with light force, so that nobody is startled.
+// Returns the first force of the wall. If the person has never chosen one, it is light, so that nobody is startled.
 double Wizard::first_ceiling_n() const { return own_profile().ceiling_n.value_or(settings::kLightCeiling_n); }
 
 void Wizard::begin_wall() {
@@ -52,7 +52,7 @@ std::string Wizard::ceiling_words() const {
 bool Wizard::adjust_wall(WizardKey key) {
     const double sign = is_upward(key) ? 1.0 : -1.0;
     double wanted_n = found_.ceiling_n + sign * kFineCeiling_n;
-    if (!is_across(key)) {  // moves to the next of the three levels
+    if (!is_across(key)) {  // the arrow moves to the next of the three force levels
         const std::array levels{settings::kLightCeiling_n, settings::kNormalCeiling_n, strongest_n()};
         wanted_n = sign > 0.0 ? strongest_n() : weakest_ceiling_n();
         for (const double level_n : levels)
@@ -75,7 +75,8 @@ bool Wizard::watch_wall(double dt_s) {
 
 void Wizard::keep_ceiling() {
     change_profile("ceiling_n", fmt::format("{:.1f}", found_.ceiling_n));
-    // Raises the force level that all devices share if it would be too low here. Never lowers it because of one device.
+    // Raises the force level that all devices share if it would be too low for this device. Never lowers it because of
+    // a single device.
     const bool above_normal = found_.ceiling_n > settings::kNormalCeiling_n,
                above_light = found_.ceiling_n > settings::kLightCeiling_n;
     if (above_normal && settings_.haptic.ceiling != settings::ForceCeiling::Full) change("haptic.ceiling", "full");

@@ -11,7 +11,8 @@
 namespace handrail::wizard {
 namespace {
 
-constexpr double kLongestTick_s = 0.05;  // a late frame must not be made up for by more force
+// A longer time since the last tick counts as this, so that the force does not rise faster after a late frame.
+constexpr double kLongestTick_s = 0.05;
 
 }  // namespace
 
@@ -27,7 +28,7 @@ Wizard::Wizard(const settings::Settings& settings, std::span<const WizardPart> p
 }
 
 servo::WorkspacePose Wizard::pose() const {
-    servo::WorkspacePose pose;  // device metres equal world metres here
+    servo::WorkspacePose pose;  // in the set-up, device metres equal world metres
     pose.time_s = now_s_;
     pose.jump = kFirstJump + felt_.jump;
     return pose;
@@ -132,7 +133,7 @@ void Wizard::answer(const WizardEvent& event, double now_s) {
         felt_.tuning.panic = true;
         return;
     }
-    cues::CueRequest quiet;  // any key interrupts the current sentence
+    cues::CueRequest quiet;  // any key interrupts the sentence that is being spoken
     quiet.kind = cues::CueRequestKind::StopSpeech;
     quiet.time_s = now_s_;
     cues_.push_back(std::move(quiet));
@@ -146,14 +147,14 @@ void Wizard::answer(const WizardEvent& event, double now_s) {
     switch (*key) {
         case WizardKey::Enter:
             return accept();
-        case WizardKey::Forces:  // the force has not been removed
+        case WizardKey::Forces:  // nothing to switch on, because the force is on
             return repeat_question();
         case WizardKey::Repeat:
             if (asked_.step == Step::Press) begin_force(felt_.scene);
             begin_bell();
             return repeat_question();
         case WizardKey::Back:
-            if (!asked_.typed.empty()) {  // first delete a mistyped number
+            if (!asked_.typed.empty()) {  // Back first deletes a typed number
                 asked_.typed.clear();
                 return ask();
             }
@@ -178,7 +179,7 @@ void Wizard::pause(std::string words) {
     say(std::move(words));
 }
 
-// Repeats the question from its beginning. This also confirms an announced fault.
+// Continues after a pause: repeats the question from its beginning. This also confirms a fault that was announced.
 void Wizard::resume() {
     ++felt_.tuning.confirm;
     enter(index_);
@@ -218,12 +219,14 @@ void Wizard::watch_hand(double dt_s) {
         lost_device_ = true;
         reply_s_ = now_s_;
         say(phrase(tool.fault == servo::Fault::Unplugged ? "wizard.unplugged"
-                                                         : "wizard.lost"));  // the alarm says what has happened
+                                                         // The device's own alarm has already said what happened.
+                                                         : "wizard.lost"));
         return go_on();
     }
-    if (tool.fault_latched && felt_.tuning.forces_on && !paused_) {  // ignored if no force is wanted
+    // A fault does not matter if this question needs no force.
+    if (tool.fault_latched && felt_.tuning.forces_on && !paused_) {
         reply_s_ = now_s_;
-        return pause(phrase("wizard.fault"));  // the fault itself is announced as everywhere else
+        return pause(phrase("wizard.fault"));  // the session announces the fault itself, as in a world
     }
     const bool pressed = tool.buttons != 0 && !std::exchange(button_was_down_, tool.buttons != 0);
     if (tool.buttons == 0) button_was_down_ = false;

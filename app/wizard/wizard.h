@@ -1,11 +1,12 @@
 // The voice-led set-up of headphones, device, workspace and force, as a state machine. It receives the time, the state
-// of the hand and the person's answers, and returns what is to be heard, felt and stored. It has no thread, clock,
-// device or sound, so the same machine runs in the program and in tests. App thread, about 60 times a second.
+// of the hand and the person's answers. It returns what the person is to hear and feel, and which settings to store. It
+// has no thread, clock, device or sound, so the same machine runs in the program and in tests. App thread, about 60
+// times a second.
 //
-// Every question waits as long as it takes. Enter accepts the current value. Space repeats the question word for word.
-// Backspace goes back by one question, and so does Up if it changes no value. Escape explains and removes the force;
-// pressed again, it leaves the set-up and keeps what was found until then. Force passes through the servo's
-// ForceLimiter as always; here only its ceiling rises, in steps of a few hundredths of a newton.
+// Every question waits until the person answers. Enter accepts the current value. Space repeats the question word for
+// word. Backspace goes back by one question, and so does Up if it changes no value. Escape explains and removes the
+// force; pressed again, it leaves the set-up and keeps what was found until then. As always, force passes through the
+// servo's ForceLimiter. In the set-up only its ceiling rises, in steps of a few hundredths of a newton.
 #pragma once
 
 #include <cstdint>
@@ -26,51 +27,51 @@
 
 namespace handrail::wizard {
 
-// `Forces` switches the force on again after a fault, as the announced fault suggests.
+// `Forces` switches the force on again after a fault, as the announcement of the fault suggests.
 enum class WizardKey : std::uint8_t { Enter, Repeat, Back, Leave, Left, Right, Up, Down, Stop, Forces };
-// A key, or typed figures.
+// A key, or figures that the person has typed.
 using WizardEvent = std::variant<WizardKey, std::string>;
 
 enum class WizardSearch : std::uint8_t { NotBegun, Looking, Ready, Nothing };
 
-// The inputs of the wizard on every tick.
+// The inputs of the wizard in each tick.
 struct WizardSense {
-    double now_s = 0.0;     // above zero, never decreases
-    bool audible = true;    // a sound device exists
-    bool speaking = false;  // a sentence is being spoken
+    double now_s = 0.0;     // time; above zero, never decreases
+    bool audible = true;    // true if there is a sound device
+    bool speaking = false;  // true while a sentence is being spoken
     cues::Listener listener;
     WizardSearch search = WizardSearch::NotBegun;
-    std::vector<std::string> news;  // news of the search since the last tick
-    core::HandFacts hand;           // valid once the search is Ready
-    servo::ToolState tool;          // the newest state
+    std::vector<std::string> news;  // sentences about the search since the last tick
+    core::HandFacts hand;           // facts about the found hand; valid once `search` is Ready
+    servo::ToolState tool;          // newest state of the hand
 };
 
 class Wizard {
 public:
-    // Greatest force while the least noticeable force is sought; below every ceiling.
+    // Greatest force during the search for the smallest force that the person notices. It is below every force ceiling.
     static constexpr double kGentlestMost_n = 1.0;
     static constexpr double kGentlestRise_n_per_s = 0.2;
-    static constexpr double kCeilingRise_n_per_s = 1.0;  // rate for the wall's force when another ceiling is chosen
+    // Rate at which the wall's force changes when the person chooses another ceiling.
+    static constexpr double kCeilingRise_n_per_s = 1.0;
 
-    // `parts` are in order, none twice. A part that uses a device adds the search for it, and homing if the device
-    // needs it.
+    // `parts` must be in their order, and none may occur twice. If one of them uses a device, the wizard adds the
+    // search for it, and homing if the device needs it.
     Wizard(const settings::Settings& settings, std::span<const WizardPart> parts);
 
     void answer(const WizardEvent& event, double now_s);
     void tick(const WizardSense& sense);
 
-    // The host reads these after each tick.
-    bool wants_search() const { return wants_search_; }  // the host should search for a device now
+    // Results that the host reads after each tick.
+    bool wants_search() const { return wants_search_; }  // true: the host has to search for a device now
     std::vector<cues::CueRequest> take_cues() { return std::exchange(cues_, {}); }
     std::vector<std::pair<std::string, std::string>> take_setting_changes() { return std::exchange(changes_, {}); }
     const servo::ServoTuning& tuning() const { return felt_.tuning; }
-    std::shared_ptr<const render::HapticScene> haptic_scene() const {
-        return felt_.scene;
-    }  // null: nothing can be felt
+    // Null: nothing can be felt.
+    std::shared_ptr<const render::HapticScene> haptic_scene() const { return felt_.scene; }
     servo::WorkspacePose pose() const;
     bool waits_for_person() const { return asked_.step != Step::Search && !finished_; }
     bool finished() const { return finished_; }
-    std::string_view question() const { return asked_.text; }  // as Space repeats it
+    std::string_view question() const { return asked_.text; }  // the question as Space repeats it
 
 private:
     enum class Step : std::uint8_t {
@@ -88,21 +89,22 @@ private:
         StepLength,
         Done
     };
-    // Jump counts begin here, so that the servo sees a jump on the way from a world and back to one.
+    // First value of the jump count. It is far from those of a world, so that the servo sees a jump when the set-up
+    // begins and when it ends.
     static constexpr std::uint32_t kFirstJump = 0x40000000;
-    // Share of the device's radius that counts as pulled, pushed or moved aside.
+    // The hand counts as pulled, pushed or moved aside if it has moved by this fraction of the device's radius.
     static constexpr double kMovedShare = 0.4;
-    // The functions of one question. Null: only the common behaviour.
+    // The functions of one question. If one is null, the question has only the common behaviour.
     struct Row {
         WizardPart part;
-        void (Wizard::*begin)();  // on reaching the question, before it is spoken
+        void (Wizard::*begin)();  // called when the question begins, before it is spoken
         std::string (Wizard::*question)() const;
-        void (Wizard::*accept)();  // on Enter; null: continues
-        // On an arrow; returns false if it has no meaning here, so that Up goes back.
+        void (Wizard::*accept)();  // called for Enter; null: Enter continues
+        // Called for an arrow key. Returns false if the arrow changes nothing, so that Up goes back.
         bool (Wizard::*adjust)(WizardKey key);
-        void (Wizard::*frame)();  // on every tick, for questions that need no hand
-        bool (Wizard::*watch)(
-            double dt_s);  // On every tick in which the hand is present; returns true if its button has no meaning now.
+        void (Wizard::*frame)();  // called in each tick, for questions that need no hand
+        // Called in each tick in which a hand is present. Returns true if the button of the hand has no meaning now.
+        bool (Wizard::*watch)(double dt_s);
     };
     static const Row& row(Step step);
     static const WizardPartInfo& part_of(Step step);
@@ -131,7 +133,8 @@ private:
     void watch_hand(double dt_s);
     void begin_force(std::shared_ptr<const render::HapticScene> scene);
 
-    // Each is in the file of its part; the table says to which question they belong.
+    // Functions of the questions. Each is defined in the file of its part; the table in wizard_table.cpp says to which
+    // question it belongs.
     void begin_bell();
     std::string ask_bell_left() const;
     std::string ask_bell_right() const;
@@ -193,7 +196,8 @@ private:
 
     settings::Settings settings_;
     std::vector<Step> plan_;
-    bool home_wanted_ = false;  // else homes only if the device does not know its position
+    // True: the person homes the device in any case; false: only if the device does not know its position.
+    bool home_wanted_ = false;
     std::size_t index_ = 0;
     WizardSense sense_;
     double now_s_ = 0.0;
@@ -205,27 +209,29 @@ private:
         bool was_homed = true, newly_homed = false;
     };
     struct Reach {
-        Vec3 least_m{0.0}, most_m{0.0};  // seen during this question, device frame
-        Vec3 measured_m{0.0};            // size of the workspace; zero: not measured
-        std::uint8_t sides_seen = 0;     // bit 2i: low side of axis i; 2i + 1: its high side
+        // Lowest and highest coordinates of the hand during this question, device frame.
+        Vec3 least_m{0.0}, most_m{0.0};
+        Vec3 measured_m{0.0};  // size of the workspace; zero: not measured yet
+        // The sides that the hand has reached; bit 2i: low side of axis i; bit 2i + 1: its high side.
+        std::uint8_t sides_seen = 0;
         double scale = 60.0;
     };
 
     // The current question and the answers to it until now.
     struct Asked {
         Step step = Step::Search;
-        std::string text;  // as Space repeats it
+        std::string text;  // the question as Space repeats it
         double begun_s = 0.0;
-        Vec3 hand_m{0.0};  // the hand when the question began, device frame
+        Vec3 hand_m{0.0};  // position of the hand when the question began, device frame
         std::string typed;
     };
-    // What was found out about the person's touch and step; the initial values are defaults.
+    // What the wizard has found out about the person's touch and step. The initial values are defaults.
     struct Found {
         double gentlest_n = 0.3;
         double ceiling_n = settings::kLightCeiling_n;
         double step_length_m = 0.7;
     };
-    // What the servo receives.
+    // What the host gives to the servo.
     struct Felt {
         servo::ServoTuning tuning;
         std::shared_ptr<const render::HapticScene> scene;
@@ -233,11 +239,11 @@ private:
     };
 
     double bell_due_s_ = 0.0;
-    double search_begun_s_ = -1.0;  // when the device was ready
+    double search_begun_s_ = -1.0;  // time at which the device was ready
     bool button_was_down_ = false;
     Homing homing_;
     Reach reach_;
-    double held_top_s_ = 0.0;  // how long the gentlest part has pressed with its greatest force
+    double held_top_s_ = 0.0;  // how long the part `gentlest` has pressed with its greatest force
     Asked asked_;
     Found found_;
     Felt felt_;

@@ -12,13 +12,13 @@
 namespace handrail::wizard {
 namespace {
 
-constexpr double kHandSettles_s = 0.4;  // a simulated hand needs this long to reach its target
+constexpr double kHandSettles_s = 0.4;  // time that a simulated hand needs to reach its target
 constexpr double kButton_s = 0.1;
 constexpr double kLongestWait_s = 60.0;
 constexpr double kMostTaps = 100.0;
 
 struct WordKey {
-    std::string_view word;  // as typed in a line
+    std::string_view word;  // word for the key in a typed line
     std::string_view keys;  // names of window keys, separated by blanks
     WizardKey key;
 };
@@ -102,7 +102,8 @@ void WizardSession::move_hand(const Vec3& by_m) {
 
 void WizardSession::press(std::string_view key_name, double now_s) {
     if (key_name == "F1") return type("help");
-    if (key_name.starts_with("Keypad") && key_name.size() == 7) key_name.remove_prefix(6);  // the figures of the keypad
+    // The figures of the keypad count as figures.
+    if (key_name.starts_with("Keypad") && key_name.size() == 7) key_name.remove_prefix(6);
     if (key_name.size() == 1 && key_name[0] >= '0' && key_name[0] <= '9')
         return wizard_.answer(std::string(key_name), now_s);
     if (key_name == "Period" || key_name == "Comma" || key_name == "KeypadDecimal")

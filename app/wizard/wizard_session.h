@@ -1,5 +1,5 @@
-// The wizard with its inputs: window keys by name, lines of text one after the other, and a simulated hand if there is
-// no real one. The program and the tests use the same class. App thread.
+// The wizard together with its inputs: window keys by name, lines of text in their order, and a simulated hand if there
+// is no real one. The program and the tests use this class. App thread.
 #pragma once
 
 #include <deque>
@@ -11,11 +11,11 @@
 
 namespace handrail::wizard {
 
-// One parsed line:
+// What a typed line means:
 // - "" is Enter; repeat, back, left, right, up, down, stop and leave are keys;
 // - a number is typed and accepted;
 // - button presses the simulated hand's button;
-// - hand-left 6 and the like move that hand by this many taps;
+// - hand-left 6 and the like move the simulated hand by this many taps;
 // - wait 2 waits for this many seconds.
 struct WizardLine {
     std::vector<WizardEvent> events;
@@ -25,22 +25,23 @@ struct WizardLine {
     double wait_s = 0.0;
 };
 Result<WizardLine> parse_wizard_line(std::string_view line);
-// Explains the keys and lines in a sentence or two.
+// Returns a sentence or two that explain the keys and lines.
 std::string wizard_help();
 
 class WizardSession {
 public:
     WizardSession(const settings::Settings& settings, std::span<const WizardPart> parts) : wizard_(settings, parts) {}
 
-    // Queues a line. It is carried out when the wizard waits for an answer and earlier lines have taken effect.
+    // Queues a line. The wizard carries it out when it waits for an answer and earlier lines have taken effect.
     void type(std::string line) { lines_.push_back(std::move(line)); }
-    // No more lines will come: leaves the set-up after the last one.
+    // Call this function if no more lines will come. The wizard then leaves the set-up after the last line.
     void end_of_lines() { lines_end_ = true; }
-    // A key goes down or repeats, named as in app/window; names without a meaning here are ignored.
+    // Call this function when a key goes down or repeats. `key_name` is as in app/window. Names without a meaning in
+    // the set-up are ignored.
     void press(std::string_view key_name, double now_s);
 
     void tick(const WizardSense& sense);
-    // True if all lines have been carried out and the wizard waits for an answer.
+    // Returns true if all lines have been carried out and the wizard waits for an answer.
     bool wants_line(double now_s) const {
         return lines_.empty() && wizard_.waits_for_person() && now_s >= settle_until_s_;
     }
@@ -48,7 +49,7 @@ public:
     Wizard& wizard() { return wizard_; }
     const Wizard& wizard() const { return wizard_; }
     bool finished() const { return wizard_.finished(); }
-    // The commands for a simulated hand; a real one ignores them.
+    // Returns the commands for a simulated hand. A real hand ignores them.
     const device::HandCommand& simulated_hand() const { return hand_; }
     std::vector<cues::CueRequest> take_cues();
 
@@ -63,7 +64,7 @@ private:
     double button_until_s_ = 0.0;
     double reach_m_ = 0.0;
     device::HandCommand hand_;
-    std::vector<cues::CueRequest> told_;  // answers to lines that were not understood
+    std::vector<cues::CueRequest> told_;  // announcements about lines that were not understood
 };
 
 }  // namespace handrail::wizard

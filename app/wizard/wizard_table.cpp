@@ -1,5 +1,5 @@
-// The parts of the set-up by the names under which they can be requested, and the questions of each. The machine in
-// wizard.cpp calls the functions of a question's row, which are in the file of the part.
+// The table of the set-up: the parts with the names under which people request them, and the questions of each part.
+// The state machine in wizard.cpp calls the functions in a question's row. They are defined in the file of the part.
 #include "app/wizard/wizard.h"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ Result<std::vector<WizardPart>> parse_wizard_parts(std::string_view words) {
 
 const Wizard::Row& Wizard::row(Step step) {
     using W = Wizard;
-    // In the order of Step, which is the order of the questions.
+    // The rows are in the order of Step, which is the order of the questions.
     static constexpr std::array kRows{
         Row{WizardPart::Headphones, &W::begin_bell, &W::ask_bell_left, nullptr, &W::adjust_bell_left, &W::hear_bell,
             nullptr},
@@ -74,7 +74,7 @@ const Wizard::Row& Wizard::row(Step step) {
 
 const WizardPartInfo& Wizard::part_of(Step step) { return kParts[static_cast<std::size_t>(row(step).part)]; }
 
-// The questions that these parts need, in their order, followed by the end.
+// Returns the questions that these parts need, in their order, and Done.
 std::vector<Wizard::Step> Wizard::plan_of(std::span<const WizardPart> parts) {
     const auto wanted = [&](WizardPart part) { return std::find(parts.begin(), parts.end(), part) != parts.end(); };
     const bool device = std::any_of(parts.begin(), parts.end(), [](WizardPart part) {
@@ -83,7 +83,8 @@ std::vector<Wizard::Step> Wizard::plan_of(std::span<const WizardPart> parts) {
     std::vector<Step> plan;
     for (int i = 0; i < static_cast<int>(Step::Done); ++i) {
         const WizardPart part = row(static_cast<Step>(i)).part;
-        // If a part needs a device, the plan includes the search for it, and homing if the device needs that.
+        // If any part needs a device, the plan includes the questions of Find and Home. The wizard skips homing if the
+        // device does not need it.
         if (wanted(part) || (device && (part == WizardPart::Find || part == WizardPart::Home)))
             plan.push_back(static_cast<Step>(i));
     }
