@@ -14,17 +14,20 @@ namespace handrail::learners {
 
 class WayOut {
 public:
-    // For a file or folder with data. It belongs to a learner if it is in that learner's folder after links are
-    // resolved; otherwise to nobody. Fails if the learner's file cannot be read, because the consents are then unknown.
+    // Makes a WayOut for a file or folder with data. The data belongs to a learner if it is in that learner's folder
+    // after links are resolved; otherwise it belongs to nobody. Fails if the learner's file cannot be read, because the
+    // consents are then unknown.
     static Result<WayOut> of(const Learners& learners, const std::filesystem::path& data);
-    // For any data of this learner.
+    // Makes a WayOut for any data of this learner.
     static WayOut of(const Learners& learners, Learner learner);
 
-    // The owner of the data; null: nobody.
-    const Learner* learner() const { return learner_ ? &*learner_ : nullptr; }
     // Returns the owner of the data; null: nobody.
+    const Learner* learner() const { return learner_ ? &*learner_ : nullptr; }
+    // Fails if `file` is outside the learner's folder and the learner has not agreed to share. Call it before work that
+    // takes long; write() checks again.
     Result<void> allows(const std::filesystem::path& file) const;
-    // Checks the consent, notes the file and writes it. A file that cannot be noted is not written.
+    // Checks the consent, adds the file to the list and writes it with `how`. If the file cannot be added to the list,
+    // it is not written.
     using Writer = Result<void> (*)(const std::filesystem::path& file, std::string_view content);
     Result<void> write(const std::filesystem::path& file, std::string_view content, Writer how) const;
 
