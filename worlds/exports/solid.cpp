@@ -118,7 +118,7 @@ public:
         return true;
     }
 
-    // Adds the vertical sides below a ring. The solid is on the left of the ring.
+    // Adds the vertical sides along a ring, between two heights. The solid is on the left of the ring.
     void sides(const PlateRing& ring, std::int32_t low_um, std::int32_t high_um) {
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const PlatePoint &a = ring[i], &b = ring[(i + 1) % ring.size()];
