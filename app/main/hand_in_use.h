@@ -64,7 +64,7 @@ public:
     // Reads the newest state of the servo. tool() returns that state until the next call.
     void read();
     const servo::ToolState& tool() const { return tool_; }
-    // For a real device: announces once what may make the servo uneven, and announces everything that the guard
+    // For a real device: announces once what may make the servo run unevenly, and announces everything that the guard
     // reports.
     void tell_how_it_runs();
 

@@ -27,7 +27,8 @@ struct TerminalInput {
 };
 
 struct TerminalKeyboard {
-    // The characters that Shift with the digits 0 to 9 types. An empty one has its own key.
+    // The characters that Shift with the digits 0 to 9 types. If an entry is empty, that character has a key of its
+    // own.
     std::array<std::string_view, 10> shifted_digits{")", "!", "@", "#", "$", "%", "^", "&", "*", "("};
     char erase = '\x7f';          // the character that Backspace sends (VERASE in termios)
     bool rxvt_functions = false;  // CSI 25 ~ is Shift+F3, as in rxvt; otherwise it is Shift+F1, as on the Linux console

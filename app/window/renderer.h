@@ -29,7 +29,7 @@ public:
     // Makes a renderer. An OpenGL context of 3.3 or later must be current. Fails with a sentence if the driver lacks
     // something.
     static Result<std::unique_ptr<Renderer>> create();
-    // The same context must be current.
+    // On destruction, the context that create() used must be current.
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;

@@ -118,8 +118,8 @@ plan::RoomGrid rooms_on(const Ink& walls, const plan::Storey& storey, const OnPa
             const std::size_t here = grid.at(x, y);
             const bool rim = x == 0 || y == 0 || x == grid.wide - 1 || y == grid.high - 1;
             const bool on_storey = cell >= 0 && row >= 0 && cell < floor.wide && row < floor.high;
-            // The rim of the picture is outside, unless this is one of several sheets. Then the rim can be in the
-            // middle of a room.
+            // The rim of the picture is outside. An exception is one of several sheets: its rim can be in the middle of
+            // a room.
             if (rim && (!on_storey || floor.beyond.empty())) grid.room[here] = outside;
             if (!on_storey) continue;
             const std::size_t square =

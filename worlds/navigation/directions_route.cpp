@@ -17,7 +17,7 @@ constexpr std::uint32_t kPiece = 4;  // side of a piece of floor, in cells
 constexpr int kBodies = 13;
 constexpr double kFarthestLeg_m = 30.0;
 constexpr double kMostApart_m = 1.8;  // a walker farther than this from the one without errors counts as lost
-// As is a walker who is this much farther from the goal than the one without errors.
+// A walker who is this much farther from the goal than the one without errors also counts as lost.
 constexpr double kMostElsewhere_m = 4.0;
 constexpr double kLeg_m = 2.0;         // cost of each leg, in metres of route
 constexpr double kStraightOn_m = 0.5;  // cost of a leg that continues in the same direction
@@ -145,8 +145,8 @@ DirectionsPlanner::DirectionsPlanner(const BlindGround& ground, double step_m) :
     for (std::size_t i = 1; i < first_beside_.size(); ++i) first_beside_[i] += first_beside_[i - 1];
 }
 
-// Returns whether a walker in the direction `notch` goes squarely through the door. A leaf is thinner in the direction
-// in which people walk through it.
+// Returns whether a walker in the direction `notch` goes squarely through the door. A leaf is thinner along the
+// direction of walking than across it.
 bool DirectionsPlanner::head_on(std::uint32_t door, int notch) const {
     const DirectionsDoor::Leaf& leaf = ground_.doors()[door].leaves.front();
     const Vec3 size = leaf.own_m.size_m();

@@ -17,7 +17,7 @@
 namespace handrail::navigation {
 namespace {
 
-// In Recast, y points up. Its coordinates are our (x, z, y), relative to the origin of the space.
+// In Recast, y points up. Recast's coordinates are our (x, z, y), relative to the origin of the space.
 enum Area : unsigned char { kOpen = 1, kNearWall, kNearEdge, kWading, kDropArea, kLiftArea, kTeleportArea };
 constexpr double kComfortable_m = 0.2;  // clearance beyond the walker's radius that counts as comfortable
 constexpr double kEdgeComfort_m = 0.5, kWallComfort_m = 0.3;

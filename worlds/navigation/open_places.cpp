@@ -16,8 +16,9 @@ namespace {
 
 // A place is a doorway if the walker's centre has less clearance than this, as in an opening of at most 1.2 m.
 constexpr double kDoorwayClear_m = 0.35;
-constexpr double kDoorwayShare = 0.6;  // and if its clearance is less than this fraction of the clearance on both sides
-constexpr double kWideShare = 0.5;     // the same fraction for a wider opening
+// A doorway's clearance must also be less than this fraction of the clearance on both sides.
+constexpr double kDoorwayShare = 0.6;
+constexpr double kWideShare = 0.5;  // the fraction for an opening that is wider than a doorway
 constexpr double kLeastPiece_m2 = 0.3, kLeastWide_m2 = 4.0;
 constexpr double kHuge_m2 = 150.0, kHugeShare = 0.75, kLeastOfHuge_m2 = 10.0;
 constexpr double kLong = 6.0;  // an area longer than this many times its greatest width is split into corridors

@@ -32,7 +32,8 @@ struct RoutePassage {
 };
 
 struct Route {
-    // From the start to the goal, or to the nearest place that can be reached. Empty if nobody can stand at the start.
+    // The points of the route, from the start to the goal or to the nearest place that can be reached. Empty if nobody
+    // can stand at the start.
     std::vector<Vec3> points_m;
     std::vector<RoutePassage> passages;  // in the order in which the walker meets them
     // Length along the points, including the rise; a lift, climb, drop or teleporter adds nothing.

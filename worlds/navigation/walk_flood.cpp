@@ -97,7 +97,7 @@ bool Flood::is_within(const Place& place, Cell cell) const {
     return !trial_ || !trial_->within || lies_in(trial_->within->box_m, Vec3(tiles_.middle(cell), place.floor));
 }
 
-// Returns the place below where a walker lands who steps over the edge into a cell of that tile.
+// Returns the place on which a walker lands after stepping over the edge into a cell of that tile.
 std::uint32_t Flood::drop(const Place& here, std::uint32_t tile, Cell to, Layer layer) const {
     const std::uint32_t down = tiles_.drop(here, tiles_[tile], WalkTiles::local(to), layer);
     return down != kNothing && is_within(tiles_[tile].places[down], to) ? down : kNothing;

@@ -66,7 +66,7 @@ std::vector<float> distance_from(const SpanGrid<Span>& space, Counts counts, std
                 buckets[bucket].push_back({n, wave.source});
             }
         }
-        std::vector<Wave>().swap(buckets[b]);  // no later wave uses this bucket
+        std::vector<Wave>().swap(buckets[b]);  // frees the bucket, which no later wave uses
     }
     std::vector<float> found(count);
     source.resize(count);

@@ -115,7 +115,7 @@ std::vector<std::string> said_of(const WalkSpace& space, const WalkerMeasures& a
 // reach, drops, lifts, and links over stairs that nobody can walk on. It contains no floor without furniture, no closed
 // rooms and no marks of stairs. It also does not know the nearest obstacles.
 struct WalkTrial {
-    bool clearance = false;  // also measures WalkSpan::clearance_m
+    bool clearance = false;  // true: WalkSpan::clearance_m is measured, too
     // If set, the walker starts at `from_m` and stays in the box. Only solids that touch the box are considered. Lifts,
     // teleporters and links over stairs are left out.
     struct Stretch {
