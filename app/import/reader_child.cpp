@@ -170,7 +170,8 @@ int reader_process(int argc, char** argv) {
 #if defined(HANDRAIL_SANITIZED)
     permissions.read.emplace_back("/proc");  // the leak check of the sanitizer needs it
 #endif
-    (void)confine::confine(permissions);  // `handrail devices` reports what the kernel lacks
+    // A failure is ignored; `handrail devices` reports what the kernel does not support.
+    (void)confine::confine(permissions);
 
     readers::ReadOptions options;
     options.map_metres_per_unit = metres(argv[7]);

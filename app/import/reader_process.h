@@ -18,7 +18,7 @@ namespace handrail::importing {
 struct ReaderLimits {
     // Size of the address space; not limited in sanitized builds, which need all of it.
     std::size_t memory_bytes = 2'000'000'000;
-    int cpu_s = 50;        // processor time
+    int cpu_s = 50;        // processor time in seconds
     double idle_s = 60.0;  // time on the clock in which the process makes no progress, for example because a disk hangs
     std::size_t answer_bytes = std::size_t{1} << 30;  // size of the answer in shared memory
 };

@@ -20,7 +20,7 @@ struct KeptResults {
     std::vector<record::RecordedTask> tasks;
 };
 std::filesystem::path results_in(const std::filesystem::path& learner_folder);
-// Adds one session.
+// Adds the results of one session.
 Result<void> keep_results(const std::filesystem::path& learner_folder, const KeptResults& results);
 // Returns the sessions in the order in which they were added. Lines that cannot be read become faults with file and
 // line.

@@ -25,7 +25,7 @@ public:
 
     struct Found {
         std::vector<Learner> learners;  // sorted by name
-        std::vector<Error> faults;      // one for each folder whose learner.toml cannot be read
+        std::vector<Error> faults;      // one fault for each folder whose learner.toml cannot be read
     };
     Found all() const;
     // Finds a learner by the chosen name, ignoring the case of ASCII letters, or by id. Fails with the nearest name, or

@@ -76,7 +76,7 @@ struct Grammar {
     CLI::App app{phrase("help.program")};
     ExploreCall explore;
     std::vector<std::string> explore_devices;  // --device, which may be given once or twice
-    bool explore_recorded = false;             // --record
+    bool explore_recorded = false;             // --record was given
     InfoArguments info;
     CheckArguments check;
     TouchArguments touch;

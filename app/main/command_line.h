@@ -37,7 +37,7 @@ struct ReplayCall {
 struct LessonCall {
     LessonArguments arguments;
     ExploreCall explore;
-    bool recorded = false;  // --record
+    bool recorded = false;  // --record was given
 };
 // The text to print for --help or --version; the exit status is 0.
 struct PrintedText {

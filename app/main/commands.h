@@ -67,7 +67,7 @@ int run_check(const CheckArguments& arguments, std::ostream& out, std::ostream& 
 struct TouchArguments {
     CommonArguments common;
     std::filesystem::path world, path_csv, out_csv;
-    double radius_m = 0.005;                // --radius; 0 means 1e-5
+    double radius_m = 0.005;                // --radius of the proxy; 0 stands for 1e-5 m
     double scale_world_m_per_hand_m = 1.0;  // --scale, in world metres per hand metre
     std::optional<double> stiffness_n_per_m, damping_ns_per_m, friction_static, friction_kinetic;
     std::optional<std::string> device;  // --device, whose limits apply
@@ -140,7 +140,7 @@ int run_replay(const ReplayArguments& arguments, const settings::Settings& setti
 
 // `handrail learner`: manages the learners and what they have agreed to.
 struct LearnerArguments {
-    std::string action = "list";           // list, new, show, consent, delete
+    std::string action = "list";           // what to do: list, new, show, consent or delete
     std::string name = {};                 // chosen name or id of the learner
     std::string give = {}, withdraw = {};  // purposes of the consent that is given or withdrawn, joined by commas
     std::string by = {}, until = {};       // who gives the consent, and until when
@@ -151,15 +151,15 @@ struct LearnerArguments {
 int run_learner(const LearnerArguments& arguments, std::istream& in, std::ostream& out, std::ostream& err,
                 const LongWork& progress = {});
 
-// `handrail report`: describes a recorded session.
+// `handrail report`: describes a recorded session, or all sessions of a learner.
 struct ReportArguments {
     std::optional<std::filesystem::path> folder;           // none: the newest recording in the data folder
     std::optional<std::filesystem::path> html, csv, json;  // files to write
-    std::string learner;  // --learner; without a folder: covers all sessions of that learner
+    std::string learner;  // --learner; without `folder`, the report covers all sessions of that learner
     bool force = false;   // replaces existing files
 };
-// Returns 0 if the report is written. 1: the recording or its world cannot be read, or a file exists already. 2: no
-// output was requested.
+// Returns 0 if the report was written. Returns 1 if the recording or its world cannot be read, or if a file exists
+// already. Returns 2 if no output was requested.
 int run_report(const ReportArguments& arguments, std::ostream& out, std::ostream& err, const LongWork& progress = {});
 
 // `handrail lesson`: runs a lesson that an instructor has written.

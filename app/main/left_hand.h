@@ -19,13 +19,13 @@ public:
     LeftHand(Clock& clock, const servo::ServoSwitches& switches, servo::HandRing* recording)
         : clock_(clock), switches_(switches), recording_(recording) {}
 
-    // Starts to search for a device by name or serial number; with "none" there is no second hand.
+    // Starts to search for a device by name or serial number. With "none", there is no second hand and no search.
     void look_for(const std::string& wanted);
     // Call once a frame. Adds new sentences to `news`. Returns true on the frame on which the hand was found.
     bool take_change(std::vector<std::string>& news);
     bool real() const { return guarded_ != nullptr; }
     const core::HandFacts& facts() const { return facts_; }
-    servo::ServoInbox* servo() { return servo_.get(); }  // null: there is no second hand
+    servo::ServoInbox* servo() { return servo_.get(); }  // null if there is no second hand
     const servo::ToolState& tool();
     // Contacts of this hand. The audio thread reads them from its start, before a hand is found.
     servo::ServoLoop::EventRing& contacts() { return contacts_; }

@@ -15,7 +15,7 @@ namespace {
 void open_standard_descriptors() {
     for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(number, F_GETFD) < 0 && errno == EBADF && ::open("/dev/null", O_RDWR) != number)
-            ::_exit(1);  // open() returns the lowest free number, which is this one
+            ::_exit(1);  // open() returns the lowest free number, which must be this one
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 struct Outcome {
     std::string name;  // name of the scenario file
     std::string title;
-    std::vector<std::string> failures;  // empty: all expectations were met
+    std::vector<std::string> failures;  // expectations that were not met; empty: all were met
     double virtual_s = 0.0;
 };
 

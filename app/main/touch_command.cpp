@@ -65,7 +65,7 @@ void append_text(std::string& out, std::string_view text) {
 // Finds faults of rows, so that the renderer sees only sound ones.
 class RowChecks {
 public:
-    // `jump_m` is infinity if no device's limits apply.
+    // `jump_m`: greatest distance between two rows that is not a fault; infinity if no device's limits apply.
     explicit RowChecks(double jump_m) : jump_m_(jump_m) {}
 
     // Returns the name of the row's fault, or an empty string. A row is accepted if it is near the last good row, or

@@ -22,7 +22,7 @@ public:
         std::vector<Knock> knocks;
     };
 
-    // `recording` must outlive this object. `speed` is from kSlowest to kFastest.
+    // `recording` must outlive this object. `speed` must be from kSlowest to kFastest.
     Hearing(const Recording& recording, double speed);
 
     // Advances the playback by `dt_s` of real time, and returns what is heard in that time. `speaking`: the voice is

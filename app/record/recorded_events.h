@@ -54,7 +54,7 @@ struct RecordedEvents {
     std::vector<RecordedTask> tasks;
     std::optional<RecordedWorld> world;
     double from_s = 0.0, to_s = 0.0;  // when the person entered that world and left it
-    bool more_worlds = false;         // another world was entered later
+    bool more_worlds = false;         // the person entered another world later
     std::vector<RecordedContact> contacts;
     std::vector<RecordedVisit> visits;
     std::vector<RecordedRoute> ways;

@@ -79,7 +79,7 @@ private:
     int file_ = -1;
 };
 
-// Collects rows and writes them as pieces of a table.
+// Collects the rows of a table, and writes them to its file piece by piece.
 template <class Numbers>
 class Table {
 public:

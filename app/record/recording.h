@@ -14,7 +14,7 @@
 
 namespace handrail::record {
 
-// One line of events.jsonl; `json` contains its other fields. Unknown fields are kept.
+// One line of events.jsonl. `json` is the text of the line, so it also contains fields that have no member here.
 struct RecordedLine {
     double t_s = 0.0;  // time since the recording began
     std::string is;
@@ -33,8 +33,8 @@ struct Recording {
     std::vector<Error> problems;  // where and why a file is cut off or damaged; one entry for each such file
 };
 
-// Fails with a sentence if the folder is not a recording or its head is invalid. Everything else is read up to the
-// first damage.
+// Reads a recording up to the first damage in each file. Fails with a sentence if the folder is not a recording, or if
+// its head is invalid.
 Result<Recording> read_recording(const std::filesystem::path& folder);
 // Reads a recording from the text of events.jsonl alone; `file` is its name in error messages.
 Result<Recording> read_events(std::string_view text, const std::string& file);

@@ -37,7 +37,7 @@ std::string as_value(const std::string& text) {
 
 struct Writer {
     const Recording& recording;
-    double begun_s = 0.0;  // when the world was entered
+    double begun_s = 0.0;  // time at which the person entered the world
     std::string actions;
     std::vector<std::string> left_out;
     std::vector<RecordedInput> inputs;

@@ -54,7 +54,7 @@ int contact_episodes(std::span<const Touch> touches);
 // Returns the pointing error in (-pi, pi]: the pointed direction minus the right direction.
 double pointing_error_rad(double pointed_rad, double right_rad);
 struct Pointing {
-    double absolute_rad = 0.0;  // mean of the absolute errors
+    double absolute_rad = 0.0;  // mean of the absolute values of the errors
     double signed_rad = 0.0;    // direction of the mean vector of the errors
     double agreement = 0.0;     // length of that mean vector, 0 to 1
     // True if there are at least kLeastAnswers, and these agree so well that the signed error is meaningful.

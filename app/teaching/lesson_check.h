@@ -26,7 +26,7 @@ TeachingRun begin_lesson(const std::shared_ptr<TaughtWorld>& world, std::size_t 
 
 struct PupilOutcome {
     std::string name;
-    std::vector<std::string> failures;  // sentences with file and line
+    std::vector<std::string> failures;  // what the pupil did not achieve: sentences with file and line
     std::vector<TaskResult> results;
     std::vector<core::LoggedLine> lines;
     double seconds = 0.0;  // duration on the virtual clock

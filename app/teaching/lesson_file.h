@@ -37,7 +37,7 @@ struct LessonPlace {
 
 struct LessonRoute {
     std::string name;
-    std::vector<LessonPlace> stops;  // at least one; the route begins at the base
+    std::vector<LessonPlace> stops;  // places where the route stops, at least one; the route begins at the base
     int line = 0;
 };
 
@@ -53,7 +53,7 @@ struct TaughtStep {
     std::string route;                 // for Go: name of the route
     std::vector<int> help_percent{0};  // for Go: help in each lap, in percent; the last is 0
     std::vector<std::string> block;    // for Go: names of doors that are shut and cannot be opened
-    double off_route_m = 2.0;          // for Go: a greater distance counts as an error of the lap
+    double off_route_m = 2.0;  // for Go: a distance from the route that counts as an error of the lap if it is exceeded
     // For Point and Distance: the place from which the learner answers: "base" or the name of a place.
     std::string from;
     std::vector<std::string> to;  // for Point and Distance: the targets; for Order: the items in the right order
@@ -103,9 +103,9 @@ struct LessonFile {
     double base_heading_rad = 0.0;
     std::string base_name;
     std::map<std::string, std::string> settings;
-    std::vector<LessonPlace> landmarks;  // at least one
+    std::vector<LessonPlace> landmarks;  // at least one landmark
     std::vector<LessonRoute> routes;
-    std::vector<TaughtSession> sessions;  // at least one
+    std::vector<TaughtSession> sessions;  // at least one session
     std::vector<LessonPupil> pupils;
 
     const LessonRoute* route(std::string_view name) const;

@@ -72,7 +72,7 @@ private:
     std::unique_ptr<core::RoomsOfWorld> rooms_;
     TaughtPlace base_;
     double base_heading_rad_ = 0.0;
-    std::map<std::string, TaughtPlace, std::less<>> places_;  // keys are names in lower case
+    std::map<std::string, TaughtPlace, std::less<>> places_;  // all known places; keys are names in lower case
     std::string news_;
 };
 

@@ -57,7 +57,7 @@ void TeachingRun::ask() {
     act(core::TeacherActed::Kind::Ask, asked_.text);
 }
 
-// Reads answers such as "12", "12 steps" or "8.5 m".
+// Reads a number from answers such as "12", "12 steps" or "8.5 m".
 bool TeachingRun::take_number(const std::string& text, double& number) const {
     std::string word = lower_ascii(one_line(text));
     std::replace(word.begin(), word.end(), ',', '.');

@@ -108,8 +108,8 @@ private:
     std::vector<std::size_t> order_;
     std::size_t at_ = 0;
     bool begun_ = false, over_ = false, finished_ = false;
-    std::vector<FeatureId> shut_;  // doors shut by the instructor
-    std::string led_to_;           // goal set by the instructor; empty: none
+    std::vector<FeatureId> shut_;  // doors that the instructor has shut
+    std::string led_to_;           // goal to which the instructor has the learner guided; empty: none
     std::vector<core::SessionInput> acts_;
     std::vector<TaskResult> results_;
     core::LessonView view_;

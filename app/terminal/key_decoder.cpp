@@ -68,12 +68,12 @@ struct Lettered {
     std::string_view key;
 };
 
-// Keys sent as CSI letter, CSI 1 ; modifiers letter, or SS3 letter.
+// Keys that are sent as CSI letter, CSI 1 ; modifiers letter, or SS3 letter.
 constexpr Lettered kLettered[] = {{'A', "Up"},      {'B', "Down"}, {'C', "Right"},   {'D', "Left"},
                                   {'E', "Keypad5"}, {'F', "End"},  {'G', "Keypad5"}, {'H', "Home"},
                                   {'P', "F1"},      {'Q', "F2"},   {'R', "F3"},      {'S', "F4"}};
 
-// Keys sent as SS3 letter by a keypad in application mode.
+// Keys that a keypad in application mode sends as SS3 letter.
 constexpr Lettered kKeypad[] = {
     {'M', "KeypadEnter"},   {'X', "KeypadEqual"},  {'j', "KeypadMultiply"}, {'k', "KeypadAdd"}, {'m', "KeypadSubtract"},
     {'n', "KeypadDecimal"}, {'o', "KeypadDivide"}, {'p', "Keypad0"},        {'q', "Keypad1"},   {'r', "Keypad2"},

@@ -23,7 +23,7 @@ public:
     bool is_open() const { return open_; }
     // Begins a line. Returns `prompt`, which the caller shows before the line.
     std::string open(std::string_view prompt = {});
-    // Call it only while a line is open.
+    // Takes an input for the open line. Call it only while a line is open.
     Reply take(const TerminalInput& input);
     // Cancels the line. Returns what the caller writes to the terminal to end it.
     std::string close();

@@ -23,14 +23,14 @@ struct DrawLook {
 // A vertex in the layout that the graphics card reads. Float is precise enough if the origin is inside the building: at
 // a distance of 128 m, neighbouring values differ by 0.008 mm.
 struct DrawVertex {
-    std::array<float, 3> position_m;  // relative to DrawMesh::origin_m
+    std::array<float, 3> position_m;  // position relative to DrawMesh::origin_m
     std::array<float, 2> surface_m;   // position on the surface's own axes, for patterns
     std::array<std::uint8_t, 3> rgb;
     DrawPattern pattern;
 };
 
 struct DrawEdge {
-    std::array<float, 3> a_m, b_m;  // relative to DrawMesh::origin_m
+    std::array<float, 3> a_m, b_m;  // ends of the edge, relative to DrawMesh::origin_m
 };
 
 // A part of the building that is drawn or left out as a whole.

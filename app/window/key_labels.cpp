@@ -20,7 +20,7 @@ constexpr std::array kSigns{
 
 bool is_letter(int key) { return key >= GLFW_KEY_A && key <= GLFW_KEY_Z; }
 
-// GLFW's tokens for letters are the ASCII codes.
+// Returns GLFW's token of a letter. The tokens are the ASCII codes of the letters.
 std::optional<int> letter_of(const std::string& label) {
     if (label.size() != 1) return std::nullopt;
     const int key = label[0] >= 'a' && label[0] <= 'z' ? label[0] - 'a' + GLFW_KEY_A : label[0];

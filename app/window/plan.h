@@ -25,7 +25,8 @@ struct PlanLayout {
 
 // Returns the layout. With north up, it shows the whole world if a metre is then at least kPlanFinest_px_per_m wide;
 // else the part around the feet, inside the world's bounds. With the heading up, the feet are in the middle.
-inline constexpr double kPlanFinest_px_per_m = 16.0;  // a 0.2 m wall is then 3 pixels wide
+// Least size of a metre when the whole world is shown; a 0.2 m wall is then 3 pixels wide.
+inline constexpr double kPlanFinest_px_per_m = 16.0;
 // Limits the scale, so that one wall of a small room does not fill a large window.
 inline constexpr double kPlanClosest_px_per_m = 100.0;
 PlanLayout lay_out_plan(const Aabb& bounds_m, const Vec3& feet_m, double heading_rad, bool north_up,

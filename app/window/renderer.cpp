@@ -25,7 +25,8 @@ constexpr float kFontBaked_px = 64.0F;
 // Loads a bold font with Latin letters from the folders in which Debian and related systems install it. If no such font
 // exists, ImGui's own small font is enlarged.
 ImFont* load_font(ImFontAtlas& atlas) {
-    // Latin with its extensions, general punctuation, Greek and Cyrillic, for the names in European buildings.
+    // Ranges of characters for the names in European buildings: Latin with its extensions, general punctuation, Greek
+    // and Cyrillic.
     static constexpr std::array<ImWchar, 9> kRanges{0x20, 0x24F, 0x370, 0x3FF, 0x400, 0x45F, 0x2010, 0x2030, 0};
     for (const char* path :
          {"/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf",

@@ -201,7 +201,8 @@ private:
     std::size_t index_ = 0;
     WizardSense sense_;
     double now_s_ = 0.0;
-    double reply_s_ = 0.0;  // sentences with the same reply time wait for each other; a new time interrupts
+    // Time of the current reply; sentences with the same time wait for each other, and those with a new time interrupt.
+    double reply_s_ = 0.0;
     bool begun_ = false, finished_ = false, paused_ = false, wants_search_ = false, lost_device_ = false;
 
     struct Homing {

@@ -66,7 +66,7 @@ const Wizard::Row& Wizard::row(Step step) {
         Row{WizardPart::Reach, nullptr, &W::ask_beyond, &W::keep_beyond, &W::adjust_beyond, nullptr, nullptr},
         Row{WizardPart::Step, nullptr, &W::ask_step_length, &W::keep_step_length, &W::adjust_step_length, nullptr,
             nullptr},
-        Row{WizardPart::Step, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr},  // Done
+        Row{WizardPart::Step, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr},  // the row for Done
     };
     static_assert(kRows.size() == static_cast<std::size_t>(Step::Done) + 1);
     return kRows[static_cast<std::size_t>(step)];

@@ -96,7 +96,7 @@ private:
         std::vector<std::vector<Vec2>> rings;
         std::string material;
     };
-    std::vector<Piece> pieces_;  // sorted by height
+    std::vector<Piece> pieces_;  // surfaces, sorted by height
 };
 // Returns the material that most of the wall area has; empty if it is unknown.
 std::string wall_material(const Scene& scene);

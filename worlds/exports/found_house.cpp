@@ -356,7 +356,7 @@ private:
         }
     }
 
-    // Outlines the rooms whose lowest storey is `storey`.
+    // Makes the outlines of the rooms whose lowest storey is `storey`.
     void outline_rooms(std::size_t storey) {
         const navigation::SpanGrid<navigation::WallSpan>& walls = *space_.walls;
         const auto cells = static_cast<int>(std::lround((space_.body.radius_m + kHalfWall_m) / walls.cell_m));

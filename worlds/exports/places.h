@@ -13,7 +13,7 @@ namespace handrail::exports {
 
 std::vector<Vec2> corners_of(const plan::PlanBox& box);
 double distance_to_loop_mm(const std::vector<Vec2>& loop, const Vec2& at);
-// Returns whether the straight line between the two places crosses no black.
+// Returns whether the straight line between the two places crosses only white.
 bool clear_between(const Ink& ink, const Vec2& from_mm, const Vec2& to_mm);
 
 // Returns whether a box is closer than `gap_mm` to one of the other boxes. All boxes have sides parallel to the axes.

@@ -11,7 +11,7 @@
 
 namespace handrail::exports {
 
-// The sign of a room on the sheet.
+// The sign of a room on the sheet, and where it is.
 struct RoomSign {
     std::string sign;  // letters, or a letter and a number; unique within a storey
     std::string name;

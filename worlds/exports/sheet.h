@@ -12,7 +12,8 @@ namespace handrail::exports {
 
 // A shape. A point is black if it is inside an odd number of the loops.
 struct SheetShape {
-    std::vector<std::vector<Vec2>> loops_mm;  // x to the right, y up, from the lower left corner of the page
+    // Lines around the shape; x to the right, y up, measured from the lower left corner of the page.
+    std::vector<std::vector<Vec2>> loops_mm;
     int part = 0;  // number of the part to which the shape belongs; gaps within one part may be smaller, see check_gaps
 };
 

@@ -46,8 +46,8 @@ std::optional<std::vector<SolidTriangle>> plate_with(std::int32_t wide_um, std::
                                                      std::span<const RaisedArea> raised);
 
 struct SolidCheck {
-    std::size_t open_edges = 0;     // edges without a triangle in the opposite direction
-    std::size_t crowded_edges = 0;  // edges that more than two triangles share
+    std::size_t open_edges = 0;     // number of edges without a triangle in the opposite direction
+    std::size_t crowded_edges = 0;  // number of edges that more than two triangles share
     std::size_t flat = 0;           // number of degenerate triangles, which have no area
     double volume_mm3 = 0.0;
 

@@ -70,7 +70,7 @@ public:
 private:
     Result<void> lay_out(const PaperSize& paper) {
         const Vec2 size_m = storey_.max_m - storey_.min_m;
-        // A title of two lines takes space from the plan.
+        // Returns the space for the plan. A title of two lines leaves less space.
         const auto room_below_title = [&](bool across) {
             const auto title = title_lines(storey_, std::nullopt, table_, across ? paper.long_mm : paper.short_mm);
             const double more_mm = title && title->size() > 1 ? kBrailleLine_mm : 0.0;
@@ -679,7 +679,7 @@ private:
     const plan::Storey& storey_;
     const SheetWish& wish_;
     BrailleTable table_;
-    std::vector<std::string>& letters_;  // see swell_sheet
+    std::vector<std::string>& letters_;  // for each room: its shorter sign, see swell_sheet
     std::string taken_letters_;          // letters of the one-letter signs on this sheet
     std::vector<plan::PlanBox> sign_boxes_;
     Vec2 low_mm_{0.0}, high_mm_{0.0};  // corners of the plan on the page

@@ -39,7 +39,7 @@ struct SheetWish {
 };
 inline constexpr double kCoarseRoom_m2 = 6.0;
 
-inline constexpr int kWallPart = 1;  // SheetShape::part of all walls
+inline constexpr int kWallPart = 1;  // number of the part (SheetShape::part) to which all walls belong
 
 // Returns the names of the rooms that only the storey's second plan shows; see Storey::hidden.
 std::string hidden_names(const plan::Storey& storey);
@@ -50,7 +50,7 @@ struct SwellSheet {
     std::vector<std::string> key_text;  // the same key in print, one line each
     std::vector<std::string> simplified;  // sentences for the report about what was simplified
     std::vector<RoomSign> signs;     // as room_signs returns them; two letters or one if the longer sign does not fit
-    double one_to = 0.0;             // 75 means a scale of 1 to 75
+    double one_to = 0.0;             // scale: 75 means 1 to 75
     OnPaper on_paper;                // converts places of the world to places on the plan
     std::vector<std::string> drawn;  // names of the objects on the sheet
     // Sentences about promises that this sheet does not keep; empty if it keeps all. The promises: 3 mm between

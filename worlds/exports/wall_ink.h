@@ -52,7 +52,7 @@ std::size_t join_near(Ink& walls, double clear_mm);
 // also leaves out lines of another storey's flight outside the room to which that flight leads. `rooms`: see rooms_on.
 struct StairInk {
     std::vector<plan::PlanBox> lines;
-    std::vector<std::uint32_t> drawn;      // indices in Storey::rooms of the storey's own flights that have lines
+    std::vector<std::uint32_t> drawn;      // indices in Storey::rooms of the flights of this storey that have lines
     std::vector<std::uint32_t> of_others;  // indices in Storey::stairs_of_others of the flights that have lines
 };
 StairInk stair_lines(const plan::Storey& storey, const OnPaper& on_paper, const plan::RoomGrid& rooms, Places& places,
@@ -80,7 +80,7 @@ struct BaseArrow {
 std::optional<BaseArrow> arrow_of_base(const plan::StoreyBase& base, const OnPaper& on_paper, const Ink& walls,
                                        const Places& places, const Vec2& half_mm);
 
-// Distance between two signs, so that they are not read as one word.
+// Least distance between two signs, so that readers do not take them for one word.
 inline constexpr double kBetweenSigns_mm = 6.4;
 
 // Returns where a sign with these half sides fits into the room with index `room`. All four corners must be in the room

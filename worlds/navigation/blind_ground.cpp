@@ -68,7 +68,7 @@ std::vector<DirectionsDoor> word_doors(const Scene& scene, std::span<const int> 
             door = doors.end() - 1;
         }
         door->leaves.push_back({own, mover.at(0.0), mover.at(1.0)});
-        // A lift's door opens only if the lift is there.
+        // A lift's door opens only while the lift is behind it, so it does not count as a door that opens at any time.
         const bool opens = mover.by_hand || !mover.approach_m.empty();
         door->opens = door->opens || (opens && mover.lift == kNoMover);
     }
@@ -260,7 +260,7 @@ Paced BlindGround::walk(BlindWalker& walks, double heading_rad, double most_m, P
     double window_from_m = 0.0, level_z = start_z, level_from_m = 0.0, next_step_m = step_m;
     int strides = 0, lined_up = 0;
     bool edge = false;
-    // Returns whether the walk has ended: a flight of stairs is behind the walker, or `each_step` said stop.
+    // Returns whether the walk has ended: the walker has completed a flight of stairs, or `each_step` returned false.
     const auto over = [&] {
         paced.climbed = end == PaceEnd::Stairs && std::abs(level_z - start_z) > kFlightRise_m &&
                         paced.walked_m - level_from_m > kFlightOver_m;

@@ -26,7 +26,7 @@ struct DirectionsDoor {
         Placement shut, open;
     };
     std::vector<Leaf> leaves;
-    bool opens = true;  // can be opened at any time, by hand or automatically when someone approaches
+    bool opens = true;  // people can open the door at any time by hand, or it opens when someone approaches
 };
 
 // Returns all doors that people walk through, in the order of their movers. In `thing_of_mover`, each mover of the
@@ -53,7 +53,7 @@ enum class PaceEnd : std::uint8_t {
 struct Paced {
     double walked_m = 0.0;
     bool stopped = false;
-    bool at_edge = false;  // the walker would have gone over an edge
+    bool at_edge = false;  // the walker would have stepped over an edge
     bool climbed = false;  // the walker went up or down a whole flight
     double rise_m = 0.0;
 };
@@ -71,7 +71,8 @@ inline constexpr double kLineUp_m = 0.5, kLineUpDeep_m = 0.35, kDoorway_m = 1.4;
 
 class BlindGround {
 public:
-    // `space` must outlive this object. Costs a search around each leaf and a few bytes for each span.
+    // `space` must outlive this object. The constructor searches around each leaf. The object needs a few bytes for
+    // each span.
     BlindGround(const WalkSpace& space, std::vector<DirectionsDoor> doors);
 
     const WalkSpace& space() const { return space_; }

@@ -51,13 +51,13 @@ constexpr double kShort_m = 0.1;
 constexpr double kMostEndShort = 0.5;  // a counted leg may lack this fraction of a step when something stops it
 constexpr std::uint64_t kTrialSeed = 20261123;
 
-std::uint64_t mixed(std::uint64_t x) {  // splitmix64, Steele, Lea, Flood 2014
+std::uint64_t mixed(std::uint64_t x) {  // the hash splitmix64 of Steele, Lea, Flood, 2014
     x += 0x9e3779b97f4a7c15ULL;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
     return x ^ (x >> 31);
 }
-// A random number from -1 to 1.
+// Returns a random number from -1 to 1.
 double drawn(std::uint64_t& state) {
     state = mixed(state);
     return static_cast<double>(state >> 11) * 0x1.0p-52 - 1.0;

@@ -31,11 +31,11 @@ int nearest_notch(double heading_rad);
 // One instruction: how to turn, then how far to walk, then what ends the leg.
 struct DirectionsLeg {
     int turn_notches = 0;  // turn before the leg, clockwise, from -7 to 8
-    int steps = 1;         // counted if `end` is Steps, otherwise approximate
+    int steps = 1;         // number of steps; exact if `end` is Steps, otherwise approximate
     PaceEnd end = PaceEnd::Steps;
     // Index in BlindGround::doors() of a shut door that the walker can reach at the end of the leg and has to open.
     std::uint32_t door = kNothing;
-    double rise_m = 0.0;  // height of a flight
+    double rise_m = 0.0;  // height of the flight that the leg goes up; negative: down
     Vec3 to_m{0.0};       // where a walker without errors ends the leg
 };
 
@@ -57,7 +57,7 @@ struct DirectionsErrors {
     double start_m = 0.3;
 };
 
-// Plans a route in two parts, so that its first legs are known long before the rest.
+// Options for planning a route in two calls, so that its first legs are known long before the rest.
 struct DirectionsParts {
     // The first legs of the route, from an earlier call with the same start. Planning continues from their end.
     std::span<const DirectionsLeg> begun = {};
@@ -66,7 +66,7 @@ struct DirectionsParts {
     int places = 0;
 };
 
-// Where a route may end: for each span of the space, whether it is part of the goal.
+// The set of places where a route may end: for each span of the space, whether it is part of the goal.
 using DirectionsGoal = std::vector<std::uint8_t>;
 
 class DirectionsPlanner {

@@ -32,7 +32,7 @@ constexpr std::size_t kMostRegions = 30'000, kMostVertices = 60'000;
 // Detour identifies a polygon by its tile and its index there. It needs 10 bits for other purposes.
 constexpr int kMostRefBits = 22;
 constexpr int kMostPath = 16'384;
-constexpr unsigned short kOnFoot = 1, kOverLink = 2;  // flags of polygons
+constexpr unsigned short kOnFoot = 1, kOverLink = 2;  // flags of polygons: floor, and links such as lifts
 
 struct Free {
     void operator()(rcContourSet* p) const { rcFreeContourSet(p); }
@@ -212,8 +212,8 @@ public:
     }
 
 private:
-    // Each tile includes the adjacent cells, so that its outline has corners in the same places as those of its
-    // neighbours.
+    // Each tile also reads one row of cells beyond each side, so that its outline has corners in the same places as the
+    // outlines of neighbouring tiles.
     static constexpr int kBorder = 1;
 
     // Fills in the columns of the tile. Returns false if there are too many regions.

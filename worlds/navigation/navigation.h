@@ -1,6 +1,6 @@
-// Plans walking routes through a world, on the walkable space and its mesh, which are built once from a Scene. Building
-// takes from milliseconds to seconds, on any thread. Queries share scratch memory, so only one thread at a time may
-// make them.
+// Plans walking routes through a world, on its walkable space and the mesh of that space. Both are made once from a
+// Scene, which takes from milliseconds to seconds on any thread. Queries share scratch memory, so only one thread at a
+// time may make them.
 #pragma once
 
 #include <memory>

@@ -25,7 +25,7 @@ Vec3 goal_in_room(const Navigation& navigation, const RoomGraph& graph, std::uin
 
 struct RoomOutOfReach {
     std::string name;  // the name that the program announces
-    // Index in the graph. kNothing: the map names a place where nobody can stand.
+    // Index of the room in the graph. kNothing: the map names a place where nobody can stand.
     std::uint32_t room = kNothing;
     Vec3 at_m{0.0};
 };

@@ -564,7 +564,8 @@ private:
     std::stop_token stop_;
     std::vector<bool> goal_;  // for each span: whether it may be the middle of its room
     OpenPlaces places_;
-    std::vector<std::uint32_t> label_;  // for each span; spans in an open place have that place's number
+    // For each span: number of its room; while open places are found, the number of its open place.
+    std::vector<std::uint32_t> label_;
     std::vector<RoomKind> kinds_;
     std::uint32_t outside_room_ = kNothing;  // room of the ground that a reader added
     std::vector<std::string> names_;

@@ -16,8 +16,9 @@ enum class RoomKind : std::uint8_t { Room, Stairs, Liquid, Niche };
 // The word for a room in a name that Handrail makes.
 enum class RoomLook : std::uint8_t { Niche, Corridor, SmallRoom, Room, LargeRoom, Hall };
 struct MadeRoomName {
-    std::string thing;        // an object in the room that gives it its name, if any: see Feature::name
-    bool thing_made = false;  // see Feature::made_name
+    // Name of the object in the room from which the room has its name; empty: none. See Feature::name.
+    std::string thing;
+    bool thing_made = false;  // `thing` is a name that the program made; see Feature::made_name
     OtherLanguages thing_in = {};
     bool with_thing = false;  // the name is "room with Stove"; otherwise it is the name of the object
     RoomLook look = RoomLook::Room;
@@ -40,7 +41,8 @@ struct Room {
     OtherLanguages map_name_in;
     bool is_way = false;  // the room is a footway, a street or a platform outdoors
     MadeRoomName made;
-    int same_name = 1;     // number among the rooms of the same name; ways are not numbered
+    // Number of the room among those with the same name; footways, streets and platforms are not numbered.
+    int same_name = 1;
     int level = 0;         // number of the storey; 0 is the lowest
     double area_m2 = 0.0;  // area of the floor where people can stand, including the strip along the walls
     double floor_m = 0.0;  // mean height of the floor
@@ -53,7 +55,7 @@ struct Portal {
     std::array<std::uint32_t, 2> rooms{};  // a one-way portal leads from the first to the second
     Vec3 place_m{0.0};
     double width_m = 0.0;
-    FeatureId feature = kNoFeature;  // the door, lift or teleporter
+    FeatureId feature = kNoFeature;  // the door, lift or teleporter that joins the rooms
     bool one_way = false;
 };
 

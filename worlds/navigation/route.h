@@ -20,7 +20,7 @@ enum class PassageKind : std::uint8_t {
     Climb,  // stairs without walkable steps, which the walker takes like a lift: see stated_stairs.h
 };
 
-// A passage on a route.
+// Something that the walker passes on a route, such as a door.
 struct RoutePassage {
     PassageKind kind = PassageKind::Door;
     Vec3 place_m{0.0};

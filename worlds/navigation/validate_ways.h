@@ -9,10 +9,10 @@
 
 namespace handrail::navigation {
 
-// Checks that columns are in order, floors rise and are below ceilings, neighbours are in the next column, and links
-// join existing spans.
+// Checks the space: columns are in order, floors rise and are below their ceilings, neighbours are in the next column,
+// and links join existing spans.
 Result<void> validate(const WalkSpace& space);
-// Checks that every room number exists, portals join two rooms, and sizes are possible.
+// Checks the graph: every room number exists, portals join two rooms, and sizes are possible.
 Result<void> validate(const RoomGraph& graph, const WalkSpace& space);
 
 }  // namespace handrail::navigation

@@ -18,7 +18,7 @@ namespace handrail::navigation {
 inline constexpr double kLeastRoom_m = 1e-3;
 inline constexpr double kSky = 1e7;
 
-// The part of a column that one obstacle occupies.
+// The range of heights in a column that one obstacle occupies.
 struct ColumnInterval {
     double low = 0.0, high = 0.0;
     std::uint32_t obstacle = 0;

@@ -32,7 +32,7 @@ public:
     // Call write() after run(). Both functions return false if a stop was requested.
     bool write(WalkSpace& space);
     bool write(SpanGrid<WallSpan>& walls);
-    // Returns true if there is more floor than was reached.
+    // Returns true if there is more floor than the flood has reached.
     bool is_part() const { return part_; }
     bool ground_left_out() const { return tiles_.ground_left_out(); }
     std::size_t reached() const { return layers_[kFurnished].reached; }

@@ -17,10 +17,10 @@ struct WalkObstacle {
     std::uint32_t first_plane = 0, plane_count = 0;
     Aabb box_m;  // bounding box, grown by the walker's size
     FeatureId feature = kNoFeature;
-    bool furniture = false;  // an object lower than a wall
-    bool stairs = false;     // see StairRule
+    bool furniture = false;  // true: an object that is lower than a wall
+    bool stairs = false;     // true: the obstacle counts as stairs; see StairRule
 };
-// The top of a moving platform that comes and goes.
+// A floor on the top of a moving platform, which is there only while the platform stops at it.
 struct PassingFloor {
     WalkObstacle shape;
     std::uint32_t mover = 0;

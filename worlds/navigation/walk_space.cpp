@@ -342,7 +342,7 @@ Flooded flood_as_fine_as_can_be(const Scene& scene, WalkerMeasures& body, const 
         if (made.stopped || made.flood->reached() == 0) made.flood.reset();
         return made;
     }
-    return made;  // the last attempt is never too large
+    return made;  // not reached, because the last attempt is never too large
 }
 
 void note_what_is_out(const Flooded& flooded, WalkSpace& space) {

@@ -57,7 +57,7 @@ struct WallSpan {
     std::uint32_t cell : 29 = 0;  // 29 bits suffice: a grid has far fewer cells
     std::uint32_t door : 1 = 0, liquid : 1 = 0, stairs : 1 = 0;
 };
-static_assert(sizeof(WallSpan) == 28);  // small, because there are millions
+static_assert(sizeof(WallSpan) == 28);  // kept small, because there are millions of these spans
 
 // A connection between two spans that cannot be walked, such as a lift or a drop.
 struct WalkLink {

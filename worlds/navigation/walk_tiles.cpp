@@ -251,7 +251,7 @@ std::uint32_t WalkTiles::step(const Place& here, const Tile& tile, std::size_t c
     return best;
 }
 
-// Returns the place below where a walker lands who steps over the edge.
+// Returns the place on which a walker lands after stepping over the edge.
 std::uint32_t WalkTiles::drop(const Place& here, const Tile& tile, std::size_t cell, Layer layer) const {
     const Range range = column(tile, cell, layer);
     std::uint32_t best = kNothing;

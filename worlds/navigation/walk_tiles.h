@@ -20,7 +20,7 @@ namespace handrail::navigation {
 class WalkTiles {
 public:
     static constexpr int kTile = 32;                         // cells along a side of a tile
-    static constexpr std::size_t kIntervalBytes = 32 << 20;  // memory for columns that are kept for later
+    static constexpr std::size_t kIntervalBytes = 32 << 20;  // most memory for columns that are kept for later use
     enum Layer : std::uint8_t { kFurnished, kWalls };
     static constexpr std::uint8_t kReached[2] = {1, 2}, kNearEdge = 4;
     static constexpr std::uint8_t kSame = 255;
@@ -73,7 +73,7 @@ public:
     const Tile& operator[](std::uint32_t tile) const { return *tiles_[tile]; }
     std::uint32_t count() const { return static_cast<std::uint32_t>(tiles_.size()); }
     std::size_t bytes() const { return tile_bytes_; }
-    // Returns true if ground was left out of a tile.
+    // Returns true if ground was left out in any tile.
     bool ground_left_out() const { return ground_left_out_; }
 
     static Cell neighbour(Cell c, int d) { return {c.x + (d == 0) - (d == 2), c.y + (d == 1) - (d == 3)}; }
