@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kFieldOfView_rad = kPi / 3.0;  // vertical field of view
 constexpr double kNear_m = 0.02;
-// Smallest radius of the ball as a fraction of its distance. So the ball of 5 mm at the hand stays visible across a
+// Smallest radius of the ball as a fraction of its distance. So the ball of 5 mm at the proxy stays visible across a
 // room.
 constexpr double kSmallestBallPart = 0.02;
 // Width of an outline as a fraction of the picture's height. Its white core takes a third of the width.

@@ -1,4 +1,4 @@
-// Draws the first-person view: surfaces, their outlines, the ball that shows the hand, and translucent surfaces last.
+// Draws the first-person view: surfaces, their outlines, the ball that shows the proxy, and translucent surfaces last.
 // The app thread uses it; its OpenGL context must be current.
 #pragma once
 
