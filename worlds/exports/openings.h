@@ -39,9 +39,9 @@ OpeningCheck check_openings(const plan::RoomGrid& rooms, const plan::Storey& sto
 std::vector<std::uint32_t> rooms_with_open_edges(const plan::RoomGrid& rooms, const plan::Storey& storey,
                                                  double least_mm, const std::function<bool(const Vec2&)>& shown);
 
-// Opens doors and openings that are closed in the drawing, with the door width of `look`, and closes wrong openings.
-// Wrong openings are places that are too narrow or too low for a walker. Openings are closed if lines next to them were
-// joined. Black that is then too near to a mended place is joined to it.
+// What mend_openings did. That function opens doors and openings that are closed in the drawing, with the door width of
+// `look`; they were closed when the lines on both sides were joined. It also closes wrong openings, which are places
+// that are too narrow or too low for a walker. Black that is then too near to a mended place is joined to it.
 struct MendedOpenings {
     std::size_t opened = 0;
     // Pairs of indices in Storey::rooms between which a wrong opening was closed.

@@ -27,7 +27,7 @@ constexpr double kLeastHeight_m = 0.02;  // Recast's unit of height; larger in v
 constexpr double kSquare_m = 1.0;
 constexpr std::uint32_t kLargestSquare = 8;   // largest side of a polygon in large worlds, as a multiple of kSquare_m
 constexpr std::uint32_t kSquaresOfTile = 64;  // number of squares along a side of a tile
-// Limits of Recast's 16-bit indices: vertices of a tile, and regions of the whole world.
+// Most regions of a tile and of the whole world, and most vertices of a tile. Recast's indices have 16 bits.
 constexpr std::size_t kMostRegions = 30'000, kMostVertices = 60'000;
 // Detour identifies a polygon by its tile and its index there. It needs 10 bits for other purposes.
 constexpr int kMostRefBits = 22;
