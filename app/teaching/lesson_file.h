@@ -58,7 +58,7 @@ struct TaughtStep {
     std::string from;
     std::vector<std::string> to;  // for Point and Distance: the targets; for Order: the items in the right order
     bool along_way = false;  // for Distance: the distance along the route is asked; otherwise the straight distance
-    std::optional<double> pass_deg;  // for Point: greatest error with which an answer passes; none: every answer passes
+    std::optional<double> pass_deg;  // for Point: greatest error with which an answer passes; none: answers cannot fail
     // For Ask: answers are whole numbers in this range; none: answers are words.
     std::optional<std::array<int, 2>> scale;
     int line = 0;

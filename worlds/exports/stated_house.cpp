@@ -1,4 +1,4 @@
-// Describes a building whose file states its rooms, for the text that describes a building.
+// Collects what the file of a building states about its rooms, for the text that describes the building.
 #include <fmt/format.h>
 
 #include <algorithm>
