@@ -15,20 +15,24 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kMoved_m = 1e-4;          // smaller movements are the jitter of a resting body
-constexpr double kTurned = 1e-4;           // the same for turns, in radians
-constexpr double kRestsAfter_s = 0.2;      // everything rests after this long without movement
-constexpr double kBeforeFeet_m = 0.06;     // a body this near in front of the walker is pushed
-constexpr double kPushFor_s = 0.05;        // longer than a frame, so that the push is even
-constexpr double kGivesWayWithin_s = 0.5;  // a body that has not moved by then blocks the walker
+constexpr double kMoved_m = 1e-4;       // movements smaller than this are the jitter of a resting body
+constexpr double kTurned = 1e-4;        // radians; smaller turns are also jitter
+constexpr double kRestsAfter_s = 0.2;   // a body rests once it has not moved for this long
+constexpr double kBeforeFeet_m = 0.06;  // the walker pushes a body that is this near in front
+constexpr double kPushFor_s = 0.05;  // duration of one push order; longer than a frame, so that the pushes join evenly
+constexpr double kGivesWayWithin_s = 0.5;  // a pushed body that has not moved after this time blocks the walker
 constexpr double kGone_m = 0.01;
-constexpr double kUnderFeet_m = 0.01;  // a body whose top is lower than this is underfoot
+// A body whose top is lower than this above the feet is underfoot and does not block the walker.
+constexpr double kUnderFeet_m = 0.01;
 constexpr double kOff_m_per_s = 0.3;
-constexpr double kHeldBack = 0.3;    // share of the wished speed below which the walker counts as stopped
-constexpr double kAhead = 0.25;      // cosine of the widest angle from straight ahead at which a thing can be taken
-constexpr double kStrained_s = 2.0;  // pause after which pushing counts as a new attempt
-constexpr double kUnder = 0.8;       // cosine of the angle to straight down within which a hit counts as underneath
-constexpr double kHeard_s = 3.0;     // how long a hit explains why the held or pushed thing stopped
+// If a body slows the walker below this share of the intended speed, the block is announced.
+constexpr double kHeldBack = 0.3;
+// Cosine of the largest angle from straight ahead at which the walker can take hold of a thing.
+constexpr double kAhead = 0.25;
+constexpr double kStrained_s = 2.0;  // after a pause of this length, pushing counts as a new attempt
+// A hit counts as underneath a body within the angle from straight down that has this cosine.
+constexpr double kUnder = 0.8;
+constexpr double kHeard_s = 3.0;  // a hit explains why the held or pushed thing stopped for this long
 
 bool differs(const Placement& a, const Placement& b) {
     const double turned = 1.0 - std::abs(a.rotation.w * b.rotation.w + a.rotation.x * b.rotation.x +
@@ -81,7 +85,8 @@ Placement Bodies::middle(std::uint32_t body) const {
     return render::middle_of(is, world_.things.at(is.haptic));
 }
 
-// True if nothing but the body itself is between the eyes and its nearest point, or between the eyes and its middle.
+// Returns true if the line of sight is free from the eyes to the body's nearest point or to its middle. The body itself
+// does not count as an obstacle.
 bool Bodies::in_sight(std::uint32_t body, const Aabb& box_m) const {
     const Vec3 eye = context_.body.feet_m() + Vec3(0.0, 0.0, kLookHeight_m);
     const auto seen = [&](const Vec3& at_m) {
@@ -91,7 +96,8 @@ bool Bodies::in_sight(std::uint32_t body, const Aabb& box_m) const {
     return seen(glm::clamp(eye, box_m.min_m, box_m.max_m)) || seen(box_m.centre_m());
 }
 
-// Returns the body that the hand touches; else the one straight ahead; else the nearest one in front.
+// Returns the body that the hand touches. Otherwise returns the body straight ahead of the walker, or else the nearest
+// body in front.
 std::uint32_t Bodies::in_reach() const {
     if (context_.hands.tool.touches())
         if (const std::uint32_t touched = body_of(context_.hands.tool.touched()); touched != render::kNoBody)
@@ -145,11 +151,12 @@ void Bodies::restart() {
     grip_.let_go();
     engine_->order({.kind = dynamics::BodyEngine::Order::Kind::LetGo});
     engine_->order({.kind = dynamics::BodyEngine::Order::Kind::Restart});
-    walker_m_ = Vec3(std::numeric_limits<double>::infinity());  // after the restart the engine knows no walker
+    // The restarted engine does not know where the walker is.
+    walker_m_ = Vec3(std::numeric_limits<double>::infinity());
     driven_.clear();
 }
 
-// Sends the places of doors and of the person to the engine.
+// Sends the positions of doors and of the walker to the engine.
 void Bodies::tell_engine() {
     std::vector<Placement> now;
     for (const render::DrivenThing& thing : scene_->driven) now.push_back(world_.things.at(thing.haptic));
@@ -160,8 +167,8 @@ void Bodies::tell_engine() {
         driven_ = std::move(now);
     }
     if (!context_.body.walker) return;
-    // A small ball could roll under the capsule's round end, below the soles. So the capsule reaches into the floor,
-    // except while the person is in the air or stands on a body.
+    // A small ball could roll under the round end of the walker's capsule, below the soles. So the capsule is sunk into
+    // the floor, except while the walker is in the air or stands on a body.
     const bool lifted = !context_.body.walker->state().on_ground || body_of(context_.body.ground) != render::kNoBody;
     const Vec3 feet = context_.body.feet_m();
     if (feet == walker_m_ && lifted == walker_lifted_) return;
@@ -237,7 +244,7 @@ void Bodies::hear(double now_s) {
             event.other_body != render::kNoBody ? scene_->bodies[event.other_body].feature : event.other;
         if (on_hit) on_hit(scene_->bodies[event.body].feature, met, now_s);
         if (!mine) continue;
-        // A hit underneath the body stops nothing.
+        // A hit underneath the body does not stop the body.
         const Vec3 off = event.at_m - middle(event.body).position_m;
         if (off.z < -kUnder * glm::length(off)) continue;
         hit_ = met;
@@ -255,8 +262,9 @@ void Bodies::shove(std::uint32_t body, const Vec3& speed_m_per_s) {
     engine_->order(order);
 }
 
-// The engine lets bodies overlap a little, and the walker can pass through the overlap, so nobody is trapped for ever.
-// Returns the body that the walker meets; kNoBody: none.
+// Removes the part of `wish_m_per_s` that leads into a body, and pushes that body away. The engine lets bodies overlap
+// a little, and the walker can pass through an overlap, so nobody stays trapped. Returns the body that the walker
+// meets, or kNoBody.
 std::uint32_t Bodies::keep_apart(Vec3& wish_m_per_s) {
     std::uint32_t met = render::kNoBody;
     const Vec3 feet = context_.body.feet_m();
@@ -329,7 +337,7 @@ bool Bodies::push_ahead(Vec3& wish_m_per_s, double now_s) {
     const double against = -glm::dot(hit.normal, along);
     const Vec3 level(hit.normal.x, hit.normal.y, 0.0);
     const double across = glm::length(level);
-    // A body met at a slant is pushed along the horizontal normal of the side that was met.
+    // If the walker meets a side of the body at a slant, the body is pushed along the horizontal normal of that side.
     const Vec3 way = across > 0.1 ? -level / across : along;
     shove(body, way * (speed * std::max(0.3, against)));
     if (begins)

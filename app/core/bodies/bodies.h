@@ -1,7 +1,7 @@
-// The movable things of a world. This class owns their physics engine, sends it the positions of doors and of the
-// person, and updates the moved things for hand, walker and view. Without a clock, the session steps the engine here,
-// so equal input gives bit-identical results; with a clock, the engine runs on its own thread. If a world has no
-// movable things, it has neither engine nor thread. App thread only.
+// The movable things of a world. This class owns their physics engine and sends it the positions of doors and of the
+// walker. It passes the positions of the moved things to the hand, the walker and the view. Without a clock, the
+// session steps the engine here, so equal input gives bit-identical results. With a clock, the engine runs on its own
+// thread. A world without movable things has neither engine nor thread. App thread only.
 #pragma once
 
 #include <array>
@@ -24,60 +24,61 @@ namespace handrail::core {
 
 class Bodies : SessionPart {
 public:
-    // Moves the things of `world` and passes the engine to the servos through `hands`.
+    // Updates the positions of the things in `world`, and passes the engine to the servos through `hands`.
     Bodies(const SessionContext& context, WorldState& world, HandsState& hands)
         : SessionPart(context), world_(world), hand_grip_(context, hands) {}
 
-    // Applies to every world entered from now on.
+    // Sets how engines are made for every world that is entered from now on.
     void make_engines(BodyEngines how) { how_ = std::move(how); }
-    // Null: nothing in this world is movable. Call it after the world and its things have been entered.
+    // Call it after the world and its things have been entered. If `scene` is null, nothing in this world is movable.
     void enter_world(std::shared_ptr<const render::DynamicsScene> scene, double now_s);
 
-    // Takes hold, lets go, puts back and, while something is held, moves it. Returns false if the command belongs to
-    // another feature.
+    // Handles the commands that take hold of a thing, release it, put it back or move it while it is held. Returns
+    // false if the command belongs to another feature.
     bool act(Command command, double now_s, int times = 1);
-    // True if the key moves the held thing instead of the walker.
+    // True if the key of this command moves the held thing instead of the walker.
     bool keeps(Command command) const { return grip_.keeps(command); }
     void release(Command command) { grip_.release(command); }
-    // Advances an engine without its own thread to `now_s`. Call it every millisecond if a hand is to feel the bodies;
-    // otherwise tick() does it.
+    // Advances an engine without its own thread to `now_s`. Call it every millisecond if a hand has to feel the bodies.
+    // Otherwise tick() advances the engine.
     void step_engine(double now_s);
-    // Call it before the places of the things are sent to the servo.
+    // Call it before the positions of the things are sent to the servo.
     void tick(double now_s);
-    // Call it before the walker moves in this direction. Pushes what is in front of the walker if it is light enough,
-    // and returns true while that moves. A body that has been driven into the walker is pushed away, and the part of
-    // the wish that goes into it is removed.
+    // Call it before the walker moves with the velocity `wish_m_per_s`. Pushes the thing in front of the walker if it
+    // is light enough, and returns true while that thing moves. Pushes away a body that has been driven into the
+    // walker, and removes the part of `wish_m_per_s` that leads into that body.
     bool push_ahead(Vec3& wish_m_per_s, double now_s);
 
-    // A game announces where the held thing came to rest, so the grip does not.
+    // Prevents the grip from announcing where the held thing came to rest, because a game announces that.
     void step_is_told() { grip_.step_is_told(); }
-    // Puts everything back to its place in the world, silently.
+    // Silently puts everything back to its position in the world file.
     void restart();
     bool any_moving() const { return moving_; }
-    // The place of each thing while any of them moves; otherwise empty.
+    // Returns the position of each thing while at least one of them moves; otherwise returns an empty list.
     std::vector<MovedThing> moved() const;
     bool idle() const { return grip_.idle(); }
-    // True once after everything has come to rest.
+    // Returns true once after all bodies have come to rest.
     bool take_rested() { return std::exchange(rested_, false); }
-    // Mass of a movable feature; no value: the feature is not movable.
+    // Returns the mass of a movable feature, or no value if the feature is not movable.
     std::optional<double> mass_kg(FeatureId feature) const;
-    // The engine of this world; null: nothing in it is movable.
+    // Returns the engine of this world, or null if nothing in the world is movable.
     const dynamics::BodyEngine* engine() const { return engine_.get(); }
-    // How much of the engine's output has been read up to now.
+    // How much of the engine's output this class has read.
     struct EngineRead {
         std::uint32_t engine = 0;  // HandChannel::engine
         std::uint64_t frame = 0;   // DynamicsFrame::number; 0: none yet
-        std::uint64_t events = 0;  // number of all events read
+        std::uint64_t events = 0;  // number of events read since the engine was made
     };
     const EngineRead& read_of_engine() const { return read_; }
-    // For the servo of a hand: 0 is the only or right hand, 1 the left. Null: nothing in this world is movable.
+    // Returns the engine for the servo of a hand: 0 is the only or right hand, 1 the left. Returns null if nothing in
+    // this world is movable.
     const std::shared_ptr<servo::HandBodyServo>& hand_engine(std::size_t which) const { return hand_engines_[which]; }
-    // What a hand holds; kNoFeature: nothing.
+    // Returns the thing that the hand holds, or kNoFeature.
     FeatureId held_by_hand(std::size_t which) const {
         return hand_grip_.held(which) == render::kNoBody ? kNoFeature : scene_->bodies[hand_grip_.held(which)].feature;
     }
 
-    // Set by a game; called when one thing hits another or a part of the building.
+    // Set by a game. This class calls it when a thing hits another thing or a part of the building.
     std::function<void(FeatureId thing, FeatureId met, double now_s)> on_hit;
 
 private:
@@ -97,26 +98,27 @@ private:
 
     WorldState& world_;
     BodyEngines how_;
-    std::shared_ptr<const render::DynamicsScene> scene_;  // null: nothing is movable
+    std::shared_ptr<const render::DynamicsScene> scene_;  // null: nothing in this world is movable
     std::unique_ptr<dynamics::BodyEngine> engine_;
-    dynamics::DynamicsLoop* stepped_ = nullptr;  // the same engine if this class steps it; otherwise null
+    dynamics::DynamicsLoop* stepped_ = nullptr;  // the engine, if this class steps it; otherwise null
     EngineRead read_;
     KeyboardGrip grip_{context_};
     BodySounds sounds_{context_};
     DeviceGrip hand_grip_;
     std::array<std::shared_ptr<servo::HandBodyServo>, 2> hand_engines_;
-    std::vector<Placement> driven_;  // as last sent to the engine
-    Vec3 walker_m_{0.0};             // as last sent to the engine
+    std::vector<Placement> driven_;  // positions of the doors as last sent to the engine
+    Vec3 walker_m_{0.0};             // position of the walker as last sent to the engine
     bool walker_lifted_ = false;
     double moved_s_ = -1e9;
     bool moving_ = false, rested_ = false;
-    FeatureId hit_ = kNoFeature;  // last hit by the held thing
+    FeatureId hit_ = kNoFeature;  // the feature that the held thing hit last
     double hit_s_ = -1e9;
-    // What the walker pushes, since when without progress, when last, and from where.
+    // The body that the walker pushes; when the walker began to push it without progress; when the last push was; where
+    // the body was then.
     std::uint32_t pushed_ = render::kNoBody;
     double pushed_since_s_ = 0.0, pushed_s_ = -1e9;
     Vec3 pushed_from_m_{0.0};
-    // The body that last stopped the walker, and when.
+    // The body that last stopped the walker, and the time when it did.
     std::uint32_t in_the_way_ = render::kNoBody;
     double in_the_way_s_ = -1e9;
 };

@@ -1,4 +1,4 @@
-// How a session makes the physics engine of each world with movable things. Plain data, set once.
+// Settings for the physics engines that a session makes, one for each world with movable things. Plain data, set once.
 #pragma once
 
 #include <functional>
@@ -11,12 +11,12 @@
 namespace handrail::core {
 
 struct BodyEngines {
-    // With a clock, each engine runs on its own thread. It is the session's clock and outlives the engines. Null: each
-    // tick steps the engine.
+    // The session's clock, which outlives the engines. With a clock, each engine runs on its own thread. If it is null,
+    // each tick of the session steps the engine.
     Clock* clock = nullptr;
-    // Records every step of the engines, and outlives the session; null: no recording.
+    // Records every step of the engines, and outlives the session. Null: nothing is recorded.
     dynamics::EngineRecording* recording = nullptr;
-    // Makes an engine that replays a recording from that moment on. Empty: real engines.
+    // Makes an engine that replays a recording from the given time on. Empty: real engines are used.
     std::function<std::unique_ptr<dynamics::BodyEngine>(std::shared_ptr<const render::DynamicsScene> scene,
                                                         double begin_s)>
         played;

@@ -13,7 +13,7 @@ class BodySounds : SessionPart {
 public:
     explicit BodySounds(const SessionContext& context) : SessionPart(context) {}
 
-    // Call it when another world, or none, is entered: all sounds stop.
+    // Stops all sounds. Call it when another world is entered, or when the world is left.
     void enter_world(std::size_t bodies, double now_s);
     void hear(const render::BodyEvent& event, const render::DynamicsScene& scene, double now_s);
     // Stops the sound of each body that no longer rolls or slides.
@@ -28,7 +28,7 @@ private:
     SoundClass sound_of(FeatureId feature) const;
     void loop(std::size_t body, double loudness, SoundClass material, double now_s);
 
-    std::vector<Loop> loops_;  // per body
+    std::vector<Loop> loops_;  // one entry for each body
 };
 
 }  // namespace handrail::core

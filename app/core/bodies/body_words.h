@@ -7,11 +7,11 @@
 
 namespace handrail::core {
 
-// The name as a sentence begins with it, without the material: "Crate".
+// Returns the name without the material, with a capital letter for the start of a sentence: "Crate".
 std::string body_name(const SessionContext& context, FeatureId feature);
-// "12 kilograms", with two significant digits.
+// Returns the mass in words with two significant digits: "12 kilograms".
 std::string mass_words(double mass_kg);
-// "Safe. Heavy, 400 kilograms."
+// Returns the announcement of a thing that is too heavy: "Safe. Heavy, 400 kilograms."
 std::string heavy_words(const SessionContext& context, FeatureId feature, double mass_kg);
 
 }  // namespace handrail::core

@@ -1,5 +1,6 @@
-// Holding a thing with the hand of a device, by its button or by the Use key while the hand touches the thing. The
-// servo holds it; this class requests that and announces what is held, released or too heavy. App thread only.
+// Lets the hand of a device hold a thing. The person presses the device's button, or the Use key while the hand touches
+// the thing. The servo does the holding. This class requests it and announces what is held, released or too heavy. App
+// thread only.
 #pragma once
 
 #include <array>
@@ -16,11 +17,11 @@ public:
     DeviceGrip(const SessionContext& context, HandsState& hands) : SessionPart(context), hands_(hands) {}
 
     void enter_world();
-    // Takes hold of what a hand touches, lets go, turns by quarters. Returns false if the command belongs to another
-    // feature.
+    // Handles the commands that take hold of the touched thing, release it or turn it by 90 degrees. Returns false if
+    // the command belongs to another feature.
     bool act(Command command, const render::DynamicsScene& scene, double now_s);
     void tick(const render::DynamicsScene& scene, double now_s);
-    // The body that the hand holds; kNoBody: nothing. 0: the only or right hand, 1: the left one.
+    // Returns the body that the hand holds, or kNoBody. 0 is the only or right hand, 1 the left hand.
     std::uint32_t held(std::size_t which) const { return sides_[which].held; }
 
 private:

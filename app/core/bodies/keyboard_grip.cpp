@@ -12,12 +12,13 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kStep_m = 0.25;   // one tap; a ball moves by two of its diameters
+constexpr double kStep_m = 0.25;   // length of the step of one tap; a ball moves by two of its diameters instead
 constexpr double kRepeat_s = 1.0;  // repeat interval of a held key
-constexpr double kRests_s = 0.15;  // after this long without movement the step is over
-constexpr double kStill_m = 2e-3;  // smaller shifts do not count as movement
+constexpr double kRests_s = 0.15;  // a step ends once the thing has not moved for this long
+constexpr double kStill_m = 2e-3;  // shifts smaller than this do not count as movement
 constexpr double kMost_s = 2.5;    // longest duration of a step
-constexpr double kShort = 0.25;    // share of a step; if more than this is missing, something blocked it
+// Share of a step; if more than this is missing at the end, an obstacle stopped the thing.
+constexpr double kShort = 0.25;
 
 constexpr std::array kSteps{Command::Forward,   Command::Back,   Command::TurnLeft,
                             Command::TurnRight, Command::TiltUp, Command::TiltDown};
@@ -73,7 +74,7 @@ void KeyboardGrip::lead(dynamics::BodyEngine& engine) const {
     engine.order(order);
 }
 
-// On a map, ahead is north; otherwise it is where the walker faces.
+// On a map, "ahead" is north; otherwise it is the direction that the walker faces.
 Vec3 KeyboardGrip::way_of(Command command) const {
     const double ahead =
         context_.settings.workspace.frame == settings::FrameChoice::Map ? 0.0 : context_.body.heading_goal_rad;
@@ -104,7 +105,8 @@ void KeyboardGrip::step(Command command, dynamics::BodyEngine& engine, const ren
     const render::DynamicsBody& is = scene.bodies[held_];
     const bool lifts = command == Command::TiltUp || command == Command::TiltDown;
     if (is.ball && lifts) return context_.answer(phrase("bodies.ball_rolls"), now_s);
-    // A step begins at the previous target, unless the thing was stopped before it.
+    // A step begins at the target of the previous step. If that step is over, it begins at the thing's present
+    // position.
     if (!stepped_s_) to_m_ = Vec3(middle.position_m.x, middle.position_m.y, lifts ? middle.position_m.z : to_m_.z);
     to_m_ += way_of(command) * (step_m(is) * times);
     stepped_s_ = rests_since_s_ = now_s;

@@ -1,6 +1,6 @@
-// Holding a thing by keys. The arrow keys move it in steps, PageUp and PageDown lift and lower it, Comma and Period
-// turn it by quarters, and Enter lets go. The engine leads it with no more than the person's strength, so an obstacle
-// stops it. App thread only.
+// Lets the keys hold a thing. The arrow keys move it in steps, PageUp and PageDown lift and lower it, Comma and Period
+// turn it by 90 degrees, and Enter releases it. The engine moves the thing with no more than the person's strength, so
+// an obstacle stops it. App thread only.
 #pragma once
 
 #include <optional>
@@ -19,21 +19,22 @@ public:
     void enter_world() { let_go(); }
     bool holds() const { return held_ != render::kNoBody; }
     std::uint32_t held() const { return held_; }
-    bool idle() const { return !stepped_s_; }  // no step is under way
-    // While a key of such a command is down, it moves the held thing instead of the walker.
+    bool idle() const { return !stepped_s_; }  // true if no step is under way
+    // True if the key of this command, while it is down, moves the held thing instead of the walker.
     bool keeps(Command command) const;
     void release(Command command) { keys_.release(command); }
 
-    // Takes hold of the body at its present place and announces it. A body that is too heavy is announced and not
+    // Takes hold of the body at its present position and announces it. A body that is too heavy is announced but not
     // taken.
     void take(dynamics::BodyEngine& engine, const render::DynamicsScene& scene, std::uint32_t body,
               const Placement& middle, double now_s);
-    // Returns false if the command is not one of the grip's.
+    // Returns false if the command belongs to another feature.
     bool act(Command command, dynamics::BodyEngine& engine, const render::DynamicsScene& scene, const Placement& middle,
              double now_s, int times);
-    // Somebody else announces where this step ended.
+    // Ends the step without an announcement, because a game announces where the thing came to rest.
     void step_is_told() { stepped_s_.reset(); }
-    // Announces the result of a step when the thing comes to rest. hit: what it met last; kNoFeature: nothing.
+    // Announces the result of a step when the thing comes to rest. `hit` is the feature that the thing hit last, or
+    // kNoFeature.
     void tick(dynamics::BodyEngine& engine, const render::DynamicsScene& scene, const Placement& middle, FeatureId hit,
               double now_s);
     void let_go();
@@ -48,9 +49,9 @@ private:
 
     HeldKeys keys_;
     std::uint32_t held_ = render::kNoBody;
-    Vec3 to_m_{0.0};  // the place to which the engine leads it
+    Vec3 to_m_{0.0};  // the position to which the engine moves the held thing
     Rotation turn_;
-    std::optional<double> stepped_s_;  // start of the step that is under way
+    std::optional<double> stepped_s_;  // start of the step that is under way; no value: none is
     Vec3 last_m_{0.0};
     double rests_since_s_ = 0.0;
     bool hints_told_ = false;

@@ -1,4 +1,4 @@
-// Everything that a session has to say and to play, in order. The owner of the session takes it after each tick and
+// The queue of everything that a session wants to say and play. The owner of the session takes it after each tick and
 // passes it on to speech and sound. App thread only.
 #pragma once
 
@@ -12,35 +12,36 @@
 
 namespace handrail::core {
 
-// A sound that is played once at this place.
+// Makes a request to play a sound once at this place.
 cues::CueRequest sound_at(cues::SoundKind kind, const Vec3& place_m, double now_s);
 
 class Cues {
 public:
-    // body: its ears are the place of sounds that have no place themselves.
+    // Sounds without a place are played at the ears of `body`, which must outlive this object.
     explicit Cues(const WalkerState& body) : body_(body) {}
 
     void say(std::string text, cues::SpeechClass speech_class, double now_s);
-    // A line about this topic, with the class that belongs to it. anew: it was cut, so that it was said before does not
-    // matter. place_m: what it is about, if it is about a place.
+    // How tell() says a line about a topic. The topic determines the speech class. `anew`: the line was cut off before,
+    // so it may be repeated. `place_m`: the place that the line is about, if any.
     struct Telling {
         bool anew = false;
-        bool answers = false;  // a key, or what somebody has waited for: said at every verbosity
+        // The person pressed a key for this line or was waiting for it, so it is said at every verbosity.
+        bool answers = false;
         std::optional<Vec3> place_m = {};
     };
     void tell(cues::SpeechTopic topic, std::string text, double now_s, const Telling& how);
-    // What a foot must know at once: drops, stairs, what is shut or blocks. Said each time.
+    // Says a warning that a walking person needs at once, each time: drops, stairs, or something shut or in the way.
     void warn(std::string text, double now_s) { say(std::move(text), cues::SpeechClass::Warning, now_s); }
-    // A response to what the person asked or did.
+    // Says the response to what the person requested or did.
     void answer(std::string text, double now_s) { say(std::move(text), cues::SpeechClass::Answer, now_s); }
     void play(cues::SoundKind kind, double now_s) { cue(sound_at(kind, body_.ears_m(), now_s)); }
     void play_at(cues::SoundKind kind, const Vec3& place_m, double now_s) { cue(sound_at(kind, place_m, now_s)); }
-    // A key was pressed: what is being said ends, but for alarms and warnings.
+    // Call it when a key is pressed. It ends the present speech, except alarms and warnings.
     void quiet(double now_s);
     void cue(cues::CueRequest request) { waiting.push_back(std::move(request)); }
     std::vector<cues::CueRequest> take() { return std::exchange(waiting, {}); }
 
-    std::vector<cues::CueRequest> waiting;  // not taken yet
+    std::vector<cues::CueRequest> waiting;  // not yet taken by the owner
 
 private:
     const WalkerState& body_;

@@ -1,5 +1,5 @@
-// What the settings contain for one device: the person's overrides and what was measured with it. Pure functions; any
-// thread.
+// Settings for one device: the person's overrides, and the values that were measured with the device. Pure functions;
+// any thread may call them.
 #pragma once
 
 #include "app/core/context/hands_state.h"
@@ -7,12 +7,13 @@
 
 namespace handrail::core {
 
-// What was measured with exactly this device; null: nothing was measured, or there is no hand.
+// Returns the values measured with exactly this device. Returns null if nothing was measured or there is no hand.
 const settings::DeviceProfile* profile_of(const settings::Settings& settings, const HandFacts& hand);
-// Overrides the general workspace settings with those for devices of this name, and these with what was measured with
-// exactly this device.
+// Overrides the general workspace settings with those for devices of this name. Then overrides the result with the
+// values measured with exactly this device.
 void lay_device_overrides(settings::Settings& settings, const HandFacts& hand);
-// Newtons; the lower of two limits: the person's choice for all devices, and what was found comfortable with this one.
+// Returns the force limit in newtons. It is the lower of two limits: the person's choice for all devices, and the force
+// found comfortable with this device.
 double ceiling_n(const settings::Settings& settings, const HandFacts& hand);
 
 }  // namespace handrail::core

@@ -1,5 +1,5 @@
-// The hands: their devices, what their servos last reported, and what is sent to the servos. Plain state; app thread
-// only.
+// The state of the hands: their devices, the last reports of their servos, and the values for the servos. Plain state;
+// app thread only.
 #pragma once
 
 #include <optional>
@@ -11,28 +11,30 @@
 
 namespace handrail::core {
 
-// The device of one hand, or none. Of `spec`, only workspace size, force and stiffness are used.
+// The device of one hand. `present` is false if there is none. Of `spec`, only workspace size, force and stiffness are
+// used.
 struct HandFacts {
     bool present = false;
     bool simulated = false;
     device::DeviceSpec spec{};
-    std::string serial = {};  // empty: it has none
+    std::string serial = {};  // empty: the device has no serial number
 };
 
 struct HandsState {
-    HandFacts right, left;  // right: also the only one
+    HandFacts right, left;  // `right` is also the only hand
     servo::ToolState tool, left_tool;
     servo::ServoTuning tuning;
-    servo::BodyTuning left_bodies;  // what the left hand's servo receives about holding; everything else as in `tuning`
+    servo::BodyTuning left_bodies;  // how the left hand's servo holds bodies; all its other values are in `tuning`
     servo::WorkspacePose pose;
-    std::optional<NamedScale> named_scale;  // none: the scale of the settings
+    std::optional<NamedScale> named_scale;  // none: the scale comes from the settings
     bool keys_alone = false;                // the keyboard moves a simulated hand because there is no device
-    bool left_behind = false;               // the walker moved on, and a solid is between it and the only or right hand
+    // The walker moved on, so that a solid is now between the walker and the only or right hand.
+    bool left_behind = false;
 
     // True if the position of the only or right hand is known.
     bool known() const { return right.present && tool.ticks > 0; }
-    // True if that hand is where the walker is. Questions are then about what it touches and where it is, not about the
-    // walker's feet.
+    // True if the only or right hand is where the walker is. Answers to questions then describe the place of the hand
+    // and what it touches, instead of the place of the walker's feet.
     bool answers() const { return known() && !left_behind; }
     bool two() const { return right.present && left.present; }
     bool at_desk() const { return tool.desk.open; }

@@ -1,5 +1,5 @@
-// To leave the program or a lesson, the person must confirm a question; a second request within kWindow_s leaves
-// without asking again. Plain state; app thread only.
+// The pending request to leave the program or a lesson. The first request opens a question that the person must
+// confirm. A second request within kWindow_s leaves at once. Plain state; app thread only.
 #pragma once
 
 namespace handrail::core {

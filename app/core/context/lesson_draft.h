@@ -1,5 +1,5 @@
-// What an instructor has put together in the program for a lesson of three sessions. The owner of the session writes it
-// to a file. Plain data; world metres.
+// The draft of a lesson of three sessions, which an instructor has prepared in the program. The owner of the session
+// writes it to a file. Plain data in world metres.
 #pragma once
 
 #include <string>
@@ -10,22 +10,23 @@
 namespace handrail::core {
 
 struct LessonDraft {
-    // A thing or a room under its name in files; otherwise just a position.
+    // A thing or a room, under its name in files. If both names are empty, it is just a position.
     struct Place {
         std::string name, thing, room;
         Vec3 place_m{0.0};
-        Aabb box_m{};  // whole extent of a landmark
+        Aabb box_m{};  // bounding box of the whole landmark
     };
     std::string title;
     Vec3 base_feet_m{0.0};
     double base_heading_rad = 0.0;
-    std::string base_room;  // as it is spoken; empty: none, or outdoors, which has no walls to learn
+    // Name of the room of the base as it is spoken; empty: no room, or outdoors, where there are no walls to learn.
+    std::string base_room;
     std::vector<Place> landmarks;
-    std::vector<Place> stops;  // of the route, in order
-    // Landmarks that the learner must locate from the base: all except those at its feet.
+    std::vector<Place> stops;  // stops of the route, in order
+    // Landmarks that the learner must locate from the base: all landmarks except those at the base itself.
     std::vector<std::string> asked;
-    std::vector<std::string> on_route;  // those of `asked` that the route passes, in its order
-    std::string world_checksum;         // empty: unknown
+    std::vector<std::string> on_route;  // those of `asked` that the route passes, in the order of the route
+    std::string world_checksum;         // empty: not known
 };
 
 }  // namespace handrail::core

@@ -1,4 +1,4 @@
-// Opens lists to choose from and questions to answer, and announces their first words. App thread only.
+// Opens lists of choices and questions to the person, and announces their first words. App thread only.
 #pragma once
 
 #include <functional>
@@ -23,7 +23,8 @@ public:
     }
 
     Dialogue dialogue;
-    std::function<void()> before_open;  // set by the session: from then on keys go to the list, so the walker stops
+    // Called before a list opens; set by the session, which stops the walker because keys then go to the list.
+    std::function<void()> before_open;
 
 private:
     Cues& cues_;

@@ -12,27 +12,28 @@
 namespace handrail::core {
 
 struct OwnerRequests {
-    // The set-up by voice was requested; true once for each request.
+    // Returns true once after each request for the set-up by voice.
     bool take_set_up() { return std::exchange(set_up, false); }
-    // The set-up of the first minutes was requested: only headphones and hand. The owner reports when it is over or was
-    // left.
+    // Returns true once after each request for the short set-up of the first minutes, which covers only headphones and
+    // hand. The owner reports when it has ended or the person has left it.
     bool take_first_set_up() { return std::exchange(first_set_up, false); }
-    // The person wants the hand that was offered last, and pressed the force key.
+    // Returns true once after the person pressed the force key to use the device that was offered last.
     bool take_offered_hand() { return std::exchange(offered_hand, false); }
-    // The list of plugged-in devices is wanted; the owner answers with DevicesFound.
+    // Returns true once after each request for the list of plugged-in devices. The owner answers with DevicesFound.
     bool take_devices() { return std::exchange(devices, false); }
-    // A world to read and enter.
+    // Returns the world that the owner has to read and enter, if one was requested.
     std::optional<WorldRequest> take_world() { return std::exchange(world, std::nullopt); }
-    // A person has corrected the present world, so it must be read again. The session then continues at the same place,
-    // or starts again if no place in it is where it was.
+    // The first returns true once if the present world must be read again, because a person has corrected it. The
+    // session then continues at the same place. The second is true if no part of the world is where it was, so the
+    // session must start again.
     bool take_read_again() { return std::exchange(read_again, false); }
     bool take_begin_anew() { return std::exchange(begin_anew, false); }
-    // The place to continue at. The owner reads its world if that is another one.
+    // Returns the place at which to continue, if that was requested. The owner reads its world if another one is open.
     std::optional<LastPlace> take_last_place() { return std::exchange(last_place, std::nullopt); }
 
     std::optional<std::size_t> take_lesson() { return std::exchange(lesson, std::nullopt); }
-    // The list of learners is wanted; the owner answers with TeacherActed::Kind::Learners. The second is the learner to
-    // switch to.
+    // The first returns true once after each request for the list of learners, which the owner answers with
+    // TeacherActed::Kind::Learners. The second returns the learner to switch to, if one was chosen.
     bool take_learners() { return std::exchange(learners, false); }
     std::optional<std::size_t> take_learner() { return std::exchange(learner, std::nullopt); }
     std::optional<LessonDraft> take_lesson_draft() { return std::exchange(lesson_draft, std::nullopt); }
@@ -41,11 +42,11 @@ struct OwnerRequests {
     bool set_up = false, first_set_up = false, offered_hand = false, devices = false;
     std::optional<WorldRequest> world;
     std::optional<LastPlace> last_place;
-    std::optional<LessonDraft> lesson_draft;  // to be written
+    std::optional<LessonDraft> lesson_draft;  // a draft that the owner has to write to a file
     std::optional<std::size_t> lesson;        // number of the offered lesson to begin
     std::optional<std::size_t> learner;       // number of the listed learner to switch to
     bool learners = false;
-    bool leave = false;  // the session is to end
+    bool leave = false;  // the person wants to end the session
 };
 
 }  // namespace handrail::core

@@ -15,7 +15,7 @@ struct Person {
 
     settings::Settings settings;
     KeyMap keys;
-    // Settings changed by a command, to store and save: key and value.
+    // Settings that a command changed and the owner still has to save, as key and value.
     std::vector<std::pair<std::string, std::string>> changes;
 };
 

@@ -1,6 +1,6 @@
-// What every feature of a session may read and request. The session makes one, and each feature keeps a reference to
-// it. The context owns nothing; its const members are read-only. A feature that needs another feature gets it by name
-// in its constructor. App thread only.
+// What every feature of a session may read and request. The session makes one context, and each feature keeps a
+// reference to it. The context owns nothing, and features only read its const members. A feature that needs another
+// feature gets a reference to it in its constructor. App thread only.
 #pragma once
 
 #include <functional>
@@ -27,19 +27,19 @@ namespace handrail::core {
 
 class RoomsKept;
 
-// What takes more than one feature, so that the session alone can do it; it sets them all.
+// Requests that involve several features, so that only the session can carry them out. The session sets all of them.
 struct SessionRequests {
-    // Saves what the person added to the world. If another session has changed the same file, everybody reads it again.
-    // Returns false if the file could not be written; that is announced, and saving is tried again later.
+    // Saves what the person added to the world. If another session has changed the same file, all sessions read it
+    // again. If the file could not be written, the session announces that, returns false and tries again later.
     std::function<bool(double now_s)> save_additions;
-    // Moves the walker to another place in this world; the workspace moves along.
+    // Moves the walker to another place in this world, and the hand's workspace with it.
     std::function<void(const Vec3& feet_m, double heading_rad, double now_s)> place;
-    // Makes that place the base of this world until the world is entered again.
+    // Makes this place the base of the world until the world is entered again.
     std::function<void(const Vec3& feet_m, double heading_rad)> move_base;
     // Acts as if the command's key had been pressed and released.
     std::function<void(Command command, double now_s)> perform;
-    // Changes one setting of any key ("workspace.scale", "keys.forward"). It is effective at once and saved. Fails with
-    // a sentence and then changes nothing.
+    // Changes the setting with this key ("workspace.scale", "keys.forward"). The change is effective at once and saved.
+    // On failure, it returns a sentence as the error and changes nothing.
     std::function<Result<void>(std::string_view key, const std::string& value, double now_s)> set;
 };
 
@@ -51,14 +51,15 @@ struct SessionContext {
     const HandsState& hands;
     Cues& cues;
     Lists& lists;
-    SideFile& additions;  // what the person added to the present world; each topic writes its own lists and tables
+    SideFile& additions;  // what the person added to the present world; each feature writes its own lists and tables
     Events& events;
     OwnerRequests& requests;
-    const Executor& executor;  // of background tasks
-    Arrivals* arrivals;        // when their results are there; may be null
-    RoomsKept* rooms_kept;     // of other sessions in the same world; may be null
+    const Executor& executor;  // runs background tasks
+    Arrivals* arrivals;        // receives the results of background tasks; may be null
+    RoomsKept* rooms_kept;     // rooms kept by other sessions in the same world; may be null
     SessionRequests asks = {};
-    double tick_s = -1.0;  // time of the last tick; what a list or question triggers happens at this time
+    // Time of the last tick, which is also the time of everything that a list or question triggers.
+    double tick_s = -1.0;
 
     void say(std::string text, cues::SpeechClass speech_class, double now_s) const {
         cues.say(std::move(text), speech_class, now_s);
@@ -68,7 +69,7 @@ struct SessionContext {
     }
     void warn(std::string text, double now_s) const { cues.warn(std::move(text), now_s); }
     void answer(std::string text, double now_s) const { cues.answer(std::move(text), now_s); }
-    // Saves what the person has just added, and answers with `words`. The answer says so if saving failed.
+    // Saves what the person has just added, then says `words`. If saving failed, the answer adds that.
     void keep_and_answer(const std::string& words, double now_s) const {
         answer(asks.save_additions(now_s) ? words : phrase("guide.not_saved", {{"words", words}}), now_s);
     }

@@ -1,5 +1,5 @@
-// What happens in a session, as facts for a recording, a lesson or a test, as well as what is said and played. Features
-// report them through the context and do not know who listens. Plain data; world metres, seconds of the session's
+// Events of a session, for a recording, a lesson or a test. They do not include speech and sound. Features report
+// events through the context and do not know who listens. Plain data in world metres and in seconds of the session's
 // clock.
 #pragma once
 
@@ -17,16 +17,16 @@ namespace handrail::core {
 // A hand began to touch another feature, or nothing.
 struct Touched {
     FeatureId feature;
-    bool left = false;   // the left of two hands
+    bool left = false;   // true: the left of two hands
     Vec3 at_m{0.0};      // centre of the proxy
-    double force_n = 0;  // of all contacts
+    double force_n = 0;  // force of all contacts
 };
-// The walker entered a room; the number is that of the room graph.
+// The walker entered a room; `room` is its number in the room graph.
 struct RoomEntered {
     std::uint32_t room = 0;
     std::string name;
 };
-// How the person visits a thing: the hand touches it, the person asks about it, or faces it.
+// How the person visits a thing: touching it with the hand, asking about it, or facing it.
 enum class VisitedBy : std::uint8_t { Hand, Asking, Facing };
 // The person is at a thing; reported once per stay.
 struct ThingVisited {
@@ -37,12 +37,12 @@ struct ThingVisited {
 struct Answered {
     std::string question, text;
 };
-// The person now knows all of a wall.
+// The person has now learnt the whole of a wall.
 struct WallDone {
     FeatureId feature;
     std::uint32_t room = 0;
 };
-// The person asked where they are, what is around, or which exits there are.
+// The person asked for their own position, for the surroundings or for the exits.
 struct HelpRequested {
     Command command;
 };
@@ -56,31 +56,32 @@ struct Teleported {
     double heading_rad = 0.0;
 };
 
-// How the person is guided: a pull on the hand, lines under the hand, words step by step, or a sound at the goal.
+// How the person is guided: by a pull on the hand, by lines under the hand, by spoken directions, or by a sound at the
+// goal.
 enum class LedBy : std::uint8_t { Hand, Lines, Ear, Beacon };
-// Guidance begins to a goal or to the next stop of a route, or begins again from another place. `goal` is the spoken
-// name.
+// Guidance begins, or begins again from another place. `goal` is the spoken name of the goal or of the route's next
+// stop.
 struct Led {
     std::string goal;
     LedBy by = LedBy::Ear;
 };
-// The walker, or the hand that is pulled, has left the route.
+// The walker, or the hand that is being pulled, has left the route.
 struct LeftRoute {
     std::string goal;
     LedBy by = LedBy::Ear;
 };
-// A stop of a saved route was reached, and the route continues.
+// The person has reached a stop of a saved route, and the route continues.
 struct StopPassed {
     std::string stop;
     LedBy by = LedBy::Ear;
 };
-// The end of the guidance is reached: the goal, or the nearest place to it that can be reached.
+// The guidance has ended: the person is at the goal, or at the nearest place to it that can be reached.
 struct Arrived {
     std::string goal;
     LedBy by = LedBy::Ear;
     bool to_nearest = false;
 };
-// Whether the person is being guided by anything has changed.
+// Guidance of any kind has begun or ended.
 struct Leading {
     bool on = false;
 };
@@ -89,7 +90,7 @@ struct ListShown {
     bool open = false;
 };
 
-// What a learner requests of whoever teaches.
+// What a learner requests from the teacher, who is a person or a lesson file.
 enum class LessonWish : std::uint8_t { Done, MoreHelp, LessHelp, Leave };
 struct LessonWished {
     LessonWish wish = LessonWish::Done;
@@ -103,19 +104,20 @@ struct SessionEvent {
     Happening what;
 };
 
-// The events in order until they are taken. If nobody takes them, the oldest beyond kMost are dropped. App thread only.
+// A queue that keeps events in order until they are taken. If nobody takes them, it drops the oldest beyond kMost. App
+// thread only.
 class Events {
 public:
     static constexpr std::size_t kMost = 4096;
 
     void tell(Happening what, double now_s);
     std::vector<SessionEvent> take();
-    // Set by the session; called with each event at once, for features that react to events.
+    // Set by the session. It is called at once with each event, for features that react to events.
     std::function<void(const SessionEvent&)> on_told;
 
 private:
     std::vector<SessionEvent> waiting_;
-    std::size_t oldest_ = 0;  // start of the ring buffer once it is full
+    std::size_t oldest_ = 0;  // index of the oldest event once the ring buffer is full
 };
 
 }  // namespace handrail::core

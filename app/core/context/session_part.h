@@ -1,4 +1,4 @@
-// The base of all features of a session: it keeps the context. App thread only.
+// The base class of all features of a session. It keeps the reference to the context. App thread only.
 #pragma once
 
 #include "app/core/context/session_context.h"

@@ -1,5 +1,5 @@
-// All plain state of a session, and the context through which features read it. A session owns one; so does a test of
-// features without a session. App thread only.
+// All plain state of a session, and the context through which features read it. A session owns one. A test of features
+// without a session owns one too. App thread only.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ struct SessionState {
                                     additions,       events,      requests, executor, arrivals, rooms_kept} {
         hands.right = hand;
     }
-    SessionState(const SessionState&) = delete;  // the context refers to it
+    SessionState(const SessionState&) = delete;  // not copyable, because the context refers to this object
     SessionState& operator=(const SessionState&) = delete;
 
     Person person;

@@ -12,11 +12,13 @@ namespace handrail::core {
 namespace {
 
 constexpr std::size_t kFollowedPerTick = 8;
-constexpr double kHeadHalf_m = 0.12;  // smaller than any walker's radius, so that no ear is inside a wall
-// Solids nearer to each other than this count as one wall built of several brushes.
+// Half the width of the head; smaller than any walker's radius, so that no ear is inside a wall.
+constexpr double kHeadHalf_m = 0.12;
+// Solids with a gap smaller than this count as one wall, because a wall may consist of several brushes.
 constexpr double kOneObstacle_m = 0.05;
-constexpr double kLikeAWall_m = 1.9;  // from this height on, a thing muffles like a wall
-constexpr double kSilent_db = -46.0;  // level at the ears, before any volume setting
+constexpr double kLikeAWall_m = 1.9;  // a thing of at least this height muffles sound like a wall
+// Sounds below this level at the ears are silent; measured before any volume setting.
+constexpr double kSilent_db = -46.0;
 constexpr double kRoomEvery_s = 0.5;
 constexpr double kMoved_m = 0.02, kChanged_db = 0.25, kChanged_pulses_per_s = 0.2;
 
@@ -45,8 +47,8 @@ double along_line_db(const WalkerWorld& world, const Vec3& from_m, const Vec3& t
     return sum_db + here_db;
 }
 
-// Share of sound that a material absorbs at 1 kHz, from tables of room acoustics (Kuttruff, Room Acoustics, 2009),
-// without furniture.
+// Returns the share of sound that a material absorbs at 1 kHz. From tables of room acoustics (Kuttruff, Room Acoustics,
+// 2009), without furniture.
 double absorption_of(SoundClass material) {
     constexpr std::array<double, static_cast<std::size_t>(SoundClass::Generic) + 1> kShares{
         /* plaster, wood, brick, concrete, tile */ 0.05,
@@ -136,7 +138,7 @@ void Soundscape::add(const std::vector<AddedSound>& sounds) {
     added_ = sounds.size();
     for (std::size_t i = 0; i < sounds.size(); ++i) {
         Source& source = sources_[own + i];
-        // A sound that continues in place keeps its state.
+        // A sound that continues at the same place keeps its state.
         if (source.kind != sounds[i].kind || source.position_m != sounds[i].position_m) source = Source{};
         source.kind = sounds[i].kind;
         source.position_m = sounds[i].position_m;
@@ -147,7 +149,7 @@ void Soundscape::add(const std::vector<AddedSound>& sounds) {
 
 void Soundscape::tick(const WalkerWorld& world, const Vec3& ears_m, double now_s, std::vector<cues::CueRequest>& cues) {
     contract_pre(is_finite(ears_m) && std::isfinite(now_s));
-    // 1. Compute the level of each source at the ears, and the muffling of some of them.
+    // 1. Compute the level of each source at the ears. Compute the muffling of only some sources in each tick.
     std::size_t followed = 0;
     for (std::size_t i = 0; i < sources_.size(); ++i) {
         Source& source = sources_[(next_ + i) % sources_.size()];
@@ -165,7 +167,7 @@ void Soundscape::tick(const WalkerWorld& world, const Vec3& ears_m, double now_s
         next_room_s_ = now_s + kRoomEvery_s;
         reverberation_s_ = core::reverberation_s(world, ears_m);
     }
-    // 2. Send the changes to the planner, stopped sounds first to make room.
+    // 2. Send the changes to the planner. Stop sounds first, to make room for new ones.
     const auto source_of = [&](const cues::CueRequest& told) -> const Source* {
         if (told.source >= sources_.size()) return nullptr;
         const Source& source = sources_[told.source];
@@ -211,7 +213,7 @@ void Soundscape::choose(double now_s) {
     }
     const auto louder = [](const Source& a, const Source& b) { return a.level_db < b.level_db; };
     while (true) {
-        // Compare the loudest source that is not playing with the quietest that is.
+        // Compare the loudest source that is not playing with the quietest one that is playing.
         Source *best = nullptr, *least = nullptr;
         for (Source& source : sources_) {
             Source*& rival = source.heard ? least : best;

@@ -1,5 +1,5 @@
-// What a teacher does to a session: the same value from a lesson file and from a person at the desk, through
-// session_input.h. It reaches neither forces nor speech nor sound directly. Plain data.
+// An act of a teacher that affects a session. A lesson file and a person at the desk send the same values, through
+// session_input.h. An act never controls forces, speech or sound directly. Plain data.
 #pragma once
 
 #include <cstdint>
@@ -15,20 +15,20 @@ struct TeacherActed {
         Begin,  // begins a lesson; text: its title
         // Offers lessons; items: their spoken names. The session requests the chosen one from the owner by number.
         Offer,
-        Task,     // text: the task, announced now and whenever the person asks for it
-        Ask,      // text: a question to answer by typing
-        Order,    // text: a question; items: to be put in order
-        Point,    // text: what to point at, by facing it or by moving the hand towards it
-        Lead,     // items and places_m: stops of a route; number: amount of guidance from 0 to 1, 0: none
-        Leave,    // ends the guidance along the route
-        Block,    // text: a door; number: its feature. It is shut, stays shut, and routes avoid it
-        Open,     // ends the blocking of a door; text and number as for Block
-        Note,     // text: a note of the teacher; kept, not announced
-        Result,   // text: measurements of a task in JSON; kept, not announced
+        Task,    // text: the task, announced now and whenever the person asks for it
+        Ask,     // text: a question to answer by typing
+        Order,   // text: a question; items: to be put in order
+        Point,   // text: what to point at, by facing it or by moving the hand towards it
+        Lead,    // items and places_m: stops of a route; number: how much guidance the learner gets, from 0 (none) to 1
+        Leave,   // ends the guidance along the route
+        Block,   // text: a door; number: its feature. The door is shut and stays shut, and routes avoid it
+        Open,    // ends the blocking of a door; text and number as for Block
+        Note,    // text: a note of the teacher; kept, not announced
+        Result,  // text: measurements of a task in JSON; kept, not announced
         Summary,  // text: the present results; kept, not announced
-        End,      // ends the lesson: nothing is blocked, guided or asked any more
-        // Opens a list of learners. text: who is here; items: name and description of each who can be; number: which of
-        // them is here. The session requests the chosen one from the owner by number.
+        End,      // ends the lesson with its blocked doors, guidance and questions
+        // Opens a list of learners. text: the present learner's name; items: name and description of each learner;
+        // number: index of the present learner. The session requests the chosen one from the owner by number.
         Learners,
     };
     Kind kind = Kind::Task;

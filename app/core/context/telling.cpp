@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kUnderfoot_m = 0.1;
 
-// "two storeys above"; empty on this one. rise_m: height of its lowest part; nearest_m: height of the part nearest to
-// the waist.
+// Returns "two storeys above" for a thing, or an empty text if the thing is on the walker's storey. `rise_m` is the
+// height of its lowest part above the feet, `nearest_m` the height of the part nearest to the waist.
 std::string storey_words(double rise_m, double nearest_m) {
     if (nearest_m <= kAboveOrBelow_m + kWaist_m && nearest_m >= -kAboveOrBelow_m) return {};
     const auto storeys = static_cast<int>(std::floor((rise_m + 0.5) / kUsualStorey_m));
@@ -24,7 +24,7 @@ std::string storey_words(double rise_m, double nearest_m) {
                            : phrase("guide.storeys_below", {{"storeys", std::max(1, -storeys)}});
 }
 
-// Short words as for exits, or exact ones in degrees if the person does not want rounded values.
+// Returns short words as for exits, or exact words in degrees if the person does not want rounded values.
 std::string told_place(const SessionContext& context, double distance_m, double bearing_rad) {
     const auto words = context.settings.speech.rounded ? brief_place_words : place_words;
     return words(distance_m, bearing_rad, context.body.heading_goal_rad, context.settings.speech.directions,
@@ -59,7 +59,7 @@ std::string where_words(const SessionContext& context, double distance_m, double
 std::string where_words(const SessionContext& context, const Aabb& box) {
     const Vec3 way = nearest_place(box, context.body.feet_m() + Vec3(0.0, 0.0, kWaist_m)) - context.body.feet_m();
     const double level_m = std::hypot(way.x, way.y);
-    // A thing at the feet gets no direction.
+    // For a thing at the feet, only the distance is announced, because a direction would mean nothing.
     const std::string where = level_m < kUnderfoot_m ? distance_words(level_m, distances(context))
                                                      : told_place(context, level_m, std::atan2(way.x, way.y));
     return joined(where, storey_words(box.min_m.z - context.body.feet_m().z, way.z));

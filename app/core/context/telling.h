@@ -1,5 +1,5 @@
-// Names and places in the person's own words, as several features need them. Functions of what the context contains;
-// app thread.
+// Names and places in words, in the way that the person has set. Shared by several features. Functions of the context
+// only; app thread.
 #pragma once
 
 #include <string>
@@ -10,34 +10,34 @@
 
 namespace handrail::core {
 
-// World metres per hand metre.
+// Returns the scale in world metres per hand metre.
 double scale(const SessionContext& context);
-// The world direction of the hand's "ahead".
+// Returns the world direction that is "ahead" for the hand.
 double workspace_heading_rad(const SessionContext& context);
-// Distances in words, as the person has set them.
+// Returns how distances are put into words, according to the person's settings.
 DistanceWords distances(const settings::Settings& settings);
 DistanceWords distances(const SessionContext& context);
-// "9 steps at 1 o'clock", relative to the direction that the walker faces once it has finished turning.
+// Returns "9 steps at 1 o'clock". The direction is relative to the one that the walker faces after the present turn.
 std::string where_words(const SessionContext& context, double distance_m, double bearing_rad);
-// Where a thing is, with its storey.
+// Returns the place of a thing in words, with its storey.
 std::string where_words(const SessionContext& context, const Aabb& box_m);
-// The same for a thing in another room: the distance is the length of the route on foot.
+// Returns the place of a thing in another room, with its storey. The distance is the length of the route on foot.
 std::string where_words_on_foot(const SessionContext& context, const Aabb& box_m, double on_foot_m);
-// "one storey above" for a floor at this height; empty on this storey.
+// Returns "one storey above" for a floor at this height, or an empty text for the walker's storey.
 std::string storey_words(const SessionContext& context, double floor_z_m);
-// "9 steps away", "close by".
+// Returns "9 steps away" or "close by" for a route of this length.
 std::string how_far_words(const SessionContext& context, double way_m);
-// Which hand there is: "Novint Falcon, reach 4 centimetres, up to 3 newtons", or that there is none, or only a
-// simulated one moved by keys.
+// Describes the hand: "Novint Falcon, reach 4 centimetres, up to 3 newtons". Otherwise says that there is no hand, or
+// only a simulated one moved by keys.
 std::string hand_words(const HandsState& hands);
 std::string name_of(const SessionContext& context, FeatureId feature);
-// The place of the hand, or of the walker if there is no hand.
+// Returns the position of the hand, or of the walker if there is no hand.
 Vec3 finding_place_m(const SessionContext& context);
-// "locked"; empty if nothing keeps that door shut, or it is open now.
+// Returns "locked". The text is empty if nothing keeps this door shut, or if the door is open now.
 std::string lock_words(const SessionContext& context, FeatureId door);
 std::string passage_name(const Scene& scene, navigation::PassageKind kind, FeatureId feature, double rise_m);
 std::string passage_name(const SessionContext& context, navigation::PassageKind kind, FeatureId feature, double rise_m);
-// The name with what blocks the passage now: "Door, locked".
+// Returns the name of the passage with what blocks it at present: "Door, locked".
 std::string passage_now(const SessionContext& context, navigation::PassageKind kind, FeatureId feature, double rise_m);
 
 }  // namespace handrail::core

@@ -1,4 +1,4 @@
-// Reports when a hand begins to touch something else. App thread only.
+// Reports an event when a hand begins to touch another thing. App thread only.
 #pragma once
 
 #include <array>
@@ -10,11 +10,12 @@ namespace handrail::core {
 class TouchEvents : SessionPart {
 public:
     explicit TouchEvents(const SessionContext& context) : SessionPart(context) {}
-    // Call it once a tick, after the context has the state of the hands.
+    // Call it once a tick, after the context has received the state of the hands.
     void tick(double now_s);
 
 private:
-    std::array<FeatureId, 2> touched_{kNoFeature, kNoFeature};  // by the only or right hand, and by the left one
+    // What the only or right hand touches, then what the left hand touches.
+    std::array<FeatureId, 2> touched_{kNoFeature, kNoFeature};
 };
 
 }  // namespace handrail::core

@@ -1,4 +1,4 @@
-// A plain snapshot of what can be seen. The session passes it to the window, and to nothing else, each frame. App
+// A plain snapshot of everything visible. In each frame, the session passes it to the window and to nothing else. App
 // thread.
 #pragma once
 
@@ -14,15 +14,15 @@
 
 namespace handrail::core {
 
-// A room as the plan draws it.
+// A room as the window draws it on the plan.
 struct DrawnRoom {
-    std::string name;  // as it is spoken
+    std::string name;  // name as it is spoken
     Vec3 middle_m{0.0};
     double area_m2 = 0.0;
     navigation::RoomOutline outline;
 };
 
-// A movable thing that is on its way.
+// A movable thing that is not at its position in the scene.
 struct MovedThing {
     std::uint32_t thing = 0;  // index in Scene::placed
     Placement at;
@@ -32,20 +32,20 @@ struct MovedThing {
 
 struct ViewState {
     std::shared_ptr<const Scene> scene;  // a new pointer after another world was entered
-    std::vector<MovedThing> moved;       // things that are not at their place in the scene
+    std::vector<MovedThing> moved;       // all things that are not at their position in the scene
     Vec3 eyes_m{0.0};
     double heading_rad = 0.0;
     double tilt_rad = 0.0;  // up is positive
     Vec3 feet_m{0.0};
-    bool show_hand = false;  // there is a device or a simulated hand
+    bool show_hand = false;  // true: there is a device or a simulated hand
     Vec3 proxy_m{0.0};
     double ball_radius_m = 0.005;
-    bool touching = false;   // drawn red, otherwise green
+    bool touching = false;   // true: the proxy is drawn red, otherwise green
     bool plan_view = false;  // toggled with F3
     bool forces_on = true;
-    bool north_up = true;  // Map frame
+    bool north_up = true;  // true in the Map frame
     std::shared_ptr<const std::vector<DrawnRoom>>
-        rooms;                                  // of the room graph, in its order; null: not known, or no plan is shown
+        rooms;  // rooms in the order of the room graph; null: not known, or no plan is shown
     std::uint32_t room = navigation::kNothing;  // index of the walker's room in `rooms`
     std::string last_spoken;                    // shown as large text
     std::vector<Vec3> path_m;                   // walked path, oldest first

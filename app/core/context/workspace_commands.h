@@ -1,4 +1,4 @@
-// Which commands change the hand's workspace: its scale, its place and its orientation. App thread only.
+// Tells which commands change the hand's workspace: its scale, its position or its orientation. App thread only.
 #pragma once
 
 #include "app/core/dialogue/command.h"
@@ -6,7 +6,7 @@
 namespace handrail::core {
 
 bool lays_workspace(Command command);
-// Those of them that push the workspace in one of six directions.
+// True for the commands that push the workspace in one of six directions.
 bool pushes_workspace(Command command);
 
 }  // namespace handrail::core

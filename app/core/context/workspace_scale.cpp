@@ -11,9 +11,9 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kLeast = 1.0, kMost = 500.0;  // limits of workspace.scale
+constexpr double kLeast = 1.0, kMost = 500.0;  // limits of the setting workspace.scale
 
-// Whole metres from ten on; below that, rounded to decimetres.
+// Returns the length in words: whole metres from 10 m on, otherwise rounded to decimetres.
 std::string metres(double length_m) {
     return phrase("words.metres",
                   {{"metres", length_m < 9.95 ? std::round(length_m * 10.0) / 10.0 : std::round(length_m)}});
@@ -23,7 +23,7 @@ std::string metres(double length_m) {
 
 std::string name_of(NamedScale scale) {
     constexpr std::array kNames{"session.scale_building", "session.scale_floor", "session.scale_room",
-                                "session.scale_detail"};  // in the order of NamedScale
+                                "session.scale_detail"};  // keys of the texts, in the order of NamedScale
     return phrase(kNames.at(static_cast<std::size_t>(scale)));
 }
 

@@ -1,5 +1,5 @@
-// The four named scales, and what follows from a scale: how much of the world the hand reaches, the size of its proxy,
-// and the words for it. Pure functions; any thread. World metres, unless a name says hand.
+// The four named scales, and what depends on a scale: how much of the world the hand reaches, the size of the proxy,
+// and the words for both. Pure functions; any thread. Lengths are in world metres, unless a name contains "hand".
 #pragma once
 
 #include <cstdint>
@@ -14,17 +14,18 @@ namespace handrail::core {
 
 enum class NamedScale : std::uint8_t { Building, Floor, Room, Detail };
 
-std::string name_of(NamedScale scale);  // "Room"
+std::string name_of(NamedScale scale);  // Returns the spoken name: "Room".
 
-// World metres per hand metre. Building makes the bounds, corner to corner, fit inside the rim of a device of that
-// reach. The other scales are the same everywhere.
+// Returns world metres per hand metre. At the scale Building, the whole bounding box fits inside the workspace of a
+// device with this reach. The other scales are the same in every world.
 double world_m_per_hand_m(NamedScale scale, const Aabb& bounds_m, double reach_hand_m);
 
-// "Room, 9 metres wide, 13 steps": the width of everything that the hand reaches.
+// Returns "Room, 9 metres wide, 13 steps". The width is that of everything within reach of the hand.
 std::string scale_sentence(NamedScale scale, double world_m_per_hand_m, double reach_hand_m, const DistanceWords& how);
 
-// Radius of the proxy. It corresponds to felt_diameter_m at scale 60 and keeps that size in the world at other scales,
-// within 2 to 6 mm at the hand. It is also at most a third of the width of the narrowest door as rendered.
+// Returns the radius of the proxy. At scale 60, its diameter is `felt_diameter_m`. At other scales the proxy keeps its
+// size in the world, but stays between 2 and 6 mm at the hand. It is also at most a third of the width of the narrowest
+// door as rendered.
 double ball_radius_m(const Scene& scene, double felt_diameter_m, double world_m_per_hand_m,
                      const compile::Simplification& plan = {});
 

@@ -13,7 +13,7 @@
 namespace handrail::core {
 namespace {
 
-// The value of a setting as a number; 0 if it is not a number.
+// Returns the value of a setting as a number, or 0 if the text is not a number.
 double number(const std::string& text) {
     double value = 0.0;
     parse_finite(text, value);
@@ -50,7 +50,7 @@ int nearest_position(const DeskSetting& row, double wanted) {
     return best;
 }
 
-// Settings have either only words or only numbers as values.
+// True if the values of this setting are words. Each setting has either only words or only numbers.
 bool is_word(const DeskSetting& row) {
     return !row.values.front().empty() && std::isalpha(static_cast<unsigned char>(row.values.front().front())) != 0;
 }
@@ -93,7 +93,7 @@ int beside(const DeskSetting& row, const std::string& value, int step) {
     const int at = position_of(row, value);
     if (is_word(row)) return at + step;
     const double off = number(value) - number(row.values[static_cast<std::size_t>(at)]);
-    // Between two positions, the nearest one may already be in the right direction.
+    // If the value is between two positions, the nearest position may already be the next one in the wanted direction.
     if (std::abs(off) < 1e-9 * std::max(1.0, std::abs(number(value))) || (off > 0.0) == (step > 0)) return at + step;
     return at;
 }
@@ -109,7 +109,8 @@ DeskControl bound(const DeskSetting& row, std::function<std::string()> read,
     control.put = [&row, write = std::move(write)](int position) {
         write(row.values[static_cast<std::size_t>(position)]);
     };
-    // Numbers use the units of the setting; words have no number, so their slider uses positions.
+    // A slider for a numeric setting shows the setting's own unit. Words have no number, so their slider shows
+    // positions.
     if (!is_word(row)) {
         control.number = [&row, read] {
             double step = number(row.values.back()) - number(row.values.front());
@@ -174,7 +175,7 @@ std::string Desk::step(std::size_t control, int by) {
     if (count == 0 || by == 0) return value(control);
     const int one = by > 0 ? 1 : -1;
     const int first = own.beside ? own.beside(one) : own.position() + one;
-    if (first < 0 || first >= count) return value(control);  // at the end already
+    if (first < 0 || first >= count) return value(control);  // already at the end
     return put(control, first + by - one);
 }
 

@@ -5,7 +5,8 @@
 namespace handrail::core {
 namespace {
 
-// The knob detent at the hand, clockwise from the top; a fraction between two detents.
+// Returns the position of the hand on the knob in detents, clockwise from the top. Between two detents, it is a
+// fraction.
 double detent_at(const PlacedControl& knob, const Vec3& at_m) {
     const double turns = std::atan2(at_m.x - knob.x_m, at_m.z - knob.z_m) / (2.0 * kPi);
     return (turns - std::floor(turns)) * kKnobDetents;
@@ -44,7 +45,7 @@ void DeskHand::drag(const PlacedControl& control, const servo::DeskTouch& touch,
         news.push_back({DeskNews::Kind::Put, control, static_cast<int>(at_)});
     } else if (control.kind == DeskKind::Knob) {
         double way = detent_at(control, touch.proxy_m) - at_;
-        way -= kKnobDetents * std::floor(way / kKnobDetents + 0.5);  // the shorter direction of rotation
+        way -= kKnobDetents * std::floor(way / kKnobDetents + 0.5);  // takes the shorter direction of rotation
         if (std::abs(way) <= kHysteresis) return;
         const double steps = std::round(way);
         at_ += steps;
@@ -56,7 +57,7 @@ std::vector<DeskNews> DeskHand::follow(const servo::DeskTouch& touch, const Desk
     std::vector<DeskNews> news;
     const PlacedControl* touched = panel.find(touch.touched);
     if (page_ != panel.page) {
-        // The hand that turned the page is on the page button again.
+        // The panel has just changed pages, and the hand is still on the button that turns the pages.
         page_ = panel.page;
         met_ = coming_ = touched ? touched->feature : kNoFeature;
     }
@@ -79,7 +80,8 @@ std::vector<DeskNews> DeskHand::follow(const servo::DeskTouch& touch, const Desk
     const PlacedControl* held = panel.find(touch.held);
     if (touch.presses != presses_) {
         presses_ = touch.presses;
-        // If the press is already over, it belongs to the control still touched, or to the last one announced.
+        // If the press is already over, it counts for the control that the hand still touches, or for the control
+        // announced last.
         const PlacedControl* pressed = held ? held : touched ? touched : panel.find(met_);
         if (pressed) {
             met_ = coming_ = pressed->feature;

@@ -1,5 +1,5 @@
-// Interprets the hand at the desk: which control it has reached, that it pressed one, and how far it slid or turned
-// one. Turns what the servo reports about sixty times a second into events in order. Plain state; app thread.
+// Interprets the movements of the hand at the desk. It turns the servo's reports, about sixty a second, into events in
+// order: the hand reached a control, pressed it, slid it or turned it. Plain state; app thread.
 #pragma once
 
 #include <vector>
@@ -12,9 +12,9 @@ namespace handrail::core {
 struct DeskNews {
     enum class Kind {
         Met,      // the hand reached this control
-        Pressed,  // pressed as a button
-        Put,      // slid to position `number`
-        Stepped,  // turned by `number` positions
+        Pressed,  // the hand pressed this control as a button
+        Put,      // the hand slid this control to position `number`
+        Stepped,  // the hand turned this control by `number` positions
     } kind = Kind::Met;
     PlacedControl on;
     int number = 0;
@@ -22,9 +22,11 @@ struct DeskNews {
 
 class DeskHand {
 public:
-    static constexpr double kSettle_s = 0.04;  // a hand that only passes hears no name
-    static constexpr double kForget_s = 0.25;  // after this long away, the name is announced again
-    // In positions; at this distance from the middle of one, the next begins.
+    // The hand must touch a control for this long before its name is announced, so passing over it is silent.
+    static constexpr double kSettle_s = 0.04;
+    // Once the hand has been away from the controls for this long, a name may be announced again.
+    static constexpr double kForget_s = 0.25;
+    // The hand must move this many positions from the present one before the value changes.
     static constexpr double kHysteresis = 0.6;
 
     void begin(const servo::DeskTouch& touch);
@@ -35,11 +37,11 @@ private:
     void drag(const PlacedControl& control, const servo::DeskTouch& touch, std::vector<DeskNews>& news);
 
     std::uint32_t presses_ = 0;
-    FeatureId met_ = kNoFeature;     // already announced
-    FeatureId coming_ = kNoFeature;  // touched since coming_s_
+    FeatureId met_ = kNoFeature;     // control whose name has been announced
+    FeatureId coming_ = kNoFeature;  // control that the hand has touched since coming_s_
     double coming_s_ = 0.0, away_s_ = 0.0;
     std::size_t page_ = 0;
-    double at_ = 0.0;  // last reported position of the slider, or detent of the knob
+    double at_ = 0.0;  // last reported position of the slider or detent of the knob
 };
 
 }  // namespace handrail::core

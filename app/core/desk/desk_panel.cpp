@@ -12,19 +12,23 @@ namespace handrail::core {
 namespace {
 
 constexpr double kPitchM = kControlM + kControlGapM;
-// Share of the reach; the panel is this far beyond the middle, so a push has room behind it.
+// Distance of the panel beyond the middle of the workspace, as a share of the reach, so that there is room behind it
+// for a push.
 constexpr double kPanelAt = 0.1;
 constexpr double kPanelThickM = 0.02;
-constexpr double kMostReach = 0.95;     // share of the reach, for the corners of the outermost controls
-constexpr double kButtonHighM = 0.004;  // height above the panel
+// The corners of the outermost controls are at most this share of the reach from the middle.
+constexpr double kMostReach = 0.95;
+constexpr double kButtonHighM = 0.004;  // how far a button stands out of the panel
 constexpr double kSliderHighM = 0.002, kKnobHighM = 0.002, kDomeHighM = 0.003;
-// Radius and height of the post that the hand turns round.
+// Radius and height of the post in the middle of a knob; the hand turns round it.
 constexpr double kKnobPostM = 0.0022, kKnobPostHighM = 0.005;
 constexpr double kRidgeHighM = 0.0002,
-                 kRidgeWideM = 0.0006;  // higher ridges hold the hand of a soft device back by more than a position
-constexpr double kFriction = 0.1;       // low, so that a slider or knob follows the hand
+                 // Width of the ridges between positions; higher ridges would hold back the hand of a soft device by
+                 // more than a position.
+    kRidgeWideM = 0.0006;
+constexpr double kFriction = 0.1;  // friction of all surfaces; low, so that a slider or knob follows the hand easily
 constexpr double kListGapM = 0.002;
-constexpr double kSliderEndM = 0.0025;  // from a slider's end to its first position
+constexpr double kSliderEndM = 0.0025;  // distance from the end of a slider to its first position
 
 int width_in_cells(DeskKind kind, const DeskGrid& grid) {
     return kind == DeskKind::Slider && (grid.columns > 2 || (grid.columns == 2 && grid.rows > 1)) ? 2 : 1;
@@ -35,7 +39,8 @@ struct Cell {
     int column, row, wide;
 };
 
-// Places the controls row by row. With several pages, the last place of each belongs to the page button.
+// Places the controls row by row. If there are several pages, the last place of each page belongs to the button that
+// turns the pages.
 std::vector<Cell> cells_of(std::span<const DeskControl> controls, const DeskGrid& grid, bool paged) {
     std::vector<Cell> cells;
     std::size_t page = 0;
@@ -87,7 +92,7 @@ private:
     Scene scene_;
 };
 
-// Adds a box that stands `high_m` out of the panel towards the person, with its middle at x and z.
+// Adds a box that stands out of the panel by `high_m` towards the person. Its middle is at `x_m` and `z_m`.
 void raise(PanelBuilder& to, FeatureId feature, double x_m, double z_m, double width_m, double height_m,
            double panel_y_m, double high_m, double turned_rad = 0.0) {
     to.add(feature, PrimitiveKind::Box, {x_m, panel_y_m - 0.5 * high_m, z_m}, {width_m, high_m, height_m},
@@ -97,7 +102,7 @@ void raise(PanelBuilder& to, FeatureId feature, double x_m, double z_m, double w
 void shape(PanelBuilder& to, PlacedControl& control, double panel_y_m) {
     const FeatureId own = control.feature;
     const double x = control.x_m, z = control.z_m;
-    const Rotation forward = rotation_about({1.0, 0.0, 0.0}, 0.5 * kPi);  // turns a cylinder's axis from up to along y
+    const Rotation forward = rotation_about({1.0, 0.0, 0.0}, 0.5 * kPi);  // turns the axis of a cylinder from z to y
     double high = kButtonHighM;
     switch (control.kind) {
         case DeskKind::Button:
@@ -120,7 +125,8 @@ void shape(PanelBuilder& to, PlacedControl& control, double panel_y_m) {
                    {2.0 * kKnobPostM, 2.0 * kKnobPostM, kKnobPostHighM}, forward);
             for (int i = 0; i < kKnobDetents; ++i) {
                 const double angle = 2.0 * kPi * (i + 0.5) / kKnobDetents, middle = 0.5 * (kKnobPostM + radius);
-                // Rotated about y, the horizontal box points along (cos, -sin) of the angle.
+                // The ridge is a horizontal box that is rotated about y, so that it points along (cos, -sin) of the
+                // angle.
                 raise(to, own, x + middle * std::sin(angle), z + middle * std::cos(angle), radius - kKnobPostM,
                       kRidgeWideM, panel_y_m, high + kRidgeHighM, angle - 0.5 * kPi);
             }
@@ -192,7 +198,7 @@ DeskPanel lay_out_desk(std::span<const DeskControl> controls, const device::Devi
     const double left = -0.5 * (grid.columns - 1) * kPitchM, top = 0.5 * (grid.rows - 1) * kPitchM;
 
     PanelBuilder builder;
-    // A control has the same feature on every page, because for a moment the hand still touches the previous page.
+    // A control keeps its feature on every page, because the hand still touches the previous page for a moment.
     const FeatureId desk = builder.feature("desk", FeatureKind::Wall),
                     turn = builder.feature(phrase("desk.next_page"), FeatureKind::Button);
     std::vector<FeatureId> features;

@@ -1,7 +1,7 @@
-// The desk to touch: an upright panel before the person with the controls on it. It is built as a Scene like any world,
-// and the same code compiles it. Each kind of control has its own shape, and each position of a slider or knob is
-// between two ridges. If the controls do not all fit, the panel has pages; the last place of each is a button that
-// turns them. Device frame, hand metres: x right, y away from the person, z up. Pure functions; app thread.
+// The touchable panel of the desk: upright, in front of the person, with the controls on it. It is built as a Scene and
+// compiled like any world. Each kind of control has its own shape, and each position of a slider or knob is between two
+// ridges. If there are too many controls, the panel has several pages, and the last place of each page is a button that
+// turns the pages. Device frame, hand metres: x right, y away from the person, z up. Pure functions; app thread.
 #pragma once
 
 #include <memory>
@@ -19,22 +19,23 @@ namespace handrail::core {
 inline constexpr double kControlM = 0.013;      // least width and height of a control
 inline constexpr double kControlGapM = 0.0064;  // free space between two controls
 inline constexpr double kDeskBallM = 0.002;     // radius of the proxy at the desk, as in servo_tick
-inline constexpr int kKnobDetents = 12;         // per whole turn
+inline constexpr int kKnobDetents = 12;         // detents per whole turn of the knob
 
 // A control on the panel.
 struct PlacedControl {
     std::optional<std::size_t> control;  // index in the desk; none: the button that turns the pages
-    FeatureId feature;                   // in the panel's scene
+    FeatureId feature;                   // its feature in the panel's scene
     DeskKind kind = DeskKind::Button;
     int positions = 0;
-    double x_m = 0.0, z_m = 0.0;  // of its middle
+    double x_m = 0.0, z_m = 0.0;  // coordinates of the control's middle
     double width_m = kControlM, height_m = kControlM;
-    double face_y_m = 0.0;  // of its front
+    double face_y_m = 0.0;  // coordinate of the control's front
 
-    // For a slider: the x of a position, and the position of an x, which is a fraction between two positions.
+    // For a slider: x_of() returns the x coordinate of a position. position_at() returns the position at an x
+    // coordinate, as a fraction between two positions.
     double x_of(int position) const;
     double position_at(double x_m) const;
-    // Where the proxy's centre is when it touches the front at this offset from the middle.
+    // Returns the centre of the proxy when it touches the front at this offset from the control's middle.
     Vec3 touch_m(double across_m = 0.0, double up_m = 0.0) const {
         return {x_m + across_m, face_y_m - kDeskBallM, z_m + up_m};
     }
@@ -47,17 +48,17 @@ struct DeskPanel {
     std::size_t page = 0, pages = 1;
 
     const PlacedControl* find(FeatureId feature) const;
-    const PlacedControl* of(std::size_t control) const;  // null: on another page
+    const PlacedControl* of(std::size_t control) const;  // null: the control is on another page
 };
 
-// Columns and rows that fit into the workspace of this device.
+// The number of columns and rows that fit into the workspace of a device.
 struct DeskGrid {
     int columns = 1, rows = 1;
 };
 DeskGrid desk_grid(const device::DeviceSpec& spec);
-// The page of each control.
+// Returns the page of each control.
 std::vector<std::size_t> desk_pages(std::span<const DeskControl> controls, const DeskGrid& grid);
-// page: numbers beyond the last page start again from the first.
+// Builds one page of the panel. Page numbers beyond the last page start again from the first.
 DeskPanel lay_out_desk(std::span<const DeskControl> controls, const device::DeviceSpec& spec, std::size_t page);
 
 }  // namespace handrail::core

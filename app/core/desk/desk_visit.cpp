@@ -16,7 +16,7 @@
 namespace handrail::core {
 namespace {
 
-// True for commands that need the world to run.
+// True for commands that work only while the world is running.
 bool needs_world(Command command) {
     switch (command) {
         case Command::SwitchFrame:
@@ -35,7 +35,7 @@ bool needs_world(Command command) {
         case Command::FreeRight:
         case Command::FaceWay:
             return true;
-        case Command::WorkspaceCentre:  // a jump, which ends the visit
+        case Command::WorkspaceCentre:  // a jump, which would end the visit to the desk
             return false;
         default:
             return steps_or_turns(command) || lays_workspace(command);
@@ -57,7 +57,8 @@ void DeskVisit::furnish() {
         controls.push_back(bound(
             row, [this, &row] { return value_of(row.key); },
             [this, &row](const std::string& value) {
-                // The control announces the resulting value, so a refused value needs no other answer.
+                // The control announces the resulting value, so if the setting refuses a value, nothing else needs to
+                // be announced.
                 static_cast<void>(context_.asks.set(row.key, value, context_.tick_s));
             }));
     };
@@ -67,7 +68,7 @@ void DeskVisit::furnish() {
         one.value = std::move(value);
         controls.push_back(std::move(one));
     };
-    // The knob comes after the volumes, and controls one cell wide go next to the sliders.
+    // The order of the controls: the knob comes after the volumes, and controls one cell wide come next to the sliders.
     for (const DeskSetting& row : desk_settings()) {
         of_setting(row);
         if (row.key == "sound.earcon_volume") {
@@ -87,7 +88,7 @@ void DeskVisit::furnish() {
         one.pressed = std::move(pressed);
         controls.push_back(std::move(one));
     };
-    // A selection in a list of varying length; `at` stays within it.
+    // Adds a control that selects an entry of a list of varying length. `at` never exceeds the list.
     const auto list = [&](std::string name, std::size_t& at, const std::function<std::size_t()>& many,
                           std::function<std::string()> value) {
         DeskControl one;
@@ -115,7 +116,7 @@ void DeskVisit::furnish() {
         phrase("desk.units"),
         [this] { return phrase(context_.settings.speech.distances_in_steps ? "desk.steps" : "desk.metres"); },
         [this] { return switch_units(); });
-    // Only the first sentence of the report. The floor of a place is examined once.
+    // Shows only the first sentence of the report. The floor of a place is examined only once.
     indicator(phrase("desk.explored"), [this] {
         if (!context_.world.scene) return phrase("desk.nothing_explored");
         std::string words = progress(context_.tick_s);
@@ -160,7 +161,7 @@ std::string DeskVisit::go_to_world() {
     return phrase("desk.going_to", {{"world", name_of_file(*file)}});
 }
 
-// Puts the beacon on the selected mark, or switches it off if it is on that mark already.
+// Moves the beacon to the selected mark. If the beacon is already there, switches it off.
 std::string DeskVisit::switch_beacon() {
     const Mark* chosen = mark();
     const std::optional<std::string> on = beacon();
@@ -180,7 +181,8 @@ std::string DeskVisit::switch_units() {
     return phrase(in_steps ? "desk.in_steps" : "desk.in_metres");
 }
 
-// In TOML syntax. A scale that waits until the hand is back counts already.
+// Returns the value in TOML syntax. A scale chosen at the desk counts at once, even though it waits until the hand has
+// left the desk.
 std::string DeskVisit::value_of(std::string_view key) const {
     if (key == "workspace.scale" && scale_waits_) return *scale_waits_;
     if (key == "workspace.scale" && context_.hands.named_scale && context_.world.scene)
@@ -188,7 +190,7 @@ std::string DeskVisit::value_of(std::string_view key) const {
     return settings::setting_text(context_.settings, key).value_or("");
 }
 
-// Lays the panel out again for another device or another page.
+// Lays out the panel for the present device with the given page.
 void DeskVisit::lay(std::size_t page) {
     const HandFacts& hand = context_.hands.right;
     panel_ = hand.present ? lay_out_desk(desk_.controls(), hand.spec, page) : DeskPanel{};
@@ -276,7 +278,7 @@ std::vector<ListItem> DeskVisit::items() const {
     return items;
 }
 
-// One change may show in several places, on the knob or in the open list.
+// Updates the open list, because one change may also affect other entries, such as the knob's.
 std::string DeskVisit::after_change(std::string words) {
     if (const DialogueView view = context_.lists.dialogue.view();
         view.kind == DialogueView::Kind::List && view.title == phrase("desk.title"))

@@ -15,8 +15,8 @@ std::string brief_direction_words(double bearing_rad, double heading_rad, settin
     if (choice == settings::DirectionChoice::Compass) return compass_word(bearing_rad);
     const double turn_rad = wrap_angle(bearing_rad - heading_rad);
     if (choice == settings::DirectionChoice::Clock) return phrase("direction.hour", {{"hour", hour_of(turn_rad)}});
-    // The index counts sixteenths of a full turn: 1 is slightly, 2 is half, 3 to 5 are to the side, 6 and 7 are behind
-    // it.
+    // The index counts sixteenths of a full turn. 1 is "slightly", 2 is "half", 3 to 5 are to the side, and 6 and 7 are
+    // diagonally behind.
     constexpr std::array kRight{"direction.ahead",        "direction.slightly_right", "direction.half_right",
                                 "direction.right",        "direction.right",          "direction.right",
                                 "direction.behind_right", "direction.behind_right",   "direction.behind"};

@@ -10,8 +10,8 @@
 namespace handrail::core {
 namespace {
 
-// The keys for arrows, PageUp and PageDown, F, Home and Escape are those of the walking demo of Handrail's predecessor,
-// a plugin. They never change meaning.
+// The keys for the arrows, PageUp, PageDown, F, Home and Escape come from the walking demo of Handrail's predecessor, a
+// plugin. Their meanings never change.
 constexpr std::array kCommands{
     // Walking and learning a place.
     CommandInfo{Command::Forward, "forward", "Up", true},

@@ -1,5 +1,5 @@
-// Everything a person can request, by key, terminal line, scenario or device button. There is one list, so every kind
-// of input can do everything.
+// Everything a person can request by key, terminal line, scenario or device button. All kinds of input use this one
+// list, so each of them can do everything.
 #pragma once
 
 #include <algorithm>
@@ -15,16 +15,16 @@ namespace handrail::core {
 enum class Command : std::uint8_t {
     // Walking and learning a place.
     Forward,
-    Back,  // a tap is one step, a held key walks
+    Back,  // a tap makes one step, and a held key keeps walking
     TurnLeft,
     TurnRight,
-    SideLeft,  // steps to the side, facing as before
+    SideLeft,  // steps to the side without turning
     SideRight,
     TiltUp,
     TiltDown,
     // Force, frame, scale and workspace.
     ToggleForces,
-    SwitchFrame,  // Map <-> Walk
+    SwitchFrame,  // switches between Map and Walk
     ScaleBuilding,
     ScaleFloor,
     ScaleRoom,
@@ -37,70 +37,70 @@ enum class Command : std::uint8_t {
     WorkspaceDown,
     WorkspaceTurnLeft,
     WorkspaceTurnRight,
-    WorkspaceCentre,  // back to the walker
-    Grab,             // the world moves along with the hand until the key is pressed again
+    WorkspaceCentre,  // brings the workspace back to the walker
+    Grab,             // the hand moves the world until the key is pressed again
     // Questions.
     WhereAmI,
     Heading,
-    AroundMe,   // one thing for each quarter of the circle
-    AheadOfMe,  // up to four things, by distance
+    AroundMe,   // announces one thing for each quarter of the circle
+    AheadOfMe,  // announces up to four things, the nearest first
     Lost,       // turns to the nearest wall; announces the room and the route to the last known place
-    Describe,   // list of rooms; for the chosen one: size, exits, things by wall
-    Overview,   // the building in three sentences
-    Storeys,    // list of storeys; the lift or the route to the chosen one
-    LookNext,   // what is along the next of 16 directions, or where the hand points
+    Describe,   // opens a list of rooms; for the chosen one, announces size, exits and things by wall
+    Overview,   // describes the building in three sentences
+    Storeys,    // opens a list of storeys, and offers the lift or the route to the chosen one
+    LookNext,   // announces what is in the next of 16 directions, or where the hand points
     LookBefore,
-    ScaleBar,     // the scale, and north
-    Simplified,   // list of what is too small at this scale and therefore rendered differently
-    Understood,   // list of what was understood of the world's file, and of what should be checked
-    Faults,       // list of what should be corrected in this world
-    Coordinates,  // with the height above the floor
-    WhatIsThis,   // what the hand touches
+    ScaleBar,     // announces the scale and where north is
+    Simplified,   // opens a list of what is too small at this scale, so that it feels different from the truth
+    Understood,   // opens a list of what was understood of the world's file, and of what somebody should check
+    Faults,       // opens a list of errors that somebody should correct in this world
+    Coordinates,  // announces the position, with the height above the floor
+    WhatIsThis,   // names what the hand touches
     Repeat,
-    HistoryBack,  // back through earlier announcements
+    HistoryBack,  // repeats earlier announcements, from the latest back
     HistoryForward,
     StopSpeech,
-    StopEverything,  // F12: stops all force and sound
+    StopEverything,  // F12; stops all force and sound
     Home,
-    BringOut,   // out of the solid that contains the hand or the walker
-    LastPlace,  // where a session that ended without being left had been
+    BringOut,   // moves the hand or the walker out of the solid that contains it
+    LastPlace,  // returns to where the person was in a session that ended without being left
     // Rooms, routes and movable things.
-    Use,  // opens or shuts the door, or presses the button, that the hand touches or the walker stands before
+    Use,  // opens or shuts a door, or presses a button, whichever the hand touches or the walker stands before
     PutBack,
     DropMark,
-    DeleteMark,  // chosen from a list
-    Marks,       // list of marks, with the beacon and guidance to the chosen one
-    SetBeacon,   // on what the hand touches, on what is ahead, or on a chosen mark
+    DeleteMark,  // the person chooses the mark from a list
+    Marks,       // opens a list of marks, and offers a beacon and guidance to the chosen one
+    SetBeacon,   // puts the beacon on what the hand touches, on what is ahead, or on a chosen mark
     MuteBeacon,
-    TakeMe,  // guides the hand to what was chosen; a second press ends that
-    Find,    // list of everything with a name, with the ways to find the chosen one
+    TakeMe,  // guides the hand to the chosen thing; a second press ends the guidance
+    Find,    // opens a list of everything with a name, and offers ways to find the chosen thing
     CrossLines,
-    Exits,           // exits of this room, clockwise
-    UnvisitedExits,  // exits to places where the person has not been
-    Routes,          // list of rooms; directions to the chosen one, and guidance along the route
-    RepeatLeg,       // the present leg of the followed route, from where the walker is
+    Exits,           // announces the exits of this room, clockwise
+    UnvisitedExits,  // announces the exits to places where the person has not been
+    Routes,          // opens a list of rooms; gives directions to the chosen one and guides along the route
+    RepeatLeg,       // repeats the present leg of the followed route, from where the walker is
     NextLeg,
     RestOfWay,
-    FaceWay,   // turns the walker towards the announced leg
-    NameRoom,  // the person types another name for the present room
-    Ways,      // list of the saved routes
-    KeepWay,   // saves the last planned or walked route under a name
+    FaceWay,   // turns the walker to the direction of the announced leg
+    NameRoom,  // the person types a name for the present room
+    Ways,      // opens a list of the saved routes
+    KeepWay,   // saves the route planned or walked last under a name
     PlanView,
     // Help and settings.
-    Menu,  // list of everything that can be done
+    Menu,  // opens a list of everything that can be done
     Help,
-    InputHelp,  // explains keys instead of acting on them
+    InputHelp,  // switches the mode in which a key announces its meaning and does nothing else
     Lessons,
-    FirstMinutes,  // the introduction of the first start
-    Task,          // the task in an instructor's lesson; without a lesson, a list to begin or prepare one
-    TaskDone,      // the task is done, or its question is answered by facing or pointing there
-    Learners,      // list of learners, requested from the owner of the session
+    FirstMinutes,  // begins the introduction that the first start of the program gives
+    Task,          // repeats the task of an instructor's lesson; without a lesson, opens a list to begin or prepare one
+    TaskDone,      // the learner reports that the task is done, or answers its question by facing or pointing there
+    Learners,      // requests a list of learners from the owner of the session
     Language,
-    Devices,  // list of the connected devices and their uses
+    Devices,  // opens a list of the connected devices and their uses
     NextSound,
-    LastSound,  // with NextSound, steps through the sound dictionary, which names and plays one sound at a time
+    LastSound,  // LastSound and NextSound step through the sound dictionary, which names and plays one sound at a time
     VerbosityCycle,
-    // Moving by ear.
+    // Walking by ear.
     TrailLeft,
     TrailRight,
     TrailOn,
@@ -117,12 +117,12 @@ enum class Command : std::uint8_t {
     Unexplored,
     ProgressReport,
     LearnPlace,
-    LearntRooms,  // list of rooms with how much of each is learnt; the route to the chosen one
+    LearntRooms,  // opens a list of rooms and how much of each is learnt; offers the route to the chosen one
     Hunt,
-    Labyrinth,  // the state of the game, in a world that is a labyrinth
-    Calibrate,  // the set-up by voice, run by the owner of the device
+    Labyrinth,  // announces the state of the game, in a world that is a labyrinth
+    Calibrate,  // begins the set-up by voice, which the owner of the device runs
     Leave,      // Escape: asks for confirmation at the top level
-    // Without a device, the keyboard moves the target of the simulated hand.
+    // Move the target of the simulated hand from the keyboard, if there is no device.
     HandForward,
     HandBack,
     HandLeft,
@@ -130,20 +130,20 @@ enum class Command : std::uint8_t {
     HandUp,
     HandDown,
     HandCentre,
-    Desk,  // the controls of the person's desk, by keys
+    Desk,  // opens the controls of the person's desk as a list for keys
 };
 
-// A row of the key table: a command with its word for terminals and scenarios, its default keys, and a line of help
-// (settings/languages).
+// A row of the key table: a command with its word for terminals and scenarios, and its default keys. The line of help
+// comes from settings/languages.
 struct CommandInfo {
     Command command;
-    std::string_view word;     // "where", typed in a terminal
+    std::string_view word;     // the word that a person types: "where"
     std::string_view key;      // default keys by name, separated by a blank: "F2 1"
-    bool hold;                 // acts while the key is down
-    std::string help() const;  // one sentence, in the language spoken now
+    bool hold;                 // true: the command acts while the key is down
+    std::string help() const;  // returns one sentence in the language spoken now
 };
 
-std::span<const CommandInfo> command_table();  // in the order of Command
+std::span<const CommandInfo> command_table();  // in the order of the enum Command
 const CommandInfo* find_command(std::string_view word);
 const CommandInfo& info(Command command);
 
@@ -151,14 +151,14 @@ constexpr bool is_one_of(Command command, std::initializer_list<Command> command
     return std::find(commands.begin(), commands.end(), command) != commands.end();
 }
 
-// True for one step or one notch of a turn.
+// True for commands that make one step or one notch of a turn.
 bool steps_or_turns(Command command);
 
-// What happens to a command while a list is open.
+// How a command behaves while a list is open.
 enum class InList : std::uint8_t {
-    Waits,     // must wait until the list is closed
-    Answered,  // a question, answered while the list stays open
-    Always,    // acts even while a list is open
+    Waits,     // the command does nothing until the list is closed
+    Answered,  // a question, which is answered while the list stays open
+    Always,    // the command acts even while a list is open
 };
 InList in_list(Command command);
 

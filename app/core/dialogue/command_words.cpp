@@ -26,7 +26,7 @@ std::string plain(std::string_view word) {
     return text;
 }
 
-// True if `word`, in plain form, is one of the blank-separated `words`.
+// True if `word`, in the form of plain_word(), is one of the blank-separated `words`.
 bool is_among(std::string_view word, const std::string& words) {
     for (std::size_t begin = 0; begin < words.size();) {
         const std::size_t end = std::min(words.find(' ', begin), words.size());

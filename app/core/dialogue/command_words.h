@@ -1,6 +1,6 @@
-// The words that a person may type for a command. Each command has its own word in command_table(), which settings,
-// worlds and scenarios also use. The language spoken adds others and plain synonyms (settings/languages, command_word).
-// Pure functions of the language spoken; any thread except the servo's.
+// The words that a person may type for a command. Each command has a word in command_table(), which settings, worlds
+// and scenarios also use. The language spoken adds its own words and synonyms (settings/languages, command_word). Pure
+// functions of the language spoken; any thread except the servo's.
 #pragma once
 
 #include <optional>
@@ -13,25 +13,27 @@
 
 namespace handrail::core {
 
-// The form in which words are compared: lower case, umlauts written out.
+// Returns the form in which words are compared: lower case, umlauts written out.
 std::string plain_word(std::string_view word);
-// Case does not matter, and umlauts may be written out ("zurueck"). Every word means at most one command.
+// Returns the command that this word means. Case does not matter, and umlauts may be written out ("zurueck"). Every
+// word means at most one command.
 std::optional<Command> command_of_word(std::string_view word);
-// The name of a command in the language spoken: the first of its words there.
+// Returns the name of a command in the language spoken, which is the first of its words in that language.
 std::string spoken_word(Command command);
-// True if the word leaves at once.
+// True if the word means leaving the program at once.
 bool is_quit_word(std::string_view word);
-// The name of each command in the order of command_table(), for "did you mean". None of them is a word that leaves at
-// once.
+// Returns the name of each command in the order of command_table(), for "did you mean". None of these names is a word
+// that leaves the program at once.
 std::vector<std::string> spoken_words();
 
-// Translates a key of a list typed as a word, such as "down", from the language spoken to the English word. Any other
-// word is returned unchanged.
+// Translates a word that stands for a key in a list, such as "down", from the language spoken to English. Returns any
+// other word unchanged.
 std::string list_word(std::string_view word);
 
-// The same for any table of the languages ("wizard_word"). `words` are the table's keys, which are the English words.
+// Translates a word like list_word(), for any table of the languages ("wizard_word"). `words` are the keys of the
+// table, which are the English words.
 std::string english_word(std::string_view table, std::span<const std::string_view> words, std::string_view typed);
-// The name of such a word in the language spoken: the first that its table lists.
+// Returns the name of such an English word in the language spoken: the first one that `table` lists.
 std::string spoken_word(std::string_view table, std::string_view word);
 
 }  // namespace handrail::core

@@ -19,7 +19,7 @@ std::string as_sentence(std::string text) {
     return text;
 }
 
-constexpr double kSearchGoesOn_s = 1.0;  // letters typed within this time belong to one word
+constexpr double kSearchGoesOn_s = 1.0;  // a letter typed within this time after the last one continues the same word
 
 std::string_view without_blanks(std::string_view text) {
     constexpr std::string_view kBlank = " \t\r\n";
@@ -32,7 +32,7 @@ bool begins_with(const std::string& name, const std::string& begin) {
     return !begin.empty() && lower_ascii(name).starts_with(begin);
 }
 
-// True if a word of the name, other than the first, begins with `begin`.
+// True if any word of the name except the first begins with `begin`.
 bool holds_word(const std::string& name, const std::string& begin) {
     const std::string lower = lower_ascii(name);
     for (std::size_t at = lower.find(begin); at != std::string::npos; at = lower.find(begin, at + 1))
@@ -40,21 +40,21 @@ bool holds_word(const std::string& name, const std::string& begin) {
     return false;
 }
 
-// The question mark may be left out.
+// True if `typed` is the item's also_typed text. The question mark may be missing.
 bool is_also_called(const ListItem& item, std::string_view typed) {
     if (typed.ends_with('?')) typed.remove_suffix(1);
     return !item.also_typed.empty() && is_called(item.also_typed, typed);
 }
 
 // Finds an item by its exact name or number, or by the beginning of its name or of a word in it. Returns the number of
-// items if there is no match. "To the kitchen" finds the kitchen if no name begins with "to"; umlauts may be written
+// items if nothing matches. "To the kitchen" finds the kitchen, unless a name begins with "to". Umlauts may be written
 // out.
 std::size_t item_called(const ListSpec& list, std::string_view typed) {
     std::size_t number = 0;
     const auto [end, error] = std::from_chars(typed.data(), typed.data() + typed.size(), number);
     const bool is_number = error == std::errc{} && end == typed.data() + typed.size();
-    // Platforms and rooms may have numbers as names. A name comes before an item's number, because the name is what was
-    // spoken.
+    // Platforms and rooms may have numbers as names. A name wins over the number of an item, because the person has
+    // heard the name.
     for (std::size_t i = 0; is_number && i < list.items.size(); ++i)
         if (list.items[i].name == typed) return i;
     if (is_number && number >= 1 && number <= list.items.size()) return number - 1;
@@ -68,7 +68,7 @@ std::size_t item_called(const ListSpec& list, std::string_view typed) {
     return list.items.size();
 }
 
-// Joins two sentences.
+// Joins two sentences, and adds a full stop to the first if it has none.
 std::string sentences(const std::string& first, const std::string& then) {
     const bool ends = !first.empty() && std::string_view(".?!:").find(first.back()) != std::string_view::npos;
     return first + (ends ? " " : ". ") + then;
@@ -84,7 +84,7 @@ std::string take_last_character(std::string& text) {
     return last;
 }
 
-// The key that this word stands for; empty: none.
+// Returns the key that this word stands for, or an empty text.
 std::string_view key_of_word(std::string_view word) {
     constexpr std::string_view kKeys[] = {"Down", "Up", "Home", "End", "Enter", "Escape", "Left", "Right", "Space"};
     const auto* const found =
@@ -124,7 +124,7 @@ bool Dialogue::typing() const { return is_open() && std::holds_alternative<TextS
 
 std::string Dialogue::item_words(const ListSpec& list) const {
     const ListItem& item = list.items[list.at];
-    // Two numbers are never adjacent: "Room 3; 12 steps, 4 of 28".
+    // Keeps two numbers apart, for example by a semicolon: "Room 3; 12 steps, 4 of 28".
     const auto ends_in_digit = [](const std::string& text) {
         return !text.empty() && text.back() >= '0' && text.back() <= '9';
     };
@@ -173,18 +173,19 @@ DialogueReply Dialogue::list_key(ListSpec& list, std::string_view name, double n
     else if (name == "Space" && search_goes_on(now_s)) return typed(" ", now_s);
     else if (name == "Space") return {true, false, item_words(list)};
     else if (name == "F1") return {true, false, phrase("dialogue.help_list")};
-    else return {true, false, {}};  // letters arrive as typed characters; no other key reaches the world
+    // Letters arrive as typed characters, and no other key has an effect in the world while a list is open.
+    else return {true, false, {}};
     search_.clear();
     return {true, list.at == was, item_words(list)};
 }
 
-// `change` is a copy, because the caller's function may open or close lists meanwhile.
+// `change` is a copy, because the function that it calls may open or close lists.
 template <class Change>
 DialogueReply Dialogue::change_value(ListSpec& list, Change change) {
     const std::size_t at = list.at;
     const std::string name = list.items[at].name;
     std::string value = change(at);
-    // The items may have changed by now, and this one may have moved.
+    // `change` may have replaced the items or moved this one, so the item is compared by name.
     if (is_open() && std::get_if<ListSpec>(stack_.back().get()) == &list && list.items[list.at].name == name)
         list.items[list.at].value = value;
     return {true, false, std::move(value)};
@@ -240,7 +241,8 @@ DialogueReply Dialogue::typed(std::string_view utf8, double now_s) {
     }
     auto& list = std::get<ListSpec>(*stack_.back());
     const std::string letters = lower_ascii(utf8);
-    // A blank arrives twice: first as a key, which repeated the item or continued the name, then as a character.
+    // A blank arrives twice: first as a key, then as a character. The key has already repeated the item or continued
+    // the name.
     if (letters == " " && (!search_goes_on(now_s) || search_.ends_with(' '))) return {true, false, {}};
     const bool goes_on = search_goes_on(now_s) && search_ != letters;
     search_ = goes_on ? search_ + letters : letters;
@@ -251,8 +253,8 @@ bool Dialogue::search_goes_on(double now_s) const { return !search_.empty() && n
 
 DialogueReply Dialogue::search(ListSpec& list, bool goes_on, double now_s) {
     searched_s_ = now_s;
-    // A word that is being typed may stay at the present item; a first letter goes on to the next one. Names that begin
-    // with the letters come before names in which a later word does.
+    // While the person continues a word, the search may stay at the present item. A first letter begins the search at
+    // the next item. Names that begin with the letters win over names in which a later word begins with them.
     for (const auto fits : {begins_with, holds_word})
         for (std::size_t step = goes_on ? 0 : 1; step <= list.items.size(); ++step) {
             const std::size_t i = (list.at + step) % list.items.size();
@@ -290,7 +292,7 @@ DialogueReply Dialogue::line(std::string_view text, double now_s) {
     if (auto done = as_key(word)) return *done;
     const std::size_t found = item_called(*list, text);
     if (found == list->items.size()) {
-        // Names come before other words for keys, which may begin in the same way.
+        // Item names win over the spoken language's words for keys, because both may begin with the same letters.
         if (auto done = as_key(list_word(text))) return *done;
         return {true, true, phrase("dialogue.not_in_list", {{"typed", text}})};
     }

@@ -1,7 +1,7 @@
-// Lists to choose from and lines to type. Everything uses these two kinds, and they work alike in speech, in the
-// terminal, in the window and for screen readers. They form a stack: a list that opens over another returns to it when
-// it is left. Plain state without a clock or a world. It returns what to announce, and calls the caller's functions for
-// what was chosen. App thread only.
+// Lists to choose from and questions to answer by typing a line. All features use these two kinds, which work alike in
+// speech, in the terminal, in the window and for screen readers. They form a stack: when a list that opened over
+// another is left, the other list returns. Plain state without a clock or a world. Each function returns the text to
+// announce, and calls the functions that the caller gave for a choice. App thread only.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@
 
 namespace handrail::core {
 
-// A quantity for a screen reader; the item's `value` gives it in words.
+// A quantity for screen readers. The item's `value` gives the same quantity in words.
 struct ItemNumber {
     double now = 0.0, least = 0.0, most = 0.0;
     double step = 0.0;  // smallest difference between two possible values
@@ -23,30 +23,31 @@ struct ItemNumber {
 
 struct ListItem {
     std::string name;
-    std::string value;  // announced after the name; empty: none
+    std::string value;  // announced after the name; empty: there is no value
     bool adjustable = false;
-    std::optional<ItemNumber> number{};  // of an adjustable item that is a quantity
-    // A question that people also type to choose it; never announced or shown.
+    std::optional<ItemNumber> number{};  // set if the item is adjustable and its value is a quantity
+    // A question that a person may type to choose the item; never announced or shown.
     std::string also_typed{};
 };
 
 struct ListSpec {
     std::string title;
     std::vector<ListItem> items;
-    std::size_t at = 0;                       // selected at first
-    std::function<void(std::size_t)> chosen;  // Enter
+    std::size_t at = 0;                       // index of the selected item
+    std::function<void(std::size_t)> chosen;  // called for Enter
     std::function<std::string(std::size_t, int)>
         adjusted{};  // Called by Left (-1) and Right (+1) on an adjustable item; returns the new value in words.
-    // Sets an item's quantity to a number; returns the new value in words.
+    // Sets the quantity of an item to a number; returns the new value in words.
     std::function<std::string(std::size_t, double)> put{};
-    std::function<void()> left{};  // Escape
+    std::function<void()> left{};  // called for Escape
     bool stays_open = false;       // false: Enter closes this list and all lists under it before it calls `chosen`
 };
 
-// A text of at most kLongestTyped bytes of UTF-8. Surrounding blanks are removed, and it is never empty.
+// A question that the person answers by typing a text of at most kLongestTyped bytes of UTF-8. Surrounding blanks are
+// removed. An empty text is not accepted.
 struct TextSpec {
     std::string question;
-    std::string text;  // initial text
+    std::string text;  // text that is there before the person types
     std::function<void(std::string)> done;
     std::function<void()> left{};
 };
@@ -55,29 +56,29 @@ inline constexpr std::size_t kLongestTyped = 200;
 // What the window or a screen reader shows of the dialogue.
 struct DialogueView {
     enum class Kind { None, List, Text } kind = Kind::None;
-    std::string title;  // of the list, or the question
+    std::string title;  // title of the list, or the question
     std::vector<ListItem> items;
     std::size_t at = 0;
-    std::string text;   // typed up to now
+    std::string text;   // text typed until now
     std::string where;  // announcement for the selected item or the question
 
     bool operator==(const DialogueView&) const = default;
 };
 bool operator==(const ListItem& a, const ListItem& b);
 
-// The result of a key.
+// The result of a key, of typed characters or of a line.
 struct DialogueReply {
-    bool taken = false;  // false: the key has no meaning here
+    bool taken = false;  // false: the input has no meaning in this dialogue
     bool denied = false;
-    std::string words;  // to announce; may be empty
+    std::string words;  // text to announce; may be empty
     struct Answer {
         std::string question, text;
     };
     std::optional<Answer> answer = {};  // set if a text question was answered
 };
 
-// An action of a screen reader on any item of the open list. `name` is the item's name as it was shown; if the list has
-// changed since, nothing happens.
+// An action of a screen reader on any item of the open list. `name` is the name of the item as it was shown. If the
+// item has another name by now, nothing happens.
 struct ItemAct {
     enum class Kind { GoTo, Choose, Less, More, Put } kind = Kind::Choose;
     std::size_t item = 0;
@@ -85,48 +86,50 @@ struct ItemAct {
     double number = 0.0;  // for Put
 };
 
-// True if `typed` is this name, without leading "to", "the" and the like.
+// True if `typed` is this name, perhaps after words such as "to" and "the".
 bool is_called(std::string_view name, std::string_view typed);
 
 class Dialogue {
 public:
-    // Both return what to announce. A list without items does not open, and the answer says so.
+    // Open a list or a question, and return the text to announce. A list without items does not open, and the text says
+    // so.
     std::string open(ListSpec list);
     std::string ask(TextSpec question);
     bool is_open() const { return !stack_.empty(); }
     bool typing() const;
     void close_all() { stack_.clear(); }
 
-    // A key was pressed, given by name, or repeats while it is held.
+    // Handles a key that was pressed or that repeats while it is held. `name` is the name of the key.
     DialogueReply key(std::string_view name, double now_s);
-    // Characters produced by the keyboard layout. In a list they search for names that begin with them.
+    // Handles characters from the keyboard layout. In a list, they search for a name that begins with them.
     DialogueReply typed(std::string_view utf8, double now_s);
-    // A line typed in a terminal. In a list it may be a key's name (down, up, home, end, enter, escape, left, right,
-    // backspace), "list" for all items, an item's number, the beginning of its name, or its `also_typed`. For a
-    // question it is the text itself.
+    // Handles a line typed in a terminal. For a question, the line is the answer. In a list, the line may be:
+    // - the name of a key (down, up, home, end, enter, escape, left, right, backspace),
+    // - "list", which announces all items,
+    // - the number of an item, the beginning of its name, or its `also_typed`.
     DialogueReply line(std::string_view line, double now_s);
 
-    // True if such a line would choose an item of the open list by its number or name. by_all: only the complete name
-    // counts; otherwise the beginning of the name or of a word in it is enough.
+    // True if the line `typed` would choose an item of the open list by number or name. If `by_all` is set, only the
+    // complete name counts. Otherwise the beginning of the name or of a word in it is enough.
     bool holds(std::string_view typed, bool by_all = false) const;
 
-    // True if the open list would accept such a line: as a key's name, as "list", or to choose an item.
+    // True if the open list would accept this line as the name of a key, as "list", or as the choice of an item.
     bool has_use_for(std::string_view line) const;
 
     DialogueReply act(const ItemAct& act, double now_s);
 
-    // Replaces the items of the open list. `at` stays, if there are enough items. Without an open list, nothing
-    // happens.
+    // Replaces the items of the open list. `at` stays the same if there are enough items. Does nothing if no list is
+    // open.
     void change_items(std::vector<ListItem> items);
 
     DialogueView view() const;
-    // The selected item, or the question and its text; empty if nothing is open.
+    // Announces the selected item, or the question and its text. Empty if nothing is open.
     std::string where() const;
 
 private:
     using Part = std::variant<ListSpec, TextSpec>;
     DialogueReply list_key(ListSpec& list, std::string_view name, double now_s);
-    // True if the next character continues the name that is being typed.
+    // True if the next character would continue the name that the person is typing.
     bool search_goes_on(double now_s) const;
     DialogueReply search(ListSpec& list, bool goes_on, double now_s);
     DialogueReply text_key(TextSpec& question, std::string_view name);
@@ -136,10 +139,10 @@ private:
     DialogueReply finish(TextSpec& question);
     DialogueReply leave();
     std::string item_words(const ListSpec& list) const;
-    // Announcement on return to the list or question that is now on top.
+    // Returns the announcement when a list or question is on top again.
     std::string back_words() const;
 
-    // Pointers, so that parts keep their address while others open over them.
+    // Pointers, so that each list or question keeps its address while others open over it.
     std::vector<std::unique_ptr<Part>> stack_;
     std::string search_;
     double searched_s_ = -1e9;

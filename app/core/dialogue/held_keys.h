@@ -1,4 +1,4 @@
-// Which commands' keys are held down now. Plain state; app thread only.
+// The commands whose keys are held down now. Plain state; app thread only.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ public:
     void release_all() { std::fill(down_.begin(), down_.end(), false); }
     bool held(Command command) const { return down_[static_cast<std::size_t>(command)]; }
     bool any() const { return std::find(down_.begin(), down_.end(), true) != down_.end(); }
-    // Two opposite keys: 1, -1, or 0 if neither or both are down.
+    // Returns 1 or -1 for one of two opposite keys, and 0 if neither or both are down.
     double sign(Command plus, Command minus) const { return (held(plus) ? 1.0 : 0.0) - (held(minus) ? 1.0 : 0.0); }
 
 private:

@@ -27,7 +27,7 @@ std::vector<std::string> words_of(std::string_view text) {
 std::string spoken_key(std::string_view key_name) {
     std::string text;
     for (std::size_t begin = 0; begin < key_name.size();) {
-        // A plus sign at the end is itself a key.
+        // A plus sign at the end of a key name is the plus key itself.
         const std::size_t end = std::min(key_name.find('+', begin + 1), key_name.size());
         const std::string part(key_name.substr(begin, end - begin));
         const std::string key = "key_name." + lower_ascii(part);
@@ -57,8 +57,8 @@ KeyMap::KeyMap(const std::map<std::string, std::string>& changes, settings::Keyb
         by_command_[static_cast<std::size_t>(row->command)] = words_of(keys);
         std::erase(by_command_[static_cast<std::size_t>(row->command)], "none");
     }
-    // The person's own keys come first, so they win over defaults of other commands. Then come the keys of the set for
-    // one hand, which may take keys from other commands.
+    // The person's own keys are claimed first, so they win over the default keys of other commands. The key set for one
+    // hand comes next, and it may take keys from other commands.
     const auto claim = [&](const CommandInfo& row) {
         for (const std::string& key : by_command_[static_cast<std::size_t>(row.command)]) {
             const auto [held, fresh] = by_key_.emplace(lower_ascii(key), row.command);

@@ -1,4 +1,4 @@
-// Which key does what: the built-in table, overridden by the person's own keys from the settings. App thread.
+// The map from keys to commands: the built-in table, overridden by the person's own keys from the settings. App thread.
 #pragma once
 
 #include <map>
@@ -13,30 +13,31 @@
 
 namespace handrail::core {
 
-// The spoken name of a key in the language spoken: "Shift+PageUp", "Umschalt+Bild auf". What is typed and stored is the
-// name itself.
+// Returns the name of a key in the language spoken: "Shift+PageUp", "Umschalt+Bild auf". A person types, and settings
+// store, `key_name` itself.
 std::string spoken_key(std::string_view key_name);
 
 class KeyMap {
 public:
-    // `changes`: command word -> key names separated by blanks, which replace that command's default keys. The key name
-    // "none" removes all keys. hand: the set of keys for one hand, which overrides the built-in table and is overridden
-    // by `changes`.
+    // `changes` maps the word of a command to key names separated by blanks, which replace the command's default keys.
+    // The key name "none" removes all keys. `hand` selects the set of keys for one hand, which overrides the built-in
+    // table. `changes` override that set.
     explicit KeyMap(const std::map<std::string, std::string>& changes,
                     settings::KeyboardHand hand = settings::KeyboardHand::Both);
 
-    std::optional<Command> find(std::string_view key_name) const;  // ASCII case is ignored
-    std::string keys_of(Command command) const;  // "F2 or 1" for help; a person who types gets the word instead
-    // The names of those keys, separated by blanks; `without` leaves one of them out.
+    std::optional<Command> find(std::string_view key_name) const;  // ignores ASCII case
+    // Returns "F2 or 1" for help; for a person who types commands, it returns the command's word instead.
+    std::string keys_of(Command command) const;
+    // Returns the names of the command's keys, separated by blanks and without the key `without`.
     std::string words_of_keys(Command command, std::string_view without = {}) const;
-    // The keys of a command if the person has changed nothing.
+    // Returns the keys that the command has if the person has changed nothing.
     std::string_view default_keys(Command command) const;
-    // One sentence for each unknown command and for each key that two commands claim. The command that claimed such a
-    // key first has it, and the person's own keys come before default keys.
+    // Returns one sentence for each unknown command and for each key that two commands claim. The first command to
+    // claim a key keeps it, and the person's own keys come before default keys.
     const std::vector<std::string>& problems() const { return problems_; }
 
 private:
-    std::map<std::string, Command> by_key_;  // lower case
+    std::map<std::string, Command> by_key_;  // the key names are in lower case
     std::vector<std::vector<std::string>> by_command_;
     settings::KeyboardHand hand_;
     std::vector<std::string> problems_;

@@ -1,5 +1,5 @@
-// Keys for one hand while the other holds the grip. The most used commands are under the left or the right half of the
-// keyboard. Plain tables.
+// Sets of keys for one hand while the other hand holds the device. The most used commands are in the left or in the
+// right half of the keyboard. Plain tables.
 #pragma once
 
 #include <span>
@@ -10,13 +10,14 @@
 namespace handrail::core {
 
 struct SetKeys {
-    std::string_view word;  // word of a command
-    std::string_view keys;  // separated by blanks; they replace the built-in keys
+    std::string_view word;  // the word of the command
+    std::string_view keys;  // key names separated by blanks, which replace the built-in keys
 };
 
-// Empty for both hands. F12, Escape and Control are in every set.
+// Returns the keys for this hand; empty if the person uses both hands. F12, Escape and Control are in every set.
 std::span<const SetKeys> keys_for(settings::KeyboardHand hand);
-// True if that hand reaches the key while it rests on its half of the keyboard. Space and the modifiers belong to both.
+// True if this hand reaches the key while it rests on its half of the keyboard. Space and the modifier keys belong to
+// both halves.
 bool reaches(settings::KeyboardHand hand, std::string_view key_name);
 
 }  // namespace handrail::core

@@ -18,7 +18,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
-// Parses a command's word and what may follow it.
+// Parses a line that consists of a command's word, perhaps followed by a count or a choice.
 Result<TerminalLine> command_line_of(std::string_view line) {
     const std::size_t blank = line.find_first_of(" \t");
     const std::string word = lower_ascii(line.substr(0, blank));
@@ -39,7 +39,7 @@ Result<TerminalLine> command_line_of(std::string_view line) {
     return parsed;
 }
 
-// True for several words without a number, so that the error cannot be a bad count.
+// True for a line of several words without a number, which cannot be a command with a bad count.
 bool is_sentence(std::string_view line) {
     return line.find_first_of(" \t") != std::string_view::npos &&
            line.find_first_of("0123456789") == std::string_view::npos;
@@ -51,7 +51,7 @@ Result<TerminalLine> parse_terminal_line(std::string_view line) {
     line = trimmed(line);
     if (line.empty()) return TerminalLine{};
     Result<TerminalLine> parsed = command_line_of(line);
-    // "find my way to the kitchen" must not search for a thing of that name.
+    // A whole sentence is tried before a choice: "find my way to the kitchen" must not search for a thing of that name.
     if (!parsed || !parsed->choice.empty())
         if (auto said = typed_sentence(line)) return TerminalLine{said->command, said->times, std::move(said->choice)};
     if (parsed) return parsed;

@@ -12,14 +12,14 @@ namespace handrail::core {
 namespace {
 
 constexpr std::string_view kCount = "<count>", kName = "<name>";
-constexpr std::size_t kLongestSentence = 200;  // longer lines are not sentences
+constexpr std::size_t kLongestSentence = 200;  // a line longer than this is not a sentence
 
 struct TypedWord {
-    std::string plain;    // used for comparison
-    std::string written;  // as typed
+    std::string plain;    // form of the word that is compared
+    std::string written;  // the word as the person typed it
 };
 
-// Splits at blanks and punctuation. Apostrophes join: "what's" is "whats".
+// Splits the text at blanks and punctuation. An apostrophe does not split a word: "what's" becomes "whats".
 std::vector<TypedWord> typed_words(std::string_view text) {
     constexpr std::string_view kBetween = " \t\r\n,.;:!?\"";
     std::vector<TypedWord> words;
@@ -37,26 +37,26 @@ std::vector<TypedWord> typed_words(std::string_view text) {
     return words;
 }
 
-// Words of the language spoken that are not part of a command's sentences.
+// Words of the language spoken that may surround the sentence of a command.
 struct SmallWords {
     std::vector<TypedWord> polite = typed_words(phrase("typed.polite")), fillers = typed_words(phrase("typed.fillers")),
-                           numbers = typed_words(phrase("typed.numbers"));  // from one upwards
+                           numbers = typed_words(phrase("typed.numbers"));  // number words, from "one" upwards
 };
 
-// Its index, from 0.
+// Returns the index of `plain` among the words, from 0.
 std::optional<std::size_t> place_among(const std::vector<TypedWord>& words, const std::string& plain) {
     for (std::size_t i = 0; i < words.size(); ++i)
         if (words[i].plain == plain) return i;
     return std::nullopt;
 }
 
-// Removes polite words at either end.
+// Removes polite words at the beginning and at the end.
 void drop_politeness(std::vector<TypedWord>& words, const SmallWords& small) {
     while (words.size() > 1 && place_among(small.polite, words.front().plain)) words.erase(words.begin());
     while (words.size() > 1 && place_among(small.polite, words.back().plain)) words.pop_back();
 }
 
-// "3" or "three"; 0 if it is not a number from 1 to kMostTimes.
+// Returns the value of "3" or "three", or 0 if the word is not a number from 1 to kMostTimes.
 int count_of(const std::string& word, const SmallWords& small) {
     int count = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);
@@ -65,7 +65,7 @@ int count_of(const std::string& word, const SmallWords& small) {
     return number ? static_cast<int>(*number) + 1 : 0;
 }
 
-// The words from `first` on, as written, without leading fillers.
+// Returns the words from `first` on, as the person typed them, without leading fillers.
 std::string name_from(const std::vector<TypedWord>& words, std::size_t first, const SmallWords& small) {
     while (first + 1 < words.size() && place_among(small.fillers, words[first].plain)) ++first;
     std::string text;
@@ -73,7 +73,8 @@ std::string name_from(const std::vector<TypedWord>& words, std::size_t first, co
     return text;
 }
 
-// A name comes last in a pattern and takes all remaining words. Polite words may be anywhere else.
+// True if the words fit the pattern. A name is the last element of a pattern and takes all remaining words. Polite
+// words may be anywhere before it.
 bool fits(const std::vector<TypedWord>& pattern, const std::vector<TypedWord>& words, const SmallWords& small,
           TypedSentence& said) {
     std::size_t at = 0;
@@ -95,7 +96,7 @@ bool fits(const std::vector<TypedWord>& pattern, const std::vector<TypedWord>& w
     return at == words.size();
 }
 
-// Visits each sentence of a command; bars separate them.
+// Calls `visit` with each pattern of a command. The patterns are separated by bars in `text`.
 template <class Visit>
 void each_pattern(const std::string& text, const SmallWords& small, Visit visit) {
     for (std::size_t begin = 0; begin < text.size();) {
@@ -107,7 +108,7 @@ void each_pattern(const std::string& text, const SmallWords& small, Visit visit)
     }
 }
 
-// Hyphenated command words, such as "rest-of-way", may be typed as separate words.
+// Returns the command whose hyphenated word, such as "rest-of-way", was typed as separate words.
 std::optional<Command> command_apart(const std::vector<TypedWord>& words) {
     std::string all;
     for (const TypedWord& word : words) all += (all.empty() ? "" : "-") + word.plain;
@@ -129,7 +130,7 @@ std::optional<TypedSentence> typed_sentence(std::string_view line) {
     std::vector<TypedWord> words = typed_words(line);
     drop_politeness(words, small);
     if (words.empty()) return std::nullopt;
-    // A sentence without a name wins over one with a name, and among the latter the longest pattern wins.
+    // A pattern without a name wins over one with a name. Among patterns with a name, the longest wins.
     std::optional<TypedSentence> whole, with_name;
     std::size_t longest = 0;
     for (const CommandInfo& row : command_table()) {

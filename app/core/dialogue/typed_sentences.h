@@ -1,6 +1,6 @@
 // Whole sentences that people type if they do not know the words of the commands: "where am I", "take me to the
-// kitchen", "turn left three times". settings/languages lists them under typed_sentence, one text for each command.
-// Pure functions of the language spoken; any thread except the servo's.
+// kitchen", "turn left three times". settings/languages lists them under typed_sentence, with one text for each
+// command. Pure functions of the language spoken; any thread except the servo's.
 #pragma once
 
 #include <optional>
@@ -13,21 +13,23 @@ namespace handrail::core {
 
 struct TypedSentence {
     Command command = Command::Help;
-    int times = 1;            // 1 to kMostTimes
-    std::string choice = {};  // the item to choose in the list that the command opens, without article; empty: nothing
+    int times = 1;  // how often to repeat the command, 1 to kMostTimes
+    // The item to choose in the list that the command opens, without article; empty: no choice.
+    std::string choice = {};
 };
 
 inline constexpr int kMostTimes = 1000;  // most repetitions that a person can type
 
-// No value if the line is not a known sentence in the language spoken or in English. Case, punctuation and polite words
-// are ignored, umlauts may be written out, and small numbers may be words.
+// Returns the command that a sentence means. Returns no value if the line is not a known sentence in the language
+// spoken or in English. Case, punctuation and polite words do not matter, umlauts may be written out, and small numbers
+// may be words.
 std::optional<TypedSentence> typed_sentence(std::string_view line);
 
 // True if the command opens a list of places in which the person can choose by name.
 bool takes_choice(Command command);
 
-// The name that somebody typed to choose a thing, without leading "to", "the" and the like. If nothing else would be
-// left, the text stays whole.
+// Removes leading words such as "to" and "the" from the name that a person typed to choose a thing. Returns the whole
+// text if nothing else would be left.
 std::string without_fillers(std::string_view typed);
 
 }  // namespace handrail::core

@@ -1,5 +1,5 @@
-// Numbers and directions in spoken words. Pure functions. Every distance and direction that is announced goes through
-// here.
+// Numbers, distances and directions in spoken words. Every distance and direction that is announced comes from these
+// functions. Pure functions.
 #pragma once
 
 #include <string>
@@ -16,37 +16,40 @@ struct DistanceWords {
     bool rounded = true;
 };
 
-// "5 steps", "1 step", "close by" if under half a step; metres to the half metre: "3.5 metres". Above 20, steps and
-// metres are rounded to 5. Not rounded: "4.7 steps", "3.4 metres".
+// Returns a distance in words: "5 steps", "1 step", or "close by" below half a step. Metres are rounded to half a
+// metre: "3.5 metres". Above 20, steps and metres are rounded to multiples of 5. If the person wants exact values: "4.7
+// steps", "3.4 metres".
 std::string distance_words(double distance_m, const DistanceWords& how);
-// True if that distance is announced as "close by".
+// True if distance_words() returns "close by" for this distance.
 bool is_close_by(double distance_m, const DistanceWords& how);
-// "6 by 4 metres, 9 by 6 steps".
+// Returns the size of a room or area: "6 by 4 metres, 9 by 6 steps".
 std::string size_words(double width_m, double depth_m, const DistanceWords& how);
-// The direction of `bearing_rad` for a person who faces `heading_rad`, in the person's own choice of words: "ahead",
-// "25 degrees left", "left", "behind"; "at 11 o'clock"; "north-west".
+// Returns the direction `bearing_rad` for a person who faces `heading_rad`, in the kind of words that the person has
+// chosen: "ahead", "25 degrees left", "left", "behind"; "at 11 o'clock"; "north-west".
 std::string direction_words(double bearing_rad, double heading_rad, settings::DirectionChoice choice,
                             bool rounded = true);
-// The turn as announced, in degrees, positive to the right; 0 is ahead, 180 is behind. Rounded to 5 degrees, or to one
-// degree if not `rounded`.
+// Returns the turn from `heading_rad` to `bearing_rad` in degrees as it is announced, positive to the right. 0 is
+// ahead, 180 is behind. Rounded to 5 degrees, or to one degree if `rounded` is false.
 double told_turn_deg(double bearing_rad, double heading_rad, bool rounded = true);
-// The hour on a clock face that lies in front of the person, for a turn in radians, positive to the right: 1 to 12;
-// ahead is 12.
+// Returns the hour, 1 to 12, that a turn in radians points to on a clock face lying in front of the person. Positive
+// turns are to the right; 12 is ahead.
 long hour_of(double turn_rad);
-// A heading in whole degrees clockwise from north, 0 to 360.
+// Returns a heading in whole degrees clockwise from north, 0 to 360.
 long whole_degrees(double heading_rad);
-// "9 steps at 1 o'clock", "9 steps ahead", "9 steps, 25 degrees right", "9 steps north-east", "close by, ahead".
+// Returns a distance and a direction in words: "9 steps at 1 o'clock", "9 steps ahead", "9 steps, 25 degrees right", "9
+// steps north-east", "close by, ahead".
 std::string place_words(double distance_m, double bearing_rad, double heading_rad, settings::DirectionChoice choice,
                         const DistanceWords& how);
-// A label for a side. quarter: quarter circles clockwise from straight ahead, 0 to 3. "ahead", "3 o'clock", "south".
+// Returns a label for one side of the person: "ahead", "3 o'clock", "south". `quarter` counts quarter circles clockwise
+// from straight ahead, 0 to 3.
 std::string side_words(int quarter, double heading_rad, settings::DirectionChoice choice);
-// The 16 compass points: "north", "north-north-east", ...
+// Returns one of the 16 compass points: "north", "north-north-east", ...
 std::string fine_compass_word(double heading_rad);
-// "12 minutes", "1 minute".
+// Returns a duration in words: "12 minutes", "1 minute".
 std::string minutes_words(double seconds);
-// "I found a Falcon.", "I found an omega."; name: of a device.
+// Returns "I found a Falcon." or "I found an omega." for a device with this name.
 std::string found_words(std::string_view name);
-// "north wall, plaster": joins two labels, one of which may be empty.
+// Joins two labels with a comma: "north wall, plaster". One of them may be empty.
 std::string joined(std::string_view one, std::string_view other);
 // Makes the first letter upper case, for the start of a sentence.
 std::string sentence_case(std::string text);

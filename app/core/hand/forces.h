@@ -1,5 +1,5 @@
-// Switches force on and off. Handles the force key, the stop, devices that are plugged in or fail, and the suggestion
-// of a break after long touching. App thread only.
+// Switches force on and off. Handles the force key, the stop key, and devices that are plugged in or fail. Suggests a
+// break after a long time of touching. App thread only.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,22 @@ namespace handrail::core {
 
 class Forces : SessionPart {
 public:
-    // Permits or forbids forces of the servos through `hands`.
+    // Permits or forbids force by writing to `hands`, from which the servos get their values.
     Forces(const SessionContext& context, HandsState& hands) : SessionPart(context), hands_(hands) {}
 
     // Handles the force key. Returns false if the command belongs to another feature.
     bool act(Command command, double now_s);
-    // Stops everything: force, sounds, speech. The switch and the window both report the same press. The second report
-    // does nothing and returns false, because it must not silence what the first one announced.
+    // Stops all force, sound and speech. The servo's switches and the window both report the same press of the stop
+    // key. The second report does nothing and returns false, so that it does not silence the announcement of the first.
     bool stop(double now_s);
-    // stops: presses of the stop key up to now, as the servo's switches count them. Returns true if the session has not
-    // yet stopped.
+    // `stops` is the number of presses of the stop key until now, as the servo's switches count them. Returns true if
+    // the session has not yet stopped for the last of them.
     bool know_stops(std::uint32_t stops);
-    // Replaces the device by another one, or by none.
+    // Replaces the device by another one, or by no device.
     void take(const HandFacts& hand);
-    // A usable device was plugged in. Announces it; the next press of the force key takes it.
+    // Announces that a usable device was plugged in. The next press of the force key then takes this device.
     void offer(const std::string& spoken_name, double now_s);
-    // After a fault has ended without help, announces that the force key brings the force back.
+    // If a fault has ended by itself, announces that the force key switches the force on again.
     void tick(double now_s);
     // Suggests a break when it is due.
     void tell_break(double now_s);
@@ -42,7 +42,7 @@ private:
     double stopped_s_ = -1e9;
     std::uint32_t stops_known_ = 0;
     double breaks_told_ = 0.0;
-    double contact_before_s_ = 0.0;  // seconds of contact with devices used earlier
+    double contact_before_s_ = 0.0;  // seconds of contact with devices that were used earlier
 };
 
 }  // namespace handrail::core

@@ -33,7 +33,8 @@ void TouchView::change_world(double now_s) {
     felt_.give_up();
     ++edits_;
     retune();
-    // Dense meshes are felt as they are until the background task has simplified them again, which takes seconds.
+    // After a change, the hand feels dense meshes as they are. The background task that simplifies them again takes
+    // seconds.
     mesh_tolerance_m_ = 0.0;
     coarser_.clear();
     const compile::CompileOptions options = compile::exploring(rounded_m_, haptic_->world);
@@ -64,7 +65,7 @@ void TouchView::retune() {
     tuning.touch.default_stiffness_fraction = settings.haptic.stiffness_fraction;
     tuning.touch.damping_ns_per_m = settings.haptic.damping_ns_per_m;
     tuning.button_to_feel = settings.haptic.button_to_feel;
-    tuning.touch.passivity_guard = true;  // acts only on surfaces with too little damping
+    tuning.touch.passivity_guard = true;  // the guard acts only on surfaces with too little damping
     tuning.touch.default_friction_static = tuning.touch.default_friction_kinetic = settings.haptic.friction_mu;
 
     if (hands_.right.present) tuning.touch.rated_stiffness_n_per_m = hands_.right.spec.rated_stiffness_n_per_m;
@@ -72,7 +73,7 @@ void TouchView::retune() {
     tuning.personal_space = settings.desk.use && hands_.right.present;
     tuning.workspace.rim = settings.workspace.rim;
     tuning.workspace.rim_open_behind = tuning.personal_space;
-    // If the hand feels only while the first button is held, that button is not free for grabbing.
+    // The first button cannot grab the world if the hand feels only while that button is held.
     const int button = settings.workspace.grab_button;
     tuning.workspace.grab_buttons =
         button == 0 || (button == 1 && settings.haptic.button_to_feel) ? 0U : 1U << (button - 1);
@@ -87,13 +88,14 @@ servo::ServoTuning TouchView::left_tuning() const {
     tuning.force_ceiling_n = ceiling_n(context_.settings, hands_.left);
     tuning.bodies.hold = hands_.left_bodies.hold;
     tuning.bodies.quarters = hands_.left_bodies.quarters;
-    tuning.workspace.grab_key = false;  // the key moves the right hand's workspace; each hand has its own button
+    // The grab key moves only the right hand's workspace; each hand has its own grab button.
+    tuning.workspace.grab_key = false;
     tuning.workspace.push_hand_m_per_s = Vec3(0.0);
-    tuning.personal_space = tuning.workspace.rim_open_behind = false;  // the desk belongs to the right hand
+    tuning.personal_space = tuning.workspace.rim_open_behind = false;  // only the right hand can be at the desk
     return tuning;
 }
 
-// What the scale requires.
+// Returns the simplification that the present scale requires.
 TouchView::Wish TouchView::wish() {
     openings_awaited_ = false;
     if (!hands_.right.present || !context_.settings.haptic.simplify) return {};
