@@ -121,7 +121,7 @@ FeltOrder TouchView::order() {
     order.portals = std::move(asked.portals);
     order.world_m_per_hand_m = scale(context_);
     order.ball_diameter_hand_m = context_.settings.haptic.ball_diameter_mm * 1e-3;
-    // Without a hand nobody feels the edges.
+    // Without a hand, nobody feels the edges, so they are not rounded.
     order.edge_rounding_hand_mm = hands_.right.present ? context_.settings.haptic.edge_rounding_mm : 0.0;
     if (hands_.right.present && context_.settings.haptic.simplify)
         order.mesh_tolerance_hand_mm = context_.settings.haptic.mesh_tolerance_mm;
@@ -163,7 +163,8 @@ double TouchView::farthest_m() const {
 }
 
 Vec3 TouchView::out_of_solids_m(const Vec3& hand_m) const {
-    constexpr double kTouching = 0.999;  // share of the radius: a proxy that rests on a surface fits
+    // Share of the proxy's radius that must be free, so that a proxy resting on a surface fits.
+    constexpr double kTouching = 0.999;
     const auto poses = world_.things.frame().poses();
     const double radius_m = hands_.tuning.touch.radius_m;
     const double room_m = render::surrounding_of(*haptic_, poses, hand_m, radius_m).distance_m;
@@ -173,8 +174,9 @@ Vec3 TouchView::out_of_solids_m(const Vec3& hand_m) const {
     return free ? *free - hand_m : Vec3(0.0);
 }
 
-// Both hands share one workspace, so freeing one hand may push the other into a solid; they are freed alternately. If
-// no place fits both, the right hand decides, and the left one passes through its solid until it is out.
+// The two hands share one workspace, so freeing one hand may push the other into a solid. So the hands are freed
+// alternately. If no place fits both, the right hand decides, and the left hand passes through its solid until it is
+// out.
 Vec3 TouchView::out_of_solids_m(const Vec3& right_m, const Vec3& left_m) const {
     constexpr int kTurns = 6;
     const Vec3 alone_m = out_of_solids_m(right_m);

@@ -19,16 +19,16 @@ namespace handrail::core {
 namespace {
 
 constexpr double kHandKeySpeed_m_per_s = 0.06;
-constexpr double kPushSpeed_hand_m_per_s = 0.03;  // by keys
+constexpr double kPushSpeed_hand_m_per_s = 0.03;  // speed of the workspace while a key pushes it
 constexpr double kPushTap_s = 0.2;
 constexpr double kLowestLook_m = 0.2;
 
-// A hand out of sight counts as left behind once the walker has moved on by this distance. It is brought to the walker
-// if that lasts.
+// The hand counts as left behind if the walker does not see it and has moved on by kWalkedOn_m. If that lasts for
+// kLeftBehind_s, the workspace is brought to the walker.
 constexpr double kWalkedOn_m = 0.05;
 constexpr double kLeftBehind_s = 0.5;
 
-// The direction of these keys, device frame. sign: combines two opposite keys.
+// Returns the direction of the pushing keys in the device frame. `sign` combines two opposite keys.
 template <class Sign>
 Vec3 workspace_keys(Sign sign) {
     return {sign(Command::WorkspaceRight, Command::WorkspaceLeft),
@@ -42,7 +42,7 @@ Vec3 hand_keys(Sign sign) {
             sign(Command::HandUp, Command::HandDown)};
 }
 
-// Acts as if only that key had been tapped.
+// Returns a function like `sign` for a tap of this key alone.
 auto tap_of(Command tapped) {
     return [tapped](Command plus, Command minus) { return tapped == plus ? 1.0 : tapped == minus ? -1.0 : 0.0; };
 }
@@ -50,8 +50,8 @@ auto tap_of(Command tapped) {
 }  // namespace
 
 bool Workspace::act(Command command, double now_s) {
-    // Without a hand there is no workspace to change. The frame also affects words, and the simulated hand needs no
-    // reach.
+    // Without a hand, there is no workspace to change. The frame may still be switched, because it also affects words,
+    // and the simulated hand may still be moved.
     if (!hands_.right.present && lays_workspace(command)) {
         context_.answer(phrase("session.no_hand"), now_s);
         return true;
@@ -110,7 +110,7 @@ servo::WorkspacePose Workspace::pose_beside(const Vec3& others_shift_m) const {
     return pose;
 }
 
-// Where the middle belongs before any shift.
+// Returns the middle of the workspace before any shift.
 Vec3 Workspace::origin_m() const {
     const settings::Settings::Workspace& workspace = context_.settings.workspace;
     const Aabb& bounds_m = context_.world.building_m;
@@ -119,8 +119,8 @@ Vec3 Workspace::origin_m() const {
         const Vec3 centre = bounds_m.centre_m();
         origin = Vec3(centre.x, centre.y, origin.z);
     } else if (!hands_.keys_alone) {
-        // A hand simulated for lack of a device is at the walker: farther ahead, it would reach through a wall along
-        // which the person walks.
+        // If there is no device, the simulated hand is at the walker. Farther ahead, it would reach through the wall
+        // along which the person walks.
         origin += forward_of_heading(workspace_heading_rad(context_)) * (workspace.offset_ahead_m * scale(context_));
     }
     return origin + Vec3(0.0, 0.0, workspace.hand_height_m + workspace.offset_up_m * scale(context_));
@@ -179,7 +179,8 @@ void Workspace::zoom(NamedScale scale_name, double now_s) {
     change_under_hand(
         [&] {
             hands_.named_scale = scale_name;
-            return scale_name != NamedScale::Building;  // Building scale has its own place, around the whole building
+            // Only the scale Building moves the workspace: to the middle of the building.
+            return scale_name != NamedScale::Building;
         },
         now_s);
     scale_asked_s_ = now_s;
@@ -225,7 +226,7 @@ void Workspace::tell_motion(double now_s) {
     context_.say(phrase("session.world_ends"), cues::SpeechClass::Ambient, now_s);
 }
 
-// Its place relative to the walker.
+// Describes the position of the workspace relative to the walker.
 std::string Workspace::words() const {
     const settings::Settings& settings = context_.settings;
     const Vec3 from_body = shift_m_ + shift_by_hand_m() + origin_m() - context_.body.feet_m();
@@ -254,7 +255,7 @@ void Workspace::take_touch(bool rooms_known, bool quietly, double now_s) {
     else context_.say(std::move(news), cues::SpeechClass::Ambient, now_s);
 }
 
-// Moves the hands out of solids that have appeared at their place.
+// Moves the hands out of solids that have appeared where the hands are.
 void Workspace::bring_hands_out(double now_s) {
     if (hands_.tool.ticks == 0) return;
     const Vec3 out = touch_.out_of_solids_m(hands_.tool.proxy_m, hands_.left_tool.proxy_m);
@@ -268,8 +269,8 @@ bool Workspace::goes_with_body() const {
            !hands_.at_desk();
 }
 
-// Looks from the height of the place, and from above most furniture. A proxy partly inside a solid counts as visible,
-// as in a doorway that is rendered wider than it is.
+// True if the walker sees this place from its height or from the height of the eyes, which is above most furniture. A
+// proxy partly inside a solid counts as visible, because a doorway may be rendered wider than it is.
 bool Workspace::body_sees(const Vec3& place_m) const {
     const Vec3 feet = context_.body.feet_m();
     const WalkerSize& body = context_.body.walker->size();
@@ -285,7 +286,7 @@ Vec3 Workspace::hand_in_m(const Vec3& origin_m) const {
     return servo::frame_of(origin_m, workspace_heading_rad(context_)).to_world(hands_.tool.hand_m, scale(context_));
 }
 
-// From where the hand would be without shifts to the walker; zero if the walker sees it there.
+// Returns the vector to the walker from where the hand would be without shifts. Zero if the walker sees that place.
 Vec3 Workspace::way_to_body_m() const {
     if (!goes_with_body()) return Vec3(0.0);
     const Vec3 hand = hand_in_m(origin_m()), feet = context_.body.feet_m();
@@ -305,7 +306,7 @@ void Workspace::stay_with_body(double now_s) {
         hands_.left_behind = false;
         return;
     }
-    if (hands_.tool.workspace_jump != hands_.pose.jump) return;  // the jump has not reached the servo yet
+    if (hands_.tool.workspace_jump != hands_.pose.jump) return;  // the servo has not yet carried out the jump
     const Vec3 feet = context_.body.feet_m();
     if (body_sees(hands_.tool.proxy_m)) {
         seen_from_m_ = feet;
@@ -320,7 +321,7 @@ void Workspace::stay_with_body(double now_s) {
     if (now_s - left_behind_s_ >= kLeftBehind_s) context_.say(bring_to_body(now_s), cues::SpeechClass::Contact, now_s);
 }
 
-// How far the hands must move out of solids if the workspace has this middle.
+// Returns how far the hands must move out of solids if the workspace has the middle `origin_m`.
 Vec3 Workspace::hands_out_of_solids_m(const Vec3& origin_m) const {
     const servo::WorkspaceFrame frame = servo::frame_of(origin_m, workspace_heading_rad(context_));
     return touch_.out_of_solids_m(frame.to_world(hands_.tool.hand_m, scale(context_)),

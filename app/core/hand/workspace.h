@@ -1,5 +1,5 @@
-// Where the hand's workspace is in the world, how large it is and which direction it faces. Also the simulated hand,
-// which keys move in it. App thread only; world metres, unless a name says device or hand.
+// The workspace of the hand in the world: its position, its scale and its orientation. This class also moves the
+// simulated hand by keys. App thread only. World metres, unless a name contains "device" or "hand".
 #pragma once
 
 #include <functional>
@@ -14,70 +14,70 @@ namespace handrail::core {
 
 // Why the pose changed.
 // - Walked: the walker may have moved a little.
-// - Moved: the workspace jumps from where the hand had moved it.
-// - Placed: the workspace returns to where it belongs.
+// - Moved: the workspace jumps, beginning from where the hand had moved it.
+// - Placed: the workspace returns to its own place.
 enum class PoseChange { Walked, Moved, Placed };
 
 class Workspace : SessionPart {
 public:
-    // Sets the pose of `hands`, and changes the settings that determine it.
+    // Writes the pose to `hands`, and changes the settings that determine the pose.
     Workspace(const SessionContext& context, HandsState& hands, const HeldKeys& keys, TouchView& touch)
         : SessionPart(context), hands_(hands), keys_(keys), touch_(touch) {}
 
-    // Poses for the only or right hand, and for the left one. Each servo adds its own hand's shift to its pose; the
-    // other hand's shift is already included.
+    // Poses for the only or right hand, and for the left hand. Each servo adds the shift by its own hand. These poses
+    // already contain the shift by the other hand.
     servo::WorkspacePose pose() const { return pose_beside(shift_of(hands_.left_tool)); }
     servo::WorkspacePose left_pose() const { return pose_beside(shift_of(hands_.tool)); }
-    // The present middle, with the shifts of both hands.
+    // The present middle of the workspace, including the shifts by both hands.
     Vec3 middle_m() const { return hands_.pose.origin_m + shift_by_hand_m(); }
 
-    // Handles the frame, named scales, pushing, turning, grabbing, and the keys of the simulated hand. Returns false if
-    // the command belongs to another feature.
+    // Handles the commands for the frame, the named scales, pushing, turning and grabbing, and the keys of the
+    // simulated hand. Returns false if the command belongs to another feature.
     bool act(Command command, double now_s);
     void publish(double now_s, PoseChange change);
-    // The grab key is no longer down.
+    // Call it when the grab key is released.
     void let_go() { hands_.tuning.workspace.grab_key = false; }
-    // Another device is used: shifts by the old one are dropped.
+    // Call it when another device is used. Drops the shifts by the previous one.
     void take_hand();
-    // The person's settings have changed.
+    // Call it when the person's settings have changed.
     void take_settings(double now_s);
-    // Changes scale, heading or the rendered scene through `change`. If that returns true, the place under the hand
-    // stays there. A hand that would then be inside a solid is moved out.
+    // Calls `change`, which changes scale, heading or the rendered scene. If `change` returns true, the point of the
+    // world under the hand stays there. If the hand would then be inside a solid, it is moved out.
     void change_under_hand(const std::function<bool()>& change, double now_s);
 
-    // True while keys push it.
+    // True while keys push the workspace.
     bool pushed(double now_s) const { return push_way(now_s) != Vec3(0.0); }
-    // Moves the workspace as the keys say; otherwise by carried_hand_m_per_s (device frame), if the hand is being
-    // guided beyond its reach.
+    // Moves the workspace while keys push it. Otherwise moves it by `carried_hand_m_per_s` (device frame), which is not
+    // zero if the guided hand must go beyond its reach.
     void push(const Vec3& carried_hand_m_per_s, double now_s);
-    // True if no tap of a pushing key is still acting.
+    // True if no tap of a pushing key is still moving the workspace.
     bool idle() const { return context_.tick_s >= push_until_s_; }
-    // Call it once a tick, after walking. If a solid keeps the hand from following the walker, the hand is brought to
-    // the walker with an announcement, and force ramps up from zero. Until then HandsState::left_behind is set. It does
-    // nothing if the workspace is meant to be elsewhere: around the whole building, or at a fixed place.
+    // If a solid keeps the hand from following the walker, brings the workspace to the walker, announces that, and lets
+    // the force rise from zero. Until then, HandsState::left_behind is set. Does nothing if the workspace is at its own
+    // place: around the whole building, or at a fixed place. Call it once a tick, after walking.
     void stay_with_body(double now_s);
-    // Announces when it has come to rest; plays a sound when it cannot move farther.
+    // Announces where the workspace has come to rest. Plays a sound when the workspace cannot move farther.
     void tell_motion(double now_s);
-    // The hand feels what was made or found since, and is moved out of any solid that has appeared at its place.
-    // quietly: simplifications are not announced.
+    // Renders the scene that a background task has made, and moves the hand out of any solid that has appeared at its
+    // place. `quietly`: simplifications are not announced.
     void take_touch(bool rooms_known, bool quietly, double now_s);
-    // Another command was given, so the answer to the previous one is not continued.
+    // Call it for each other command. The answer to the last change of scale is then not continued.
     void note_command() { scale_asked_s_.reset(); }
-    // Moves the workspace, because the device's hand itself cannot be moved, to the nearest place where the proxy fits.
-    // Returns the distance in words; empty: the proxy fits already. middle_was_m: the workspace's middle when the
-    // hand's position was measured. with_body: the walker has just been brought out of a solid too, which also frees a
-    // hand that passes through its solid.
+    // Moves the workspace to the nearest place where the proxy fits, because nothing can move the hand on the device.
+    // Returns the distance in words, or an empty text if the proxy already fits. `middle_was_m` is the middle of the
+    // workspace when the hand's position was measured. `with_body`: the walker has just been brought out of a solid
+    // too, which also frees a hand that passes through its solid.
     std::string bring_out(const Vec3& middle_was_m, bool with_body, double now_s);
 
-    // Moves the simulated hand's target, device frame; clamped to its reach.
+    // Moves the target of the simulated hand by a vector in the device frame. The target stays within the hand's reach.
     void move_hand(const Vec3& by_device_m);
     void move_hand_by_keys(double dt_s);
-    const Vec3& hand_target_m() const { return hand_target_m_; }  // device frame
+    const Vec3& hand_target_m() const { return hand_target_m_; }  // in the device frame
 
-    // Set by the session; called once for each rest. Returns true if the workspace came to rest where the hand was
-    // guided, so that nothing is announced.
+    // Set by the session; called once each time the workspace comes to rest. Returns true if guidance of the hand has
+    // brought the workspace there, so that nothing is announced.
     std::function<bool()> rests_untold;
-    // Set by the session. True if that place is in the walker's room, as far as rooms are known.
+    // Set by the session. Returns true if the place is in the walker's room, as far as the rooms are known.
     std::function<bool(const Vec3& place_m)> in_room_of_body;
 
 private:
@@ -104,16 +104,17 @@ private:
     HandsState& hands_;
     const HeldKeys& keys_;
     TouchView& touch_;
-    Vec3 anchor_feet_m_{0.0};  // its place while it does not follow the walker
-    // Shift since the workspace was last placed: by moving out of a solid, scrolling, or zooming under the hand. The
-    // servo adds its own shift since the last jump.
+    Vec3 anchor_feet_m_{0.0};  // position of the workspace, as of a walker's feet, while it does not follow the walker
+    // Shift of the workspace since it was last placed, caused by moving out of a solid, by pushing, or by zooming under
+    // the hand. The servo adds its own shift since the last jump.
     Vec3 shift_m_{0.0};
-    Vec3 push_tap_{0.0};  // by a tap of a key: direction and end
+    Vec3 push_tap_{0.0};  // direction in which the last tap of a key pushes the workspace, until push_until_s_
     double push_until_s_ = -1.0;
     servo::WorkspaceMotion motion_told_ = servo::WorkspaceMotion::Still;
-    std::optional<double> scale_asked_s_;  // the answer continues once the hand feels the new scale
+    // Time of the last change of scale; its announcement continues once the hand feels the new scale.
+    std::optional<double> scale_asked_s_;
     bool limit_told_ = false;
-    Vec3 seen_from_m_{0.0};  // the feet when the walker last saw the hand
+    Vec3 seen_from_m_{0.0};  // position of the walker's feet when the walker last saw the hand
     double left_behind_s_ = 0.0;
     Vec3 hand_target_m_{0.0};
 };

@@ -1,4 +1,5 @@
-// Replaces files on another thread, because a disk may be slow. One write at a time; one owner.
+// Replaces files on a separate thread, because a disk may be slow. Only one write at a time. One owner, whose thread
+// makes all calls.
 #pragma once
 
 #include <atomic>
@@ -14,7 +15,7 @@ namespace handrail::core {
 
 class BackgroundWriter {
 public:
-    // A function of worlds/base/files.h.
+    // A function of worlds/base/files.h that writes a file.
     using Write = Result<void> (*)(const std::filesystem::path&, std::string_view);
 
     explicit BackgroundWriter(const Executor& executor, Write how = write_file_atomically)
@@ -27,7 +28,7 @@ public:
     bool busy() const { return worker_.joinable() && !done_; }
     // Begins a write; call it only if busy() is false.
     void write(std::filesystem::path file, std::string content);
-    // The result of the last write, once it has ended; returned once.
+    // Returns the result of the last write once, after it has ended.
     std::optional<Result<void>> take_result();
     // Waits until no write is under way.
     void wait();
@@ -36,7 +37,7 @@ private:
     const Executor& executor_;
     Write how_;
     std::atomic<bool> done_{false};
-    std::optional<Result<void>> result_;  // belongs to the worker until done_
+    std::optional<Result<void>> result_;  // the worker thread owns it until `done_` is true
     std::thread worker_;
 };
 

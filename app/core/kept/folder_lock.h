@@ -1,5 +1,6 @@
-// Locks a folder against our other sessions while this object lives. The folder itself is locked, so a session that
-// dies leaves nothing behind. If the folder is missing or its file system has no locks, nobody is kept out.
+// Locks a folder against other sessions of the program while this object exists. The folder itself is locked, so a
+// crashed session leaves no lock file. If the folder is missing or its file system has no locks, no session is kept
+// out.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +11,7 @@ namespace handrail::core {
 
 class FolderLock {
 public:
-    // Waits at most this long, in seconds, for another session to release the folder.
+    // Waits up to `most_s` seconds for another session to release the folder.
     FolderLock(const std::filesystem::path& folder, double most_s);
     bool held() const { return held_; }
     bool held_elsewhere() const { return held_elsewhere_; }

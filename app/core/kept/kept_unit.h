@@ -1,4 +1,4 @@
-// The length of a world's unit as the person has set it, from the table [unit] of the world's side file.
+// The length of a world's unit, as the person has set it. It is in the table [unit] of the world's side file.
 #pragma once
 
 #include <filesystem>
@@ -8,11 +8,11 @@
 
 namespace handrail::core {
 
-// Metres; no value if none was set or the value is unusable. Reads the file and changes nothing; any thread. See
-// SideFile::of_world.
+// Returns metres, or no value if the person set none or the value is unusable. Reads the file and changes nothing; any
+// thread. For the parameters see SideFile::of_world.
 std::optional<double> kept_unit(const std::filesystem::path& world, const std::filesystem::path& data_folder,
                                 bool shipped, const settings::TomlReader& toml = settings::toml_of);
-// Stays in memory until the file is saved. Other keys of the table stay as they are.
+// Sets the unit in memory; the owner saves the file later. Other keys of the table stay as they are.
 void keep_unit(SideFile& file, double metres);
 
 }  // namespace handrail::core

@@ -1,5 +1,5 @@
-// Landmarks that a person has marked in addition to those of the world's file: how the side file stores them, and how
-// the scene gets them. Pure functions over plain values; app thread.
+// Landmarks that a person has marked in addition to those in the world's file: how the side file stores them, and how
+// they get into the scene. Pure functions over plain values; app thread.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace handrail::core {
 
-// A thing is recognised by its stored name and its middle, which may have moved by up to this distance.
+// A landmark belongs to the thing with the stored name whose middle has moved by at most this distance.
 inline constexpr double kLandmarkMoved_m = 0.5;
 struct LandmarkGiven {
     std::string name;
@@ -18,14 +18,14 @@ struct LandmarkGiven {
     SideEntry kept = {};  // keys of the file that this version does not know
 };
 
-// In the order of the file. Entries without a valid name or a place are left out but stay in the file; `faults`
-// receives an error for each.
+// Returns the landmarks in the order of the file. Entries without a valid name or a place stay in the file but are not
+// returned. `faults` receives an error for each of them.
 std::vector<LandmarkGiven> read_landmarks(const SideFile& file, std::vector<Error>& faults);
-// Adds a landmark, in memory until the file is saved.
+// Adds a landmark in memory; the owner saves the file later.
 void keep_landmark(SideFile& file, const Feature& feature);
 
-// The scene with these things marked; the same pointer if there are none to mark. Things that no longer exist are left
-// out.
+// Returns the scene with these things marked as landmarks. If there is nothing to mark, returns the same pointer.
+// Ignores things that no longer exist.
 std::shared_ptr<const Scene> with_landmarks(std::shared_ptr<const Scene> scene,
                                             const std::vector<LandmarkGiven>& landmarks);
 

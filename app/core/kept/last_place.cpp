@@ -85,7 +85,7 @@ Result<LastPlace> read_last_place(const std::string& text) {
 }
 
 struct SessionTrace::State {
-    fs::path own;  // path without extension; empty: nothing is kept
+    fs::path own;  // path of this session's files, without extension; empty: nothing is saved
     std::optional<Descriptor> held;
     BackgroundWriter writer{on_threads()}, report_writer{on_threads()};
     fs::path report;
@@ -94,7 +94,7 @@ struct SessionTrace::State {
     std::optional<LastPlace> left_at, kept;
     double next_s = -std::numeric_limits<double>::infinity();
 
-    // Removes all files of one session, including one that was just being written.
+    // Removes all files of a session, including a temporary file that the session was writing when it crashed.
     static void clear(const fs::path& lock_file) {
         const std::string stem = lock_file.stem().string() + ".";
         std::error_code ec;
@@ -104,8 +104,8 @@ struct SessionTrace::State {
         for (const fs::path& file : files) fs::remove(file, ec);
     }
 
-    // Turns what a crashed session left into one permanent report. Its name is the time of the session's last note, so
-    // that names sort by time; only the newest few are kept.
+    // Turns the files of a crashed session into a permanent report. The name of the report is the time of the session's
+    // last note, so that names sort by time. Only the newest few reports are kept.
     static fs::path keep_report(const fs::path& lock_file) {
         const auto beside = [&](std::string_view ending) {
             return with(fs::path(lock_file).replace_extension(), ending);
@@ -138,7 +138,7 @@ struct SessionTrace::State {
         return folder / name.data();
     }
 
-    // Examines and removes the files of sessions that no longer run.
+    // Examines and removes the files of sessions that are no longer running.
     void look(const fs::path& folder) {
         std::error_code ec;
         std::vector<fs::path> locks;
@@ -174,7 +174,8 @@ struct SessionTrace::State {
             return;
         }
         own = fs::path(name).replace_extension();
-        // Keeps the old place until this session has its own, so that a crash before that loses nothing.
+        // Keeps the place of the crashed session until this session has a place of its own, so that another crash
+        // before that does not lose it.
         if (left_at && write_file_atomically(with(own, kPlace), text_of(*left_at))) kept = left_at;
     }
 };
@@ -183,7 +184,8 @@ SessionTrace::SessionTrace(const fs::path& folder) : state_(std::make_unique<Sta
     if (folder.empty()) return;
     std::error_code ec;
     fs::create_directories(folder, ec);
-    // While one session looks and begins, no other can, so none finds another's file before it is locked.
+    // The lock prevents two sessions from starting at the same time. Otherwise one could find a file of the other
+    // before that file is locked.
     const FolderLock all(folder, kLockWait_s);
     if (!all.held()) return;
     state_->look(folder);

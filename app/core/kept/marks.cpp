@@ -34,7 +34,7 @@ SideEntry mark_entry(const Mark& mark) {
     return entry;
 }
 
-// The spoken name of a thing.
+// Returns the spoken name of the thing with the stored name.
 std::string spoken_thing(const Scene& scene, const std::string& stored) {
     const auto feature =
         std::find_if(scene.features.begin(), scene.features.end(), [&](const Feature& f) { return f.name == stored; });
@@ -96,12 +96,12 @@ Mark new_mark(const Scene& scene, const SideFile& file, const std::vector<Mark>&
     std::size_t number = 1;
     do name = phrase("marks.name", {{"number", number}});
     while (taken(name) &&
-           // The bound is enough, because n marks take at most n numbers. Without it, a text that ignores the number
-           // would loop for ever.
+           // n marks take at most n numbers, so the bound is never too small. Without it, the loop would never end if
+           // the text of the language ignores the number.
            ++number <= marks.size() + 1);
     const std::string thing = spoken_thing(scene, near.name),
                       whole = phrase("marks.name_near", {{"mark", name}, {"thing", thing}});
-    // If the name would become too long, the thing is left out; cutting could split a character.
+    // If the name would be too long, the thing is left out of it. Cutting the name could split a character.
     if (whole.size() <= kLongestName_bytes && good_name(thing)) name = whole;
     return {.name = std::move(name),
             .place_m = place_m,

@@ -1,5 +1,5 @@
-// Places that a person has marked in a world: what a mark contains, how the side file stores it, and whether it still
-// fits after the world was edited. Pure functions over plain values; app thread.
+// Marks: places that a person has marked in a world. Defines what a mark contains, how the side file stores it, and
+// whether it still fits after the world was edited. Pure functions over plain values; app thread.
 #pragma once
 
 #include <string>
@@ -12,39 +12,43 @@ namespace handrail::core {
 
 struct Mark {
     std::string name;
-    Vec3 place_m{0.0};    // world
+    Vec3 place_m{0.0};    // in world coordinates
     std::string near;     // name of the nearest thing when the mark was set; empty: nothing within kNearMark_m
-    double near_m = 0.0;  // distance to its bounds
-    std::string world;    // checksum of the world's file at that time; empty: unknown
-    bool fits = true;     // the thing `near` still exists, about as far away; determined on entering, not stored
-    SideEntry kept;       // keys of the file that this version does not know
+    double near_m = 0.0;  // distance from the mark to the bounding box of that thing
+    std::string world;    // checksum of the world's file when the mark was set; empty: not known
+    // True: the thing `near` still exists, about as far away; computed when the world is entered, not stored.
+    bool fits = true;
+    SideEntry kept;  // keys of the file that this version does not know
 };
 
-inline constexpr double kNearMark_m = 3.0;   // more distant things do not identify a place
-inline constexpr double kMarkMoved_m = 0.5;  // how much the distance to the thing may have changed
+// Largest distance from a mark to its thing; things farther away do not identify a place.
+inline constexpr double kNearMark_m = 3.0;
+inline constexpr double kMarkMoved_m = 0.5;  // how much the distance from a mark to its thing may have changed
 
-// True for what a person may search for by name: things, and whatever the map calls a landmark or a clue; not plain
-// walls and floors.
+// True if a person may search for this feature by name: things, and everything that the map calls a landmark or a clue.
+// False for plain walls and floors.
 bool is_thing(const Feature& feature);
 
-// In the order of the file. Entries without a name or a place are left out but stay in the file; `faults` receives an
-// error for each.
+// Returns the marks in the order of the file. Entries without a name or a place stay in the file but are not returned.
+// `faults` receives an error for each of them.
 std::vector<Mark> read_marks(const SideFile& file, std::vector<Error>& faults);
 void write_marks(SideFile& file, const std::vector<Mark>& marks);
 
-// The nearest thing, door or landmark with a name; if none is within kNearMark_m, the nearest wall.
+// The nearest thing, door or landmark with a name, if it is within kNearMark_m; otherwise the nearest wall.
 struct NearThing {
     std::string name;
     double distance_m = 0.0;
 };
 NearThing nearest_thing(const Scene& scene, const Vec3& place_m);
 
-// A new mark at this place: "Mark 3, near radiator", with the first number that no such mark has.
+// Makes a mark at this place with a name such as "Mark 3, near radiator". The number is the first one that no other
+// mark has.
 Mark new_mark(const Scene& scene, const SideFile& file, const std::vector<Mark>& marks, const Vec3& place_m);
 
-// Determines which marks still fit. Marks set in the same version of the world always do.
+// Sets Mark::fits of each mark. Marks that were set in the same version of the world always fit.
 void check_marks(const Scene& scene, const SideFile& file, std::vector<Mark>& marks);
-// "This world has changed since you set marks. 2 of 5 no longer fit: Mark 1, near radiator; stairs." Empty if all fit.
+// Returns "This world has changed since you set marks. 2 of 5 no longer fit: Mark 1, near radiator; stairs.", or an
+// empty text if all marks fit.
 std::string unfit_sentence(const std::vector<Mark>& marks);
 
 }  // namespace handrail::core

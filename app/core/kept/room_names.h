@@ -13,29 +13,31 @@ namespace handrail::core {
 struct RoomNameGiven {
     std::string name;
     Vec3 at_m{0.0};        // a place on the floor of the room
-    double area_m2 = 0.0;  // area of the room at that time; 0: unknown
-    std::string world;     // checksum of the world's file at that time; empty: unknown
-    bool fits = true;      // determined when the rooms are known, not stored
+    double area_m2 = 0.0;  // area of the room when it was named; 0: not known
+    std::string world;     // checksum of the world's file when the room was named; empty: not known
+    bool fits = true;      // true: the room still exists; computed when the rooms are known, not stored
     SideEntry kept;        // keys of the file that this version does not know
 };
 
-// In an edited world, the room at that place counts as the same one if its area has changed by at most this factor, up
-// or down.
+// In an edited world, the room at the stored place counts as the same room if its area has grown or shrunk by at most
+// this factor.
 inline constexpr double kSameRoomArea = 1.5;
 
-// In the order of the file. Entries without a valid name or a place are left out but stay in the file; `faults`
-// receives an error for each.
+// Returns the names in the order of the file. Entries without a valid name or a place stay in the file but are not
+// returned. `faults` receives an error for each of them.
 std::vector<RoomNameGiven> read_room_names(const SideFile& file, std::vector<Error>& faults);
 void write_room_names(SideFile& file, const std::vector<RoomNameGiven>& names);
 
 // Gives each name that still fits to the room at its place. In the same version of the world, a name fits if there is a
-// room. In an edited one, the room must also be about as large as before. A room takes only the first of several names.
+// room. In an edited world, the room must also have about the same area as before. If a room has several names, it
+// takes the first.
 void lay_room_names(navigation::RoomGraph& graph, const navigation::WalkSpace& space, const SideFile& file,
                     std::vector<RoomNameGiven>& names);
-// "This world has changed since you named rooms. 2 of 5 names no longer fit: Larder; Shop." Empty if all fit.
+// Returns "This world has changed since you named rooms. 2 of 5 names no longer fit: Larder; Shop.", or an empty text
+// if all names fit.
 std::string unfit_sentence(const std::vector<RoomNameGiven>& names);
 
-// Index in `names` of the name that this room has; kNothing: none.
+// Returns the index in `names` of the name that this room has, or kNothing.
 std::uint32_t name_of_room(const navigation::RoomGraph& graph, const navigation::WalkSpace& space,
                            const std::vector<RoomNameGiven>& names, std::uint32_t room);
 

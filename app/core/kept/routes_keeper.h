@@ -1,6 +1,6 @@
-// Stores the rooms and routes of a world between two starts. Two functions over bytes, so that the session knows
-// neither files nor processes. If they are empty, nothing is stored. Any thread except the app thread, because they
-// wait for the disk.
+// Stores the rooms and routes of a world between two runs of the program. The two functions take and return bytes, so
+// that the session knows neither files nor processes. If they are empty, nothing is stored. Any thread except the app
+// thread, because they wait for the disk.
 #pragma once
 
 #include <functional>
@@ -11,9 +11,9 @@
 namespace handrail::core {
 
 struct RoutesKeeper {
-    // Returns what is stored under that key (ways_key in worlds/stored/stored_ways.h), unpacked; empty: nothing.
+    // Returns the unpacked bytes stored under `key` (ways_key in worlds/stored/stored_ways.h), or an empty string.
     std::function<std::string(const std::string& key, const std::stop_token& stop)> take;
-    // Stores the packed bytes made by stored_ways.
+    // Stores bytes that stored_ways has packed.
     std::function<void(const std::string& key, std::string_view packed)> keep;
 
     explicit operator bool() const { return take && keep; }

@@ -1,6 +1,6 @@
 // Decides when to save the person's changes: two seconds after the first unsaved change. So a crash loses at most two
-// seconds, and a held key does not write a file for each repetition. A failure is announced once, and saving is tried
-// again every kRetry_s. Plain state over the caller's clock; app thread.
+// seconds of changes, and a held key does not cause a write for each repetition. If saving fails, the person hears it
+// once, and saving is tried again every kRetry_s. Plain state over the caller's clock; app thread.
 #pragma once
 
 #include <optional>
@@ -15,11 +15,11 @@ public:
     static constexpr double kAfter_s = 2.0, kRetry_s = 30.0;
 
     void changed(double now_s);
-    // True when it is time to save. The caller then saves and reports the result to ended().
+    // Returns true if it is time to save. The caller then saves, and passes the result to ended().
     bool take_due(double now_s);
-    // The sentence to announce, if any. The same sentence is not repeated until a save has succeeded.
+    // Returns the sentence to announce, if any. It does not repeat a sentence until a save has succeeded.
     std::optional<std::string> ended(const Result<void>& saved, double now_s);
-    // True if something has changed and no save has begun since.
+    // True if there is a change that no save has included yet.
     bool unsaved() const { return due_s_.has_value(); }
 
 private:

@@ -23,14 +23,16 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kLongestFile_bytes = std::size_t{16} << 20;
-constexpr std::size_t kLongestFileName_bytes = 220;  // of 255, minus our ending and the ending of a temporary file
+// 255 bytes, minus our extension and the extension of a temporary file.
+constexpr std::size_t kLongestFileName_bytes = 220;
 constexpr std::string_view kEnding = ".handrail.toml";
 constexpr std::size_t kMostTold = 5;
-constexpr std::string_view kMarks = "mark";  // the list in which two equal entries are still two things
+// Name of the list of marks, in which two equal entries are still two different marks.
+constexpr std::string_view kMarks = "mark";
 
 std::string checksum_of(std::string_view bytes) {
     auto crc = ::crc32(0, Z_NULL, 0);
-    // In pieces, because zlib counts bytes in 32 bits.
+    // The bytes are checked in pieces, because zlib counts bytes in 32 bits.
     for (std::size_t at = 0; at < bytes.size(); at += 1U << 30)
         crc = ::crc32(crc, reinterpret_cast<const Bytef*>(bytes.data() + at),
                       static_cast<uInt>(std::min<std::size_t>(bytes.size() - at, 1U << 30)));
@@ -43,7 +45,7 @@ fs::path beside(const fs::path& world) {
     return path;
 }
 
-// The checksum of the path distinguishes worlds of the same name in different folders.
+// The name contains a checksum of the path, which distinguishes worlds of the same name in different folders.
 fs::path in_data_folder(const fs::path& world, const fs::path& folder) {
     std::error_code ec;
     fs::path whole = fs::weakly_canonical(world, ec);
@@ -61,7 +63,7 @@ bool is_link(const fs::path& path) {
     return fs::is_symlink(path, ec);
 }
 
-// True if the folder of `near` can be written, or there is no other place.
+// True if the folder of `near` can be written, or if there is no other folder to write to.
 bool lies_beside(const fs::path& near, const fs::path& far, bool shipped) {
     const fs::path folder = near.has_parent_path() ? near.parent_path() : fs::path(".");
     return far.empty() || (!shipped && near.filename().string().size() <= kLongestFileName_bytes &&
@@ -150,7 +152,7 @@ void put_list(settings::TomlValue& root, const std::string& name, const std::vec
     root.set(name, std::move(list));
 }
 
-// Up to five of the names, in one sentence.
+// Lists up to five of the names in one sentence.
 std::string told(const std::vector<std::string>& names) {
     const std::size_t count = std::min(names.size(), kMostTold);
     std::string text =
@@ -158,7 +160,7 @@ std::string told(const std::vector<std::string>& names) {
     return names.size() > count ? phrase("side_file.more", {{"names", text}, {"count", names.size() - count}}) : text;
 }
 
-// An unused name next to the file; empty if none is available.
+// Returns an unused name for a copy next to the file, or an empty path if none is available.
 fs::path kept_name(const fs::path& path) {
     for (int i = 1; i < 1000; ++i) {
         fs::path kept = path;
@@ -171,18 +173,19 @@ fs::path kept_name(const fs::path& path) {
 }  // namespace
 
 struct SideFile::Content {
-    fs::path path, other_path;  // where it is saved, and where if that folder cannot be written
+    fs::path path, other_path;  // where the file is saved; `other_path` if that folder cannot be written
     fs::path read_from;         // the file that was read
     std::string checksum;
     settings::TomlReader toml = settings::toml_of;
     settings::TomlValue root = settings::TomlValue::empty_table();
-    settings::TomlValue base = settings::TomlValue::empty_table();  // as it was read or last saved
-    std::string saved;                                              // its text
+    settings::TomlValue base = settings::TomlValue::empty_table();  // content as it was read or last saved
+    std::string saved;                                              // text of `base`
     std::vector<std::string> news;
     TakenOver taken_over;
-    bool changed = false, overwrites = false;  // overwrites: something that is not a list or table of entries
+    // `overwrites`: saving would overwrite something that is not a list or table of entries.
+    bool changed = false, overwrites = false;
 
-    // Copies the whole file to another name.
+    // Copies the whole file to an unused name, and returns that name.
     static Result<fs::path> keep_aside(const fs::path& file) {
         const fs::path kept = kept_name(file);
         std::error_code ec;
@@ -191,7 +194,7 @@ struct SideFile::Content {
         return kept;
     }
 
-    // Merges what another session has written into the content of this one.
+    // Merges the content that another session has written into the content of this session.
     settings::TomlValue merged_with(const settings::TomlValue& other, TakenOver& taken) const {
         settings::TomlValue merged = other;
         std::set<std::string> names;
@@ -200,7 +203,7 @@ struct SideFile::Content {
         std::vector<std::string> conflicts, twice;
         for (const std::string& name : names) {
             const settings::TomlValue *before = base.find(name), *here = root.find(name), *there = other.find(name);
-            // Equal marks set by both sessions stay two marks.
+            // If both sessions set equal marks, the result has two marks.
             const bool new_marks = name == kMarks && !alike(before, here);
             if (alike(here, there) && !new_marks) continue;
             if (alike(before, here)) {
@@ -229,8 +232,8 @@ struct SideFile::Content {
         return merged;
     }
 
-    // The two possible files of this world, the preferred one first. Handrail never creates links, so a link is
-    // avoided.
+    // Sets the two possible files of this world. The preferred one is first, unless it is a link: Handrail never
+    // creates links, so it does not write to one.
     void lies_in(const fs::path& first, const fs::path& second) {
         const bool first_is_link = is_link(first);
         const bool swaps = first_is_link && !second.empty() && !is_link(second);
@@ -248,12 +251,13 @@ struct SideFile::Content {
         lies_in(near_works ? near : far, near_works ? far : near);
     }
 
-    // Writes under the lock of the folder, merged with the present content of the file.
+    // Locks the folder, merges the present content of the file, and writes the result.
     Result<void> write(const fs::path& to) {
         if (is_link(to)) return fail(phrase("files.link"), to.filename().string());
         const fs::path folder = to.has_parent_path() ? to.parent_path() : fs::path(".");
         std::error_code ec;
-        fs::create_directories(folder, ec);  // the lock needs the folder; writing reports any error
+        // The lock needs the folder; if creating it fails, the write below reports the error.
+        fs::create_directories(folder, ec);
         const FolderLock lock(folder, kLockWait_s);
         if (lock.held_elsewhere()) return fail(phrase("side_file.locked", {{"file", to.filename().string()}}));
         settings::TomlValue all = root;
@@ -267,7 +271,7 @@ struct SideFile::Content {
             if (*now != saved) {
                 if (const Result<settings::TomlValue> other = toml(*now)) {
                     all = merged_with(*other, taken);
-                    // The file may be intact, so it is not overwritten.
+                    // The file could not be read, but it may be intact, so it is not overwritten.
                 } else if (other.error().line == 0) {
                     return fail(other.error().message, to.filename().string());
                 } else {
@@ -280,9 +284,9 @@ struct SideFile::Content {
         }
         std::string text = "# What was added to this world in Handrail. Lengths are world metres.\n" +
                            settings::written_toml(all) + "\n";
-        // The text is parsed again before it is written, so that memory and file agree, including line numbers. This
-        // process parses it, because it is our own text. If memory is short, toml++ 3.3 writes fewer digits of a
-        // number; the comparison detects that.
+        // The text is parsed again before it is written, so that memory and file agree, including line numbers. It is
+        // safe to parse it in this process, because it is our own text. If memory is short, toml++ 3.3 writes fewer
+        // digits of a number; the comparison detects that.
         Result<settings::TomlValue> again = settings::toml_of(text);
         if (!again || !same(entry_from(all), entry_from(*again)))
             return fail(phrase("side_file.unwritable"), to.filename().string());
@@ -297,8 +301,8 @@ struct SideFile::Content {
         return {};
     }
 
-    // Returns false if the parser cannot tell what the file contains. The file then stays as it is, and additions go to
-    // the other file.
+    // Reads the file. Returns false if the parser cannot tell what the file contains. In that case, the file stays as
+    // it is, and additions go to the other file.
     bool read(const fs::path& from) {
         const std::string name = from.filename().string();
         std::optional<int> damaged_line;  // no value: the file cannot be read
@@ -326,7 +330,7 @@ struct SideFile::Content {
                                         : phrase("side_file.unreadable_kept", {{"file", kept_as}}));
             return true;
         }
-        // The damaged file could not be renamed and must not be overwritten.
+        // The damaged file could not be renamed, so it must not be overwritten.
         news.push_back(damaged_line ? phrase("side_file.damaged_stays", {{"line", *damaged_line}, {"file", name}})
                                     : phrase("side_file.unreadable_stays", {{"file", name}}));
         if (path == from) std::swap(path, other_path);
@@ -347,7 +351,7 @@ SideFile SideFile::of_world(const fs::path& world, const fs::path& data_folder, 
     content.toml = std::move(toml);
     content.checksum = checksum_of_world(world);
     content.belongs_to(world, data_folder, shipped);
-    // The folder may have become writable, or read-only, since the additions were made, so both files are tried.
+    // Since the additions were made, the folder may have become writable or read-only. So both files are tried.
     for (const fs::path& from : {fs::path(content.path), fs::path(content.other_path)})
         if (!from.empty() && is_there(from) && !is_link(from) && content.read(from)) break;
     return file;
@@ -371,7 +375,8 @@ SideEntry SideFile::peek(const fs::path& world, const fs::path& data_folder, boo
         if (from.empty() || !is_there(from) || is_link(from)) continue;
         const Result<settings::TomlValue> read = toml(read_whole_file(from, kLongestFile_bytes).value_or(""));
         if (read) return table_in(read->find(name));
-        // SideFile::of_world reports the damage. If the content is unknown, it also tries the other file.
+        // Nothing is announced here, because SideFile::of_world reports the damage. If the parser cannot tell what the
+        // file contains, the other file is tried, as in of_world.
         if (read.error().line > 0) return {};
     }
     return {};
@@ -379,7 +384,7 @@ SideEntry SideFile::peek(const fs::path& world, const fs::path& data_folder, boo
 
 SideEntry SideFile::table_of_text(const std::string& text, const std::string& name) {
     const Result<settings::TomlValue> read = settings::toml_of(text);
-    return read ? table_in(read->find(name)) : SideEntry{};  // of_world reports what is wrong
+    return read ? table_in(read->find(name)) : SideEntry{};  // of_world reports errors
 }
 
 const std::vector<std::string>& SideFile::news() const { return content_->news; }
@@ -456,7 +461,7 @@ std::string unfit_words(std::string_view key, const std::vector<std::string>& un
 }
 
 fs::path user_data_folder() {
-    // By the base directory specification, only an absolute XDG_DATA_HOME counts.
+    // The XDG Base Directory Specification says that a relative XDG_DATA_HOME must be ignored.
     const char* data = std::getenv("XDG_DATA_HOME");
     if (data && data[0] == '/') return fs::path(data) / "handrail";
     const char* home = std::getenv("HOME");

@@ -1,11 +1,10 @@
-// What a person adds to a world (marks, names of rooms, saved routes), in one TOML file next to the world:
-// house.map.handrail.toml. If that folder cannot be written, the file is in the person's own data folder. A world
-// without a file, as in tests and scenarios, keeps its additions in memory.
-// Each topic owns its lists and tables by name and does not touch the others; unknown content stays in the file. App
-// thread only.
-// Two sessions in one world both keep their additions: saving locks the folder, reads the file again, and merges entry
-// by entry (side_merge.h).
-// Cost: opening and saving take a few hundred microseconds, and opening also reads the whole world file for its
+// The side file of a world: what a person adds to the world (marks, names of rooms, saved routes), in one TOML file
+// next to it, such as house.map.handrail.toml. If that folder cannot be written, the file is in the person's own data
+// folder. A world without a file, as in tests and scenarios, keeps its additions in memory.
+// Each feature owns its lists and tables by name and does not touch the others; unknown content stays in the file. App
+// thread only. Two sessions in the same world both keep their additions: saving locks the folder, reads the file again
+// and merges it entry by entry (side_merge.h).
+// Cost: opening and saving take a few hundred microseconds each. Opening also reads the whole file of the world for its
 // checksum. A save waits at most kLockWait_s for another session.
 #pragma once
 
@@ -26,32 +25,33 @@
 namespace handrail::core {
 
 struct SideTable;
-// TomlValue holds whatever is none of the other types; it is kept and written back unchanged.
+// TomlValue holds a value of any other type, which is kept and written back unchanged.
 using SideValue = CopyableVariant<bool, std::int64_t, double, std::string, std::vector<double>, std::vector<SideTable>,
                                   settings::TomlValue>;
 using SideEntry = std::map<std::string, SideValue>;
-// A table in a list inside an entry, such as [[way.stop]] in a [[way]].
+// A table in a list inside an entry, such as [[way.stop]] in [[way]].
 struct SideTable {
     SideEntry entry;
     bool operator==(const SideTable&) const = default;
 };
 
-// The value of a key, or `otherwise` if it is missing or of another type. Numbers that are not finite count as missing.
+// Return the value of a key. If it is missing or of another type, return `otherwise`. A number that is not finite
+// counts as missing.
 std::string text_of(const SideEntry& entry, const std::string& key, const std::string& otherwise = {});
 double number_of(const SideEntry& entry, const std::string& key, double otherwise);
-// Exactly `count` finite numbers, or an empty vector.
+// Returns the numbers of a key, or an empty vector unless they are exactly `count` finite numbers.
 std::vector<double> numbers_of(const SideEntry& entry, const std::string& key, std::size_t count);
-// The place under "place_m", world metres; no value if it is missing or of another type.
+// Returns the place under the key "place_m" in world metres, or no value if it is missing or of another type.
 std::optional<Vec3> place_of(const SideEntry& entry);
 void put_place(SideEntry& entry, const Vec3& place_m);
-// The keys that a reader does not know, to be written back later.
+// Returns the entry without the `known` keys. The rest is written back later.
 SideEntry without(SideEntry entry, std::initializer_list<const char*> known);
 
-// Checks a name that a person gives: one line of UTF-8, 1 to 200 bytes. The error says what is wrong.
+// Checks a name that a person gives: one line of UTF-8 with 1 to 200 bytes. The error says what is wrong.
 inline constexpr std::size_t kLongestName_bytes = 200;
 Result<std::string> good_name(std::string_view typed);
-// Name and place of an entry that must have both. Otherwise it fails with the phrase `no_name`, or with `no_place`,
-// which includes the name.
+// Returns the name and the place of an entry, which must have both. Otherwise it fails with the phrase `no_name`, or
+// with the phrase `no_place`, which contains the name.
 struct NamedPlace {
     std::string name;
     Vec3 place_m{0.0};
@@ -62,59 +62,61 @@ class SideFile {
 public:
     static constexpr double kLockWait_s = 0.3;
 
-    SideFile();  // in memory only: nothing is read, saving succeeds and writes nothing
+    SideFile();  // keeps additions in memory only: reads nothing; saving succeeds and writes nothing
     ~SideFile();
     SideFile(SideFile&&) noexcept;
     SideFile& operator=(SideFile&&) noexcept;
 
-    // Opens the file that belongs to `world`. A damaged file is kept under another name, and the additions start empty;
-    // news() says so. shipped: the world came with the program, so additions always go to the data folder. `toml`
-    // parses the file, now and whenever save() finds changes by another session. If it cannot tell what the file
-    // contains, the file stays untouched and additions go elsewhere.
+    // Opens the side file of `world`. If the file is damaged, it is kept under another name, the additions start empty,
+    // and news() says so. `shipped`: the world came with the program, so additions always go to the data folder. `toml`
+    // parses the file now, and again whenever save() finds changes by another session. If `toml` cannot tell what the
+    // file contains, the file stays untouched, and additions go to the other folder.
     static SideFile of_world(const std::filesystem::path& world, const std::filesystem::path& data_folder,
                              bool shipped = false, settings::TomlReader toml = settings::toml_of);
 
-    // The same as path() and world_checksum() of an opened file, but without parsing it.
+    // Return the same as path() and world_checksum() of an opened file, without parsing it.
     static std::filesystem::path path_of(const std::filesystem::path& world, const std::filesystem::path& data_folder,
                                          bool shipped = false);
     static std::string checksum_of_world(const std::filesystem::path& world);
 
-    // Reads the table [name] of the file that belongs to `world` without opening it for use: nothing is written,
-    // renamed or announced. Empty if there is no such table or the file is damaged. Any thread.
+    // Reads the table [name] from the side file of `world`. Writes, renames and announces nothing. Returns an empty
+    // entry if there is no such table or the file is damaged. Any thread.
     static SideEntry peek(const std::filesystem::path& world, const std::filesystem::path& data_folder, bool shipped,
                           const std::string& name, const settings::TomlReader& toml = settings::toml_of);
 
-    // The table [name] in the text of a side file; empty if there is none or the text is damaged. Any thread.
+    // Returns the table [name] in the text of a side file. It is empty if there is no such table or the text is
+    // damaged. Any thread.
     static SideEntry table_of_text(const std::string& text, const std::string& name);
 
-    // One sentence, fit to be spoken, for each part that could not be read.
+    // One sentence for each part that could not be read, worded for speech.
     const std::vector<std::string>& news() const;
-    // Where save() writes; empty: in memory only.
+    // The file that save() writes; empty: additions are in memory only.
     const std::filesystem::path& path() const;
-    // Checksum of the world's bytes, eight hex digits; empty if there is no file.
+    // Checksum of the bytes of the world's file, as eight hex digits; empty if there is no file.
     const std::string& world_checksum() const;
 
-    // The [[name]] tables in their order; empty if there are none. They include keys that the caller does not know;
-    // hand these back in set_entries().
+    // The first returns the [[name]] tables in their order, or an empty list. They include keys that the caller does
+    // not know, which it must hand back in set_entries().
     std::vector<SideEntry> entries(const std::string& name) const;
     void set_entries(const std::string& name, const std::vector<SideEntry>& entries);
-    // An error with file and line if `name` is not a list of tables. Saving entries there anyway first keeps a copy of
-    // the whole file.
+    // Returns an error with file and line if `name` is not a list of tables. If the caller sets entries there anyway,
+    // save() first copies the whole file.
     std::optional<Error> fault_of_list(const std::string& name) const;
-    // An error about one of entries(), with file and first line; without a line if the entry did not come from a file.
+    // Makes an error about one of entries(), with the file and the entry's first line. If the entry did not come from a
+    // file, the error has no line.
     Error fault_in(const std::string& name, std::size_t entry, std::string message) const;
-    // The table [name]; empty if there is none.
+    // Returns the table [name], or an empty entry if there is none.
     SideEntry table(const std::string& name) const;
     void set_table(const std::string& name, const SideEntry& table);
 
-    // Writes everything atomically if anything has changed, merged with what another session has written meanwhile;
-    // from then on entries() and table() include that. If the world's folder cannot be written, the data folder is
-    // used. Fails with a sentence only if that fails too.
+    // If anything has changed, merges it with what another session has written and writes everything atomically. After
+    // that, entries() and table() include the other session's content. If the world's folder cannot be written, save()
+    // uses the data folder. It fails with a sentence only if that is impossible too.
     Result<void> save();
-    // What save() took over from another session since the last call.
+    // What save() has taken over from another session since the last call of this function.
     struct TakenOver {
-        bool differs = false;           // entries or tables are no longer what this session set
-        std::vector<std::string> news;  // one sentence each about what both sessions changed
+        bool differs = false;           // true: entries or tables differ from those that this session set
+        std::vector<std::string> news;  // one sentence for each thing that both sessions changed
     };
     TakenOver take_over();
 
@@ -123,8 +125,8 @@ private:
     std::unique_ptr<Content> content_;
 };
 
-// The entries of a list in the order of the file, converted by `from`, which returns a Result. Entries that it rejects
-// are left out but stay in the file; `faults` receives an error with file and line for each.
+// Returns the entries of a list in the order of the file, converted by `from`, which returns a Result. Entries that
+// `from` rejects stay in the file but are not returned. `faults` receives an error with file and line for each of them.
 template <class From>
 auto read_list(const SideFile& file, const std::string& name, From from, std::vector<Error>& faults) {
     std::vector<typename decltype(from(SideEntry{}))::value_type> all;
@@ -137,10 +139,10 @@ auto read_list(const SideFile& file, const std::string& name, From from, std::ve
     }
     return all;
 }
-// The sentence about unreadable entries from the text `key`, with the first error as {fault} and the number of others
-// as {more}. Empty if there are none.
+// Returns the sentence about unreadable entries from the text `key`, with the first error as {fault} and the number of
+// other errors as {more}. Empty if there are no errors.
 std::string unreadable_words(std::string_view key, const std::vector<Error>& faults);
-// Writes the items as entries made by `to`, followed by the entries that `from` could not read.
+// Writes the items as entries converted by `to`. The entries that `from` cannot read follow them unchanged.
 template <class T, class To, class From>
 void write_list(SideFile& file, const std::string& name, const std::vector<T>& all, To to, From from) {
     std::vector<SideEntry> entries;
@@ -150,14 +152,14 @@ void write_list(SideFile& file, const std::string& name, const std::vector<T>& a
     file.set_entries(name, entries);
 }
 
-// The sentence on additions that no longer fit the world, from the text `key` with {count}, {all} and {names}, which
-// lists the first five. Empty if all fit.
+// Returns the sentence about additions that no longer fit the world. The text `key` has {count}, {all} and {names},
+// which lists the first five. Empty if all additions fit.
 std::string unfit_words(std::string_view key, const std::vector<std::string>& unfit, std::size_t all);
 
-// $XDG_DATA_HOME/handrail, else ~/.local/share/handrail; empty if neither is known.
+// Returns $XDG_DATA_HOME/handrail, or else ~/.local/share/handrail. Empty if neither path is known.
 std::filesystem::path user_data_folder();
-// A folder inside it, whether it exists or not. Empty if there is no user_data_folder(), because a relative path would
-// depend on the program's working directory.
+// Returns a folder inside user_data_folder(), whether it exists or not. If user_data_folder() is empty, so is the
+// result, because a relative path would depend on the program's working directory.
 std::filesystem::path user_data_folder(std::string_view name);
 
 }  // namespace handrail::core

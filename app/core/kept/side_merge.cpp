@@ -15,14 +15,15 @@ using At = std::optional<std::size_t>;
 
 bool same_number(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
-// Compares a key by which a changed entry can be recognised; the caller tries the most reliable key first.
+// True if both entries have the same value for `key`, by which a changed entry can be recognised. The caller tries the
+// most reliable key first.
 bool same_thing(const SideEntry& a, const SideEntry& b, const char* key) {
     const auto in_a = a.find(key), in_b = b.find(key);
     return in_a != a.end() && in_b != b.end() && same(in_a->second, in_b->second);
 }
 
-// For each entry of `base`, its index in `now`; no value: deleted. `added` receives the indices of new entries in
-// `now`.
+// Returns, for each entry of `base`, its index in `now`, or no value if the entry was deleted. `added` receives the
+// indices of the entries of `now` that are not in `base`.
 std::vector<At> places_of(const std::vector<SideEntry>& base, const std::vector<SideEntry>& now,
                           std::vector<std::size_t>& added) {
     std::vector<At> places(base.size());
@@ -30,7 +31,7 @@ std::vector<At> places_of(const std::vector<SideEntry>& base, const std::vector<
     const auto match = [&](const auto& fits) {
         for (std::size_t b = 0; b < base.size(); ++b) {
             if (places[b]) continue;
-            // Start at the same index, because an unchanged file has the same order.
+            // The search starts at the same index, because an unchanged file has the same order.
             for (std::size_t i = 0; i < now.size(); ++i) {
                 const std::size_t at = (b + i) % now.size();
                 if (used[at] || !fits(base[b], now[at])) continue;
@@ -80,8 +81,9 @@ MergedEntries merge_entries(const std::vector<SideEntry>& base, const std::vecto
         if (in_here[b]) base_of[*in_here[b]] = b;
     const auto conflict = [&](const SideEntry& entry) { merged.conflicts.push_back(text_of(entry, "name")); };
 
-    // Some entries of `base` may be equal. If both sessions changed such an entry and neither changed its equal twin,
-    // assume that each changed a different one: the twin counts as the one that the other session changed.
+    // `base` may contain equal entries. Suppose both sessions changed one of two equal entries and neither changed the
+    // other. Then assume that each session meant a different one: the unchanged twin stands for the entry that the
+    // other session changed.
     const auto kept_here = [&](std::size_t b) { return in_here[b] && same(base[b], here[*in_here[b]]); };
     const auto kept_there = [&](std::size_t b) { return in_other[b] && same(base[b], other[*in_other[b]]); };
     std::vector<bool> stands_for_another(base.size(), false), each_its_own(base.size(), false);
@@ -94,7 +96,7 @@ MergedEntries merge_entries(const std::vector<SideEntry>& base, const std::vecto
 
     for (std::size_t i = 0; i < here.size(); ++i) {
         const SideEntry& mine = here[i];
-        if (!base_of[i]) {  // new here; an equal one may be new there
+        if (!base_of[i]) {  // new in this session; the other session may have added an equal entry
             if (alike == Alike::OneThing)
                 std::erase_if(new_there, [&, found = false](std::size_t at) mutable {
                     return !found && (found = same(other[at], mine));
@@ -129,7 +131,7 @@ MergedEntries merge_entries(const std::vector<SideEntry>& base, const std::vecto
     }
     for (std::size_t b = 0; b < base.size(); ++b) {
         if (in_here[b] || !in_other[b] || same(base[b], other[*in_other[b]])) continue;
-        merged.entries.push_back(other[*in_other[b]]);  // deleted here, changed there
+        merged.entries.push_back(other[*in_other[b]]);  // deleted in this session, changed in the other one
         merged.differs = true;
         if (!each_its_own[b]) conflict(other[*in_other[b]]);
     }

@@ -1,6 +1,7 @@
-// Merges what two sessions have added to one world, entry by entry: their common base, the content here, and what the
-// other session has written since. No addition or change is lost. If both changed the same entry, both versions stay
-// and the caller gets its name. Pure functions over plain values.
+// Merges what two sessions have added to a world, entry by entry. The input is their common base, the content of this
+// session ("here"), and what the other session has written since. No addition or change is lost. If both sessions
+// changed the same entry, both versions stay and the caller receives the entry's name. Pure functions over plain
+// values.
 #pragma once
 
 #include <cstdint>
@@ -12,30 +13,32 @@
 namespace handrail::core {
 
 struct MergedEntries {
-    std::vector<SideEntry> entries;  // those here in their order, then those that only the other session has
-    // Names of entries that both changed, or that one changed and the other deleted.
+    // The entries of this session in their order, then those that only the other session has.
+    std::vector<SideEntry> entries;
+    // Names of entries that both sessions changed, or that one session changed and the other deleted.
     std::vector<std::string> conflicts;
     std::vector<std::string> twice;  // names that both sessions gave to new entries
-    bool differs = false;            // from the content here
+    bool differs = false;            // true: the result differs from the content of this session
 };
 
-// What two equal entries mean that both sessions have added.
+// What it means if both sessions have added equal entries.
 enum class Alike : std::uint8_t {
-    OneThing,  // a door or the name of a room
-    // Marks: two people may stand at one spot, and their marks have the same name until they change it.
+    OneThing,  // the same thing, as for a door or the name of a room
+    // Two things, as for marks: two people may stand at the same spot, and their marks have the same name until they
+    // change it.
     TwoThings
 };
 
-// Entries have no identifier. A changed entry counts as the same one if it has kept its place, its stops or its name.
-// If `base` has equal entries and each session changed one, they count as different ones. Cost: the product of the
-// numbers of entries that differ from `base`.
+// Entries have no identifier, so a changed entry is recognised if it has kept its place, its stops or its name. If
+// `base` has two equal entries and each session changed one of them, they count as different entries. Cost: the product
+// of the numbers of entries that differ from `base`.
 MergedEntries merge_entries(const std::vector<SideEntry>& base, const std::vector<SideEntry>& here,
                             const std::vector<SideEntry>& other, Alike alike);
 
-// Merges a table key by key. If both sessions changed a key, the value here stays.
+// Merges a table key by key. If both sessions changed a key, the value of this session stays.
 struct MergedTable {
     SideEntry table;
-    std::vector<std::string> conflicts;  // keys
+    std::vector<std::string> conflicts;  // keys that both sessions changed
     bool differs = false;
 };
 MergedTable merge_table(const SideEntry& base, const SideEntry& here, const SideEntry& other);

@@ -1,4 +1,4 @@
-// Speaks the language that the settings name. App thread only.
+// Selects the language of speech and texts that the settings name. App thread only.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +9,15 @@
 
 namespace handrail::core {
 
-// The code of the language that the settings name, resolved as below, without opening a file.
+// Returns the code of the language that speak_as_set() would select, without opening a file.
 std::string language_as_set(const settings::Settings::Speech& settings, const std::filesystem::path& folder);
-// Switches to the language that the settings name ("auto": that of the environment, else English), with the files in
-// `folder`. Returns errors to announce. If there is no such language, the previous one stays.
+// Switches to the language that the settings name. "auto" means the language of the environment, or else English.
+// `folder` contains the language files. Returns errors to announce. If there is no such language, the previous one
+// stays.
 std::vector<Diagnostic> speak_as_set(const settings::Settings::Speech& settings, const std::filesystem::path& folder);
 
-// The folder of a person's own language files: "languages" in the data folder; empty if there is none.
+// Returns the folder for a person's own language files, "languages" in the data folder. Empty if there is no data
+// folder.
 std::filesystem::path user_languages_folder();
 
 }  // namespace handrail::core

@@ -1,5 +1,5 @@
-// Which world to enter and how to read its file. All requests for a world use this: the command line, the menu, the
-// last place, lessons, recordings and tests. Plain data; any thread.
+// A request for a world: which world to enter and how to read its file. The command line, the menu, the last place,
+// lessons, recordings and tests all use it. Plain data; any thread.
 #pragma once
 
 #include <filesystem>
@@ -12,10 +12,11 @@ namespace handrail::core {
 
 struct WorldRequest {
     std::filesystem::path file = {};                  // absolute once the world is entered; empty: no file
-    std::optional<double> map_scale_m_per_unit = {};  // for a .map; none: the reader's default
-    std::optional<double> unit_m = {};                // for a file that states no unit; none: the reader's default
-    std::string building = {};  // for a file with several buildings; empty: the one with most rooms
-    // Settings of a lesson while the session is in this world, which override the world's own settings: key and value.
+    std::optional<double> map_scale_m_per_unit = {};  // only for a .map file; none: the reader's default
+    std::optional<double> unit_m = {};                // only for a file that states no unit; none: the reader's default
+    std::string building = {};  // only for a file with several buildings; empty: the building with the most rooms
+    // Settings of a lesson, as key and value. They override the world's own settings while the session is in this
+    // world.
     std::vector<std::pair<std::string, std::string>> settings = {};
 
     bool operator==(const WorldRequest&) const = default;

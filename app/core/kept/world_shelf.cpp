@@ -87,13 +87,13 @@ void RecentWorlds::add(const fs::path& world) {
     std::string content;
     for (const fs::path& one : worlds_) content += one.string() + '\n';
     if (!write_file_atomically(file_, content))
-        file_.clear();  // the folder cannot be written, so the session keeps its list in memory
+        file_.clear();  // the folder cannot be written, so the list stays in memory
 }
 
 std::string RecentWorlds::take_news() { return std::exchange(news_, {}); }
 
 fs::path recent_worlds_path() {
-    // As in user_data_folder(), only absolute paths count.
+    // As in user_data_folder(), relative paths are ignored.
     const char* state = std::getenv("XDG_STATE_HOME");
     const char* home = std::getenv("HOME");
     if (state && state[0] == '/') return fs::path(state) / "handrail" / "recent-worlds.txt";

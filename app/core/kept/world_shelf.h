@@ -1,5 +1,5 @@
-// The worlds to choose from: those that come with the program, those in any folder, and those visited last, which a
-// small text file of paths stores. App thread; reads only folders and that file.
+// The worlds to choose from: the worlds that come with the program, the worlds in any folder, and the worlds visited
+// last, whose paths are in a small text file. App thread. It reads only folders and that file, not the worlds.
 #pragma once
 
 #include <filesystem>
@@ -9,28 +9,29 @@
 namespace handrail::core {
 
 struct ShelvedWorld {
-    std::string name;  // fit to be spoken, from the file's name
+    std::string name;  // name for speech, made from the file's name
     std::filesystem::path file;
 };
 
-// World files of the supported kinds, by name. Empty: the folder is missing, unreadable or contains no worlds.
+// Returns the world files of the supported kinds, sorted by name. Empty if the folder is missing, unreadable or
+// contains no worlds.
 std::vector<ShelvedWorld> worlds_in(const std::filesystem::path& folder);
-// "first room" for "first_room.map"; bytes that are not UTF-8 are left out.
+// Returns "first room" for "first_room.map". Bytes that are not UTF-8 are left out.
 std::string name_of_file(const std::filesystem::path& file);
 
 class RecentWorlds {
 public:
     static constexpr std::size_t kMost = 10;
 
-    RecentWorlds() = default;  // in memory only
-    // If the file is not UTF-8 text with one path a line, it is kept under another name, that is announced, and the
-    // list starts empty.
+    RecentWorlds() = default;  // keeps the list in memory only
+    // Reads the list from `file`, which must be UTF-8 text with one path a line. Otherwise the file is kept under
+    // another name, take_news() says so, and the list starts empty.
     explicit RecentWorlds(std::filesystem::path file);
 
-    const std::vector<std::filesystem::path>& worlds() const { return worlds_; }  // latest first
-    // Notes a visit and saves at once. If saving fails, the list stays in memory.
+    const std::vector<std::filesystem::path>& worlds() const { return worlds_; }  // the latest visit first
+    // Notes a visit and saves the list at once. If saving fails, the list stays in memory.
     void add(const std::filesystem::path& world);
-    // Sentences about the file; returned once.
+    // Returns sentences about problems with the file, once.
     std::string take_news();
 
 private:
@@ -39,12 +40,13 @@ private:
     std::string news_;
 };
 
-// $XDG_STATE_HOME/handrail/recent-worlds.txt, else ~/.local/state/...; empty if neither is known.
+// Returns $XDG_STATE_HOME/handrail/recent-worlds.txt, or else ~/.local/state/handrail/recent-worlds.txt. Empty if
+// neither path is known.
 std::filesystem::path recent_worlds_path();
 
-// What the list of worlds offers.
+// The contents of the list of worlds.
 struct WorldShelf {
-    std::filesystem::path bundled;  // a folder
+    std::filesystem::path bundled;  // folder of the worlds that come with the program
     std::vector<std::filesystem::path> recent;
 };
 

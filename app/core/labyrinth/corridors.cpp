@@ -20,8 +20,8 @@ struct Cells {
     std::vector<bool> free;
 };
 
-// A copy of the world whose walkable floor is found from the ball and from all sides of its holes, because no walk
-// crosses a hole.
+// Copies the world so that the search for walkable floor starts at the ball and on all sides of each hole, because no
+// walk crosses a hole.
 Scene begun_on_the_board(const Scene& scene, const Vec3& feet_m, double beside_m) {
     Scene begun = scene;
     begun.starts.clear();
@@ -40,7 +40,7 @@ Scene begun_on_the_board(const Scene& scene, const Vec3& feet_m, double beside_m
     return begun;
 }
 
-// True if no part of the building is within a ball's radius on the four sides.
+// True if the building has no part within the radius of the ball on the four sides of `middle_m`.
 bool has_room(const Scene& scene, const Vec3& middle_m, double radius_m) {
     return std::none_of(scene.solids.begin(), scene.solids.end(), [&](const Solid& solid) {
         if (solid.role != SolidRole::Solid) return false;
@@ -50,7 +50,7 @@ bool has_room(const Scene& scene, const Vec3& middle_m, double radius_m) {
     });
 }
 
-// The cells over which the ball's centre can be.
+// Returns the cells that the ball's centre can be above.
 Cells rolled_on(const Scene& scene, const navigation::WalkSpace& space, const Vec3& feet_m) {
     const double cell_m = space.cell_m;
     const auto column = [&](double place_m, double origin_m) {
@@ -108,8 +108,8 @@ Cells rolled_on(const Scene& scene, const navigation::WalkSpace& space, const Ve
     return cells;
 }
 
-// The side of `a` on which `b` borders it, and the middle of the shared border in cells from the origin. No value if
-// they do not touch.
+// The shared border of two strips: the side of `a` on which `b` is, and the middle of the border in cells from the
+// origin. meeting() returns no value if the strips do not touch.
 struct SharedBorder {
     CorridorSide towards = CorridorSide::East;
     double x = 0.0, y = 0.0;
@@ -125,8 +125,8 @@ std::optional<SharedBorder> meeting(const CellStrip& a, const CellStrip& b) {
     return std::nullopt;
 }
 
-// The largest rectangle of free cells that ends in a row, by a stack of rising columns: the standard method for the
-// largest rectangle under a histogram. Of equal ones, the westernmost.
+// Returns the largest rectangle of free cells whose last row is `row`. Uses the standard algorithm for the largest
+// rectangle under a histogram, with a stack of rising columns. Among equal ones, it returns the westernmost.
 CellStrip largest_in_row(const std::vector<int>& high, int row) {
     CellStrip best{0, 0, -1, -1};
     int best_area = 0;
@@ -196,7 +196,8 @@ Result<std::vector<Corridor>> corridors_of(const Scene& scene, const Vec3& ball_
     std::erase_if(strips, [&](const CellStrip& strip) {
         return std::max(strip.wide(), strip.deep()) * cell_m < least_m && !holds_ball(strip);
     });
-    // Order by corridors passed. Those connected only through a strip that was left out come last.
+    // Sorts the corridors by the number of corridors that the ball passes to reach them. Corridors that are connected
+    // only through an omitted strip come last.
     std::vector<std::size_t> order;
     const auto come_to = [&](std::size_t strip) {
         if (std::find(order.begin(), order.end(), strip) == order.end()) order.push_back(strip);

@@ -1,5 +1,5 @@
-// A labyrinth in words: the straight strips of floor along which the ball can roll, and how they join. Pure functions;
-// any thread.
+// The corridors of a labyrinth, for its description: straight strips of floor along which the ball can roll, and where
+// they join. Pure functions; any thread.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace handrail::core {
 
-// A range of cells in x and in y; both ends are included.
+// A rectangle of cells; both ends of each range are included.
 struct CellStrip {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 
@@ -20,32 +20,34 @@ struct CellStrip {
     bool operator==(const CellStrip&) const = default;
 };
 
-// Takes the largest rectangle of free cells, then the largest of the rest, until none is left. Of equal ones, the
-// southernmost comes first, then the westernmost. free: width times depth, rows from the south, each from the west.
+// Divides the free cells into rectangles: takes the largest rectangle, then the largest of the remaining cells, until
+// no cell is left. Among equal ones, the southernmost comes first, then the westernmost. `free` has `width` times
+// `depth` cells, in rows from south to north, each from west to east.
 std::vector<CellStrip> largest_strips(std::vector<bool> free, int width, int depth);
 
 enum class CorridorSide : std::uint8_t { East, North, West, South };
 
 struct Corridor {
     struct Branch {
-        std::size_t to = 0;    // index in the list
-        double at_m = 0.0;     // distance from the beginning of this corridor to where the strips meet
-        CorridorSide towards;  // direction of the other corridor
+        std::size_t to = 0;    // index of the other corridor in the list
+        double at_m = 0.0;     // distance from the beginning of this corridor to the junction
+        CorridorSide towards;  // direction from this corridor to the other one
     };
-    bool east = true;       // true: from west to east; false: from south to north
-    Aabb box_m;             // where the ball's centre can be; level
+    bool east = true;       // true: the corridor runs from west to east; false: from south to north
+    Aabb box_m;             // the positions that the ball's centre can have; horizontal
     double length_m = 0.0;  // how far the ball can roll along it
     double across_m = 0.0;  // how far the ball can roll across it
     std::vector<Branch> branches;
 
-    // Distance along the corridor from its beginning; negative or above the length if outside it.
+    // Returns the distance of a place from the corridor's beginning, along the corridor. Outside the corridor, the
+    // distance is negative or greater than `length_m`.
     double along_m(const Vec3& place_m) const { return east ? place_m.x - box_m.min_m.x : place_m.y - box_m.min_m.y; }
 };
 
-// The corridors that the ball can reach from its place. Holes count as floor, and movable things are ignored. The
-// ball's own corridor comes first, then the others by the number of corridors between. Strips shorter than half a roll
-// of the ball (its diameter) are left out. Of two floors above each other, the first one reached counts. Fails if there
-// is no floor to roll on.
+// Returns the corridors that the ball can reach from its place. Holes count as floor, and movable things are ignored.
+// The ball's own corridor comes first, and the others follow by the number of corridors between. Strips that are
+// shorter than half a roll, which is the diameter of the ball, are left out. If there are two floors above each other,
+// the one reached first counts. Fails if there is no floor to roll on.
 Result<std::vector<Corridor>> corridors_of(const Scene& scene, const Vec3& ball_m, double radius_m);
 
 }  // namespace handrail::core

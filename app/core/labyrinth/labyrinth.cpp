@@ -15,14 +15,15 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kMoved_m = 0.01;  // a movement of this size starts the clock
-constexpr double kBack_s = 1.0;    // time from the fall until the ball is back
+constexpr double kMoved_m = 0.01;  // the clock starts once the ball has moved this far
+constexpr double kBack_s = 1.0;    // time from the fall of the ball until it is put back
 constexpr double kNearer_m = 0.05, kStuck_s = 60.0;
-constexpr double kLookDown_m = 0.3;  // height above a hole from which to look for a cover
+constexpr double kLookDown_m = 0.3;  // height above a hole from which the code looks down for a cover
 constexpr double kFarWall_m = 20.0;
 constexpr double kThudAgain_s = 0.5;
 constexpr double kLoudness = 0.6;
-constexpr double kHoleHeard = 10.0, kGoalHeard = 20.0;  // in diameters of the ball
+// Largest distances at which a hole and the goal are heard, in diameters of the ball.
+constexpr double kHoleHeard = 10.0, kGoalHeard = 20.0;
 constexpr double kSlowestBeat_hz = 2.0, kFastestBeat_hz = 10.0;
 
 bool holds(const Aabb& box_m, const Vec3& at_m) {
@@ -39,7 +40,7 @@ Labyrinth::Labyrinth(const SessionContext& context, Bodies& bodies, Soundscape& 
     bodies_.on_hit = [this](FeatureId thing, FeatureId met, double now_s) { meet_border(thing, met, now_s); };
 }
 
-// Plays one sound, however often the ball bounces there.
+// Plays a single sound for a border, even if the ball bounces there several times.
 void Labyrinth::meet_border(FeatureId thing, FeatureId met, double now_s) {
     if (!there() || thing != plan().ball || std::count(plan().borders.begin(), plan().borders.end(), met) == 0) return;
     if (now_s - std::exchange(thud_s_, now_s) > kThudAgain_s)
@@ -70,7 +71,7 @@ std::string Labyrinth::opening_words() const {
                                       {"again", context_.keys.keys_of(Command::PutBack)}});
 }
 
-// Index among the placed things of the world; their number if there is none.
+// Returns the index among the placed things of the world, or their number if the feature is not among them.
 std::size_t Labyrinth::thing_of(FeatureId feature) const {
     const std::vector<PlacedModel>& placed = context_.world.scene->placed;
     return static_cast<std::size_t>(
@@ -92,7 +93,7 @@ double Labyrinth::to_goal_m() const {
     return least_m;
 }
 
-// Offset from the ball, in rolls: "2 rolls north, 1.5 rolls east".
+// Describes the offset of a place from the ball in rolls: "2 rolls north, 1.5 rolls east".
 std::string Labyrinth::off_words(const Vec3& to_m) const {
     const Vec3 off = to_m - ball_m();
     std::string text;
@@ -105,13 +106,13 @@ std::string Labyrinth::off_words(const Vec3& to_m) const {
     return text.empty() ? phrase("labyrinth.here") : text;
 }
 
-// How far the ball can roll in the four directions.
+// Describes how far the ball can roll in each of the four directions.
 std::string Labyrinth::free_words() const {
     constexpr std::array kWays{Vec3(0.0, 1.0, 0.0), Vec3(1.0, 0.0, 0.0), Vec3(0.0, -1.0, 0.0), Vec3(-1.0, 0.0, 0.0)};
     constexpr std::array kSides{"labyrinth.north", "labyrinth.east", "labyrinth.south", "labyrinth.west"};
     std::string text;
     for (std::size_t i = 0; i < kWays.size(); ++i) {
-        // The line starts inside the ball, so it does not hit the ball itself.
+        // The ray starts inside the ball, so it does not hit the ball itself.
         const TraceHit hit = context_.world.solids->trace(ball_m(), ball_m() + kWays[i] * kFarWall_m, {}, true);
         const double free_m = (hit.hit ? hit.fraction * kFarWall_m : kFarWall_m) - radius_m_;
         const double rolls = std::floor(2.0 * free_m / roll_m()) / 2.0;
@@ -136,7 +137,8 @@ std::string Labyrinth::state_words() const {
     return text;
 }
 
-// What is in the corridor and where others begin, from its beginning, in rolls of the ball.
+// Lists what is in the corridor and where other corridors branch off, in the order from its beginning, with distances
+// in rolls of the ball.
 std::string Labyrinth::corridor_words(const Corridor& corridor) const {
     std::vector<std::pair<double, std::string>> told;
     const double near_m = 0.5 * corridor.across_m + 2.0 * radius_m_;
@@ -154,7 +156,7 @@ std::string Labyrinth::corridor_words(const Corridor& corridor) const {
     for (const FreeBody& body : context_.world.scene->bodies)
         if (body.feature != plan().ball) lies(body_name(context_, body.feature), at(body.feature));
     constexpr std::array kTowards{"labyrinth.corridor_east", "labyrinth.corridor_north", "labyrinth.corridor_west",
-                                  "labyrinth.corridor_south"};  // as CorridorSide
+                                  "labyrinth.corridor_south"};  // in the order of CorridorSide
     for (const Corridor::Branch& branch : corridor.branches)
         told.emplace_back(branch.at_m,
                           phrase(kTowards.at(static_cast<std::size_t>(branch.towards)), {{"number", branch.to + 1}}));
@@ -172,8 +174,8 @@ std::string Labyrinth::corridor_words(const Corridor& corridor) const {
 
 void Labyrinth::list_corridors(double now_s) {
     auto corridors = corridors_of(*context_.world.scene, ball_m(), radius_m_);
-    // A ball that was rolled against a wall may be slightly off the floor, so the search starts again from where the
-    // game began.
+    // A ball that hits a wall may end up slightly above the floor. In that case, the search starts from the place where
+    // the game began.
     if (corridors && corridors->empty()) corridors = corridors_of(*context_.world.scene, start_m_, radius_m_);
     if (!corridors) return context_.answer(corridors.error().sentence(), now_s);
     if (corridors->empty()) return context_.answer(phrase("labyrinth.no_corridors"), now_s);
@@ -185,7 +187,7 @@ void Labyrinth::list_corridors(double now_s) {
                                      {{"number", i + 1}, {"rolls", halves(corridor.length_m / roll_m())}}),
                               corridor_words(corridor)});
     }
-    list.stays_open = true;  // the list is only for reading
+    list.stays_open = true;  // the person can only read this list
     list.chosen = [](std::size_t) {};
     context_.open_list(std::move(list), now_s);
 }
@@ -216,7 +218,8 @@ void Labyrinth::begin(double now_s) {
     nearer_s_ = now_s;
 }
 
-// True if anything except the ball covers the middle of the hole. While the ball is there, the previous answer stays.
+// True if anything except the ball covers the middle of the hole. While the ball itself is over the hole, the previous
+// answer stays.
 bool Labyrinth::covered(std::size_t which) const {
     const LabyrinthPlan::Place& hole = plan().holes[which];
     Vec3 from = hole.box_m.centre_m();
@@ -240,7 +243,8 @@ void Labyrinth::look_at_holes(double now_s, bool tell) {
     }
 }
 
-// Open holes near the ball hum, and beat faster the nearer the ball is to their edge. Goals that are not far ring.
+// Makes open holes near the ball hum, with beats that become faster as the ball comes nearer to the edge of the hole.
+// Makes goals near the ball ring.
 void Labyrinth::sound() {
     std::vector<AddedSound> sounds;
     const Vec3 ball = ball_m();
@@ -250,7 +254,7 @@ void Labyrinth::sound() {
         const Vec3 nearest = glm::clamp(ball, box.min_m, box.max_m);
         const double edge_m = std::hypot(nearest.x - ball.x, nearest.y - ball.y);
         if (covered_[i] || edge_m > hums_m) continue;
-        // Rounded to quarters of a beat, so that the sound changes only if that can be heard.
+        // The rate is rounded to quarters of a beat, so that the sound changes only if the difference is audible.
         const double beats = kFastestBeat_hz - (kFastestBeat_hz - kSlowestBeat_hz) * edge_m / hums_m;
         sounds.push_back({cues::SoundKind::Hum, box.centre_m(), kLoudness, std::round(4.0 * beats) / 4.0});
     }
@@ -273,7 +277,7 @@ void Labyrinth::tick(double now_s) {
         return context_.answer(phrase("labyrinth.back"), now_s);
     }
     if (!bodies_.any_moving()) {
-        // Only a person who has begun and makes no progress is stuck.
+        // The hint is only for a person who has begun and makes no progress.
         if (began_s_ >= 0.0 && !over_ && !hint_told_ && now_s - nearer_s_ > kStuck_s) {
             hint_told_ = true;
             context_.answer(

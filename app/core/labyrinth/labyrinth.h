@@ -1,6 +1,6 @@
-// The labyrinth game: roll a ball past holes to a goal. It keeps the clock and the best time, makes holes hum and the
-// goal ring, announces the state, restarts, and gives a hint if the ball gets no nearer. It is active only in worlds
-// that declare it (worlds/scene/labyrinth.h). App thread only.
+// The labyrinth game: the person rolls a ball past holes to a goal. This class keeps the clock and the best time, makes
+// holes hum and the goal ring, announces the state and restarts the game. It gives a hint if the ball gets no nearer to
+// the goal. It is active only in worlds that declare a labyrinth (worlds/scene/labyrinth.h). App thread only.
 #pragma once
 
 #include <filesystem>
@@ -19,14 +19,14 @@ class Labyrinth : SessionPart {
 public:
     Labyrinth(const SessionContext& context, Bodies& bodies, Soundscape& soundscape);
 
-    // Folder for best times; without it, they last as long as the session.
+    // Sets the folder for best times. Without it, best times are lost when the session ends.
     void keep_records_in(const std::filesystem::path& folder) { best_.keep_in(folder); }
     // Call it after the world and its bodies have been entered.
     void enter_world(double now_s);
-    // Announcement of the aim of the game; empty: no labyrinth.
+    // Returns the announcement of the game's aim, or an empty text if the world is not a labyrinth.
     std::string opening_words() const;
-    // Announces the state, or restarts. Returns false if the command belongs to another feature or this is no
-    // labyrinth.
+    // Announces the state of the game, or restarts it. Returns false if the command belongs to another feature or the
+    // world is not a labyrinth.
     bool act(Command command, double now_s);
     void tick(double now_s);
 
@@ -36,7 +36,7 @@ private:
     std::size_t thing_of(FeatureId feature) const;
     Vec3 at(FeatureId feature) const;
     Vec3 ball_m() const;
-    double roll_m() const { return 4.0 * radius_m_; }  // distance for one press of a key
+    double roll_m() const { return 4.0 * radius_m_; }  // how far one press of a key rolls the ball
     double to_goal_m() const;
     std::string off_words(const Vec3& to_m) const;
     std::string free_words() const;
@@ -52,16 +52,17 @@ private:
     Bodies& bodies_;
     Soundscape& soundscape_;
     BestTimes best_{"labyrinth"};
-    std::size_t ball_ = 0;  // index among the placed things
+    std::size_t ball_ = 0;  // index of the ball among the placed things
     double radius_m_ = 0.05;
     Vec3 start_m_{0.0};
     std::vector<bool> covered_;
-    std::vector<AddedSound> sounds_;  // as last sent to the soundscape
-    double began_s_ = -1.0;           // when the ball first moved; negative: not yet
-    double fallen_s_ = -1.0;          // when it fell into a hole; negative: it has not
+    std::vector<AddedSound> sounds_;  // sounds as last sent to the soundscape
+    double began_s_ = -1.0;           // time when the ball first moved; negative: not yet
+    double fallen_s_ = -1.0;          // time when the ball fell into a hole; negative: it has not
     bool over_ = false;
     double thud_s_ = -1e9;
-    double nearest_m_ = 0.0, nearer_s_ = 0.0;  // nearest distance to the goal, and when
+    // Nearest distance of the ball to the goal until now, and the time when it got there.
+    double nearest_m_ = 0.0, nearer_s_ = 0.0;
     bool hint_told_ = false;
 };
 

@@ -1,5 +1,5 @@
-// The best time of a game in each world, stored in the person's own data folder, and the announcement of a new time.
-// App thread only.
+// The best times of a game, one for each world, stored in the person's own data folder. Also words the announcement of
+// a new time. App thread only.
 #pragma once
 
 #include <filesystem>
@@ -11,12 +11,12 @@ namespace handrail::core {
 
 class BestTimes {
 public:
-    // The file's name without extension.
+    // `game` is the file's name without extension.
     explicit BestTimes(std::string game) : game_(std::move(game)) {}
-    // Folder for the file; without it, times last as long as the session.
+    // Sets the folder for the file. Without it, best times are lost when the session ends.
     void keep_in(const std::filesystem::path& folder) { folder_ = folder; }
-    // A game in that world took this long. Returns the announcement: the first time, a new best, or the old best. It
-    // also reports errors of storing.
+    // Call it when a game in `world` has ended after `took_s`. Returns the announcement: the first time, a new best
+    // time, or the old best time. It also mentions an error of saving.
     std::string finish(const std::string& world, double took_s);
 
 private:

@@ -1,5 +1,5 @@
 // The hunt as a game: hides a ticking clock, gives directions to it, notices when the hand or the walker has found it,
-// and keeps the best time for each world. App thread only. hunt.h computes the ground.
+// and keeps the best time for each world. hunt.h finds the hiding places. App thread only.
 #pragma once
 
 #include <filesystem>
@@ -19,12 +19,12 @@ class ClockHunt : SessionPart {
 public:
     ClockHunt(const SessionContext& context, Rooms& rooms, Soundscape& soundscape);
 
-    // Folder for best times; without it, they last as long as the session.
+    // Sets the folder for best times. Without it, best times are lost when the session ends.
     void keep_records_in(const std::filesystem::path& folder) { best_.keep_in(folder); }
-    // The next world that is entered begins with a hunt.
+    // Requests a hunt in the next world that is entered.
     void await_world() { awaits_ = true; }
     void enter_world();
-    // Begins the awaited hunt, after the world has been announced.
+    // Begins the requested hunt. Call it after the world has been announced.
     void begin_awaited(double now_s);
     // Handles the Hunt command. Returns false for any other command.
     bool act(Command command, double now_s);
@@ -33,8 +33,8 @@ public:
 private:
     struct Hidden {
         HuntGround ground;
-        std::unique_ptr<WalkerWorld> open_world;  // the world without its doors
-        Vec3 clock_m{0.0};                        // where a person at the clock would stand
+        std::unique_ptr<WalkerWorld> open_world;  // the world with its doors removed
+        Vec3 clock_m{0.0};                        // position of the feet of a person who stands at the clock
         double began_s = 0.0;
         int hints = 0;
     };

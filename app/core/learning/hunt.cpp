@@ -17,7 +17,8 @@ constexpr std::size_t kMostNodes = 40000;
 constexpr double kFound_m = 1.0;
 constexpr double kClockHeight_m = 1.0;
 
-// Walks straight from one place to the other; no value if anything blocks it or there is no ground.
+// Returns where a walker arrives that walks straight from one place to the other. No value if anything is in the way or
+// there is no ground.
 std::optional<Vec3> walks(const WalkerWorld& world, const Vec3& from_m, const Vec3& to_m, const WalkerSize& body) {
     const Vec3 way(to_m.x - from_m.x, to_m.y - from_m.y, 0.0);
     const double length = glm::length(way);
@@ -54,7 +55,7 @@ HuntGround::HuntGround(const WalkerWorld& doors_open, const Vec3& feet_m, const 
             const auto to = walks(doors_open, from, from + Vec3(dx * kCell_m, dy * kCell_m, 0.0), body);
             if (!to) continue;
             const int x = cells[i].x + dx, y = cells[i].y + dy;
-            // The same place may be rounded to either of two heights.
+            // Rounding may give the same place one of two heights, so both are tried.
             auto there = known.find(key(x, y, to->z));
             for (const double off : {-0.5, 0.5})
                 if (there == known.end()) {
@@ -72,9 +73,11 @@ HuntGround::HuntGround(const WalkerWorld& doors_open, const Vec3& feet_m, const 
     measure(0);
 }
 
-// Shortest routes along the grid. They are announced in whole steps, so the detours of a grid do not matter.
+// Computes the shortest routes along the grid. They are longer than straight routes, but the announcement rounds them
+// to whole steps, so that does not matter.
 void HuntGround::measure(std::uint32_t from) {
-    // Some steps go only one way, such as down a drop. The search therefore follows them backwards from the aim.
+    // Some steps are possible in one direction only, such as down a drop. So the search follows the steps backwards
+    // from the aim.
     std::vector<std::vector<std::uint32_t>> into(nodes_.size());
     for (std::uint32_t i = 0; i < nodes_.size(); ++i)
         for (const std::uint32_t next : nodes_[i].beside) into[next].push_back(i);
@@ -101,7 +104,7 @@ Vec3 HuntGround::hiding_place(std::uint64_t number, double least_m) const {
         if (nodes_[i].way_m > nodes_[farthest].way_m) farthest = i;
     }
     if (far.empty()) return nodes_[farthest].feet_m;
-    // Splitmix64, so that consecutive numbers give places far apart.
+    // Mixes the bits by Splitmix64, so that consecutive numbers give places far apart.
     std::uint64_t z = number + 0x9e3779b97f4a7c15ULL;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;

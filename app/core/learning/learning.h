@@ -1,7 +1,7 @@
-// Learning a place: which of its walls were touched, which of its floor was walked, and what is left. The place is a
-// room of the world's room graph: the floor where the walker can stand, widened to the walls. Plain state and pure
-// functions; app thread; world metres. Notes cost almost nothing. Examining a room costs a few rays for each cell along
-// its walls, once, on the first query.
+// Measures how much of a room the person has learnt: which walls were touched, which floor was walked, and what is
+// left. A Place is a room of the world's room graph: the floor where the walker can stand, extended to the walls. Plain
+// state and pure functions; app thread; world metres. Cost: notes cost almost nothing. Examining a room casts a few
+// rays for each cell along its walls, once, on the first query.
 #pragma once
 
 #include <optional>
@@ -14,15 +14,16 @@
 
 namespace handrail::core {
 
-// A touch by the hand, or by a walker that trails or bumps into a wall: a stretch of wall `reach_m` to either side of
-// the point.
+// A touch by the hand, or by a walker that trails a wall or bumps into it. It covers the wall for `reach_m` on either
+// side of the point.
 struct TouchNote {
     Vec3 point_m{0.0};
-    Vec3 normal{0.0};  // level, out of the wall
+    Vec3 normal{0.0};  // horizontal; points out of the wall
     double reach_m = 0.0;
 };
 
-// A repetition at the same spot of a few centimetres is not noted again, so that a long session keeps everything.
+// All touches and steps of a session. A repetition within the same spot of a few centimetres is not stored again, so
+// that even a long session fits.
 class LearningNotes {
 public:
     void touched(const Vec3& point_m, const Vec3& normal, double reach_m);
@@ -30,26 +31,26 @@ public:
     const std::vector<TouchNote>& touches() const { return touches_; }
     const std::vector<Vec3>& steps_m() const { return steps_m_; }
     std::size_t count() const { return touches_.size() + steps_m_.size(); }
-    // True if anything in that box was touched or walked on.
+    // True if any touch or step is inside the box.
     bool any_in(const Aabb& box) const;
 
 private:
     std::vector<TouchNote> touches_;
     std::vector<Vec3> steps_m_;
-    std::unordered_map<std::uint64_t, double> spots_;  // with the reach of the touch there
+    std::unordered_map<std::uint64_t, double> spots_;  // the reach of the touch at each spot
 };
 
-// A stretch of the outer boundary of a place, as seen through the side of one cell.
+// A piece of the outer boundary of a place, as seen from one side of one cell.
 struct WallSample {
     Vec3 point_m{0.0};
     Vec3 normal{0.0};
     FeatureId feature = kNoFeature;
-    double length_m = 0.0;  // length of wall; a slanted wall is shared between the cells that see it from two sides
+    double length_m = 0.0;  // length of wall; two cells may see a slanted wall, and then they share its length
 };
 
-// An exit of a place. It counts as found once the person touches what closes it, or goes there.
+// An exit of a place. It counts as found once the person has touched what closes it or has been there.
 struct PlaceExit {
-    std::vector<FeatureId> features;  // every leaf of a door
+    std::vector<FeatureId> features;  // all leaves of the door
     Vec3 at_m{0.0};
     double width_m = 0.0;
     bool door = false;
@@ -59,8 +60,8 @@ struct Place {
     double cell_m = 0.05;
     Vec3 origin_m{0.0};  // south-west corner of the first cell, at the mean height of the floor
     int wide = 0, deep = 0;
-    std::vector<bool> free;       // wide x deep, row by row from the south
-    std::vector<float> height_m;  // of each free cell, above the origin
+    std::vector<bool> free;       // `wide` times `deep` cells, in rows from south to north
+    std::vector<float> height_m;  // height of each free cell above the origin
     std::vector<WallSample> walls;
     std::vector<PlaceExit> exits;
 
@@ -73,32 +74,32 @@ struct Place {
     }
     double area_m2() const;
 };
-// A room as a place to learn. Its boundary is doors, open or shut, other rooms, drops and steps too high to climb.
-// Free-standing objects are not walls. Its exits are the portals of the room and doors that lead nowhere; edges with a
-// drop are not exits.
+// Makes the place to learn from a room. Its boundary consists of doors, open or shut, of other rooms, of drops and of
+// steps too high to climb. Free-standing objects do not count as walls. Its exits are the portals of the room and doors
+// that lead nowhere, but not edges with a drop.
 Place place_of_room(const WalkerWorld& world, const navigation::WalkSpace& space, const navigation::RoomGraph& graph,
                     std::uint32_t room);
 
-// A place and what is known of it.
+// A place, and which parts of it the person knows.
 class Learnt {
 public:
     explicit Learnt(Place place);
-    // Adds what was noted since the last call; costs nothing if that is nothing.
+    // Adds the notes since the last call. Costs nothing if there are none.
     void lay(const LearningNotes& notes);
     const Place& place() const { return place_; }
     bool knows_wall(std::size_t wall) const { return known_[wall]; }
     bool walked(int x, int y) const {
         return place_.is_free(x, y) && walked_[place_.at(x, y)];
-    }  // within kFloorReach_m of the person's path
+    }  // true: within kFloorReach_m of the person's path
     bool along_lane(int x, int y) const {
         return place_.is_free(x, y) && beside_[place_.at(x, y)];
-    }  // nearer than that
+    }  // true: nearer to the person's path than kFloorReach_m, so that it counts as walked along a lane
     bool found(const PlaceExit& exit) const;
 
 private:
     Place place_;
-    std::vector<bool> known_, walked_, beside_, gone_to_;  // of walls, cells, cells and exits
-    std::size_t touches_ = 0, steps_ = 0;                  // number of notes used up to now
+    std::vector<bool> known_, walked_, beside_, gone_to_;  // for each wall, cell, cell and exit, in this order
+    std::size_t touches_ = 0, steps_ = 0;                  // numbers of notes that lay() has used until now
 };
 
 struct WallProgress {
@@ -107,19 +108,19 @@ struct WallProgress {
     bool done() const { return touched_m >= 0.95 * length_m; }
 };
 struct Progress {
-    double perimeter_m = 0.0, touched_m = 0.0;  // of walls, doors and what stands against them
+    double perimeter_m = 0.0, touched_m = 0.0;  // includes doors and what stands against the walls
     double floor_m2 = 0.0, walked_m2 = 0.0;     // walked: within half a metre of the person's path
-    std::vector<WallProgress> walls;            // at least a hand's width, in the order of the boundary's features
+    std::vector<WallProgress> walls;  // walls of at least the width of a hand, in the order of the boundary's features
     int exits = 0, exits_found = 0;
-    bool doors_only = true;  // all exits are doors
+    bool doors_only = true;  // true: all exits are doors
     double perimeter_share() const { return perimeter_m > 0.0 ? touched_m / perimeter_m : 1.0; }
     double floor_share() const { return floor_m2 > 0.0 ? walked_m2 / floor_m2 : 1.0; }
     bool done() const { return perimeter_share() >= 0.95 && floor_share() >= 0.95; }
 };
 Progress progress_of(const Learnt& learnt);
 
-// The nearest stretch of wall (at least half a metre) or floor (at least half a square metre) that is not known yet; no
-// value: everything is known.
+// The nearest part that is not known yet: a stretch of wall of at least half a metre, or a floor area of at least half
+// a square metre. nearest_unexplored() returns no value if everything is known.
 struct Unexplored {
     Vec3 point_m{0.0};
     bool wall = false;
@@ -127,16 +128,17 @@ struct Unexplored {
 };
 std::optional<Unexplored> nearest_unexplored(const Learnt& learnt, const Vec3& feet_m);
 
-// Lanes one metre apart across the whole place, first those that run north, then those that run east. A lane is done
-// once most of it was walked along.
+// A lane: parallel strips across the whole place, one metre apart. The lanes that run north come first, then those that
+// run east. A lane is done once the person has walked along most of it.
 struct Lane {
     bool north = true;
-    double at_m = 0.0;  // x of a lane that runs north, y of one that runs east
+    double at_m = 0.0;  // x coordinate of a lane that runs north, y coordinate of a lane that runs east
     double length_m = 0.0, walked_m = 0.0;
     bool done() const { return walked_m >= 0.8 * length_m; }
 };
 std::vector<Lane> lanes_of(const Learnt& learnt);
 
-inline constexpr double kFloorReach_m = 0.5;  // to either side of the person's path
+// Floor within this distance on either side of the person's path counts as walked.
+inline constexpr double kFloorReach_m = 0.5;
 
 }  // namespace handrail::core

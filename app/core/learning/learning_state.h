@@ -1,5 +1,5 @@
-// The state of PlaceLearning: what is remembered of learning the places of one world. Plain data; app thread; world
-// metres, seconds of the session's clock.
+// The state of PlaceLearning: the progress of learning the places of one world. Plain data; app thread; world metres
+// and seconds of the session's clock.
 #pragma once
 
 #include <map>
@@ -11,37 +11,38 @@
 
 namespace handrail::core {
 
-// Progress in one room, until its world is left.
+// The progress in one room, until the world is left.
 struct RoomLearning {
     std::optional<Learnt> learnt;  // made on the first query
     double spent_s = 0.0;
-    // In the guided mode:
+    // These belong to the guided mode:
     std::optional<Vec3> base_m;
     bool walls_done = false;
-    std::vector<FeatureId> done;  // announced walls
+    std::vector<FeatureId> done;  // walls that have been announced as done
     std::size_t lanes_told = 0;
-    bool to_base = false;  // a wall was announced since the person was last at the base
+    bool to_base = false;  // true: a wall has been announced since the person was last at the base
     bool lanes_done = false;
-    bool remembered = false;  // from an earlier session; the walls already announced then are looked up once
+    // True: the progress comes from an earlier session, so walls that are already done are not announced again.
+    bool remembered = false;
 };
 
 struct LearningState {
     LearningNotes notes;
-    std::map<std::uint32_t, RoomLearning> rooms;  // by their number in the room graph
-    double last_s = 0.0, unplaced_s = 0.0;        // unplaced_s: time spent while the room was not yet known
-    // The last contact of the hand.
+    std::map<std::uint32_t, RoomLearning> rooms;  // by the number of the room in the room graph
+    double last_s = 0.0, unplaced_s = 0.0;        // unplaced_s: time spent in a room that was not yet known
+    // The last contact of the hand:
     Vec3 hand_m{0.0};
     FeatureId hand_feature = kNoFeature;
     double corner_s = -1e9;
-    // The guided mode: walls first, then lanes.
+    // The guided mode, which begins with the walls and continues with the lanes:
     bool on = false;
-    std::uint32_t room = navigation::kNothing;  // the room in which the person is guided
+    std::uint32_t room = navigation::kNothing;  // the room in which the person is being guided
     std::size_t seen_notes = 0;
     double looked_s = -1e9;
-    // Stored between sessions:
-    KeptLearning kept;  // as it was read
+    // Progress stored between sessions:
+    KeptLearning kept;  // progress as it was read
     bool keeps = false;
-    std::optional<Error> fault;  // why it could not be read; then it is not overwritten
+    std::optional<Error> fault;  // why the stored progress could not be read; if set, it is not overwritten
     std::size_t kept_notes = 0;
     double kept_s = 0.0, began_s = 0.0;
 };

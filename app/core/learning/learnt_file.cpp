@@ -15,15 +15,16 @@ namespace {
 
 constexpr double kStepCell_m = 0.1, kOneFloor_m = 0.4;
 constexpr double kPlane_m = 0.02, kHeight_m = 0.25, kFacing_deg = 2.0, kLongest_m = 1.0;
-// The direction that the wall faces in degrees, the distance of its plane from the origin, position along it, height,
-// reach.
+// Each touch is a row of five numbers: the direction that the wall faces in degrees, the distance of its plane from the
+// origin, the position along it, the height, and the reach.
 constexpr std::size_t kTouchNumbers = 5;
-constexpr double kFarthest_m = 1e5;  // beyond any world
+constexpr double kFarthest_m = 1e5;  // no coordinate in a world is larger than this
 
 double rounded(double value, double steps_per_unit) { return std::round(value * steps_per_unit) / steps_per_unit; }
 double millimetres(double metres) { return rounded(metres, 1e3); }
 
-// The value of the key if it is a list with `each` numbers a row; an empty list if it is missing; otherwise no value.
+// Returns the numbers of `key` if they form rows of `each` numbers, and an empty list if the key is missing. Otherwise
+// returns no value.
 std::optional<std::vector<double>> rows_of(const SideEntry& entry, const char* key, std::size_t each) {
     const auto found = entry.find(key);
     if (found == entry.end()) return std::vector<double>();
@@ -109,9 +110,9 @@ void write_learnt(SideFile& file, const KeptLearning& kept) {
     entry["sessions"] = static_cast<std::int64_t>(kept.sessions);
     entry["spent_s"] = rounded(kept.spent_s, 10.0);
     for (auto& [key, numbers] : {std::pair{"steps_m", &steps}, std::pair{"touches", &touches}})
-        if (numbers->empty()) entry.erase(key);  // an empty list in TOML does not show that it is one of numbers
+        if (numbers->empty()) entry.erase(key);  // in TOML, an empty list does not show that it is a list of numbers
         else entry[key] = std::move(*numbers);
-    all.resize(1);  // two simultaneous sessions made two entries; this one now contains both
+    all.resize(1);  // two sessions at the same time may have made two entries; the first entry now contains both
     file.set_entries("learnt", all);
     std::vector<SideEntry> rooms = file.entries("learnt_room");
     for (const KeptRoom& room : kept.rooms) {
@@ -137,7 +138,7 @@ void thin_out(const LearningNotes& notes, KeptLearning& kept) {
         kept.steps_m.emplace_back((static_cast<double>(x) + 0.5) * kStepCell_m,
                                   (static_cast<double>(y) + 0.5) * kStepCell_m, millimetres(step.z));
     }
-    // Stretches along the wall, grouped by plane and height.
+    // Stretches along each wall, grouped by the plane of the wall and by height.
     std::map<std::array<long, 3>, std::vector<std::pair<double, double>>> stretches;
     for (const TouchNote& note : notes.touches()) {
         const long facing = std::lround(std::atan2(note.normal.y, note.normal.x) * 180.0 / kPi / kFacing_deg);

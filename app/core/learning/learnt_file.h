@@ -1,6 +1,6 @@
-// How the progress of learning a world's places is stored between sessions, as lists in the world's side file. If the
-// person wants progress to be remembered, `learnt` has one entry: a reduced set of touched stretches of wall and walked
-// floor. `learnt_room` has one entry for each room. Pure functions; app thread; world metres, seconds.
+// The stored form of the progress of learning a world, as lists in the world's side file. `learnt` has one entry if the
+// person wants progress to be remembered: a reduced set of touched stretches of wall and walked floor. `learnt_room`
+// has one entry for each room. Pure functions; app thread; world metres and seconds.
 #pragma once
 
 #include <optional>
@@ -13,32 +13,33 @@
 namespace handrail::core {
 
 struct KeptRoom {
-    std::string name;  // as in the room graph
+    std::string name;  // name of the room in the room graph
     double spent_s = 0.0;
     std::optional<Vec3> base_m;
     bool walls_done = false;
     int lanes_told = 0;
 };
 struct KeptLearning {
-    int sessions = 0;  // number of sessions in which something was learnt here
+    int sessions = 0;  // number of sessions in which the person learnt something in this world
     double spent_s = 0.0;
     std::vector<TouchNote> touches;
     std::vector<Vec3> steps_m;
     std::vector<KeptRoom> rooms;
 };
 
-// True if progress in this world is to be stored.
+// True if the person wants progress in this world to be stored.
 bool remembers(const SideFile& file);
-// Starts or stops storing; stopping deletes what was stored. In memory until the file is saved.
+// Starts or stops storing progress; stopping also deletes the stored progress. This changes only the memory, and the
+// owner saves the file later.
 void set_remembers(SideFile& file, bool on);
-// Fails with file and line if an entry has a form that is never written.
+// Fails with file and line if an entry does not have the form that write_learnt() writes.
 Result<KeptLearning> read_learnt(const SideFile& file);
-// Unknown keys of the entries are kept.
+// Unknown keys of the entries stay in the file.
 void write_learnt(SideFile& file, const KeptLearning& kept);
 
-// Reduces the notes to few stretches and places. Overlapping touches of one plane become stretches of at most a metre,
-// and steps become one for each 10 cm. What counts as known changes by at most 1 cm along walls and 7 cm on floors. A
-// second application changes nothing.
+// Reduces the notes to few stretches of wall and few places on the floor. Overlapping touches of one plane become
+// stretches of at most a metre, and one step is left in each 10 cm. What counts as known changes by at most 1 cm along
+// walls and 7 cm on floors. A second application changes nothing.
 void thin_out(const LearningNotes& notes, KeptLearning& kept);
 
 }  // namespace handrail::core

@@ -88,7 +88,7 @@ void PlaceLearning::keep(double now_s) {
     context_.asks.save_additions(now_s);
 }
 
-// The progress in a room, including what an earlier session stored.
+// Returns the progress in a room, including the progress that an earlier session stored.
 RoomLearning& PlaceLearning::room(std::uint32_t number) {
     const auto [found, fresh] = state_.rooms.try_emplace(number);
     RoomLearning& learning = found->second;
@@ -117,7 +117,8 @@ void PlaceLearning::note(const std::optional<Vec3>& bumped, const std::optional<
         for (std::size_t i = 0; i < tool->contacts.count; ++i) {
             const render::Contact& contact = tool->contacts.contacts[i];
             const Vec3 point = tool->proxy_m - contact.normal * tool->ball_radius_m;
-            // A hand moves fast. If it stayed on the same wall, everything between two frames was touched too.
+            // A hand moves fast. If it stayed on the same wall, it also touched everything between its places in two
+            // frames.
             double reach = tool->ball_radius_m;
             if (contact.feature == state_.hand_feature) reach += std::min(0.5, glm::length(point - state_.hand_m));
             state_.notes.touched(point, contact.normal, reach);
@@ -129,7 +130,7 @@ void PlaceLearning::note(const std::optional<Vec3>& bumped, const std::optional<
     corner_of_hand(now_s);
 }
 
-// Once a second, if there are new notes, checks what is complete.
+// Once a second, if there are new notes, checks which walls and lanes are complete.
 void PlaceLearning::tick(double now_s) {
     if (now_s - state_.kept_s >= kKeepEvery_s) {
         keep(now_s);
@@ -142,7 +143,7 @@ void PlaceLearning::tick(double now_s) {
     guide(now_s);
 }
 
-// Two walls that the hand touches at once are a corner.
+// If the hand touches two walls at the same time, it is in a corner.
 void PlaceLearning::corner_of_hand(double now_s) {
     const render::ContactSet& set = context_.hands.tool.contacts;
     bool corner = false;
@@ -164,7 +165,7 @@ void PlaceLearning::spend_time() {
     if (rooms_.here() != navigation::kNothing) room(rooms_.here()).spent_s += std::exchange(state_.unplaced_s, 0.0);
 }
 
-// A room with everything noted up to now.
+// Returns the progress in a room, updated with all notes until now.
 const Learnt& PlaceLearning::learnt_of(std::uint32_t number) {
     std::optional<Learnt>& learnt = room(number).learnt;
     if (!learnt)
@@ -173,7 +174,7 @@ const Learnt& PlaceLearning::learnt_of(std::uint32_t number) {
     return *learnt;
 }
 
-// Determines the present room; returns false if rooms are unknown or the person is in none.
+// Determines the present room. Returns false if rooms are unknown or the person is in none.
 bool PlaceLearning::in_known_room(double now_s) {
     if (!rooms_.known()) return false;
     rooms_.notice(now_s, true);
@@ -181,7 +182,7 @@ bool PlaceLearning::in_known_room(double now_s) {
     return rooms_.here() != navigation::kNothing;
 }
 
-// Why nothing can be said about the present room.
+// Returns the reason why nothing can be said about the present room.
 std::string PlaceLearning::no_room_words() const {
     if (!rooms_.looked_for()) return phrase("rooms.not_known");
     return rooms_.found() ? phrase("rooms.nowhere") : rooms_.problem();
@@ -216,13 +217,14 @@ void PlaceLearning::tell_unexplored(double now_s) {
         now_s);
 }
 
-// "Walls 40 percent, floor 10 percent".
+// Returns "Walls 40 percent, floor 10 percent".
 std::string PlaceLearning::share_words(const Progress& progress) const {
     return phrase("learning.share",
                   {{"walls", percent(progress.perimeter_share())}, {"floor", percent(progress.floor_share())}});
 }
 
-// Lists every room with its progress: the present room first, then the best known. Choosing one gives the route to it.
+// Opens a list of all rooms with the progress in each. The present room comes first, then the best known rooms.
+// Choosing a room gives the route to it.
 void PlaceLearning::list_rooms(double now_s) {
     if (!rooms_.have(now_s)) return;
     const navigation::RoomGraph& graph = rooms_.graph();
@@ -262,7 +264,7 @@ void PlaceLearning::list_rooms(double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-// Starts the guided mode in the present room, or ends it. What is known stays known.
+// Starts or ends the guided mode in the present room. Progress is kept.
 void PlaceLearning::toggle(double now_s) {
     if (state_.on && ask_relations(now_s)) return;
     state_.on = !state_.on;
@@ -273,7 +275,7 @@ void PlaceLearning::toggle(double now_s) {
     if (known) {
         state_.room = rooms_.here();
         RoomLearning& here = room(rooms_.here());
-        if (here.remembered && here.base_m) {  // continues from the same base
+        if (here.remembered && here.base_m) {  // the guidance continues from the same base
             context_.answer(
                 phrase("learning.goes_on_here", {{"room", sentence_case(rooms_.graph().rooms[rooms_.here()].name)},
                                                  {"share", share_words(progress_of(learnt_of(rooms_.here())))},
@@ -303,7 +305,8 @@ std::string PlaceLearning::to_base_words(const RoomLearning& room) const {
     return phrase("learning.to_base", {{"where", where_words(context_, distance_m, std::atan2(base.x, base.y))}});
 }
 
-// In the guided mode, after a wall: once the person is back at the base, announces the next stretch of wall.
+// In the guided mode, the person returns to the base after each wall. Once there, this function announces the next
+// stretch of wall.
 void PlaceLearning::back_at_base(double now_s) {
     if (!state_.on || state_.room == navigation::kNothing || rooms_.here() != state_.room) return;
     RoomLearning& here = room(state_.room);
@@ -329,8 +332,8 @@ void PlaceLearning::back_at_base(double now_s) {
     context_.answer(std::move(text), now_s);
 }
 
-// Once all lanes are walked, asks how things lie relative to each other. Returns false if there is nothing to ask about
-// this room, or not yet.
+// Once all lanes are walked, asks how things lie relative to each other. Returns false if it is too early or if this
+// room offers no questions.
 bool PlaceLearning::ask_relations(double now_s) {
     if (state_.room == navigation::kNothing || rooms_.here() != state_.room) return false;
     RoomLearning& here = room(state_.room);
@@ -367,19 +370,19 @@ void PlaceLearning::ask_relation(std::vector<RelationQuestion> questions, std::s
     context_.open_list(std::move(list), now_s);
 }
 
-// In the guided mode: announces each finished wall, then each finished lane. No order is enforced; a person who goes
-// elsewhere hears what that has completed.
+// In the guided mode, announces each finished wall, then each finished lane. No order is enforced: if the person goes
+// elsewhere, the parts completed there are announced.
 void PlaceLearning::guide(double now_s) {
     if (!in_known_room(now_s)) return;
     const Learnt& learnt = learnt_of(rooms_.here());
     const Progress progress = progress_of(learnt);
     RoomLearning& room = this->room(rooms_.here());
-    if (std::exchange(room.remembered, false))  // announced in an earlier session
+    if (std::exchange(room.remembered, false))  // an earlier session has already announced these walls
         for (const WallProgress& wall : progress.walls)
             if (wall.done()) room.done.push_back(wall.feature);
     if (rooms_.here() != std::exchange(state_.room, rooms_.here())) {
         const std::string name = sentence_case(rooms_.graph().rooms[rooms_.here()].name);
-        // The base is where the person first entered the room.
+        // The base is the place where the person first entered the room.
         context_.answer(room.base_m ? phrase("learning.goes_on", {{"room", name}, {"share", share_words(progress)}})
                                     : phrase("learning.next_room", {{"room", name}}),
                         now_s);
@@ -397,7 +400,7 @@ void PlaceLearning::guide(double now_s) {
                                                          {"done", done},
                                                          {"walls", progress.walls.size()}});
         if (room.base_m && static_cast<std::size_t>(done) < progress.walls.size() && !at_base(room)) {
-            room.to_base = true;  // the person returns to the base after each wall
+            room.to_base = true;  // the person is to return to the base after each wall
             text += " " + to_base_words(room);
         }
         context_.answer(std::move(text), now_s);

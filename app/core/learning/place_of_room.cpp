@@ -1,4 +1,4 @@
-// Builds the floor of one room as a grid with its walls: the Place of learning.h. App thread.
+// Makes the Place of learning.h from a room: its floor as a grid, with the walls around it. App thread.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,8 +15,9 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kFinest_m = 0.05;           // cell width; the length of a 4 m wall is then exact within 1.3 %
-constexpr std::size_t kMostCells = 400'000;  // cells of one place; a hall of 40 by 25 m has this many of the finest
+constexpr double kFinest_m = 0.05;  // width of a cell; the measured length of a 4 m wall is then exact within 1.3 %
+// Largest number of cells in a place; a hall of 40 by 25 m has this many cells of kFinest_m.
+constexpr std::size_t kMostCells = 400'000;
 
 // The doors near a room.
 class Doors {
@@ -27,8 +28,8 @@ public:
                 feature.kind == FeatureKind::Door && !feature.bounds_m.empty() && overlap(feature.bounds_m, near))
                 doors_.emplace_back(feature.bounds_m, FeatureId{i});
     }
-    // The door on the short line between two places. A leaf may be thinner than a cell, so several points of the line
-    // are tested.
+    // Returns the door that the short line between two places crosses. A leaf may be thinner than a cell, so several
+    // points of the line are tested.
     FeatureId between(const Vec3& a, const Vec3& b) const {
         for (int i = 0; i <= 4; ++i) {
             const Vec3 p = a + (b - a) * (0.25 * i);
@@ -71,25 +72,26 @@ std::vector<PlaceExit> exits_of_place(const Scene& scene, const navigation::Room
     return exits;
 }
 
-// Makes the place of a room; place_of_room() calls the steps in this order.
+// Makes the place of a room. place_of_room() calls the public functions in their order here.
 class PlaceMaker {
 public:
     PlaceMaker(const WalkerWorld& world, const navigation::WalkSpace& space, const navigation::RoomGraph& graph,
                std::uint32_t room)
         : world_(world), space_(space), graph_(graph), room_(room) {}
 
-    // Makes the cells: those of the walk space, divided if they are coarse, with a rim that the room does not reach.
-    // Returns false if the room has no cells.
+    // Makes the grid. Its cells are those of the walk space, subdivided if they are coarse, plus a margin that the room
+    // does not reach. Returns false if the room has no cells.
     bool lay_cells();
-    // Gives each cell to this room if a walker can stand there in this room; otherwise to another room.
+    // Gives each cell where a walker can stand to this room or to another one.
     void share_out();
-    // Grows all rooms to the walls at the same pace, so that a strip of floor along a wall goes to the nearer one.
+    // Extends all rooms towards the walls at the same pace, so that a strip of floor along a wall goes to the nearer
+    // room.
     void grow_to_walls(const Doors& doors);
-    // Finds the outside: cells that are not the room's and are connected to the rim.
+    // Finds the cells outside: those that do not belong to the room and are connected to the margin.
     void find_outside();
-    // Finds the boundary between room and outside, with the feature at each part.
+    // Finds the boundary between the room and the outside, and the feature at each part of it.
     void find_walls(const Doors& doors);
-    // The doors near the cells.
+    // Returns the doors near the cells.
     Doors doors_around() const;
     Place take() { return std::move(place_); }
 
@@ -101,7 +103,8 @@ private:
                 static_cast<int>(space_.spans[span].cell / space_.width)};
     }
     bool of_room(std::uint32_t span) const { return graph_.room_of_span[span] == room_; }
-    // The area of a door belongs to the door, except in a room that consists only of a doorway.
+    // True if a walker's place counts as part of a room. Places in a doorway do not count, except for a room that
+    // consists only of a doorway.
     bool counts(std::uint32_t span) const {
         return space_.spans[span].door == navigation::kNothing || (doorway_ && of_room(span));
     }
@@ -123,15 +126,17 @@ private:
     const navigation::WalkerMeasures& body_ = space_.body;
     const WalkerShape column_{0.0, body_.height_m - body_.step_up_m - 0.1};
     const Vec3 up_{0.0, 0.0, body_.step_up_m + 0.02};
-    const double reach_m_ = 1.5 * body_.radius_m;  // from the nearest place for the walker's centre into a corner
+    // Distance from the nearest place for the walker's centre into a corner.
+    const double reach_m_ = 1.5 * body_.radius_m;
     bool doorway_ = true;
     int x0_ = static_cast<int>(space_.width), y0_ = static_cast<int>(space_.depth), x1_ = -1, y1_ = -1;
     double lowest_m_ = 1e9, highest_m_ = -1e9;
-    // The cells of the walk space are divided by `cut_`, or `merged_` of them are combined.
+    // Each cell of the walk space is divided `cut_` times in both directions, or else `merged_` cells in each direction
+    // are combined.
     int cut_ = 1, merged_ = 1, margin_ = 0;
     Place place_;
     std::vector<std::uint8_t> owner_;
-    std::vector<std::uint32_t> seed_;  // the cell from which it was reached
+    std::vector<std::uint32_t> seed_;  // the cell from which each cell was reached
     std::vector<bool> solid_, outside_;
 };
 
@@ -156,7 +161,7 @@ bool PlaceMaker::fits() {
 
 bool PlaceMaker::lay_cells() {
     if (!measure_room()) return false;
-    // A huge place has coarser cells, so that examining it takes no longer than for a large one.
+    // A huge place gets coarser cells, so that examining it takes no longer than for a large one.
     cut_ = std::max(1, static_cast<int>(std::ceil(space_.cell_m / kFinest_m - 1e-6)));
     while (!fits()) cut_ > 1 ? --cut_ : ++merged_;
     place_.cell_m = space_.cell_m * merged_ / cut_;
@@ -216,7 +221,7 @@ void PlaceMaker::grow_to_walls(const Doors& doors) {
     for (std::size_t i = 0; i < place_.free.size(); ++i) place_.free[i] = owner_[i] == Own;
 }
 
-// Extends the floor from a cell to its neighbour, which then gets the same owner. Returns false if there is no floor.
+// Extends the floor from cell `here` to its neighbour, which gets the same owner. Returns false if there is no floor.
 bool PlaceMaker::floor_goes_on(const Doors& doors, std::size_t here, int cx, int cy, int dx, int dy) {
     const int x = cx + dx, y = cy + dy;
     const std::size_t there = place_.at(x, y);
@@ -267,7 +272,7 @@ void PlaceMaker::find_walls(const Doors& doors) {
     place_.exits = exits_of_place(world_.scene(), graph_, room_, place_.walls);
 }
 
-// No value: a drop, or another room.
+// Returns the piece of wall between a cell and its neighbour. No value if there is a drop or another room.
 std::optional<WallSample> PlaceMaker::wall_beside(int x, int y, int dx, int dy, const Doors& doors) const {
     const Vec3 from = place_.middle_m(x, y), way(dx, dy, 0.0);
     WallSample sample{from + way * (0.5 * place_.cell_m), -way, doors.between(from, from + way * place_.cell_m),

@@ -42,12 +42,12 @@ std::vector<RelationQuestion> relation_questions(const SessionContext& context, 
         const Vec3 to = feature.bounds_m.centre_m() - base_m;
         const double distance_m = std::hypot(to.x, to.y);
         if (distance_m < kNearest_m) continue;
-        const double bearing = std::atan2(to.x, to.y);  // clockwise from north
+        const double bearing = std::atan2(to.x, to.y);  // angle clockwise from north
         const auto quarter = std::lround(bearing / (0.5 * kPi));
         if (std::abs(bearing - static_cast<double>(quarter) * 0.5 * kPi) > kOff_rad) continue;
         if (room_of(rooms, feature.bounds_m) != room) continue;
         const std::string name = sentence_case(name_of(context, FeatureId{i}));
-        // If two things have the same name, the question would be ambiguous.
+        // If two things have the same name, a question about them would be ambiguous.
         const auto alike = [&](const Feature& other) { return &other != &feature && other.name == feature.name; };
         if (std::any_of(scene.features.begin(), scene.features.end(), alike)) continue;
         questions.push_back({name, static_cast<Quarter>((quarter + 4) % 4), distance_m});

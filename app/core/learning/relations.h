@@ -1,6 +1,5 @@
-// Questions about how things in a room lie relative to its base, for a person who stands there and faces north. They
-// are the last part of learning a place. Pure functions over a room graph that has been found; app thread; world
-// metres.
+// Questions about the directions of things in a room, for a person who stands at its base and faces north. They are the
+// last part of learning a place. Pure functions over a room graph that has been found; app thread; world metres.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +17,10 @@ std::string side_words(Quarter side);
 struct RelationQuestion {
     std::string thing;
     Quarter right = Quarter::Ahead;
-    double distance_m = 0.0;  // from the base
+    double distance_m = 0.0;  // distance of the thing from the base
 };
-// At most three questions, about things and doors with unique names that lie clearly to one side: at least 1.5 m from
-// the base, within 30 degrees of that direction. The same room gives the same questions.
+// Returns at most three questions about things and doors. Each has a unique name and is clearly to one side: at least
+// 1.5 m from the base and within 30 degrees of that side's direction. The same room gives the same questions.
 std::vector<RelationQuestion> relation_questions(const SessionContext& context, const Rooms& rooms, std::uint32_t room,
                                                  const Vec3& base_m);
 

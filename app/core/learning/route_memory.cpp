@@ -11,7 +11,7 @@
 namespace handrail::core {
 namespace {
 
-constexpr std::size_t kMostPoints = 100'000;  // 25 km
+constexpr std::size_t kMostPoints = 100'000;  // enough for 25 km
 constexpr std::size_t kMostTold = 2;
 
 SideEntry* entry_of(std::vector<SideEntry>& ways, const std::string& goal) {
@@ -30,7 +30,8 @@ std::vector<SideTable> turns_of(const SideEntry& way) {
 
 void RouteMemory::see(const SessionEvent& event) {
     std::visit(Overloaded{[&](const Led& led) {
-                              if (led.goal == going_.goal && !going_.arrived) return;  // the same goal, announced again
+                              // The same guidance was announced again.
+                              if (led.goal == going_.goal && !going_.arrived) return;
                               going_ = {led.goal, {}, true, false};
                           },
                           [&](const Arrived& arrived) { going_.arrived |= arrived.goal == going_.goal; },

@@ -1,6 +1,7 @@
-// Remembers how earlier guidance to goals went: where the person turned too early or passed a turn. The world's side
-// file stores it (list `learnt_way`) if the person wants that. It is announced when guidance to the same goal begins
-// again. A route walked without such an error counts as learnt, and its earlier errors are forgotten. App thread only.
+// Remembers errors during earlier guidance to goals: where the person turned too early or passed a turn. If the person
+// wants that, the world's side file stores them (list `learnt_way`). When guidance to the same goal begins again, the
+// errors are announced. A route that was walked without such an error counts as learnt, and its earlier errors are
+// forgotten. App thread only.
 #pragma once
 
 #include <string>
@@ -21,8 +22,8 @@ public:
     void enter_world() { going_ = {}; }
     // Call it with every event of the session.
     void see(const SessionEvent& event);
-    // Call it once a tick. Notes the walker's place, announces what is remembered, and evaluates a route that has
-    // ended.
+    // Notes the walker's position. Announces the remembered errors when guidance begins, and evaluates a route when the
+    // person has arrived. Call it once a tick.
     void tick(double now_s);
 
 private:
@@ -32,7 +33,7 @@ private:
     const SessionContext& context_;
     Rooms& rooms_;
     struct Going {
-        std::string goal;  // empty: no guidance
+        std::string goal;  // name of the goal; empty: no guidance
         std::vector<results::WayPoint> walk;
         bool to_tell = false, arrived = false;
     } going_;

@@ -1,11 +1,11 @@
-// Durations of learning and hunting in words. Pure; any thread.
+// Words for the times of learning and hunting. Pure; any thread.
 #pragma once
 
 #include <string>
 
 namespace handrail::core {
 
-// "12 seconds", "2 minutes and 5 seconds".
+// Returns "12 seconds" or "2 minutes and 5 seconds".
 std::string time_words(double seconds);
 
 }  // namespace handrail::core

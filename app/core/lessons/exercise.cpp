@@ -91,12 +91,12 @@ void Exercise::ask_again(double now_s) {
     if (question_->kind == TeacherActed::Kind::Order) return open_order(now_s);
     TextSpec text;
     text.question = question_->text;
-    // The session reports every answered question, so nothing more is needed here.
+    // Nothing more is needed here, because the session reports every answered question.
     text.done = [this](const std::string&) { question_.reset(); };
     context_.ask_text(std::move(text), now_s);
 }
 
-// Asks which item comes next. The last remaining one is added automatically.
+// Asks which item comes next. The last item needs no question and is added automatically.
 void Exercise::open_order(double now_s) {
     const auto is_chosen = [this](std::size_t i) {
         for (const std::size_t one : question_->chosen)
@@ -128,8 +128,8 @@ void Exercise::open_order(double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-// The direction in which the hand has moved since the question, or in which the person faces if it has not. In degrees
-// clockwise from north.
+// Answers with the direction in which the hand has moved since the question. If the hand has not moved, the direction
+// is the one that the person faces. In degrees clockwise from north.
 void Exercise::point(double now_s) {
     double heading_rad = context_.body.heading_rad;
     if (question_->hand_m && context_.hands.known()) {

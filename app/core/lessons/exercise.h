@@ -1,6 +1,6 @@
-// An instructor's lesson as the learner meets it: tasks that are announced and repeated, questions answered by typing,
-// choosing, facing or with the hand, and requests to the teacher. It knows no lesson file. Whoever listens for Answered
-// and LessonWished decides what follows. App thread only.
+// An instructor's lesson on the side of the learner. It announces and repeats tasks, asks questions, which the learner
+// answers by typing, choosing, facing or pointing, and passes on requests to the teacher. It does not know lesson
+// files. The listener for Answered and LessonWished decides what follows. App thread only.
 #pragma once
 
 #include <cstddef>
@@ -16,22 +16,22 @@ namespace handrail::core {
 
 class Exercise {
 public:
-    static constexpr double kPointed_m = 0.01;  // of the hand itself; a shorter movement does not count as pointing
+    static constexpr double kPointed_m = 0.01;  // least movement of the hand on the device that counts as pointing
 
     explicit Exercise(const SessionContext& context) : context_(context) {}
-    Exercise(const Exercise&) = delete;  // open lists keep its address
+    Exercise(const Exercise&) = delete;  // not copyable, because open lists keep the address of this object
     Exercise& operator=(const Exercise&) = delete;
 
     void enter_world();
-    // Once a tick.
+    // Call it once a tick.
     void tick();
-    // Handles every kind of act except Lead, Leave, Block and Open, which belong to other features.
+    // Handles all kinds of acts except Lead, Leave, Block and Open, which belong to other features.
     void take(const TeacherActed& act, double now_s);
-    // Handles Task, TaskDone and Learners. Returns false for other commands.
+    // Handles the commands Task, TaskDone and Learners. Returns false for other commands.
     bool act(Command command, double now_s);
     bool under_way() const { return under_way_; }
 
-    // Set by the session; opens the list that prepares a lesson.
+    // Set by the session. It opens the list in which an instructor prepares a lesson.
     std::function<void(double now_s)> on_prepare;
 
 private:
@@ -47,14 +47,14 @@ private:
     bool under_way_ = false;
     std::string title_, task_;
     std::vector<std::string> offers_;
-    // The question that waits for an answer by typing, choosing or pointing.
+    // The question that waits for an answer.
     struct Question {
         TeacherActed::Kind kind = TeacherActed::Kind::Ask;
         std::string text;
         std::vector<std::string> items;
         std::vector<std::size_t> chosen;
-        // Position of the hand when the question was asked, or when it was first known afterwards. Device frame,
-        // because walker and workspace may move meanwhile.
+        // Position of the hand when the question was asked, or when the hand first became known afterwards. In the
+        // device frame, because walker and workspace may move meanwhile.
         std::optional<Vec3> hand_m;
     };
     std::optional<Question> question_;

@@ -1,6 +1,6 @@
-// Lessons of a few steps each, for the tutorial and the first minutes. Each step is announced and ends when the person
-// has done it; there is no time limit. Pure state machine: it receives what was met and pressed, and returns what to
-// announce. App thread.
+// Lessons of a few steps each, for the tutorial and the first minutes. A lesson announces each step, and the step ends
+// when the person has done it; there is no time limit. This is a pure state machine: it receives what the person met
+// and which commands were given, and returns what to announce. App thread.
 #pragma once
 
 #include <optional>
@@ -15,71 +15,71 @@
 namespace handrail::core {
 
 enum class LessonGoal {
-    Begin,      // Enter
-    SetUp,      // the set-up by voice, run by the owner, who reports its end
-    Middle,     // the hand at the middle of its workspace
-    MeetWall,   // a wall that the hand touches or the walker meets
-    NextWall,   // a different wall, which means a corner
-    MeetNamed,  // the thing that the step names
+    Begin,      // press Enter
+    SetUp,      // complete the set-up by voice, which the owner runs and whose end the owner reports
+    Middle,     // bring the hand to the middle of its workspace
+    MeetWall,   // touch a wall with the hand, or walk into one
+    NextWall,   // meet a different wall, that is, reach a corner
+    MeetNamed,  // meet the thing that the step names
     MeetDoor,
-    Ask,   // the question where the person is
-    Look,  // the question what is around
+    Ask,   // ask where the walker is
+    Look,  // ask what is around
     GoHome,
     ForcesOff,
     ForcesOn,
-    SetBeacon,    // on anything
-    ReachBeacon,  // until the beacon ends
+    SetBeacon,    // put a beacon on anything
+    ReachBeacon,  // follow the beacon until it ends
 };
 
 struct LessonStep {
     LessonGoal goal;
-    // Keys of texts.
+    // These are keys of texts.
     std::string_view hand;    // announced to a person whose hand is on a device, real or simulated
     std::string_view body;    // announced to a person who walks by keys only; empty: the step is skipped for them
-    std::string_view praise;  // announced when it is done
+    std::string_view praise;  // announced when the step is done
     std::string_view named{};
 };
 
 struct Lesson {
-    std::string_view name;  // key of its text: "Find a wall"
+    std::string_view name;  // key of the lesson's name, such as "Find a wall"
     std::span<const LessonStep> steps;
 };
 
-// The tutorial lessons, each under two minutes.
+// Returns the lessons of the tutorial, each under two minutes.
 std::span<const Lesson> lessons();
-// From the welcome to the first corner and back to the door, in the first room.
+// Returns the lesson that leads from the welcome to the first corner of the first room and back to the door.
 const Lesson& first_minutes();
 
-// What happened since the last tick.
+// What has happened since the last tick.
 struct LessonSense {
-    std::vector<FeatureId> met;  // touched or bumped into now
+    std::vector<FeatureId> met;  // features that the hand touches or the walker bumps into now
     std::vector<Command> did;    // commands since the last tick
     bool at_home = false;
     double off_middle_m = 0.0;  // distance of the hand from the middle of its workspace, hand metres
     bool forces_on = true;
     bool beacon = false;     // the beacon is sounding
-    bool at_beacon = false;  // the beacon was reached and has stopped
-    bool set_up = false;     // the set-up by voice is over, or there is none
+    bool at_beacon = false;  // the person reached the beacon, and it has stopped
+    bool set_up = false;     // the set-up by voice has ended, or there is none
 };
 
 struct LessonReply {
-    std::string praise;       // for the step that is done
-    std::string instruction;  // for the next step
-    bool done = false;        // a step is done
-    bool begin_here = false;  // the workspace is to be placed where the hand is now
-    bool at_once = false;     // the praise comes before the name of what was met
-    bool set_up = false;      // the owner must begin the set-up
+    std::string praise;       // praise for the step that is done; empty: none
+    std::string instruction;  // instruction for the next step
+    bool done = false;        // true: a step is done
+    bool begin_here = false;  // true: the session must place the workspace where the hand is now
+    bool at_once = false;     // true: the praise comes before the name of the thing that was met
+    bool set_up = false;      // true: the owner must begin the set-up
     bool finished = false;
 };
 
 class LessonRun {
 public:
-    // at: the step to begin with, as returned by at().
+    // `at` is the step to begin with, as returned by at().
     LessonRun(const Lesson& lesson, bool hand, std::string who_speaks, std::size_t at = 0);
 
     LessonReply begin();
     LessonReply tick(const LessonSense& sense, const Scene& scene);
-    // The instruction of the present step, word for word.
+    // Returns the instruction of the present step, word for word.
     std::string instruction() const;
     LessonGoal goal() const { return lesson_.steps[at_].goal; }
     const Lesson& lesson() const { return lesson_; }

@@ -78,7 +78,7 @@ void LessonSession::tell(const LessonReply& reply, double now_s) {
     say_due(now_s);
 }
 
-// Announces what waited for a name to be spoken. After the end of a lesson, begins what follows it.
+// Says the announcements whose delay has passed. After the end of a lesson, begins what follows the lesson.
 void LessonSession::say_due(double now_s) {
     const auto due = std::stable_partition(said_later_.begin(), said_later_.end(),
                                            [&](const SaidLater& later) { return later.due_s <= now_s; });
@@ -100,7 +100,7 @@ void LessonSession::tell_anew(cues::SpeechTopic topic, double now_s) {
         context_.tell(cues::SpeechTopic::Lesson, run_->instruction(), now_s, {.anew = true});
 }
 
-// What happened since this was asked last.
+// Returns what has happened since the last call.
 LessonSense LessonSession::sense() {
     const HandsState& hands = context_.hands;
     const Vec3 feet_m = context_.body.feet_m();
@@ -153,7 +153,7 @@ bool LessonSession::takes(Command command, double now_s) {
         context_.answer(run_->instruction(), now_s);
         return true;
     }
-    // A person who does something else already knows how to proceed.
+    // A person who gives another command already knows how to proceed, so the lesson ends.
     if (command != Command::StopSpeech && command != Command::StopEverything && command != Command::VerbosityCycle)
         leave(now_s);
     return false;

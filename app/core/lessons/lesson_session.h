@@ -1,5 +1,5 @@
-// Connects lessons and the first minutes to a session: what they learn of events, when they speak, and what follows
-// them. App thread only.
+// Connects lessons and the first minutes to a session. It collects the events that lessons need, says what they
+// announce, and begins what follows them. App thread only.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,8 @@ namespace handrail::core {
 
 class LessonSession : SessionPart {
 public:
-    // asked_to_leave: shared with the session, so that a confirmation given before the lesson began counts.
+    // `asked_to_leave` is shared with the session. So if the person has already asked to leave before the lesson began,
+    // that counts.
     LessonSession(const SessionContext& context, LeaveRequested& asked_to_leave);
 
     // Begins the first minutes, before a world is entered or in one, at the step where they were left. who_speaks:
