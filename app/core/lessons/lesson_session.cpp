@@ -12,7 +12,8 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kAfterName_s = 1.5;  // delay, so that a name that is being spoken is heard first
+// Delay of an announcement, so that a name being spoken at the same time is heard first.
+constexpr double kAfterName_s = 1.5;
 
 }  // namespace
 

@@ -21,36 +21,40 @@ public:
     // that counts.
     LessonSession(const SessionContext& context, LeaveRequested& asked_to_leave);
 
-    // Begins the first minutes, before a world is entered or in one, at the step where they were left. who_speaks:
-    // "speech-dispatcher". owner_sets_up: the owner runs the set-up by voice when requested; otherwise that part is
-    // skipped.
+    // Begins the first minutes, before a world is entered or in a world, at the step where the person left them.
+    // `who_speaks` names the speech program, such as "speech-dispatcher". `owner_sets_up`: the owner runs the set-up by
+    // voice when the session requests it; otherwise that step is skipped.
     void begin_first_minutes(const std::string& who_speaks, bool owner_sets_up, double now_s);
-    // The first minutes are not wanted or can no longer be answered. The world then greets as usual.
+    // Ends the first minutes, because the person does not want them or can no longer answer. The session then greets
+    // the person in the world as usual.
     void leave(double now_s);
-    // True if the first minutes have not yet reached the greeting of the world.
+    // True if the first minutes have not yet reached the step that greets the person in the world.
     bool greeting_waits() const;
-    // The set-up that the first minutes requested from the owner is over or was left.
+    // Call it when the set-up that the first minutes requested from the owner has ended or the person has left it.
     void know_set_up_over() { set_up_over_ = true; }
 
-    // Call it before a command is handled. Returns true if the lesson used the command or forbids it.
+    // Call it before a command is carried out. Returns true if the lesson used the command or does not permit it.
     bool takes(Command command, double now_s);
-    // A terminal line without surrounding blanks, while the first step waits for a key.
+    // Handles a line typed in a terminal, without surrounding blanks, while the first step waits for a key. Returns
+    // false if the line was not used.
     bool take_line(std::string_view line, double now_s);
-    // Notes what happens until the next tick.
+    // Notes a command or a bump for the next tick.
     void note(Command command) { did_.push_back(command); }
     void note_bump(FeatureId feature) { bumped_.push_back(feature); }
-    // Handles the list of lessons, and the first minutes from the beginning. Returns false for other commands.
+    // Handles the command that lists the lessons and the command that begins the first minutes again. Returns false for
+    // other commands.
     bool act(Command command, double now_s);
     void tick(double now_s);
-    // What this step wants, or what was said of the step before, once more, since the line with it was cut.
+    // Says once more what was cut off: the instruction of the present step, or the praise for the previous one.
     void tell_anew(cues::SpeechTopic topic, double now_s);
-    // What happened has been looked at, and nothing waits to be said.
+    // True if the lesson has evaluated everything that happened, and no announcement is waiting.
     bool idle() const;
 
-    // Set by the session.
-    std::function<bool()> beacon_calls, at_beacon;    // the beacon sounds; the walker is where it sounds or sounded
-    std::function<std::string()> world_greeting;      // for the present world
-    std::function<void(double now_s)> on_begin_here;  // the workspace is to be placed where the hand is now
+    // These functions are set by the session.
+    // The first returns true while the beacon sounds, the second while the walker is where it sounds or sounded last.
+    std::function<bool()> beacon_calls, at_beacon;
+    std::function<std::string()> world_greeting;      // returns the greeting for the present world
+    std::function<void(double now_s)> on_begin_here;  // places the workspace where the hand is now
     std::function<void(double now_s)> on_hunt;        // begins a hunt in a larger building
     std::function<void(double now_s)> on_worlds;      // opens the list of worlds
     std::function<void(double now_s)> on_settings;    // opens the settings
@@ -68,15 +72,15 @@ private:
 
     LeaveRequested& asked_to_leave_;
     std::optional<LessonRun> run_;
-    std::vector<Command> did_;       // since the last tick
-    std::vector<FeatureId> bumped_;  // also since the last tick
+    std::vector<Command> did_;       // commands since the last tick
+    std::vector<FeatureId> bumped_;  // features that the walker bumped into since the last tick
     struct SaidLater {
         double due_s = 0.0;
         std::string text;
         cues::SpeechTopic topic = cues::SpeechTopic::Lesson;
     };
     std::vector<SaidLater> said_later_;
-    std::string praise_;  // of the last step that was done
+    std::string praise_;  // praise for the step that was done last
     enum class After { Nothing, Choose, Lessons } after_ = After::Nothing;
     std::string who_speaks_;
     bool owner_sets_up_ = false, set_up_over_ = true;

@@ -13,7 +13,7 @@
 namespace handrail::core {
 namespace {
 
-// The first command of each topic in the command table.
+// A topic of the lists: its first command in the command table, and the key of its name in the texts.
 struct Topic {
     Command first;
     std::string_view key;
@@ -41,7 +41,7 @@ std::string setting_of_keys(Command command) { return "keys." + std::string(info
 
 std::string counted(std::size_t commands) { return phrase("menu.commands", {{"count", commands}}); }
 
-// True if it may be the name of a key, typed. With a window, the person presses the key itself.
+// True if a typed text may be the name of a key. In a window, the person presses the key itself.
 bool may_be_key(std::string_view name) {
     const auto fits = [](char c) {
         return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '+';
@@ -80,7 +80,7 @@ void CommandLists::open(bool to_rebind, double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-// Searches in everything that a command is called or does.
+// Asks for a word, and searches for it in the names and help lines of all commands.
 void CommandLists::ask_for_search(double now_s) {
     TextSpec question;
     question.question = phrase("menu.search_for");
@@ -123,7 +123,7 @@ void CommandLists::open_rebinding(Command command, double now_s) {
                   {phrase("menu.first_key"), {}, false}};
     list.stays_open = true;
     list.chosen = [this, command](std::size_t i) {
-        context_.lists.dialogue.key("Escape", context_.tick_s);  // back to the commands
+        context_.lists.dialogue.key("Escape", context_.tick_s);  // returns to the list of commands
         if (i == 2) {
             const std::string built_in(context_.keys.default_keys(command));
             context_.set(setting_of_keys(command), built_in.empty() ? "none" : built_in, context_.tick_s);
@@ -162,7 +162,7 @@ void CommandLists::take_new_key(const std::string& key, double now_s) {
         return context_.answer(phrase("menu.always_does", {{"key", spoken_key(key)}, {"help", info(*owner).help()}}),
                                now_s);
     }
-    // Conflict: the key belongs to another command, and the person decides.
+    // The key already belongs to another command, so the person decides which command gets it.
     const std::string rest = context_.keys.words_of_keys(*owner, key);
     ListSpec list;
     list.title = phrase("menu.does_already", {{"key", spoken_key(key)}, {"help", info(*owner).help()}});

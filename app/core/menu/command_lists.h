@@ -1,5 +1,5 @@
-// Lists of all commands with their keys, to carry out a command or to give it another key. Also input help, which
-// explains a key instead of acting on it. App thread only.
+// Lists of all commands with their keys. The person can carry out a command or give it another key. Also the input
+// help, in which a key only explains itself. App thread only.
 #pragma once
 
 #include <optional>
@@ -15,13 +15,15 @@ class CommandLists : SessionPart {
 public:
     explicit CommandLists(const SessionContext& context) : SessionPart(context) {}
 
-    // Opens the commands by topic, to carry one out or to give it another key.
+    // Opens the commands by topic. If `to_rebind` is true, choosing a command gives it another key; otherwise it
+    // carries out the command.
     void open(bool to_rebind, double now_s);
     void toggle_input_help(double now_s);
-    // Returns true if the key was explained or became the new key of a command; it then has no other effect.
+    // Returns true if input help explained the key, or if the key became the new key of a command. The key then has no
+    // other effect.
     bool take_key(const std::string& key, double now_s);
-    // A terminal line without surrounding blanks: the name of a key if one is requested, or a command's word in input
-    // help.
+    // Handles a line typed in a terminal, without surrounding blanks: the name of a key if one is requested, or the
+    // word of a command in input help. Returns false if the line was not used.
     bool take_line(std::string_view line, double now_s);
 
 private:
@@ -35,7 +37,7 @@ private:
         Command command;
         bool one_more = false;
     };
-    std::optional<Rebinding> rebinding_;  // the command that gets the next key
+    std::optional<Rebinding> rebinding_;  // the command that gets the next key that the person presses
 };
 
 }  // namespace handrail::core

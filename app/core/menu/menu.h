@@ -1,4 +1,5 @@
-// The menu: reaches everything by lists. It owns the lists of commands, worlds, languages and reports. App thread only.
+// The menu, which leads to everything else through lists. It owns the lists of commands, worlds, languages and reports.
+// App thread only.
 #pragma once
 
 #include <string>
@@ -16,7 +17,8 @@ public:
     explicit Menu(const SessionContext& context)
         : SessionPart(context), commands_(context), worlds_(context), languages_(context), reports_(context) {}
 
-    // Handles the menu, the list of keys, input help, languages and devices. Returns false for other commands.
+    // Handles the commands for the menu, the list of keys, input help, languages and devices. Returns false for other
+    // commands.
     bool act(Command command, double now_s);
 
     CommandLists& commands() { return commands_; }

@@ -1,5 +1,5 @@
-// Reports about the program itself as lists to read line by line: connected devices, what is known of a session that
-// crashed, and errors in the person's settings. App thread only.
+// Reports about the program itself, as lists that the person reads line by line: connected devices, what is known of a
+// crashed session, and errors in the person's settings. App thread only.
 #pragma once
 
 #include <string>
@@ -14,12 +14,12 @@ class ReportLists : SessionPart {
 public:
     explicit ReportLists(const SessionContext& context) : SessionPart(context) {}
 
-    // Requests the connected devices. Looking takes a moment, so the owner of the session does it and passes the result
-    // to open_devices().
+    // Requests the list of connected devices. Looking for them takes a moment, so the owner of the session does it and
+    // then calls open_devices().
     void ask_for_devices(double now_s);
-    // sentences: about connected devices. The list begins with the hand in use.
+    // Opens the list of connected devices. `sentences` describe them, one each. The list begins with the hand in use.
     void open_devices(const std::vector<std::string>& sentences, double now_s);
-    // True if nobody waits for the devices: they have been announced, or the owner has not answered in time.
+    // True if the list of devices is not pending: it has been announced, or the owner has not answered in time.
     bool idle(double now_s) const { return now_s - asked_s_ > kAnswered_s; }
 
     void know_crash(std::vector<std::string> lines) { crash_ = std::move(lines); }
@@ -30,13 +30,13 @@ public:
     void open_settings_faults(double now_s);
 
 private:
-    // Enter repeats a line. The list removes the full stop at the end of an item.
+    // Opens a list of lines; Enter repeats a line. The list removes the full stop at the end of an item.
     void open(std::string title, const std::vector<std::string>& lines, double now_s);
 
     static constexpr double kAnswered_s = 3.0;
 
     std::vector<std::string> crash_, faults_;
-    double asked_s_ = -1e9;  // when devices were requested and not yet announced
+    double asked_s_ = -1e9;  // when the person requested the devices, while they have not been announced
 };
 
 }  // namespace handrail::core

@@ -1,4 +1,5 @@
-// The list of what was simplified for the hand at a scale. The touch view decides what is simplified. App thread only.
+// The list of what is simplified for the hand at the present scale. TouchView decides what is simplified. App thread
+// only.
 #pragma once
 
 #include <functional>
@@ -15,11 +16,11 @@ class SimplifiedList : SessionPart {
 public:
     SimplifiedList(const SessionContext& context, Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
 
-    // portals: the openings that `plan` knew.
+    // `portals` are the openings that the simplification plan considered.
     void open(const compile::Simplification& plan, const OpenPortals& portals,
               std::span<const compile::CoarserMesh> coarser, double now_s);
 
-    // Set by the session; called if an item was chosen, to find it or go to it.
+    // Set by the session. It is called when the person has chosen an item, to find it or go to it.
     std::function<void(const Goal& goal, double now_s)> on_choose;
 
 private:

@@ -1,4 +1,4 @@
-// The list of what was understood of a world's file, and of what to check there. App thread only.
+// The list of what was understood of a world's file, and of the places that somebody should check. App thread only.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,8 @@
 
 namespace handrail::core {
 
-// on_choose: called if a place to check was chosen, to find it or go to it; kept while the list is open. For a world
-// whose file states no rooms, one sentence replaces the counts.
+// Opens the list. `on_choose` is called when the person has chosen a place to check, to find it or go to it; the open
+// list keeps it. If the world's file states no rooms, one sentence replaces the numbers of rooms and other parts.
 void open_understood(const SessionContext& context, std::function<void(const Goal& goal, double now_s)> on_choose,
                      double now_s);
 

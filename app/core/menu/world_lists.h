@@ -1,5 +1,5 @@
-// The worlds to choose from, as lists: those visited before, those that come with the program, and those in any folder.
-// App thread only.
+// Lists of worlds to choose from: the worlds visited before, the worlds that come with the program, and the worlds in
+// any folder. App thread only.
 #pragma once
 
 #include <filesystem>
@@ -18,9 +18,9 @@ public:
 
     void offer(WorldShelf shelf) { shelf_ = std::move(shelf); }
     void open(double now_s);
-    // Announces it, and requests that the owner read and enter the world.
+    // Announces the world, and requests that the owner read and enter it.
     void go_to(const std::filesystem::path& file);
-    // The bundled world file with this name, without extension.
+    // Returns the file of the bundled world with this name, which has no extension.
     std::optional<std::filesystem::path> bundled(std::string_view stem) const;
 
 private:

@@ -17,15 +17,21 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kBounced_hand_m = 0.015;  // how far the hand bounces off a door while the person hears which one it is
-constexpr double kNearThing_m = 0.1;       // a walker farther from a thing cannot stand on it
-constexpr double kBesideOne_m = 3.0;  // a door that shuts this near may be the one that the person is about to pass
-constexpr double kInwards_m = 0.05, kMostInwards_m = 0.6;  // steps of a walker on the threshold of a lift
-constexpr double kCeiling = -0.7;  // normals that point down at least this steeply belong to something overhead
+// The hand can still operate a door from which it has bounced off by this distance, while the person hears the door's
+// name.
+constexpr double kBounced_hand_m = 0.015;
+// A walker farther than this from the bounding box of a thing cannot stand on the thing.
+constexpr double kNearThing_m = 0.1;
+// If a door shuts within this distance, the person may be about to pass it, so its announcement is a warning.
+constexpr double kBesideOne_m = 3.0;
+// Length of each step and of all steps by which a walker on the threshold of a lift moves inwards.
+constexpr double kInwards_m = 0.05, kMostInwards_m = 0.6;
+constexpr double kCeiling = -0.7;  // surfaces whose normal has a smaller z count as overhead
 
 Aabb box_of(const Scene& scene, FeatureId feature) { return scene.features[feature.value].bounds_m; }
 
-// Touching borders do not count, as in clip.h: a walker next to a lift and level with it does not block it.
+// True if two boxes overlap. Touching borders do not count, as in clip.h: a walker that stands next to a lift, level
+// with its floor, does not block it.
 bool overlap(const Aabb& a, const Aabb& b) {
     return a.min_m.x < b.max_m.x && b.min_m.x < a.max_m.x && a.min_m.y < b.max_m.y && b.min_m.y < a.max_m.y &&
            a.min_m.z < b.max_m.z && b.min_m.z < a.max_m.z;
@@ -44,15 +50,15 @@ Aabb grown(Aabb box, double by_m) {
     return box;
 }
 
-// How a walker stands on a thing of the scene, if it does.
+// Returns how a walker stands on a thing of the scene, or Riding::Not.
 Riding rides(const PlacedModel& thing, const Placement& at, const Vec3& feet_m, const WalkerShape& body) {
     if (!overlap(grown(placed_bounds(thing.model->bounds_m, at), kNearThing_m), body_box(feet_m, body)))
         return Riding::Not;
     return riding(thing.model, at, feet_m, body);
 }
 
-// A leaf that opens never blocks a walker. A leaf that shuts meets only a walker who stands where it comes to rest;
-// anyone else in its swing steps round it.
+// True if a door leaf may pass through the walker. A leaf that opens never blocks a walker. A leaf that shuts is
+// blocked only by a walker that stands where the leaf comes to rest. Any other walker in its path steps aside.
 bool passes_body(const Feature& feature, const PlacedModel& leaf, const std::optional<Placement>& comes_to_rest,
                  const Vec3& feet_m, const WalkerShape& body) {
     if (feature.kind != FeatureKind::Door) return false;
@@ -60,14 +66,14 @@ bool passes_body(const Feature& feature, const PlacedModel& leaf, const std::opt
            !meets_body(leaf.model, *comes_to_rest, feet_m, body);
 }
 
-// True for a leaf on a hinge that is opened by hand.
+// True for a hinged leaf that is opened by hand.
 bool swings_by_hand(const Scene& scene, const Mover& mover) {
     return mover.by_hand && mover.swing_rad != 0.0 && scene.features[mover.feature.value].kind == FeatureKind::Door;
 }
 
-// True if the paths of two things may cross: leaves of one door, things that the world's author lets pass each other, a
-// lift and its own doors, and two hinged doors. In narrow corridors, the leaf of one door reaches the open leaf of
-// another; whoever opens it moves both.
+// True if two things may pass through each other: the leaves of one door, things for which the author of the world
+// permits it, a lift and its own doors, and two hinged doors. In narrow corridors, the leaf of one door may touch the
+// open leaf of another. A real person who opens it would move both.
 bool let_through(const Scene& scene, std::uint32_t a, std::uint32_t b) {
     const Mover &one = scene.movers[a], &other = scene.movers[b];
     if (swings_by_hand(scene, one) && swings_by_hand(scene, other)) return true;
@@ -75,8 +81,8 @@ bool let_through(const Scene& scene, std::uint32_t a, std::uint32_t b) {
            other.lift == a;
 }
 
-// The storey that is level with a lift's floor when the lift is at that height. `thing` is the lift's index among the
-// placed things; empty: the file names no storey there.
+// Returns the name of the storey that is level with the lift's floor when the lift is at the height `z_m`. `thing` is
+// the index of the lift among the placed things. Empty if the file names no storey at that height.
 std::string storey_words(const Scene& scene, int thing, double z_m) {
     constexpr double kLevel_m = 0.1;
     if (!scene.stated || thing < 0) return {};
@@ -86,8 +92,9 @@ std::string storey_words(const Scene& scene, int thing, double z_m) {
     return {};
 }
 
-// The announcement of a stop: with the storey if the file names it, otherwise "at the top" or the bottom if the ends
-// differ by a metre or more in height. A level movement only stops.
+// Returns the announcement that a mover has stopped. It contains the storey if the file names it. Otherwise it says "at
+// the top" or "at the bottom" if the ends of the path differ by a metre or more in height. A horizontal mover has only
+// stopped.
 std::string stops_words(const Mover& mover, const std::string& storey, double z_m, const std::string& name) {
     if (!storey.empty()) return phrase("movers.stops_at", {{"name", name}, {"storey", storey}});
     const double low_m = mover.pivot_m.z + std::min(0.0, mover.slide_m.z), way_m = std::abs(mover.slide_m.z);
@@ -127,7 +134,7 @@ void Doors::press(std::uint32_t mover, bool back_again, double now_s) {
             return context_.say(
                 phrase("movers.rides_to", {{"name", sentence_case(spoken_name(feature))}, {"storey", storey}}),
                 cues::SpeechClass::Contact, now_s);
-    if (world_.thing_of_mover[mover] >= 0) return;  // its movement is announced as it moves
+    if (world_.thing_of_mover[mover] >= 0) return;  // the movement of a placed thing is announced while it moves
     cues::CueRequest sound;
     sound.kind = cues::CueRequestKind::Play;
     sound.sound = cues::SoundKind::DoorMoves;
@@ -138,7 +145,7 @@ void Doors::press(std::uint32_t mover, bool back_again, double now_s) {
                  now_s);
 }
 
-// The lift on which the walker stands; -1: none.
+// Returns the lift on which the walker stands, or -1.
 int Doors::lift_under_body() const {
     for (std::uint32_t i = 0; i < world_.movers.size(); ++i) {
         const Mover& mover = world_.scene->movers[i];
@@ -180,7 +187,7 @@ bool Doors::ride_to(double floor_m, const std::string& storey, double now_s) {
     return true;
 }
 
-// The nearest open leaf, of a door that shuts by hand, that the walker touches; -1: none.
+// Returns the nearest open leaf that the walker touches, among doors that are shut by hand, or -1.
 int Doors::leaf_at_body() const {
     constexpr double kTouches_m = 0.06;
     int nearest = -1;
@@ -200,13 +207,13 @@ int Doors::leaf_at_body() const {
     return nearest;
 }
 
-// Chooses in this order:
+// Chooses what to operate, in this order:
 // 1. what the hand touches;
-// 2. the lift under the walker;
-// 3. a shut door announced on an earlier route, if the walker or hand is still close;
+// 2. the lift on which the walker stands;
+// 3. a shut door that was announced on an earlier route, if the walker or the hand is still close to it;
 // 4. what is straight ahead;
 // 5. an open leaf that the walker touches, because it is in the way;
-// 6. the nearest.
+// 6. the nearest of all.
 void Doors::use(double now_s) {
     int chosen = -1;
     if (context_.hands.answers() && context_.hands.tool.touches())
@@ -253,7 +260,7 @@ bool Doors::block(FeatureId feature, bool blocked) {
     return true;
 }
 
-// What opens it: the key, or the button nearest to the walker, with its place.
+// Describes what opens the door: the key, or the place of the button nearest to the walker.
 std::string Doors::shut_words(std::uint32_t mover) const {
     const Mover& door = world_.scene->movers[mover];
     const std::string name = sentence_case(name_of(context_, door.feature));
@@ -269,7 +276,8 @@ std::string Doors::shut_words(std::uint32_t mover) const {
                                               {"where", where_words(context_, box_of(*world_.scene, *button))}});
 }
 
-// What a step of a thing would meet. If nothing, the step is made, and a walker who stands on the thing moves along.
+// Returns what a thing would meet if it moved from `from` to `to`. If it meets nothing, this function makes the
+// movement, and a walker on the thing moves with it.
 Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement& to) {
     if (world_.thing_of_mover[mover] < 0) return Meeting::None;
     const auto thing = [&](std::uint32_t i) { return static_cast<std::size_t>(world_.thing_of_mover[i]); };
@@ -286,13 +294,15 @@ Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement&
     if (goes_along) {
         const auto index = static_cast<std::int32_t>(thing(mover));
         if (way.z < 0.0) {
-            // A walker with one foot on the floor next to it would stay behind, so it is moved wholly onto the thing.
+            // A walker with one foot on the floor next to the thing would stay behind, so the walker is moved
+            // completely onto the thing.
             const Vec3 onto = onto_thing(placed_bounds(own.model->bounds_m, from), feet, body.radius_m);
             feet = world_.solids->trace(feet, feet + onto, body, false, index).end_m;
         }
         TraceHit hit = world_.solids->trace(feet, feet + way, body, false, index);
         const auto meets = [&] { return hit.hit && hit.normal.z < kCeiling; };
-        // A walker on the threshold of a lift would meet the lintel, so it steps towards the middle of the cabin.
+        // A walker on the threshold of a lift would hit the lintel, so the walker steps towards the middle of the
+        // cabin.
         const Vec3 middle = placed_bounds(own.model->bounds_m, from).centre_m();
         const Vec3 inwards{middle.x - feet.x, middle.y - feet.y, 0.0};
         if (const double far_m = glm::length(inwards); meets() && !door && far_m > 0.0)
@@ -305,7 +315,7 @@ Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement&
     } else if (!passes_body(world_.scene->features[own.feature.value], own,
                             goes_shut ? std::optional(world_.movers.at_goal(mover)) : std::nullopt, feet, body) &&
                overlap(there, body_box(feet, body)) && meets_body(own.model, to, feet, body)) {
-        // A thing that already overlaps the walker may move away from them, but nothing shuts on anybody.
+        // A thing that already overlaps the walker may move away from the walker. But nothing may shut on a walker.
         if (goes_shut || !meets_body(own.model, from, feet, body)) return Meeting::Body;
     }
 
@@ -372,13 +382,13 @@ void Doors::tell(std::span<const MoverEvent> events, double now_s) {
         if (event.kind == MoverEvent::Kind::Arrives) arrived_ = true;
         const Vec3 middle = feature.bounds_m.centre_m();
         const double distance_m = glm::length(middle - body_.feet_m());
-        // One leaf announces for its group, and only if it is near. A locked door that waited for its button is
-        // announced from anywhere.
+        // Only one leaf of a group is announced, and only if it is near. A locked door that waited for its button is
+        // announced at any distance.
         const bool first = std::none_of(world_.scene->movers.begin(), world_.scene->movers.begin() + event.mover,
                                         [&](const Mover& other) { return other.group == mover.group; });
         if (!first) continue;
         const bool opens = feature.kind == FeatureKind::Door, button = feature.kind == FeatureKind::Button;
-        // A door is shut where the file has it, even if it rests open.
+        // In the file, every door is shut. So "shut" means the place in the file, even if the door rests open.
         const bool at_shut = opens ? event.at_rest != mover.rests_far : event.at_rest;
         cues::CueRequest sound;
         sound.kind = cues::CueRequestKind::Play;
@@ -389,13 +399,13 @@ void Doors::tell(std::span<const MoverEvent> events, double now_s) {
         sound.material = world_.scene->material(feature.material).sound;
         if (event.kind == MoverEvent::Kind::Leaves || (event.kind == MoverEvent::Kind::Arrives && at_shut)) {
             const bool speaks = distance_m < 10.0 || locked(world_, event.mover);
-            // It begins to shut; the sound comes when it is shut.
+            // The door begins to shut. Its sound comes when it is shut.
             if (event.kind == MoverEvent::Kind::Leaves && at_shut) continue;
             context_.cues.cue(std::move(sound));
             if (!speaks) continue;
             const std::string name = sentence_case(spoken_name(feature));
-            // The effect of a button is an answer. As a contact it would replace the announcement "button pressed", or
-            // be replaced by it.
+            // The effect of a button is announced in the class Answer. In the class Contact, it and the announcement
+            // "button pressed" would replace each other.
             const cues::SpeechClass as =
                 locked(world_, event.mover) ? cues::SpeechClass::Answer : cues::SpeechClass::Contact;
             if (event.kind == MoverEvent::Kind::Leaves)
@@ -426,8 +436,8 @@ void Doors::tell(std::span<const MoverEvent> events, double now_s) {
     }
 }
 
-// A train or turning part passes repeatedly. It is heard, but announced only to a walker who stands on it or in its
-// path.
+// Handles a train or a turning part, which passes again and again. It makes a sound, but it is announced only if the
+// walker stands on it or in its path.
 void Doors::tell_endless(const MoverEvent& event, const Aabb& box_m, double now_s) {
     const Feature& feature = world_.scene->features[world_.scene->movers[event.mover].feature.value];
     const std::string name = sentence_case(spoken_name(feature));

@@ -1,5 +1,5 @@
-// Doors, lifts, buttons and trains: uses them, moves them together with a walker who stands on them, and announces them
-// and shut doors on the route. Their positions belong to the world. App thread only.
+// Doors, lifts, buttons and trains. This class operates them, moves them together with a walker who stands on them, and
+// announces them. It also announces shut doors on the route. WorldState owns their positions. App thread only.
 #pragma once
 
 #include <span>
@@ -14,32 +14,34 @@ namespace handrail::core {
 
 class Doors : SessionPart {
 public:
-    // Moves the things of `world`, and in `body` the walker if it stands on one.
+    // Moves the things of `world`. Moves the walker in `body` if the walker stands on one of them.
     Doors(const SessionContext& context, WorldState& world, WalkerState& body);
 
-    // Handles Use. Returns false for other commands.
+    // Handles the command Use. Returns false for other commands.
     bool act(Command command, double now_s);
     void tick(double now_s, double dt_s);
-    // True if anything that moves automatically has arrived since the last call.
+    // Returns true if anything that moves automatically has arrived since the last call.
     bool take_arrived() { return std::exchange(arrived_, false); }
-    // Pressed by hand or by walking against it. back_again: an open door closes again.
+    // Operates a mover that was pressed by the hand or by a walker who walked against it. `back_again`: if it is an
+    // open door, it closes.
     void press(std::uint32_t mover, bool back_again, double now_s);
 
-    // Sends the lift under the walker to this floor height, announced as `storey`. Returns false if the walker is on no
-    // lift, or the lift is there already or does not stop there.
+    // Sends the lift on which the walker stands to this floor height, and announces it as `storey`. Returns false if
+    // the walker is not on a lift, or if the lift is already there or does not stop there.
     bool ride_to(double floor_m, const std::string& storey, double now_s);
 
-    // Keeps a door shut, whatever would otherwise open it, or ends that. Returns false if the feature cannot move.
+    // Keeps a door shut against everything that would open it, or ends that. Returns false if the feature is not a
+    // mover.
     bool block(FeatureId feature, bool blocked);
     bool blocked(std::uint32_t mover) const { return world_.movers.held_shut(mover); }
 
-    // Announces a shut door on the route once, with what opens it; again after it has been open.
+    // Announces a shut door on the route and what opens it, once. Announces it again after it has been open.
     void tell_shut(FeatureId feature, double now_s);
-    // Announces the shut doors that the hand touches.
+    // Announces shut doors that the hand touches.
     void tell_touched(double now_s);
-    // Announces the shut doors on the straight path of the walker to this place, at floor level.
+    // Announces shut doors on the straight path from the walker to `ahead_m`, at floor level.
     void tell_ahead(const Vec3& ahead_m, double now_s);
-    // Call it on another route: shut doors are announced again.
+    // Call it for another route. Shut doors are then announced again.
     void forget_told() { told_.clear(); }
 
 private:
@@ -53,7 +55,7 @@ private:
 
     WorldState& world_;
     WalkerState& body_;
-    std::vector<FeatureId> told_;  // announced shut doors on the route
+    std::vector<FeatureId> told_;  // shut doors on the route that have been announced
     bool arrived_ = false;
 };
 

@@ -1,5 +1,5 @@
-// Volumes that act on a walker who enters them: liquids, and those that announce something, start a mover or lead
-// elsewhere. App thread only.
+// Volumes that act on a walker who enters them: liquids, and volumes that announce something, start a mover or move the
+// walker elsewhere. App thread only.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@ public:
     void enter_world();
     void tick(double now_s);
 
-    // Set by the session; called if a teleporter moves the walker.
+    // Set by the session. It is called when a teleporter moves the walker.
     std::function<void(const Vec3& feet_m, double heading_rad, double now_s)> on_leads_elsewhere;
 
 private:
@@ -25,8 +25,8 @@ private:
 
     WorldState& world_;
     std::vector<FeatureId> inside_;  // volumes that contain the walker
-    std::vector<FeatureId> told_;    // volumes that have spoken; each speaks once
-    std::vector<FeatureId> used_;    // volumes that act once and have acted
+    std::vector<FeatureId> told_;    // volumes that have made their announcement; each makes it once
+    std::vector<FeatureId> used_;    // volumes that act only once and have acted
 };
 
 }  // namespace handrail::core

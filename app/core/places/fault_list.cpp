@@ -22,19 +22,19 @@ struct UnitOffered {
 };
 constexpr UnitOffered kUnitsOffered[] = {{"mm", 0.001}, {"cm", 0.01}, {"m", 1.0}, {"inch", 0.0254}, {"foot", 0.3048}};
 
-// True for the reader's report on a file that states no unit and would be a very large or very small world.
+// True if the reader reports a file that states no unit and would therefore give a very large or very small world.
 bool is_of_the_unit(const check::WorldFault& fault) {
     return fault.kind == check::FaultKind::DamagedInFile && fault.source.line == 0 &&
            fault.other == phrase("reader.say_unit");
 }
 
-// Items of a list have no full stop at the end.
+// Removes the full stop, because items of a list have none.
 std::string unstopped(std::string sentence) {
     if (sentence.ends_with('.')) sentence.pop_back();
     return sentence;
 }
 
-// Copies the present landmarks to the world as in its file; both have the same features.
+// Returns the world of the file with the present landmarks. The features of both worlds are the same.
 std::shared_ptr<const Scene> with_landmarks_of(const std::shared_ptr<const Scene>& file,
                                                const std::vector<bool>& landmarks) {
     std::shared_ptr<Scene> copy;
@@ -67,7 +67,8 @@ void FaultList::tell_unreadable(double now_s) const {
 }
 
 void FaultList::open(double now_s) {
-    // Without rooms and routes, the cause of that is what should be corrected.
+    // If the world has no rooms and routes, the check runs without them, because what prevents them is the fault to
+    // correct.
     const bool known = rooms_.known();
     if (known || rooms_.awaited())
         if (!rooms_.have(now_s)) return;
@@ -109,7 +110,7 @@ void FaultList::show(const std::shared_ptr<const Found>& found, double now_s) {
     for (const MadeDoor& door : made)
         list.items.push_back({phrase("faults.made_door", {{"between", one_line(door.name)}}),
                               where_words(context_, point_box(door.place_m))});
-    list.stays_open = true;  // so that the person can go from one to the next
+    list.stays_open = true;  // stays open, so that the person can go from one fault to the next
     list.chosen = [this, found, made](std::size_t i) {
         if (i < found->faults.size()) show_one(found, i, context_.tick_s);
         else show_made_door(made[i - found->faults.size()], context_.tick_s);
@@ -176,15 +177,16 @@ void FaultList::show_made_door(const MadeDoor& door, double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-// Walls are cut while the world is read. The owner of the session reads it again, and the person stays in place.
+// Doors are cut into walls when the world is read. So the owner of the session reads the world again, and the person
+// stays in the same place.
 void FaultList::make_door(const MadeDoor& door, double now_s) {
     keep_made_door(context_.additions, door);
-    if (!context_.asks.save_additions(now_s)) return;  // otherwise the world would be read without the door
+    if (!context_.asks.save_additions(now_s)) return;  // without the saved door, the world would be read again in vain
     context_.requests.read_again = true;
     context_.answer(phrase("faults.door_made", {{"between", one_line(door.name)}}), now_s);
 }
 
-// With another unit every position changes, so the session starts again in this world.
+// Another unit changes every position, so the session starts again in this world.
 void FaultList::take_unit(double metres, double now_s) {
     keep_unit(context_.additions, metres);
     if (!context_.asks.save_additions(now_s)) return;

@@ -1,6 +1,6 @@
-// What should be corrected in the present world (worlds/check), as a list with the place of each fault. A missing name,
-// landmark, door or unit can be added there. Faults are found in a background task. Corrections are stored in the side
-// file, and the list can remove added doors again. App thread only.
+// The list of faults that somebody should correct in the present world (worlds/check), each with its place. The person
+// can add a missing name, landmark, door or unit there. A background task searches for the faults. Corrections are
+// stored in the side file, and the list can remove added doors again. App thread only.
 #pragma once
 
 #include <functional>
@@ -21,26 +21,26 @@ class FaultList : SessionPart {
 public:
     FaultList(const SessionContext& context, WorldState& world, Rooms& rooms);
 
-    // Adds the landmarks that the person has marked to the world.
+    // Adds the landmarks that the person has marked to the scene.
     void enter_world();
-    // Announces which of these could not be read.
+    // Announces the stored landmarks that could not be read.
     void tell_unreadable(double now_s) const;
-    // The landmarks have changed in their file.
+    // Call it when another session has changed the landmarks in the file.
     void take_again();
-    // Opens the list, now or once the faults are found, or announces why it cannot.
+    // Opens the list now or when the faults are found. If that is impossible, announces why.
     void open(double now_s);
     void tick(double now_s);
     // True if no list is being prepared.
     bool idle() const { return !looking_.busy(); }
 
-    std::function<void(const Goal& goal, double now_s)> on_find;  // set by the session
+    std::function<void(const Goal& goal, double now_s)> on_find;  // set by the session; finds a place or goes to it
 
 private:
     struct Found {
-        std::shared_ptr<const Scene> scene;  // as in its file, with the present landmarks
+        std::shared_ptr<const Scene> scene;  // the world of the file with the present landmarks
         std::vector<check::WorldFault> faults;
-        std::vector<std::vector<check::MissingDoor>> doors;  // for each fault: where a door would correct it
-        std::vector<std::optional<MadeDoor>> doorways;  // for each fault: the door that, once cut, a walker could pass
+        std::vector<std::vector<check::MissingDoor>> doors;  // for each fault: the places where a door would correct it
+        std::vector<std::optional<MadeDoor>> doorways;  // for each fault: the door to cut so that a walker can pass
     };
     void show(const std::shared_ptr<const Found>& found, double now_s);
     void show_one(const std::shared_ptr<const Found>& found, std::size_t which, double now_s);

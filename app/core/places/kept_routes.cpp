@@ -44,7 +44,7 @@ void KeptRoutes::enter_world(double now_s) {
 }
 
 void KeptRoutes::take_again() {
-    std::vector<Error> faults;  // announced on entering
+    std::vector<Error> faults;  // announced when the world is entered
     ways_ = read_ways(context_.additions, faults);
 }
 
@@ -93,7 +93,7 @@ void KeptRoutes::follow_room_name(const std::string& before, const std::string& 
     if (changed) write_ways(context_.additions, ways_);
 }
 
-// The routes that could be saved: planned or walked.
+// Returns the routes that the person could save: planned ones and walked ones.
 std::vector<KeptRoutes::Offer> KeptRoutes::untold_offers() const {
     std::vector<Offer> offers;
     if (planned_.stops().size() > 1)
@@ -167,7 +167,7 @@ void KeptRoutes::ask_name(const std::vector<Stop>& stops, double now_s) {
     context_.ask_text(std::move(question), now_s);
 }
 
-// Returns the name if it is valid and no other route has it; otherwise announces why not.
+// Returns the name if it is valid and no other route has it. Otherwise announces the reason and returns no value.
 std::optional<std::string> KeptRoutes::free_name(const std::string& typed, std::size_t except, double now_s) const {
     const auto good = good_name(typed);
     if (!good) {
@@ -242,7 +242,7 @@ void KeptRoutes::open_backwards(std::size_t which, double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-// Lists what can become a stop: this place, a room, or a thing.
+// Opens a list of what can become a stop: the present place, a room, or a thing.
 void KeptRoutes::open_add_stop(std::size_t which, double now_s) {
     if (ways_[which].stops.size() >= kMostStops)
         return context_.answer(phrase("ways.full", {{"most", kMostStops}}), now_s);
@@ -269,17 +269,18 @@ void KeptRoutes::open_add_stop(std::size_t which, double now_s) {
 
 void KeptRoutes::add_stop(std::size_t which, Stop stop, double now_s) {
     SavedRoute& way = ways_[which];
-    // The route gets the checksum of this world with the new stop, so it must fit the present world first.
+    // After the change, the route gets the checksum of the present world, so all its stops must fit this world first.
     if (way.world != context_.additions.world_checksum() && !look_at(way).faults.empty())
         return context_.answer(phrase("ways.take_over_first", {{"way", way.name}}), now_s);
     way.world = context_.additions.world_checksum();
     const std::string name = stop.name, way_name = way.name;
     way.stops.push_back(std::move(stop));
-    // Saving may replace ways_, so the names were copied.
+    // Saving may replace `ways_`, so the code above has copied the names.
     save_and_answer(phrase("ways.stop_added", {{"way", way_name}, {"stop", name}}), now_s);
 }
 
-// Stores the new places of what was found elsewhere, and forgets what is gone; its place stays.
+// Stores the new places of stops that were found elsewhere. For a thing or room that no longer exists, removes its name
+// from the stop but keeps the stop's place.
 void KeptRoutes::take_over(std::size_t which, double now_s) {
     SavedRoute& way = ways_[which];
     FoundRoute found = look_at(way);
@@ -293,7 +294,7 @@ void KeptRoutes::take_over(std::size_t which, double now_s) {
     way.stops = std::move(found.stops);
     way.world = context_.additions.world_checksum();
     const std::string name = way.name;
-    save_and_answer_kept(name, now_s);  // saving may replace ways_, hence the copy of the name
+    save_and_answer_kept(name, now_s);  // the name was copied, because saving may replace `ways_`
 }
 
 void KeptRoutes::ask_new_name(std::size_t which, double now_s) {

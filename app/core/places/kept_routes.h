@@ -1,6 +1,6 @@
-// The routes that a person saves in a world under a name: saving the one that was planned or walked, and the list of
-// actions with a saved one. Following a route belongs to another class. App thread only; ways.h says how they are
-// stored.
+// The routes that a person has saved in a world under a name. The person can save the planned or the walked route, and
+// a list offers what can be done with a saved one. Another class guides along a saved route. App thread only.
+// saved_routes.h defines how routes are stored.
 #pragma once
 
 #include <functional>
@@ -19,26 +19,27 @@ class KeptRoutes : SessionPart {
 public:
     KeptRoutes(const SessionContext& context, Rooms& rooms, const PlannedStops& planned);
 
-    // Reads the routes of the world that was entered; announces what cannot be read.
+    // Reads the routes of the world that was entered, and announces those that cannot be read.
     void enter_world(double now_s);
-    // The routes have changed in their file.
+    // Call it when another session has changed the routes in the file.
     void take_again();
-    // Handles Ways and KeepWay. Returns false for other commands.
+    // Handles the commands Ways and KeepWay. Returns false for other commands.
     bool act(Command command, double now_s);
-    // Call it once the rooms are known: announces which routes no longer fit the world.
+    // Announces which routes no longer fit the world. Call it once the rooms are known.
     void tell_unfit(double now_s);
-    // A room was renamed: its stops refer to the new name from now on. The caller saves the file. `before` empty: the
-    // room had no stored name.
+    // Call it when a room was renamed. Stops in that room then refer to the new name. `before` is empty if the room had
+    // no stored name. The caller saves the file.
     void follow_room_name(const std::string& before, const std::string& name);
 
-    // Routes to choose from, with spoken names: the planned one, the walked ones, then the saved ones, latest first.
+    // A route that the person can choose, with its spoken name. offers() lists the planned route first, then the walked
+    // routes, then the saved ones, the latest first.
     struct Offer {
         std::string name, value;
         std::vector<Stop> stops;
     };
     std::vector<Offer> offers() const;
 
-    // Set by the session; called if the person wants to follow these stops, guided by the hand or by ear.
+    // Set by the session. It is called when the person wants to follow these stops, guided by the hand or by ear.
     std::function<void(const std::vector<Stop>& stops, bool by_hand, double now_s)> on_go;
 
 private:
@@ -46,7 +47,7 @@ private:
     std::string fault_words_of(const FoundRoute& found) const;
     bool save(double now_s);
     void save_and_answer(const std::string& words, double now_s);
-    // Saves, and answers "Way Hall to Kitchen kept" if that succeeded.
+    // Saves, and answers "Way Hall to Kitchen kept" if saving succeeded.
     void save_and_answer_kept(const std::string& name, double now_s);
     std::vector<Offer> untold_offers() const;
     void open_keep(double now_s);
@@ -67,7 +68,7 @@ private:
     Rooms& rooms_;
     const PlannedStops& planned_;
     std::vector<SavedRoute> ways_;
-    std::optional<Vec3> begins_m_;  // where the person said that a route begins
+    std::optional<Vec3> begins_m_;  // the place that the person has chosen as the beginning of a route
 };
 
 }  // namespace handrail::core

@@ -16,8 +16,9 @@ namespace handrail::core {
 namespace {
 
 constexpr double kMarkNear_hand_m = 0.008, kMarkNear_body_m = 1.0;
-constexpr double kLandmarkNear_m = 1.5;  // from the walker
-constexpr double kFarther = 1.5;         // factor on the distance at which something near counts as far again
+// A landmark or clue within this distance of the walker is announced by a sound.
+constexpr double kLandmarkNear_m = 1.5;
+constexpr double kFarther = 1.5;  // what was near counts as far again beyond the near distance times this factor
 
 }  // namespace
 
@@ -31,7 +32,7 @@ void MarkList::enter_world() {
 }
 
 void MarkList::take_again() {
-    std::vector<Error> faults;  // announced on entering
+    std::vector<Error> faults;  // announced when the world is entered
     read(faults);
     near_.assign(marks_.size(), true);
 }
@@ -79,7 +80,7 @@ void MarkList::tick_button(double now_s) {
 void MarkList::drop(bool by_button, double now_s) {
     Vec3 place = context_.body.feet_m();
     if (context_.hands.answers()) {
-        // A simulated hand that is still moving to the walker must not prevent a mark.
+        // While a simulated hand is still moving to the walker, the mark is set at the walker.
         if (!servo::is_gone(context_.hands.tool.fault) &&
             context_.hands.tool.workspace_jump == context_.hands.pose.jump)
             place = context_.hands.tool.proxy_m;
@@ -137,7 +138,7 @@ void MarkList::open_delete(double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-// Opens the list: the rows above, then the marks.
+// Opens the list of marks, with the rows of `rows_above` first.
 void MarkList::open(double now_s) {
     const std::vector<Row> above = rows_above ? rows_above() : std::vector<Row>();
     ListSpec list;
@@ -153,7 +154,8 @@ void MarkList::open(double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-// Once for each scene: a building has tens of thousands of features, too many to examine in each tick.
+// Lists landmarks and clues once for each scene, because a building has tens of thousands of features, too many to
+// examine in each tick.
 void MarkList::list_landmarks() {
     const std::shared_ptr<const Scene>& scene = context_.world.scene;
     if (!listed_of_.owner_before(scene) && !scene.owner_before(listed_of_)) return;
@@ -169,7 +171,8 @@ void MarkList::tick(double now_s) {
     contract_pre(context_.world.scene != nullptr && context_.world.solids != nullptr);
     const bool tell = !std::exchange(first_look_, false);
     const Vec3 waist = context_.body.feet_m() + Vec3(0.0, 0.0, kWaist_m);
-    // Level distance of a place on this storey that is not behind a wall or door; otherwise a very large number.
+    // Returns the horizontal distance to the box if it is on this storey and not behind a wall or door. Otherwise
+    // returns 1e9.
     const auto body_to_m = [&](const Aabb& box, double range_m) {
         const Vec3 place = nearest_place(box, waist);
         const Vec3 way = place - waist;

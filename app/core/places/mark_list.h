@@ -1,6 +1,6 @@
-// The person's marks in the present world: setting, naming, deleting and choosing them. Also plays a sound if the hand
-// or the walker comes near a mark, a landmark or a clue. World metres, unless a name says otherwise. App thread only;
-// marks.h says how marks are stored.
+// The person's marks in the present world: the person can set, rename, delete and choose them. Also plays a sound if
+// the hand or the walker comes near a mark, a landmark or a clue. World metres, unless a name says otherwise. App
+// thread only. marks.h defines how marks are stored.
 #pragma once
 
 #include <functional>
@@ -15,28 +15,30 @@ namespace handrail::core {
 
 class MarkList : SessionPart {
 public:
-    // marks: of the present world, stored where every feature can read them.
+    // `marks` are the marks of the present world. They are stored outside, so that every feature can read them.
     MarkList(const SessionContext& context, std::vector<Mark>& marks) : SessionPart(context), marks_(marks) {}
 
-    // Reads the marks from what the person added to the world; errors wait for tell_faults().
+    // Reads the marks from the side file. tell_faults() later announces the errors.
     void enter_world();
     void tell_faults(double now_s);
-    // The marks have changed in their file.
+    // Call it when another session has changed the marks in the file.
     void take_again();
-    // Handles DropMark, DeleteMark and Marks. Returns false for other commands.
+    // Handles the commands DropMark, DeleteMark and Marks. Returns false for other commands.
     bool act(Command command, double now_s);
-    // Sets a mark if the device's button was pressed.
+    // Sets a mark if the person has pressed the button on the device.
     void tick_button(double now_s);
-    // Plays the sound of a mark, landmark or clue if the hand or the walker comes near; marks are also announced.
+    // Plays a sound if the hand or the walker comes near a mark, landmark or clue. Also announces the name of a mark.
     void tick(double now_s);
 
     // A row above the marks in their list.
     struct Row {
         ListItem item;
         std::function<void(double now_s)> chosen;
-        std::function<std::string(int by)> adjusted{};  // of an adjustable row; returns its new value in words
+        // Changes the value of an adjustable row; returns the new value in words.
+        std::function<std::string(int by)> adjusted{};
     };
-    // Set by the session: the present rows above the marks; and the action if the person wants to find the chosen mark.
+    // Set by the session. `rows_above` returns the present rows above the marks. `on_find` is called when the person
+    // wants to find the chosen mark.
     std::function<std::vector<Row>()> rows_above;
     std::function<void(const Goal& mark, double now_s)> on_find;
 
@@ -53,14 +55,14 @@ private:
     void open(double now_s);
 
     std::vector<Mark>& marks_;
-    std::vector<Error> faults_;  // not announced yet
-    // What the hand and the walker are near to, so that each is announced once.
-    std::vector<bool> near_;                // by mark
-    std::vector<FeatureId> landmarks_;      // landmarks and clues of listed_of_
-    std::weak_ptr<const Scene> listed_of_;  // weak, so that the scene can be destroyed
+    std::vector<Error> faults_;  // errors that have not been announced
+    // What the hand and the walker are near to, so that each mark or landmark is announced once.
+    std::vector<bool> near_;                // in the order of the marks
+    std::vector<FeatureId> landmarks_;      // landmarks and clues of the scene `listed_of_`
+    std::weak_ptr<const Scene> listed_of_;  // a weak pointer, so that the scene can be destroyed
     std::vector<FeatureId> landmarks_near_;
     FeatureId touched_ = kNoFeature;
-    bool first_look_ = true;     // what is near on entering is not announced
+    bool first_look_ = true;     // true: what is near is not announced, because the world has just been entered
     std::uint32_t buttons_ = 0;  // the device's buttons one tick earlier; kept across worlds, because the device stays
 };
 

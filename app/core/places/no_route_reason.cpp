@@ -12,7 +12,7 @@ void NoRouteReason::look(std::uint32_t room) {
         const std::optional<check::WorldFault> fault =
             check::why_out_of_reach(*scene, navigation->space(), graph, room, stop);
         if (!fault) return std::string();
-        // The lack of a route has been announced already.
+        // It has already been announced that there is no route.
         const bool known = fault->lack != check::Lack::Nothing || !fault->other.empty();
         return (known ? check::fault_words(*scene, *fault) + " " : std::string()) + check::fault_advice(*scene, *fault);
     });

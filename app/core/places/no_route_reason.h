@@ -1,5 +1,5 @@
-// Explains to a person who requested a route why a room cannot be reached, and what would help. A background task finds
-// this, because the walkable area must be built again for other walker sizes. App thread only.
+// Explains why a room cannot be reached and what would help, to a person who requested a route to it. A background task
+// finds the reason, because it must build the walkable area again for other sizes of the walker. App thread only.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@ public:
     NoRouteReason(const SessionContext& context, Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
 
     void enter_world() { looking_.give_up(); }
-    // Examines a room of the graph and announces the result once it is known; nothing if the room can be reached from
-    // the base.
+    // Examines a room of the room graph, and announces the reason once it is known. Announces nothing if the room can
+    // be reached from the base.
     void look(std::uint32_t room);
     void tick(double now_s);
 

@@ -21,7 +21,7 @@ std::string names_of(const std::vector<LessonDraft::Place>& places) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-// True if the person stands on it: nobody can point to that, or say when they reach it.
+// True if the person stands on the thing. Nobody can point to such a thing, or say when they reach it.
 bool under_feet(const Aabb& box_m, const Vec3& feet_m) {
     constexpr double kUnderFeet_m = 0.3, kSameStorey_m = 2.5;
     const Vec3 off_m = nearest_place(box_m, feet_m) - feet_m;
@@ -52,7 +52,7 @@ void PrepareLesson::open_at(std::size_t at, double now_s) {
                   {phrase("prepare.landmark"), draft_.landmarks.empty() ? nothing : names_of(draft_.landmarks)},
                   {phrase("prepare.route"), draft_.stops.empty() ? nothing : names_of(draft_.stops)},
                   {phrase("prepare.save"), phrase("prepare.three_sessions")}};
-    list.stays_open = true;  // after a refusal the list stays where it is
+    list.stays_open = true;  // the list stays open, also after an announcement that something is missing
     list.chosen = [this](std::size_t chosen) {
         const double then_s = context_.tick_s;
         switch (chosen) {
@@ -75,7 +75,7 @@ void PrepareLesson::open_again(std::size_t at) {
     open_at(at, context_.tick_s);
 }
 
-// If several things have the same name, only the nearest is listed, because a lesson knows things by name.
+// If several things have the same name, only the nearest is listed, because a lesson identifies things by name.
 void PrepareLesson::open_landmarks(double now_s) {
     if (draft_.landmarks.size() >= kMostLandmarks)
         return context_.answer(phrase("prepare.enough", {{"count", kMostLandmarks}}), now_s);
@@ -115,7 +115,7 @@ void PrepareLesson::open_routes(double now_s) {
     }
     list.chosen = [this, offers](std::size_t at) {
         draft_.stops.clear();
-        // The route begins at the base. Stops without a name are no stops of a lesson.
+        // The route begins at the base. Stops without a name do not become stops of the lesson.
         for (std::size_t i = 1; i < offers[at].stops.size(); ++i)
             if (const Stop& stop = offers[at].stops[i]; !stop.name.empty()) draft_.stops.push_back(place_of(stop));
         open_again(3);
@@ -123,8 +123,8 @@ void PrepareLesson::open_routes(double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-// Landmarks far from the whole route have no place in its order. Nor do two landmarks that the route passes at the same
-// spot.
+// Landmarks far from the whole route have no place in its order. Two landmarks that the route passes at the same spot
+// have no order either.
 std::vector<std::string> PrepareLesson::on_route(const std::vector<LessonDraft::Place>& asked) const {
     constexpr double kComesTo_m = 6.0, kSameStorey_m = 2.5, kAtOnce_m = 1.0;
     std::vector<Vec3> places;
@@ -156,7 +156,7 @@ void PrepareLesson::save(double now_s) {
         context_.answer(phrase("prepare.not_yet"), now_s);
         return;
     }
-    // The base may have been moved onto a landmark since that was chosen.
+    // The base may have been moved onto a landmark after the landmark was chosen.
     std::vector<LessonDraft::Place> asked;
     for (const LessonDraft::Place& landmark : draft_.landmarks)
         if (!under_feet(landmark.box_m, draft_.base_feet_m)) asked.push_back(landmark);

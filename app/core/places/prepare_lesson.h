@@ -1,5 +1,5 @@
-// One list in which a teacher prepares a lesson: the base, landmarks, a route, and saving. The draft is kept until the
-// world is left. App thread only.
+// A list in which a teacher prepares a lesson: sets the base, chooses landmarks and a route, and saves the lesson. The
+// draft is kept until the world is left. App thread only.
 #pragma once
 
 #include <functional>
@@ -19,13 +19,14 @@ public:
     static constexpr std::size_t kMostLandmarks = 20;
 
     PrepareLesson(const SessionContext& context, Rooms& rooms) : context_(context), rooms_(rooms) {}
-    PrepareLesson(const PrepareLesson&) = delete;  // open lists keep its address
+    PrepareLesson(const PrepareLesson&) = delete;  // not copyable, because open lists keep the address of this object
     PrepareLesson& operator=(const PrepareLesson&) = delete;
 
     void enter_world() { draft_ = {}, begun_ = false; }
     void open(double now_s) { open_at(0, now_s); }
 
-    // Set by the session: the routes to choose from, with spoken names: planned, walked, saved.
+    // A route that the teacher can choose, with its spoken name. `routes` is set by the session and returns the
+    // planned, the walked and the saved ones.
     struct Offer {
         std::string name;
         std::vector<Stop> stops;
@@ -35,18 +36,18 @@ public:
 private:
     void open_at(std::size_t at, double now_s);
     void base_here();
-    void open_again(std::size_t at);  // replaces the open lists
+    void open_again(std::size_t at);  // closes the open lists and opens this one again
     void open_landmarks(double now_s);
     void open_routes(double now_s);
     void save(double now_s);
-    // Names in the order in which the route, beginning at the base, reaches them.
+    // Returns the names of the landmarks in the order in which the route from the base reaches them.
     std::vector<std::string> on_route(const std::vector<LessonDraft::Place>& asked) const;
     LessonDraft::Place place_of(const Stop& stop) const;
 
     const SessionContext& context_;
     Rooms& rooms_;
     LessonDraft draft_;
-    std::string base_name_;  // of its room, or of the ground outside; empty: none
+    std::string base_name_;  // name of the base's room, or of the ground outside; empty: none
     bool begun_ = false;
 };
 

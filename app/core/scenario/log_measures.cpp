@@ -52,8 +52,8 @@ double overlap_m(const Scene& scene, const Vec3& centre_m, double radius_m) {
             deepest = std::max(deepest, radius_m - signed_distance(solid.round, centre_m));
             continue;
         }
-        // Distance from the centre to the convex solid by alternating projection onto its violated planes (Dykstra).
-        // Slow but simple.
+        // Computes the distance from `centre_m` to the convex solid by alternating projection onto the violated planes
+        // (Dykstra). Slow but simple.
         double outside = -std::numeric_limits<double>::infinity();
         for (const Plane& plane : solid.shape.planes) outside = std::max(outside, signed_distance(plane, centre_m));
         if (outside <= 0.0) {
@@ -81,7 +81,7 @@ double line_amplitude(const std::vector<double>& samples, double dt_s, double fr
     contract_pre(from_hz >= 0.0 && from_hz <= to_hz);
     const std::size_t n = samples.size();
     if (n < 16) return 0.0;
-    // Remove the least-squares straight line and apply a Hann window.
+    // Subtract the least-squares straight line and apply a Hann window.
     double sx = 0, sy = 0, sxx = 0, sxy = 0;
     for (std::size_t i = 0; i < n; ++i) {
         const double x = static_cast<double>(i);
@@ -97,7 +97,7 @@ double line_amplitude(const std::vector<double>& samples, double dt_s, double fr
     const double spacing_hz = 1.0 / (count * dt_s);
     double worst = 0.0;
     for (double hz = from_hz; hz <= to_hz + 1e-9; hz += spacing_hz) {
-        // Goertzel's recurrence measures one frequency in one pass.
+        // Goertzel's recurrence computes the amplitude at one frequency in one pass.
         const double w = 2.0 * kPi * hz * dt_s, k = 2.0 * std::cos(w);
         double s1 = 0.0, s2 = 0.0;
         for (const double v : windowed) {

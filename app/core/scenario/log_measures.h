@@ -1,5 +1,5 @@
-// Measurements for the expectations of a scenario: words in a line, how deep a proxy is inside solids, a frequency in a
-// force. Pure functions; any thread.
+// Measurements for the expectations of a scenario: words in a line, the depth of a proxy inside solids, and a frequency
+// in a force signal. Pure functions; any thread.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace handrail::core {
 
-// True if the words of `wanted` occur in `line` in that order, ignoring case and punctuation.
+// True if the words of `wanted` occur in `line` in the same order. Case and punctuation are ignored.
 bool words_in_order(const std::string& wanted, const std::string& line);
 
-// How deep the proxy overlaps the nearest solid or sheet, by brute force over planes and independent of the renderer. 0
-// means no overlap; clearance is not measured.
+// Returns how deep the proxy overlaps the nearest solid or sheet. It is computed by brute force over planes,
+// independent of the renderer. 0 means no overlap; the distance to a solid outside is not measured.
 double overlap_m(const Scene& scene, const Vec3& centre_m, double radius_m);
 
-// The amplitude of the strongest spectral line of `samples` (spaced by dt_s) between two frequencies. The straight line
-// through the samples is removed, and a Hann window applied, scaled so that a pure sine shows its amplitude. With equal
-// frequencies, only that line is measured.
+// Returns the amplitude of the strongest spectral line of `samples` between two frequencies. The samples are `dt_s`
+// apart. First, the least-squares straight line is subtracted and a Hann window is applied, scaled so that a pure sine
+// gives its amplitude. If both frequencies are equal, only that frequency is measured.
 double line_amplitude(const std::vector<double>& samples, double dt_s, double from_hz, double to_hz);
 
 }  // namespace handrail::core

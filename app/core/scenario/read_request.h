@@ -1,4 +1,4 @@
-// How the world of a request is read. Any thread.
+// Reads the world of a WorldRequest. Any thread.
 #pragma once
 
 #include <functional>
@@ -11,16 +11,16 @@
 
 namespace handrail::core {
 
-// Pure function.
+// Returns the options for the reader. Pure function.
 readers::ReadOptions read_options(const WorldRequest& request);
 
-// Functions that read a world and the files next to it; each fails with a sentence. The program reads both in its
-// confined process (imported_scene and toml_beside_worlds in app/main/world_files.h).
+// Functions that read a world and the files next to it. Each fails with a sentence. The program uses functions that
+// read in its confined process (imported_scene and toml_beside_worlds in app/main/world_files.h).
 struct WorldReader {
     std::function<Result<Scene>(const WorldRequest&)> scene;
     settings::TomlReader toml = settings::toml_of;
 };
-// Reads in this process, for tests, which read their own worlds.
+// Reads the world in this process. Only for tests, which trust their own worlds.
 Result<Scene> read_requested(const WorldRequest& request);
 
 }  // namespace handrail::core

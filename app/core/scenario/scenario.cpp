@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Every sound has a name and every material a word. People and scenarios use the same table.
+// Every sound has a name, and every material has a word. The sound dictionary and scenarios use the same table.
 std::vector<std::string_view> all_sound_names() {
     std::vector<std::string_view> names;
     for (const cues::SoundInfo& row : cues::sound_table()) names.push_back(row.name);
@@ -49,7 +49,7 @@ fs::path find_world(const std::string& name, const ScenarioFolders& folders, int
     return find_named_world(name, folders, line);
 }
 
-// The rotation by turn_deg about turn_axis; without an axis, about the upward one.
+// Returns the rotation by `turn_deg` about `turn_axis`. If there is no axis, the rotation is about the upward axis.
 std::optional<Rotation> read_turn(TomlFields& fields) {
     if (!fields.has("turn_deg")) return std::nullopt;
     const Vec3 axis = fields.has("turn_axis") ? fields.vector("turn_axis") : Vec3(0.0, 0.0, 1.0);
@@ -143,7 +143,7 @@ ScenarioAction read_action(const settings::TomlValue& table, const ScenarioFolde
     return action;
 }
 
-// The moves of one sweep.
+// Converts a sweep into its moves.
 std::vector<ScenarioAction> read_sweep(const settings::TomlValue& table) {
     TomlFields fields(table, "sweep");
     const Vec3 at = fields.vector("sweep_at");
@@ -226,7 +226,7 @@ private:
     void flag(const char* key, Check check) {
         if (is(key, check)) fields_.flag(key);
     }
-    // An upper limit.
+    // Reads the upper limit `key`, if it is given.
     bool limit(const char* key, Check check, double most) {
         if (!is(key, check)) return false;
         e_.high = fields_.number(key, 0.0, most);
@@ -413,12 +413,12 @@ fs::path find_named_world(const std::string& name, const ScenarioFolders& folder
     places.insert(places.end(), folders.others.begin(), folders.others.end());
     for (const fs::path& folder : places)
         if (std::error_code ec; fs::is_regular_file(folder / name, ec)) return folder / name;
-    // A name without extension, such as "school", finds school.map.
+    // A name without extension, such as "school", means school.map.
     for (const fs::path& folder : places)
         if (!fs::path(name).has_parent_path() && !fs::path(name).has_extension())
             for (const ShelvedWorld& world : worlds_in(folder))
                 if (world.file.stem() == name) return world.file;
-    // The scenario and the world may have been copied together from elsewhere.
+    // If that file is missing, the scenario and the world may have been copied together from elsewhere.
     if (fs::path beside = folders.beside / fs::path(name).filename(); fs::path(name).has_parent_path())
         if (std::error_code ec; fs::is_regular_file(beside, ec)) return beside;
     throw BadField{line, phrase("scenario.no_world", {{"name", name}})};

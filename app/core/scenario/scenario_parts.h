@@ -1,5 +1,5 @@
-// The parts of a scenario that other files contain too: actions and expectations. For readers of scenarios and lessons.
-// The functions throw BadField (toml_fields.h). Any thread.
+// The parts of a scenario that lessons contain too: actions and expectations. For readers of scenarios and lessons. The
+// functions throw BadField (toml_fields.h). Any thread.
 #pragma once
 
 #include <filesystem>
@@ -12,20 +12,20 @@
 
 namespace handrail::core {
 
-// Where to search for the worlds and models that a file names.
+// The folders in which to search for the worlds and models that a file names.
 struct ScenarioFolders {
     std::filesystem::path beside;
     std::vector<std::filesystem::path> others;
 };
 
-// Throws if there is none with that name.
+// Returns the file of the world with this name, and throws if there is none.
 std::filesystem::path find_named_world(const std::string& name, const ScenarioFolders& folders, int line);
-// The actions of one table of `do`; adds their names to `names`. Throws if a name exists already.
+// Reads the actions of one table `do`, and adds their names to `names`. Throws if a name already exists.
 std::vector<ScenarioAction> read_actions(const settings::TomlValue& table, const ScenarioFolders& folders,
                                          std::set<std::string>& names);
-// Reads one table of `expect`; `names`: of the actions.
+// Reads one table `expect`. `names` are the names of the actions.
 Expectation read_expectation(const settings::TomlValue& table, const std::set<std::string>& names);
-// Turns the error of a TomlReader about that file into one sentence.
+// Turns the error of a TomlReader about `file` into one sentence.
 Error no_toml(const Error& error, const std::string& file);
 
 }  // namespace handrail::core

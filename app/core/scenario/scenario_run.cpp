@@ -12,8 +12,10 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kTap_s = 0.1;  // how long a key that is tapped by name stays down, and how long typing a text takes
-constexpr double kJumpTrouble_m = 0.05;  // more than a hand can move in one tick
+// How long a key that a scenario presses by name stays down; also the duration of typing a text.
+constexpr double kTap_s = 0.1;
+// Size of a jump in the device's position; more than a hand can move in one tick.
+constexpr double kJumpTrouble_m = 0.05;
 
 // An action that has begun or will begin.
 struct Running {
@@ -50,7 +52,7 @@ public:
             if (!duration && !undone_) return tl::unexpected(duration.error());
             if (!duration) undone_->push_back(run.action->line);
             run.end_s = now + duration.value_or(0.0);
-            // A key that is released at once is released before the next action.
+            // An action without duration ends at once, so that its key is released before the next action begins.
             if (run.end_s <= now) {
                 run.ended = true;
                 if (duration) end(*run.action);
@@ -67,7 +69,7 @@ public:
     }
 
 private:
-    // World place -> device place, by the present workspace.
+    // Converts a world place to a device place, for the present workspace.
     Vec3 in_device(const Vec3& world_m, bool left) {
         const servo::WorkspacePose pose = left ? session_.app().hand(1).pose : session_.app().hand().pose;
         const servo::ToolState& tool = session_.tool(left);
@@ -79,14 +81,14 @@ private:
         session_.hand(left).state.refresh();
         return session_.hand(left).state.read().position_m;
     }
-    // Buttons keep their state whatever else the hand does.
+    // Sends a command to a hand. The buttons stay as they are, whatever else the hand does.
     void command_hand(device::HandCommand command, bool left) {
         command.buttons = buttons_[left];
         hand_command_[left] = command;
         session_.hand(left).command.publish(command);
     }
 
-    // Begins an action; returns its duration in seconds.
+    // Begins an action, and returns its duration in seconds.
     Result<double> begin(const ScenarioAction& action) {
         const double now = session_.now_s();
         const bool left = action.left;
@@ -234,7 +236,7 @@ private:
     settings::SettingsStore& settings_;
     const WorldReader& read_;
     std::vector<int>* undone_;
-    // For the only or right hand, and for the left one.
+    // Each array has the value for the only or right hand, then the value for the left hand.
     std::array<std::uint32_t, 2> buttons_{};
     std::array<device::HandCommand, 2> hand_command_{HeadlessSession::still_hand(), HeadlessSession::still_hand()};
     std::map<std::string, std::shared_ptr<const Scene>> models_;
@@ -243,7 +245,7 @@ private:
 
 constexpr double kLongestRun_s = 3600.0;
 
-// While this object lives, sentences address a person who acts in this way.
+// While this object exists, sentences address a person who uses the program in this way.
 class SpokenTo {
 public:
     explicit SpokenTo(ActsBy who) : before_(spoken_to()) { speak_to(who); }
@@ -286,7 +288,7 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
     for (const auto& [key, value] : scenario.settings)
         if (const auto set = settings.set(key, value, settings::SettingSource::CommandLine); !set)
             return fail(set.error().message, file);
-    // English by default, so that a file means the same everywhere.
+    // The language is English by default, so that a scenario has the same result everywhere.
     const std::string& language = settings.values().speech.language;
     if (const auto spoken = speak_language(language == "auto" ? "en" : language); !spoken)
         return fail(spoken.error().message, file);
@@ -314,8 +316,8 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
     double last_action_s = 0.0;
     session.app().apply(WorldsKnown{{scenario.world.file.parent_path(), {}}}, 0.0);
     while (session.now_s() < kLongestRun_s) {
-        // In virtual time, reading a world takes no time. If it cannot be read, that is announced and the old world
-        // stays.
+        // In virtual time, reading a world takes no time. If the world cannot be read, that is announced and the
+        // session stays in the old world.
         if (const auto wanted = session.app().requests().take_world()) {
             if (auto other = read.scene(*wanted)) {
                 settings.load_file(settings::settings_beside(wanted->file), settings::SettingSource::World, read.toml);

@@ -1,4 +1,4 @@
-// What happened in a headless session, tick by tick, and whether a scenario's expectations hold for it. Pure functions
+// The log of a headless session, tick by tick, and the check of a scenario's expectations against it. Pure functions
 // over plain data.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace handrail::core {
 
 struct LoggedTick {
     double time_s = 0.0;
-    Vec3 force_n{0.0};  // commanded, world axes
+    Vec3 force_n{0.0};  // force commanded to the device, in world axes
     Vec3 hip_m{0.0}, proxy_m{0.0};
     double radius_m = 0.0;
     double scale = 1.0;  // world metres per hand metre
@@ -28,7 +28,7 @@ struct LoggedTick {
 };
 
 struct LoggedSound {
-    double time_s = 0.0;  // when the sink received it
+    double time_s = 0.0;  // time when the sink received the sound
     cues::SoundCue cue;
     bool loop = false;
 };
@@ -40,16 +40,16 @@ struct LoggedLine {
 
 struct SessionLog {
     std::vector<LoggedTick> ticks;       // one per millisecond
-    std::vector<LoggedTick> left_ticks;  // for the left hand, if there are two
+    std::vector<LoggedTick> left_ticks;  // ticks of the left hand, if there are two
     std::vector<LoggedSound> sounds;
     std::vector<LoggedLine> lines;
-    std::map<std::string, std::pair<double, double>> action_times;  // name -> start, end
-    std::shared_ptr<const Scene> scene;  // at the end; it has the names of everything that was ever added
+    std::map<std::string, std::pair<double, double>> action_times;  // start and end of each action, by its name
+    std::shared_ptr<const Scene> scene;  // the world at the end; it has the names of all things that were ever added
     double end_s = 0.0;
 };
 
-// One sentence for each expectation that does not hold, with its line in the file, the time, what was expected and what
-// happened instead.
+// Returns one sentence for each expectation that is not met. It has the line in the file, the time, what was expected
+// and what happened instead.
 std::vector<std::string> failures(const Scenario& scenario, const SessionLog& log, const Scene& scene);
 
 }  // namespace handrail::core

@@ -1,5 +1,5 @@
-// Reads TOML that people write. The reading code can be a list of what it wants; each mistake becomes one sentence with
-// its line. For readers of scenarios and lessons. Any thread.
+// Reads TOML that people have written. The calling code requests the fields of a table one after the other, and each
+// mistake in the file becomes one sentence with its line. For readers of scenarios and lessons. Any thread.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,13 +19,13 @@
 
 namespace handrail::core {
 
-// Thrown by functions that read a table; the reader of the file turns it into a Result.
+// Thrown by functions that read a table. The reader of the file turns it into a Result.
 struct BadField {
     int line;
     std::string message;
 };
 
-// A table; every key must have been requested before done() is called.
+// Reads the fields of a table. A key that was not requested before done() is called counts as a mistake in the file.
 class TomlFields {
 public:
     TomlFields(const settings::TomlValue& table, std::string what) : table_(table), what_(std::move(what)) {}
@@ -56,7 +56,7 @@ public:
         if (!node.flag()) throw BadField{node.line, phrase("scenario.flag", {{"key", key}})};
         return *node.flag();
     }
-    // Three numbers. Where allowed, the text "any" stands for a number and becomes NaN.
+    // Reads three numbers. If `allow_any` is true, the text "any" may replace a number and becomes NaN.
     Vec3 vector(const char* key, bool allow_any = false) {
         const settings::TomlValue::Array* list = need(key).array();
         if (!list || list->size() != 3) throw BadField{need(key).line, phrase("scenario.three", {{"key", key}})};
@@ -95,7 +95,7 @@ private:
         if (!node) throw BadField{table_.line, phrase("scenario.needs", {{"what", what_}, {"key", key}})};
         return *node;
     }
-    const settings::TomlValue& table_;  // a table
+    const settings::TomlValue& table_;  // must be a table
     std::string what_;
     std::set<std::string> asked_;
 };

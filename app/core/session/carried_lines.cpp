@@ -12,13 +12,13 @@ namespace {
 
 constexpr double kSettles_s = 0.2;
 
-// True if the command takes a count and does all steps or notches at once. Repeating it instead would ignore what the
-// first step met.
+// True if the command takes a count and makes all steps or notches at once. If it were repeated instead, every
+// repetition after an obstacle would begin again.
 bool counts_by_itself(Command command) {
     return is_one_of(command, {Command::TrailLeft, Command::TrailRight, Command::Retrace}) || steps_or_turns(command);
 }
 
-// The other list in which to search for a choice.
+// Returns the other list in which a choice may be: things or rooms.
 std::optional<Command> other_list(Command command) {
     if (command == Command::Find) return Command::Routes;
     if (command == Command::Routes) return Command::Find;
@@ -53,9 +53,10 @@ bool CarriedLines::next_leaves() const {
 }
 
 bool CarriedLines::take(double now_s) {
-    // Waits for directions that are still being planned, except before a line that leaves.
+    // Waits until directions have been planned, unless the next line leaves the program.
     if (repeat_left_ == 0 && (!app_.idle() || (app_.guide().plans_legs() && !next_leaves()))) {
-        settle_until_s_ = now_s + kSettles_s;  // the result should be spoken before the next line interrupts it
+        // After that, waits a little longer, so that the result is spoken before the next line interrupts it.
+        settle_until_s_ = now_s + kSettles_s;
         return true;
     }
     if (now_s < settle_until_s_) return true;
@@ -74,8 +75,8 @@ bool CarriedLines::take(double now_s) {
     return true;
 }
 
-// Chooses in the list that the last command opened. What it does not contain may be in the other list, of rooms or of
-// things. If neither contains it, the list is closed, because nobody requested it.
+// Chooses in the list that the last command opened. If the choice is not in it, searches the other list, of rooms or of
+// things. If neither list contains the choice, closes the list, because the person did not request a list.
 void CarriedLines::choose(const std::string& choice, double now_s) {
     const bool holds = app_.dialogue().holds(choice);
     const auto other = other_list(repeat_command_);
@@ -92,18 +93,18 @@ void CarriedLines::choose(const std::string& choice, double now_s) {
                now_s);
 }
 
-// "Where is the kitchen" means the room of that name, not the kitchen counter.
+// True if the choice means a room. "Where is the kitchen" means the room of that name, not the kitchen counter.
 bool CarriedLines::means_room(const std::string& choice) const {
     return repeat_command_ == Command::Find && !app_.dialogue().holds(choice, true) && app_.guide().leads_to(choice);
 }
 
 void CarriedLines::carry_out(const std::string& line, double now_s) {
     const auto parsed = parse_terminal_line(line);
-    // The session knows a command only by its word in the table. Commands that always work come before the names of a
-    // list.
+    // The session knows a command only by its word in the command table. Commands that always act take precedence over
+    // the names in a list.
     const std::string word = parsed && parsed->command ? std::string(info(*parsed->command).word) : line;
     const bool always = parsed && parsed->command && in_list(*parsed->command) == InList::Always;
-    // A command or question that the open list cannot use is carried out as if the list were closed.
+    // If the open list cannot use a command or question, closes the list, and the command is carried out.
     if (parsed && parsed->command && in_list(*parsed->command) == InList::Waits && app_.dialogue().is_open() &&
         !app_.dialogue().typing() && !app_.dialogue().has_use_for(line))
         app_.apply(ListsLeft{}, now_s);
@@ -126,7 +127,7 @@ void CarriedLines::carry_out(const std::string& line, double now_s) {
 void CarriedLines::tap(Command command, int times, double now_s) {
     app_.apply(CommandDown{command, times}, now_s);
     app_.apply(CommandUp{command}, now_s);
-    // A simulated hand that was moved needs a moment to arrive.
+    // A simulated hand needs a moment to arrive.
     if (command >= Command::HandForward && command <= Command::HandCentre) settle_until_s_ = now_s + kSettles_s;
 }
 

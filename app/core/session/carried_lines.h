@@ -1,5 +1,5 @@
-// Carries out typed lines one after the other. Each begins when the effect of the previous one is over, so a script
-// reads as it happens. App thread.
+// Carries out typed lines one after the other. Each line begins when the effect of the previous one is over, so that a
+// script behaves as it reads. App thread.
 #pragma once
 
 #include <deque>
@@ -14,23 +14,23 @@ namespace handrail::core {
 
 class CarriedLines {
 public:
-    // The session outlives this object.
+    // `app` must outlive this object.
     explicit CarriedLines(Session& app) : app_(app) {}
 
     void add(std::string line) { lines_.push_back(std::move(line)); }
     std::size_t waiting() const { return lines_.size(); }
-    // True if all added lines have been carried out, with all their repetitions.
+    // True if all added lines have been carried out, including their repetitions.
     bool done() const { return lines_.empty() && repeat_left_ == 0 && choice_.empty(); }
-    // Drops everything that has not been carried out yet.
+    // Drops all lines that have not been carried out.
     void drop();
-    // Drops the lines too, but returns them, so that the caller can carry them out.
+    // Drops those lines too, but returns them, so that the caller can carry them out.
     std::vector<std::string> take_rest();
     // Removes and returns the next line, so that the caller can carry it out. No value if no line waits.
     std::optional<std::string> take_next();
     // True if the next line leaves the program or the world.
     bool next_leaves() const;
-    // Call it once a frame, before the session's tick. Returns false if there was nothing to do and nothing to wait
-    // for.
+    // Carries out the next line if it is time. Call it once a frame, before the session's tick. Returns false if there
+    // was nothing to do and nothing to wait for.
     bool take(double now_s);
     // True if a line requested the end of the program.
     bool left() const { return left_; }
@@ -44,10 +44,10 @@ private:
     Session& app_;
     std::deque<std::string> lines_;
     Command repeat_command_ = Command::Forward;
-    std::string asked_by_;  // word to type for the list that was searched first
+    std::string asked_by_;  // word of the list that was searched first, for the person to type
     int repeat_left_ = 0;
-    std::string choice_;             // to choose in the list that the last command opens
-    bool looked_elsewhere_ = false;  // the other list has been searched too
+    std::string choice_;             // item to choose in the list that the last command opens
+    bool looked_elsewhere_ = false;  // true: the other list has also been searched
     double settle_until_s_ = 0.0;
     bool left_ = false;
 };

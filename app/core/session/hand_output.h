@@ -1,5 +1,5 @@
-// The output of a session's tick for the servo of one hand, in addition to what both hands share: the rendered world
-// and the places of its bodies. Plain data; app thread only.
+// What a tick of the session sends to the servo of one hand. What both hands share is not included: the rendered world
+// and the positions of its bodies. Plain data; app thread only.
 #pragma once
 
 #include <memory>
@@ -11,9 +11,10 @@ namespace handrail::core {
 struct HandOutput {
     servo::WorkspacePose pose;
     servo::ServoTuning tuning;
-    const servo::GuidancePath* guidance = nullptr;  // null: this hand is never guided
-    Vec3 target_m{0.0};                             // for the simulated hand, device frame
-    std::shared_ptr<servo::HandBodyServo> engine;   // its access to the movable things; null: nothing is movable
+    const servo::GuidancePath* guidance = nullptr;  // null: this hand is not guided
+    Vec3 target_m{0.0};                             // target of the simulated hand in the device frame
+    // The hand's access to the movable things; null: nothing in the world is movable.
+    std::shared_ptr<servo::HandBodyServo> engine;
 };
 
 }  // namespace handrail::core

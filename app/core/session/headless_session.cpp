@@ -85,14 +85,15 @@ void HeadlessSession::change_settings(const settings::Settings& settings) {
 
 void HeadlessSession::advance() {
     ++milliseconds_;
-    driver_.hand_over();  // input since the last frame acts at once, so that tests need not wait for the next frame
+    driver_.hand_over();  // all input since the last frame acts at once, so that tests need not wait for the next frame
     clock_.sleep_until_s(static_cast<double>(milliseconds_) * kTick_s);
     for (Hand& hand : hands_) {
         if (!hand.servo || milliseconds_ % servo_every_ms_ != 0) continue;
         hand.servo->step();
         hand.tool = hand.servo->tool();
     }
-    // With a servo, bodies move in its rhythm; otherwise the app moves them.
+    // If there is a servo, movable things advance every millisecond with it. Otherwise the session advances them once a
+    // frame.
     if (hands_[0].servo || hands_[1].servo) app_.step_bodies(now_s());
     // A frame runs in the first millisecond at or after its time.
     if (now_s() * kFrames_per_s >= static_cast<double>(frames_)) {

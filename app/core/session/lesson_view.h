@@ -1,4 +1,4 @@
-// What a teacher sees of a session. Plain data; world metres.
+// The state of a session as a teacher sees it. Plain data; world metres.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@ namespace handrail::core {
 
 struct LessonView {
     Vec3 feet_m{0.0};
-    int times_put = 0;  // how often the walker was placed there instead of walking
+    int times_put = 0;  // how often the walker was moved to this place instead of walking
     double heading_rad = 0.0;
-    double wall_m = 1e9;       // from the walker's centre to the nearest wall
-    bool trails = false;       // the walker is following a wall
-    bool rooms_known = false;  // the fields below are valid only then
+    double wall_m = 1e9;       // distance from the walker's centre to the nearest wall
+    bool trails = false;       // true: the walker is following a wall
+    bool rooms_known = false;  // true: the fields below are valid
     std::string room;
-    double perimeter_m = 0.0;  // of the room's walls, doors and what stands against them; 0: none
-    double walls_share = 0.0;  // share of that which is known
+    double perimeter_m = 0.0;  // length of the room's walls, doors and what stands against them; 0: there are none
+    double walls_share = 0.0;  // share of `perimeter_m` that the person knows
     int walls = 0, walls_done = 0, exits = 0, exits_found = 0;
 };
 

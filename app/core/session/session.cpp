@@ -19,7 +19,7 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kAnswerFollows_s = 60.0;  // how long typed lines wait for an answer that needs the rooms
+constexpr double kAnswerFollows_s = 60.0;  // how long typed lines wait for an answer that must wait for the rooms
 
 }  // namespace
 
@@ -41,7 +41,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     settled_.give_up();
     keep_learnt(now_s);
     state_.body.walker.reset();
-    // A background task frees the world that was left.
+    // A background task destroys the data of the world that was left.
     std::shared_ptr<RoomsOfWorld> rooms_left = where_.rooms.enter_world(std::move(world.file), std::move(world.ways));
     auto left = std::make_shared<
         std::tuple<std::shared_ptr<RoomsOfWorld>, std::shared_ptr<const Scene>, std::shared_ptr<const WalkerWorld>>>(
@@ -54,7 +54,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     where_.climbs.enter_world();
     where_.visits.enter_world();
     too_early_.reset();
-    take_additions();  // before the scene for the hand is made: things with a mark are not simplified
+    take_additions();  // comes before the scene for the hand is made, because things with a mark are not simplified
     hand_.touch_view.enter_world(std::move(world.sharp), now_s);
     state_.world.movers.enter(state_.world.scene->movers);
     state_.world.solids = std::move(world.body);
@@ -107,7 +107,8 @@ void Session::set_hand(const HandFacts& hand, const settings::Settings& settings
     change_settings(settings, now_s);
 }
 
-// Name and size of the world, place and direction of the person, and hints: at most kMostOnEntering words.
+// Returns the name and size of the world, the person's place and direction, and hints, in at most kMostOnEntering
+// words.
 std::string Session::entering_text() const {
     constexpr std::size_t kMostOnEntering = 35;
     const Vec3 size = state_.world.building_m.empty() ? Vec3(0.0) : state_.world.building_m.size_m();
@@ -126,7 +127,7 @@ std::string Session::entering_text() const {
 
 void Session::press(Command command, double now_s, int times) {
     if (walk_.keys_held.held(command)) return;
-    // Any key interrupts the current announcement, except keys that repeat it or that stop speech themselves.
+    // Any key interrupts the present announcement, except keys that repeat it and keys that stop speech themselves.
     if (command != Command::Repeat && command != Command::HistoryBack && command != Command::HistoryForward &&
         command != Command::StopSpeech && command != Command::StopEverything)
         quiet(now_s);
@@ -138,7 +139,7 @@ void Session::press(Command command, double now_s, int times) {
     act(command, now_s, times);
 }
 
-// What was cut, from the state of this moment: what is no longer true is not said.
+// Says again what was cut off, as it is at this moment. What is no longer true is not said.
 void Session::say_anew(cues::SpeechTopics topics, double now_s) {
     for (const cues::SpeechTopic topic : {cues::SpeechTopic::Praise, cues::SpeechTopic::Lesson})
         if (topics.has(topic)) lesson_session_.tell_anew(topic, now_s);
@@ -177,7 +178,7 @@ bool Session::idle() const {
 void Session::act(Command command, double now_s, int times) {
     if (!state_.world.scene) return;
     if (desk_visit_.refuses(command, now_s)) return;
-    where_.rooms.take_refused();  // forget refusals to others since the last command
+    where_.rooms.take_refused();  // forgets refusals to other callers since the last command
     carry_out(command, now_s, times);
     where_.far.note(command);
     if (where_.rooms.take_refused()) too_early_ = TooEarly{command, now_s};
@@ -199,7 +200,7 @@ void Session::place(const Vec3& feet_m, double heading_rad, double now_s) {
     state_.events.tell(Teleported{feet_m, state_.body.heading_rad}, now_s);
 }
 
-// Brings the walker out of a solid that contains it, and the hand too.
+// Moves the walker and the hand out of a solid that contains them.
 void Session::bring_out(double now_s) {
     const Vec3 workspace_was_m = hand_.workspace.middle_m();
     std::string said = walk_.walking.bring_out(now_s);
@@ -209,15 +210,15 @@ void Session::bring_out(double now_s) {
     answer(said.empty() ? phrase("session.inside_nothing") : said, now_s);
 }
 
-// Replaces the scene of the same world after something was added or removed; everything else continues.
+// Replaces the scene of the same world after a thing was added or removed. Everything else continues.
 void Session::change_world(Scene scene, double now_s) {
     settled_.give_up();
     state_.world.scene = std::make_shared<const Scene>(std::move(scene));
     hand_.touch_view.change_world(now_s);
 }
 
-// Everything has come to rest. A background task makes a scene with the present places, for finding, drawing and
-// guiding. The solids for walking are up to date already.
+// Call it when all things have come to rest. A background task makes a scene with their present positions, for finding,
+// drawing and guiding. The solids for walking are already up to date.
 void Session::settle() {
     settled_.begin([scene = state_.world.scene,
                     now = things_now(state_.world)](const std::stop_token&) -> std::shared_ptr<const Scene> {
@@ -232,13 +233,13 @@ bool Session::anything_moves() const {
 void Session::take_settled() {
     auto settled = settled_.take();
     if (!settled || !*settled) return;
-    const bool in_vain = anything_moves();  // things that move again will settle again
+    const bool in_vain = anything_moves();  // if things move again, another scene will be made once they rest
     auto left = in_vain ? std::move(*settled) : std::exchange(state_.world.scene, std::move(*settled));
     if (!in_vain) {
         state_.world.movers.follow(state_.world.scene->movers);
         rebuild_solids(state_.world, state_.body);
     }
-    // Freeing a whole world takes tens of milliseconds, so a background task does it.
+    // Destroying a whole world takes tens of milliseconds, so a background task does it.
     settled_.begin([left = std::move(left)](const std::stop_token&) { return std::shared_ptr<const Scene>(); });
 }
 
@@ -290,7 +291,7 @@ void Session::tick(double now_s, const servo::ToolState& tool, const servo::Tool
     tell_changes(now_s);
     desk_visit_.tick(now_s);
     if (at_desk()) {
-        // The world is paused: nothing moves, walks or turns.
+        // The world is paused: no thing moves, and the walker neither walks nor turns.
         hand_.workspace.move_hand_by_keys(dt_s);
         hand_.forces.tick(now_s);
         publish_pose(now_s, PoseChange::Walked);
@@ -301,7 +302,7 @@ void Session::tick(double now_s, const servo::ToolState& tool, const servo::Tool
     labyrinth_.tick(now_s);
     const bool mover_arrived = movers_.doors.take_arrived(), bodies_rest = bodies_.take_rested();
     if (state_.world.things.tick(now_s, dt_s) || mover_arrived || bodies_rest) {
-        // Everything that has moved gets its new place in the scene once all of it is at rest.
+        // Once all moving things are at rest, the scene gets their new positions.
         if (!anything_moves()) settle();
         rebuild_solids(state_.world, state_.body);
     } else if (anything_moves() || state_.world.movers.any_endless()) {

@@ -1,6 +1,6 @@
-// The session: where the person is in the world, what a command does, and what servo, ears and window receive. It has
-// no window, device, sound library, thread or clock. The caller ticks it about 60 times a second and passes its outputs
-// on. App thread only.
+// The session: it knows where the person is in the world, carries out commands, and makes the output for servos, sound
+// and window. It has no window, device, sound library, thread or clock. The caller ticks it about 60 times a second and
+// passes its outputs on. App thread only.
 #pragma once
 
 #include <filesystem>
@@ -35,99 +35,101 @@
 
 namespace handrail::core {
 
-inline constexpr double kFrame_s = 1.0 / 60.0;  // between two ticks in real time
+inline constexpr double kFrame_s = 1.0 / 60.0;  // time between two ticks in real time
 
 class Session {
 public:
     Session(const settings::Settings& settings, const HandFacts& hand, const SessionOptions& options = {});
-    Session(const Session&) = delete;  // open lists and waiting sounds keep its address
+    Session(const Session&) = delete;  // not copyable, because open lists and waiting sounds keep its address
     Session& operator=(const Session&) = delete;
 
-    // All input goes through this (session_input.h). Returns false if a key, text, line or action was not used. now_s
-    // as in tick.
+    // Applies one input (session_input.h); all input goes through this function. Returns false if a key, text, line or
+    // action was not used. `now_s` as in tick().
     bool apply(SessionInput input, double now_s);
 
-    // Called for all recordings, one after the other. comes: gets each input before it acts, with its time. not_taken:
-    // apply() returns false for the last one.
+    // Functions that recordings set; the session calls those of all recordings, one after the other. `comes` gets each
+    // input with its time before the input acts. `not_taken` is called when apply() returns false for the last input.
     struct InputListener {
         std::function<void(const SessionInput& input, double now_s)> comes;
         std::function<void()> not_taken;
     };
     void tell_inputs(InputListener listener) { watched_.inputs.push_back(std::move(listener)); }
 
-    // Adds a thing, removes it or moves it while the session continues. A hand that touches it feels neither a knock
-    // nor a gap. Each fails with a sentence and changes nothing: see worlds/scene/models.h; also if there are too many
-    // things, or the speed is not positive. Walking collides with a thing where it is at that moment.
+    // Add, remove or move a thing while the session continues. A hand that touches the thing feels neither a knock nor
+    // a gap. Each function fails with a sentence and then changes nothing: see worlds/scene/models.h, and also if there
+    // are too many things or the speed is not positive. The walker collides with a moving thing where it is at that
+    // moment.
     Result<void> add_thing(const std::string& name, std::shared_ptr<const Scene> model, const Placement& at,
                            const std::string& material, double now_s);
     Result<void> remove_thing(const std::string& name, double now_s);
     Result<void> send_thing(const std::string& name, const Placement& to, double speed_m_per_s);
-    // The present place of the thing with that name; no value if there is none.
+    // Returns the present position of the thing with this name, or no value if there is none.
     std::optional<Placement> thing_at(const std::string& name) const;
 
-    // For a teacher. Costs some rays, and once in each room an examination of the whole room.
+    // Returns the state of the session for a teacher. Cost: some rays; once in each room, an examination of the whole
+    // room.
     LessonView lesson_view();
 
-    // The session's requests to its owner, who looks at them after each tick.
+    // Returns the requests to the owner, who reads them after each tick.
     OwnerRequests& requests() { return state_.requests; }
     const Dialogue& dialogue() const { return state_.lists.dialogue; }
 
-    // now_s never decreases. A step of more than 0.1 s counts as 0.1 s of walking.
+    // Advances the session to `now_s`, which must never decrease. The walker moves for at most 0.1 s in each tick.
     void tick(double now_s, const servo::ToolState& tool, const servo::ToolState& left_tool = {});
 
-    // Saves what was learnt about the present world, if the person wants it to be remembered. Done every minute anyway;
-    // the owner calls it at the end.
+    // Saves what the person has learnt about the present world, if the person wants it to be remembered. The session
+    // does this every minute, and the owner calls it at the end.
     void keep_learnt(double now_s);
 
-    // Outputs to fetch after each tick.
+    // The outputs, which the owner fetches after each tick.
     std::shared_ptr<const Scene> scene() const { return state_.world.scene; }
     std::shared_ptr<const render::HapticScene> haptic_scene() const { return hand_.touch_view.felt(); }
-    // 0: the only or right hand; 1: the left one.
+    // Returns the output for a hand: 0 is the only or right hand, 1 the left hand.
     HandOutput hand(std::size_t which = 0) const;
     const servo::BodyFrame& bodies() const { return state_.world.things.frame(); }
-    // Its `entered` increases when another world is entered. If something is added, moved or removed, scene() changes
-    // without that.
+    // Returns the world. `entered` in it increases when another world is entered. If a thing is added, moved or
+    // removed, scene() changes but `entered` does not.
     const WorldState& world() const { return state_.world; }
-    // Not const: an owner may follow a route (Guide::follow_to).
+    // Not const, because an owner may follow a route (Guide::follow_to).
     Guide& guide() { return guide_; }
     const Bodies& free_bodies() const { return bodies_; }
-    // Advances movable things in virtual time. Call it every millisecond if a hand feels them.
+    // Advances movable things in virtual time. Call it every millisecond if a hand is to feel them.
     void step_bodies(double now_s) { bodies_.step_engine(now_s); }
     bool two_hands() const { return state_.hands.two(); }
     cues::Listener listener() const;
-    // The desk. While the hand is there, the world is paused.
+    // Returns the desk. The world is paused while the hand is at the desk.
     const DeskVisit& desk_visit() const { return desk_visit_; }
     DeskVisit& desk_visit() { return desk_visit_; }
     bool at_desk() const { return state_.hands.at_desk(); }
     std::vector<cues::CueRequest> take_cues() { return state_.cues.take(); }
-    // Events since the last call, in addition to what is announced and played (session_event.h).
+    // Returns the events since the last call (session_event.h). Announcements and sounds are not included.
     std::vector<SessionEvent> take_events() { return state_.events.take(); }
-    // Settings that were changed in the session, to be stored and saved: key and value.
+    // Returns the settings that were changed in the session, as key and value. The owner stores and saves them.
     std::vector<std::pair<std::string, std::string>> take_setting_changes() {
         return std::exchange(state_.person.changes, {});
     }
     const settings::Settings& settings() const { return state_.person.settings; }
     ViewState view(const servo::ToolState& tool, const std::string& last_spoken) const;
     const KeyMap& keys() const { return state_.person.keys; }
-    // True if nothing is pending: no steps, no turn, no held key.
+    // True if nothing is pending: no steps, no turn, no held key, no answer.
     bool idle() const;
-    // True if the first minutes have not yet reached the greeting of the world.
+    // True if the first minutes have not yet reached the step that greets the person in the world.
     bool greeting_waits() const { return lesson_session_.greeting_waits(); }
     const Vec3& feet_m() const { return state_.body.walker->state().feet_m; }
     bool standing() const { return state_.body.walker->state().on_ground; }
     double heading_rad() const { return state_.body.heading_rad; }
-    // Free width across the walking direction, at waist height; 0 if a side is open.
+    // Returns the free width across the walking direction, at the height of the waist. 0 means that a side is open.
     double passage_width_m() const { return walk_.walking.passage_width_m(); }
 
-    // True while a background task makes something.
+    // True while a background task makes a scene.
     bool works_in_background() const { return hand_.touch_view.busy() || settled_.busy(); }
 
-    // The answer to "where am I", also announced on entering.
+    // Returns the answer to "where am I", which is also announced when a world is entered.
     std::string where_am_i() const { return where_.asking.where_am_i(); }
 
 private:
-    void wire();  // session_wiring.cpp
-    // The inputs of session_input.h, one by one.
+    void wire();  // defined in session_wiring.cpp
+    // One function for each input of session_input.h:
     void enter_world(EnteringWorld world, double now_s);
     void place(const Vec3& feet_m, double heading_rad, double now_s);
     void set_hand(const HandFacts& hand, const settings::Settings& settings, double now_s);
@@ -157,7 +159,7 @@ private:
     void act(Command command, double now_s, int times = 1);
     void carry_out(Command command, double now_s, int times);
     bool act_itself(Command command, double now_s);
-    struct Carriers;  // session_commands.cpp
+    struct Carriers;  // defined in session_commands.cpp
     void answer_what_was_too_early(double now_s);
     void publish_pose(double now_s, PoseChange change) { hand_.workspace.publish(now_s, change); }
     void play(cues::SoundKind kind, double now_s) { state_.cues.play(kind, now_s); }
@@ -165,16 +167,16 @@ private:
     void cue(cues::CueRequest request) { state_.cues.cue(std::move(request)); }
     void answer(std::string text, double now_s) { state_.cues.answer(std::move(text), now_s); }
     void quiet(double now_s) { state_.cues.quiet(now_s); }
-    // Lists: session_dialogue.cpp.
+    // For lists, defined in session_dialogue.cpp:
     bool reply(const DialogueReply& reply, double now_s);
     void bring_out(double now_s);
-    // Changes of the world.
+    // For changes of the world:
     void change_world(Scene scene, double now_s);
     void settle();
     void take_settled();
     void tell_changes(double now_s);
-    bool anything_moves() const;  // and will come to rest without further input
-    // What the person added: session_additions.cpp.
+    bool anything_moves() const;  // true: things move, and will come to rest without further input
+    // For additions by the person, defined in session_additions.cpp:
     void take_additions();
     void tell_additions(double now_s);
     bool save_additions(double now_s);
@@ -182,7 +184,7 @@ private:
     void ask_for_last_place(double now_s);
     void take_others_additions();
     std::string entering_text() const;
-    // An instructor's lessons: session_teaching.cpp.
+    // For an instructor's lessons, defined in session_teaching.cpp:
     void teach(const TeacherActed& act, double now_s);
     void lead_in_lesson(const TeacherActed& act, double now_s);
     void lay_blocked();
@@ -200,7 +202,7 @@ private:
     LessonSession lesson_session_{state_.context, asked_to_leave_};
     Menu menu_{state_.context};
     SimplifiedList simplified_list_{state_.context, where_.rooms};
-    // The world with its things where they have come to rest.
+    // Makes the scene in which all things are where they have come to rest.
     BackgroundTask<std::shared_ptr<const Scene>> settled_{state_.context.executor, "settle", state_.context.arrivals};
     PlacesFeatures places_{state_, where_.rooms, guide_.planned()};
     Soundscape soundscape_;
@@ -208,21 +210,22 @@ private:
     Labyrinth labyrinth_{state_.context, bodies_, soundscape_};
     SoundDictionary dictionary_;
     struct Given {
-        std::optional<SideFile> side_file;  // for the world that is entered next
+        std::optional<SideFile> side_file;  // side file of the world that is entered next
         std::optional<LastPlace> last_place;
     };
     Given given_;
     bool plan_view_ = false;
     struct Watched {
         std::vector<InputListener> inputs;
-        bool leads = false, list_open = false;  // as Leading and ListShown told last
+        bool leads = false, list_open = false;  // as last reported by the events Leading and ListShown
     };
     Watched watched_;
     struct TooEarly {
         Command command;
         double asked_s = 0.0;
     };
-    // Asked while rooms were still being searched for; answered once they are known.
+    // A question that the person asked while the rooms were still being searched for. It is answered once they are
+    // known.
     std::optional<TooEarly> too_early_;
 };
 

@@ -1,5 +1,5 @@
-// The session's part for additions to a world: reading their file on entering, and saving it when the person or another
-// session changes it. App thread only.
+// The part of the session for additions to a world. It reads their file when the world is entered, and saves it when
+// the person or another session changes it. App thread only.
 #include <utility>
 
 #include "app/core/session/session.h"
@@ -12,7 +12,7 @@ constexpr double kRetryAdditions_s = 30.0;
 
 }  // namespace
 
-// Takes over the additions to the world that is being entered.
+// Reads the additions to the world that is being entered.
 void Session::take_additions() {
     state_.additions_due_s.reset();
     if (given_.side_file) state_.additions = std::move(*std::exchange(given_.side_file, std::nullopt));
@@ -44,18 +44,18 @@ bool Session::save_additions(double now_s) {
     return saved.has_value();
 }
 
-// Tries again to save what could not be saved because of a full disk or missing rights. It stays in memory meanwhile;
-// the failure has been announced.
+// Tries again to save after a failure, such as a full disk or missing rights. The failure has been announced, and the
+// additions are in memory meanwhile.
 void Session::tick_additions(double now_s) {
     if (!state_.additions_due_s || now_s < *state_.additions_due_s) return;
-    // The alarm is not repeated, because it would come every half minute.
+    // A repeated failure is not announced, because that would happen every half minute.
     if (!state_.additions.save()) state_.additions_due_s = now_s + kRetryAdditions_s;
     else save_additions(now_s);
 }
 
-// Another session has changed the additions to this world: everything is read again.
+// Call it when another session has changed the additions to this world. All of them are read again.
 void Session::take_others_additions() {
-    state_.lists.dialogue.close_all();  // lists refer to indices that may have shifted
+    state_.lists.dialogue.close_all();  // open lists refer to items by index, and the indices may have changed
     places_.marks.take_again();
     places_.faults.take_again();
     places_.ways.take_again();

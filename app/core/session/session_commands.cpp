@@ -1,4 +1,4 @@
-// The session's part for commands: a table of the features that carry them out. App thread only.
+// The part of the session for commands: a table of the features that carry them out. App thread only.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,11 +12,12 @@
 namespace handrail::core {
 
 struct Session::Carriers {
-    // Returns false if the feature cannot use the command in its present state.
+    // A function that passes a command to a feature. It returns false if the feature cannot use the command in its
+    // present state.
     using Carrier = bool (*)(Session& session, Command command, double now_s, int times);
     struct Row {
         Command command;
-        std::array<Carrier, 2> games;  // come first while a game is played or a thing is held
+        std::array<Carrier, 2> games;  // tried first, for a game or a held thing
         std::array<Carrier, 2> carriers;
     };
 
@@ -40,7 +41,7 @@ struct Session::Carriers {
     static bool exercise(Session& s, Command c, double now_s, int) { return s.learn_.teaching.exercise.act(c, now_s); }
     static bool itself(Session& s, Command c, double now_s, int) { return s.act_itself(c, now_s); }
 
-    // In the order of Command.
+    // In the order of the enum Command.
     static constexpr std::array kRows{
         Row{Command::Forward, {bodies}, {walking}},
         Row{Command::Back, {bodies}, {walking}},
@@ -172,7 +173,7 @@ void Session::carry_out(Command command, double now_s, int times) {
     contract_pre(by_somebody);
 }
 
-// Carries out commands that belong to no single feature. Returns false for all others.
+// Carries out the commands that belong to no single feature. Returns false for all other commands.
 bool Session::act_itself(Command command, double now_s) {
     switch (command) {
         case Command::Simplified:
@@ -237,7 +238,8 @@ bool Session::act_itself(Command command, double now_s) {
             break;
         case Command::Leave:
             if (at_desk()) {
-                publish_pose(now_s, PoseChange::Moved);  // a jump of the workspace ends the visit
+                // Skipped at the desk, because a jump of the workspace ends the visit.
+                publish_pose(now_s, PoseChange::Moved);
             } else if (asked_to_leave_.lately(now_s)) {
                 state_.requests.leave = true;
                 answer(phrase("session.goodbye"), now_s);

@@ -1,4 +1,4 @@
-// The session's part for lists and typed answers: which keys they get, and what is announced. App thread only.
+// The part of the session for lists and typed answers: which keys they get, and what is announced. App thread only.
 #include "app/core/dialogue/command_words.h"
 #include "app/core/dialogue/typed_sentences.h"
 #include "app/core/session/session.h"
@@ -24,7 +24,7 @@ bool Session::reply(const DialogueReply& reply, double now_s) {
 }
 
 bool Session::take_key(std::string_view key, double now_s) {
-    // A single letter may be meant as text.
+    // A single letter is not treated as the key of a command here, because the person may be typing text.
     if (const auto command = state_.person.keys.find(key);
         command && in_list(*command) == InList::Always && (*command != Command::ToggleForces || key.size() > 1))
         return false;
@@ -41,7 +41,7 @@ bool Session::take_text(std::string_view utf8, double now_s) {
 }
 
 bool Session::leave_lists(double now_s) {
-    constexpr int kDeepest = 16;  // a list that is left may open another one
+    constexpr int kDeepest = 16;  // a limit, because leaving a list may open another one
     Dialogue& dialogue = state_.lists.dialogue;
     int left = 0;
     while (dialogue.is_open() && !dialogue.typing() && left < kDeepest) {
@@ -65,7 +65,7 @@ bool Session::take_line(std::string_view line, double now_s) {
     quiet(now_s);
     const DialogueReply said = state_.lists.dialogue.line(line, now_s);
     const auto asked = [&]() -> std::optional<Command> {
-        // Checked first, because in a list the word may be meant for the list.
+        // This check comes first, because in a list the same word may be meant for the list.
         if (is_quit_word(bare)) return Command::Leave;
         if (const auto command = command_of_word(bare)) return command;
         const auto sentence = typed_sentence(bare);

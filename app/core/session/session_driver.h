@@ -1,6 +1,6 @@
-// Passes data between a session, the servos of its hands and its ears, in a fixed order. The owner has the clock: real
-// time in the program, virtual time in scenarios and tests, recorded time in a replay. App thread. Owns none of the
-// things that it connects.
+// Passes data between a session, the servos of its hands, and speech and sound, in a fixed order. The owner provides
+// the time: real time in the program, virtual time in scenarios and tests, recorded time in a replay. It owns none of
+// the things that it connects. App thread.
 #pragma once
 
 #include <array>
@@ -19,53 +19,55 @@ namespace handrail::core {
 
 class SessionDriver {
 public:
-    // What a set-up shows to the hand instead of the world.
+    // What the right hand feels during a set-up, instead of the world.
     struct SetUpTouch {
         std::shared_ptr<const render::HapticScene> scene;
         servo::ServoTuning tuning;
         servo::WorkspacePose pose;
-        device::HandCommand simulated;  // for a simulated hand
+        device::HandCommand simulated;  // command for a simulated hand
     };
-    // Extra steps of some owners. Each may be empty.
+    // Additional functions of some owners. Each may be empty.
     struct Steps {
-        // Called after the session's tick and before anything is passed on, with the tools of that tick.
+        // Called after the session's tick and before any data is passed on, with the states of the tools in that tick.
         std::function<void(double now_s, const servo::ToolState& tool, const servo::ToolState& left_tool)> ticked;
-        // Receives the settings that the session changed, by key and value. Returns true if the ears must get the
-        // settings. Empty: they get them after every change.
+        // Receives the settings that the session has changed, as key and value. Returns true if speech and sound must
+        // get the settings. If this function is empty, they get the settings after every change.
         std::function<bool(std::vector<std::pair<std::string, std::string>> changes)> take_settings;
-        // Called before the ears and the servos receive anything.
+        // Called before speech, sound and the servos receive any data.
         std::function<void()> hands_over;
-        // Receives what is about to be announced and played.
+        // Receives all cues before they are announced and played, and may change them.
         std::function<void(std::vector<cues::CueRequest>& cues)> look_at_cues;
     };
 
-    // All of them outlive this object.
+    // `app` and `ears` must outlive this object.
     SessionDriver(Session& app, cues::EarsInbox& ears, Steps steps = {})
         : app_(app), ears_(ears), steps_(std::move(steps)) {}
 
-    // Sets the servo of hand 0 (the only or right one) or 1, which then receives everything again; null: none.
-    // simulated: its device, if the session moves it.
+    // Sets the servo of hand 0 (the only or right hand) or hand 1. The servo then receives all data again. Null: the
+    // hand has no servo. `simulated` is the device of the hand if the session moves it.
     void drive(std::size_t which, servo::ServoInbox* servo, std::shared_ptr<device::SimulatedHand> simulated = nullptr);
 
-    // Ticks the session, then calls hand_over(). The tools are what the servos published last.
+    // Ticks the session, then calls hand_over(). `tool` and `left_tool` are the states that the servos published last.
     void tick(double now_s, const servo::ToolState& tool, const servo::ToolState& left_tool = {});
-    // Passes on the settings that the session changed, to their owner and to the ears. hand_over() begins with this.
+    // Passes the settings that the session has changed to their owner and to speech and sound. hand_over() calls it
+    // first.
     void hand_over_settings();
-    // Passes on what has changed since the last call, in this order: settings; world, cues and listener to the ears;
-    // then data for the left and the right servo.
+    // Passes on all changes since the last call, in this order: the settings; then world, cues and listener for sound
+    // and speech; then the data for the left and the right servo.
     void hand_over();
 
-    // A set-up controls the right hand until end_set_up(); hand_over() does not touch that hand.
+    // Lets a set-up control the right hand until end_set_up(). Meanwhile, hand_over() does not touch that hand.
     void begin_set_up();
     void feel_set_up(const SetUpTouch& touch);
-    // confirms: how often the set-up requested to confirm a fault; the servo adds them to those of the session.
+    // `confirms` is how often the set-up requested to confirm a fault. The servo adds it to the number of confirmations
+    // by the session.
     void end_set_up(std::uint32_t confirms);
 
 private:
     struct Hand {
         servo::ServoInbox* servo = nullptr;
         std::shared_ptr<device::SimulatedHand> simulated;
-        // Last sent:
+        // As last sent to speech, sound and servos:
         std::shared_ptr<const render::HapticScene> scene, desk;
         std::uint64_t bodies = 0;
         std::uint32_t guidance = 0;
@@ -81,7 +83,7 @@ private:
     std::shared_ptr<const Scene> heard_scene_;
     int heard_world_ = 0;
     bool set_up_ = false;
-    std::uint32_t confirms_ = 0;  // of all set-ups up to now
+    std::uint32_t confirms_ = 0;  // number of confirmations by all set-ups until now
 };
 
 }  // namespace handrail::core

@@ -1,5 +1,5 @@
-// Groups of the session's features, one struct for each folder. The members are in the order in which they need each
-// other. App thread only.
+// Groups of the features of the session, one struct for each folder. The members are in the order in which they depend
+// on each other. App thread only.
 #pragma once
 
 #include "app/core/context/session_state.h"
@@ -31,7 +31,7 @@
 
 namespace handrail::core {
 
-// Where the walker is: its room and what is around.
+// Features that describe where the walker is: its room and the surroundings.
 struct Whereabouts {
     explicit Whereabouts(SessionState& state)
         : rooms(state.context),
@@ -46,7 +46,7 @@ struct Whereabouts {
     Visits visits;
 };
 
-// Things that move when they are used, walked against or entered.
+// Features for things that move when the person uses them, walks against them or enters them.
 struct MoverFeatures {
     explicit MoverFeatures(SessionState& state)
         : doors(state.context, state.world, state.body), triggers(state.context, state.world) {}
@@ -54,7 +54,7 @@ struct MoverFeatures {
     Triggers triggers;
 };
 
-// What moves the walker: keys, sticks, and following walls by ear.
+// Features that move the walker: by keys, by sticks, or along walls by ear.
 struct WalkingFeatures {
     explicit WalkingFeatures(SessionState& state)
         : by_ear(state.context, state.body, keys_held),
@@ -66,7 +66,7 @@ struct WalkingFeatures {
     Walking walking;
 };
 
-// What the hand feels of the world, where its workspace is, and whether there is force.
+// Features that determine what the hand feels, where its workspace is, and whether there is force.
 struct HandFeatures {
     HandFeatures(SessionState& state, const HeldKeys& keys_held)
         : touch_view(state.context, state.world, state.body, state.hands),
@@ -77,7 +77,7 @@ struct HandFeatures {
     Forces forces;
 };
 
-// What the person saves of a world, to return to it.
+// Features for what the person saves of a world in order to return to it.
 struct PlacesFeatures {
     PlacesFeatures(SessionState& state, Rooms& rooms, const PlannedStops& planned)
         : marks(state.context, state.world.marks),
@@ -92,14 +92,14 @@ struct PlacesFeatures {
     PrepareLesson lesson;
 };
 
-// An instructor's lesson.
+// Features for an instructor's lessons.
 struct TeachingFeatures {
     explicit TeachingFeatures(SessionState& state) : exercise(state.context) {}
     Exercise exercise;
-    std::vector<FeatureId> blocked;  // doors
+    std::vector<FeatureId> blocked;  // doors that a lesson keeps shut
 };
 
-// What is known of a place, the hunt as a game for exploring, and an instructor's lessons.
+// Features for learning a place, for the hunt as a game of exploring, and for an instructor's lessons.
 struct LearningFeatures {
     LearningFeatures(SessionState& state, Rooms& rooms, Soundscape& soundscape)
         : place(state.context, rooms),

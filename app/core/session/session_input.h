@@ -1,5 +1,5 @@
-// All input of a session, one value for each kind; only Session::apply applies it. Window, terminal, scenarios, tests
-// and replays all use it. Plain data.
+// All input of a session, one type for each kind. Only Session::apply applies it. Window, terminal, scenarios, tests
+// and replays use it. Plain data.
 #pragma once
 
 #include <cstdint>
@@ -24,17 +24,17 @@
 
 namespace handrail::core {
 
-// The key of a command is pressed and released.
+// A key was pressed, or released; given as its command.
 struct CommandDown {
     Command command;
-    int times = 1;  // for steps and turns, as when a count was typed; otherwise 1
+    int times = 1;  // number of steps or turns if the person typed a count; otherwise 1
 };
 struct CommandUp {
     Command command;
 };
-// Input to lists, questions and whatever waits for a key (dialogue.h): a key by name, characters, a terminal line, or a
-// screen reader's action on an item of the open list. If none of them uses it, apply() returns false and the caller
-// treats it as a command. They never take a key that stops force, sound or speech.
+// Input to lists, questions and anything else that waits for a key (dialogue.h): a key by name, characters, a terminal
+// line, or an action of a screen reader on an item of the open list. If none of them uses the input, apply() returns
+// false, and the caller treats the input as a command. They never use a key that stops force, sound or speech.
 struct KeyTapped {
     std::string key;
 };
@@ -44,113 +44,121 @@ struct TextTyped {
 struct LineTyped {
     std::string line;
 };
-// Leaves the open list and all lists under it silently, down to a text question. Not used if no list is open.
+// Silently closes the open list and all lists under it, down to a text question. apply() returns false if no list is
+// open.
 struct ListsLeft {};
 struct ItemActed {
     ItemAct act;
 };
-// Sticks act in addition to keys, until the next value or until the keyboard focus is lost. Values that are not finite
-// count as rest.
+// The position of the sticks, which act in addition to keys until the next value or until the keyboard focus is lost. A
+// value that is not finite counts as the rest position.
 struct Steered {
     Steering steering;
 };
-// The window lost or regained the keyboard. While it is lost, no key counts as held and force fades out.
+// The window has lost or regained the keyboard focus. While the focus is lost, no key counts as held, and the force
+// fades out.
 struct FocusChanged {
     bool focused;
 };
-// Number of presses of the stop key, from whatever sees the key before the app does (ServoSwitches::stops). It is
-// reported before the keys of each frame. The servo has stopped already; this makes the rest follow.
+// The number of presses of the stop key, counted by the part that sees the key before the app thread does
+// (ServoSwitches::stops). It comes before the keys of each frame. The servo has already stopped, and this input stops
+// everything else.
 struct Stopped {
     std::uint32_t count;
 };
-// Moves the target of the simulated hand, device frame; clamped to its workspace.
+// Moves the target of the simulated hand by a vector in the device frame. The target stays in the workspace.
 struct HandMoved {
     Vec3 by_m;
 };
-// Changes one setting of any key, as a list, the desk or a command does. It is effective at once and returned by
-// Session::take_setting_changes. Not used if the value is invalid.
+// Changes the setting with this key, as a list, the desk or a command does. The change is effective at once, and
+// Session::take_setting_changes returns it. apply() returns false if the value is invalid.
 struct SettingSet {
     std::string key, value;
 };
-// New settings from outside; the world stays. Force ramps in again if the workspace changes.
+// New settings from outside; the world stays. If the workspace changes, the force rises again from zero.
 struct SettingsChanged {
     settings::Settings settings;
 };
-// Replaces the device by another one, or by none. The settings come from outside, as in SettingsChanged.
+// Another device for the only or right hand, or none. The settings come from outside, as in SettingsChanged.
 struct HandChanged {
     HandFacts hand;
     settings::Settings settings;
-    bool for_want_of_one = false;  // simulated because there is no device: lessons then speak of walking
+    // True: the hand is simulated because there is no device, so lessons speak of walking.
+    bool for_want_of_one = false;
 };
-// A second device in the left hand, or none. It has its own proxy and force ceiling in the same workspace, at the scale
-// of the first. If one hand moves the workspace, the other moves along.
+// A second device for the left hand, or none. It has its own proxy and its own force ceiling, but the same workspace
+// and the same scale as the first. If one hand moves the workspace, the other hand's proxy moves along.
 struct LeftHandChanged {
     HandFacts hand;
 };
-// A usable device has been plugged in. It is announced, and the next press of the force key takes it.
+// A usable device has been plugged in. The session announces it, and the next press of the force key takes it.
 struct HandOffered {
     std::string spoken_name;
 };
-// Enters a world: the walker is placed at the world's start, and that place is announced.
-// additions: what the person added to that world, and its file; none: additions stay in memory and are lost with the
-// world.
-// request: the file and how it was read, for whoever reads it again.
-// settings: the person's settings from now on, with those of this world and without those of the previous one; none:
-// unchanged.
+// Enters a world. The walker is placed at the start of the world, and the session announces that place.
+// - additions: what the person added to the world, with the file; none: additions stay in memory and are lost with
+//   the world.
+// - request: the file and how it was read, for the case that it must be read again.
+// - settings: the person's settings from now on, including those of this world instead of the previous one; none:
+//   unchanged.
 struct WorldEntered {
     EnteringWorld world;
     std::optional<SideFile> additions = {};
     WorldRequest request = {};
     std::optional<settings::Settings> settings = {};
 };
-// Moves the walker to another place in this world; the workspace moves along.
+// Moves the walker to another place in this world, and the workspace with it.
 struct Placed {
     Vec3 feet_m;
     double heading_rad = 0.0;
 };
-// A sentence from outside (problems while loading, device news).
+// A sentence from outside, such as a problem while loading or news about a device.
 struct Told {
     std::string text;
     cues::SpeechClass speech_class = cues::SpeechClass::Answer;
 };
-// Lines about these were cut, and now nothing is said or pressed: what is still true is said anew.
+// Lines about these topics were cut off, and now speech is silent and no key is pressed. The session says again what is
+// still true.
 struct LinesOwed {
     cues::SpeechTopics topics;
 };
-// The first minutes, before a world is entered or in one. who_speaks: "speech-dispatcher"; owner_sets_up: the owner
-// runs the set-up by voice when requests() has it, else that part is left out.
+// Begins the first minutes, before a world is entered or in a world. `who_speaks` names the speech program, such as
+// "speech-dispatcher". `owner_sets_up`: the owner runs the set-up by voice when requests() contains that request;
+// otherwise the step is skipped.
 struct FirstMinutesBegun {
     std::string who_speaks;
     bool owner_sets_up = false;
 };
-// The first minutes are not wanted or can no longer be answered. The world then greets as usual.
+// Ends the first minutes, because the person does not want them or can no longer answer. The session then greets the
+// person in the world as usual.
 struct LessonLeft {};
-// The requested set-up is over or was left.
+// The set-up that the session requested has ended, or the person has left it.
 struct SetUpOver {};
-// The last place of a session that crashed. The LastPlace command requests that the owner continue there: it reads that
-// world if necessary and then sends WentOnAt.
+// The last place of a session that crashed. With the command LastPlace, the person requests to continue there. The
+// owner then reads that world if necessary and sends WentOnAt.
 struct LastPlaceKnown {
     LastPlace place;
 };
-// Moves the walker to that place in the present world, or next to what is there now, and announces it. If the place is
-// no longer in the world, nobody is moved.
+// Moves the walker to `place` in the present world, or next to what is there now, and announces the place. If the place
+// is no longer in the world, the walker is not moved.
 struct WentOnAt {
     LastPlace place;
 };
-// What is known of an earlier session that crashed: the file with the report, and its lines.
+// What is known of an earlier session that crashed: the file of the report, and the lines of the report.
 struct CrashReportKnown {
     std::string file;
     std::vector<std::string> lines;
 };
-// Every error in the settings files, one sentence each; the menu lists them.
+// All errors in the settings files, one sentence each. The menu lists them.
 struct SettingsFaultsKnown {
     std::vector<std::string> faults;
 };
-// The connected devices, one sentence each, after the session has requested them from its owner. Opened as a list.
+// The connected devices, one sentence each. The owner sends them at the request of the session, which opens them as a
+// list.
 struct DevicesFound {
     std::vector<std::string> sentences;
 };
-// What the list of worlds offers.
+// The worlds that the list of worlds offers.
 struct WorldsKnown {
     WorldShelf shelf;
 };

@@ -1,4 +1,4 @@
-// The session's part for continuing where an earlier session crashed. App thread only.
+// The part of the session for continuing where an earlier session crashed. App thread only.
 #include <algorithm>
 
 #include "app/core/session/session.h"
@@ -7,7 +7,7 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kOutside_m = 10.0;  // nobody can have stood farther outside the world
+constexpr double kOutside_m = 10.0;  // a stored place farther outside the world cannot be right
 
 }  // namespace
 

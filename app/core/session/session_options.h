@@ -1,4 +1,4 @@
-// What an owner sets once when it makes a session. Plain data.
+// Options that the owner of a session sets once, when it makes the session. Plain data.
 #pragma once
 
 #include <filesystem>
@@ -11,18 +11,18 @@
 namespace handrail::core {
 
 struct SessionOptions {
-    // Runs the background tasks; outlives the session.
+    // Runs the background tasks. It must outlive the session.
     const Executor& executor = at_once();
-    // Folder for best times; empty: they last as long as the session.
+    // Folder for best times. If it is empty, they are lost when the session ends.
     std::filesystem::path records_in = {};
-    // Folder of the person's own language files; empty: only the bundled ones.
+    // Folder of the person's own language files. If it is empty, there are only the bundled languages.
     std::filesystem::path languages_in = {};
     BodyEngines bodies = {};
-    // Records or determines in which tick the result of a background task arrives; outlives the session. Null: results
-    // arrive as soon as they are ready.
+    // Records or determines in which tick the result of a background task arrives. It must outlive the session. Null:
+    // results arrive as soon as they are ready.
     Arrivals* arrivals = nullptr;
-    // Rooms of worlds that other sessions on this thread enter as well; outlives the session. Null: the session finds
-    // its own.
+    // The rooms of worlds that several sessions on this thread enter, so that they are searched for only once. It must
+    // outlive the session. Null: the session searches for them itself.
     RoomsKept* rooms_kept = nullptr;
 };
 

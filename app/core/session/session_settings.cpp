@@ -1,5 +1,5 @@
-// The session's part for settings that change while it runs: all of them from outside, or a single one from any input.
-// App thread only.
+// The part of the session for settings that change while it runs: all settings from outside, or one setting from any
+// input. App thread only.
 #include <algorithm>
 #include <array>
 
@@ -10,18 +10,18 @@
 namespace handrail::core {
 namespace {
 
-// What must be done after a setting has changed, apart from storing its value.
+// What the session must do after a setting has changed, in addition to storing its value.
 enum class Follows : std::uint8_t {
     Nothing,
     Pose,       // move the workspace
     Tuning,     // tune the servo again; force ramps in again
-    UnderHand,  // the workspace turns or changes about the place under the hand
-    Scale,      // the workspace scales about that place, and no named scale is effective any more
-    Keys,       // keys belong to other commands
-    Language,   // names are in another language
+    UnderHand,  // turn or change the workspace, while the point of the world under the hand stays
+    Scale,      // change the scale, while the point under the hand stays; no named scale is effective after that
+    Keys,       // assign keys to other commands
+    Language,   // take names from another language
 };
 struct Consequence {
-    std::string_view key;  // ends with a dot: prefix of several keys
+    std::string_view key;  // key of a setting; a key that ends with a dot is a prefix
     Follows follows;
 };
 constexpr std::array kConsequences{
@@ -65,7 +65,7 @@ void Session::change_settings(const settings::Settings& settings, double now_s) 
     if (state_.world.scene) hand_.workspace.take_settings(now_s);
 }
 
-// Takes all settings, without the consequences for hand and world.
+// Takes over all settings. The caller handles the consequences for the hand and the world.
 void Session::take_settings(settings::Settings settings, double now_s) {
     speak_language_of(settings.speech, now_s);
     state_.person.settings = std::move(settings);
@@ -77,10 +77,11 @@ void Session::speak_language_of(const settings::Settings::Speech& speech, double
     if (speech.language == state_.person.settings.speech.language) return;
     for (const Diagnostic& fault : speak_as_set(speech, menu_.languages().folder()))
         say(fault.sentence(), cues::SpeechClass::Answer, now_s);
-    desk_visit_.furnish();  // its controls have new names
+    desk_visit_.furnish();  // the controls of the desk get names in the new language
 }
 
-// All changes of a single setting go through this; the owner of the settings stores and saves them.
+// Changes one setting; all changes of a single setting go through this function. The owner of the settings stores and
+// saves them.
 Result<void> Session::set(std::string_view key, const std::string& value, double now_s) {
     settings::Settings changed = state_.person.settings;
     if (auto done = settings::change_setting(changed, key, value); !done) return done;
@@ -91,7 +92,7 @@ Result<void> Session::set(std::string_view key, const std::string& value, double
     return {};
 }
 
-// Applies `changed`, in which only `key` has a new value.
+// Takes over `changed`, in which only the value of `key` is new, with the consequences.
 void Session::follow(std::string_view key, settings::Settings changed, double now_s) {
     const Follows follows = what_follows(key);
     if (follows == Follows::Language) speak_language_of(changed.speech, now_s);
@@ -100,7 +101,8 @@ void Session::follow(std::string_view key, settings::Settings changed, double no
         state_.person.settings = std::move(changed);
         return true;
     };
-    const bool moves = state_.world.scene && !at_desk();  // a jump of the workspace would end a visit at the desk
+    // At the desk, the workspace must not move, because a jump would end the visit.
+    const bool moves = state_.world.scene && !at_desk();
     const bool under_hand = follows == Follows::UnderHand || follows == Follows::Scale;
     if (under_hand && moves) return hand_.workspace.change_under_hand(take, now_s);
     take();

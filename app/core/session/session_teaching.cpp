@@ -1,5 +1,5 @@
-// The session's part for an instructor's lessons: what they do to the session, and what they see of it. App thread
-// only.
+// The part of the session for an instructor's lessons: what a teacher does to the session, and what a teacher sees of
+// it. App thread only.
 #include <algorithm>
 
 #include "app/core/session/session.h"
@@ -42,8 +42,8 @@ void Session::teach(const TeacherActed& act, double now_s) {
     tell_changes(now_s);
 }
 
-// Guides by the hand if there is one. Otherwise by words if the amount of guidance is at least half, and below that
-// only by the sound of the goal.
+// If there is a hand, the lesson guides the hand. Otherwise it guides by words if the amount of guidance is at least
+// half, and by the sound of the goal alone if it is less.
 void Session::lead_in_lesson(const TeacherActed& act, double now_s) {
     constexpr double kByWords = 0.5;
     guide_.limit_help(std::clamp(act.number, 0.0, 1.0));
@@ -62,7 +62,7 @@ void Session::lead_in_lesson(const TeacherActed& act, double now_s) {
     state_.events.tell(Led{stops.back().name, LedBy::Beacon}, now_s);
 }
 
-// Makes routes avoid the blocked doors, once the rooms are known.
+// Makes routes avoid the blocked doors. Does nothing until the rooms are known.
 void Session::lay_blocked() {
     if (!where_.rooms.found()) return;
     std::vector<Aabb> boxes;
@@ -87,7 +87,7 @@ LessonView Session::lesson_view() {
     if (const navigation::Room& here = where_.rooms.graph().rooms[where_.rooms.here()]; here.given)
         view.room = here.name;
     const Progress progress = learn_.place.progress_in(where_.rooms.here());
-    // Outdoors, the walls are those of the building, and nobody is expected to walk along all of them.
+    // Outdoors, the walls are the outer walls of the building, and nobody is expected to walk along all of them.
     if (!navigation::is_outside(where_.rooms.graph().rooms[where_.rooms.here()], where_.rooms.space(),
                                 *where_.rooms.file_scene())) {
         view.perimeter_m = progress.perimeter_m;

@@ -1,5 +1,5 @@
-// All connections from features up to the session: what they may request of it, and which other features get their
-// news. App thread only.
+// All connections between features and the session: what features may request of it, and which other features get their
+// events. App thread only.
 #include <cmath>
 
 #include "app/core/menu/setting_lists.h"
@@ -45,7 +45,7 @@ void Session::wire() {
     learn_.teaching.exercise.on_prepare = [this](double now_s) { places_.lesson.open(now_s); };
     places_.faults.on_find = [this](const Goal& place, double now_s) { guide_.open_tools(place, now_s); };
     places_.marks.on_find = [this](const Goal& mark, double now_s) { guide_.open_tools(mark, now_s); };
-    // Rows above the marks: the beacon, and the amount of guidance.
+    // The rows above the marks are the beacon and the amount of guidance.
     places_.marks.rows_above = [this] {
         const auto help = [this] { return phrase("guide.percent", {{"percent", std::lround(100.0 * guide_.help())}}); };
         const std::string beacon = guide_.beacon().on() ? guide_.beacon().name() : phrase("setting_value.off");
@@ -90,7 +90,7 @@ void Session::wire() {
     walk_.walking.on_bumped = [this](FeatureId feature, double now_s) {
         lesson_session_.note_bump(feature);
         guide_.note_stop(feature);
-        // In games, walking against a button presses it.
+        // In games, a walker who walks against a button presses it.
         if (const int met = mover_of(state_.world, feature);
             met >= 0 && state_.world.scene->features[feature.value].kind == FeatureKind::Button)
             movers_.doors.press(static_cast<std::uint32_t>(met), false, now_s);
@@ -98,7 +98,8 @@ void Session::wire() {
     };
     hand_.touch_view.openings = [this] {
         if (where_.rooms.awaited()) return KnownOpenings{{}, true};
-        // found() instead of known(): on entering a world, its movers and the places of its leaves are not known yet.
+        // Uses found() instead of known(): when a world has just been entered, its movers and the positions of its door
+        // leaves are not known yet.
         return KnownOpenings{where_.rooms.found() ? open_portals(where_.rooms.graph()) : OpenPortals{}, false};
     };
     hand_.workspace.in_room_of_body = [this](const Vec3& place_m) {
@@ -141,7 +142,7 @@ void Session::wire() {
     };
     lesson_session_.world_greeting = [this] { return entering_text(); };
     lesson_session_.on_begin_here = [this](double now_s) { publish_pose(now_s, PoseChange::Placed); };
-    // The hunt takes place in the bundled house; if there is none, here.
+    // The hunt takes place in the bundled house. If there is no such house, it takes place here.
     lesson_session_.on_hunt = [this](double now_s) {
         const auto house = menu_.worlds().bundled("house");
         if (!house) {

@@ -19,12 +19,13 @@ namespace {
 constexpr double kCrumb_m = 0.25;
 constexpr std::size_t kMostCrumbs = 4000;
 constexpr double kSquareReach_m = 3.0;
-constexpr double kToldTurn_rad = 0.7;            // turns by more than this (40 degrees) are announced
-constexpr double kToldClimb_m = 0.3;             // height changes by more than this are announced
-constexpr double kBeforeStairs_m = 0.35;         // from the walker's edge to the first riser; following waits there
-constexpr double kStairsLookedForEvery_m = 0.1;  // distance between two searches for stairs
-constexpr double kStairsSeen_m = 2.0;            // how far ahead the ground is examined for stairs
-constexpr double kLevelAgain_m = 1.5;            // after this much level ground, the stairs are over or were not taken
+constexpr double kToldTurn_rad = 0.7;     // a turn by more than this (40 degrees) is announced
+constexpr double kToldClimb_m = 0.3;      // a change of height by more than this is announced
+constexpr double kBeforeStairs_m = 0.35;  // following stops when the walker's edge is this far from the first riser
+constexpr double kStairsLookedForEvery_m = 0.1;  // the walker's distance between two searches for stairs
+constexpr double kStairsSeen_m = 2.0;            // how far ahead the search examines the ground
+// After this distance on level ground, the stairs are over or the walker did not take them.
+constexpr double kLevelAgain_m = 1.5;
 
 }  // namespace
 
@@ -139,7 +140,8 @@ bool ByEar::start_trail(TrailSide side, double now_s) {
     return false;
 }
 
-// Announces where following leads, unless the person already faces that way with the wall at that side.
+// Announces in which direction the walk along the wall leads. Does nothing if the person already faces that direction
+// with the wall at that side.
 void ByEar::tell_start(double now_s) {
     const double heading_rad = trail_.heading_rad();
     const bool turns = std::abs(wrap_angle(heading_rad - body_.heading_goal_rad)) > kToldTurn_rad;
@@ -184,7 +186,7 @@ std::optional<Vec3> ByEar::lead(double now_s, double dt_s) {
     return way.wish_m_per_s;
 }
 
-// The new direction if it differs from what the person knows; only once.
+// Returns the new direction in words if it differs from the one last announced. Each change is announced once.
 std::string ByEar::going_words() {
     if (std::abs(wrap_angle(body_.heading_goal_rad - told_heading_rad_)) <= kToldTurn_rad) return {};
     told_heading_rad_ = body_.heading_goal_rad;
@@ -208,7 +210,8 @@ void ByEar::tell_turn_and_climb(double now_s) {
     told_z_m_ = z_m;
 }
 
-// Waits at stairs until the person repeats the command.
+// If stairs are ahead, stops the walk along the wall until the person repeats the command. Returns true while it is
+// stopped.
 bool ByEar::waits_at_stairs(double heading_rad, double now_s) {
     if (stairs_.held || stairs_.climbs) return stairs_.held;
     if (glm::length(body_.feet_m() - stairs_.looked_m) < kStairsLookedForEvery_m) return false;
@@ -226,7 +229,7 @@ bool ByEar::waits_at_stairs(double heading_rad, double now_s) {
 void ByEar::tell_trail(const TrailEvent& event, double now_s) {
     const std::string name =
         cues::describe_feature(*context_.world.scene, event.feature, std::max(1, context_.settings.speech.verbosity));
-    // One sentence for both, because the newest name replaces the previous one.
+    // Joins both announcements into one sentence, because a newer name would replace the previous one.
     const auto with_going = [this](std::string words) {
         if (const std::string going = going_words(); !going.empty())
             words += (words.ends_with('.') ? " " : ". ") + going;
@@ -250,7 +253,7 @@ void ByEar::tell_trail(const TrailEvent& event, double now_s) {
         case TrailEvent::Kind::Opening: {
             context_.cues.cue(sound_at(cues::SoundKind::Opening, event.place_m, now_s));
             if (!context_.settings.walk.callouts) return;
-            // An open door is announced by its name.
+            // If there is a door, its name replaces the text for an opening.
             std::string text = phrase("walking.opening", {{"metres", std::round(event.width_m * 10.0) / 10.0}});
             for (const Feature& feature : context_.world.scene->features)
                 if (feature.kind == FeatureKind::Door && !feature.bounds_m.empty() &&
@@ -288,7 +291,7 @@ std::optional<Vec3> ByEar::retrace(double now_s, double dt_s) {
     return left * (context_.settings.walk.speed_m_per_s / way_m);
 }
 
-// Turns square to the nearest wall, or to the nearest quarter of the compass if no wall is near.
+// Turns the walker to face the nearest wall squarely, or to the nearest quarter of the compass if no wall is near.
 void ByEar::square_up(double now_s) {
     const auto nearest = nearest_wall(*context_.world.solids, body_.feet_m(), kSquareReach_m);
     const double quarter = 0.5 * kPi;

@@ -1,7 +1,7 @@
-// Moving by ear: along a wall, back along one's path, square to a wall, and by leaps from thing to thing (Leaping).
-// This class says where the walker should go; Walking moves it. While it follows a wall it never turns or climbs
-// silently: it announces each new direction, and it waits before stairs until the command is repeated. App thread only;
-// world metres.
+// Moving by ear: along a wall, back along the walked path, facing a wall squarely, and by leaps from thing to thing
+// (Leaping). This class says where the walker should go; Walking moves it. While it follows a wall, it announces each
+// new direction and each climb, and it stops before stairs until the person repeats the command. App thread only; world
+// metres.
 #pragma once
 
 #include <functional>
@@ -18,30 +18,31 @@ namespace handrail::core {
 
 class ByEar : SessionPart {
 public:
-    // Turns `body`, and lays and takes up the trail of points for the way back.
+    // Turns the walker in `body`, and keeps in it the trail of points for the way back.
     ByEar(const SessionContext& context, WalkerState& body, const HeldKeys& keys);
 
     void enter_world();
-    // Call it after the walker was placed elsewhere in the same world.
+    // Call it after the walker was moved elsewhere in the same world.
     void set_down();
-    // Call it with every command before it acts: any other action ends following and going back.
+    // Call it with every command before the command acts. Any other action ends following a wall and going back.
     void notice(Command command);
-    // Returns false if the command belongs to another feature. times: number of steps along a wall or back.
+    // Returns false if the command belongs to another feature. `times` is the number of steps along a wall or back.
     bool act(Command command, double now_s, int times = 1);
     // True while following a wall or going back moves the walker.
     bool leads() const;
-    // The wished velocity of the walker, metres per second, level; no value: the person's own keys apply.
+    // Returns the intended horizontal velocity of the walker in metres per second. No value: the walker moves by the
+    // person's own keys.
     std::optional<Vec3> lead(double now_s, double dt_s);
-    // Drops the remaining distance of taps.
+    // Drops the remaining distance of tapped keys.
     void halt();
-    // Adds the walker's place to the path for the way back.
+    // Adds the walker's position to the trail for the way back.
     void lay_crumb();
-    // Call it before leaps, Home and the like, so that they can be undone.
+    // Keeps the present place for undoing. Call it before leaps, the command Home and the like.
     void keep_place() { leaping_.keep_place(); }
-    // The level normal of the wall that the walker follows; no value if there is none.
+    // Returns the horizontal normal of the wall that the walker follows, or no value if it follows none.
     std::optional<Vec3> wall_at_side() const;
 
-    // Set by the session: the answer to "where am I", and the doors of the present room.
+    // Set by the session. They return the answer to "where am I" and the doors of the present room.
     std::function<std::string()> where_am_i;
     std::function<std::vector<LeapDoor>()> doors_of_room;
 
@@ -58,15 +59,16 @@ private:
     WalkerState& body_;
     const HeldKeys& keys_;
     Trail trail_;
-    double trail_left_m_ = 0.0;    // remaining distance of taps
-    bool trail_to_event_ = false;  // until the next event of the wall
-    double retrace_left_m_ = 0.0;  // remaining distance of taps back along the path
+    double trail_left_m_ = 0.0;    // remaining distance along the wall for tapped keys
+    bool trail_to_event_ = false;  // true: the walker continues until the next event of the wall, such as a corner
+    double retrace_left_m_ = 0.0;  // remaining distance back along the trail for tapped keys
     bool retracing_ = false;
-    double told_heading_rad_ = 0.0, told_z_m_ = 0.0;  // as last announced to the person
-    // Stairs before which following waits. A repeated command continues over them, until the ground is level again.
+    double told_heading_rad_ = 0.0, told_z_m_ = 0.0;  // direction and height as last announced
+    // Stairs before which following a wall stops (`held`). If the person repeats the command, the walker continues over
+    // them (`climbs`) until the ground is level again.
     struct Stairs {
         bool held = false, climbs = false;
-        double z_m = 0.0, level_m = 0.0;  // height in the last tick; distance on level ground
+        double z_m = 0.0, level_m = 0.0;  // z_m: height in the last tick; level_m: distance since then on level ground
         Vec3 from_m{0.0}, looked_m{1e9};
     };
     Stairs stairs_;

@@ -17,9 +17,9 @@ constexpr double kLookEvery_s = 0.25, kLookEvery_m = 0.15, kLookEvery_rad = 0.1;
 constexpr double kEdgeConfirm_s = 2.0;
 constexpr double kTellAgain_s = 30.0, kSamePlace_m = 1.5;
 constexpr double kDoorNear_m = 3.0;
-constexpr double kStill_s = 1.5;  // the beat stops this long after the last movement
+constexpr double kStill_s = 1.5;  // the beat before an edge stops this long after the last movement
 constexpr double kRiser_m = 0.08;
-constexpr double kLanding_m = 0.6;  // level distance after the last riser
+constexpr double kLanding_m = 0.6;  // a landing begins after this distance on level ground behind the last riser
 constexpr double kRamp = 0.03, kRampSure_m = 0.4;
 
 }  // namespace
@@ -77,12 +77,12 @@ bool Footing::held_at_edge(const WalkerMotion& before, Paces& paces, double now_
     return true;
 }
 
-// Returns true, and notes the place, if nothing was announced there lately.
+// Returns true and notes the place if nothing was announced there in the last kTellAgain_s.
 bool Footing::tell_place_once(const Vec3& place_m, bool drop, double now_s) {
     std::erase_if(told_, [&](const Told& told) { return now_s - told.time_s > kTellAgain_s; });
     for (Told& told : told_)
         if (told.drop == drop && glm::length(told.place_m - place_m) < kSamePlace_m) {
-            told.time_s = now_s;  // while the person stays before it, it is not announced again
+            told.time_s = now_s;  // the time starts again, so that it is not repeated while the person stays there
             return false;
         }
     if (told_.size() == kMostTold) told_.erase(told_.begin());
@@ -97,7 +97,7 @@ void Footing::tick(const Vec3& before_m, const WalkResult& walked, double now_s)
     tell_underfoot(feet - before_m, walked, now_s);
     const bool turned = std::abs(wrap_angle(body_.heading_rad - looked_.heading_rad)) > kLookEvery_rad;
     const bool went = glm::length(feet - looked_.from_m) > kLookEvery_m;
-    // What the eyes sweep over during a turn is not ahead.
+    // During a turn, the ground that the walker faces for a moment does not count as ahead.
     const bool turning = body_.heading_rad != body_.heading_goal_rad;
     if (!turning && (turned || went) && now_s - looked_.at_s >= (turned ? 0.1 : kLookEvery_s * 0.5)) {
         looked_.ahead = ground_ahead(*context_.world.solids, feet, body_.heading_rad,
@@ -110,7 +110,7 @@ void Footing::tick(const Vec3& before_m, const WalkResult& walked, double now_s)
     beat_ahead(now_s);
 }
 
-// Announces risers, landings and ramps.
+// Announces risers, landings and ramps under the walker.
 void Footing::tell_underfoot(const Vec3& moved_m, const WalkResult& walked, double now_s) {
     if (std::abs(moved_m.z) >= kRiser_m && !walked.landed) {
         const int sign = moved_m.z > 0.0 ? 1 : -1;
@@ -164,7 +164,7 @@ void Footing::tell_ahead(double now_s) {
             phrase("walking.drop", {{"distance", distance_words(ahead.drop->distance_m, distances(context_))}}), now_s);
 }
 
-// Plays the beat before an edge, and knocks from a faced door; silent while the person stands still.
+// Plays a beat before an edge, and a knock from a door that the walker faces. Silent while the person stands still.
 void Footing::beat_ahead(double now_s) {
     if (now_s - looked_.moved_s > kStill_s) return;
     if (looked_.ahead.drop) {

@@ -1,5 +1,5 @@
-// The ground under and before the feet. It announces stairs, ramps, drops and doors ahead, and stops the walker at an
-// edge until the person asks twice. App thread only; world metres.
+// The ground under and in front of the walker. This class announces stairs, ramps, drops and doors ahead. It stops the
+// walker at an edge until the person presses the key again. App thread only; world metres.
 #pragma once
 
 #include <vector>
@@ -13,20 +13,22 @@ namespace handrail::core {
 
 class Footing : SessionPart {
 public:
-    // Holds `body` back at edges.
+    // Keeps the walker in `body` back at edges.
     Footing(const SessionContext& context, WalkerState& body) : SessionPart(context), body_(body) {}
 
     void enter_world();
-    // Call it after the walker was placed elsewhere in the same world. What was announced lately is not repeated.
+    // Call it after the walker was moved elsewhere in the same world. Recent announcements are not repeated.
     void set_down();
-    // Call it with every command before it acts. A walking key pressed at an edge permits the walker to cross it.
+    // Call it with every command before the command acts. If the person presses a walking key at an edge, the walker
+    // may cross it.
     void notice(Command command, double now_s);
-    // Moves the walker back to `before` if it is over a drop that was not confirmed, and returns true. The steps to the
-    // edge are announced with it.
+    // If the walker is over a drop that the person has not confirmed, moves it back to `before` and returns true. The
+    // announcement includes the steps to the edge.
     bool held_at_edge(const WalkerMotion& before, Paces& paces, double now_s);
-    // Call it each tick while the walker stands: announces changes of the ground. before_m: its place in the last tick.
+    // Announces changes of the ground. Call it each tick while the walker stands on the ground. `before_m` is the
+    // walker's position in the last tick.
     void tick(const Vec3& before_m, const WalkResult& walked, double now_s);
-    // Pitch of footsteps: higher uphill.
+    // Factor on the pitch of footsteps: higher uphill.
     double step_pitch() const { return underfoot_.step_pitch; }
 
 private:
@@ -35,24 +37,24 @@ private:
     void tell_ahead(double now_s);
     void beat_ahead(double now_s);
 
-    // The ground ahead, examined after the walker has moved or turned.
+    // The ground ahead, as last examined after the walker had moved or turned.
     struct Looked {
         GroundAhead ahead;
         Vec3 from_m{0.0};
         double heading_rad = 0.0, at_s = -1e9;
-        double moved_s = -1e9;  // when the walker last walked or turned
+        double moved_s = -1e9;  // time when the walker last walked or turned
         double beat_s = -1e9, door_s = -1e9;
     };
     struct Edge {
-        bool held = false;       // stopped; announced once for each press
-        double at_s = -1e9;      // time of the stop
-        bool confirmed = false;  // the next edge may be crossed
+        bool held = false;       // true: the walker was stopped; announced once for each press of a key
+        double at_s = -1e9;      // time when the walker was stopped
+        bool confirmed = false;  // true: the person has confirmed, so the walker may cross the next edge
     };
     struct Underfoot {
-        int risers = 0;  // since the stairs began, positive upwards
+        int risers = 0;  // number of risers since the stairs began, positive upwards
         double since_riser_m = 0.0;
         double ramp_m = 0.0;  // distance walked on the ramp; level ground reduces it
-        int ramp_told = 0;    // announced: 1 up, -1 down
+        int ramp_told = 0;    // announced ramp: 1 up, -1 down, 0 none
         double step_pitch = 1.0;
     };
     struct Told {
@@ -65,7 +67,7 @@ private:
     Looked looked_;
     Edge edge_;
     Underfoot underfoot_;
-    std::vector<Told> told_;  // announced stairs and edges of the last half minute
+    std::vector<Told> told_;  // stairs and edges announced in the last half minute
 };
 
 }  // namespace handrail::core

@@ -8,7 +8,9 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kHeadOn = 0.1;  // share of a tick's distance; less counts as none and is handled at once
+// If the walker makes less than this share of a tick's distance, it counts as stopped, and the decision is made at
+// once.
+constexpr double kHeadOn = 0.1;
 constexpr double kStraightIn_m = 0.01;
 constexpr int kMostLineUps = 2;
 

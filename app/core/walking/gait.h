@@ -1,6 +1,7 @@
-// How a walk continues when it meets something: it slides along a surface met at under 45 degrees, slides into a
-// doorway whose frame it meets, and stops at anything else. Measurements and decisions match BlindGround::walk, so that
-// routes in words are valid for the walker of the session. Plain state; app thread. World metres.
+// Decides how a walk continues when the walker meets something. The walker slides along a surface that it meets at
+// under 45 degrees, and slides sideways into a doorway whose frame it meets. At anything else it stops. Measurements
+// and decisions match BlindGround::walk, so that spoken directions are valid for the session's walker. Plain state; app
+// thread. World metres.
 #pragma once
 
 #include <functional>
@@ -12,24 +13,24 @@ namespace handrail::core {
 
 class Gait {
 public:
-    // Call it when another walk begins; earlier contacts no longer count.
+    // Call it when another walk begins. Earlier contacts no longer count.
     void begin() { *this = {}; }
-    // Call it when nobody walks: sliding ends.
+    // Call it when the walker does not walk. It ends a slide to the side.
     void stand() { aside_m_ = 0.0; }
-    // How far the walker must still slide to the side into a doorway, positive to the right of the walk; the walk waits
-    // meanwhile.
+    // Returns how far the walker must still slide to the side into a doorway, positive to the right of the walking
+    // direction. The walk waits meanwhile.
     double aside_left_m() const { return aside_m_; }
-    // Reports a tick of sliding. If less than wished was made, something is in the way, and the walk continues from
-    // there.
+    // Call it after each tick of a slide to the side, with the intended and the actual distance. If the actual distance
+    // is shorter, something is in the way, so the slide ends and the walk continues from there.
     void went_aside(double wished_m, double made_m);
 
     enum class Course { On, Along, Aside, Stopped };
-    // Reports a tick of the walk itself; `met`: against something. line_up_m: see BlindGround::line_up_m, called once
-    // the walk is held; may be null.
+    // Call it after each tick of the walk itself, with the intended and the actual distance. `met`: the walker touched
+    // something. `line_up_m` (see BlindGround::line_up_m) is called when the walker is stopped; it may be null.
     Course went(double wished_m, double made_m, bool met, const std::function<std::optional<double>()>& line_up_m);
 
 private:
-    double wished_m_ = 0.0, made_m_ = 0.0;  // since the last decision
+    double wished_m_ = 0.0, made_m_ = 0.0;  // distances since the last decision
     double aside_m_ = 0.0;
     int lined_up_ = 0;
 };

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMostUndo = 16, kMostPlaces = 64;
 // Largest height above or below the waist at which a mark counts as on this floor.
 constexpr double kMarkHeight_m = 1.5;
-constexpr double kTellHeight_m = 0.3;  // larger height changes of a leap are announced
+constexpr double kTellHeight_m = 0.3;  // if a leap changes the height by more than this, that is announced
 
 }  // namespace
 
@@ -39,7 +39,7 @@ void Leaping::keep_place() {
 }
 
 void Leaping::undo(double now_s) {
-    // Nobody is put back where something stands now, or into a solid.
+    // The walker is never put back into a solid or where something stands now.
     std::erase_if(
         undo_, [&](const Place& place) { return context_.world.solids->blocked(place.feet_m, body_.walker->shape()); });
     if (undo_.empty()) {
@@ -53,7 +53,7 @@ void Leaping::undo(double now_s) {
     context_.answer(phrase("walking.undone") + " " + where_am_i_(), now_s);
 }
 
-// Doors of the room; doors, landmarks and clues in sight; and marks: nearest first.
+// Returns the targets, nearest first: doors of the room; doors, landmarks and clues in sight; and marks.
 std::vector<Leaping::Target> Leaping::targets() const {
     std::vector<Target> all;
     const Vec3& feet_m = body_.feet_m();
@@ -88,7 +88,8 @@ std::vector<Leaping::Target> Leaping::targets() const {
     return all;
 }
 
-// A place before the target if there is room; directly on a mark if that is free.
+// Returns a place in front of the target if there is room for the walker. For a mark, returns the place of the mark
+// itself if it is free.
 std::optional<Leaping::Place> Leaping::place_at(const Target& target) const {
     if (target.before) return target.before;
     const WalkerShape shape = body_.walker->shape();
@@ -106,7 +107,7 @@ std::optional<Leaping::Place> Leaping::place_at(const Target& target) const {
 
 std::string Leaping::name_of_target(const Target& target) const {
     if (target.mark) return context_.world.marks[target.number - context_.world.scene->features.size()].name;
-    constexpr int kNameAndMaterial = 2;  // higher levels would add whole sentences
+    constexpr int kNameAndMaterial = 2;  // a higher verbosity would add whole sentences
     return cues::describe_feature(*context_.world.scene, FeatureId{target.number}, kNameAndMaterial);
 }
 
@@ -115,7 +116,8 @@ void Leaping::leap_on(double now_s) {
     const auto been_at = [&](std::uint32_t number) {
         return std::any_of(leapt_.begin(), leapt_.end(), [&](const Leapt& leapt) { return leapt.number == number; });
     };
-    // Two rounds: once everything near has been visited, the series begins again, but not with the present place.
+    // There are two rounds: once the walker has visited all nearby targets, the series begins again, but not with the
+    // present place.
     for (int round = 0; round < 2; ++round) {
         for (const Target& target : near) {
             if (been_at(target.number)) continue;
@@ -144,7 +146,7 @@ void Leaping::leap_back(double now_s) {
 
 void Leaping::leap_to(const Leapt& to, double now_s) {
     const Leapt there = to;                    // a copy, because `to` may be an element of leapt_
-    const std::vector<Leapt> series = leapt_;  // being placed elsewhere clears leapt_
+    const std::vector<Leapt> series = leapt_;  // a copy, because placing the walker elsewhere clears `leapt_`
     const double was_m = body_.feet_m().z;
     context_.asks.place(there.place.feet_m, there.place.heading_rad, now_s);
     leapt_ = series;

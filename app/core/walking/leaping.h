@@ -1,6 +1,6 @@
-// Leaps from one nearby thing to the next, and back. The next is the nearest one not visited since the last walk or
-// turn; the doors of the room are among them. Announces the new place. Also undoes whatever moved the walker elsewhere.
-// App thread only; world metres.
+// Moves the walker in leaps from one nearby thing to the next, and back, and announces each new place. The next thing
+// is the nearest one that has not been visited since the last walk or turn. The doors of the room are included. Also
+// undoes every command that moved the walker elsewhere. App thread only; world metres.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace handrail::core {
 
-// A door of the present room, and where the walker stands before it.
+// A door of the present room, and the walker's place in front of it.
 struct LeapDoor {
     FeatureId feature = kNoFeature;
     Vec3 place_m{0.0}, feet_m{0.0};
@@ -20,18 +20,18 @@ struct LeapDoor {
 
 class Leaping : SessionPart {
 public:
-    // where_am_i: the answer to that question. doors: of the present room, none if rooms are not known. Both may be set
-    // later, and outlive this object.
+    // `where_am_i` returns the answer to that question. `doors` returns the doors of the present room, or none if the
+    // rooms are not known. Both may be set later, and must outlive this object.
     Leaping(const SessionContext& context, const WalkerState& body, const std::function<std::string()>& where_am_i,
             const std::function<std::vector<LeapDoor>()>& doors)
         : SessionPart(context), body_(body), where_am_i_(where_am_i), doors_(doors) {}
 
     void enter_world();
-    // After other movement, the series begins again with what is nearest then.
+    // Call it after any other movement. The series then begins again with the nearest thing.
     void begin_anew() { leapt_.clear(); }
-    // Handles leaps and undoing them. Returns false if the command belongs to another feature.
+    // Handles leaps and undoing. Returns false if the command belongs to another feature.
     bool act(Command command, double now_s);
-    // Call it before leaps, Home and the like, so that they can be undone.
+    // Keeps the present place for undoing. Call it before leaps, the command Home and the like.
     void keep_place();
 
 private:
@@ -39,12 +39,12 @@ private:
         Vec3 feet_m{0.0};
         double heading_rad = 0.0;
     };
-    // The number of a feature; marks are numbered after all features.
+    // Something to leap to. `number` is the number of its feature; marks are numbered after all features.
     struct Target {
         std::uint32_t number = 0;
-        double bearing_rad = 0.0, distance_m = 0.0;  // from the walker, level
+        double bearing_rad = 0.0, distance_m = 0.0;  // from the walker, in the horizontal plane
         bool mark = false;
-        std::optional<Place> before;  // where the walker would stand, if known
+        std::optional<Place> before;  // where the walker would stand in front of it, if known
     };
     struct Leapt {
         std::uint32_t number = 0;
@@ -62,8 +62,8 @@ private:
     const WalkerState& body_;
     const std::function<std::string()>& where_am_i_;
     const std::function<std::vector<LeapDoor>()>& doors_;
-    std::vector<Place> undo_;   // newest last
-    std::vector<Leapt> leapt_;  // since the person last walked or turned; newest last
+    std::vector<Place> undo_;   // places to go back to, the newest last
+    std::vector<Leapt> leapt_;  // targets visited since the person last walked or turned, the newest last
 };
 
 }  // namespace handrail::core

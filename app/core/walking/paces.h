@@ -1,5 +1,5 @@
-// Steps requested and steps made: how many remain, and what is announced when they are done or blocked. Functions and
-// plain state; app thread.
+// The steps that the person requested and the steps that the walker made: how many remain, and what is announced when
+// they are done or blocked. Functions and plain state; app thread.
 #pragma once
 
 #include <string>
@@ -9,20 +9,20 @@
 
 namespace handrail::core {
 
-// The remaining distance once `times` more steps are requested. After fast taps at most eight steps wait, so that
-// nobody keeps walking for long; a typed count is walked in full.
+// Returns the remaining distance once `times` more steps are requested. After fast taps, at most eight steps wait, so
+// that the walker does not continue for long. A typed count is walked in full.
 double more_to_go_m(double left_m, double step_m, int times);
 
-// "north wall, plaster", "Door, shut, left shoulder", "north wall, behind": what was met and, unless it is straight
-// ahead, on which side. way_rad: direction of the walk. Empty at verbosity 0.
+// Returns what the walker met and, unless it is straight ahead, on which side: "north wall, plaster", "Door, shut, left
+// shoulder", "north wall, behind". `way_rad` is the direction of the walk. Empty at verbosity 0.
 std::string met_words(const SessionContext& context, const TraceHit& met, double way_rad);
 
-// The distance walked since the walker last stood still, in whole steps.
+// Counts the distance walked since the walker last stood still, in whole steps.
 class Paces {
 public:
     void begin() { walked_m_ = 0.0; }
     void walked(double way_m) { walked_m_ += way_m; }
-    // "6 steps"; empty if there was none. Starts counting again.
+    // Returns "6 steps", or an empty text if there was no step. Starts counting again.
     std::string take(const SessionContext& context);
     // For a person who types: "6 steps, then north wall", or "Blocked. North wall" without a step. For keys of a
     // window: only what was met, because the steps are heard. Starts counting again.
