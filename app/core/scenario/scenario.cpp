@@ -19,7 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Every sound has a name, and every material has a word. The sound dictionary and scenarios use the same table.
+// Returns the names of all sounds. Every sound has a name, and every material has a word. People and scenarios use the
+// same tables.
 std::vector<std::string_view> all_sound_names() {
     std::vector<std::string_view> names;
     for (const cues::SoundInfo& row : cues::sound_table()) names.push_back(row.name);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kSettles_s = 0.2;
 
-// True if the command takes a count and makes all steps or notches at once. If it were repeated instead, every
-// repetition after an obstacle would begin again.
+// True if the command takes a count and makes all steps or notches at once. If it were repeated instead, it would
+// continue after the first step has met something.
 bool counts_by_itself(Command command) {
     return is_one_of(command, {Command::TrailLeft, Command::TrailRight, Command::Retrace}) || steps_or_turns(command);
 }

@@ -238,7 +238,7 @@ bool Session::act_itself(Command command, double now_s) {
             break;
         case Command::Leave:
             if (at_desk()) {
-                // Skipped at the desk, because a jump of the workspace ends the visit.
+                // A jump of the workspace ends the visit to the desk.
                 publish_pose(now_s, PoseChange::Moved);
             } else if (asked_to_leave_.lately(now_s)) {
                 state_.requests.leave = true;

@@ -24,7 +24,7 @@ bool Session::reply(const DialogueReply& reply, double now_s) {
 }
 
 bool Session::take_key(std::string_view key, double now_s) {
-    // A single letter is not treated as the key of a command here, because the person may be typing text.
+    // If the force key is a single letter, a list or question gets it first, because the person may be typing text.
     if (const auto command = state_.person.keys.find(key);
         command && in_list(*command) == InList::Always && (*command != Command::ToggleForces || key.size() > 1))
         return false;

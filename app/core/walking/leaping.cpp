@@ -14,7 +14,7 @@ namespace handrail::core {
 namespace {
 
 constexpr std::size_t kMostUndo = 16, kMostPlaces = 64;
-// Largest height above or below the waist at which a mark counts as on this floor.
+// A mark counts as on this floor if it is at most this far above or below the waist.
 constexpr double kMarkHeight_m = 1.5;
 constexpr double kTellHeight_m = 0.3;  // if a leap changes the height by more than this, that is announced
 

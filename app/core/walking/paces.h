@@ -24,17 +24,18 @@ public:
     void walked(double way_m) { walked_m_ += way_m; }
     // Returns "6 steps", or an empty text if there was no step. Starts counting again.
     std::string take(const SessionContext& context);
-    // For a person who types: "6 steps, then north wall", or "Blocked. North wall" without a step. For keys of a
-    // window: only what was met, because the steps are heard. Starts counting again.
+    // Returns the announcement at an obstacle. For a person who types, it is "6 steps, then north wall", or "Blocked.
+    // North wall" if there was no step. For a person who uses keys in a window, it is only what was met, because the
+    // steps are audible. Starts counting again.
     std::string take_blocked(const SessionContext& context, const std::string& met);
 
 private:
     double walked_m_ = 0.0;
 };
 
-// "Blocked. North wall, plaster".
+// Returns "Blocked. North wall, plaster".
 std::string blocked_words(const std::string& met);
-// True if the person types and therefore gets steps in words.
+// True if the person types commands, so that the number of steps is announced.
 bool tells_steps(const SessionContext& context);
 
 }  // namespace handrail::core

@@ -3,7 +3,7 @@
 
 namespace handrail::core {
 
-// Shares of walking speed and of the turning rate, -1 to 1; 0 at rest.
+// Shares of the walking speed and of the turning rate, from -1 to 1; 0 is the rest position.
 struct Steering {
     double ahead = 0.0, right = 0.0, turn_right = 0.0;
     bool operator==(const Steering&) const = default;

@@ -16,7 +16,8 @@
 namespace handrail::core {
 namespace {
 
-// 150 degrees a second. At scale 60 a hand at the rim then moves through the world as if at 10 cm/s.
+// 150 degrees a second. At scale 60, a hand at the rim of the workspace then moves relative to the world as if at 10
+// cm/s.
 constexpr double kTurnRate_rad_per_s = 2.6;
 constexpr double kStickTurnRate_rad_per_s = 1.6;  // 90 degrees a second at full deflection of the stick
 constexpr double kTurnRepeat_s = 0.4;
@@ -24,9 +25,11 @@ constexpr double kFreeTurn_rad = 5.0 * kPi / 180.0;
 constexpr double kTiltRate_rad_per_s = 0.8;
 constexpr double kMostTilt_rad = 1.2;
 constexpr double kToneRange_m = 2.0;
-constexpr double kToneStanding_s = 3.0, kStands_m = 0.01;  // who stands longer knows the wall; it is silent then
-constexpr double kHeadingTold_s = 0.1;  // after the last of several turns: one heading for all of them
-constexpr double kRests_s = 0.1;        // then the body has come to rest
+// After a person has stood this long within kStands_m, the wall tone is silent, because the person knows the wall.
+constexpr double kToneStanding_s = 3.0, kStands_m = 0.01;
+// Delay after a turn; a further turn starts it again, so that several turns are announced by one heading.
+constexpr double kHeadingTold_s = 0.1;
+constexpr double kRests_s = 0.1;  // the walker is at rest once it has not moved for this long
 constexpr double kSameBase_m = 0.5;
 constexpr double kPathPoint_m = 0.25;
 constexpr std::size_t kMostPathPoints = 4000;
@@ -39,7 +42,7 @@ void Walking::stand() {
     since_footstep_m_ = 0.0;
     gait_.begin();
     blocked_ = false;
-    brushed_ = {};  // the contact may belong to another world
+    brushed_ = {};  // the last contact may belong to another world
     heading_due_s_.reset();
     paces_.begin();
 }
@@ -126,7 +129,7 @@ bool Walking::act(Command command, double now_s, int times) {
             body_.heading_goal_rad =
                 wrap_angle(body_.heading_goal_rad + (command == Command::FreeLeft ? -kFreeTurn_rad : kFreeTurn_rad));
             return true;
-        case Command::TiltUp:  // act as long as they are held
+        case Command::TiltUp:  // these keys act while they are held
         case Command::TiltDown:
             return true;
         case Command::Home:
@@ -153,7 +156,7 @@ void Walking::face(double heading_rad, double now_s) {
     context_.answer(sentence_case(fine_compass_word(body_.heading_goal_rad)), now_s);
 }
 
-// Turns to the next notch in that direction, or by `times` notches.
+// Turns to the next notch in the direction of `by_rad`, or by `times` notches.
 void Walking::turn_by(double by_rad, int times, double now_s) {
     const double notch_rad = std::abs(by_rad);
     const double goal_rad = std::round((body_.heading_goal_rad + by_rad) / notch_rad) * notch_rad;
@@ -181,7 +184,8 @@ void Walking::tick(double now_s, double dt_s) {
     walk(now_s, dt_s);
 }
 
-// A stick turns in proportion to its deflection; the heading is announced when it comes to rest.
+// Turns by keys and stick. The stick turns in proportion to its deflection, and the heading is announced when the stick
+// is at rest again.
 void Walking::turn(double now_s, double dt_s) {
     const double free_keys = 0.5 * keys_.sign(Command::FreeRight, Command::FreeLeft);
     const double free_turn = steering_.turn_right + free_keys;
@@ -201,7 +205,8 @@ void Walking::turn(double now_s, double dt_s) {
     free_keys_told_ = free_keys != 0.0;
 }
 
-// The velocity that keys, taps and sticks request for this tick, metres per second; way_m: the distance of the tick.
+// Returns the velocity in metres per second that keys, taps and sticks request for this tick. `way_m` receives the
+// distance of the tick.
 Vec3 Walking::own_wish(double& way_m, double dt_s) {
     const double speed = context_.settings.walk.speed_m_per_s, stride = speed * dt_s;
     const Vec3 ahead = forward_of_heading(body_.heading_rad), right = right_of_heading(body_.heading_rad);
@@ -216,7 +221,7 @@ Vec3 Walking::own_wish(double& way_m, double dt_s) {
     if (side_keys != 0.0) return by(right, side_keys * stride);
     if (pending_.right_m != 0.0) return by(right, std::clamp(pending_.right_m, -stride, stride));
     if (steering_.ahead == 0.0 && steering_.right == 0.0) return Vec3(0.0);
-    // A stick moves in proportion to its deflection, also sideways, but never faster than a key.
+    // A stick moves the walker in proportion to its deflection, also sideways, but never faster than a key does.
     const Vec3 pushed = ahead * steering_.ahead + right * steering_.right;
     const Vec3 wish = pushed * (speed / std::max(1.0, glm::length(pushed)));
     way_m = glm::length(wish) * dt_s;
@@ -231,14 +236,14 @@ void Walking::take_from_pending(double way_m) {
 }
 
 void Walking::walk(double now_s, double dt_s) {
-    double way = 0.0;  // this tick
+    double way = 0.0;  // distance of this tick
     Vec3 wish = own_wish(way, dt_s);
     if (hovers_) return hover(way != 0.0, now_s);
     const bool by_itself = by_ear_.leads();
     if (way == 0.0) gait_.stand();
     if (way != 0.0 && !went_ && pending_.ahead_m == 0.0 && pending_.right_m == 0.0) gait_.begin();
     went_ = way != 0.0;
-    // First slide into a doorway whose frame was met.
+    // If the walker has met the frame of a doorway, it first slides sideways into the doorway.
     const double aside_m = by_itself || way == 0.0 ? 0.0 : gait_.aside_left_m();
     const Vec3 own = wish;
     if (aside_m != 0.0) {
@@ -294,8 +299,8 @@ void Walking::walk(double now_s, double dt_s) {
     if (!bounds_m.empty() && feet.z < bounds_m.min_m.z - kOutOfWorld_m) end_fall(now_s);
 }
 
-// The walker fell out of the world: returns to the base. If nothing holds the walker there, the base moves to a place
-// that does, or the person would fall again and again.
+// Returns a walker that has fallen out of the world to the base. If no ground holds the walker there, moves the base to
+// a place that does. Otherwise the walker would fall again and again.
 void Walking::end_fall(double now_s) {
     std::vector<Vec3> wishes{context_.world.home_feet_m};
     for (const Start& start : context_.world.scene->starts) wishes.push_back(start.feet_m);
@@ -321,7 +326,7 @@ void Walking::hover(bool wants_to_go, double now_s) {
     blocked_ = wants_to_go;
 }
 
-// Returns false if what was met stops the walk.
+// Returns false if the contact stops the walk.
 bool Walking::go_on(const WalkResult& walked, const Vec3& wish, double way_m, double now_s) {
     if (way_m == 0.0) return true;
     const double way_rad = std::atan2(wish.x, wish.y);
@@ -345,7 +350,7 @@ bool Walking::go_on(const WalkResult& walked, const Vec3& wish, double way_m, do
     return false;
 }
 
-// The shoulder that met the frame is the one away from the doorway.
+// Announces which shoulder met the frame. It is the shoulder away from the doorway.
 void Walking::tell_frame(double now_s) {
     if (blocked_) return;
     const bool left = gait_.aside_left_m() > 0.0;
@@ -354,7 +359,7 @@ void Walking::tell_frame(double now_s) {
         cues::SpeechClass::Contact, now_s);
 }
 
-// Plays the surface that the walker slides along, softly.
+// Softly plays the sound of the surface along which the walker slides.
 void Walking::tell_slide(const TraceHit& met, double way_m, double now_s) {
     constexpr double kHeardEvery_m = 0.3, kLoudness = 0.35;
     const bool begins = brushed_.slid_m == 0.0;
@@ -372,7 +377,7 @@ void Walking::tell_slide(const TraceHit& met, double way_m, double now_s) {
 void Walking::tell_step(const WalkerMotion& before, const WalkResult& walked, double now_s) {
     const double step_m = context_.settings.walk.step_length_m;
     since_footstep_m_ += walked.walked_m;
-    // Each riser counts as a step, up and down.
+    // Each riser counts as a step, both up and down.
     const bool riser =
         walked.landed || walked.climbed_m > 0.1 ||
         (before.on_ground && body_.walker->state().on_ground && before.feet_m.z - body_.feet_m().z > 0.1);
@@ -388,7 +393,8 @@ void Walking::tell_step(const WalkerMotion& before, const WalkResult& walked, do
     context_.cues.cue(std::move(cue));
 }
 
-// A person who types may have no sound for footsteps, so their number is given as text.
+// Announces the number of steps once the walker rests. Only a person who types gets it, because there may be no sound
+// of footsteps.
 void Walking::tell_rest(bool goes, double now_s) {
     if (goes) walked_s_ = now_s;
     if (goes || now_s - walked_s_ < kRests_s) return;

@@ -1,5 +1,5 @@
-// Walking and turning by keys and sticks. It moves the walker, announces what the walker meets, and records its path.
-// ByEar leads it along walls or back; Footing holds it at edges. App thread only.
+// Walking and turning by keys and sticks. This class moves the walker, announces what the walker meets, and records its
+// path. ByEar guides the walker along walls or back, and Footing stops it at edges. App thread only.
 #pragma once
 
 #include <functional>
@@ -21,56 +21,60 @@ public:
     Walking(const SessionContext& context, WalkerState& body, const HeldKeys& keys, ByEar& by_ear, Footing& footing)
         : SessionPart(context), body_(body), keys_(keys), by_ear_(by_ear), footing_(footing) {}
 
-    // Call it after the walker was placed in the world, at its base.
+    // Call it after the walker has been placed at the base of a world.
     void enter_world();
-    // Moves the walker elsewhere in this world, as near above the place as there is room; pending movements end.
+    // Moves the walker elsewhere in this world, to the place or as near above it as there is room. Pending movements
+    // end.
     void set_down(const Vec3& feet_m, double heading_rad);
-    // Handles steps, turns, following, leaps and Home. times: for steps and turns. Returns false if the command belongs
-    // to another feature.
+    // Handles steps, turns, following a wall, leaps and the command Home. `times` is the number of steps or turns.
+    // Returns false if the command belongs to another feature.
     bool act(Command command, double now_s, int times = 1);
-    // Call it for commands of other features, which may end following a wall.
+    // Call it for commands of other features, because some of them end following a wall.
     void notice(Command command, double now_s);
-    // Turns, tilts and walks for dt_s, at most 0.1 s.
+    // Turns, tilts and moves the walker for `dt_s`, which is at most 0.1 s.
     void tick(double now_s, double dt_s);
-    // Plays the tone of the nearest wall ahead, if the person wants it.
+    // Plays the tone of the nearest wall ahead, if the person wants that tone.
     void tell_walls(double now_s);
-    // Returns to the base.
+    // Moves the walker to the base.
     void go_home(double now_s);
-    // Moves a walker that is inside a solid to the nearest free place. Returns the distance in words, or that there is
-    // no place; empty: the walker is free already.
+    // Moves a walker that is inside a solid to the nearest free place. Returns the distance in words, or a sentence if
+    // there is no such place. Returns an empty text if the walker is already free.
     std::string bring_out(double now_s);
-    // Acts until the next value. Values that are not finite count as rest.
+    // Sets the position of the sticks, which acts until the next call. A value that is not finite counts as the rest
+    // position.
     void steer(const Steering& steering);
     // Drops the remaining steps.
     void halt() {
         pending_ = {};
         gait_.stand();
     }
-    // Turns to that heading and announces it.
+    // Turns the walker to this heading and announces it.
     void face(double heading_rad, double now_s);
-    // Like halt(), after the wall tone has been silenced with everything else.
+    // Like halt(). Call it after all sounds have been stopped, including the wall tone.
     void fall_silent();
 
-    // True if nothing is pending: no steps, no turn, no leading.
+    // True if nothing is pending: no steps, no turn, no guided walk.
     bool idle() const;
-    double tilt_rad() const { return tilt_rad_; }  // of the eyes; up is positive
-    // At floor level, oldest first, a quarter of a metre apart.
+    double tilt_rad() const { return tilt_rad_; }  // tilt of the eyes; up is positive
+    // The walked path at floor level: points a quarter of a metre apart, the oldest first.
     const std::vector<Vec3>& path_m() const { return path_m_; }
-    // Free width across the walking direction, at waist height; 0 if a side is open.
+    // Returns the free width across the walking direction at the height of the waist, or 0 if a side is open.
     double passage_width_m() const;
 
-    // Set by the session; called before each step. Pushes movable things in front of the walker, and removes from the
-    // wish what leads into a body that overlaps the walker. Returns true if a thing moves aside, which is not a bump.
+    // Set by the session; called before each step. It pushes movable things in front of the walker, and removes from
+    // `wish_m_per_s` the part that leads into a body that overlaps the walker. It returns true if a thing moves aside,
+    // which does not count as a bump.
     std::function<bool(Vec3& wish_m_per_s, double now_s)> push_ahead;
-    // Called after each step of the walker, with what it did and met.
+    // Called after each step, with what the walker did and met.
     std::function<void(const WalkResult& walked, double now_s)> on_walked;
-    // Called for each audible bump, that is, if the walker had been free before.
+    // Called for each audible bump, which is a contact of a walker that was free before.
     std::function<void(FeatureId feature, double now_s)> on_bumped;
-    // How far to the right a walker that was stopped there must slide to get into a doorway: BlindGround::line_up_m.
+    // Returns how far to the right a walker that was stopped at this place must slide to get into a doorway
+    // (BlindGround::line_up_m).
     std::function<std::optional<double>(const Vec3& feet_m, double heading_rad)> line_up_m;
 
 private:
-    void stand();  // after the walker was placed: nothing is pending, nothing was met
+    void stand();  // for a walker that was just placed: nothing is pending, and nothing has been met
     void step(double& pending_m, double sign, int times);
     void turn_by(double by_rad, int times, double now_s);
     void turn(double now_s, double dt_s);
@@ -92,30 +96,30 @@ private:
     ByEar& by_ear_;
     Footing& footing_;
     Steering steering_;
-    // From taps; walked even after the key is released.
+    // Remaining distances of tapped keys. The walker continues after the key is released.
     struct Pending {
-        double ahead_m = 0.0;  // backwards: negative
+        double ahead_m = 0.0;  // negative: backwards
         double right_m = 0.0;
     };
     Pending pending_;
     Gait gait_;
     struct Brushed {
-        double slid_m = 0.0;          // distance along a surface since its last sound
+        double slid_m = 0.0;          // distance that the walker has slid along a surface since its last sound
         std::optional<TraceHit> met;  // last contact of this walk
     };
     Brushed brushed_;
     double since_footstep_m_ = 0.0;
-    bool went_ = false;     // in the last tick, on the person's own wish
-    bool blocked_ = false;  // a bump was announced and the walker has not moved away since
-    // No ground of this world holds the walker, so it stays in place until it is placed elsewhere.
+    bool went_ = false;     // true: the walker moved in the last tick because the person wanted it
+    bool blocked_ = false;  // true: a bump was announced, and the walker has not moved away since then
+    // True if no ground of this world holds the walker. It then stays in place until it is placed elsewhere.
     bool hovers_ = false;
     bool stick_turns_ = false, free_keys_told_ = false;
     double last_turn_repeat_s_ = 0.0;
     std::optional<double> heading_due_s_;  // when to announce the heading; each further turn postpones it
     Paces paces_;
-    double walked_s_ = -1e9;  // when the walker last moved
+    double walked_s_ = -1e9;  // time when the walker last moved
     double tilt_rad_ = 0.0;
-    // The tone of walls, and where the body last came to stand.
+    // The tone of walls, and the place where the walker last stopped.
     struct Tone {
         double loudness = 0.0;
         Vec3 feet_m{0.0};

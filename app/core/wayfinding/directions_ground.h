@@ -1,6 +1,6 @@
-// The floor of the present world as a person finds it who walks by words, and the planner for routes on it. A
-// background task makes it once the rooms are known. App thread only; what it returns is immutable and may be used on
-// any thread. World metres.
+// The floor of the present world as it appears to a person who follows spoken directions, and the planner for routes on
+// it. A background task makes it once the rooms are known. App thread only. The returned floor is immutable, so any
+// thread may use it. World metres.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct DirectionsFloor {
           ground(ways->space(), std::move(doors)),
           planner(ground, step),
           step_m(step) {}
-    DirectionsFloor(const DirectionsFloor&) = delete;  // its parts keep each other's addresses
+    DirectionsFloor(const DirectionsFloor&) = delete;  // not copyable, because its parts keep each other's addresses
     DirectionsFloor& operator=(const DirectionsFloor&) = delete;
 
     std::shared_ptr<const navigation::Navigation> ways;
@@ -39,13 +39,13 @@ public:
 
     void enter_world();
     void tick();
-    // Null: not yet made, or there are no rooms.
+    // Returns the floor. Null: it is not yet made, or there are no rooms.
     std::shared_ptr<const DirectionsFloor> floor();
-    // True while it is being made, or the rooms are being found.
+    // True while the floor is being made or the rooms are being searched for.
     bool awaited() const { return rooms_.awaited() || making_.busy(); }
-    // Which of its doors are open now, or about to be.
+    // Returns which doors of the floor are open now or opening.
     navigation::DoorsOpen open_now(const DirectionsFloor& floor) const;
-    // BlindGround::line_up_m at the walker's place; no value if the floor is not known.
+    // Returns BlindGround::line_up_m at `feet_m`, or no value if the floor is not known.
     std::optional<double> line_up_m(const Vec3& feet_m, double heading_rad);
 
 private:

@@ -1,5 +1,5 @@
-// The list of everything with a name, nearest first. Things of one name are grouped, and each has its place, room and
-// storey. The list shows everything or only one kind. App thread only.
+// The list of everything with a name, the nearest first. Things with the same name form a group, and each thing has its
+// place, room and storey. The list shows everything or only one kind. App thread only.
 #pragma once
 
 #include <cstdint>
@@ -12,29 +12,31 @@
 
 namespace handrail::core {
 
-// What the list can show.
+// The kinds that the list can show.
 enum class FindKind { Everything, Doors, Landmarks, Things, Marks };
 inline constexpr int kFindKinds = 5;
 
-// A goal. The room and the distance on foot are set only if it is in another room than the walker and both rooms are
-// known.
+// A goal in the list. The room and the distance on foot are set only if the goal is in another room than the walker and
+// both rooms are known.
 struct Found {
     Goal goal;
     std::uint32_t room = navigation::kNothing;
-    std::optional<double> on_foot_m;  // none: in the same room, or no route is known
+    std::optional<double> on_foot_m;  // none: the goal is in the walker's room, or no route is known
 };
-// All goals with one name, nearest first.
+// All goals with the same name, the nearest first.
 struct FindGroup {
     std::string name;
     std::vector<Found> found;
 };
-// Groups in the order of their nearest goals; for other rooms, the distance is the length of the route on foot.
+// Returns the groups in the order of their nearest goals. For a goal in another room, the distance is the length of the
+// route on foot.
 std::vector<FindGroup> find_groups(const SessionContext& context, const Rooms& rooms, FindKind kind);
 
-// "3 steps on foot, left, one storey above, Kitchen".
+// Returns the place of a goal in words: "3 steps on foot, left, one storey above, Kitchen".
 std::string find_words(const SessionContext& context, const Rooms& rooms, const Found& found);
 
-// Choosing a name that only one thing has chooses that thing; otherwise a list of all with that name opens.
+// Opens the list. If only one thing has the chosen name, that thing is the choice. Otherwise a second list of all
+// things with the name opens.
 void open_find_list(const SessionContext& context, const Rooms& rooms,
                     std::function<void(const Goal& goal, double now_s)> chosen, double now_s);
 

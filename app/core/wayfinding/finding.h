@@ -1,6 +1,6 @@
-// Tools to find a thing by ear, each with a small state. The beacon calls from the place of the thing; "warmer" conveys
-// only the distance. Both are single sounds in a rhythm, so they need no loop and stop at once. Also the guidance that
-// decreases over laps. Plain state, no clock, no device; app thread.
+// Tools to find a thing by ear, each with a small state. The beacon sounds from the place of the thing, and "warmer"
+// conveys only the distance. Both consist of single sounds in a rhythm, so they need no loop and stop at once. Laps
+// controls the amount of guidance, which decreases from lap to lap. Plain state without clock or device; app thread.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@
 
 namespace handrail::core {
 
-// The thing that is searched for with a rhythm of sounds, and when it last sounded.
+// The thing that the person searches for by a rhythm of sounds, and the time of the last sound.
 class Sought {
 public:
     void set(std::string name, const Aabb& thing_m, FeatureId feature);
@@ -32,47 +32,50 @@ protected:
     double last_s_ = -1e9;
 };
 
-// Only one at a time. The beat is faster the nearer the thing is. The sound rings straight ahead and is dull behind. On
-// arrival the beacon ends automatically.
+// Sounds from the place of one thing at a time. The beat becomes faster as the person comes nearer. The sound is bright
+// straight ahead and dull behind. The beacon ends when the person arrives.
 class Beacon : public Sought {
 public:
-    static constexpr double kAhead_rad = 11.25 * kPi / 180.0;   // to either side: half a notch of turning
-    static constexpr double kBehind_rad = 112.5 * kPi / 180.0;  // larger angles count as behind
-    static constexpr double kArrived_m = 1.2;        // level, from the walker to the thing, on the same storey
-    static constexpr double kMostMuffled_db = 12.0;  // walls muffle it, but it stays audible
+    // Largest angle on either side that counts as ahead: half a notch of turning.
+    static constexpr double kAhead_rad = 11.25 * kPi / 180.0;
+    static constexpr double kBehind_rad = 112.5 * kPi / 180.0;  // larger angles than this count as behind
+    // Horizontal distance from the walker to the thing at which the person has arrived, on the same storey.
+    static constexpr double kArrived_m = 1.2;
+    static constexpr double kMostMuffled_db = 12.0;  // most muffling by walls, so that the beacon stays audible
 
     struct Beat {
-        std::optional<cues::CueRequest> sound;  // to be played now
-        bool arrived = false;                   // it has just ended
+        std::optional<cues::CueRequest> sound;  // sound to play now, if any
+        bool arrived = false;                   // true: the person has arrived, and the beacon has ended
     };
-    // muffled_db: muffling between the ears and a place; called only for a beat. `heard`: false while sounds are
-    // stopped. turning_m: it calls from there as long as the person must go there first, and nobody arrives; no value:
-    // it calls from the thing.
+    // `muffled_db` returns the muffling between the ears and a place; it is called only for a beat. `heard` is false
+    // while all sounds are stopped. `turning_m` is the place from which the beacon sounds while the person must go
+    // there first, and meanwhile the person cannot arrive. No value: the beacon sounds from the thing.
     Beat tick(const Vec3& feet_m, const cues::Listener& listener, const std::function<double(const Vec3&)>& muffled_db,
               bool heard, double now_s, const std::optional<Vec3>& turning_m = {});
     static double interval_s(double distance_m);
 };
 
-// A tick in the middle of the head, faster the nearer the hand is at its scale, or the walker if there is no device.
-// Its pitch shows how directly the hand has approached since the previous tick; moving away has a different sound.
+// A sound in the middle of the head that ticks faster as the hand comes nearer to the thing at its scale. If there is
+// no device, the walker counts instead. The pitch shows how directly the hand has approached since the previous tick.
+// Moving away has a different sound.
 class Warmer : public Sought {
 public:
     static constexpr double kFound_hand_m = 0.004;
-    static constexpr double kRests_hand_m = 0.0003;  // from one tick to the next; less counts as rest
+    static constexpr double kRests_hand_m = 0.0003;  // a shorter movement between two ticks counts as rest
 
     struct Beat {
         bool sound = false;
-        // Approach since the previous tick, as a share of the distance moved: 1 straight to it, -1 straight away, 0 at
-        // rest or sideways.
+        // Approach since the previous tick, as a share of the distance moved. 1: straight towards the thing; -1:
+        // straight away; 0: at rest or sideways.
         double nearer = 0.0;
-        bool found = false;  // it has just ended
+        bool found = false;  // true: the thing was found, and the sound has ended
     };
     void set(std::string name, const Aabb& thing_m, FeatureId feature) {
         Sought::set(std::move(name), thing_m, feature);
         before_.reset();
     }
-    // felt_m: hand metres from the proxy to the thing, along the route if one is known. place_m: place of the proxy,
-    // hand metres. found: it is reached.
+    // `felt_m` is the distance from the proxy to the thing in hand metres, along the route if one is known. `place_m`
+    // is the position of the proxy in hand metres. `found`: the hand has reached the thing.
     Beat tick(double felt_m, const Vec3& place_m, bool found, bool heard, double now_s);
     static double interval_s(double felt_m);
 
@@ -81,22 +84,22 @@ private:
         double felt_m = 0.0;
         Vec3 place_m{0.0};
     };
-    std::optional<Before> before_;  // at the last tick
+    std::optional<Before> before_;  // state at the last tick
 };
 
-// Strength of guidance, lap by lap to the same goal: 100, 60, 30, 0 % as errors decrease. It never increases
-// automatically.
+// The amount of guidance in successive laps to the same goal: 100, 60, 30 and 0 %. It decreases when the person makes
+// fewer errors, and it never increases automatically.
 class Laps {
 public:
     static constexpr double kStrengths[] = {1.0, 0.6, 0.3, 0.0};
 
-    // Another goal begins with full guidance; the same one continues at its present strength.
+    // Begins a lap. A different goal starts with full guidance, and the same goal continues with its present amount.
     void begin(const std::string& goal);
     double strength() const { return kStrengths[step_]; }
-    // A lap ended with this many errors. If there were none, or fewer than in the previous lap, there is less guidance
-    // next time.
+    // Ends a lap with this number of errors. If there were none, or fewer than in the previous lap, the next lap has
+    // less guidance.
     void finish(int errors, bool fades);
-    // The person changes it: 1 more, -1 less.
+    // Changes the amount for the person: 1 is more, -1 is less.
     void change(int by);
 
 private:
@@ -105,7 +108,7 @@ private:
     std::optional<int> errors_before_;
 };
 
-// Everything with a name that a person may want to find, such as objects, doors and landmarks, each with its box.
+// Something with a name that a person may want to find, such as an object, a door or a landmark, with its bounding box.
 // Things with the same name are all listed.
 struct NamedThing {
     std::string name;

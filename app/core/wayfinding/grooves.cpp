@@ -10,7 +10,8 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kThrough_m = 0.6;  // on either side of a doorway: wall thickness and a step
+// Length of a groove on either side of a doorway: the thickness of the wall and a step.
+constexpr double kThrough_m = 0.6;
 constexpr std::size_t kMostLegs = servo::GuidancePath::kMostPoints / 2;
 
 }  // namespace
@@ -20,7 +21,7 @@ std::vector<GrooveLeg> grooves_through_doorways(const navigation::RoomGraph& gra
     std::vector<GrooveLeg> legs;
     for (const navigation::Portal& portal : graph.portals) {
         if (portal.kind != navigation::PassageKind::Door && portal.kind != navigation::PassageKind::Opening) continue;
-        for (const double heading_deg : {0.0, 90.0, 45.0, 135.0}) {  // square to most walls first
+        for (const double heading_deg : {0.0, 90.0, 45.0, 135.0}) {  // directions square to most walls are tried first
             const Vec3 way = forward_of_heading(radians_from_degrees(heading_deg)) * kThrough_m;
             const std::uint32_t one = space.at(portal.place_m - way), other = space.at(portal.place_m + way);
             if (one == navigation::kNothing || other == navigation::kNothing) continue;

@@ -1,5 +1,6 @@
 // Grooves on the floor for the hand, along the last planned route and through nearby doorways. This file selects the
-// legs along which they run, in the servo's form. Pure functions, app thread. haptic/servo/guidance computes the force.
+// grooves and converts them to the form of the servo. haptic/servo/guidance computes the force. Pure functions, app
+// thread.
 #pragma once
 
 #include <span>
@@ -11,17 +12,17 @@
 
 namespace handrail::core {
 
-// On the floor.
+// A straight groove at floor level.
 struct GrooveLeg {
     Vec3 from_m{0.0}, to_m{0.0};
 };
 
-// One leg square through each door and opening between two rooms of one storey.
+// Returns one groove straight through each door and opening between two rooms of the same storey.
 std::vector<GrooveLeg> grooves_through_doorways(const navigation::RoomGraph& graph, const navigation::WalkSpace& space);
 
-// The grooves nearest to a place, as many as the servo can take at once, at the height of the centre of a proxy that
-// lies on the floor. `good_within_m`: within this distance of the place the hand misses none; infinite if all of them
-// fit.
+// The grooves nearest to a place, as many as the servo can take. They are at the height of the centre of a proxy that
+// lies on the floor. While the hand is within `good_within_m` of the place, no nearer groove is missing. It is infinite
+// if all grooves fit.
 struct Grooves {
     servo::GuidancePath path;
     double good_within_m = 0.0;

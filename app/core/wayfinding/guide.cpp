@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kLookRange_m = 30.0;
 constexpr double kNoWay_m = 1e6;         // larger than any distance on foot
-constexpr std::size_t kMostOnFoot = 16;  // routes planned for a list, some milliseconds each
+constexpr std::size_t kMostOnFoot = 16;  // number of routes planned for a list; each takes some milliseconds
 
 // Joins two sentences; either may be empty.
 std::string beside(const std::string& first, const std::string& then) {
@@ -32,7 +32,7 @@ bool is_surface(FeatureKind kind) {
            kind == FeatureKind::Slope;
 }
 
-// Adds the doors and stairs on the route, if any.
+// Appends the doors and stairs on the route to `words`, if there are any.
 std::string with_passages(const std::string& words, const HandRoute& way) {
     if (way.passes.empty()) return words;
     return beside(words, phrase("lead.by_way_of", {{"passages", fmt::format("{}", fmt::join(way.passes, ", "))}}));
@@ -96,7 +96,7 @@ void Guide::follow(double now_s) {
     const RouteFollower::Said said = ear_.tick(now_s);
     const std::string name = ear_.name();
     if (said.left) {
-        // The route is planned again from here, and that is announced once.
+        // The route is planned again from the present place, and that is announced once.
         context_.events.tell(LeftRoute{name, LedBy::Ear}, now_s);
         if (plans_.runs_to(name)) go_on(phrase("lead.left_way"), now_s);
         else ear_.follow_again(phrase("lead.left_way"), now_s);
@@ -135,7 +135,8 @@ void Guide::lead(double now_s) {
 
 void Guide::call(double now_s) {
     if (seek_.tick_beacon(now_s)) {
-        if (ear_.name() == beacon().name() && !plans_.running()) ear_.stop();  // the arrival is announced only once
+        // The route ends too, so that the arrival is announced only once.
+        if (ear_.name() == beacon().name() && !plans_.running()) ear_.stop();
         context_.play(cues::SoundKind::Arrived, now_s);
         context_.events.tell(Arrived{beacon().name(), LedBy::Beacon}, now_s);
         context_.tell(cues::SpeechTopic::Place, phrase("lead.here", {{"goal", beacon().name()}}), now_s,
@@ -161,7 +162,8 @@ void Guide::go_on(const std::string& first, double now_s) {
     ear_.follow(plans_.on(context_.body.feet_m()), stop.name, first, now_s);
 }
 
-// A stop is reached. Returns true if the route continues, after announcing that. `words` announce the arrival.
+// Call it when a stop is reached. If the route continues, announces that after `words`, which announce the arrival, and
+// returns true.
 bool Guide::next_stop(const std::string& words, double now_s) {
     const StopPassed passed{plans_.stop().name, plans_.by_hand() ? LedBy::Hand : LedBy::Ear};
     if (!plans_.next()) return false;
@@ -178,7 +180,8 @@ void Guide::list_routes(double now_s) {
     const Vec3& feet_m = context_.body.feet_m();
     const navigation::FootDistances on_foot(graph, rooms_.here(), feet_m);
     struct Near {
-        double order_m = 0.0;  // on foot; rooms without a known route come after all others, by direct distance
+        // Distance on foot; rooms without a known route come after all others, ordered by direct distance.
+        double order_m = 0.0;
         std::uint32_t room = 0;
         std::optional<double> way_m;
     };
@@ -190,7 +193,8 @@ void Guide::list_routes(double now_s) {
     }
     const auto in_order = [](const Near& a, const Near& b) { return a.order_m < b.order_m; };
     std::stable_sort(near.begin(), near.end(), in_order);
-    // Shows the distance that is announced when the room is chosen. Rooms farther away show it only then.
+    // For the nearest rooms, the list shows the same distance that is announced when the room is chosen. For rooms
+    // farther away, it is announced only after the choice.
     const std::size_t planned = std::min(near.size(), kMostOnFoot);
     for (std::size_t i = 0; i < planned; ++i)
         if (const navigation::Route route = ear_.to_room(near[i].room); route.reaches) {
@@ -226,7 +230,7 @@ void Guide::list_routes(double now_s) {
     context_.open_list(std::move(list), now_s);
 }
 
-// While rooms are not known, uses the room names of the map.
+// While the rooms are not known, compares the text with the room names of the map.
 bool Guide::leads_to(std::string_view typed) const {
     const std::vector<RoomName>& given = context_.world.scene->room_names;
     if (!rooms_.found())
@@ -295,7 +299,8 @@ void Guide::set_beacon(const Goal& goal, double now_s) {
         phrase("guide.beacon_on", {{"name", goal.name}, {"where", where}}) + (how.empty() ? how : ". " + how), now_s);
 }
 
-// Puts the beacon on what the hand touches, otherwise on what is straight ahead, otherwise on a choice from a list.
+// Puts the beacon on what the hand touches, or else on what is straight ahead. If there is neither, the person chooses
+// from a list.
 void Guide::beacon_here(double now_s) {
     const servo::ToolState& tool = context_.hands.tool;
     FeatureId id = kNoFeature;
@@ -362,7 +367,7 @@ void Guide::leave_way() {
     seek_.silence_beacon();
 }
 
-// Guides to a goal, and notes it as a stop after the earlier ones.
+// Guides to a goal, and notes it as the next stop of the planned route.
 void Guide::lead_as_planned(const Goal& goal, double now_s) {
     plans_.end();
     const Vec3 from = hand_.may_lead() && hand_.force_may_act() ? finding_place_m(context_) : context_.body.feet_m();
@@ -370,14 +375,14 @@ void Guide::lead_as_planned(const Goal& goal, double now_s) {
     lead_to(goal, {}, now_s);
 }
 
-// Guides by the hand if there is one, otherwise by ear. `first` is announced before everything else.
+// Guides the hand if there is one, or else guides by ear. `first` is announced before everything else.
 void Guide::lead_to(const Goal& goal, const std::string& first, double now_s) {
     goal_ = goal;
     if (!hand_.may_lead()) return lead_by_ear(goal, first, now_s);
     if (const std::string why = hand_.why_no_force(); !why.empty()) return lead_by_ear(goal, beside(first, why), now_s);
     const HandRoute way = plans_.for_hand(goal, servo::GuidancePath::kMostPoints);
     if (way.points_m.empty()) return lead_by_ear(goal, beside(first, way.problem), now_s);
-    // The number tells things with the same name apart.
+    // The number of the feature distinguishes things with the same name.
     laps_.begin(fmt::format("{} {}", goal.name, goal.feature.value));
     const std::string where = where_words(context_, told_box(rooms_, goal));
     const auto taking = [&] {
@@ -393,7 +398,8 @@ void Guide::lead_to(const Goal& goal, const std::string& first, double now_s) {
     hand_.pull(way, help() * context_.settings.guidance.strength, std::move(words), now_s);
 }
 
-// Announces the route in words and follows it, as to a room. The beacon calls from the thing if nothing is in between.
+// Announces the route in words and follows it, as for a room. If nothing is between the walker and the thing, the
+// beacon sounds from the thing instead.
 void Guide::lead_by_ear(const Goal& goal, const std::string& first, double now_s) {
     hand_.end();
     ear_.stop();
@@ -419,8 +425,8 @@ void Guide::lead_by_ear(const Goal& goal, const std::string& first, double now_s
     ear_.follow(std::move(route), goal.name, first, now_s);
 }
 
-// Lines from the hand along the route to the thing. If there is no route, or the person does not want it, three planes
-// through the thing, which hold the hand gently.
+// Sets lines from the hand along the route to the thing. If there is no route, or the person does not want it, sets
+// three planes through the thing that hold the hand gently.
 void Guide::cross_lines(const Goal& goal, double now_s) {
     goal_ = goal;
     if (!context_.hands.right.present) return context_.answer(phrase("lead.lines_need_device"), now_s);

@@ -12,14 +12,16 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kAnnounced_s = 1.0;     // between the announcement and the first force
-constexpr double kStray_hand_m = 0.008;  // off the path; counts as an error
-constexpr double kLeft_hand_m = 0.020;   // distance at which an unguided hand counts as off the path
-constexpr double kLeft_s = 1.0;          // if it is that far off for this long
-constexpr double kMovedLately_s = 0.5;   // a person who walks or moves the workspace does not resist the pull
-constexpr double kRests_s = 0.3;         // rest after which a new path is planned
-// Shares of the reach at which the workspace begins and stops moving along a path that leads out of reach; and its
-// speed.
+constexpr double kAnnounced_s = 1.0;  // time from the announcement to the first force
+// Distance from the path at which the hand has strayed, which counts as an error.
+constexpr double kStray_hand_m = 0.008;
+constexpr double kLeft_hand_m = 0.020;  // distance from the path at which an unguided hand counts as off the path
+constexpr double kLeft_s = 1.0;         // the hand has left the path once it has been kLeft_hand_m away for this long
+// If the person walked or moved the workspace within this time, the hand does not count as pulled away.
+constexpr double kMovedLately_s = 0.5;
+constexpr double kRests_s = 0.3;  // after this time at rest, a new path is planned
+// If a path leads out of reach, the workspace moves along it. kCarryFrom and kCarryTo are the shares of the reach at
+// which that begins and stops, and kCarry_hand_m_per_s is its speed.
 constexpr double kCarryFrom = 0.55, kCarryTo = 0.45;
 constexpr double kCarry_hand_m_per_s = 0.03, kCarryAhead_hand_m = 0.005;
 
@@ -103,7 +105,7 @@ void HandLead::end() {
 }
 
 void HandLead::announce(servo::GuidancePath path, std::string words, double now_s) {
-    end();  // only one at a time
+    end();  // only one kind of guidance acts at a time
     path.number = ++last_number_;
     led_.announced = path;
     led_.starts_s = now_s + kAnnounced_s;
@@ -124,13 +126,13 @@ void HandLead::publish(servo::GuidancePath path) {
     led_.path = path;
 }
 
-// Continues the present guidance along another path.
+// Continues the present guidance along another path. Strength and number of errors stay the same.
 void HandLead::go_on_along(servo::GuidancePath path) {
     path.strength = led_.path.strength;
     publish(path);
 }
 
-// True once the hand touches the goal anywhere.
+// True once the hand touches any part of the goal.
 bool HandLead::hand_at(const std::optional<Goal>& goal) const {
     if (!goal || !goal->feature) return false;
     const auto contacts = contacts_of(context_.hands.tool);
@@ -147,7 +149,7 @@ bool HandLead::wants_new_way(const std::optional<Goal>& goal, double now_s) {
     const servo::ToolState& tool = context_.hands.tool;
     const Vec3& feet_m = context_.body.feet_m();
     if (tool.workspace_motion == servo::WorkspaceMotion::Grabbed || feet_m != led_.feet_before_m) led_.moved_s = now_s;
-    // A door leaf may carry the hand along.
+    // A moving door leaf may push the hand, which then does not count as pulled away.
     const auto contacts = contacts_of(tool);
     if (context_.world.movers.any_moving() &&
         std::any_of(contacts.begin(), contacts.end(),
@@ -179,12 +181,12 @@ std::optional<HandLead::Arrival> HandLead::tick(const std::optional<Goal>& goal,
     if (plans_.by_hand()) plans_.pass(finding_place_m(context_));
     const servo::ToolState& tool = context_.hands.tool;
     const servo::GuidanceState felt = tool.guidance;
-    if (felt.number != led_.path.number) return std::nullopt;  // the servo has not received it yet
+    if (felt.number != led_.path.number) return std::nullopt;  // the servo has not yet received this path
     const bool pull = led_.path.kind == servo::GuidanceKind::Pull, acts = felt.phase == servo::GuidancePhase::Acts;
     bool arrived = felt.phase == servo::GuidancePhase::Arrived;
     if (led_.path.kind == servo::GuidanceKind::CrossLines && acts) return std::nullopt;
     if (led_.path.kind == servo::GuidanceKind::WayLines) {
-        // Lines that a jump of the workspace ended are set again from the hand's new place.
+        // If a jump of the workspace ended the lines, they are set again from the new place of the hand.
         if (acts || force_may_act()) {
             arrived = acts && (hand_at(goal) || glm::length(tool.hip_m - points_of(led_.path).back()) <=
                                                     servo::Guidance::kArrived_m * scale(context_));
@@ -215,18 +217,19 @@ std::optional<HandLead::Arrival> HandLead::tick(const std::optional<Goal>& goal,
     return std::nullopt;
 }
 
-// The servo ended the guidance; says why. If the cause is over already, it was short.
+// Says that the servo has ended the guidance, and why. If the cause is already over, says that the force was off for a
+// moment.
 std::string HandLead::no_longer_words() const {
     std::string why = why_no_force();
     if (why.empty()) why = phrase("lead.force_was_off", {{"key", context_.keys.keys_of(Command::TakeMe)}});
     return phrase("lead.no_longer") + " " + why;
 }
 
-// During a pull, announces doors on the path and checks how far off the hand is.
+// While the hand is pulled, announces doors on the path and checks how far the hand is from the path.
 void HandLead::watch_way(const std::optional<Goal>& goal, double now_s) {
     doors_.tell_touched(now_s);
     if (goal && led_.planned_in != context_.world.scene) {
-        // Something has moved since the path was planned, such as a door leaf. The same guidance silently continues
+        // Something has moved since the path was planned, such as a door leaf. So the same guidance silently continues
         // along a new path.
         led_.planned_in = context_.world.scene;
         const HandRoute way = plans_.for_hand(*goal, servo::GuidancePath::kMostPoints);
@@ -245,7 +248,7 @@ void HandLead::watch_way(const std::optional<Goal>& goal, double now_s) {
     led_.left = true;
 }
 
-// Lines stay in place until the hand has left them or something has moved.
+// Keeps the lines in place until the hand has left them or something has moved.
 void HandLead::watch_lines(const std::optional<Goal>& goal, double now_s) {
     doors_.tell_touched(now_s);
     const servo::ToolState& tool = context_.hands.tool;
@@ -257,7 +260,7 @@ void HandLead::watch_lines(const std::optional<Goal>& goal, double now_s) {
         lay_lines(*goal, now_s);
 }
 
-// Silently sets the lines again from the hand's place. If no path leads from there, the old ones stay.
+// Silently sets the lines again, from the place of the hand. If no path leads from there, the old lines stay.
 void HandLead::lay_lines(const Goal& goal, double now_s) {
     led_.lines_laid_s = now_s;
     led_.planned_in = context_.world.scene;
@@ -280,7 +283,7 @@ Vec3 HandLead::carry() {
     const servo::ToolState& tool = hands.tool;
     const auto way = points_of(led_.path);
     const bool lines =
-        led_.path.kind == servo::GuidanceKind::WayLines;  // the hand is on the lines and leans along them
+        led_.path.kind == servo::GuidanceKind::WayLines;  // true: the hand is on the lines and leans along them
     const bool led = led_.acts && (lines || led_.path.kind == servo::GuidanceKind::Pull) && led_.path.strength > 0.0 &&
                      tool.guidance.number == led_.path.number && tool.guidance.phase == servo::GuidancePhase::Acts &&
                      tool.workspace_jump == hands.pose.jump && !hands.at_desk() &&

@@ -10,28 +10,29 @@
 
 namespace handrail::core {
 
-// True if nothing solid is in between except the thing itself; thing: kNoFeature for a mere place.
+// True if no solid is between the two places, except the thing itself. `thing` is kNoFeature if the goal is only a
+// place.
 bool free_line(const WalkerWorld& world, const Vec3& from_m, const Vec3& to_m, FeatureId thing);
 
-// True if a proxy can move straight from one place to the other, or to the thing before it. Returns false if it touches
-// something at the start.
+// True if a proxy can move straight from one place to the other, or until it touches the thing. Returns false if it
+// touches something at the start.
 bool ball_passes(const WalkerWorld& world, const Vec3& from_m, const Vec3& to_m, FeatureId thing);
 
-// The point of a thing nearest to another place, slightly inside it, because whatever it stands on or hangs at covers
-// its faces.
+// Returns the point of a thing that is nearest to another place, moved slightly into the thing. The faces of the thing
+// may be covered by what it stands on or hangs at.
 Vec3 place_on(const Aabb& thing_m, const Vec3& from_m);
 
-// The shortest route to a place next to the thing from which a hand can reach it freely. If there is no such place, to
-// any place next to it. Without points: there is no floor at `from_m`.
+// Returns the shortest route to a place next to the thing from which a hand can reach the thing freely. If there is no
+// such place, the route leads to any place next to it. A route without points means that there is no floor at `from_m`.
 navigation::Route walk_to_thing(navigation::Navigation& navigation, const WalkerWorld& world, const Vec3& from_m,
                                 const Aabb& thing_m, FeatureId thing);
 
 // False if the route uses a lift, a teleporter or a climb, which a hand cannot follow.
 bool hand_can_follow(const navigation::Route& route);
 
-// The points of a hand's path along a route: from the hand to the route, along it at `height_m` above the floor, and
-// from its end to the thing if the goal is reached. If there would be more than `most` points, those that bend the path
-// least are left out.
+// Returns the points of a hand's path along a route: from the hand to the route, along the route at `height_m` above
+// the floor, and from its end to the thing if the goal is reached. If there are more than `most` points, those that
+// bend the path least are left out.
 std::vector<Vec3> hand_way(const navigation::Route& route, const Vec3& hand_m, double height_m,
                            const WalkerWorld& world, const Aabb& thing_m, FeatureId thing, std::size_t most);
 

@@ -12,14 +12,15 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kBeyondEnd_m = 0.1;        // beyond the end of the stretch
-constexpr double kLeastStretch_m = 1e-3;    // shorter stretches have no direction
-constexpr double kShutLeafWithin_m = 0.25;  // from where the leaf is when it is shut
+constexpr double kBeyondEnd_m = 0.1;        // distance beyond the end of a stretch within which a leaf counts
+constexpr double kLeastStretch_m = 1e-3;    // a shorter stretch has no direction
+constexpr double kShutLeafWithin_m = 0.25;  // a path this near to the place of the shut leaf leads through the door
 constexpr double kLeafLookEvery_m = 0.1;
-// |cos| between stretch and leaf; below it the walker meets the face, above it the edge.
+// Absolute cosine of the angle between the stretch and the leaf. If it is smaller, the walker meets the face of the
+// leaf, otherwise its edge.
 constexpr double kSquarely = 0.7;
 
-// True if the path comes near the place of the shut leaf.
+// True if the path comes near to where the leaf is when it is shut.
 bool leads_through_door(const Aabb& shut_m, std::span<const Vec3> path_m) {
     for (std::size_t leg = 1; leg < path_m.size(); ++leg) {
         const Vec3 way = path_m[leg] - path_m[leg - 1];
@@ -34,7 +35,7 @@ bool leads_through_door(const Aabb& shut_m, std::span<const Vec3> path_m) {
     return false;
 }
 
-// True if a walker on the stretch meets the face of a swinging leaf as it stands now, not its edge.
+// True if a walker on the stretch meets the face of a hinged leaf in its present position, not its edge.
 bool meets_face(const WorldState& world, std::uint32_t mover, const Aabb& leaf_m, const Vec3& way) {
     if (world.scene->movers[mover].swing_rad == 0.0) return false;
     const PlacedFrame frame(world.movers.at(mover));
@@ -61,7 +62,7 @@ std::optional<std::uint32_t> leaf_across(const WorldState& world, const WalkerSi
             world.thing_of_mover[mover] < 0 || shut(world, mover))
             continue;
         const Aabb& leaf_m = world.scene->placed[static_cast<std::size_t>(world.thing_of_mover[mover])].model->bounds_m;
-        // A walker who comes to the doorway from the hinge's side has the leaf in the way before it.
+        // A walker who comes to the doorway from the side of the hinge meets the leaf before the doorway.
         const double free_m = std::max(0.0, met->distance_m - size.radius_m);
         const bool face = meets_face(world, mover, leaf_m, way);
         std::vector<Vec3> until_m(path_m.begin(), path_m.begin() + static_cast<std::ptrdiff_t>(i));

@@ -1,5 +1,5 @@
-// Finds an open door leaf across a path, which must be shut before the person can go on. Functions of what the context
-// contains: one trace of the body for each stretch of the path; app thread. World metres.
+// Finds an open door leaf across a path. The person must shut the door before they can continue. Functions of the
+// context; app thread. Cost: one trace of the walker's shape for each stretch of the path. World metres.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@
 
 namespace handrail::core {
 
-// The door, an index in Scene::movers, whose leaf blocks a walker on the straight stretches of the path, at floor
-// level. No value if none does, if the door is not shut by hand, or if the path leads through that door and reaches the
-// doorway before the leaf's face.
+// Returns the door whose leaf blocks a walker on the straight stretches of the path, as an index in Scene::movers. The
+// path is at floor level. No value if there is no such leaf or a person does not shut that door by hand. Also no value
+// if the path leads through that door and reaches the doorway before the face of the leaf.
 std::optional<std::uint32_t> leaf_across(const WorldState& world, const WalkerSize& size, std::span<const Vec3> path_m);
-// Its name; empty: none.
+// Returns the name of that door, or an empty text.
 std::string leaf_ahead(const SessionContext& context, std::span<const Vec3> path_m);
 
 }  // namespace handrail::core

@@ -10,13 +10,14 @@ namespace handrail::core {
 struct Leg {
     navigation::Route route;
     Vec3 to_m{0.0};
-    double along_m = 0.0;  // of the route
+    double along_m = 0.0;  // distance of its beginning along the route
 };
 
-// The first stretch from there that is longer than `least_m`, with its route; no value: there is no route.
+// Returns the first stretch after `from_m` that is longer than `least_m`, together with the route. No value if there is
+// no route.
 std::optional<Leg> next_leg(navigation::Route route, const Vec3& from_m, double least_m);
 
-// The rest of a route from this distance along it.
+// Returns the rest of a route from this distance on.
 navigation::Route rest_of(const navigation::Route& route, double along_m);
 
 }  // namespace handrail::core

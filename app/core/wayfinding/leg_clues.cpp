@@ -13,12 +13,12 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kPassedWithin_m = 1.6;  // from the walker's centre to a door that counts as passed
-constexpr double kEnds_m = 0.4;          // at either end of a leg, where no door counts as passed
+constexpr double kPassedWithin_m = 1.6;  // largest distance from the walker's centre to a door that counts as passed
+constexpr double kEnds_m = 0.4;          // length at either end of a leg in which no door counts as passed
 constexpr int kMostPassed = 4;
-constexpr double kLandmark_m = 1.5;    // from the end of the leg
-constexpr double kWallBeside_m = 0.9;  // within an arm's reach of the walker's centre
-constexpr double kWallLeast_m = 2.8;   // shorter walls are not worth trailing
+constexpr double kLandmark_m = 1.5;    // largest distance from the end of the leg to a landmark
+constexpr double kWallBeside_m = 0.9;  // largest distance from the walker's centre to a wall, about an arm's length
+constexpr double kWallLeast_m = 2.8;   // a shorter wall is not worth trailing
 constexpr double kLookedEvery_m = 0.7;
 
 struct Line {
@@ -77,7 +77,7 @@ std::string landmark_clue(const SessionContext& context, const Line& line, const
     return phrase(aside_m > 0.0 ? "leg.landmark_right" : "leg.landmark_left", {{"what", spoken_name(*nearest)}});
 }
 
-// A wall that is within reach along the whole leg.
+// Returns the clue for a wall that is within reach along the whole leg.
 std::string wall_clue(const SessionContext& context, const Line& line) {
     if (line.length_m < kWallLeast_m) return {};
     for (const double side : {1.0, -1.0}) {

@@ -15,13 +15,13 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kFarthest_m = 40.0;  // longest leg that ends at an obstacle
-constexpr double kMeets_m = 0.6;      // search distance beyond where the walker is stopped
+constexpr double kFarthest_m = 40.0;  // greatest length of a leg that ends at an obstacle
+constexpr double kMeets_m = 0.6;      // how far beyond the walker's stop the obstacle is searched for
 constexpr double kFine_m = 0.05;      // spacing of the floor samples for risers
-constexpr double kPathEvery_m = 0.4;  // spacing of the path points that are searched for leaves
+constexpr double kPathEvery_m = 0.4;  // spacing of the path points at which door leaves are searched for
 constexpr double kAhead_m = 0.01;
 constexpr double kRiser_m = 0.06;
-constexpr double kLeft_part = 0.5;  // share of a step; less counts as nothing left
+constexpr double kLeft_part = 0.5;  // share of a step; less than this counts as nothing left
 
 std::string notch_words(int notches) {
     constexpr std::array kFromLeft{"route.turn_round",          "leg.turn_7_left",          "route.turn_sharp_left",
@@ -35,13 +35,14 @@ std::string notch_words(int notches) {
 
 Vec2 level(const Vec3& way) { return {way.x, way.y}; }
 
-// Distance along the leg from one place to another.
+// Returns the distance from one place to the other in the direction of the leg.
 double along_m(int notch, const Vec3& from_m, const Vec3& to_m) {
     const Vec3 ahead = forward_of_heading(navigation::notch_heading_rad(notch));
     return glm::dot(level(to_m - from_m), level(ahead));
 }
 
-// Counted steps from the present place: as planned, corrected by how far ahead or behind the person is.
+// Returns the counted steps from the present place: the planned number, corrected by how far the person is ahead or
+// behind.
 double counted_left(const DirectionsFloor& floor, const LegAt& at) {
     const double aside_m = along_m(at.notch, at.planned_from_m, at.from_m);
     return at.leg.steps - aside_m / floor.step_m;
@@ -52,7 +53,7 @@ struct Walked {
     navigation::BlindWalker body;
     int risers = 0;
     double to_stairs_m = 0.0;
-    std::vector<Vec3> path_m;  // from the present place, every kPathEvery_m
+    std::vector<Vec3> path_m;  // points from the present place on, every kPathEvery_m
 };
 Walked walk(const DirectionsFloor& floor, const LegAt& at, const navigation::DoorsOpen& open,
             double most_m = kFarthest_m) {
@@ -79,14 +80,14 @@ Walked walk(const DirectionsFloor& floor, const LegAt& at, const navigation::Doo
         },
         kFine_m);
     walked.path_m.push_back(floor.ground.feet_m(walked.body));
-    // What stops the walker is just ahead.
+    // The obstacle that stops the walker is just ahead.
     if (walked.paced.stopped)
         walked.path_m.push_back(walked.path_m.back() +
                                 kAhead_m * forward_of_heading(navigation::notch_heading_rad(at.notch)));
     return walked;
 }
 
-// Adds a flight that the leg crosses.
+// Adds the flight of stairs that the leg crosses, if there is one.
 void tell_flight(SpokenLeg& told, const DirectionsFloor& floor, const Walked& walked) {
     if (walked.risers < 2) return;
     told.risers = walked.risers;
@@ -125,7 +126,8 @@ std::string leg_words(const SpokenLeg& leg, const DistanceWords& how) {
         const std::string flight = phrase(leg.up ? "leg.stairs_up" : "leg.stairs_down", {{"risers", leg.risers}});
         text += " " + phrase("leg.over_flight", {{"flight", flight}, {"steps", leg.to_stairs}});
     }
-    // Only one instruction at a time: the person cannot reach the door before the leaf is out of the way.
+    // Only one instruction is given at a time, because the person cannot reach the door before the leaf is out of the
+    // way.
     if (!leg.leaf.empty()) text += " " + capitalised(phrase("leg.leaf_in_way", {{"door", leg.leaf}}));
     else if (leg.open) text += " " + phrase("leg.open_it");
     else if (leg.by_itself) text += " " + phrase("leg.opens_by_itself");

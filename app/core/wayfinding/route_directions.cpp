@@ -12,15 +12,15 @@
 namespace handrail::core {
 namespace {
 
-// Farther from the legs than this, the walker has left the route. This is twice the spread that a plan permits.
+// A walker that is farther from the legs than this has left the route. It is twice the deviation that a plan permits.
 constexpr double kLeft_m = 3.5;
 constexpr double kLooked_m = 0.05;
-// A route still holds if enough trial walks with errors arrive from the present place: at least the share that arrived
-// when it was planned, minus kFewer.
+// Trial walks with errors decide whether a route is still valid from the present place. The share of those that arrive
+// must be at least the share when the route was planned, minus kFewer.
 constexpr int kTried = 24;
 constexpr double kFewer = 0.25, kUnmoved_m = 0.1;
-// Number of places that the planner examines before its first legs are announced. Routes in a house need fewer for all
-// their legs.
+// The planner examines this many places before its first legs are announced. In a house, all legs of a route need fewer
+// places.
 constexpr int kPlacesForFirst = 150;
 
 double distance_to_stretch(const Vec3& at, const Vec3& a, const Vec3& b) {
@@ -81,7 +81,7 @@ void RouteDirections::plan(bool in_parts) {
     });
 }
 
-// Plans the legs after the first ones while those are walked.
+// Plans the remaining legs while the person walks the first ones.
 void RouteDirections::plan_rest() {
     planning_.begin([planned = way_](const std::stop_token& stop) {
         Planned made = planned;
@@ -99,8 +99,8 @@ void RouteDirections::take(Planned planned) {
     if (state_ == State::Known && !way_.route->whole) plan_rest();
 }
 
-// Returns true if it was awaited. If the first legs have no continuation, the route is planned again from the walker's
-// place.
+// Takes over the remaining legs. Returns true if the person has requested them. If the first legs have no continuation,
+// plans the route again from the walker's place.
 bool RouteDirections::take_rest(Planned planned) {
     if (!planned.route || planned.route->legs.size() <= way_.route->legs.size()) {
         plan(false);
@@ -138,7 +138,8 @@ RouteDirections::News RouteDirections::tick() {
     return news;
 }
 
-// A place of the goal may be as wide as a step and lie half outside the room.
+// True if the walker is inside the stated outline of the room. A place that counts as the goal may be as wide as a
+// step, so that half of it is outside the room.
 bool RouteDirections::in_outline(const Vec3& feet_m) const {
     const StatedRoom* const outline =
         navigation::stated_room_at(*rooms_.file_scene(), rooms_.graph().rooms[room_].middle_m);
@@ -158,13 +159,13 @@ LegAt RouteDirections::leg_at(std::size_t which) const {
     return at;
 }
 
-// True if the remaining legs still lead to the goal from here, even for trial walks with errors. For first legs that is
-// unknown until the rest is planned.
+// True if the remaining legs still lead to the goal from here, even in trial walks with errors. If only the first legs
+// are planned, that is unknown and the result is true.
 bool RouteDirections::holds() const {
     if (!way_.route->whole) return true;
     const LegAt first = leg_at(at_);
-    // At the place where it was planned, the route still holds even if its first leg has been walked already. A new
-    // plan from here would give the same route again and again.
+    // At the place where it was planned, the route is always valid, even if the person has already walked its first
+    // leg. A new plan from here would give the same route again and again.
     if (glm::length(first.from_m - way_.from_m) < kUnmoved_m && way_.open == open_now()) return true;
     navigation::DirectionsRoute left;
     left.legs.assign(way_.route->legs.begin() + static_cast<std::ptrdiff_t>(at_), way_.route->legs.end());
@@ -184,8 +185,8 @@ std::string RouteDirections::tell() {
     if (state_ != State::Known) return {};
     const LegAt leg = leg_at(at_);
     SpokenLeg told = spoken_leg(context_, *way_.floor, leg, open_now());
-    // Legs are planned on a grid coarser than the walker. There, a walker may slide past what stops the real one, and
-    // the same leg would be announced for ever.
+    // The grid for planning is coarser than the walker. In a plan, the walker may slide past an obstacle that stops the
+    // real walker. The same leg would then be announced again and again.
     if (stopped_on(leg) && told.leaf.empty() && !begin_with_door(told)) {
         stop();
         state_ = State::NoWay;
@@ -203,11 +204,12 @@ void RouteDirections::note_stop(FeatureId by) {
     stopped_ = stop;
 }
 
-// Makes the leg begin with the door that stopped the walker: a shut door is opened, the leaf of an open one is shut.
-// Returns false if no door that a person opens did that, or it still stops the walker.
+// Changes the leg so that it begins with the door that stopped the walker: the person opens a shut door, or shuts an
+// open one whose leaf is in the way. Returns false if no door that opens by hand stopped the walker, or if the same
+// door has stopped it too often.
 bool RouteDirections::begin_with_door(SpokenLeg& leg) const {
     constexpr int kMostTimes = 4;
-    if (leg.open || leg.by_itself) return true;  // it says so already
+    if (leg.open || leg.by_itself) return true;  // the leg already says so
     const int mover = stopped_->door ? mover_of(context_.world, stopped_->door) : -1;
     if (mover < 0 || stopped_->times > kMostTimes ||
         !context_.world.scene->movers[static_cast<std::size_t>(mover)].by_hand)

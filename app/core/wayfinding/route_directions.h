@@ -1,6 +1,6 @@
-// The route to a room, followed by words. A background task plans it, its first legs first. It is announced leg by leg
-// from the person's place, and planned again if the rest would no longer lead there. It announces nothing itself. App
-// thread only; world metres.
+// A route to a room that the person follows by spoken directions. A background task plans it, the first legs first. The
+// route is put into words leg by leg from the person's place. It is planned again if the remaining legs no longer lead
+// to the room. This class makes no announcements. App thread only; world metres.
 #pragma once
 
 #include <memory>
@@ -18,42 +18,44 @@ class RouteDirections : SessionPart {
 public:
     RouteDirections(const SessionContext& context, Rooms& rooms, DirectionsGround& ground);
 
-    // Begins a route from the walker's place, which replaces the previous one; `goal`: name of its end.
+    // Begins a route from the walker's place, which replaces the previous route. `goal` is the name of its end.
     void begin(std::uint32_t room, std::string goal);
     void stop();
 
-    // - None: nothing is followed.
-    // - Planned: it is being planned.
+    // - None: there is no route.
+    // - Planned: the route is being planned.
     // - Known: at least its first legs can be announced.
-    // - NoWay: there is no route in words.
+    // - NoWay: there are no spoken directions for a route.
     enum class State : std::uint8_t { None, Planned, Known, NoWay };
     State state() const { return state_; }
     bool at_work() const { return state_ == State::Planned || state_ == State::Known; }
-    // True while a requested leg or the rest is being planned; News::planned reports when it is ready.
+    // True while legs that the person requested are being planned. News::planned reports when they are ready.
     bool awaited() const {
         return state_ == State::Planned || (state_ == State::Known && awaited_ != Awaited::Nothing);
     }
-    // True if all its legs are known, or it has none.
+    // True if all legs of the route are known, or if there are none.
     bool whole() const { return state_ != State::Planned && (state_ != State::Known || way_.route->whole); }
 
     struct News {
-        bool planned = false;  // what was awaited is ready, or does not exist
+        bool planned = false;  // true: what the person requested is ready, or does not exist
         bool arrived = false, left = false;
     };
-    // Costs a look at the grid if the walker has moved.
+    // Updates the route. If the walker has moved, it costs one lookup in the grid.
     News tick();
 
-    // The legs as sentences. Empty: it is being planned again, and tick() reports when it is ready, or there is none.
-    // leg(): the present leg from the present place, or the next one if it is over.
+    // These functions return legs as sentences. Empty: the route is being planned again, and tick() reports when it is
+    // ready; or there is no route. leg() returns the present leg from the present place, or the next leg if the present
+    // one is over.
     std::string leg();
-    // The leg after the last announced one.
+    // Returns the leg after the one announced last.
     std::string next_leg();
-    // All remaining legs, one after the other.
+    // Returns all remaining legs in order.
     std::vector<std::string> rest();
-    // That feature stopped the walker at its present place and heading. If a leg would continue there, it is announced
-    // with the door that stopped the walker. If no door did, there is no route in words any more.
+    // Call it when the feature `by` has stopped the walker at its present place and heading. If a leg continues in that
+    // direction, it then begins with the door that stopped the walker. If a door was not the cause, there are no spoken
+    // directions any more.
     void note_stop(FeatureId by);
-    // Direction of the last announced leg; no value: none was announced.
+    // Returns the direction of the leg announced last, or no value if none was announced.
     std::optional<double> heading_rad() const;
 
 private:
@@ -63,7 +65,7 @@ private:
         std::optional<navigation::DirectionsRoute> route;
         Vec3 from_m{0.0};
         int notch = 0;
-        navigation::DoorsOpen open;  // state of the doors at that time
+        navigation::DoorsOpen open;  // state of the doors when the route was planned
     };
     enum class Awaited : std::uint8_t { Nothing, NextLeg, Rest };
     void plan(bool in_parts = true);
@@ -84,15 +86,15 @@ private:
     State state_ = State::None;
     std::uint32_t room_ = navigation::kNothing;
     std::string goal_;
-    bool wanted_ = false;                 // a plan is wanted as soon as there is a floor
-    Awaited awaited_ = Awaited::Nothing;  // what was requested of legs that are not known yet
+    bool wanted_ = false;                 // true: a plan begins as soon as the floor is known
+    Awaited awaited_ = Awaited::Nothing;  // which unknown legs the person has requested
     Planned way_;
-    std::size_t at_ = 0;  // the leg that is being walked
+    std::size_t at_ = 0;  // index of the leg that the person is walking
     Vec3 looked_m_{0.0};
     struct Stop {
         Vec3 at_m{0.0};
         double heading_rad = 0.0;
-        FeatureId door = kNoFeature;  // kNoFeature: no door stopped it
+        FeatureId door = kNoFeature;  // kNoFeature: the walker was not stopped by a door
         int times = 1;                // consecutive stops by the same door
     };
     std::optional<Stop> stopped_;

@@ -11,9 +11,10 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kPassed_m = 0.6;     // distance at which a guided hand counts as past a stop
-constexpr double kPassedEar_m = 0.3;  // distance along the route before a stop at which it counts as passed
-constexpr double kLowest_m = 0.3, kHighest_m = 1.6;  // height of a guided hand: above door sills, under lintels
+constexpr double kPassed_m = 0.6;     // a guided hand has passed a stop within this distance
+constexpr double kPassedEar_m = 0.3;  // a stop counts as passed this far before it, measured along the route
+// Limits of the height of a guided hand: above door sills and under lintels.
+constexpr double kLowest_m = 0.3, kHighest_m = 1.6;
 
 }  // namespace
 
@@ -24,7 +25,8 @@ void RoutePlans::enter_world() {
 
 void RoutePlans::begin(const std::vector<Stop>& stops, bool first_passed, bool by_hand) {
     contract_pre(!stops.empty());
-    // The last stop is never skipped: there would be nothing left to lead to. Its arrival is announced as any other.
+    // The last stop is never skipped, because there would be no goal left. Its arrival is announced as for every other
+    // stop.
     run_ = RouteRun{stops, first_passed && stops.size() > 1 ? 1U : 0U, by_hand, {}, 0};
 }
 
@@ -60,7 +62,8 @@ HandRoute RoutePlans::for_hand(const Goal& goal, std::size_t most_points) {
     const WalkerWorld& solids = *context_.world.solids;
     const Vec3 from = finding_place_m(context_), on_thing = place_on(goal.box_m, from);
     const std::vector<Vec3> straight{from, nearest_place(goal.box_m, from)};
-    const bool along_kept = runs_to(goal.name) && by_hand();  // along the saved route, not the nearest one
+    // The hand follows the saved route, even if another route is shorter.
+    const bool along_kept = runs_to(goal.name) && by_hand();
     const bool stops_first = along_kept && run_->next < run_->goal();
     if (!stops_first && ball_passes(solids, from, on_thing, goal.feature)) {
         way.points_m = straight;

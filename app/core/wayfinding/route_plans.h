@@ -1,5 +1,6 @@
-// The present route, along the stops of a saved route or straight to one goal: how it continues from a place, for the
-// walker and for a hand. It plans and announces nothing; a plan takes milliseconds. Metres, world. App thread only.
+// The present route, along the stops of a saved route or directly to one goal. This class plans how the route continues
+// from a place, for the walker and for a hand. It announces nothing. A plan takes milliseconds. World metres. App
+// thread only.
 #pragma once
 
 #include <optional>
@@ -15,11 +16,11 @@ namespace handrail::core {
 
 // A path from the hand to a thing.
 struct HandRoute {
-    std::vector<Vec3> points_m;  // none: `problem` says why
+    std::vector<Vec3> points_m;  // empty: `problem` says why
     std::string problem;
     bool reaches = true;
     double short_of_m = 0.0;
-    std::vector<std::string> passes;  // doors and stairs, in order
+    std::vector<std::string> passes;  // doors and stairs on the path, in order
 };
 
 class RoutePlans : SessionPart {
@@ -29,35 +30,36 @@ public:
     void enter_world();
 
     // ---- following a saved route ----
-    // At least one stop. If the first one has been passed already, the route begins at the second, if there is one.
+    // Begins the route; there must be at least one stop. If `first_passed` is true and there is a second stop, the
+    // route begins with that one.
     void begin(const std::vector<Stop>& stops, bool first_passed, bool by_hand);
     void end() { run_.reset(); }
     bool running() const { return run_.has_value(); }
     bool by_hand() const { return run_ && run_->by_hand; }
     void go_on_by_ear() { run_->by_hand = false; }
-    // The next stop whose arrival is announced; valid only while a saved route is followed.
+    // The next stop whose arrival is announced. Valid only while a saved route is followed.
     const Stop& stop() const { return run_->stops[run_->goal()]; }
     bool runs_to(const std::string& goal) const { return run_ && stop().name == goal; }
-    // The rest of the route from there to that stop; it is followed from now on.
+    // Returns the rest of the route from `from_m` to stop(), and follows it from now on.
     navigation::Route on(const Vec3& from_m);
-    // The same without following it.
+    // Returns the same route without following it.
     navigation::Route looked_at(const Vec3& from_m) const {
         return plan_through(rooms_.navigation(), from_m, run_->places());
     }
-    // Skips stops without a name that have been passed, by the place of the hand, or by the distance along the route of
-    // on().
+    // Mark the stops without a name that have been passed: by the place of the hand, or by the distance along the route
+    // of on().
     void pass(const Vec3& hand_m);
     void pass(double along_m);
-    // That stop is reached. Returns false if it was the last one; the route is then over.
+    // Call it when stop() has been reached. Returns false if it was the last stop; the route has then ended.
     bool next();
 
     // ---- to a thing ----
-    // Straight to it if a proxy passes, otherwise along the planned route. If no route is known, straight as long as
-    // nothing is in between.
+    // Returns the path straight to the thing if a proxy fits through, or else along the planned route. If no route is
+    // known, the path is straight, provided nothing is in between.
     HandRoute for_hand(const Goal& goal, std::size_t most_points);
     std::string why_none() const;
 
-    // The last planned route, at floor level; empty: none. `changes` increases when it is replaced.
+    // Sets the last planned route, at floor level; empty: none. Each call increases changes().
     void know(std::vector<Vec3> soles_m);
     const std::vector<Vec3>& last_m() const { return last_m_; }
     unsigned changes() const { return changes_; }

@@ -1,5 +1,5 @@
-// A route in words, and following it: what is ahead, that the person is still on it, or has left it. Plain state and
-// pure functions; app thread.
+// Puts a route into words, and follows a person on it: announces what is ahead, and whether the person is still on the
+// route or has left it. Plain state and pure functions; app thread.
 #pragma once
 
 #include <algorithm>
@@ -13,31 +13,31 @@
 
 namespace handrail::core {
 
-// One instruction: where along the route it is due, and what is there.
+// An instruction: where along the route it is due, and what is there.
 struct RouteNode {
     double at_m = 0.0;
-    std::string what;       // "Kitchen door", "stairs, 2.9 metres up"; empty for a turn only
-    double turn_rad = 0.0;  // clockwise, to make there; 0: straight on
+    std::string what;       // "Kitchen door", "stairs, 2.9 metres up"; empty: there is only a turn
+    double turn_rad = 0.0;  // turn to make there, clockwise; 0: straight on
     Vec3 place_m{0.0};
 };
 
-// Doors, stairs and other features, turns of more than a sixteenth of a circle, and the goal, in order. A turn next to
-// a feature belongs to it. name_of: spoken name of a passage.
+// Returns, in order, doors, stairs and other features, turns of more than a sixteenth of a circle, and the goal. A turn
+// next to a feature is part of the feature's instruction. `name_of` returns the spoken name of a passage.
 std::vector<RouteNode> nodes_of(const navigation::Route& route, const std::string& goal,
                                 const std::function<std::string(const navigation::RoutePassage&)>& name_of);
 
-// "28 steps in all. Turn slightly left. 14 steps. Turn right. 4 steps to Front door. Turn left. 10 steps to Kitchen."
-// `heading_rad`: of the listener.
+// Returns "28 steps in all. Turn slightly left. 14 steps. Turn right. 4 steps to Front door. Turn left. 10 steps to
+// Kitchen." `heading_rad` is the direction that the person faces.
 std::string route_words(const navigation::Route& route, const std::vector<RouteNode>& nodes, double heading_rad,
                         const DistanceWords& how);
 
-// Follows a walker along a route. Announces each feature once, 6 m before it, and again when it is reached, with the
-// next turn. After every 10 m without an announcement, it says that the person is on the route. It also reports once
-// that the person has left it.
+// Follows a walker along a route. Announces each feature once when it is 6 m ahead. When the walker reaches it,
+// announces it again with the next turn. After every 10 m without an announcement, says that the person is on the
+// route. Reports once that the person has left it.
 class RouteFollower {
 public:
     struct Said {
-        std::string text;  // empty: nothing
+        std::string text;  // text to announce; empty: nothing
         bool left = false;
         bool arrived = false;
     };
@@ -47,10 +47,10 @@ public:
     const navigation::Route& route() const { return route_; }
     const Vec3& goal_m() const { return route_.points_m.back(); }
     double along_m() const { return along_m_; }  // distance of the person along the route
-    std::vector<Vec3> ahead_m() const;           // the rest of it
+    std::vector<Vec3> ahead_m() const;           // the rest of the route
     double left_m() const { return std::max(0.0, route_.length_m - along_m_); }
-    // Decides whether the person has arrived. at_end: the end of the route is within kThere_m, although a wall may be
-    // in between.
+    // Decides whether the person has arrived. `at_end` is true if the end of the route is within kThere_m; a wall may
+    // still be in between.
     using There = std::function<bool(bool at_end)>;
     Said tick(
         const Vec3& feet_m, const DistanceWords& how, const There& there = [](bool at_end) { return at_end; });
@@ -60,7 +60,7 @@ private:
     std::vector<RouteNode> nodes_;
     std::vector<bool> announced_, reached_;
     double along_m_ = 0.0;
-    double word_at_m_ = 0.0;  // where along the route the last announcement was
+    double word_at_m_ = 0.0;  // distance along the route at the last announcement
 };
 
 inline constexpr double kAnnounceAhead_m = 6.0, kReassureEvery_m = 10.0, kLeftWay_m = 2.0, kThere_m = 0.8,

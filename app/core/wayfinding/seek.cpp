@@ -14,18 +14,21 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kLookEvery_s = 0.1;  // interval between checks for obstacles and shut doors along a route
+constexpr double kLookEvery_s = 0.1;  // interval between two checks for obstacles and shut doors along a route
 constexpr double kOverSteps_m = 0.35, kNarrow_m = 0.2,
-                 kNarrowHeight_m = 1.2;  // size and height above the floor of the body for checks ahead, also on stairs
-constexpr double kBackOnWay_m = 1.0;     // distance ahead for a person who is off the route
+                 // Size and height above the floor of the shape for checks ahead; they suit stairs, too.
+    kNarrowHeight_m = 1.2;
+constexpr double kBackOnWay_m = 1.0;  // how far ahead along the route a person who is off the route is led
 constexpr double kHardlyLonger = 1.25,
-                 // Factor and allowance by which a route may be longer than the straight line, so that the thing itself
-                 // guides.
+                 // A thing guides directly if the route to it is at most this factor times the straight line plus this
+                 // allowance.
     kAllowance_m = 1.0;
-constexpr double kDoorAhead_m = 1.0;         // along the route, to a door that is announced: within reach
-constexpr double kPast = 0.1;                // changes as small as this count as neither nearer nor farther
-constexpr double kPitch = 0.5;               // raises the pitch by a fifth when moving straight to it
-constexpr double kBody_m_per_hand_m = 60.0;  // the walker counts as near as a hand would be at the scale of a room
+// Distance along the route within which a shut door is announced, about an arm's length.
+constexpr double kDoorAhead_m = 1.0;
+constexpr double kPast = 0.1;   // a change of the distance by less than this share counts as neither nearer nor farther
+constexpr double kPitch = 0.5;  // how much the pitch rises when the person moves straight towards the thing: by a fifth
+// World metres of the walker's distance that count as one hand metre, as at the scale of a room.
+constexpr double kBody_m_per_hand_m = 60.0;
 
 std::string along_way_words(const SoughtRoute& way, const DistanceWords& how) {
     return phrase("lead.along_way", {{"distance", distance_words(way.left_m(), how)}});
@@ -52,7 +55,8 @@ void Seek::start_warmer(const Goal& goal) {
     doors_.forget_told();
 }
 
-// Plans from the present place. A later plan uses the same place next to the thing, which saves searching for one.
+// Plans the route from the present place. A later plan reuses the same place next to the thing, which saves the search
+// for one.
 void Seek::plan(AlongRoute& along, const Sought& sought, bool hand, double now_s) {
     SoughtRoute& way = along.way;
     along.planned_in = context_.world.scene;
@@ -74,7 +78,8 @@ void Seek::plan(AlongRoute& along, const Sought& sought, bool hand, double now_s
              now_s);
 }
 
-// Follows the route, and plans it if necessary. Returns true if it is known and the person wants it.
+// Follows the route, and plans it again if necessary. Returns true if the route is known and the person wants to use
+// it.
 bool Seek::keep(AlongRoute& along, const Sought& sought, bool hand, double now_s) {
     if (!context_.settings.guidance.along_way) return false;
     SoughtRoute& way = along.way;
@@ -87,28 +92,28 @@ bool Seek::keep(AlongRoute& along, const Sought& sought, bool hand, double now_s
     return way.known();
 }
 
-// The place from which the line of sight begins.
+// Returns the start of the line of sight.
 Vec3 Seek::from_m(bool hand) const {
     return hand ? finding_place_m(context_) : context_.body.feet_m() + Vec3(0.0, 0.0, kWaist_m);
 }
 
-// True if nothing is in between and the route is hardly longer than the straight line. A thing on the storey above,
-// seen over the banister, does not count.
+// True if nothing is between the person and the thing, and the route is hardly longer than the straight line. So a
+// thing on the storey above that is visible over the banister does not count.
 bool Seek::straight_before(const SoughtRoute& way, const Sought& sought, bool hand) const {
     const Vec3 from = from_m(hand), place = place_on(sought.thing_m(), from);
     return way.left_m() <= kHardlyLonger * glm::length(place - from) + kAllowance_m &&
            free_line(*context_.world.solids, from, place, sought.feature()) && (hand || body_gets_to(sought));
 }
 
-// What a narrow body meets on the straight line to that place.
+// Returns what a narrow shape meets on the straight line from the walker to `soles_m`.
 TraceHit Seek::met_on_way(const Vec3& soles_m) const {
     const Vec3 over(0.0, 0.0, kOverSteps_m);
     return context_.world.solids->trace(context_.body.feet_m() + over, soles_m + over,
                                         WalkerShape{kNarrow_m, kNarrowHeight_m});
 }
 
-// True if a person who walks straight to its middle reaches it, and does not hit the side of a doorway through which it
-// is seen.
+// True if a person who walks straight to the middle of the thing reaches it. False if the person would hit the side of
+// a doorway through which the thing is visible.
 bool Seek::body_gets_to(const Sought& sought) const {
     const Vec3 middle = sought.thing_m().centre_m();
     const TraceHit met = met_on_way({middle.x, middle.y, context_.body.feet_m().z});
@@ -140,7 +145,8 @@ void Seek::tell_anew(double now_s) {
 
 // ---- every tick ----
 
-// The place from which the beacon calls while the person must go there first; no value: it calls from the thing.
+// Returns the place from which the beacon sounds while the person must go there first. No value: the beacon sounds from
+// the thing.
 std::optional<Vec3> Seek::beacon_turning(double now_s) {
     AlongRoute& along = beacon_along_;
     const bool tried = along.way.tried();
@@ -150,7 +156,7 @@ std::optional<Vec3> Seek::beacon_turning(double now_s) {
         along.looked_s = now_s;
         doors_.tell_ahead(along.way.ahead_m(kDoorAhead_m), now_s);
         turning_first_ = along.way.left_m() > Beacon::kArrived_m && !straight_before(along.way, beacon_, false);
-        // A person slightly off the route is guided back onto it, round the obstacle.
+        // A person slightly off the route is led back to it, round the obstacle.
         const Vec3 turning = along.way.next_turning_m();
         const TraceHit met = met_on_way(turning);
         const Feature* thing = met.hit ? context_.world.scene->find(met.feature) : nullptr;
@@ -179,7 +185,7 @@ void Seek::tick_warmer(double now_s) {
     const bool known = keep(along, warmer_, hand, now_s);
     if (known && !tried) tell_way(along, now_s);
     const double straight_m = glm::length(thing - place), per_m = hand ? scale(context_) : kBody_m_per_hand_m;
-    // Being near does not count if a wall is in between.
+    // A person who is near the thing has not found it if a wall is in between.
     bool found = straight_m <= (hand ? Warmer::kFound_hand_m * per_m : Beacon::kArrived_m) &&
                  (!known || (!hand && along.way.left_m() <= Beacon::kArrived_m) ||
                   free_line(*context_.world.solids, place, place_on(warmer_.thing_m(), place), warmer_.feature()));

@@ -1,5 +1,5 @@
-// Finding a thing by sounds: the beacon that calls from it, and "warmer". Each works along a planned route if one is
-// known. Metres, world. App thread only.
+// Finding a thing by two tools: the beacon that sounds from the thing, and "warmer". Each works along a planned route
+// if one is known. World metres. App thread only.
 #pragma once
 
 #include <memory>
@@ -14,12 +14,12 @@
 
 namespace handrail::core {
 
-// The route along which a tool guides.
+// The route along which a tool guides, and the state for it.
 struct AlongRoute {
     SoughtRoute way;
-    std::shared_ptr<const Scene> planned_in;  // the scene at that time
-    std::uint32_t jump = 0;                   // of the workspace, at that time
-    double looked_s = -1e9;                   // last check for obstacles and shut doors
+    std::shared_ptr<const Scene> planned_in;  // the scene when the route was planned
+    std::uint32_t jump = 0;                   // number of the last jump of the workspace when the route was planned
+    double looked_s = -1e9;                   // time of the last check for obstacles and shut doors
 };
 
 class Seek : SessionPart {
@@ -28,20 +28,20 @@ public:
         : SessionPart(context), rooms_(rooms), plans_(plans), doors_(doors) {}
 
     void enter_world();
-    // Both start silently, without an announcement.
+    // Start the tools without an announcement.
     void start_beacon(const Goal& goal);
     void start_warmer(const Goal& goal);
     void silence_beacon() { beacon_.clear(); }
     void silence_warmer() { warmer_.clear(); }
-    // Whether it guides along the route or straight, and why; empty if both are the same.
+    // These return whether the tool guides along the route or straight, and why. Empty if the route is straight.
     std::string beacon_words(double now_s) { return words(beacon_along_, beacon_, false, now_s); }
     std::string warmer_words(double now_s) { return words(warmer_along_, warmer_, context_.hands.known(), now_s); }
 
-    // Each plays its sound when due, while it is on, and ends automatically. tick_beacon returns true if the beacon has
-    // just been reached.
+    // Each plays the sound of its tool when it is due, while the tool is on. The tools end automatically. tick_beacon()
+    // returns true if the person has just reached the beacon.
     bool tick_beacon(double now_s);
     void tick_warmer(double now_s);
-    // The ways of both as they are now, since the line with one was cut.
+    // Announces again how both tools lead now, because a line about that was cut off.
     void tell_anew(double now_s);
 
     const Beacon& beacon() const { return beacon_; }
@@ -65,10 +65,11 @@ private:
     Doors& doors_;
     Beacon beacon_;
     Warmer warmer_;
-    AlongRoute beacon_along_, warmer_along_;  // for the walker; for the hand if there is one
-    // For a route that is walked by ear:
-    bool turning_first_ = false;  // the beacon calls from a turning
-    Vec3 turning_m_{0.0};         // which one, at floor level
+    // Routes of the beacon, for the walker, and of "warmer", for the hand if there is one.
+    AlongRoute beacon_along_, warmer_along_;
+    // For a route on which the beacon leads the walker:
+    bool turning_first_ = false;  // true: the beacon sounds from a turning of the route
+    Vec3 turning_m_{0.0};         // that turning, at floor level
 };
 
 }  // namespace handrail::core

@@ -1,8 +1,9 @@
-// Where a person who searches for a thing by ear is on the planned route: how far it still is, where the next turning
-// is, and when the route must be planned again. Tools that guide by ear thus respect walls, doors and storeys. Plain
-// state and pure functions; app thread. One update costs some 20 flops for each leg and a line through the world, under
-// half a microsecond in our house. A plan takes up to 5 ms there (seeking_cost). It is made once for each request, then
-// only after the person has left the route or the world has changed, and at most once a second.
+// The planned route of a person who searches for a thing by ear. It tells how far the thing still is, where the next
+// turning is, and when the route must be planned again. So the tools respect walls, doors and storeys. Plain state and
+// pure functions; app thread.
+// Cost: one update takes some 20 flops for each leg and one trace through the world, under half a microsecond in our
+// house. A plan takes up to 5 ms there (seeking_cost). There is one plan for each request. Further plans follow only
+// after the person has left the route or the world has changed, and at most once a second.
 #pragma once
 
 #include <functional>
@@ -16,38 +17,43 @@ namespace handrail::core {
 
 class SoughtRoute {
 public:
-    static constexpr double kPassed_m = 0.4;  // distance to a turning; nearer, the next one counts
-    static constexpr double kLeft_m = 1.2;    // off the route, if it is not in sight: then it is planned again
-    static constexpr double kFar_m = 3.0;     // the same, if it is in sight
-    static constexpr double kAgain_s = 1.0;   // least time between two plans
-    // Share of the movement by which the reported distance approaches that of a new route.
+    static constexpr double kPassed_m = 0.4;  // within this distance of a turning, the next turning counts
+    // Distance from the route at which it is planned again if the route is out of sight.
+    static constexpr double kLeft_m = 1.2;
+    // Distance from the route at which it is planned again if the route is in sight.
+    static constexpr double kFar_m = 3.0;
+    static constexpr double kAgain_s = 1.0;  // least time between two plans
+    // While the person moves, the reported distance approaches the distance of a new route by this share of the
+    // movement.
     static constexpr double kEasing = 0.5;
     static constexpr double kValley_m = 0.6, kSlope = 0.7;
     static constexpr double kLeastTurn_rad = 0.35;
 
-    // Another request: nothing is known yet.
+    // Forgets everything. Call it for another request.
     void clear() { *this = {}; }
-    // Sets a route from the person's place `at_m`; the reported distance continues smoothly. tail_m: from its end to
-    // the thing. `passages`: its doors and stairs, which count as turnings. One point or none: no route.
+    // Sets a route for a person at `at_m`; the reported distance stays continuous. `tail_m` is the distance from the
+    // end of the route to the thing. `passages` are the doors and stairs of the route, which count as turnings. One
+    // point or none means that there is no route.
     void plan(std::vector<Vec3> points_m, const std::vector<navigation::RoutePassage>& passages, double tail_m,
               const Vec3& at_m, double now_s);
-    // Planning found no route, or the person is straight before the thing.
+    // Call it if planning found no route, or if the person is straight in front of the thing.
     void no_way(double now_s);
     bool known() const { return points_m_.size() >= 2; }
     bool tried() const { return tried_; }
-    // True if no route was planned for this request or it was left, and the last attempt is not too recent. `changed`:
-    // something has moved.
+    // True if no route has been planned for this request or the person has left it, and the last attempt is not too
+    // recent. `changed`: something in the world has moved.
     bool wants_plan(bool changed, double now_s) const;
 
-    // Updates the place of the person; height_counts and `sees` as in near_on_way. A jump does not count as movement.
+    // Updates the position of the person. `height_counts` and `sees` are as in near_on_way. A jump does not count as a
+    // movement.
     void follow(const Vec3& at_m, double height_counts, const std::function<bool(const Vec3&)>& sees);
     double off_m() const { return off_m_; }
-    // Distance to the thing along the route. Close to the route, the distance sideways adds only little. The function
-    // has no edge there, so that moving sideways is neither nearer nor farther.
+    // Returns the distance to the thing along the route. Near the route, the sideways distance adds only little, with a
+    // smooth transition, so that a movement sideways is neither nearer nor farther.
     double left_m() const { return back_m() + length_m_ - along_m_ + tail_m_; }
-    // The same, but continuous when the route is planned again.
+    // Returns that distance, but without a jump when the route is planned again.
     double told_m() const { return left_m() + eased_m_; }
-    // The next turning, door or flight of stairs; the end of the route if none is left.
+    // Returns the next turning, door or flight of stairs, or the end of the route if there is none.
     Vec3 next_turning_m() const;
     Vec3 ahead_m(double by_m) const;
     const std::vector<Vec3>& points_m() const { return points_m_; }
@@ -58,7 +64,7 @@ private:
     }
 
     std::vector<Vec3> points_m_;
-    std::vector<double> turnings_m_;  // along the route, rising; the last is its end
+    std::vector<double> turnings_m_;  // distances along the route, rising; the last one is the end of the route
     double length_m_ = 0.0, tail_m_ = 0.0;
     double along_m_ = 0.0, off_m_ = 0.0;
     double eased_m_ = 0.0;  // reported distance minus measured distance

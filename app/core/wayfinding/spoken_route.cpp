@@ -19,11 +19,12 @@
 namespace handrail::core {
 namespace {
 
-// A route on foot is preferred to a lift up to this factor plus this distance.
+// A route on foot is preferred to one with a lift if it is shorter than that route times kLongerOnFoot plus
+// kLongerOnFoot_m.
 constexpr double kLongerOnFoot = 1.5, kLongerOnFoot_m = 15.0;
-constexpr double kTakenUpAhead_m = 2.0;     // distance ahead at which a followed route is joined again
-constexpr double kAtPlace_m = 0.2;          // nearer than this, no wall can be in between
-constexpr double kWorthTurningBack = 1.15;  // factor; the followed route is kept unless it is longer by more
+constexpr double kTakenUpAhead_m = 2.0;     // the old route is joined again this far ahead
+constexpr double kAtPlace_m = 0.2;          // within this distance of the goal, no wall can be in between
+constexpr double kWorthTurningBack = 1.15;  // the old route is kept if it is shorter than the new one times this factor
 
 }  // namespace
 
@@ -44,7 +45,7 @@ void SpokenRoute::stop() {
 SpokenRoute::RoomRoute SpokenRoute::route_to(std::uint32_t room) const {
     const Vec3 from_m = context_.body.feet_m(),
                to_m = navigation::goal_in_room(rooms_.navigation(), rooms_.graph(), room, from_m);
-    // A door that waits for a button cannot be announced leg by leg.
+    // Directions leg by leg are impossible for a door that waits for a button.
     const auto told_by_legs = [&](const navigation::Route& way) {
         return way.reaches && way.points_m.size() > 1 &&
                std::all_of(way.passages.begin(), way.passages.end(), [&](const navigation::RoutePassage& passage) {
@@ -56,7 +57,7 @@ SpokenRoute::RoomRoute SpokenRoute::route_to(std::uint32_t room) const {
     };
     navigation::Route route = rooms_.navigation().plan(from_m, to_m);
     if (told_by_legs(route)) return {std::move(route), true};
-    // Legs are more reliable than a lift, so stairs are preferred if they are not much longer.
+    // Directions leg by leg are more reliable than a lift, so stairs are preferred if they are not much longer.
     if (route.reaches) {
         navigation::Route foot = rooms_.navigation().plan(from_m, to_m, navigation::RouteWish::OnFoot);
         if (told_by_legs(foot) && foot.length_m < kLongerOnFoot * route.length_m + kLongerOnFoot_m)
@@ -97,13 +98,14 @@ void SpokenRoute::follow_again(const std::string& first, double now_s) {
     follow_to(Vec3(goal_m()), std::string(name_), first, now_s);
 }
 
-// Follows a route without announcing it; the displayed route changes.
+// Follows a route without announcing it. The route on display changes.
 void SpokenRoute::follow_silently(navigation::Route route, const std::string& goal) {
     name_ = goal;
     told_.reset();
     plans_.know(route.points_m);
     planned_in_ = context_.world.scene;
-    // A route to the very place where the person stands has one point. It is followed too, so that it arrives.
+    // If the person already stands at the goal, the route has one point. It gets a second one, so that the route is
+    // followed and arrives.
     if (route.points_m.size() == 1) route.points_m.push_back(route.points_m.front());
     std::vector<RouteNode> nodes = nodes_to(context_, route, goal);
     follower_.follow(std::move(route), std::move(nodes));
@@ -189,8 +191,9 @@ void SpokenRoute::note_stop(FeatureId by) {
     stopped_ = Stop{by, context_.body.feet_m(), context_.body.heading_rad, times};
 }
 
-// The door whose leaf blocks the way to that place, or has just stopped the walker here. A leaf at a shoulder blocks
-// too, even if the plan passes it. Empty: there is none, or it has stopped the walker too often to be the only cause.
+// Returns the door whose leaf blocks the way to `to_m`, or whose leaf has just stopped the walker here. A leaf that
+// meets only a shoulder blocks too, even if the plan passes it. Empty if there is none, or if the leaf has stopped the
+// walker so often that it cannot be the only cause.
 std::string SpokenRoute::leaf_in_way(const Vec3& to_m) const {
     constexpr double kHere_m = 0.25, kThatWay_rad = 0.8;
     constexpr int kMostTimes = 4;
@@ -221,14 +224,14 @@ std::optional<navigation::RoutePassage> SpokenRoute::climb_here() const {
     return passages.front();
 }
 
-// True if the person stands in the lift, which does not move on its own.
+// True if the person stands in this lift, which does not move automatically.
 bool SpokenRoute::stands_in(const navigation::RoutePassage& passage) const {
     return passage.kind == navigation::PassageKind::Lift && passage.feature && context_.body.ground == passage.feature;
 }
 
-// The rest of the route from here, planned again. The previous route is kept if the new one leads back against it and
-// is not much shorter. Otherwise, of two equally long routes, planning would choose one and then the other, and the
-// person would walk to and fro.
+// Plans the rest of the route from here. If the new route leads back against the old one and is not much shorter, keeps
+// the old one. Otherwise, with two equally long routes, each plan might choose the other one, and the person would walk
+// to and fro.
 navigation::Route SpokenRoute::planned() const {
     const Vec3& feet_m = context_.body.feet_m();
     if (plans_.runs_to(name_)) return plans_.looked_at(feet_m);
@@ -249,12 +252,13 @@ navigation::Route SpokenRoute::planned() const {
     return kept.length_m < kWorthTurningBack * anew.length_m ? kept : anew;
 }
 
-// What is not there yet is told as soon as it is.
+// Announces `words`. If they are empty because directions are still being planned, says so; a later tick announces the
+// directions.
 void SpokenRoute::tell(const std::string& words, cues::SpeechTopic topic, double now_s) {
     if (!words.empty()) return context_.tell(topic, words, now_s, {.answers = true, .place_m = leg_place_m()});
     if (word_.at_work()) return context_.answer(phrase("leg.looks"), now_s);
     if (!follower_.following()) return tell_on(now_s);
-    // No legs lead on from here, so the route is announced as a whole, as for the hand.
+    // There are no further directions leg by leg, so the whole route is announced, as for a guided hand.
     if (navigation::Route route = planned(); route.reaches && route.points_m.size() > 1)
         follow_silently(std::move(route), std::string(name_));
     tell_on(now_s);
@@ -271,14 +275,14 @@ void SpokenRoute::tell_leg_unasked(std::string words, bool anew, double now_s) {
     context_.tell(cues::SpeechTopic::Leg, std::move(words), now_s, {.anew = anew, .place_m = leg_place_m()});
 }
 
-// Where the leg that was told leads, a metre on.
+// Returns a place one metre from the ears in the direction of the announced leg.
 std::optional<Vec3> SpokenRoute::leg_place_m() const {
     const auto heading_rad = word_.at_work() ? word_.heading_rad() : std::nullopt;
     if (!heading_rad) return std::nullopt;
     return context_.body.ears_m() + forward_of_heading(*heading_rad);
 }
 
-// How it goes on from here, since the line that told it was cut.
+// Announces again how the route continues from here, because the line about it was cut off.
 void SpokenRoute::tell_anew(cues::SpeechTopic topic, double now_s) {
     if (!follower_.following()) return;
     if (topic == cues::SpeechTopic::Leg)
@@ -326,13 +330,14 @@ RouteFollower::Said SpokenRoute::tick(double now_s) {
     return follower_.tick(context_.body.feet_m(), distances(context_), [this](bool at_end) { return there(at_end); });
 }
 
-// If the goal is a room: the walker stands inside it. Otherwise: the walker is at the place, with nothing in between.
+// True if the person has arrived. If the goal is a room, the walker must stand inside it. Otherwise, the walker must be
+// at the place, with nothing in between.
 bool SpokenRoute::there(bool at_end) const {
     const Vec3& feet_m = context_.body.feet_m();
     if (room_) {
         const navigation::RoomGraph& graph = rooms_.graph();
         if (navigation::stands_inside(graph, rooms_.space(), *rooms_.file_scene(), feet_m, *room_)) return true;
-        // In a room too small to stand inside, its middle counts.
+        // For a room too small to stand inside, its middle counts.
         return at_end && glm::length(feet_m - graph.rooms[*room_].middle_m) < kAtPlace_m;
     }
     return at_end && (glm::length(feet_m - follower_.goal_m()) < kAtPlace_m ||
@@ -344,14 +349,14 @@ RouteFollower::Said SpokenRoute::tick_words(double now_s) {
     const RouteDirections::News news = word_.tick();
     if (news.planned) {
         if (!word_.at_work()) {
-            // There are no legs in words, so the route is announced as a whole, as for the hand.
+            // There are no directions leg by leg, so the whole route is announced, as for a guided hand.
             const std::optional<std::uint32_t> room = room_;
             navigation::Route route = planned();
             if (follow(std::move(route), std::string(name_), {}, now_s)) room_ = room;
             wish_ = navigation::RouteWish::OnFoot;
             return said;
         }
-        // Legs that are still being planned are spoken when the plan is ready.
+        // The person requested these legs before they were planned, so they are announced now.
         if (!rest_asked_)
             context_.tell(cues::SpeechTopic::Leg, word_.leg(), now_s, {.answers = true, .place_m = leg_place_m()});
         else if (!word_.rest().empty()) tell_rest(now_s);
@@ -365,7 +370,7 @@ RouteFollower::Said SpokenRoute::tick_words(double now_s) {
     return said;
 }
 
-// Plays a soft tone from ahead, once, when the person has turned to the direction of the leg.
+// Plays a soft tone from ahead once, when the person has turned to the direction of the leg.
 void SpokenRoute::tell_facing(double now_s) {
     constexpr double kFacing_rad = 0.05, kLoudness = 0.4;
     const auto heading_rad = word_.heading_rad();

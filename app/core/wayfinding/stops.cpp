@@ -12,7 +12,8 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kGoesOn_m = 3.0;  // a route planned this near to the end of the previous one continues it
+// If a route begins this near to the end of the previous one, it continues that route.
+constexpr double kGoesOn_m = 3.0;
 
 void add(std::vector<Stop>& stops, const Stop& stop) {
     if (stops.back().name == stop.name && near_stop(stops.back(), stop.place_m, kAtStop_m)) return;

@@ -1,5 +1,5 @@
-// Where a person may want to go: things and marks, and places as stops of a route. Functions of what the context
-// contains. Functions about stops require that the rooms are found. Metres, world. App thread only.
+// The places where a person may want to go: things and marks, and stops of a route. Functions of the context. Functions
+// about stops require that the rooms are found. World metres. App thread only.
 #pragma once
 
 #include <string>
@@ -14,49 +14,50 @@ namespace handrail::core {
 // Something to find or to go to.
 struct Goal {
     std::string name;
-    Aabb box_m;  // a point for marks, and for places on walls
+    Aabb box_m;  // a single point for marks and for places on walls
     FeatureId feature = kNoFeature;
 };
 
 inline Aabb point_box(const Vec3& place_m) { return {place_m, place_m}; }
 
-// Everything with a name, including the person's marks, nearest first.
+// Returns everything with a name, including the person's marks, the nearest first.
 std::vector<Goal> goals(const SessionContext& context);
 
-// Where a goal is announced to be: for a door the doorway, as in the list of exits, if rooms are found; otherwise its
-// box.
+// Returns the box whose place is announced for a goal. For a door, it is the doorway, as in the list of exits, if the
+// rooms are found. Otherwise it is the goal's own box.
 Aabb told_box(const Rooms& rooms, const Goal& goal);
 
 inline constexpr double kAtStop_m = 1.5;  // within this distance of a stop no guidance to it is needed
 
-// True within this level distance, on this storey.
+// True if `place_m` is within this horizontal distance of the stop, on the same storey.
 bool near_stop(const Stop& stop, const Vec3& place_m, double near_m);
-// A stop named after the room there, as the map or the person calls it; otherwise after what is near; otherwise
-// `otherwise`.
+// Makes a stop at this place. It is named after the room, as the map or the person calls it, or else after what is
+// near, or else `otherwise`.
 Stop stop_at_place(const Rooms& rooms, const Vec3& place_m, const std::string& otherwise);
 Stop stop_in_room(const Rooms& rooms, std::uint32_t room);
-// Where the person stands before the goal when coming from that place.
+// Makes a stop where a person who comes from `from_m` stands in front of the goal.
 Stop stop_at_goal(const SessionContext& context, const Rooms& rooms, const Goal& goal, const Vec3& from_m);
-// The present place of the thing at a stop; otherwise the stop's place.
+// Returns the thing at a stop, at its present place. If there is none, returns the stop itself.
 Goal goal_of(const SessionContext& context, const Stop& stop);
 
-// The person's successive goals, each reached from the previous one: together one route.
+// The goals that the person has chosen one after the other, each reached from the previous one. Together they form a
+// route.
 class PlannedStops : SessionPart {
 public:
     PlannedStops(const SessionContext& context, const Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
 
     void clear() { stops_.clear(), chosen_.clear(); }
-    // Notes that the person wants to go there from that place.
+    // Notes that the person wants to go from `from_m` to this stop.
     void note(const Stop& stop, const Vec3& from_m);
     const std::vector<Stop>& stops() const { return stops_; }
-    // Also includes goals that were chosen one after the other without going there, as an instructor does to prepare a
-    // route.
+    // Also contains goals that were chosen one after the other without walking to them, as an instructor does to
+    // prepare a route.
     const std::vector<Stop>& chosen() const { return chosen_; }
 
 private:
     const Rooms& rooms_;
     std::vector<Stop> stops_, chosen_;
-    Vec3 chosen_at_m_{0.0};  // where the last one was chosen
+    Vec3 chosen_at_m_{0.0};  // the person's place when the last goal was chosen
 };
 
 }  // namespace handrail::core

@@ -1,4 +1,4 @@
-// The storeys of the world as a list, each with its number of rooms. App thread only.
+// A list of the storeys of the world, each with its number of rooms. App thread only.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,10 @@
 
 namespace handrail::core {
 
-// From the lowest up, beginning at the present storey, which is marked; announces if the rooms are not known yet.
-// Choosing the present storey announces its rooms. For another one, the lift under the walker goes there if it stops
-// there; otherwise `to_room` gets that storey's nearest room on foot.
+// Opens the list. It runs from the lowest storey up, and begins at the present storey, which is marked. If the rooms
+// are not known yet, announces that instead. Choosing the present storey announces its rooms. For another storey, the
+// lift on which the walker stands goes there if it stops there. Otherwise `to_room` gets the room of that storey that
+// is nearest on foot.
 void open_storey_list(const SessionContext& context, Rooms& rooms, Doors& doors,
                       std::function<void(std::uint32_t room, double now_s)> to_room, double now_s);
 

@@ -59,7 +59,7 @@ std::string whole_way_words(const SessionContext& context, const Rooms& rooms, c
     RouteRun along{{stops.begin(), stops.end()}, 1, false, {}, 0};
     Vec3 from = stops.front().place_m;
     double heading_rad = context.body.heading_rad, all_m = 0.0;
-    // A person who stands elsewhere cannot know what left and right would be.
+    // For a person who stands elsewhere, left and right at the first stop would have no meaning.
     bool first = !near_stop(stops.front(), context.body.feet_m(), kAtStop_m);
     std::string legs;
     while (along.next < stops.size()) {

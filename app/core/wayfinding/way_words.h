@@ -1,5 +1,5 @@
-// Planned routes in words: what is met on one in its present state, and a whole route with its stops. Functions of what
-// the context contains; planning costs one Navigation plan for each leg. App thread only.
+// Planned routes in words: the features on a route in their present state, and a whole route with its stops. Functions
+// of the context; planning costs one call of Navigation::plan for each leg. App thread only.
 #pragma once
 
 #include <span>
@@ -13,14 +13,14 @@
 
 namespace handrail::core {
 
-// Includes the present obstacles at passages.
+// Returns the instructions for a route, including present obstacles at its passages.
 std::vector<RouteNode> nodes_to(const SessionContext& context, const navigation::Route& route, const std::string& goal);
 
-// "28 steps in all, through Hall and Study.": the length of a route and the rooms on it. Requires that the rooms are
-// found.
+// Returns the length of a route and the rooms on it: "28 steps in all, through Hall and Study." Requires that the rooms
+// are found.
 std::string overview_words(const SessionContext& context, const Rooms& rooms, const navigation::Route& route);
 
-// The whole route from its first stop on, each stop with the route to it. Requires that the rooms are found.
+// Returns the whole route from its first stop on, with the directions to each stop. Requires that the rooms are found.
 std::string whole_way_words(const SessionContext& context, const Rooms& rooms, const std::string& name,
                             std::span<const Stop> stops);
 

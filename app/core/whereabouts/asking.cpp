@@ -14,11 +14,12 @@
 namespace handrail::core {
 namespace {
 
-constexpr std::size_t kMostWaysFirst = 2;                  // exits named before what is ahead
-constexpr std::size_t kMostThingsTold = 4;                 // when "where am I" is asked again
-constexpr std::size_t kMostThings = 24;                    // examined
-constexpr double kHandPoints_m = 0.3;                      // a hand nearer to the walker does not point anywhere
-constexpr int kTellName = 2, kTellMore = 3, kTellAll = 4;  // levels of verbosity
+constexpr std::size_t kMostWaysFirst = 2;   // number of exits that are named before what is ahead
+constexpr std::size_t kMostThingsTold = 4;  // number of things that are named when the person asks "where am I" again
+constexpr std::size_t kMostThings = 24;     // number of things that are examined
+constexpr double kHandPoints_m = 0.3;       // a hand within this distance of the walker does not point anywhere
+// Levels of verbosity at which an announcement has the name, more details, or everything.
+constexpr int kTellName = 2, kTellMore = 3, kTellAll = 4;
 constexpr double kSamePlace_m = 0.05, kSameTurn_rad = 0.02;
 constexpr double kOpen = 0.95, kShut = 0.05;
 
@@ -60,7 +61,8 @@ Asker Asking::asker() const {
     return asker;
 }
 
-// The state of a thing that can change, and for a door its hinge and handle side as seen from here.
+// Returns the state of a thing that can change. For a door, also returns the side of its hinge and of its handle as
+// seen from here.
 std::string Asking::state_of(const Sight& sight) const {
     const Feature* feature = context_.world.scene->find(sight.seen.feature);
     if (!feature) return {};
@@ -92,7 +94,7 @@ std::string Asking::tell_sights(std::span<const Sight> sights) const {
     return text;
 }
 
-// "table, 2 steps; north wall, plaster, 5 steps", for a direction that has been announced already.
+// Returns "table, 2 steps; north wall, plaster, 5 steps" for things in a direction that has already been announced.
 std::string Asking::tell_there(std::span<const Sight> sights) const {
     std::string text;
     for (const Sight& sight : sights)
@@ -113,13 +115,13 @@ std::string Asking::place_and_heading() const {
                   {{"place", sentence_case(place)}, {"compass", fine_compass_word(context_.body.heading_goal_rad)}});
 }
 
-// kNothing if rooms are not known yet or there is only one.
+// Returns the walker's room, or kNothing if the rooms are not known yet or there is only one.
 std::uint32_t Asking::room_here() const {
     if (!rooms_.found() || rooms_.graph().rooms.size() < 2) return navigation::kNothing;
     return navigation::room_at(rooms_.graph(), rooms_.space(), context_.body.feet_m());
 }
 
-// Exits, nearest first; if rooms are not known, the doors in sight.
+// Returns the exits, nearest first. If the rooms are not known, returns the doors in sight.
 std::vector<std::string> Asking::ways_out() const {
     if (const std::uint32_t room = room_here(); room != navigation::kNothing)
         return exit_sentences(context_, rooms_.graph(), room, ExitOrder::Nearest);
@@ -146,7 +148,7 @@ std::string Asking::where_am_i(std::size_t most_words) const {
     return brief_text(sentences, std::numeric_limits<std::size_t>::max()) + " " + what_else();
 }
 
-// "Right: east wall, plaster, 2 steps."
+// Returns what is on one side: "Right: east wall, plaster, 2 steps."
 std::string Asking::side_sentence(int quarter) const {
     const auto seen = sight_along(asker(), context_.body.heading_rad + quarter * kPi / 2.0);
     const std::string side =
@@ -155,7 +157,7 @@ std::string Asking::side_sentence(int quarter) const {
     return phrase("questions.side", {{"side", side}, {"what", core::tell_there(*seen, state_of(*seen), telling())}});
 }
 
-// Landmarks first, then right, behind and left, then everything else nearby.
+// Names landmarks first, then what is right, behind and left, then everything else nearby.
 std::string Asking::what_else() const {
     std::vector<Sight> things = in_sight(asker(), kMostThings);
     const auto is_landmark = [&](const Sight& thing) {
@@ -174,14 +176,14 @@ std::string Asking::what_else() const {
         const auto seen = sight_along(asker(), context_.body.heading_rad + quarter * kPi / 2.0);
         if (seen && std::any_of(things.begin(), things.end(),
                                 [&](const Sight& thing) { return thing.seen.feature == seen->seen.feature; }))
-            continue;  // mentioned separately
+            continue;  // this thing is mentioned separately
         text += (text.empty() ? "" : " ") + side_sentence(quarter);
     }
     const std::string rest = tell_sights(std::span(others, things.end()));
     return rest.empty() ? text : text + (text.empty() ? "" : " ") + rest;
 }
 
-// If asked again at the same place: what the first answer left out.
+// Answers "where am I". If the person asks again at the same place, returns what the first answer left out.
 std::string Asking::where_words_now(double now_s) {
     if (rooms_.known()) rooms_.notice(now_s, true);
     const Stood here{context_.body.feet_m(), context_.body.heading_goal_rad};
@@ -268,7 +270,7 @@ void Asking::describe_touched(double now_s) {
                     now_s);
 }
 
-// The answer gives the name at every verbosity, and everything known if the person asks again.
+// The answer has the name at every verbosity. If the person asks again, it has everything that is known.
 std::string Asking::touched_words(const servo::ToolState& tool) {
     FeatureId& described = &tool == &context_.hands.tool ? described_ : left_described_;
     if (!tool.touches()) {

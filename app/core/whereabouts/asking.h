@@ -1,5 +1,5 @@
-// Answers questions about the place: where am I, what is around, ahead, in one direction, under the hand; heading,
-// coordinates, scale. App thread only.
+// Answers questions about the walker's place: where it is, what is around, ahead, in one direction or under the hand,
+// and the heading, the coordinates and the scale. App thread only.
 #pragma once
 
 #include <optional>
@@ -20,14 +20,14 @@ public:
 
     Asking(const SessionContext& context, Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
 
-    // Handles the questions. Returns false for other commands.
+    // Handles the commands that ask such questions. Returns false for other commands.
     bool act(Command command, double now_s);
-    // The answer to "where am I": place, direction, exits, and what is ahead. At most `most_words` of it at the default
-    // level; everything from level 3 on.
+    // Answers "where am I" with place, direction, exits, and what is ahead. At the default verbosity, the answer has at
+    // most `most_words` words. From level 3 on, it is complete.
     std::string where_am_i(std::size_t most_words = kMostWords) const;
-    // The thing that was last asked about, under the hand or ahead; returned once. kNoFeature: none.
+    // Returns once the thing that the person last asked about, under the hand or ahead, or kNoFeature.
     FeatureId take_asked_about() { return std::exchange(asked_about_, kNoFeature); }
-    // What that answer leaves out: the other sides and what else is near.
+    // Returns what where_am_i() leaves out: the other sides and what else is near.
     std::string what_else() const;
 
 private:
@@ -59,8 +59,9 @@ private:
         Vec3 feet_m{0.0};
         double heading_rad = 0.0;
     };
-    std::optional<Stood> asked_at_;                                   // place of the last short answer to "where am I"
-    FeatureId described_ = kNoFeature, left_described_ = kNoFeature;  // last described by "what is this"
+    std::optional<Stood> asked_at_;  // where the person last got the short answer to "where am I"
+    // Things that "what is this" described last, for the right or only hand and the left hand.
+    FeatureId described_ = kNoFeature, left_described_ = kNoFeature;
 };
 
 }  // namespace handrail::core

@@ -1,5 +1,5 @@
-// Stairs that cannot be walked and are climbed in one go. They are announced to a person who comes to one of their
-// ends, and the Use key climbs them. App thread only.
+// Stairs on which the walker cannot walk, so that one command climbs all of them. This class announces them to a person
+// who comes to one of their ends, and the Use key climbs them. App thread only.
 #pragma once
 
 #include <functional>
@@ -13,20 +13,20 @@ namespace handrail::core {
 
 class Climbs : SessionPart {
 public:
-    static constexpr double kAtEnd_m = 1.0;  // distance from an end at which the person can climb
+    static constexpr double kAtEnd_m = 1.0;  // distance from an end within which the person can climb
 
     Climbs(const SessionContext& context, Rooms& rooms, const Asking& asking)
         : SessionPart(context), rooms_(rooms), asking_(asking) {}
 
     void enter_world() { told_.reset(); }
-    // Handles Use at an end of such stairs. Stairs on the followed route come first, in its direction. Otherwise the
-    // nearest, if the person neither touches nor faces anything else that can be used. Returns false if the command
-    // belongs to another feature.
+    // Handles the command Use at an end of such stairs. Stairs on the followed route have priority, in the direction of
+    // the route. Otherwise it takes the nearest stairs if the person neither touches nor faces anything else to use.
+    // Returns false if the command belongs to another feature.
     bool act(Command command, double now_s);
-    // Call it once a tick, after the rooms.
+    // Call it once a tick, after Rooms::tick().
     void tick(double now_s);
 
-    // Set by the session: the next stairs on the followed route, if the person stands before them.
+    // Set by the session. It returns the next stairs on the followed route if the person stands before them.
     std::function<std::optional<navigation::RoutePassage>()> on_way;
 
 private:
@@ -40,7 +40,7 @@ private:
 
     Rooms& rooms_;
     const Asking& asking_;
-    std::optional<std::uint32_t> told_;  // the announced link, at whose end the person stands
+    std::optional<std::uint32_t> told_;  // index of the announced stairs at whose end the person stands
 };
 
 }  // namespace handrail::core

@@ -44,7 +44,7 @@ std::string exit_sentence(const SessionContext& context, const navigation::RoomG
                           const navigation::Portal& portal) {
     const std::string what = passage_name(context, portal.kind, portal.feature, 0.0),
                       to = graph.rooms[beyond(portal, room)].name;
-    // A lock is mentioned first, because it belongs to the name.
+    // A lock is mentioned first, as part of the name.
     const std::string lock = lock_words(context, portal.feature);
     const std::string exit =
         sentence_case(lock.empty() ? what : phrase("rooms.locked_exit", {{"exit", what}, {"lock", lock}}));
@@ -56,7 +56,7 @@ std::string exit_sentence(const SessionContext& context, const navigation::RoomG
                       : phrase("rooms.exit_to", {{"exit", exit}, {"room", to}, {"where", where}});
 }
 
-// "89 more: 60 doors, 29 openings."
+// Returns the number of the other exits: "89 more: 60 doors, 29 openings."
 std::string more_exits(const navigation::RoomGraph& graph, std::span<const std::uint32_t> exits) {
     constexpr std::array kKinds{"exit_kind.door", "exit_kind.opening",    "exit_kind.stairs", "exit_kind.lift",
                                 "exit_kind.drop", "exit_kind.teleporter", "exit_kind.climb"};

@@ -1,5 +1,5 @@
-// The exits of a room, each in as few words as possible for what it is and where: "Door to kitchen, 5 steps, half
-// left". Functions of what the context contains; app thread.
+// The exits of a room in words. Each has as few words as possible for what and where it is: "Door to kitchen, 5 steps,
+// half left". Functions of the context; app thread.
 #pragma once
 
 #include <functional>
@@ -11,17 +11,17 @@
 
 namespace handrail::core {
 
-// Clockwise from straight ahead, or nearest first. `told`: only exits to rooms for which it returns true; empty: all.
-// Each ends with a full stop.
+// Returns the exits clockwise from straight ahead, or the nearest first. Each sentence ends with a full stop. If `told`
+// is not empty, only exits to rooms for which it returns true are included.
 enum class ExitOrder { Clockwise, Nearest };
 std::vector<std::string> exit_sentences(const SessionContext& context, const navigation::RoomGraph& graph,
                                         std::uint32_t room, ExitOrder order,
                                         const std::function<bool(std::uint32_t)>& told = {});
 
-// Exits for an answer: clockwise, or, of more than eight, the nearest eight and then the number of the others of each
-// kind. Otherwise a large hall would take a minute.
+// The exits for an answer, clockwise. If there are more than eight, only the nearest eight, and then the number of the
+// others of each kind. Otherwise the exits of a large hall would take a minute to say.
 struct ListedExits {
-    std::size_t count = 0;  // total number
+    std::size_t count = 0;  // number of all exits
     std::vector<std::string> sentences;
 };
 ListedExits listed_exits(const SessionContext& context, const navigation::RoomGraph& graph, std::uint32_t room,

@@ -14,8 +14,8 @@ namespace handrail::core {
 namespace {
 
 constexpr double kWallReach_m = 30.0;
-constexpr double kElsewhere_m = 2.0;   // nearer places count as the present one
-constexpr double kDoorBeside_m = 2.0;  // distance to a doorway that counts as just passed
+constexpr double kElsewhere_m = 2.0;   // a known place within this distance counts as the present one
+constexpr double kDoorBeside_m = 2.0;  // a doorway within this distance has just been passed
 constexpr std::size_t kMostKnown = 32;
 
 }  // namespace
@@ -73,7 +73,7 @@ void FarPlaces::tick() {
     }
 }
 
-// "Kitchen door", "between hall and kitchen", "where you asked last, in the kitchen", "the base".
+// Returns "Kitchen door", "between hall and kitchen", "where you asked last, in the kitchen" or "the base".
 std::string FarPlaces::name_of_place(const Known& place) const {
     if (const Feature* door = context_.world.scene->find(place.door)) return spoken_name(*door);
     const auto known = [&](std::uint32_t room) { return rooms_.found() && room < rooms_.graph().rooms.size(); };
@@ -130,7 +130,7 @@ void FarPlaces::find_bearings(double now_s) {
     context_.answer(text + " " + way_back(), now_s);
 }
 
-// The present room first, then the others, nearest first.
+// Opens a list of rooms to describe: the present room first, then the others, the nearest first.
 void FarPlaces::choose_room(double now_s) {
     if (!rooms_.have(now_s)) return;
     const navigation::RoomGraph& graph = rooms_.graph();

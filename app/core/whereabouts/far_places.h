@@ -1,5 +1,5 @@
-// For a person who is lost, or who wants to know a place before going there: "I am lost", a description of a distant
-// room, and the building in three sentences. App thread only.
+// For a person who is lost, or who wants to know a place before going there: the commands "I am lost", the description
+// of a distant room, and the description of the building in three sentences. App thread only.
 #pragma once
 
 #include <deque>
@@ -12,24 +12,25 @@ namespace handrail::core {
 
 class FarPlaces : SessionPart {
 public:
-    // `body`: turned by "I am lost".
+    // Turns the walker in `body` for "I am lost".
     FarPlaces(const SessionContext& context, WalkerState& body, Rooms& rooms);
 
     void enter_world();
-    // Handles the three questions. Returns false for other commands.
+    // Handles these three commands. Returns false for other commands.
     bool act(Command command, double now_s);
-    // Call it with every command that was carried out: a place where the location was announced to the person is a
-    // known place.
+    // Call it with every command that was carried out. If the command announced the person's location, the present
+    // place becomes a known place.
     void note(Command command);
-    // Call it once a tick, after the rooms: a doorway that the person passes is a known place.
+    // Call it once a tick, after Rooms::tick(). If the person passes a doorway, the doorway becomes a known place.
     void tick();
 
 private:
-    // A place where the person knew their location.
+    // A place where the person knew their own location.
     struct Known {
         Vec3 feet_m{0.0};
-        FeatureId door = kNoFeature;                                           // passed there
-        std::uint32_t from = navigation::kNothing, to = navigation::kNothing;  // the rooms that it joins
+        FeatureId door = kNoFeature;  // the door that the person passed there
+        // The rooms on either side of the doorway.
+        std::uint32_t from = navigation::kNothing, to = navigation::kNothing;
     };
     void know(Known place);
     std::string name_of_place(const Known& place) const;
@@ -40,7 +41,7 @@ private:
 
     WalkerState& body_;
     Rooms& rooms_;
-    std::deque<Known> known_;  // newest last
+    std::deque<Known> known_;  // the newest last
     std::uint32_t room_ = navigation::kNothing;
 };
 

@@ -25,11 +25,12 @@ namespace {
 constexpr double kThingAtWall_m = 0.8;
 constexpr std::size_t kMostAtWall = 5, kMostNeighbours = 5, kMostHubs = 4;
 constexpr std::size_t kMostWordsOfExits = 38;
-constexpr std::size_t kMostWordsOfNeighbours = 40;  // fewer rooms are named if their names are long
+// If room names are long, fewer rooms are named, so that there are not more words than this.
+constexpr std::size_t kMostWordsOfNeighbours = 40;
 constexpr std::array kWalls{"kind.north_wall", "kind.east_wall", "kind.south_wall", "kind.west_wall"};
 constexpr std::size_t kMiddle = kWalls.size();
 
-// The wall of the room next to a box, and the distance along it, clockwise; kMiddle: no wall.
+// The wall of the room next to a box, and the clockwise distance along that wall. kMiddle: the box is not at a wall.
 struct AtWall {
     std::size_t wall = kMiddle;
     double along_m = 0.0;
@@ -59,7 +60,7 @@ bool is_furniture(const Feature& feature) {
     }
 }
 
-// "shelf; table, 4 times; and 3 more", in the order along the wall.
+// Returns "shelf; table, 4 times; and 3 more", in the order of the things along the wall.
 std::string things_words(std::vector<std::pair<double, std::string>> things) {
     std::stable_sort(things.begin(), things.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<std::pair<std::string, int>> kinds;
@@ -92,7 +93,7 @@ std::string exits_words(const SessionContext& context, const navigation::RoomGra
         exits.emplace_back(1e6 * static_cast<double>(at.wall) + at.along_m, joined(exit, phrase(kWalls[at.wall])));
     }
     std::stable_sort(exits.begin(), exits.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    // Nobody remembers more words of one sentence.
+    // The sentence is limited, because nobody remembers more words of one sentence.
     std::vector<std::string> told;
     std::size_t words = 0;
     for (auto& [order, exit] : exits) {
@@ -107,8 +108,8 @@ std::string exits_words(const SessionContext& context, const navigation::RoomGra
                          : phrase("describe.exits", {{"count", exits.size()}, {"exits", list}});
 }
 
-// The outline stated in the file, if this is the only room in it. The walkable floor would be too small: it ends before
-// the walls, and before things along them.
+// Returns the size of the outline that the file states, if this room is the only one in it. The walkable floor is
+// smaller, because it ends before the walls and before things along them. Otherwise returns the size of the floor.
 Vec2 room_size_m(const Scene& scene, const navigation::RoomGraph& graph, std::uint32_t room) {
     const Vec2 floor_m(graph.rooms[room].bounds_m.size_m());
     if (!scene.stated) return floor_m;
@@ -216,7 +217,7 @@ std::string room_words(const SessionContext& context, const Rooms& rooms, std::u
     const navigation::Room& told = graph.rooms[room];
     const Vec2 size = room_size_m(*context.world.scene, graph, room);
     const std::string name = sentence_case(told.name);
-    // A name that consists of the size makes the size superfluous.
+    // If the name already consists of the size, the size is not repeated.
     const bool by_size =
         !told.given && told.map_name.empty() && told.made.thing.empty() && told.kind == navigation::RoomKind::Room;
     std::string text =
@@ -253,8 +254,9 @@ std::string building_words(const SessionContext& context, const Rooms& rooms) {
 
 Outline outline_of(const std::vector<Aabb>& boxes_m) {
     contract_pre(!boxes_m.empty());
-    constexpr int kCells = 24;                                 // in each direction
-    constexpr double kWhole = 0.8, kGone = 0.35, kFull = 0.7;  // shares of a quarter, or of the whole, that is covered
+    constexpr int kCells = 24;  // cells of the grid in each direction
+    // Limits for the covered share of a quarter, or of the whole.
+    constexpr double kWhole = 0.8, kGone = 0.35, kFull = 0.7;
     Aabb whole;
     for (const Aabb& box : boxes_m) whole.include(box);
     const Vec3 size = whole.size_m();
@@ -265,7 +267,7 @@ Outline outline_of(const std::vector<Aabb>& boxes_m) {
             return at_x >= box.min_m.x && at_x <= box.max_m.x && at_y >= box.min_m.y && at_y <= box.max_m.y;
         });
     };
-    std::array<double, 4> quarter{};  // clockwise from the north-east
+    std::array<double, 4> quarter{};  // covered share of each quarter, clockwise from the north-east
     double middle = 0.0;
     for (int y = 0; y < kCells; ++y)
         for (int x = 0; x < kCells; ++x) {

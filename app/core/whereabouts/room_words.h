@@ -1,5 +1,5 @@
 // Descriptions of distant rooms and of the whole building, for a person who wants to know them before walking there.
-// Functions of what the context and the room graph contain; require that rooms are found; app thread. Describing a room
+// Functions of the context and the room graph, which require that the rooms are found; app thread. Describing a room
 // examines every thing of the world once.
 #pragma once
 
@@ -9,26 +9,27 @@
 
 namespace handrail::core {
 
-// Size, exits with their walls, and what is along the walls, clockwise from the west end of the north wall, as seen
-// from above: "Library, 9 by 6 metres, 13 by 9 steps. 2 exits: ... North wall: shelf; table."
+// Describes a room: its size, its exits with their walls, and what is along the walls, clockwise from the west end of
+// the north wall as seen from above: "Library, 9 by 6 metres, 13 by 9 steps. 2 exits: ... North wall: shelf; table."
 std::string room_words(const SessionContext& context, const Rooms& rooms, std::uint32_t room);
 
-// Three sentences: storeys and rooms; size and outline of everything under a roof; and which rooms connect to which,
-// those with the most neighbours first.
+// Describes the building in three sentences: storeys and rooms; size and outline of everything under a roof; and which
+// rooms connect to which, those with the most neighbours first.
 std::string building_words(const SessionContext& context, const Rooms& rooms);
 
-// The spoken shape of an outline.
+// The shape of an outline, for speech.
 enum class OutlineShape {
     Rectangle,
-    CornerMissing,  // three quarters of a rectangle: an L
-    Court,          // round a free middle
+    CornerMissing,  // three quarters of a rectangle, in the form of an L
+    Court,          // a ring round a free middle
     Irregular,
 };
 struct Outline {
     OutlineShape shape = OutlineShape::Rectangle;
-    int corner = 0;  // for CornerMissing: 0 north-east, 1 south-east, 2 south-west, 3 north-west
+    int corner = 0;  // the missing corner for CornerMissing: 0 north-east, 1 south-east, 2 south-west, 3 north-west
 };
-// The outline of boxes seen from above, sampled on a grid of squares; at least one box, none of them empty.
+// Returns the outline of the boxes as seen from above, sampled on a grid of squares. There must be at least one box,
+// and no box may be empty.
 Outline outline_of(const std::vector<Aabb>& boxes_m);
 
 }  // namespace handrail::core

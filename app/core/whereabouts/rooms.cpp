@@ -18,7 +18,7 @@ namespace handrail::core {
 std::shared_ptr<RoomsOfWorld> Rooms::enter_world(std::shared_ptr<const Scene> scene, RoutesKeeper keeper) {
     const WalkerSize size = body_size(*scene, context_.settings.walk.body_radius_m);
     std::shared_ptr<RoomsOfWorld> left = std::move(of_world_);
-    if (left) left->give_up();  // before the next search begins
+    if (left) left->give_up();  // stops the previous search before the next one begins
     const navigation::WalkerMeasures body = navigation::walk_body(*scene, size.radius_m, size.height_m, size.step_up_m);
     of_world_ = std::make_shared<RoomsOfWorld>(std::move(scene), body, context_.executor, std::move(keeper),
                                                context_.rooms_kept, context_.arrivals);
@@ -57,8 +57,8 @@ void Rooms::tick(double now_s) {
     tell_that_it_takes_long(now_s);
 }
 
-// Announces once that rooms are being searched for, and then that they are known; an exploring person is not disturbed
-// more often.
+// Announces once that the search for rooms takes long, and then once that the rooms are known. There are no further
+// announcements, so as not to disturb an exploring person.
 void Rooms::tell_that_it_takes_long(double now_s) {
     if (!of_world_) return;
     if (looked_for_) {
@@ -78,7 +78,7 @@ bool Rooms::known() {
     return known;
 }
 
-// Routes avoid the leaves of open doors, as they were when everything last came to rest.
+// Makes routes avoid the leaves of open doors, in their positions when everything last came to rest.
 void Rooms::know_leaves() {
     if (!found() || leaves_of_ == context_.world.scene) return;
     leaves_of_ = context_.world.scene;
@@ -88,17 +88,18 @@ void Rooms::know_leaves() {
         if (context_.world.thing_of_mover[i] < 0 ||
             context_.world.scene->features[mover.feature.value].kind != FeatureKind::Door)
             continue;
-        if (context_.world.movers.at(i) == mover.at(0.0)) continue;  // shut as in the file, even if it rests open
+        if (context_.world.movers.at(i) == mover.at(0.0)) continue;  // shut in the file, even if the door rests open
         const auto thing = static_cast<std::size_t>(context_.world.thing_of_mover[i]);
         const Aabb& own = context_.world.scene->placed[thing].model->bounds_m;
         const Vec3 size = own.size_m();
-        if (size.z < std::min(size.x, size.y)) continue;  // a bridge or trapdoor, which can be walked over
+        // This is a bridge or a trapdoor, on which the walker can walk.
+        if (size.z < std::min(size.x, size.y)) continue;
         leaves.push_back({own, context_.world.things.at(thing)});
     }
     navigation().know_leaves(leaves);
 }
 
-// Returns true if rooms are known; otherwise announces why not.
+// Returns true if the rooms are known. Otherwise announces why they are not.
 bool Rooms::have(double now_s) {
     if (!looked_for_) {
         context_.answer(phrase("rooms.not_yet"), now_s);
@@ -146,8 +147,8 @@ bool Rooms::tell_here_anew(double now_s) {
     return true;
 }
 
-// "House, storey 2 of 2: 5 rooms. " in the first room that the walker enters on another storey, if that may be
-// announced.
+// Returns "House, storey 2 of 2: 5 rooms. " for the first room that the walker enters on another storey. Empty if
+// `told` does not permit the announcement.
 std::string Rooms::storey_news(bool told) {
     const std::vector<StoreyOfRooms> storeys = storeys_of(*file_scene(), graph());
     const std::size_t now_on = storey_of_room(storeys, graph(), here_);
@@ -159,7 +160,7 @@ std::string Rooms::storey_news(bool told) {
     return first || !told ? std::string() : storey_sentence(*file_scene(), storeys, now_on) + " ";
 }
 
-// For the plan: once, and again after a name has changed.
+// Makes the rooms for the plan on the display: once, and again after a name has changed.
 void Rooms::draw() {
     const navigation::RoomGraph& graph = of_world_->graph();
     if (drawing_ && drawn_language_ == graph.language) return;
@@ -188,7 +189,7 @@ void Rooms::tell_exits(bool unvisited_only, double now_s) {
         now_s);
 }
 
-// Call it once the rooms are known.
+// Gives the rooms the names that the person has chosen. Call it once the rooms are known.
 void Rooms::lay_given_names(double now_s) {
     navigation::RoomGraph& graph = of_world_->graph();
     std::vector<Error> faults;
@@ -223,7 +224,7 @@ void Rooms::give_name(std::uint32_t room, const std::string& typed, double now_s
     const std::uint32_t known = name_of_room(graph, navigation().space(), names_, room);
     if (known != navigation::kNothing) names_.erase(names_.begin() + known);
     const std::string before = navigation::known_as(graph.rooms[room]);
-    // If the person types the room's own name, the given one is removed.
+    // If the person types the room's own name, the name given earlier is removed.
     graph.rooms[room].given = *name != navigation::own_name(graph.rooms[room]);
     if (graph.rooms[room].given)
         names_.push_back({*name,
@@ -240,10 +241,10 @@ void Rooms::give_name(std::uint32_t room, const std::string& typed, double now_s
 }
 
 void Rooms::take_names_again() {
-    std::vector<Error> faults;  // announced on entering
+    std::vector<Error> faults;  // not announced, because errors were announced when the world was entered
     names_ = read_room_names(context_.additions, faults);
     drawing_.reset();
-    if (!found()) return;  // they are applied once the rooms are known
+    if (!found()) return;  // otherwise the names are given to the rooms once the rooms are known
     for (navigation::Room& room : graph().rooms)
         if (std::exchange(room.given, false)) room.name = navigation::own_name(room);
     lay_room_names(graph(), space(), context_.additions, names_);

@@ -1,5 +1,6 @@
-// The rooms of the present world: which one the walker is in, where they lead, and the person's names for them. It
-// knows nothing of followed routes. App thread only; RoomsOfWorld finds them in a background task.
+// The rooms of the present world: in which room the walker is, where the exits lead, and the person's names for rooms.
+// This class does not know whether a route is followed. App thread only. RoomsOfWorld searches for the rooms in a
+// background task.
 #pragma once
 
 #include <functional>
@@ -21,54 +22,54 @@ class Rooms : SessionPart {
 public:
     explicit Rooms(const SessionContext& context) : SessionPart(context) {}
 
-    // scene: as in its file. keeper: see RoomsOfWorld. Returns the rooms of the previous world, to be freed in a
-    // background task, because that may wait for a thread and for a disk.
+    // `scene` is the world as in its file. For `keeper` see RoomsOfWorld. Returns the rooms of the previous world. A
+    // background task should destroy them, because that may wait for a thread and a disk.
     std::shared_ptr<RoomsOfWorld> enter_world(std::shared_ptr<const Scene> scene, RoutesKeeper keeper = {});
-    // Handles exits, unvisited exits, and naming a room. Returns false for other commands.
+    // Handles the commands for exits, for unvisited exits and for naming a room. Returns false for other commands.
     bool act(Command command, double now_s);
     void tick(double now_s);
 
-    // True if there are rooms and routes to use.
+    // True if rooms and routes are available.
     bool known();
-    // The same, and determines the present room; if false, announces why.
+    // Like known(), but also determines the present room. If the rooms are not known, announces why.
     bool have(double now_s);
-    // True if have() was called before the rooms were known, since the last call.
+    // True if have() has been called since the last call of this function while the rooms were not known.
     bool take_refused() { return std::exchange(refused_, false); }
-    // The same before the world's doors are in place: leaves are not considered.
+    // True if the rooms have been found, even if the positions of the world's door leaves are not known yet.
     bool found() const { return looked_for_ && of_world_->found(); }
-    // True once the search is over, with or without a result, as of the last tick.
+    // True if the search had ended by the last tick, with or without a result.
     bool looked_for() const { return looked_for_; }
     bool awaited() const { return of_world_ && !looked_for_; }
     const std::string& problem() const { return of_world_->problem(); }
-    // Valid only if they are found.
+    // These are valid only if found() is true.
     navigation::RoomGraph& graph() const { return of_world_->graph(); }
     navigation::Navigation& navigation() const { return of_world_->navigation(); }
     const navigation::WalkSpace& space() const { return navigation().space(); }
-    // The world as in its file.
+    // Returns the world as in its file.
     const std::shared_ptr<const Scene>& file_scene() const { return of_world_->scene(); }
     std::shared_ptr<const navigation::Navigation> navigation_kept() const { return of_world_->navigation_kept(); }
 
-    // The last room that the walker was in; kNothing: none.
+    // The room in which the walker was last; kNothing: none.
     std::uint32_t here() const { return here_; }
-    // Determines the present room; quietly: without announcing it.
+    // Determines the present room, and announces it unless `quietly` is true.
     void notice(double now_s, bool quietly);
-    // Its name once more, since the line with it was cut, unless the person wants no names of rooms. False: there is
-    // none.
+    // Announces the name of the present room once more, because the line with it was cut off. Does nothing if the
+    // person wants no names of rooms. Returns false if there is no room.
     bool tell_here_anew(double now_s);
 
     // Asks for a name for a room, stores it and then calls `then`.
     void ask_name(std::uint32_t room, std::function<void(double now_s)> then, double now_s);
-    // The person's names have changed in their file.
+    // Call it when another session has changed the names in the file.
     void take_names_again();
 
-    // For the plan while it is shown.
+    // Makes rooms for the plan on the display while it is shown.
     void show_plan(bool shown) { drawn_ = shown; }
     const std::shared_ptr<const std::vector<DrawnRoom>>& drawing() const { return drawing_; }
 
-    // Set by the session, for features that store things by room.
-    std::function<void(double now_s)> on_known;  // once for each world
+    // These are set by the session, for features that store things by room.
+    std::function<void(double now_s)> on_known;  // called once for each world, when the rooms are known
     std::function<void(const std::string& before, const std::string& name)>
-        on_renamed;  // names as in files; empty: it has none
+        on_renamed;  // `before` and `name` as in files; empty: the room had no stored name
 
 private:
     void know_leaves();
@@ -81,14 +82,15 @@ private:
 
     bool looked_for_ = false, told_ = false, drawn_ = false, refused_ = false;
     std::shared_ptr<RoomsOfWorld> of_world_;
-    std::optional<Patience> patience_;  // since the first tick in this world; none: not begun, or over
+    // Begins at the first tick in this world; none: not begun, or the search has ended.
+    std::optional<Patience> patience_;
     std::uint32_t here_ = navigation::kNothing;
     std::optional<std::size_t> storey_;  // the last storey on which the walker was in a room
-    std::vector<bool> visited_;          // since this world was entered
+    std::vector<bool> visited_;          // for each room: the walker has been there since the world was entered
     std::vector<RoomNameGiven> names_;
-    std::shared_ptr<const std::vector<DrawnRoom>> drawing_;  // for the plan
+    std::shared_ptr<const std::vector<DrawnRoom>> drawing_;  // rooms for the plan on the display
     std::string drawn_language_;
-    std::shared_ptr<const Scene> leaves_of_;  // the scene in which the navigation last learnt of open leaves
+    std::shared_ptr<const Scene> leaves_of_;  // the scene for which the navigation last got the open leaves
 };
 
 }  // namespace handrail::core
