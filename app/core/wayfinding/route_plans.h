@@ -59,7 +59,7 @@ public:
     HandRoute for_hand(const Goal& goal, std::size_t most_points);
     std::string why_none() const;
 
-    // Sets the last planned route, at floor level; empty: none. Each call increases changes().
+    // Sets the last planned route, at floor level; empty: none. Another route increases changes().
     void know(std::vector<Vec3> soles_m);
     const std::vector<Vec3>& last_m() const { return last_m_; }
     unsigned changes() const { return changes_; }

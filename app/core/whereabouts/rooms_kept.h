@@ -1,7 +1,8 @@
-// Rooms and routes of worlds that are entered again and again, found once: those of a lesson and each of its pupils. A
-// session that gets one takes what was found of the same scene, for a body of the same size, in the spoken language;
-// otherwise it leaves here what it finds. Scenes are compared by address, and kept as long as what was found of them.
-// Costs as much memory as a WalkSpace for each world. Owned by whoever enters the worlds; one thread.
+// The rooms and routes of worlds that several sessions enter, such as a lesson's world and the sessions of its pupils,
+// so that they are searched for only once. A session with a RoomsKept takes the earlier result for the same scene, the
+// same size of the walker and the spoken language. If there is none, the session stores its own result here. Scenes are
+// compared by address and kept as long as their results. Cost: the memory of one WalkSpace for each world. Owned by the
+// code that enters the worlds; one thread.
 #pragma once
 
 #include <cstddef>
@@ -21,24 +22,24 @@ public:
     struct Found {
         std::shared_ptr<const Scene> scene;
         navigation::WalkerMeasures body;
-        std::string language;         // of messages about it and of the rooms' names
-        navigation::WalkSpace space;  // without its walls
+        std::string language;         // language of the messages and of the rooms' names
+        navigation::WalkSpace space;  // the walls of the space are not included
         navigation::RoomGraph graph;
         std::vector<std::string> out_of_reach;
     };
 
-    // Keeps at most this many worlds, those that were found last.
+    // Keeps the results of at most `most` worlds, those that were found last.
     explicit RoomsKept(std::size_t most = 1) : most_(most) {}
     RoomsKept(const RoomsKept&) = delete;
     RoomsKept& operator=(const RoomsKept&) = delete;
 
-    // Null: not found yet. Valid until the next keep().
+    // Returns the result for this scene and size of the walker, or null if there is none. Valid until the next keep().
     const Found* of(const std::shared_ptr<const Scene>& scene, const navigation::WalkerMeasures& body) const;
     void keep(Found found);
 
 private:
     std::size_t most_;
-    std::deque<Found> found_;  // the latest last
+    std::deque<Found> found_;  // the latest result is last
 };
 
 }  // namespace handrail::core

@@ -40,7 +40,7 @@ void Visits::visit(FeatureId feature, VisitedBy by, double now_s) {
     context_.events.tell(ThingVisited{feature, by}, now_s);
 }
 
-// The thing at waist height, straight ahead.
+// Returns the thing straight ahead at the height of the waist.
 FeatureId Visits::faced() const {
     const Asker asker{*context_.world.solids, context_.body.feet_m(), context_.body.heading_rad,
                       context_.body.walker->size()};

@@ -1,5 +1,5 @@
-// Which things a person visits, that is, stands still and touches, asks about or faces. Reported as ThingVisited, once
-// for each stay at a thing. Walls, floors and the like do not count. App thread only.
+// Detects which things a person visits: the person stands still and touches a thing, asks about it or faces it. Each
+// stay at a thing is reported once as ThingVisited. Walls, floors and the like do not count. App thread only.
 #pragma once
 
 #include "app/core/context/session_part.h"
@@ -8,16 +8,16 @@ namespace handrail::core {
 
 class Visits : SessionPart {
 public:
-    static constexpr double kStood_s = 0.5;  // least time of standing for a visit
-    static constexpr double kFaced_s = 1.5;  // least time for a faced thing
-    static constexpr double kFaced_m = 1.2;  // from the walker's centre
-    static constexpr double kLeft_m = 1.0;   // at this distance a visit is over
+    static constexpr double kStood_s = 0.5;  // least time of standing still for a visit
+    static constexpr double kFaced_s = 1.5;  // least time of facing a thing for a visit
+    static constexpr double kFaced_m = 1.2;  // largest distance of a faced thing from the walker's centre
+    static constexpr double kLeft_m = 1.0;   // a visit ends when the person has moved this far
 
     explicit Visits(const SessionContext& context) : SessionPart(context) {}
 
     void enter_world();
-    // Call it once a tick, after the context has the state of the hands. asked_about: since the last tick; kNoFeature:
-    // nothing.
+    // Call it once a tick, after the context has received the state of the hands. `asked_about` is what the person
+    // asked about since the last tick, or kNoFeature.
     void tick(FeatureId asked_about, double now_s);
 
 private:
@@ -26,10 +26,11 @@ private:
     FeatureId faced() const;
 
     Vec3 stands_m_{0.0};
-    double stands_rad_ = 0.0, since_s_ = 0.0;  // present heading, and since when place and heading are unchanged
-    bool looked_ = false;                      // the faced thing has been examined since then
+    // Present heading; time since which place and heading have been unchanged.
+    double stands_rad_ = 0.0, since_s_ = 0.0;
+    bool looked_ = false;  // true: the faced thing has been examined since then
     FeatureId last_ = kNoFeature;
-    Vec3 last_m_{0.0};  // from where it was visited
+    Vec3 last_m_{0.0};  // place from which the person visited that thing
 };
 
 }  // namespace handrail::core

@@ -3,7 +3,8 @@
 
 namespace handrail::core {
 
-// Metres above the soles. Lines that look for doors, walls and things begin here, and distances on foot too.
+// Metres above the soles. Rays that search for doors, walls and things start at this height, and so do distances on
+// foot.
 inline constexpr double kWaist_m = 1.0;
 
 }  // namespace handrail::core

@@ -1,4 +1,4 @@
-// What blocks a walker of this width and height. Pure functions; app thread.
+// Finds what blocks a walker of a given width and height. Pure functions; app thread.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,8 @@
 
 namespace handrail::core {
 
-// What a walker bumps into first in that direction, above what it steps over; no value: nothing within range.
+// Returns what the walker bumps into first in that direction, ignoring what it can step over. No value: nothing is
+// within range.
 std::optional<Seen> body_meets(const WalkerWorld& world, const Vec3& feet_m, const WalkerSize& size, double bearing_rad,
                                double range_m = kSightRange_m);
 

@@ -26,7 +26,7 @@ void mark_base_door(Scene& scene, const Vec3& feet_m) {
     if (nearest) nearest->base = true;
 }
 
-// Null if nothing is movable.
+// Returns the scene of the movable bodies, or null if nothing is movable.
 std::shared_ptr<const render::DynamicsScene> moves_freely(const Scene& scene, std::span<const int> thing_of_body) {
     std::vector<compile::FreeThing> free;
     for (std::size_t i = 0; i < thing_of_body.size(); ++i) {
@@ -72,7 +72,8 @@ EnteringWorld make_ready(std::shared_ptr<const Scene> scene) {
         feet = scene->starts.front().feet_m;
         heading = scene->starts.front().heading_rad;
     } else if (!scene->bounds_m.empty()) {
-        // The file has no start: in front of the middle of the south side, on the ground, facing the building.
+        // The file has no start. The walker starts on the ground in front of the middle of the south side, facing the
+        // building.
         const Vec3 centre = scene->bounds_m.centre_m();
         feet = Vec3(centre.x, scene->bounds_m.min_m.y - 1.0, scene->bounds_m.min_m.z);
     }

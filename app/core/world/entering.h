@@ -1,5 +1,5 @@
-// Prepares a world for entering, away from the app thread: separates moving things, and makes the solids for walking
-// and the first haptic scene. Pure functions; any thread.
+// Prepares a world outside the app thread, so that the session can enter it: separates moving things from the building,
+// and makes the solids for walking and the first haptic scene. Pure functions; any thread.
 #pragma once
 
 #include <memory>
@@ -14,23 +14,26 @@
 namespace handrail::core {
 
 struct EnteringWorld {
-    std::shared_ptr<const Scene> file;                          // as read from the file
-    std::shared_ptr<const Scene> scene;                         // movable parts are in it as placed things
-    std::vector<int> thing_of_mover;                            // index among the things; -1: part of the building
-    std::shared_ptr<const render::DynamicsScene> moves_freely;  // null: nothing in it is movable
-    Vec3 feet_m{0.0};                                           // where the walker begins
+    std::shared_ptr<const Scene> file;   // the world as read from the file
+    std::shared_ptr<const Scene> scene;  // the world with its movable parts as placed things
+    std::vector<int> thing_of_mover;     // for each mover, the index among the placed things; -1: part of the building
+    std::shared_ptr<const render::DynamicsScene> moves_freely;  // null: nothing in the world is movable
+    Vec3 feet_m{0.0};                                           // where the walker starts
     double heading_rad = 0.0;
     std::unique_ptr<WalkerWorld> body;
     std::shared_ptr<const render::HapticScene>
-        sharp;          // felt until the rounded and simplified scene is ready; null: made on entering
-    RoutesKeeper ways;  // stores its routes and rooms for the next start
+        // The scene that the hand feels until the rounded and simplified scene is ready; null: made when the world is
+        // entered.
+        sharp;
+    RoutesKeeper ways;  // stores the routes and rooms of the world for the next start of the program
 };
 
-// Starts at the base of the scene, or at its first start.
+// Prepares a world in which the walker starts at the base, or else at the first start.
 EnteringWorld make_ready(std::shared_ptr<const Scene> scene);
-// The same, at a place and heading chosen by the caller.
+// Prepares a world in which the walker starts at this place and heading.
 EnteringWorld make_ready_at(std::shared_ptr<const Scene> scene, const Vec3& feet_m, double heading_rad);
-// The same with a haptic scene to touch at once. Request `stop` from another thread to cancel; `sharp` is then null.
+// Prepares a world with a haptic scene that the hand can touch at once. Request `stop` from another thread to cancel;
+// `sharp` is then null.
 EnteringWorld make_ready_to_touch(std::shared_ptr<const Scene> scene, const std::stop_token& stop = {});
 
 }  // namespace handrail::core

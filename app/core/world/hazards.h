@@ -1,5 +1,5 @@
-// The ground around a walker: stairs, drops and ramps. Pure functions over an immutable world, world metres; app
-// thread. Looking ahead costs two rays for every five centimetres.
+// The ground around a walker: stairs, drops and ramps. Pure functions over an immutable world in world metres; app
+// thread. Cost: looking ahead takes two rays for every five centimetres.
 #pragma once
 
 #include <optional>
@@ -8,46 +8,48 @@
 
 namespace handrail::core {
 
-// Limits for a walker of this size. In games, people jump down what would be a fall in a building.
+// Limits for a walker of this size. In games, people jump down from heights that would be a fall in a building.
 struct GroundRules {
     WalkerSize body;
-    double drop_m = 0.4;  // a larger step down is a drop
+    double drop_m = 0.4;  // a step down of more than this is a drop
 };
 GroundRules ground_rules(const Scene& scene, const WalkerSize& body);
 
-// Stairs: at least three consecutive risers.
+// Stairs ahead: at least three consecutive risers.
 struct StairsAhead {
     bool up = true;
-    int risers = 0;           // total, or as many as can be seen
-    bool whole = true;        // they end at a landing, not at a wall
-    double distance_m = 0.0;  // from the walker's centre to the first riser
-    double height_m = 0.0;    // of all risers
+    int risers = 0;           // number of risers, as far as they are visible
+    bool whole = true;        // true: the stairs end at a landing, not at a wall
+    double distance_m = 0.0;  // distance from the walker's centre to the first riser
+    double height_m = 0.0;    // height of all risers together
     Vec3 place_m{0.0};        // edge of the first riser
 };
 struct DropAhead {
-    double distance_m = 0.0;        // from the walker's centre to the edge
-    std::optional<double> depth_m;  // none: no ground within thirty metres
-    Vec3 place_m{0.0};              // of the edge
+    double distance_m = 0.0;        // distance from the walker's centre to the edge
+    std::optional<double> depth_m;  // none: there is no ground within thirty metres
+    Vec3 place_m{0.0};              // a point on the edge
 };
 struct GroundAhead {
-    std::optional<StairsAhead> stairs;  // the nearest
+    std::optional<StairsAhead> stairs;  // the nearest stairs
     std::optional<DropAhead> drop;
 };
 
-// Examines the ground straight ahead up to `range_m`, or until something blocks. A gap that the walker spans is not a
-// drop.
+// Examines the ground straight ahead up to `range_m`, or until something blocks the way. A gap that the walker can step
+// over is not a drop.
 GroundAhead ground_ahead(const WalkerWorld& world, const Vec3& feet_m, double bearing_rad, const GroundRules& rules,
                          double range_m);
 
-// Returns a value if there is no ground under the walker's centre, nor for the rest of it as it goes on in this
-// direction.
+// Returns a value if there is no ground under the walker's centre, and none for the rest of the walker either if it
+// moves on in this direction.
 std::optional<DropAhead> over_drop(const WalkerWorld& world, const Vec3& feet_m, double bearing_rad,
                                    const GroundRules& rules);
 
-// Rise of the ground under the walker's centre per metre in this direction; 0 if there is no ground.
+// Returns how many metres the ground under the walker's centre rises per metre in this direction. 0 if there is no
+// ground.
 double ground_slope(const WalkerWorld& world, const Vec3& feet_m, double bearing_rad);
 
-// Seconds between two beats of the warning at this distance from the edge; the warning begins at kDropWarning_m.
+// Returns the seconds between two beats of the warning at this distance from the edge. The warning begins at
+// kDropWarning_m.
 inline constexpr double kDropWarning_m = 2.0, kStairsCallout_m = 6.0;
 double drop_beat_s(double distance_m);
 

@@ -9,11 +9,12 @@ namespace handrail::core {
 namespace {
 
 constexpr double kTick_s = 0.05, kLongestFall_s = 30.0;
-constexpr int kGrid = 16;                 // places along each side of the world
-constexpr std::size_t kMostThings = 400;  // number of things whose tops are tried too
+constexpr int kGrid = 16;                 // number of places along each side of the world
+constexpr std::size_t kMostThings = 400;  // at most this many things whose tops are tried too
 constexpr double kAbove_m = 0.1;
 
-// Lets a walker fall from there, as Walking would. No value: it falls out of the world, or slides for ever.
+// Returns where a walker comes to rest that falls from this place, as in Walking. No value: it falls out of the world,
+// or slides without end.
 std::optional<Vec3> rest_below(const Aabb& bounds_m, const WalkerWorld& world, const WalkerSize& size,
                                const Vec3& from_m) {
     const double lowest_m = bounds_m.min_m.z - kOutOfWorld_m;
@@ -27,7 +28,8 @@ std::optional<Vec3> rest_below(const Aabb& bounds_m, const WalkerWorld& world, c
     return walker.state().feet_m;
 }
 
-// Places above the ground and the things of the world: at the height of the wish, then from above everything.
+// Returns places above the ground and the things of the world, at the height of `wish_m` and at a height above
+// everything.
 std::vector<Vec3> places_over(const Scene& scene, const Vec3& wish_m) {
     std::vector<Vec3> places;
     const Aabb& box = scene.bounds_m;

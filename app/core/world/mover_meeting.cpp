@@ -9,9 +9,9 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kOnIt_m = 0.05;  // height of the soles above what carries them
+constexpr double kOnIt_m = 0.05;  // soles at most this far above a thing count as on it
 
-// A world that contains only the thing.
+// Makes a world that contains only this thing.
 WalkerWorld alone(const std::shared_ptr<const Scene>& model, const Placement& at) {
     auto scene = std::make_shared<Scene>();
     scene->materials.emplace_back();
@@ -19,7 +19,7 @@ WalkerWorld alone(const std::shared_ptr<const Scene>& model, const Placement& at
     return WalkerWorld(std::move(scene));
 }
 
-// A convex part of a thing at its place.
+// A convex part of a thing, in world coordinates.
 struct Part {
     std::vector<Plane> planes;
     std::vector<Vec3> points_m;
@@ -104,7 +104,7 @@ Vec3 carried(const Vec3& point_m, const Placement& from, const Placement& to) {
 Vec3 onto_thing(const Aabb& thing_m, const Vec3& feet_m, double radius_m) {
     Vec3 by{0.0};
     for (int axis = 0; axis < 2; ++axis) {
-        // Clear of a body that is flush with its edge.
+        // The walker must be clear of a body that is flush with the edge of the thing.
         const double clear_m = radius_m + 2.0 * WalkerWorld::kContactGap_m;
         const double low = thing_m.min_m[axis] + clear_m, high = thing_m.max_m[axis] - clear_m;
         if (low <= high) by[axis] = std::clamp(feet_m[axis], low, high) - feet_m[axis];

@@ -7,7 +7,7 @@
 namespace handrail::core {
 namespace {
 
-constexpr int kDeepestChain = 8;  // buttons that press buttons: limits rings of them
+constexpr int kDeepestChain = 8;  // buttons may press other buttons, up to this depth, so that a ring of buttons ends
 
 }  // namespace
 
@@ -40,7 +40,7 @@ void MoverPlay::send(std::uint32_t group, bool to_rest) {
         if (movers_[i].group != group || !movers_[i].moves() || parts_[i].held_shut) continue;
         Part& part = parts_[i];
         if (movers_[i].endless()) {
-            if (part.going == to_rest) part.left_s = 0.0;  // sent on from a stop where it waits
+            if (part.going == to_rest) part.left_s = 0.0;  // it leaves the stop at which it waits
             part.going = !to_rest;
             continue;
         }
@@ -61,22 +61,23 @@ void MoverPlay::hold_shut(std::uint32_t mover, bool held) {
         Part& part = parts_[i];
         if (part.held_shut == held) continue;
         part.held_shut = held;
-        const double goal = held ? 0.0 : rest(i);  // its place in the file is the shut one, even if it rests open
+        // The shut place is the place in the file, even if the door rests open.
+        const double goal = held ? 0.0 : rest(i);
         part.told = part.told && part.goal == goal;
         part.goal = goal;
     }
 }
 
-// If the lift is there already, its doors open.
+// Sends a lift to a part of its path. If the lift is already there, its doors open.
 void MoverPlay::send_lift(std::uint32_t lift, double part) {
     if (parts_[lift].part == part && parts_[lift].goal == part) return open_doors(lift);
     send(movers_[lift].group, part == rest(lift));
     if (parts_[lift].goal == part) return;
-    parts_[lift].goal = part;  // between its ends
+    parts_[lift].goal = part;  // a halt between the ends
     parts_[lift].told = false;
 }
 
-// The next halt above the present one or the goal; from the highest, the lowest.
+// Returns the next halt above the lift's goal. From the highest halt, it is the lowest one.
 double MoverPlay::next_halt(std::uint32_t lift) const {
     const std::vector<double>& halts = movers_[lift].halts;
     const auto above =
@@ -149,7 +150,7 @@ bool MoverPlay::any_endless() const {
     return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.going; });
 }
 
-// Turns the whole group back from its present place.
+// Sends the whole group back from where it is.
 void MoverPlay::turn_back(std::uint32_t mover) {
     const bool goes_out = parts_[mover].goal != rest(mover);
     send(movers_[mover].group, goes_out);
@@ -164,7 +165,8 @@ void MoverPlay::turn_back(std::uint32_t mover) {
 void MoverPlay::tick_ends(std::uint32_t i, double dt_s, const Meets& meets, std::vector<MoverEvent>& events) {
     Part& part = parts_[i];
     const Mover& mover = movers_[i];
-    // A lift's door shuts as soon as the lift is to leave. One that has met somebody tries again after a pause.
+    // The door of a lift shuts as soon as the lift is about to leave. If the door has met somebody, it tries again
+    // after a pause.
     if (mover.lift != kNoMover && part.goal != rest(i) && !lift_is_at(mover)) {
         part.held_s -= dt_s;
         if (part.held_s <= 0.0) send(mover.group, true);
@@ -211,7 +213,7 @@ void MoverPlay::tick_endless(std::uint32_t i, double dt_s, const Meets& meets, s
         next.turned_rad = std::remainder(part.turned_rad + mover.turn_rad_per_s * dt_s, 2.0 * kPi);
     } else {
         double left_s = dt_s;
-        // At most as many stops in one step as there are, so that a ring of stops in one place ends too.
+        // The number of stops in one step is limited, so that a ring of stops at the same place ends too.
         for (std::size_t stops = 0; stops < mover.stops.size() && left_s > 0.0; ++stops) {
             if (next.left_s > 0.0) {
                 const double waited_s = std::min(left_s, next.left_s);

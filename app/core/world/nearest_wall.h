@@ -1,4 +1,4 @@
-// Finds the wall nearest to a walker by rays. A pure function over an immutable world; app thread; 32 rays.
+// Finds the wall nearest to a walker. A pure function over an immutable world; app thread. Cost: 32 rays.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,11 @@ namespace handrail::core {
 
 struct NearestWall {
     FeatureId feature = kNoFeature;
-    double distance_m = 0.0;   // from the walker's centre, at waist height
-    double bearing_rad = 0.0;  // square to the wall
+    double distance_m = 0.0;   // distance from the walker's centre, at the height of the waist
+    double bearing_rad = 0.0;  // direction perpendicular to the wall
 };
 
-// The nearest upright surface within `reach_m`; no value: there is none.
+// Returns the nearest upright surface within `reach_m`, or no value if there is none.
 std::optional<NearestWall> nearest_wall(const WalkerWorld& world, const Vec3& feet_m, double reach_m);
 
 }  // namespace handrail::core

@@ -1,4 +1,5 @@
-// The things placed in a world: where they are now, where they move, and their places for the servo. App thread only.
+// The things placed in a world: where they are now, where they are moving to, and their positions for the servo. App
+// thread only.
 #pragma once
 
 #include <string>
@@ -12,40 +13,41 @@ namespace handrail::core {
 
 class PlacedThings {
 public:
-    // Takes the placed models of a scene at their places, and the haptic scene compiled from it with this plan. The
-    // servo gets places in the simplified scene; everybody else gets the true ones.
+    // Takes the things of a scene at their places, and the haptic scene that was compiled from it with this
+    // simplification plan. The servo gets the positions in the simplified scene; all other code gets the true ones.
     void enter(const Scene& scene, const render::HapticScene& haptic, const compile::Simplification& plan,
                double now_s);
-    // The same things at their present places, in a haptic scene that was compiled again.
+    // Call it when the haptic scene was compiled again. The things stay where they are.
     void feel_as(const Scene& scene, const render::HapticScene& haptic, const compile::Simplification& plan,
                  double now_s);
-    // Moves and turns a thing evenly to another placement; speed > 0, in world metres per second of its position. A
-    // pure rotation or change of size takes one second. Index into Scene::placed.
+    // Moves and turns a thing at a constant rate to another placement. The speed is that of its position, in world
+    // metres per second, and must be positive. A rotation or change of size without movement takes one second. `thing`
+    // is an index into Scene::placed.
     void send(std::size_t thing, const Placement& to, double speed_m_per_s);
-    // Puts a thing that another class moves to a place, from the next tick on.
+    // Puts a thing that another class moves at a place. It takes effect in the next tick.
     void put(std::size_t thing, const Placement& at);
-    // Returns true if something that was moving has arrived.
+    // Returns true if a moving thing has arrived.
     bool tick(double now_s, double dt_s);
 
     std::size_t size() const { return things_.size(); }
     const Placement& at(std::size_t thing) const { return things_[thing].at; }
     bool moving() const;
     std::vector<Placement> all() const;
-    // For the servo: its number increases whenever something has moved.
+    // The positions for the servo. Their number increases whenever something has moved.
     const servo::BodyFrame& frame() const { return frame_; }
 
 private:
     struct Thing {
         Placement at, from, to;
-        double part = 1.0, parts_per_s = 0.0;  // of its movement
-        int doorway = -1;                      // index in doorways_ of the doorway widened with it
+        double part = 1.0, parts_per_s = 0.0;  // finished share of its movement; shares per second
+        int doorway = -1;  // index in doorways_ of the doorway that was widened together with this thing
     };
     void publish(double now_s);
 
     std::vector<Thing> things_;
     std::vector<compile::NarrowOpening> doorways_;
-    bool put_ = false;              // since the last tick
-    std::uint32_t generation_ = 0;  // of the haptic scene
+    bool put_ = false;              // true: put() was called since the last tick
+    std::uint32_t generation_ = 0;  // generation of the haptic scene
     servo::BodyFrame frame_;
 };
 

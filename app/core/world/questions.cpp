@@ -14,9 +14,10 @@ namespace {
 
 constexpr double kQuarter_rad = kPi / 2.0;
 constexpr double kSixteenth_rad = kPi / 8.0;
-constexpr std::size_t kMostLooked = 24;  // things examined for a question
-constexpr std::size_t kMostTowards = 2;  // things named in one direction
-constexpr double kSoundSize_m = 0.3;     // a clock may hang inside a thing
+constexpr std::size_t kMostLooked = 24;  // number of things examined for a question
+constexpr std::size_t kMostTowards = 2;  // number of things named in one direction
+// Size of the region searched around a sound, because a clock may hang inside a thing.
+constexpr double kSoundSize_m = 0.3;
 constexpr double kSamePlace_m = 0.05, kSameTurn_rad = 0.02;
 constexpr double kRoof_m = 30.0, kDeepestFloor_m = 100.0;
 constexpr double kBarOutdoors_m = 25.0;
@@ -41,7 +42,7 @@ Sight sight_of(const Scene& scene, const Seen& seen) {
 
 double off_rad(double bearing_rad, double from_rad) { return std::abs(wrap_angle(bearing_rad - from_rad)); }
 
-// Every answer uses the same place for a door: the doorway, not its leaf.
+// Gives a door the place of its doorway instead of its leaf, so that every answer uses the same place.
 void tell_doorway(const Asker& asker, Seen& seen) {
     for (const Doorway& doorway : asker.doorways) {
         const Vec3 way = doorway.place_m - asker.feet_m;
@@ -95,7 +96,7 @@ std::optional<Sight> sight_along(const Asker& asker, double bearing_rad) {
 
 namespace {
 
-// Adds what a walker would bump into in that direction, and what a straight ray above it hits.
+// Adds what a walker would bump into in this direction, and what a straight ray at kLookHeight_m hits.
 void add_straight(const Asker& asker, double bearing_rad, std::vector<Sight>& sights) {
     std::optional<Sight> beyond;
     if (const auto seen = look(asker.world, asker.feet_m, kLookHeight_m, bearing_rad))
@@ -150,7 +151,7 @@ std::string sides_of_door(const Feature& door, double bearing_rad) {
         const auto found = kSides.find(compass);
         if (found == kSides.end()) return {};
         const double turn = wrap_angle(found->second - bearing_rad);
-        // Along the leaf, left and right cannot be told apart.
+        // If the person looks along the leaf, left and right cannot be distinguished.
         if (std::abs(std::sin(turn)) < 0.3) return {};
         return phrase(turn > 0.0 ? right : left);
     };
@@ -160,7 +161,8 @@ std::string sides_of_door(const Feature& door, double bearing_rad) {
 
 std::string tell(const Sight& sight, const std::string& state, const Telling& how) {
     std::string name = sentence_case(sight.name);
-    // The same words as for exits: sixteenths of a circle. A person who wants degrees also has exact distances.
+    // Uses the same words as for exits, in sixteenths of a circle. A person who wants degrees also gets exact
+    // distances.
     const bool in_sixteenths = how.distances.rounded && how.directions == settings::DirectionChoice::Sides;
     const auto words = in_sixteenths ? brief_place_words : place_words;
     const std::string place =
@@ -212,7 +214,7 @@ double LookRound::step(int by, const Vec3& feet_m, double heading_rad, std::opti
 std::string scale_bar_words(bool outdoors, const Telling& how, double hand_scale, double workspace_heading_rad) {
     const double bar_m = outdoors ? kBarOutdoors_m : kBarSteps * how.distances.step_length_m;
     const long steps = outdoors ? std::lround(bar_m / how.distances.step_length_m) : kBarSteps;
-    // In compass words north needs no direction, so the sides are used.
+    // In compass words, the direction of north would be "north", so it is given as a side.
     const settings::DirectionChoice choice =
         how.directions == settings::DirectionChoice::Compass ? settings::DirectionChoice::Sides : how.directions;
     const std::string north = direction_words(0.0, how.heading_rad, choice, how.distances.rounded);

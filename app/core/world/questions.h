@@ -18,10 +18,10 @@
 
 namespace handrail::core {
 
-inline constexpr double kLookHeight_m = 1.0;  // origin of rays for words, above most furniture
+inline constexpr double kLookHeight_m = 1.0;  // height of the start of rays for descriptions, above most furniture
 inline constexpr std::size_t kMostAhead = 4;
 
-// Where a door lets a person through; its open leaf may be next to it.
+// The place where a person passes a door. Its open leaf may be next to that place.
 struct Doorway {
     FeatureId door;
     Vec3 place_m{0.0};
@@ -31,57 +31,62 @@ struct Asker {
     const WalkerWorld& world;
     Vec3 feet_m{0.0};
     double heading_rad = 0.0;
-    WalkerSize size{};  // an obstacle to any part of this body counts
-    // Of doors announced by their doorway, as exits are; other doors by what is seen of them.
+    WalkerSize size{};  // everything that would stop any part of a walker of this size counts as an obstacle
+    // Doorways of the doors that are announced by their doorway, as exits are. Other doors are announced by what is
+    // visible of them.
     std::vector<Doorway> doorways{};
 };
 
 // A thing, a surface or a sound that can be announced.
 struct Sight {
     Seen seen;         // seen.feature is kNoFeature for a sound
-    std::string name;  // without the material
+    std::string name;  // name without the material
     std::string material;
-    bool surface = false;  // wall, floor, ceiling or slope
+    bool surface = false;  // true: a wall, floor, ceiling or slope
 };
 
-// Things and named sounds in line of sight, nearest first, at most `most`. If several have the same name, only the
-// nearest.
+// Returns things and named sounds in line of sight, the nearest first, at most `most`. If several have the same name,
+// only the nearest is included.
 std::vector<Sight> in_sight(const Asker& asker, std::size_t most);
-// What a walker would bump into straight in that direction; no value: nothing within kSightRange_m.
+// Returns what a walker would bump into straight in this direction, or no value if nothing is within kSightRange_m.
 std::optional<Sight> sight_along(const Asker& asker, double bearing_rad);
 
-// "Around me": for each of the quarters ahead, right, behind and left, the nearest thing there, otherwise what a
-// straight ray hits, otherwise nothing.
+// For "around me". Returns, for each of the quarters ahead, right, behind and left, the nearest thing, or else what a
+// straight ray hits, or else no value.
 std::array<std::optional<Sight>, 4> around(const Asker& asker);
-// "Ahead of me": everything within 45 degrees of straight ahead, including the wall, nearest first, at most kMostAhead.
+// For "ahead of me". Returns everything within 45 degrees of straight ahead, including the wall, the nearest first, at
+// most kMostAhead.
 std::vector<Sight> ahead(const Asker& asker);
-// "Look": at most two things within 11.25 degrees of that bearing, nearest first, and then what a straight ray hits, if
-// that is farther.
+// For "look". Returns at most two things within 11.25 degrees of this bearing, the nearest first. If a straight ray
+// hits something farther away, that follows.
 std::vector<Sight> look_towards(const Asker& asker, double bearing_rad);
 
-// The person's choice of words.
+// How the person wants things to be announced.
 struct Telling {
     int verbosity = 2;
     settings::DirectionChoice directions = settings::DirectionChoice::Sides;
     DistanceWords distances;
     double heading_rad = 0.0;
 };
-// state: "shut", "open", ...; empty if it has none. Left and right are as seen from the person's place.
+// Returns the announcement of a thing. `state` is "shut", "open" and so on, or empty if the thing has no state. Left
+// and right are as seen from the person's place.
 std::string tell(const Sight& sight, const std::string& state, const Telling& how);
-// The same without the direction, which has been announced already: "table, 2 steps".
+// Returns the announcement without the direction, which has already been announced: "table, 2 steps".
 std::string tell_there(const Sight& sight, const std::string& state, const Telling& how);
-// "hinged left, handle right" for a door seen in that direction; empty if the world does not say.
+// Returns "hinged left, handle right" for a door seen in this direction, or an empty text if the world does not state
+// these sides.
 std::string sides_of_door(const Feature& door, double bearing_rad);
 
-// "9 by 6 steps.": its size in steps, for one given in metres.
+// For a feature whose size is given in metres, returns the size in steps: "9 by 6 steps."
 std::string steps_of_size(const Feature& feature, const DistanceWords& how);
 
 // The directions of "look" for successive presses: straight ahead first, then clockwise by sixteenths of a circle. The
-// series begins again if the walker moved or turned. If the hand moved, it begins with the direction in which the hand
-// points.
+// series begins again if the walker has moved or turned. If the hand has moved, the series begins with the direction in
+// which the hand points.
 class LookRound {
 public:
-    // hand_rad: bearing from walker to hand if the hand is away from the walker.
+    // Returns the next direction. `hand_rad` is the bearing from the walker to the hand, if the hand is away from the
+    // walker.
     double step(int by, const Vec3& feet_m, double heading_rad, std::optional<double> hand_rad);
 
 private:
@@ -91,15 +96,15 @@ private:
     std::optional<double> hand_rad_;
 };
 
-// "5 steps are 3.5 metres." and, with a hand, what that is under the hand; then the direction of north. Indoors the bar
-// is 5 steps, outdoors 25 metres. hand_scale: world metres per hand metre, 0 without a hand. workspace_heading_rad:
-// world direction of the hand's "away from you".
+// Returns "5 steps are 3.5 metres.", with a hand also that length under the hand, and the direction of north. The
+// length is 5 steps indoors and 25 metres outdoors. `hand_scale` is in world metres per hand metre, 0 without a hand.
+// `workspace_heading_rad` is the world direction that is "away from you" for the hand.
 std::string scale_bar_words(bool outdoors, const Telling& how, double hand_scale, double workspace_heading_rad);
-// "3.0 metres east, 0.5 metres north, height 0 metres.", from the world's origin.
+// Returns the position relative to the origin of the world: "3.0 metres east, 0.5 metres north, height 0 metres."
 std::string coordinates_words(const Vec3& place_m);
-// Height of a place above the nearest floor below it, 0 to 100 m; no value: nothing is below.
+// Returns the height of a place above the nearest floor below it, 0 to 100 m. No value if there is no floor below.
 std::optional<double> above_floor_m(const WalkerWorld& world, const Vec3& place_m);
-// True if something is above the head, within 30 m.
+// True if something is above the head within 30 m.
 bool under_roof(const WalkerWorld& world, const Vec3& feet_m);
 
 }  // namespace handrail::core

@@ -49,8 +49,8 @@ FreeSpace free_space(const WalkerWorld& world, const Vec3& feet_m, double height
 
 namespace {
 
-// Points at which a thing in that box is searched for: its middle, its nearest point, and the middles of its sides, all
-// slightly inside.
+// Returns the points at which a thing in this box is searched for: its middle, its nearest point, and the middles of
+// its sides. All of them are slightly inside the box.
 std::array<Vec3, 8> points_of(const Aabb& box, const Vec3& eye) {
     const Vec3 middle = box.centre_m(), half = 0.5 * box.size_m();
     const auto inside = [&](const Vec3& point) { return middle + (point - middle) * 0.98; };
@@ -66,8 +66,8 @@ std::array<Vec3, 8> points_of(const Aabb& box, const Vec3& eye) {
 
 }  // namespace
 
-// Visits a tree of boxes, nearest first, so that only near things are examined in a large world. Whatever one wall or
-// floor hides completely is skipped at once.
+// Visits a tree of boxes, the nearest first, so that only near things are examined in a large world. If a single wall
+// or floor hides a whole box, the box is skipped.
 std::vector<Seen> things_in_sight(const WalkerWorld& world, const Vec3& feet_m, double height_m, std::size_t most,
                                   int* rays_taken) {
     contract_pre(is_finite(feet_m) && height_m >= 0.0);
@@ -81,9 +81,9 @@ std::vector<Seen> things_in_sight(const WalkerWorld& world, const Vec3& feet_m, 
     struct Place {
         double nearest_m;
         What what;
-        std::uint32_t number;  // of the node or the feature
-        Aabb around;           // everything with its name
-        std::uint32_t hider;   // the piece that hid a part of it, or of its neighbour
+        std::uint32_t number;  // number of the node or feature
+        Aabb around;           // box of everything that has the feature's name
+        std::uint32_t hider;   // the piece that hid a part of this node or feature, or of a neighbouring one
     };
     const auto farther = [](const Place& a, const Place& b) {
         if (a.nearest_m != b.nearest_m) return a.nearest_m > b.nearest_m;

@@ -8,13 +8,13 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kSteepest = 0.7;        // flatter surfaces are ground, not wall
-constexpr double kFarthest_m = 4.0;      // largest distance of a wall to search for
-constexpr double kArm_m = 0.8;           // within it, the requested side wins over a nearer wall
-constexpr double kWallGone_m = 0.35;     // beyond this distance from the side, the wall is gone
-constexpr double kStep_m = 0.05;         // between two probes past an opening
-constexpr double kLeastRecess_m = 0.06;  // a wall that recedes by more counts as an opening
-constexpr double kCornerCosine = 0.87;   // 30 degrees
+constexpr double kSteepest = 0.7;    // a surface with a larger z of the normal is ground, not a wall
+constexpr double kFarthest_m = 4.0;  // largest distance at which a wall is searched for
+constexpr double kArm_m = 0.8;  // a wall within this distance on the requested side wins over a nearer wall elsewhere
+constexpr double kWallGone_m = 0.35;     // if the wall is farther from the walker's side than this, it has ended
+constexpr double kStep_m = 0.05;         // distance between two probes past an opening
+constexpr double kLeastRecess_m = 0.06;  // if the wall recedes by more than this, there is an opening
+constexpr double kCornerCosine = 0.87;   // cosine of 30 degrees; a larger change of direction is a corner
 constexpr double kProbe_m = 0.02;        // radius of the probe that names the wall
 constexpr double kAlignedRad = 0.35;
 
@@ -27,7 +27,8 @@ Vec3 level(const Vec3& normal) {
 }
 double heading_of(const Vec3& way) { return std::atan2(way.x, way.y); }
 
-// How far the walker can go in this direction before it meets a wall; no value: none within `reach_m`.
+// What is at one side: the distance that the walker can go in this direction before it meets a wall. side_of() returns
+// no value if no wall is within `reach_m`.
 struct Side {
     double distance_m = 0.0;
     Vec3 normal{0.0};
@@ -76,7 +77,8 @@ void Trail::turn_round() {
     bridge_m_ = round_m_ = 0.0;
 }
 
-// Names the thing at the side, at any height from a step to the shoulders, if it is different from the previous one.
+// Names the thing at the walker's side if it is different from the previous one. It may be at any height from a step to
+// the shoulders.
 void Trail::name(const WalkerWorld& world, const Vec3& feet_m, const WalkerSize& body,
                  std::vector<TrailEvent>& events) {
     const Vec3 from = above_steps(feet_m, body);
@@ -120,7 +122,7 @@ TrailWay Trail::tick(const WalkerWorld& world, const Vec3& feet_m, double facing
         }
         near_ = true;
     }
-    // 2. Something is ahead: an inner corner, or a thing at the wall.
+    // 2. Something is ahead: an inner corner of the walls, or a thing at the wall.
     if (const auto ahead = side_of(world, from, along(), stride + kGap_m, shape)) {
         if (glm::dot(ahead->normal, along()) < -0.2) {
             normal_ = ahead->normal;
@@ -133,7 +135,7 @@ TrailWay Trail::tick(const WalkerWorld& world, const Vec3& feet_m, double facing
         }
     }
     const double off = std::remainder(heading_of(along()) - facing_rad, 2.0 * kPi);
-    if (std::abs(off) > kAlignedRad) return way;  // turn first
+    if (std::abs(off) > kAlignedRad) return way;  // the walker must turn first
 
     // 3. Go past an opening.
     if (bridge_m_ > 0.0) {
@@ -165,7 +167,7 @@ TrailWay Trail::tick(const WalkerWorld& world, const Vec3& feet_m, double facing
         }
         return way;
     }
-    // 5. The wall recedes: does it continue behind?
+    // 5. The wall recedes. Examine whether it continues farther on.
     for (double further = kStep_m; further <= kWidestOpening_m - 2.0 * body.radius_m; further += kStep_m) {
         if (world.trace(from, from + along() * further, shape).hit) break;
         const auto again = side_of(world, from + along() * further, -normal_, reach, shape);
@@ -185,7 +187,7 @@ TrailWay Trail::tick(const WalkerWorld& world, const Vec3& feet_m, double facing
         way.wish_m_per_s = along() * speed_m_per_s;
         return way;
     }
-    if (beside) {  // a niche too wide to pass: enter it
+    if (beside) {  // the wall recedes into a niche that is too wide to pass, so the walker enters it
         round_m_ = reach;
         return way;
     }

@@ -1,6 +1,6 @@
-// A walking body: gravity, steps, stairs, slopes and collisions. Plain state and one tick; app thread. It uses the same
-// solids that the hand feels. The slide-and-step scheme is that of walking games since the 1990s: trace, clip the
-// remaining motion to the surface, try again one step higher, and keep the better result.
+// The body of the walker: gravity, steps, stairs, slopes and collisions. Plain state and one tick; app thread. It uses
+// the same solids that the hand feels. The method is that of walking games since the 1990s: trace the motion, clip the
+// rest of it to the surface, try again one step higher, and keep the better result.
 #pragma once
 
 #include <optional>
@@ -12,11 +12,11 @@ namespace handrail::core {
 
 struct WalkerSize {
     double radius_m = 0.25;
-    double height_m = 1.8;    // 1.7 in game maps
-    double step_up_m = 0.25;  // 0.57 in game maps
+    double height_m = 1.8;    // 1.7 in maps of games
+    double step_up_m = 0.25;  // 0.57 in maps of games
     double eye_height_m = 1.65;
 };
-// Sizes for buildings or for games, with the person's own radius.
+// Returns the size of a walker for a building or a game, with the radius that the person has set.
 WalkerSize body_size(const Scene& scene, double radius_m);
 
 struct WalkerMotion {
@@ -27,13 +27,13 @@ struct WalkerMotion {
 
 // The result of one tick.
 struct WalkResult {
-    double walked_m = 0.0;          // horizontal distance
-    std::optional<TraceHit> met;    // first surface in the way, even if only brushed
-    std::optional<TraceHit> bump;   // the surface that stopped most of the wished motion
-    double climbed_m = 0.0;         // height gained by stepping up
-    bool landed = false;            // touched the ground after falling more than a step
+    double walked_m = 0.0;          // horizontal distance walked
+    std::optional<TraceHit> met;    // the first surface in the way, even if the walker has only brushed it
+    std::optional<TraceHit> bump;   // the surface that stopped most of the intended motion
+    double climbed_m = 0.0;         // height that the walker has gained by steps up
+    bool landed = false;            // true: the walker touched the ground after a fall of more than one step
     double fell_m = 0.0;            // height of that fall
-    FeatureId ground = kNoFeature;  // what the walker stands on
+    FeatureId ground = kNoFeature;  // feature on which the walker stands
     MaterialId ground_material = kDefaultMaterial;
 };
 
@@ -41,15 +41,15 @@ class Walker {
 public:
     Walker(const WalkerWorld& world, WalkerSize size) : world_(world), size_(size) {}
 
-    // Places the walker at `feet_m`, or as near above it as there is room (at most half a metre), and lets it drop to
+    // Places the walker at `feet_m`, or as near above it as there is room (at most half a metre), and lets it fall to
     // the ground.
     void place(const Vec3& feet_m);
-    // Continues from the state of another walker, standing or falling.
+    // Takes over the state of another walker, whether it stands or falls.
     void resume(const WalkerMotion& state) {
         state_ = state;
         fall_from_z_ = state.feet_m.z;
     }
-    // wish: horizontal metres per second; dt_s up to 0.1 s.
+    // `wish_m_per_s` is the intended horizontal velocity. `dt_s` is at most 0.1 s.
     WalkResult tick(const Vec3& wish_m_per_s, double dt_s);
 
     const WalkerMotion& state() const { return state_; }

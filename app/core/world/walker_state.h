@@ -1,4 +1,4 @@
-// The walker: its place, direction and path. Plain state; app thread only.
+// The walker: its position, direction and path. Plain state; app thread only.
 #pragma once
 
 #include <memory>
@@ -9,13 +9,14 @@
 namespace handrail::core {
 
 struct WalkerState {
-    std::unique_ptr<Walker> walker;  // null: in no world yet
+    std::unique_ptr<Walker> walker;  // null: no world has been entered
     double heading_rad = 0.0;        // present direction
-    int times_put = 0;               // how often it was placed elsewhere instead of walking
-    // The direction after the last turn. It is approached at a limited rate, so that the hand is not thrown.
+    int times_put = 0;               // how often the walker was placed elsewhere instead of walking
+    // Direction after the present turn. heading_rad approaches it at a limited rate, so that the hand is not thrown.
     double heading_goal_rad = 0.0;
-    FeatureId ground = kNoFeature;  // what it stands on
-    std::vector<Vec3> crumbs_m;     // its path since it was last placed: points a quarter of a metre apart, newest last
+    FeatureId ground = kNoFeature;  // feature on which the walker stands
+    // The walker's path since it was last placed: points a quarter of a metre apart, the newest last.
+    std::vector<Vec3> crumbs_m;
 
     const Vec3& feet_m() const { return walker->state().feet_m; }
     Vec3 ears_m() const {

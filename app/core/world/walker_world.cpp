@@ -11,23 +11,23 @@
 namespace handrail::core {
 namespace {
 
-constexpr double kAlong_m = 1e-7;      // a smaller approach to a surface is a rounding error of sliding along it
-constexpr double kSameDepth_m = 1e-9;  // faces whose distances differ by less are equally near
+constexpr double kAlong_m = 1e-7;  // an approach to a surface by less than this is a rounding error of sliding along it
+constexpr double kSameDepth_m = 1e-9;  // faces whose distances differ by less than this are equally near
 
-// How far to push the plane out, so that the body's reference point meets it exactly when the body meets the original
-// plane.
+// Returns how far to move a plane outwards, so that the body's reference point meets it exactly when the body meets the
+// original plane.
 double support(const Vec3& normal, const WalkerShape& body) {
     const double sideways =
         body.radius_m > 0.0 ? body.radius_m * std::sqrt(normal.x * normal.x + normal.y * normal.y) : 0.0;
     return sideways + std::max(0.0, -normal.z * body.height_m);
 }
 
-// The part of the body that can meet such a piece.
+// Returns the part of the body that can meet this kind of piece.
 WalkerShape next_to(bool narrow, const WalkerShape& body) {
     return narrow ? WalkerShape{StairRule::reach_m(body.radius_m), StairRule::height_m(body.height_m)} : body;
 }
 
-// True if piece `a` comes before piece `b` in the order of all pieces: by box, and by number for equal boxes.
+// True if piece `a` comes before piece `b` in the order of all pieces, which is by box, and for equal boxes by number.
 bool comes_before(const Aabb& a, std::uint32_t number_a, const Aabb& b, std::uint32_t number_b) {
     if (a.min_m.x != b.min_m.x) return a.min_m.x < b.min_m.x;
     if (a.min_m.y != b.min_m.y) return a.min_m.y < b.min_m.y;
@@ -68,7 +68,8 @@ std::shared_ptr<const WalkerWorld::Building> WalkerWorld::built(const Scene& sce
     made->stairs = StairRule(scene);
     made->pieces.add_scene(scene, nullptr, -1, &made->stairs);
     made->pieces.arrange();
-    // Any face of a solid may bear the name, so its box includes the whole solid: see name_hit().
+    // A hit on any face of a solid may get this feature's name, so the feature's box includes the whole solid. See
+    // name_hit().
     std::vector<Aabb> boxes(scene.features.size());
     const auto include = [&](FeatureId feature, const Aabb& box) {
         if (feature.value < boxes.size()) boxes[feature.value].include(box);
@@ -124,8 +125,8 @@ void WalkerWorld::set_down(std::span<const Placement> placed, const WalkerWorld*
     placed_.arrange();
 }
 
-// If several pieces are met at once, the later one counts. The order is therefore part of the answer, and must not
-// depend on the tree.
+// If a body meets several pieces at once, the last of them counts. So the result depends on the order of the pieces,
+// which must not depend on the tree.
 void WalkerWorld::Pieces::arrange() {
     std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
         return a.bounds_m.min_m.x != b.bounds_m.min_m.x ? a.bounds_m.min_m.x < b.bounds_m.min_m.x
@@ -137,13 +138,14 @@ void WalkerWorld::Pieces::arrange() {
     tree = BoxIndex(boxes);
 }
 
-// Adds the pieces of a scene, or of a model placed in the frame.
+// Adds the pieces of a scene, or of a model that is placed in `frame`.
 void WalkerWorld::Pieces::add_scene(const Scene& scene, const PlacedFrame* frame, std::int32_t placed,
                                     const StairRule* stairs) {
     const auto at = [frame](const Vec3& p) { return frame ? frame->to_world(p) : p; };
     std::vector<Bound> of_piece;
     const auto add_bevels = [&of_piece](const Aabb& box) {
-        // Without the six axis planes, the sum of a slanted solid and a wide body would stick out far at sharp edges.
+        // The six axis planes are added. Without them, the sum of a slanted solid and a wide body would reach far
+        // beyond sharp edges.
         for (int axis = 0; axis < 3; ++axis)
             for (const double sign : {1.0, -1.0}) {
                 Vec3 normal{0.0};
@@ -183,7 +185,7 @@ void WalkerWorld::Pieces::add_scene(const Scene& scene, const PlacedFrame* frame
         const Vec3 corners[3] = {at(t.a_m), at(t.b_m), at(t.c_m)};
         const Vec3 area = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
         const double length = glm::length(area);
-        if (!(length > 0.0)) continue;  // no area: nothing to bump into
+        if (!(length > 0.0)) continue;  // a triangle without area: there is nothing to bump into
         const Vec3 n = area / length;
         of_piece.clear();
         of_piece.push_back({Plane{n, glm::dot(n, corners[0])}, 0});
@@ -243,10 +245,10 @@ TraceHit WalkerWorld::trace(const Vec3& from_m, const Vec3& to_m, const WalkerSh
     TraceHit best;
     const Piece* met = nullptr;
     std::int32_t met_face = -1;
-    std::uint32_t number = 0;  // of the first piece in `some`
-    // True if a body that overlaps the piece from the start would walk farther into it. The face with the shortest way
-    // out decides, or, of several equally near ones, the one from which the path leads away most. Vertical movement is
-    // free, or an overlapping piece would hold the body above the ground.
+    std::uint32_t number = 0;  // number of the first piece in `some`
+    // True if a body that overlaps the piece from the start would move farther into it. The face with the shortest way
+    // out decides. If several faces are equally near, the one from which the path leads away most decides. Vertical
+    // movement is always permitted, because otherwise an overlapping piece would keep the body above the ground.
     const Vec3 level_step(step.x, step.y, 0.0);
     const auto goes_deeper = [&](const Pieces& some, const Piece& piece, const WalkerShape& body_there, Vec3& normal,
                                  std::int32_t& face) {
@@ -284,11 +286,11 @@ TraceHit WalkerWorld::trace(const Vec3& from_m, const Vec3& to_m, const WalkerSh
             const double d0 = signed_distance(bound.plane, from_m) - grow;
             const double d1 = signed_distance(bound.plane, to_m) - grow;
             if (d0 > 0.0) starts_outside = true;
-            if (d0 > 0.0 && d1 > 0.0 && d1 >= d0 - kAlong_m) return;  // outside and not approaching
-            if (d0 <= 0.0 && d1 <= 0.0) continue;                     // inside this plane all along
-            if (d0 > d1) {                                            // enters: stop slightly before it
+            if (d0 > 0.0 && d1 > 0.0 && d1 >= d0 - kAlong_m) return;  // outside this plane, and not approaching it
+            if (d0 <= 0.0 && d1 <= 0.0) continue;                     // inside this plane at both ends
+            if (d0 > d1) {  // enters through this plane: stop slightly before it
                 const double t = std::max(0.0, (d0 - kContactGap_m) / (d0 - d1));
-                if (d1 > kContactGap_m) return;  // never reaches it
+                if (d1 > kContactGap_m) return;  // stops before it reaches the plane
                 if (t > enter) {
                     enter = t;
                     enter_normal = bound.plane.normal;
@@ -303,7 +305,7 @@ TraceHit WalkerWorld::trace(const Vec3& from_m, const Vec3& to_m, const WalkerSh
             enter = 0.0;
         }
         if (enter < 0.0 || enter > leave || enter > best.fraction) return;
-        // If several pieces are met at once, the later one counts: the eastern, then the northern, then a placed thing.
+        // If several pieces are met at once, the last one counts: the eastern, then the northern, then a placed thing.
         if (met && enter == best.fraction && comes_before(piece.bounds_m, number + i, met->bounds_m, best.piece))
             return;
         best.fraction = reach = enter;
@@ -313,7 +315,7 @@ TraceHit WalkerWorld::trace(const Vec3& from_m, const Vec3& to_m, const WalkerSh
         met = &piece;
         met_face = enter_face;
     };
-    // Larger than any rounding error of an entry point, so that this alone excludes pieces behind the hit.
+    // Larger than any rounding error of an entry point, so that no piece before the hit is excluded.
     constexpr double kSlack_m = 1e-3;
     const Vec3 low(body.radius_m + kSlack_m, body.radius_m + kSlack_m, body.height_m + kSlack_m);
     const Vec3 high(body.radius_m + kSlack_m, body.radius_m + kSlack_m, kSlack_m);
@@ -343,7 +345,8 @@ void WalkerWorld::name_hit(const Piece& piece, std::int32_t face, const Vec3& no
         return;
     }
     const Solid& solid = scene_->solids[piece.solid];
-    // A bevel has no face: the visible face most like it in direction gives the name. The same holds for a hidden face.
+    // A bevel has no face, so the visible face with the most similar direction gives the name. The same applies to a
+    // hidden face.
     double most = -2.0;
     for (std::size_t i = 0; i < solid.shape.planes.size(); ++i) {
         const bool named = i < solid.face_features.size() && solid.face_features[i];
@@ -424,10 +427,10 @@ std::vector<FeatureId> WalkerWorld::volumes_at(const Vec3& feet_m, double height
     return found;
 }
 
-// A convex piece that crosses the lines from the eye to all corners of a box also crosses every line into the box, no
-// farther than its end. For such a line, a suitable weighted mean of the crossing points on the corner lines lies on
-// it. If the piece is apart from the box, it is crossed before anything inside. The test uses a slightly smaller piece,
-// so that rounding in a trace cannot miss it.
+// Suppose a convex piece crosses the lines from the eye to all corners of a box. Then it also crosses every line into
+// the box, no later than where that line ends. This is because a weighted mean of the crossing points on the corner
+// lines is on that line. If the piece is apart from the box, it is crossed before anything inside the box. The test
+// uses a slightly smaller piece, so that a trace cannot miss the piece by rounding.
 bool WalkerWorld::hides(std::uint32_t number, const Vec3& eye_m, const Aabb& box) const {
     constexpr double kDrawnIn_m = 2e-3, kApart_m = 1e-2;
     const Piece& one = piece(number);
@@ -435,7 +438,7 @@ bool WalkerWorld::hides(std::uint32_t number, const Vec3& eye_m, const Aabb& box
     if (one.clip_only || BoxIndex::meets(one.bounds_m, around)) return false;
     const std::vector<Bound>& bounds =
         number < building_->pieces.pieces.size() ? building_->pieces.bounds : placed_.bounds;
-    // A sheet has no inside: a line crosses it from one side to the other.
+    // A sheet has no inside, so a line crosses it from one side to the other.
     const std::uint32_t sides = one.triangle ? 2 : 0;
     bool outside = false;
     for (std::uint32_t k = 0; k < one.plane_count; ++k)

@@ -13,20 +13,20 @@ namespace {
 
 constexpr int kDirections = 16;
 constexpr double kRange_m = 2.0;
-constexpr double kLow_m = 0.3;        // under window sills, boards and table tops
-constexpr double kUprightFace = 0.3;  // largest z of the normal
-constexpr double kSameWay = 0.995;    // cosine between the normals of one wall
-constexpr double kSameLine_m = 0.08;  // across, between the pieces of one wall
+constexpr double kLow_m = 0.3;        // height of the rays, below window sills, boards and table tops
+constexpr double kUprightFace = 0.3;  // largest z of the normal of an upright face
+constexpr double kSameWay = 0.995;    // least cosine of the angle between the normals of two pieces of one wall
+constexpr double kSameLine_m = 0.08;  // largest distance between two pieces of one wall, across the wall
 constexpr double kInside_m = 0.01, kHardly_m = 1e-3;
-constexpr double kLines_m = 0.8;  // depth of furniture, including the gap behind it
+constexpr double kLines_m = 0.8;  // largest depth of furniture at a wall, including the gap behind it
 constexpr double kPaneThick_m = 0.2, kPaneWide_m = 0.5, kPaneTall_m = 0.8;
-constexpr double kRecess_m = 0.2;  // how far a pane or leaf is usually set back in its wall
-constexpr double kTries_m = 0.25;  // step along a wall to find where it continues
+constexpr double kRecess_m = 0.2;  // depth by which a pane or leaf is usually set back in its wall
+constexpr double kTries_m = 0.25;  // step of the search along a wall for where it continues
 
 // A piece of a wall, or of something at or in a wall, hit by a ray.
 struct Met {
     enum class Kind : std::uint8_t { Wall, Lining, Pane };
-    Vec3 at_m{0.0}, out{0.0};  // `out` is level
+    Vec3 at_m{0.0}, out{0.0};  // `out` is the horizontal normal
     Kind kind = Kind::Wall;
 };
 
@@ -35,14 +35,14 @@ bool is_a(const WalkerWorld& world, const TraceHit& hit, FeatureKind kind) {
            world.scene().features[hit.feature.value].kind == kind;
 }
 
-// True if so little space is between its face and a wall that nobody walks behind it.
+// True if the space between the hit face and a wall behind it is so small that nobody walks there.
 bool lines_a_wall(const WalkerWorld& world, const TraceHit& hit, const Vec3& ahead) {
     const TraceHit behind =
         world.trace(hit.end_m + ahead * kInside_m, hit.end_m + ahead * kLines_m, WalkerShape{}, true);
     return is_a(world, behind, FeatureKind::Wall);
 }
 
-// Upright, thin, wide and tall: a pane, a door leaf or a screen.
+// True if the hit thing is upright, thin, wide and tall, such as a pane, a door leaf or a screen.
 bool is_a_pane(const WalkerWorld& world, const TraceHit& hit) {
     const Vec3 size = world.scene().features[hit.feature.value].bounds_m.size_m();
     if (std::max(size.x, size.y) < kPaneWide_m || size.z < kPaneTall_m) return false;
@@ -64,7 +64,7 @@ std::optional<Met> met_on_way(const WalkerWorld& world, const Vec3& eye_m, const
     return Met{Vec3(hit.end_m.x, hit.end_m.y, 0.0), level / std::hypot(level.x, level.y), kind};
 }
 
-// The line of the wall with this piece, seen from a walker at `at_m`.
+// The line of the wall to which `piece` belongs, seen from a walker at `at_m`.
 class WallLine {
 public:
     WallLine(const Met& piece, const Vec3& at_m)
@@ -74,13 +74,14 @@ public:
           foot_m_(at_m - out_ * away_m_) {}
 
     double away_m() const { return away_m_; }
-    // Position along it from the walker's foot point; no value: the piece belongs to another wall.
+    // Returns the position of a piece along this line, from the walker's foot point. No value if the piece belongs to
+    // another wall.
     std::optional<double> place_of(const Met& piece) const {
         const Vec3 off = piece.at_m - foot_m_;
         if (glm::dot(piece.out, out_) < kSameWay || std::abs(glm::dot(off, out_)) > kSameLine_m) return std::nullopt;
         return glm::dot(off, along_);
     }
-    // Slightly behind its face.
+    // Returns a point of the line, slightly behind the face of the wall.
     Vec3 point_m(double along_m) const { return foot_m_ + along_ * along_m - out_ * kSameLine_m; }
 
 private:
@@ -91,13 +92,13 @@ private:
 
 // True if pieces of the wall are on both sides of the foot point, and not too far apart.
 bool goes_past(const WalkerWorld& world, const Vec3& eye_m, const WallLine& wall, const std::vector<Met>& pieces) {
-    double before_m = -1e9, behind_m = 1e9;  // nearest pieces
+    double before_m = -1e9, behind_m = 1e9;  // positions of the nearest pieces on either side
     for (const Met& piece : pieces)
         if (const auto place_m = wall.place_of(piece)) {
             if (*place_m <= 0.0) before_m = std::max(before_m, *place_m);
             if (*place_m >= 0.0) behind_m = std::min(behind_m, *place_m);
         }
-    // Searches between the hits of the rays around.
+    // Searches for a piece between the hits of the first rays.
     const auto look_along = [&](double sign, double least_m) {
         for (double along_m = kTries_m; along_m < std::min(least_m, kWallGoesOn_m); along_m += kTries_m) {
             const Vec3 to = wall.point_m(sign * along_m);

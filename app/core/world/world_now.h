@@ -1,5 +1,5 @@
-// The world with its things at their present places, and the solids for walking rebuilt from that. Functions of plain
-// state; app thread, except with_things(), which any thread may call.
+// Computes the world with its things at their present positions, and rebuilds the solids for walking from it. Functions
+// of plain state; app thread, except with_things(), which any thread may call.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace handrail::core {
 
-// The present places of things, and the places at rest of door leaves.
+// The present positions of all things, and the rest positions of the movers.
 struct ThingsNow {
-    std::vector<Placement> things, at_rest;  // the latter by mover
+    std::vector<Placement> things, at_rest;  // `at_rest` is in the order of the movers
     std::vector<int> thing_of_mover;
 };
 ThingsNow things_now(const WorldState& world);
@@ -19,7 +19,7 @@ ThingsNow things_now(const WorldState& world);
 Scene with_things(const Scene& scene, const ThingsNow& now);
 inline Scene world_now(const WorldState& world) { return with_things(*world.scene, things_now(world)); }
 
-// Rebuilds the solids after anything in the world has moved; the walker stays where it is.
+// Rebuilds the solids. Call it after anything in the world has moved. The walker stays where it is.
 void rebuild_solids(WorldState& world, WalkerState& body);
 
 }  // namespace handrail::core

@@ -13,30 +13,31 @@
 namespace handrail::core {
 
 struct WorldState {
-    std::shared_ptr<const Scene> scene;  // null: none entered yet
-    Aabb building_m;                     // without the ground that a reader added around it: building_bounds_m
-    int entered = 0;                     // increases with every world that is entered
-    std::uint32_t felt = 0;              // HapticScene::world of the scene that the hand gets
+    std::shared_ptr<const Scene> scene;  // null: no world has been entered
+    Aabb building_m;         // box of the building, without ground that a reader added around it (building_bounds_m)
+    int entered = 0;         // number of the world; increases with every world that is entered
+    std::uint32_t felt = 0;  // HapticScene::world of the scene that is sent to the hand
     PlacedThings things;
     MoverPlay movers;
-    std::vector<int> thing_of_mover;      // index among the things; -1: part of the building
+    std::vector<int> thing_of_mover;      // for each mover, the index among the placed things; -1: part of the building
     std::unique_ptr<WalkerWorld> solids;  // what a walker bumps into
     Vec3 home_feet_m{0.0};
     double home_heading_rad = 0.0;
-    std::vector<Mark> marks;  // the person's
+    std::vector<Mark> marks;  // the person's marks
 };
 
 // ---- present state of doors, lifts and buttons ----
 
-// True for movers that move to and fro, or that at least set others going, since a button may be too flat to move.
+// True for a mover that moves to and fro, or that at least sets other movers going, because some buttons are too flat
+// to move.
 bool usable(const WorldState& world, std::size_t mover);
-// The usable mover of that feature; -1: none.
+// Returns the usable mover of this feature, or -1.
 int mover_of(const WorldState& world, FeatureId feature);
-// True for a door that opens neither by hand nor automatically when a person comes near: its button opens it, or a
-// volume that a person enters.
+// True for a door that opens neither by hand nor automatically when a person comes near. A button opens it, or a volume
+// that a person enters.
 bool locked(const WorldState& world, std::uint32_t mover);
 bool shut(const WorldState& world, std::uint32_t mover);
-// A button that opens it and is pressed by hand: the one nearest to that place.
+// Returns the button that opens this door by hand and is nearest to `from_m`, if there is one.
 std::optional<FeatureId> button_of(const WorldState& world, std::uint32_t mover, const Vec3& from_m);
 
 }  // namespace handrail::core
