@@ -16,7 +16,7 @@ constexpr double kQuarter_rad = kPi / 2.0;
 constexpr double kSixteenth_rad = kPi / 8.0;
 constexpr std::size_t kMostLooked = 24;  // number of things examined for a question
 constexpr std::size_t kMostTowards = 2;  // number of things named in one direction
-// Size of the region searched around a sound, because a clock may hang inside a thing.
+// A solid within this distance of a sound does not hide the sound, because a clock may hang inside a thing.
 constexpr double kSoundSize_m = 0.3;
 constexpr double kSamePlace_m = 0.05, kSameTurn_rad = 0.02;
 constexpr double kRoof_m = 30.0, kDeepestFloor_m = 100.0;

@@ -1,5 +1,5 @@
-// How a person learns how to act: with words if they type, with keys if they press keys. Nothing is said about force if
-// there is no device, and soft things are named like hard ones.
+// How the session explains actions: by words for a person who types, by keys for a person who presses keys. If there is
+// no device, it does not mention force. Soft things are named in the same way as hard ones.
 #include "tests/support/map_text.h"
 #include "tests/support/names.h"
 #include "tests/unit/core/app_session.h"
@@ -30,7 +30,7 @@ TEST(ActingWords, name_typed_commands_if_the_person_types) {
               "You have not kept a route here yet. keep-way keeps the route that you planned or walked last.");
     EXPECT_EQ(s.ask(Command::WhatIsThis), "There is no touch device. Type where to hear what is around you.");
     EXPECT_EQ(s.ask(Command::StopEverything), "Stopped. forces turns sounds on again.");
-    // Nothing that was said names a key.
+    // No announcement names a key.
     for (const std::string& line : s.said)
         for (const char* word : {"Press", "F1", "F2", "F12", "Shift+", "Enter", "Escape", "Grave"})
             EXPECT_EQ(line.find(word), std::string::npos) << line;
@@ -77,7 +77,8 @@ TEST(WhatGivesWay, is_announced_while_it_is_pressed) {
         test::Explorer person(std::make_shared<const Scene>(std::move(*scene)), "sim-t");
         person.tap(Command::ScaleDetail, 1.5);
         const double ground_m = 20.0 / 32.0;
-        // Moves down onto it, a millimetre at a time, until it pushes back although nothing hard does.
+        // Moves the hand down onto the thing, a millimetre at a time, until the soft thing pushes back before anything
+        // hard does.
         bool pressed = false;
         person.hold({0.0, 0.04, 0.0});
         person.tap(Command::ScaleRoom, 1.5);

@@ -1,5 +1,5 @@
-// A person and a session alone, without servo and voices: what they press and type, and what would be said. For tests
-// of what the session does and says.
+// A session without servo and speech, and the person who uses it: what they press and type, and what the session would
+// say. For tests of what the session does and says.
 #pragma once
 
 #include <fmt/ranges.h>
@@ -49,7 +49,7 @@ struct AppSession {
             if (cue.kind == CueRequestKind::Bump) bumped.push_back(cue.feature);
         }
     }
-    // Gives the command and returns the last sentence said; waits if a route is still being planned.
+    // Gives a command and returns the last sentence that the session said. Waits if a route is still being planned.
     std::string ask(Command command) {
         app.apply(CommandDown{command}, now);
         app.apply(CommandUp{command}, now);
@@ -62,12 +62,12 @@ struct AppSession {
         run(seconds);
         app.apply(CommandUp{command}, now);
     }
-    // Taps the command as a finger does, and then waits for the effect.
+    // Presses and releases the key of a command, and then waits for the effect.
     void tap(Command command, double then_s = 0.1) {
         hold(command, 0.05);
         run(then_s);
     }
-    // Walks straight on, then waits until the walker stands.
+    // Walks straight on for this time, then waits until the walker stands.
     void walk(double seconds) {
         hold(Command::Forward, seconds);
         run(0.2);
@@ -78,7 +78,7 @@ struct AppSession {
         listen();
         return said.empty() ? std::string() : said.back();
     }
-    // Returns everything said since the last call, on one line.
+    // Returns everything that the session has said since the last call, on one line.
     std::string news() {
         listen();
         return fmt::format("{}", fmt::join(std::exchange(said, {}), " | "));

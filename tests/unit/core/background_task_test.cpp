@@ -1,4 +1,5 @@
-// Background tasks: only the last one begun counts, a cancelled one ends soon, and none outlives its owner.
+// Background tasks: only the task that was begun last counts, a cancelled task ends soon, and no task outlives its
+// owner.
 #include "worlds/base/background_task.h"
 #include "tests/support/child_process.h"
 

@@ -1,5 +1,5 @@
-// How many words an answer may have, counted in every room of the house and the school. Place and exits come first, and
-// more only if the person asks again. Also checks that "ahead" names what the walker would bump into.
+// Limits the number of words in an answer, in every room of the house and the school. Place and exits come first, and
+// more follows only if the person asks again. Also checks that "ahead" names what the walker would bump into.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -25,7 +25,7 @@ using ::testing::Not;
 const std::vector<const char*> kWorlds = test::house_and_school();
 constexpr std::array kLanguages{"en", "de"};
 
-// Splits a text into sentences, at stops that blanks follow.
+// Splits a text into sentences, at full stops that are followed by a blank.
 std::vector<std::string> sentences_of(const std::string& text) {
     std::vector<std::string> all;
     std::size_t begin = 0;
@@ -38,13 +38,13 @@ std::vector<std::string> sentences_of(const std::string& text) {
     return all;
 }
 
-// Puts a visitor in the middle of each room, facing each of the four directions in turn.
+// Places the walker in the middle of each room, facing each of the four directions in turn.
 template <class Each>
 void in_every_room(const char* world, Each each) {
     AppSession s;
     s.app.apply(WorldEntered{make_ready(test::our_world(world))}, 0.0);
     s.run(0.1);
-    s.ask(Command::Exits);  // from here on the rooms are known
+    s.ask(Command::Exits);  // the answer waits until the rooms are known
     s.ask(Command::PlanView);
     s.run(0.1);
     const auto rooms = s.app.view({}, {}).rooms;
@@ -207,7 +207,8 @@ TEST(FindList, lists_each_name_once_and_finds_it_by_any_word) {
     EXPECT_TRUE(std::any_of(items.begin(), items.end(), [](const ListItem& item) {
         return item.value.find("one storey above") != std::string::npos;
     })) << "and its storey";
-    // Searches for a word that is not the first of the name. If it matches a group, the session asks which one.
+    // Searches for a word that is not the first word of a name. If the word matches a group of things, the session asks
+    // which one.
     EXPECT_THAT(s.line("desk"), HasSubstr("desk"));
     s.app.apply(KeyTapped{"Escape"}, s.now);
     s.listen();

@@ -1,5 +1,5 @@
-// The house and the school as places to learn: every door leads from room to room, every room has a landmark, and
-// nobody can leave the grounds.
+// The house and the school as places to learn: every door leads from one room to another, every room has a landmark,
+// and the walker cannot leave the grounds.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -41,7 +41,7 @@ TEST_P(BundledPlaces, every_door_leads_on_and_every_room_has_a_landmark) {
     const RoomGraph graph = make_rooms(*shut, *space);
 
     int doors = 0;
-    std::set<std::uint32_t> beside;  // rooms on either side of a door
+    std::set<std::uint32_t> beside;  // the rooms on either side of a door
     for (const Feature& door : shut->features) {
         if (door.kind != FeatureKind::Door) continue;
         ++doors;
@@ -64,7 +64,7 @@ TEST_P(BundledPlaces, every_door_leads_on_and_every_room_has_a_landmark) {
         const auto stands_in = [&](const Feature& feature) {
             if (!feature.landmark || feature.kind == FeatureKind::Door || feature.bounds_m.empty()) return false;
             if (feature.bounds_m.min_m.z > room.origin_m.z + 2.5 || feature.bounds_m.max_m.z < room.origin_m.z - 0.3)
-                return false;  // the stairs end a riser below it
+                return false;  // the landmark is on another storey; stairs end a riser below it
             for (int y = 0; y < room.deep; ++y)
                 for (int x = 0; x < room.wide; ++x) {
                     if (!room.is_free(x, y)) continue;
@@ -81,7 +81,7 @@ TEST_P(BundledPlaces, every_door_leads_on_and_every_room_has_a_landmark) {
             << "no landmark in the room of " << room.area_m2() << " m2 from " << room.origin_m.x << ", "
             << room.origin_m.y << ", " << room.origin_m.z;
     }
-    // Nobody can leave the grounds.
+    // The walker cannot leave the grounds.
     const Aabb all = shut->bounds_m;
     for (double s = 0.0; s <= 1.0; s += 0.05) {
         const Vec3 along = all.min_m + all.size_m() * s;
@@ -91,8 +91,8 @@ TEST_P(BundledPlaces, every_door_leads_on_and_every_room_has_a_landmark) {
     }
 }
 
-// Every text of the map exists in every language that comes with the program. Two things with different names in
-// English also have different names there.
+// Every text of the map exists in every bundled language. If two things have different names in English, they also have
+// different names in those languages.
 TEST_P(BundledPlaces, names_exist_in_every_bundled_language) {
     const auto read = read_world(test::project_root() / "worlds" / "maps" / GetParam());
     ASSERT_TRUE(read);
@@ -126,7 +126,7 @@ TEST_P(BundledPlaces, names_exist_in_every_bundled_language) {
 }
 
 // From every place that can be reached from the base, on foot, by stairs or over an edge, there is a route back to the
-// base. No pond or pit traps anybody.
+// base. So no pond or pit is a trap.
 TEST_P(BundledPlaces, the_base_can_be_walked_to_again_from_every_reachable_place) {
     const auto read = read_world(test::project_root() / "worlds" / "maps" / GetParam());
     ASSERT_TRUE(read);

@@ -1,4 +1,4 @@
-// What a typed line does while a list is open, in a session on a virtual clock.
+// The effect of a typed line while a list is open, in a session on a virtual clock.
 #include "app/core/session/carried_lines.h"
 
 #include "app/core/session/headless_session.h"
@@ -22,7 +22,7 @@ protected:
         type({});
     }
     void TearDown() override { speak_to(ActsBy::WindowKeys); }
-    // Returns what is said until the line has been carried out; an empty line only waits.
+    // Types a line, and returns what the session says until the line has been carried out. An empty line only waits.
     std::string type(const std::string& line) {
         const std::size_t before = speech_.lines().size();
         if (!line.empty()) session_.type(line);
@@ -50,7 +50,7 @@ TEST_F(CarriedLinesInTheHouse, are_commands_if_the_open_list_has_no_use_for_them
         EXPECT_NE(said.find("orth"), std::string::npos) << list << ": " << said;
         EXPECT_FALSE(list_is_open()) << list;
         type("right 1");
-        // A sentence is also a command.
+        // A whole sentence works like the word of a command.
         type(list);
         EXPECT_NE(type("turn left three times").find("West"), std::string::npos) << list;
         EXPECT_FALSE(list_is_open()) << list;

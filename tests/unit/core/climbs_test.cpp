@@ -1,4 +1,4 @@
-// Stairs that cannot be walked step by step: they are announced at their ends and taken with the key for using things.
+// Stairs on which the walker cannot walk: the session announces them at their ends, and the Use key climbs them.
 #include <gmock/gmock.h>
 
 #include "tests/support/names.h"
@@ -14,9 +14,9 @@ using testing::Not;
 struct Visit : test::AppSession {
     Visit() {
         app.apply(WorldEntered{make_ready(test::hall_with_narrow_stairs())}, 0.0);
-        ask(Command::Exits);  // from here on the rooms are known
+        ask(Command::Exits);  // the answer waits until the rooms are known
     }
-    // Course through the door into the stairwell.
+    // Goes through the door into the stairwell.
     void go_in() {
         walk(4.0);
         tap(Command::Use);
@@ -59,7 +59,7 @@ TEST(Climbs, away_from_the_stairs_the_use_key_acts_on_other_things_or_reports_no
     EXPECT_NEAR(visit.app.feet_m().z, 0.0, 0.02);
 }
 
-// On the middle storey one flight begins where the other ends, and a door is equally near.
+// On the middle storey, one flight begins where the other ends, and a door is equally near.
 TEST(Climbs, on_a_route_the_use_key_takes_the_flight_of_that_route_in_its_direction) {
     test::AppSession person;
     person.app.apply(WorldEntered{make_ready(test::hall_with(PlanSpaceKind::Stairs, "Spiral stairs", 1.6, 1.6, 3))},

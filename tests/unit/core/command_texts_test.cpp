@@ -1,4 +1,5 @@
-// Every command and every key has its words in every language, but the words that are typed stay the same.
+// Every command and every key has texts in every language, but the command words for scripts are the same in every
+// language.
 #include <gmock/gmock.h>
 
 #include <map>

@@ -1,4 +1,5 @@
-// Compares the corridors of a labyrinth with a search of all rectangles, and checks those of the bundled labyrinths.
+// Compares the corridors of a labyrinth with the result of an exhaustive search for rectangles, and checks the
+// corridors of the bundled labyrinths.
 #include <gmock/gmock.h>
 
 #include <random>
@@ -10,7 +11,8 @@
 namespace handrail {
 namespace corridors_test {
 
-// Looks at every rectangle; of the largest ones takes the first by row and column.
+// Examines every rectangle of free cells. Takes the largest one, and of several equal ones the first by row and column,
+// until no cell is left.
 std::vector<CellStrip> all_looked_at(std::vector<bool> free, int width, int depth) {
     std::vector<CellStrip> strips;
     const auto all_free = [&](const CellStrip& s) {
@@ -90,14 +92,14 @@ TEST(Corridors, of_the_bundled_labyrinths_are_mutually_connected_and_the_ball_st
                     << i << " to " << branch.to;
             }
         }
-        // One of the corridors contains the goal and can be reached from the first.
+        // One of the corridors contains the goal and can be reached from the first corridor.
         const Vec3 goal = scene.labyrinth.goals.front().box_m.centre_m();
         EXPECT_TRUE(std::any_of(corridors->begin(), corridors->end(), [&](const Corridor& one) {
             const Vec3 near = glm::clamp(goal, one.box_m.min_m, one.box_m.max_m);
             return std::hypot(near.x - goal.x, near.y - goal.y) < 0.1;
         }));
     }
-    // There is nothing to roll on.
+    // Fails, because there is no floor on which to roll.
     EXPECT_FALSE(corridors_of(Scene{}, Vec3(0.0), 0.05));
 }
 

@@ -1,4 +1,4 @@
-// The report of a crash: what it contains, what it never contains, and where it is.
+// The report of a crash: what it contains, what it must never contain, and where its file is.
 #include "app/core/kept/crash_notes.h"
 
 #include <gmock/gmock.h>
@@ -59,7 +59,7 @@ std::vector<fs::path> reports_beside(const fs::path& sessions) {
     return found;
 }
 
-// A session that writes this note and is then killed.
+// Runs a session that writes this text to its report and is then killed.
 void die_with(const fs::path& sessions, const std::string& text, const std::string& signal) {
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
@@ -173,8 +173,8 @@ TEST(MenuOfReports, lists_every_fault_of_the_settings) {
     EXPECT_TRUE(session.heard("line 9: another")) << session.news();
 }
 
-// Opens the list of devices by its word, and from the desk by hand or key. The hand in use comes before the connected
-// devices.
+// Opens the list of devices by its typed word, and from the desk by hand or key. The list names the hand in use before
+// the connected devices.
 TEST(MenuOfReports, opens_the_list_of_devices_by_a_typed_command_and_from_the_desk) {
     const HandFacts falcon{true, false, *find_device_spec("falcon")};
     test::AppSession session({}, falcon);

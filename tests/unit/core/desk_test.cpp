@@ -1,4 +1,4 @@
-// The desk: where its controls are, and that hand and keys change everything on it in the same way.
+// The desk: where its controls are, and that hand and keys change all of them in the same way.
 #include "app/core/desk/desk.h"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ std::shared_ptr<const Scene> open_ground() {
     return b.share();
 }
 
-// A session in virtual time, with or without a device's hand.
+// A session in virtual time, with the simulated hand of a device or without a hand.
 class DeskSession : public test::Explorer {
 public:
     explicit DeskSession(const char* device, const Settings& settings = {})
@@ -53,7 +53,8 @@ public:
         run(0.2);
         go({0.0, -0.3 * reach, 0.0});
     }
-    // Moves the hand in front of the control and then to this distance from its face; a negative distance presses it.
+    // Moves the hand in front of the control, and then to the distance `off_m` from its face. A negative distance
+    // presses the control.
     bool reach(const std::string& name, double across_m, double up_m, double off_m) {
         const auto place = app().desk_visit().place_m(name);
         if (!place) return false;
@@ -64,7 +65,7 @@ public:
         run(0.1);
         return true;
     }
-    // Turns pages until the control is shown.
+    // Turns pages until the page with the control is shown.
     void find(const std::string& name) {
         for (int i = 0; i < 12 && !app().desk_visit().place_m(name); ++i) press("Next page");
         ASSERT_TRUE(app().desk_visit().place_m(name)) << name;
@@ -73,9 +74,9 @@ public:
     void touch(const std::string& name) {
         const DeskKind kind = app().desk_visit().desk().controls()[*app().desk_visit().desk().find(name)].kind;
         const bool knob = kind == DeskKind::Knob,
-                   list = kind == DeskKind::List;  // touched next to the knob's post or the list's notch
-        // A slider with an even number of positions has a ridge in its middle, which would be pressed deeper; touches
-        // next to it.
+                   list = kind == DeskKind::List;  // touched next to the post of the knob or the notch of the list
+        // A slider with an even number of positions has a ridge in its middle, where the press would be deeper. So it
+        // is touched next to the ridge.
         double across = 0.0;
         if (kind == DeskKind::Slider) {
             const DeskGrid grid = desk_grid(spec());
@@ -114,7 +115,8 @@ TEST(DeskPanel, controls_are_large_far_apart_reachable_and_complete_on_every_dev
                 EXPECT_GE(a.height_m, 0.013 - 1e-12);
                 const Vec3 corner(std::abs(a.x_m) + 0.5 * a.width_m, a.face_y_m, std::abs(a.z_m) + 0.5 * a.height_m);
                 EXPECT_LE(glm::length(corner), spec.workspace_radius_m);
-                // The part that can be felt is within the stated size, so the gap is really free.
+                // The surface that the hand feels is within the stated size, so the gap between two controls is really
+                // free.
                 const Aabb felt = panel.scene->find(a.feature)->bounds_m;
                 if (a.kind != DeskKind::Indicator) {
                     EXPECT_GE(felt.min_m.x, a.x_m - 0.5 * a.width_m - 3e-4);
@@ -142,7 +144,7 @@ TEST(DeskPanel, the_hand_feels_a_detent_for_each_position_of_sliders_and_knobs) 
     const DeskPanel panel = lay_out_desk(s.app().desk_visit().desk().controls(), *find_device_spec("sim-t"), 0);
     const PlacedControl* slider = panel.of(*control);
     ASSERT_NE(slider, nullptr);
-    // Sliding along under a light press, the proxy rises over a ridge between each two positions.
+    // The hand slides along under a light press. The proxy must rise over a ridge between each two positions.
     s.reach("Speech rate", slider->x_of(0) - slider->x_m, 0.0, -0.002);
     std::vector<double> heights;
     for (double x = slider->x_of(0); x <= slider->x_of(slider->positions - 1); x += 1e-4) {
@@ -159,8 +161,8 @@ TEST(DeskPanel, the_hand_feels_a_detent_for_each_position_of_sliders_and_knobs) 
 }
 
 TEST(DeskPanel, a_control_has_the_same_number_on_every_page) {
-    // Otherwise a control that is still pressed while the page turns would count as a different control of the new
-    // page.
+    // If the number changed while a control is pressed and the page turns, the press would count for another control of
+    // the new page.
     Session app(Settings{}, HandFacts{});
     const auto controls = app.desk_visit().desk().controls();
     const DeviceSpec& spec = *find_device_spec("sim-f");
@@ -181,7 +183,7 @@ TEST(DeskPanel, a_control_has_the_same_number_on_every_page) {
     EXPECT_EQ(std::count(seen.begin(), seen.end(), turn), 0);
 }
 
-// Every control gives the same result, whether the hand works it at the desk or keys work it in the list.
+// Every control gives the same result, whether the hand operates it at the desk or keys operate it in the list.
 TEST(Desk, every_control_can_be_read_and_changed_by_hand_and_by_keys) {
     for (const char* device : kDevices) {
         if (device != kDevices[0] && test::kSanitizerScale < 1.0) continue;
@@ -194,10 +196,10 @@ TEST(Desk, every_control_can_be_read_and_changed_by_hand_and_by_keys) {
         for (std::size_t i = 0; i < desk.controls().size(); ++i) {
             const DeskControl control = desk.controls()[i];
             SCOPED_TRACE(fmt::format("{}, {}", device, control.name));
-            // This control tells which device is used. Pressing it starts a search for connected devices.
+            // This control shows which device is in use. Pressing it starts a search for connected devices.
             const bool of_hand = control.name == "Touch device";
             EXPECT_EQ(by_keys.app().desk_visit().desk().controls()[i].name, control.name);
-            // Reads the control.
+            // Touches the control, so that its value is announced.
             by_hand.find(control.name);
             std::size_t from = by_hand.lines();
             by_hand.touch(control.name);
@@ -211,7 +213,7 @@ TEST(Desk, every_control_can_be_read_and_changed_by_hand_and_by_keys) {
             if (!of_hand) {
                 EXPECT_EQ(by_keys.app().desk_visit().desk().value(i), desk.value(i));
             }
-            // Changes the control.
+            // Changes the value of the control.
             from = by_hand.lines();
             const int before = control.count() > 0 ? control.position() : 0;
             const int step = before > 0 ? -1 : 1;
@@ -234,11 +236,11 @@ TEST(Desk, every_control_can_be_read_and_changed_by_hand_and_by_keys) {
                     by_hand.press(control.name);
                     EXPECT_TRUE(by_hand.heard("set by the knob", from)) << by_hand.all_heard(from);
                     by_hand.find("Volume knob");
-                    // Turns the knob until a position has audibly been passed; anticlockwise means down.
+                    // Turns the knob until the value has changed. Anticlockwise reduces the value.
                     ASSERT_TRUE(by_hand.reach("Volume knob", 0.0, 0.0045, -by_hand.deep_m()));
                     const Vec3 top = by_hand.at_m();
                     for (int deg = 3; deg <= 120 && control.position() == before;
-                         deg += 3) {  // the soft hand lags behind
+                         deg += 3) {  // the hand of a soft device lags behind
                         const double turn = radians_from_degrees(deg);
                         by_hand.slide_to(top +
                                          Vec3(0.0045 * step * std::sin(turn), 0.0, 0.0045 * (std::cos(turn) - 1.0)));
@@ -250,7 +252,8 @@ TEST(Desk, every_control_can_be_read_and_changed_by_hand_and_by_keys) {
                 }
                 case DeskKind::Knob: {
                     ASSERT_TRUE(by_hand.reach(control.name, 0.0045, 0.0,
-                                              -by_hand.deep_m()));  // starts at three o'clock; clockwise means up
+                                              // Starts at three o'clock; clockwise increases the value.
+                                              -by_hand.deep_m()));
                     const Vec3 right = by_hand.at_m();
                     const std::string knob_before = desk.value(i);
                     for (int deg = 3; deg <= 120 && desk.value(i) == knob_before; deg += 3) {
@@ -290,7 +293,8 @@ TEST(Desk, every_control_can_be_read_and_changed_by_hand_and_by_keys) {
             }
             by_keys.key("Down");
         }
-        // A change of the scale waits until the hand is back in the world; then both have the same scale.
+        // A change of the scale waits until the hand is back in the world. After that, both sessions have the same
+        // scale.
         EXPECT_EQ(by_hand.app().settings().workspace.scale, Settings{}.workspace.scale);
         by_hand.pull_through();
         EXPECT_FALSE(by_hand.app().at_desk());
@@ -337,7 +341,7 @@ TEST(Desk, a_beacon_can_be_set_on_a_mark_from_its_list_and_removed) {
     EXPECT_EQ(app.guide().beacon().name(), "Bench") << "another mark is taken at once";
     EXPECT_EQ(app.desk_visit().press(beacon), "Beacon off");
     EXPECT_FALSE(app.guide().beacon().on());
-    app.apply(WorldEntered{make_ready(open_ground())}, 1.0);  // has no marks
+    app.apply(WorldEntered{make_ready(open_ground())}, 1.0);  // this world has no marks
     EXPECT_EQ(app.desk_visit().desk().value(mark), "none yet");
     EXPECT_EQ(app.desk_visit().press(beacon), "There are no marks yet. Insert or Shift+M sets one.");
 }
@@ -364,7 +368,7 @@ TEST(Desk, steps_or_metres_position_and_explored_share_are_shown) {
 }
 
 TEST(Desk, lists_and_lessons_are_german_in_a_german_session) {
-    const test::InLanguage german("en");  // restores English at the end
+    const test::InLanguage german("en");  // sets the language back to English at the end of the test
     Session app(Settings{}, HandFacts{});
     ASSERT_TRUE(app.desk_visit().desk().find("Speech volume"));
     Settings settings;
@@ -385,8 +389,8 @@ TEST(Desk, lists_and_lessons_are_german_in_a_german_session) {
               "Willkommen. Handrail spricht mit Orca. Enter beginnt, Leertaste sagt es noch einmal, Escape verlässt.");
 }
 
-// A screen reader sets a number, which goes to the nearest position, so that hand, keys and accessible tree reach the
-// same values.
+// A screen reader sets a number, and the control moves to the nearest position. So the hand, the keys and the
+// accessible tree can reach the same values.
 TEST(Desk, quantities_are_numbers_and_snap_to_the_nearest_position) {
     Session app(Settings{}, HandFacts{});
     const Desk& desk = app.desk_visit().desk();
@@ -423,7 +427,7 @@ TEST(Desk, quantities_are_numbers_and_snap_to_the_nearest_position) {
                      (control.kind == DeskKind::Button || control.kind == DeskKind::Indicator || control.many))
             << control.name;
         if (!number || control.kind == DeskKind::Knob) continue;
-        // Setting the ends, or each position by its number, gives the same values as single steps.
+        // Setting an end or a position by its number gives the same value as single steps to it.
         app.desk_visit().put_number(i, desk.number(i)->least);
         for (int position = 0; position < control.count(); ++position) {
             EXPECT_EQ(control.position(), position) << control.name;

@@ -144,7 +144,7 @@ TEST(Dialogue, returns_to_the_outer_list_and_closes_all_lists_after_a_final_choi
     EXPECT_EQ(f.chosen, (std::vector<std::size_t>{1, 0}));
 }
 
-// A choice may open and close any lists, including the one from which it is made.
+// The function for a choice may open and close any lists, including the list from which the item was chosen.
 TEST(Dialogue, can_be_changed_by_the_chosen_item) {
     Dialogue dialogue;
     ListSpec list;
@@ -213,7 +213,7 @@ TEST(Dialogue, works_with_typed_lines) {
     EXPECT_FALSE(f.dialogue.is_open());
 }
 
-// The platforms of a station: "1" means platform 1, wherever it is in the list.
+// In a list of the platforms of a station, "1" means platform 1, wherever it is in the list.
 TEST(Dialogue, prefers_an_item_named_by_a_number_to_the_item_at_that_number) {
     Fruit f;
     ListSpec platforms = f.list(true);
@@ -263,8 +263,8 @@ TEST(SessionLists, contain_every_command_and_perform_it) {
     Open s;
     s.app.apply(CommandDown{Command::Menu}, 0.0);
     s.app.apply(CommandUp{Command::Menu}, 0.0);
-    EXPECT_TRUE(s.app.apply(KeyTapped{"Enter"}, 0.0));  // opens "what I can do"
-    EXPECT_TRUE(s.app.apply(KeyTapped{"Enter"}, 0.0));  // shows all of it
+    EXPECT_TRUE(s.app.apply(KeyTapped{"Enter"}, 0.0));  // opens the entry "what I can do"
+    EXPECT_TRUE(s.app.apply(KeyTapped{"Enter"}, 0.0));  // shows all commands
     ASSERT_EQ(s.app.dialogue().view().items.size(), command_table().size());
     s.said();
     double now_s = 0.0;

@@ -1,4 +1,5 @@
-// The exits of a hall that has many: names the nearest eight, then how many more there are of each kind.
+// The exits of a hall that has many. The session names the nearest eight, and then how many more there are of each
+// kind.
 #include <gmock/gmock.h>
 
 #include "tests/support/box_scene.h"
@@ -12,7 +13,7 @@ using test::AppSession;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// A hall with this many rooms of 4 by 4 m along its south side, each behind a gap of 0.9 m.
+// Makes a hall with this many rooms of 4 by 4 m along its south side, each behind a gap of 0.9 m.
 std::shared_ptr<const Scene> hall_with(int rooms) {
     test::SceneBuilder builder;
     const double east_m = 4.0 * rooms;

@@ -1,5 +1,5 @@
-// A person in virtual time, with the simulated hand of a device or with keys only: what they press, choose, feel and
-// hear. For tests that run the whole program without a window.
+// A person in virtual time, with the simulated hand of a device or with keys only. The class knows what they press,
+// choose, feel and hear. For tests that run the whole program without a window.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace handrail::test {
 
 class Explorer {
 public:
-    // `device`: null for keys only. `before` is called before the world is entered.
+    // If `device` is null, the person has only keys. `before` is called before the world is entered.
     Explorer(std::shared_ptr<const Scene> scene, const char* device, const Settings& settings = {},
              const std::function<void(Session&, WorldEntered&)>& before = {})
         : session_(settings, facts(device), audio_, speech_, with_known_rooms()) {
@@ -43,7 +43,7 @@ public:
     void run(double seconds) {
         for (const double until = now_s() + seconds; now_s() < until - 1e-9;) session_.advance();
     }
-    // Checks the condition every frame; returns false if it did not become true in time.
+    // Waits until the condition is true, checking it every frame. Returns false if it is not true after this time.
     template <class Condition>
     bool wait_for(Condition condition, double seconds) {
         for (const double until = now_s() + seconds; now_s() < until;) {
@@ -66,14 +66,14 @@ public:
         EXPECT_TRUE(app().apply(LineTyped{text}, now_s())) << text;
         run(0.05);
     }
-    // Chooses the thing in the list of everything that has a name, however deep, and stays in the list of ways to find
-    // it.
+    // Chooses a thing in the list of everything with a name, even if it is in a group. Leaves the list of ways to find
+    // the thing open.
     bool choose(const std::string& name, FeatureId feature) {
         const auto chosen = [&] {
             return app().dialogue().view().title == name && app().guide().goal() &&
                    app().guide().goal()->feature == feature;
         };
-        // Several things with one name share one line, which opens a list of them.
+        // Several things with the same name share one entry, which opens a list of them.
         for (std::size_t which = 0;; ++which) {
             tap(Command::Find);
             const std::vector<ListItem> items = app().dialogue().view().items;
@@ -96,7 +96,7 @@ public:
         while (app().dialogue().is_open()) key("Escape");
     }
 
-    // The hand moves there, in the device frame, and stays.
+    // Moves the hand to a place in the device frame and keeps it there.
     void hold(const Vec3& at_m, double speed_m_per_s = 0.15) {
         HandCommand command;
         command.mode = HandMode::Move;
@@ -107,13 +107,13 @@ public:
         session_.hand().command.publish(command);
         run(glm::length(at_m - hand_m()) / speed_m_per_s + 0.01);
     }
-    const Vec3& at_m() const { return at_m_; }  // the hand's last target
+    const Vec3& at_m() const { return at_m_; }  // last target of the hand
     void button(bool down) {
         buttons_ = down ? 1U : 0U;
         hold(at_m_);
         run(0.05);
     }
-    // Lets the hand move freely, so that only forces pull and push it.
+    // Lets the hand move freely, so that only forces move it.
     void push(const Vec3& force_n = Vec3(0.0)) {
         HandCommand command;
         command.mode = HandMode::Push;

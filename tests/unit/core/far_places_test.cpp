@@ -1,4 +1,4 @@
-// For a person who is lost, and for one who wants to know a place before they go there.
+// The commands for a person who is lost, and for a person who wants to know a place before going there.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ struct Visitor : AppSession {
         ask(Command::Exits);
         run(0.1);
     }
-    // The description of the room that a word chooses.
+    // Returns the description of the room that this word chooses.
     std::string describe(const std::string& room) {
         ask(Command::Describe);
         EXPECT_TRUE(app.dialogue().is_open());
@@ -56,7 +56,7 @@ TEST(IAmLost, turns_to_the_nearest_wall_and_names_the_room_the_wall_and_the_way_
         const std::string back =
             phrase("lost.last_known", {{"place", "|"}, {"distance", ""}, {"direction", ""}, {"key", ""}});
         EXPECT_THAT(said, HasSubstr(back.substr(0, back.find('|')))) << said;
-        // The named key also leads there.
+        // The key that the announcement names also leads there.
         EXPECT_THAT(said, HasSubstr(s.app.keys().keys_of(Command::Retrace))) << said;
         s.hold(Command::Retrace, 6.0);
         EXPECT_LT(glm::length(s.app.feet_m() - asked_m), 0.5);
@@ -89,7 +89,7 @@ TEST(DescribeRoom, gives_size_exits_by_wall_and_furniture_clockwise_from_a_dista
             EXPECT_EQ(s.app.feet_m(), stood_m);
             EXPECT_EQ(said.rfind(rooms[i].name, 0), 0U) << said;
             EXPECT_LE(count_words(said), 120U) << said;
-            // Walls are listed clockwise.
+            // The walls are listed clockwise.
             std::size_t at = 0;
             for (const char* wall : {"north wall", "east wall", "south wall", "west wall"}) {
                 const std::string label = sentence_case(spoken_kind(wall)) + ": ";
@@ -118,7 +118,7 @@ TEST(Overview, gives_storeys_shape_and_neighbours_in_three_sentences) {
         Visitor s(world);
         for (const char* language : kLanguages) {
             const test::InLanguage spoken(language);
-            s.run(0.1);  // the rooms get their names again
+            s.run(0.1);  // the rooms get their names again in this tick
             const std::string said = s.ask(Command::Overview);
             std::size_t stops = 0;
             for (std::size_t i = 0; i < said.size(); ++i)
@@ -138,7 +138,7 @@ Aabb box(double x0, double y0, double x1, double y1) { return {{x0, y0, 0.0}, {x
 
 TEST(OutlineOf, distinguishes_a_rectangle_an_l_and_a_courtyard) {
     EXPECT_EQ(outline_of({box(0, 0, 5, 8), box(5, 0, 10, 8)}).shape, OutlineShape::Rectangle);
-    // A room of three quarters of a square; each corner in turn is missing.
+    // The room has the shape of a square without one quarter. Each quarter in turn is missing.
     const Aabb quarters[] = {box(5, 5, 10, 10), box(5, 0, 10, 5), box(0, 0, 5, 5), box(0, 5, 5, 10)};
     for (int missing = 0; missing < 4; ++missing) {
         std::vector<Aabb> boxes;

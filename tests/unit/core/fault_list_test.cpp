@@ -1,5 +1,5 @@
-// The list of what should be mended in a world: a person goes from fault to fault with keys and words and mends them in
-// place.
+// The list of faults that somebody should correct in a world. A person goes from fault to fault with keys and typed
+// words, and corrects them in the list.
 #include "app/core/kept/landmarks.h"
 #include "tests/support/map_text.h"
 #include "tests/support/names.h"
@@ -13,7 +13,7 @@ namespace fault_list_test {
 using test::Explorer;
 using testing::HasSubstr;
 
-// A room of 8 by 6 metres without name and landmark. It has two things, one of which could be a landmark.
+// Makes a room of 8 by 6 metres without a name and a landmark. It has two things, one of which could be a landmark.
 std::shared_ptr<const Scene> bare_room() {
     const std::string map = test::entity("worldspawn", test::key("message", "Bare room") + test::key("building", "1"),
                                          test::room_brushes(0, 0, 0, 256, 192, 96)) +
@@ -66,7 +66,7 @@ TEST(FaultList, repairs_a_missing_name_and_a_missing_landmark_on_the_spot) {
     EXPECT_TRUE(p.heard("No problems found here.")) << p.all_heard(0);
 }
 
-// Two rooms, of which the second has no door.
+// Makes two rooms, the second of which has no door.
 std::shared_ptr<const Scene> shut_kitchen() {
     Result<Scene> scene = read_words(
         "Building: Two rooms.\n\nRoom: Hall, 4 by 6 metres. Door outside in the south wall.\n\n"
@@ -129,7 +129,7 @@ TEST(Landmarks, are_saved_in_the_side_file_and_restored_in_the_world) {
     const auto marked = with_landmarks(scene, kept);
     EXPECT_TRUE(marked->features[static_cast<std::size_t>(stove - scene->features.begin())].landmark);
     EXPECT_FALSE(stove->landmark) << "the world itself stays as it is";
-    kept[0].at_m.x += 1.0;  // the thing is no longer there
+    kept[0].at_m.x += 1.0;  // now there is no thing at this place
     EXPECT_EQ(with_landmarks(scene, kept), scene);
     EXPECT_EQ(with_landmarks(marked, read_landmarks(file, faults)), marked) << "nothing is left to mark";
 }

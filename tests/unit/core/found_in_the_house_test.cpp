@@ -1,4 +1,4 @@
-// Everything with a name in our house is found within 20 seconds by each tool that is meant for it.
+// With each tool for searching, a simulated person finds everything with a name in our house within 20 seconds.
 #include <fmt/format.h>
 
 #include <glm/mat3x3.hpp>
@@ -23,12 +23,12 @@ namespace found_in_the_house_test {
 using test::Explorer;
 
 constexpr double kWithin_s = 20.0;
-constexpr double kBefore_m = 2.0;  // walking distance at which a thing comes within the hand's reach
+constexpr double kBefore_m = 2.0;  // distance of a thing from the walker at which the search with the hand begins
 constexpr double kHandHeight_m = 1.0, kBody_m = 0.3;
 
 std::string told(const NamedThing& thing) { return sentence_case(speakable(thing.name)); }
 
-// All named things; under instruments some from all parts of the house.
+// Returns all things with a name; under sanitizers, only some from all parts of the house.
 std::vector<NamedThing> sought_things(const Scene& scene) {
     const std::vector<NamedThing> all = named_things(scene);
     EXPECT_GT(all.size(), 50U);
@@ -38,7 +38,7 @@ std::vector<NamedThing> sought_things(const Scene& scene) {
     return some;
 }
 
-// The hand rests, opens the doors that are announced to it, and moves where it is pulled.
+// The hand does not move by itself. It follows the pull, and opens the doors that are announced to it.
 TEST(FoundInTheHouse, everything_is_reached_by_a_hand_that_is_guided_from_the_front_door) {
     const auto house = test::our_world("house.map");
     Explorer p(house, "sim-t");
@@ -68,8 +68,8 @@ TEST(FoundInTheHouse, everything_is_reached_by_a_hand_that_is_guided_from_the_fr
     fmt::print("{} things: taken to each in {:.1f} s at most\n", things.size(), longest_s);
 }
 
-// Where a person stands on the route to a thing: at most this far before it, and as far away as nothing is in between.
-// From farther away, a person is led there or walks.
+// Finds a place on the route to a thing where a person stands to search with the hand. It is at most `most_m` before
+// the thing, as far away as nothing is in between. A person who is farther away is guided there or walks.
 class Approach {
 public:
     explicit Approach(const std::shared_ptr<const Scene>& scene)
@@ -85,14 +85,15 @@ public:
             const Vec3 feet = place_along(route.points_m, std::max(0.0, length_m - off_m));
             const Vec3 hand = feet + Vec3(0.0, 0.0, kHandHeight_m);
             if (in_sight(hand, place_on(thing.bounds_m, hand), thing.feature)) return feet;
-            // A door's frame hides the door from the side, but it does not hide the place in front.
+            // From the side, its frame may hide a door. Then it is enough that the place in front of the door is in
+            // sight.
             if (in_sight(hand, route.points_m.back() + Vec3(0.0, 0.0, kHandHeight_m), thing.feature)) return feet;
         }
         return route.points_m.back();
     }
 
 private:
-    // Also checks the line from a body's width farther away, because nobody stands in the leaf of a shut door.
+    // The line of sight begins a body's width farther away, because nobody stands in the leaf of a shut door.
     bool in_sight(const Vec3& hand, const Vec3& place, FeatureId thing) const {
         const Vec3 way = place - hand;
         const double length_m = glm::length(way);
@@ -104,15 +105,15 @@ private:
     std::shared_ptr<Navigation> navigation_;
 };
 
-// Settings with which nothing holds the hand back, so that the whole workspace serves for searching. Guidance is in
-// straight lines.
+// Returns settings with which the whole workspace is free for searching, because there are no rim and no desk. Guidance
+// follows straight lines.
 Settings free_reach() {
     Settings settings;
     settings.workspace.rim = settings.desk.use = settings.guidance.along_way = false;
     return settings;
 }
 
-// Places the walker there, facing north, with the hand in the middle of its workspace.
+// Places the walker at `feet_m`, facing north, with the hand in the middle of its workspace.
 void stand(Explorer& p, const Vec3& feet_m) {
     p.leave_lists();
     p.hold(Vec3(0.0));
@@ -120,7 +121,7 @@ void stand(Explorer& p, const Vec3& feet_m) {
     p.run(1.2);
 }
 
-// Starts from the front door, with the hand in the middle of its workspace.
+// Places the walker at the front door, with the hand in the middle of its workspace.
 void stand_at_the_front_door(Explorer& p) {
     p.leave_lists();
     p.hold(Vec3(0.0));
@@ -128,12 +129,13 @@ void stand_at_the_front_door(Explorer& p) {
     p.run(1.2);
 }
 
-// A hand that goes where its person wants. At the end of its workspace it takes the world along, as a mouse is lifted.
-// It does not press on against obstacles, and it opens the doors that are announced to it.
+// A hand that moves where its person wants. At the end of its workspace, it grabs and moves the world, as a person
+// lifts a mouse and puts it down again. It does not press on against obstacles, and it opens the doors that are
+// announced to it.
 class SeekingHand {
 public:
     SeekingHand(Explorer& p, std::size_t heard_from) : p_(p), door_(heard_from) {}
-    // Makes room to move this far in every direction. Returns true if the world was taken along for that.
+    // Makes room for a movement of `by_m` in every direction. Returns true if the world was moved for that.
     bool have_room(double by_m) {
         if (glm::length(p_.hand_m()) + by_m <= kReach_m) return false;
         p_.tap(Command::Grab, 0.1);
@@ -141,8 +143,8 @@ public:
         p_.tap(Command::Grab, 0.05);
         return true;
     }
-    // Moves by this much, in hand metres, or along an obstacle if that leads on. Returns false if something held it
-    // back.
+    // Moves the hand by `by_m`, in hand metres, or along an obstacle if that leads far enough. Returns false if an
+    // obstacle stops the hand.
     bool go(const Vec3& by_m, double speed_m_per_s) {
         have_room(glm::length(by_m));
         const auto pressed_m = press_on(by_m, speed_m_per_s);
@@ -152,12 +154,12 @@ public:
     }
 
     void let_go_of_it() { p_.hold(p_.hand_m() - pressed()); }
-    // Moves by this much; if it then presses harder than `most_m` against something, it goes back until it does not.
-    // Returns how far it presses in the end, in hand metres.
+    // Moves the hand by `by_m`. If it then presses by more than `most_m` into an obstacle, moves it back until it
+    // presses by `most_m`. Returns how far it presses in the end. Hand metres.
     Vec3 press(const Vec3& by_m, double speed_m_per_s, double most_m) {
         p_.hold(p_.hand_m() + by_m, speed_m_per_s);
         const Vec3 pressed_m = pressed();
-        open_doors();  // the key opens what the hand touches
+        open_doors();  // the Use key opens a door that the hand touches
         const double much_m = glm::length(pressed_m);
         if (much_m <= most_m) return pressed_m;
         p_.hold(p_.hand_m() - pressed_m * (1.0 - most_m / much_m));
@@ -168,11 +170,12 @@ private:
     Vec3 pressed() const {
         return (p_.tool().hip_m - p_.tool().proxy_m) / p_.app().hand().tuning.touch.world_m_per_hand_m;
     }
-    // Returns how far it pressed against something before it gave way; none if nothing was in the way.
+    // Moves the hand by `by_m` and then out of any obstacle. Returns how far it pressed into the obstacle, or no value
+    // if there was none.
     std::optional<Vec3> press_on(const Vec3& by_m, double speed_m_per_s) {
         p_.hold(p_.hand_m() + by_m, speed_m_per_s);
         const Vec3 pressed_m = pressed();
-        open_doors();  // the key opens what the hand touches
+        open_doors();  // the Use key opens a door that the hand touches
         if (glm::length(pressed_m) < 0.001) return std::nullopt;
         p_.hold(p_.hand_m() - pressed_m);
         return pressed_m;
@@ -189,7 +192,8 @@ private:
     std::size_t door_;
 };
 
-// A search for a thing from the front door, with a tool of the list, and what was heard since.
+// A search for a thing from the front door, with one of the tools in the list. Knows what the session has said since
+// then.
 struct Search {
     Search(Explorer& explorer, const NamedThing& sought, const char* tool) : p(explorer), thing(sought) {
         stand_at_the_front_door(p);
@@ -199,7 +203,7 @@ struct Search {
     }
     bool here() const { return p.heard("Here: " + told(thing), from); }
     bool over() const { return here() || p.now_s() - begins_s > kWithin_s; }
-    // Returns how long the search took. Call it when the search is over.
+    // Returns how long the search took. Call it when the search has ended.
     double found() const {
         EXPECT_TRUE(here()) << told(thing) << ":\n" << p.all_heard(from);
         return p.now_s() - begins_s;
@@ -210,13 +214,13 @@ struct Search {
     double begins_s = 0.0;
 };
 
-// Level and vertical directions, and the level diagonals.
+// The four main directions in the plane, their diagonals, up and down.
 const std::vector<Vec3> kSides{{0, 1, 0},  {1, 0, 0},  {-1, 0, 0},  {0, -1, 0}, {1, 1, 0},
                                {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0}, {0, 0, 1},  {0, 0, -1}};
 const std::vector<Vec3> kSlanting{{0, 1, 1},  {1, 0, 1},  {-1, 0, 1},  {0, -1, 1},
                                   {0, 1, -1}, {1, 0, -1}, {-1, 0, -1}, {0, -1, -1}};
 
-// The hand moves on and gives way to the forces. Where it is held back, it feels around for a free direction.
+// The hand moves on and yields to the forces. If it is stopped, it tries for a free direction.
 TEST(FoundInTheHouse, everything_is_reached_by_a_hand_that_follows_the_lines_from_the_front_door) {
     constexpr double kSpeed_m_per_s = 0.06, kStep_s = 0.02, kFelt_n = 0.03;
     const auto house = test::our_world("house.map");
@@ -226,21 +230,21 @@ TEST(FoundInTheHouse, everything_is_reached_by_a_hand_that_follows_the_lines_fro
     for (const NamedThing& thing : things) {
         const Search search(p, thing, "Lines leading there");
         SeekingHand hand(p, search.from);
-        p.run(1.6);  // until it is announced and the force has faded in
+        p.run(1.6);  // until the guidance is announced and the force has reached its strength
         const auto felt = [&] {
             const Vec3 force = p.tool().guidance.force_n;
             return glm::length(force) < kFelt_n ? Vec3(0.0) : force;
         };
-        Vec3 way(0.0), came(0.0);  // present direction, and that of its last centimetre
+        Vec3 way(0.0), came(0.0);  // present direction, and direction of the last centimetre
         std::vector<Vec3> places;
         const auto feel_round = [&] {
             Vec3 best(0.0);
             double least_n = 1e9;
             hand.have_room(0.008);
             for (int i = 0; i < 20 && felt() != Vec3(0.0) && hand.go(0.0005 * glm::normalize(felt()), 0.1);
-                 ++i) {  // goes back to where it rests
+                 ++i) {  // moves back to where no force is felt
             }
-            // Tries every direction except back, and the slanting ones only if none of the others is free.
+            // Tries every direction except back. Tries the slanting directions only if none of the others is free.
             static constexpr double kFree_n = 0.02;
             for (const auto& sides : {kSides, kSlanting}) {
                 if (least_n < kFree_n) break;
@@ -281,8 +285,8 @@ TEST(FoundInTheHouse, everything_is_reached_by_a_hand_that_follows_the_lines_fro
     fmt::print("{} things: the lines followed to each in {:.1f} s at most\n", things.size(), longest_s);
 }
 
-// A search along one axis after the other, for the point where the push of a line reverses, finds the place. The hand
-// is a strong one: it passes through walls, as the lines do.
+// The hand searches along one axis after the other for the point where the force of a line reverses; that is the place.
+// This hand is stronger than the device, so that it passes through walls, as the lines do.
 TEST(FoundInTheHouse, everything_is_reached_by_a_hand_along_the_lines_that_cross_there) {
     constexpr double kReach_m = 0.07;
     const auto house = test::our_world("house.map");
@@ -296,10 +300,11 @@ TEST(FoundInTheHouse, everything_is_reached_by_a_hand_along_the_lines_that_cross
         stand(p, *feet);
         ASSERT_TRUE(p.ask(told(thing), thing.feature, "Lines leading there")) << told(thing);
         const double begins_s = p.now_s();
-        p.run(1.6);  // until it is announced and the force has faded in
+        p.run(1.6);  // until the guidance is announced and the force has reached its strength
         Vec3 at(0.0);
         for (int axis = 0; axis < 3; ++axis) {
-            // Moves to one end of the workspace, then slowly through it, until the push reverses from onward to back.
+            // Moves the hand to one end of the workspace, then slowly through the workspace, until the force along the
+            // axis changes from forward to backward.
             Vec3 from = at;
             from[axis] = -kReach_m;
             p.hold(from, 0.2);
@@ -326,8 +331,9 @@ TEST(FoundInTheHouse, everything_is_reached_by_a_hand_along_the_lines_that_cross
                things.size(), longest_s, 1000.0 * farthest_m);
 }
 
-// What a person concludes from how directly each small movement came nearer: which direction leads on, and how sure
-// that is along each axis. A Kalman filter over the ticks, in which older ticks count less.
+// What a person concludes from the sounds of "warmer", each of which tells how directly the hand has approached.
+// Estimates which direction leads to the thing, and how certain that is along each axis. A Kalman filter over the
+// sounds, in which older sounds count less.
 class SenseOfWay {
 public:
     void hear(const Vec3& went, double nearer) {
@@ -347,11 +353,11 @@ public:
 private:
     static constexpr double kChanges = 0.25, kUnsure = 0.15;
     Vec3 way_{0.0};
-    glm::mat<3, 3, double> sure_{1.0};  // covariance
+    glm::mat<3, 3, double> sure_{1.0};  // covariance of the direction
 };
 
-// A hand that weaves: it moves on where it expects to come nearer, and to the side about which it knows least, so that
-// every tick is informative. It feels its way around obstacles.
+// A hand that weaves. It moves in the direction in which it expects to approach, and also sideways where it knows
+// least, so that every sound is informative. It feels its way round obstacles.
 class WarmerHand {
 public:
     explicit WarmerHand(const Search& search)
@@ -380,14 +386,15 @@ public:
 
 private:
     static constexpr double kFeel_m = 0.002, kPress_m = 0.0006;
-    static constexpr double kFast = 0.85;  // hand metres a second, per second between ticks
+    // Speed in hand metres a second, per second of the interval between two sounds.
+    static constexpr double kFast = 0.85;
     struct HeardNearer {
-        Vec3 went_m{0.0};  // movement in hand metres
+        Vec3 went_m{0.0};  // movement since the last sound that was used, in hand metres
         double nearer = 0.0;
     };
 
     Vec3 proxy() const { return p_.tool().proxy_m / p_.app().hand().tuning.touch.world_m_per_hand_m; }
-    // Faster ticks mean that the target is near, so it moves more slowly.
+    // A faster rhythm means that the thing is near, so the hand moves more slowly.
     double speed() const { return std::clamp(kFast * (interval_s_ - 0.05), 0.02, 0.10); }
     Vec3 next_way() {
         const Vec3 doubt = (weave_ = -weave_) * sense_.doubt();
@@ -397,11 +404,11 @@ private:
     void step(const Vec3& by_m, double speed_m_per_s) {
         if (hand_.have_room(glm::length(by_m))) {
             nearer_heard();
-            deaf_ = true;  // until the next tick, which includes that movement
+            deaf_ = true;  // ignores the next sound, because it includes the movement that made room
         }
         hand_.press(by_m, speed_m_per_s, kPress_m);
     }
-    // When held back, takes the free direction nearest to the wished one.
+    // If the hand is stopped, returns the free direction that is nearest to `wished`.
     Vec3 free_way(const Vec3& wished) {
         std::vector<Vec3> ways;
         for (const auto& sides : {kSides, kSlanting})
@@ -417,7 +424,7 @@ private:
         }
         return -wished;
     }
-    // The result of a tick since the last one that was used.
+    // Returns the result of the last sound, if there was a new one.
     std::optional<HeardNearer> nearer_heard() {
         std::optional<double> pitch;
         for (; heard_ < p_.sounds().size(); ++heard_)
@@ -427,7 +434,8 @@ private:
         if (!pitch) return std::nullopt;
         interval_s_ = p_.now_s() - std::exchange(ticked_s_, p_.now_s());
         const Vec3 went = proxy() - std::exchange(before_m_, proxy());
-        if (std::exchange(deaf_, false) || glm::length(went) < 0.0005) return std::nullopt;  // or the hand rested
+        // No value also if the hand hardly moved.
+        if (std::exchange(deaf_, false) || glm::length(went) < 0.0005) return std::nullopt;
         return HeardNearer{went, 2.0 * (*pitch - 1.0)};
     }
 
@@ -454,15 +462,15 @@ TEST(FoundInTheHouse, everything_is_reached_by_a_hand_that_listens_to_warmer_and
         if (search.here()) continue;
         p.leave_lists();
         p.choose(told(thing), thing.feature);
-        p.line("Warmer and colder");  // switches it off
+        p.line("Warmer and colder");  // ends "warmer"
     }
     fmt::print("{} things: each found by warmer and colder from the front door in {:.1f} s at most\n", things.size(),
                longest_s);
 }
 
-// Keys only, in a hurry: 2 m/s by the setting of the walking speed. This person knows only which of its sounds the
-// beacon makes, from which side it comes, and the announced doors. They turn while walking, and stand still for larger
-// turns. They step around obstacles.
+// This person uses only keys and is in a hurry: 2 m/s by the setting of the walking speed. They know only the kind of
+// each sound of the beacon, its direction, and the announced doors. They turn while walking, stand still for larger
+// turns, and step round obstacles.
 TEST(FoundInTheHouse, everything_is_reached_by_a_walker_who_follows_the_beacon_from_the_front_door) {
     constexpr double kHurried_m_per_s = 2.0;
     Settings settings;
@@ -480,8 +488,8 @@ TEST(FoundInTheHouse, everything_is_reached_by_a_walker_who_follows_the_beacon_f
                 on ? p.app().apply(CommandDown{Command::Forward}, p.now_s())
                    : p.app().apply(CommandUp{Command::Forward}, p.now_s());
         };
-        // Turns towards where it was heard, to within five degrees: by notches, and the rest by the keys for free
-        // turning, 5 degrees a tap.
+        // Turns towards the last sound, to within five degrees: first by notches, then by the keys for free turning, 5
+        // degrees a tap.
         const auto turn = [&](double right_deg) {
             const int notches = static_cast<int>(right_deg / 22.5),
                       rest = static_cast<int>(std::lround((right_deg - 22.5 * notches) / 5.0));
@@ -505,7 +513,7 @@ TEST(FoundInTheHouse, everything_is_reached_by_a_walker_who_follows_the_beacon_f
                 bumped = bumped || cue.kind == SoundKind::Bump;
             }
             if (bumped && walking) {
-                // Course around it, on alternate sides, and farther each time.
+                // Steps round the obstacle, on alternate sides, and farther each time.
                 walk(false);
                 turn(++bumps % 2 == 1 ? 90.0 : -90.0);
                 p.run(0.6);
@@ -533,7 +541,7 @@ TEST(FoundInTheHouse, everything_is_reached_by_a_walker_who_follows_the_beacon_f
                longest_s);
 }
 
-// Leads from the front door towards the music room upstairs, for half a second.
+// Guides the hand from the front door towards the music room upstairs, for half a second.
 void lead_to_piano(Explorer& p) {
     const auto& features = p.app().scene()->features;
     const auto piano =
@@ -576,7 +584,7 @@ TEST(TakenAlongAWay, a_hand_gets_a_new_path_when_its_body_walks_off_or_is_moved_
     }
 }
 
-// A door that opens changes the world for both tools.
+// If a door opens, the world changes for both tools.
 TEST(TakenAlongAWay, beacon_and_warmer_are_both_replanned_when_something_moves) {
     Explorer p(test::our_world("house.map"), nullptr);
     const auto& features = p.app().scene()->features;
@@ -596,7 +604,8 @@ TEST(TakenAlongAWay, beacon_and_warmer_are_both_replanned_when_something_moves) 
     EXPECT_EQ(seek.warmer_along().planned_in, p.app().scene());
 }
 
-// The hand has already left the door while the person hears which door it is, and another door is nearer to the walker.
+// The hand has already bounced off the door while the person hears which door it is. Another door is nearer to the
+// walker.
 TEST(TakenAlongAWay, a_hand_opens_the_door_that_was_announced_a_moment_ago) {
     Explorer p(test::our_world("house.map"), "sim-t");
     const auto& features = p.app().scene()->features;

@@ -1,5 +1,5 @@
-// A device's hand and bodies that are free to move, in the whole program on a virtual clock. It pushes, takes, turns,
-// drops and feels them, and the session announces what it does.
+// The hand of a device and freely movable bodies, in the whole program on a virtual clock. The hand pushes, grips,
+// turns, drops and feels the bodies, and the session announces it.
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -28,7 +28,7 @@ std::shared_ptr<const Scene> hall(const std::string& entities) {
     return std::make_shared<const Scene>(std::move(*scene));
 }
 
-// A box of half a metre on the floor, with its middle this far east and north.
+// Returns the map text of a box of half a metre on the floor, with its middle this far east and north.
 std::string box(const std::string& name, double kg, double east_m, double north_m) {
     const double x = 32.0 * east_m, y = 32.0 * north_m;
     return entity("thing", key("cs_name", "dynamic_box") + key("name", name) + key("mass", std::to_string(kg)),
@@ -40,7 +40,7 @@ std::string ball(const std::string& name, double east_m, double north_m) {
                   box_brush(x - 6, y - 6, 0, x + 6, y + 6, 12));
 }
 
-// Without the desk, whose sliders a random hand would move.
+// Returns settings without the desk, because a random hand would move its sliders.
 Settings without_a_desk() {
     Settings settings;
     settings.desk.use = false;
@@ -50,7 +50,7 @@ Settings without_a_desk() {
 struct Hand : test::Explorer {
     explicit Hand(std::shared_ptr<const Scene> scene) : Explorer(std::move(scene), "sim-t", without_a_desk()) {}
     explicit Hand(const std::string& entities) : Hand(hall(entities)) {}
-    // Moves the device's point to a position in the world.
+    // Moves the device so that its point is at this position in the world.
     void to(const Vec3& world_m, double speed_m_per_s = 0.05) {
         const HandOutput told = app().hand();
         hold((world_m - told.pose.origin_m) / told.tuning.touch.world_m_per_hand_m, speed_m_per_s);
@@ -132,7 +132,8 @@ TEST(HandOnBodies, a_ball_on_a_rubber_string_hangs_pulls_back_and_swings_home) {
     hand.to({6.0, 2.5, hangs_m});
     hand.to({6.0, 3.2, hangs_m}, 0.005);
     hand.run(1.0);
-    // More than half a metre to the north, the string pulls with about 10 N, of which the hand feels a twentieth.
+    // The hand is more than half a metre to the north, so the string pulls with about 10 N. The hand feels a twentieth
+    // of that.
     EXPECT_LT(hand.tool().force_n.y, -0.2);
     const double pulled_m = hand.at("Ball").y - 3.0;
     EXPECT_NEAR(-hand.tool().force_n.y * 20.0, 20.0 * pulled_m, 0.25 * 20.0 * pulled_m);
@@ -157,7 +158,7 @@ TEST(HandOnBodies, a_body_that_is_too_heavy_slips_out_of_the_grip_and_its_weight
 TEST(HandOnBodies, a_crate_that_falls_on_the_hand_is_felt) {
     Hand hand(box("Crate", 2.0, 4.0, 1.8));
     hand.to({6.0, 3.0, 1.0});
-    hand.tap(Command::Use, 0.3);  // by keyboard: uses what is in front of the walker
+    hand.tap(Command::Use, 0.3);  // the Use key takes what is in front of the walker
     ASSERT_TRUE(hand.heard("Crate held, 2 kilograms.")) << hand.all_heard();
     for (int i = 0; i < 6; ++i) hand.tap(Command::TiltUp, 0.8);
     ASSERT_GT(hand.at("Crate").z, 1.2);
@@ -213,21 +214,22 @@ TEST(HandOnBodies, random_pushes_grips_and_drops_keep_all_bodies_in_the_hall_and
     EXPECT_TRUE(held > 0 || acts < 1000);
 }
 
-// Twenty things in sight of the start of a building, and a person who walks, pushes, takes, turns and drops at random
-// with hand and keys. HANDRAIL_ACTS sets the number of acts in each building.
+// Twenty things in sight of the start of a building. A random person walks, pushes, takes, turns and drops things with
+// hand and keys. HANDRAIL_ACTS sets the number of acts in each building.
 constexpr int kThings = 20;
 
 std::string name_of(int thing) { return "Thing " + std::to_string(thing); }
 
-// The file with this many things around its start, none of them inside another or in a wall; none if there is not
-// enough room.
+// Returns the map with this many things around its start, none of them inside another thing or a wall. Returns an empty
+// text if there is not enough room.
 std::string among_things(const std::string& map, const WalkerWorld& bare, std::mt19937_64& random) {
     std::uniform_real_distribution<double> part(0.0, 1.0);
     const Vec3 eye = bare.scene().starts.at(0).feet_m + Vec3(0.0, 0.0, 1.0);
     std::vector<Vec3> places;
     std::string text = map;
     for (int tries = 0; tries < 20000 && std::ssize(places) < kThings; ++tries) {
-        const double north = part(random), east = part(random);  // evaluated in this order with every compiler
+        // A statement for each number, so that every compiler evaluates them in the same order.
+        const double north = part(random), east = part(random);
         const Vec3 at = eye + Vec3(14.0 * (east - 0.5), 14.0 * (north - 0.5), -0.3);
         if (glm::length(at - eye) < 1.0 || bare.trace(eye, at, {}).hit) continue;
         const TraceHit floor = bare.trace(at, at - Vec3(0.0, 0.0, 3.0), {});
@@ -250,7 +252,7 @@ struct Among : Hand {
     Among(std::shared_ptr<const Scene> scene, const WalkerWorld& bare) : Hand(std::move(scene)), bare_(bare) {
         forget();
     }
-    // Restarts the comparison of the things' positions.
+    // Stores the present positions of the things for later comparison.
     void forget() {
         for (int i = 0; i < kThings; ++i) were_m_[i] = at(name_of(i));
     }
@@ -278,7 +280,7 @@ struct Among : Hand {
     double most_n() const { return most_n_; }
 
 private:
-    // True for doors and lifts, which move in the bare building as well.
+    // True for doors and lifts, which also move in the building without things.
     bool moves(FeatureId feature) const {
         const std::vector<Mover>& all = bare_.scene().movers;
         return std::any_of(all.begin(), all.end(), [&](const Mover& one) { return one.feature == feature; });
@@ -316,7 +318,7 @@ void lives_among_things(const std::filesystem::path& file) {
     bool down = false;
     std::unique_ptr<Among> is_here;
     for (int act = 0; act < acts; ++act) {
-        if (act % 100 == 0) {  // a new start, in case the person has walked away from all things
+        if (act % 100 == 0) {  // places the walker at the start again, in case it has walked away from all things
             const std::string text = among_things(map, bare, random);
             ASSERT_FALSE(text.empty()) << "no room for the things";
             auto scene = read_quake_map(text, "building.map", {});

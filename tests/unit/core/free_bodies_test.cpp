@@ -1,5 +1,5 @@
-// Things that are free to move, in a session: who walks pushes them, keys take, move, lift, turn and drop them, and
-// they end where the hand, the body and the ways of the world meet them.
+// Freely movable things in a session: the walker pushes them, and keys take, move, lift, turn and drop them. They stop
+// where the hand, the walker or a mover meets them.
 #include <algorithm>
 #include <random>
 
@@ -16,7 +16,7 @@ using test::box_brush;
 using test::entity;
 using test::key;
 
-// A hall of 10 by 20 m. The walker starts in the south, a metre from the wall, and looks north.
+// Makes a hall of 10 by 20 m. The walker starts in the south, a metre from the wall, and faces north.
 std::shared_ptr<const Scene> hall(const std::string& entities) {
     const std::string room = test::room_brushes(0, 0, 0, 320, 640, 128);
     const std::string base = entity("info_player_start", key("origin", "160 32 24") + key("angle", "90"));
@@ -27,7 +27,7 @@ std::shared_ptr<const Scene> hall(const std::string& entities) {
     return std::make_shared<const Scene>(std::move(*scene));
 }
 
-// A box of half a metre with its middle this far east and north.
+// Returns the map text of a box of half a metre with its middle this far east and north.
 std::string box(const char* name, double kg, double east_m, double north_m, const std::string& more = {}) {
     const double x = 32.0 * east_m, y = 32.0 * north_m;
     return entity("thing", key("cs_name", "dynamic_box") + key("name", name) + key("mass", std::to_string(kg)) + more,
@@ -232,7 +232,7 @@ TEST(FreeBodies, routes_ignore_movable_things_and_go_round_fixed_ones) {
     }
 }
 
-// Walks at random among twenty bodies, and takes and drops them at random.
+// The person walks at random among twenty bodies, and takes and drops them at random.
 TEST(FreeBodies, random_walks_grips_and_drops_keep_all_bodies_in_the_hall_and_the_walker_outside_them) {
     const std::uint32_t seed = test::seed_of_run();
     SCOPED_TRACE(seed);
@@ -263,7 +263,7 @@ TEST(FreeBodies, random_walks_grips_and_drops_keep_all_bodies_in_the_hall_and_th
         }
         const Vec3 feet = walk.app.feet_m();
         ASSERT_TRUE(feet.x > 0.2 && feet.x < 9.8 && feet.y > 0.2 && feet.y < 19.8 && feet.z > -0.01);
-        // A walker driven against a body overlaps it slightly for a moment and is then pushed off.
+        // A walker that is driven against a body overlaps it slightly for a moment, and is then pushed off.
         ASSERT_FALSE(walk.app.world().solids->blocked(feet + Vec3(0.0, 0.0, 0.02), {0.25 - 0.03, 1.5}))
             << "act " << act;
     }

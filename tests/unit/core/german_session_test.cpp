@@ -1,5 +1,5 @@
-// A short session in German. Everything said is whole German sentences, with the map's German names, and a change of
-// the language takes effect with the next sentence.
+// A short session in German. Everything that it says consists of whole German sentences, with the German names of the
+// map. A change of the language takes effect with the next sentence.
 #include "tests/support/box_scene.h"
 #include "tests/support/names.h"
 #include "tests/support/project_root.h"
@@ -78,7 +78,7 @@ TEST(GermanSession, of_questions_touch_and_walking_is_in_whole_german_sentences_
     EXPECT_EQ(s.ask(Command::Leave), "Auf Wiedersehen.");
 }
 
-// A platform that ends four metres to the north, 1.2 metres above the ground beyond.
+// Makes a platform that ends four metres to the north, 1.2 metres above the ground beyond.
 std::shared_ptr<const Scene> platform() {
     test::SceneBuilder b;
     b.box({-5, -5, -4}, {5, 4, 0}, "floor", SolidRole::Solid, "concrete", FeatureKind::Floor);

@@ -47,8 +47,8 @@ TEST(Grooves, are_off_by_default_and_otherwise_hold_a_hand_in_a_doorway) {
         settings.guidance.grooves = wished;
         settings.workspace.rim = false;
         Explorer p(test::our_world("house.map"), "sim-t", settings);
-        // In the hall, in front of the living room's door: puts the proxy on the floor, 15 cm from the middle of the
-        // doorway.
+        // The walker is in the hall, in front of the living room's door. Puts the proxy on the floor, 15 cm from the
+        // middle of the doorway.
         const auto portal = [&] {
             const auto& features = p.app().scene()->features;
             const auto door = std::find_if(features.begin(), features.end(),
@@ -70,8 +70,8 @@ TEST(Grooves, are_off_by_default_and_otherwise_hold_a_hand_in_a_doorway) {
         else EXPECT_EQ(force, Vec3(0.0));
         EXPECT_LE(glm::length(force), 0.8);
         if (!wished) continue;
-        // While the hand is led on request, it feels only the pull. After it is released, the grooves are back, now
-        // also along the route.
+        // While the hand is guided at the person's request, it feels only the pull. After that, the grooves are back,
+        // now also along the route.
         const std::uint32_t doorways = p.app().guide().path().count;
         p.hold(Vec3(0.0));
         p.tap(Command::Find);

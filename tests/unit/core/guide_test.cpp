@@ -1,4 +1,4 @@
-// Marks, landmarks, the beacon, "warmer and colder" and laps, and how the session uses them.
+// Marks, landmarks, the beacon, "warmer and colder" and laps of guidance, and how the session uses them.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 using test::SceneBuilder;
 using testing::HasSubstr;
 
-// A room of 6 by 4 metres with a table in the north-west and a radiator in the east; the base is at (3, 0.5) and faces
-// north.
+// Makes a room of 6 by 4 metres with a table in the north-west and a radiator in the east. The base is at (3, 0.5) and
+// faces north.
 std::shared_ptr<const Scene> room(double table_x = 1.0, bool landmarks = false) {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {6, 4, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
@@ -217,11 +217,11 @@ TEST(Marks, are_set_at_the_hand_also_by_the_devices_button_and_announced_once_wh
     p.hand_at({4.0, 1.0, 1.0});
     p.run(0.2);
     EXPECT_EQ(p.count(SoundKind::Mark), 0);
-    p.hand_at({1.6, 2.8, 0.5});  // 3 mm of hand movement
+    p.hand_at({1.6, 2.8, 0.5});  // near the mark: 3 mm away at the hand
     p.run(1.0);
     EXPECT_EQ(p.count(SoundKind::Mark), 1);
     EXPECT_TRUE(p.heard("Mark 1"));
-    // The first button grabs. If the settings make it set marks, it does that instead.
+    // By default, the first button grabs the world. The settings can let it set marks instead.
     p.tool.buttons = 1;
     p.run(0.2);
     EXPECT_EQ(p.app.world().marks.size(), 1U);
@@ -301,7 +301,7 @@ TEST(BeaconTest, is_set_on_the_thing_ahead_muted_and_restored) {
     EXPECT_EQ(p.count(SoundKind::BeaconAhead), stopped);
 }
 
-// Chooses the thing in the list of what can be found, and then the way to find it.
+// Chooses a thing in the list of what can be found, and then a way to find it.
 void seek(Person& p, const std::string& thing, const std::string& way) {
     p.tap(Command::Find);
     const std::vector<ListItem> items = p.app.dialogue().view().items;
@@ -315,7 +315,7 @@ void seek(Person& p, const std::string& thing, const std::string& way) {
     p.run(0.05);
 }
 
-// A ray at waist height passes over the table, so the wall behind is "ahead", but nobody can walk through a table.
+// A ray at waist height passes over the table, so the wall behind it is in sight. But nobody can walk through a table.
 TEST(BeaconTest, calls_along_the_route_if_the_target_is_visible_but_the_direct_line_is_blocked) {
     Person p;
     p.enter();
@@ -368,7 +368,7 @@ TEST(WarmerTest, is_announced_ticks_for_hand_or_body_and_is_switched_off_by_a_se
     for (const bool device : {true, false}) {
         Person p(device);
         p.enter();
-        // A place this far in front of the radiator, level with it.
+        // Returns a place this far in front of the radiator, at its height.
         const auto away = [&](double metres) {
             const Vec3 place(5.8 - metres, 1.5, device ? 0.5 : 0.0);
             if (device) p.hand_at(place);
@@ -430,8 +430,8 @@ TEST(WarmerTest, signals_by_pitch_how_directly_the_person_approaches_or_moves_aw
     EXPECT_NEAR(goes_to({0.085, 0.0, 0}), 0.73, 0.05) << "half round to it";
 }
 
-// An L of two legs. A walker who goes around its corner hears the walking distance, and nothing jumps if the route is
-// planned again.
+// A route of two legs in the form of an L. A walker who goes round its corner hears the walking distance. The distance
+// does not jump if the route is planned again.
 TEST(SoughtWayTest, measures_walking_distance_calls_from_the_next_turn_and_is_continuous_on_replanning) {
     SoughtRoute way;
     const auto follow = [&](const Vec3& at_m) { way.follow(at_m, kHeightCountsForWalkers, {}); };
@@ -452,14 +452,14 @@ TEST(SoughtWayTest, measures_walking_distance_calls_from_the_next_turn_and_is_co
     EXPECT_EQ(way.next_turning_m(), Vec3(0, 10, 0));
     follow({0, 9.7, 0});
     EXPECT_EQ(way.next_turning_m(), Vec3(10, 10, 0)) << "at the turning the next is called from";
-    // Away from the route: the distance grows little at first, then by as much as the walker is off; then the route
-    // must be planned again.
+    // Away from the route, the distance first grows little, then by as much as the walker moves away. After that, the
+    // route must be planned again.
     follow({3, 10.3, 0});
     EXPECT_NEAR(way.left_m(), 7.5 + SoughtRoute::kSlope * 0.3 * 0.3 / 1.2, 1e-9);
     way.follow({3, 11.5, 0}, kHeightCountsForWalkers, [](const Vec3&) { return false; });
     EXPECT_TRUE(way.wants_plan(false, 5.0));
-    // The new route is 4 m longer. The announced distance stays and approaches the new one only while the walker moves,
-    // so that coming nearer is never announced as going farther.
+    // The new route is 4 m longer. The announced distance stays the same, and approaches that of the new route only
+    // while the walker moves. So an approach never sounds like moving away.
     before_m = way.told_m();
     way.plan({{3, 11.5, 0}, {3, 16, 0}, {10, 16, 0}}, {}, 1.0, {3, 11.5, 0}, 6.0);
     EXPECT_NEAR(way.told_m(), before_m, 1e-9);
@@ -473,7 +473,8 @@ TEST(SoughtWayTest, measures_walking_distance_calls_from_the_next_turn_and_is_co
     }
     follow(at);
     EXPECT_NEAR(way.told_m(), before_m, 1e-9) << "who rests hears no change";
-    // If the route is visible from afar, the walker can return to it; if it is hidden, it must be planned again.
+    // If the route is in sight, even from afar, the walker can return to it. If it is hidden, the route must be planned
+    // again.
     for (const bool seen : {true, false}) {
         way.follow(Vec3(5, 14, 0), kHeightCountsForWalkers, [&](const Vec3&) { return seen; });
         EXPECT_EQ(way.wants_plan(false, 8.0), !seen);
@@ -532,7 +533,7 @@ TEST(TakeMe, is_announced_a_second_before_the_servo_starts_it_and_only_one_targe
     EXPECT_EQ(p.app.guide().path().number, 0U);
 }
 
-// The session says why the force was removed, and not only that it is gone.
+// The session says why there is no force any more, and not only that it has ended.
 TEST(TakeMe, gives_the_reason_when_guidance_ends) {
     struct Case {
         void (*happens)(Person&);
@@ -566,7 +567,7 @@ TEST(TakeMe, gives_the_reason_when_guidance_ends) {
     }
 }
 
-// Runs with a servo that withholds its force until somebody holds the grip.
+// The servo withholds its force until somebody holds the grip.
 TEST(TakeMe, waits_for_a_hand_on_the_grip_and_announces_it) {
     Person p(true);
     p.enter();
@@ -587,7 +588,7 @@ TEST(TakeMe, waits_for_a_hand_on_the_grip_and_announces_it) {
 TEST(TakeMe, leads_around_obstacles_along_the_planned_path_and_by_ear_without_force) {
     Person p(true);
     p.enter();
-    p.hand_at({1.2, 3.7, 0.3});  // behind the table
+    p.hand_at({1.2, 3.7, 0.3});  // the hand is behind the table
     p.run(0.1);
     const auto ask = [&] {
         p.tap(Command::Find);
@@ -615,7 +616,7 @@ TEST(TakeMe, leads_around_obstacles_along_the_planned_path_and_by_ear_without_fo
 }
 
 TEST(TakeMe, reports_an_unreachable_target_and_goes_to_the_nearest_reachable_place) {
-    // A place behind a wall without a door.
+    // The goal is behind a wall without a door.
     SceneBuilder b;
     b.box({0, 0, -0.2}, {10, 4, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
     for (const double x : {-0.2, 5.0, 10.0})
@@ -659,7 +660,7 @@ TEST(TakeMe, reports_an_unreachable_target_and_goes_to_the_nearest_reachable_pla
 TEST(TakeMe, without_a_device_gives_directions_follows_the_route_and_stops_when_requested_again) {
     Person p;
     p.enter();
-    p.stand_at({0.5, 3.6, 0.0});  // the table is in between
+    p.stand_at({0.5, 3.6, 0.0});  // the table is between the walker and the goal
     p.tap(Command::Find);
     p.type("radiator");
     p.key("Enter");

@@ -1,4 +1,5 @@
-// The hand goes through doors with the walker: what the walker sees of it, and what answers until it is there.
+// The hand goes through doors together with the walker. Tests whether the walker sees the hand, and which of them
+// answers questions until the hand is there.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,14 +22,14 @@ namespace hand_with_body_test {
 
 using test::Explorer;
 
-// As the program does if it finds no device.
+// Makes a session as the program does if it finds no device.
 std::unique_ptr<Explorer> with_keys_alone(const std::shared_ptr<const Scene>& scene) {
     return std::make_unique<Explorer>(scene, "sim-t", Settings{}, [](Session& app, WorldEntered&) {
         app.apply(HandChanged{Explorer::facts("sim-t"), app.settings(), true}, 0.0);
     });
 }
 
-// Only the walls, because the session's doors move.
+// Returns the solids of the walls only, because the doors move in the session.
 WalkerWorld walls_of(const Scene& scene) {
     auto still = std::make_shared<Scene>(scene);
     still->placed.clear();
@@ -48,8 +49,8 @@ bool body_sees_hand(const WalkerWorld& walls, const Explorer& p, const Vec3& fee
     return false;
 }
 
-// From the front door of the house into the Study: the path in the report that led to this test. Returns the number of
-// frames in which the hand touched something.
+// Walks from the front door of the house into the Study, on the path of the report that led to this test. Returns the
+// number of frames in which the hand touched something.
 int walk_into_the_study(Explorer& p) {
     int touches = 0;
     const auto tap = [&](Command command, int frames) {
@@ -116,7 +117,7 @@ TEST(AHandOnADevice, follows_the_walker_through_a_door_with_force_rising_from_ze
         else if (!unseen_s) unseen_s = p.now_s();
         ASSERT_LE(unseen_s ? p.now_s() - *unseen_s : 0.0, 1.0);
         if (!unseen_s || asked || p.now_s() - *unseen_s < 0.1) continue;
-        // The hand is still in the hall, so questions are answered from the feet.
+        // The hand is still in the hall, so questions are answered for the place of the walker's feet.
         asked = true;
         const std::size_t from = p.lines();
         p.tap(Command::WhatIsThis, 0.02);
@@ -135,7 +136,7 @@ TEST(AHandOnADevice, follows_the_walker_through_a_door_with_force_rising_from_ze
     EXPECT_TRUE(p.heard("Study", from)) << p.all_heard(from);
 }
 
-// Course through every door and opening, in both directions, with the hand in different places.
+// Goes through every door and opening in both directions, with the hand at different places.
 TEST(TheHand, is_visible_from_the_body_within_a_second_after_every_passage_through_a_door) {
     namespace fs = std::filesystem;
     const fs::path maps = test::project_root() / "worlds/maps";

@@ -27,7 +27,7 @@ struct Ground {
     GroundRules rules;
 };
 
-// Stairs with `risers` steps north of y0, on a floor of 40 by 40 metres around `at`.
+// Adds stairs with `risers` steps north of `y0`, on a floor of 40 by 40 metres around `at`.
 void stairs(SceneBuilder& b, const Vec3& at, double y0, int risers, double rise, double tread) {
     b.box(at + Vec3(-20, -20, -3), at + Vec3(20, 20, 0), "floor");
     for (int i = 0; i < risers; ++i)
@@ -51,7 +51,7 @@ TEST(Hazards, stairs_are_counted_and_measured_at_any_place_and_steepness) {
         EXPECT_NEAR(up.stairs->distance_m, y0, 0.051);
         EXPECT_NEAR(up.stairs->height_m, risers * rise, 1e-2);
         EXPECT_FALSE(up.drop);
-        // From above, the last riser comes first.
+        // From above, the last riser is the first one.
         const double top_m = y0 + risers * tread;
         const GroundAhead down = ground.ahead(at + Vec3(0, top_m, risers * rise), kPi);
         ASSERT_TRUE(down.stairs) << run;
@@ -86,7 +86,7 @@ TEST(Hazards, a_drop_is_a_gap_into_which_the_body_would_fall_and_not_one_that_it
         b.box({-5, edge + gap, -4}, {5, 12, 0}, "floor behind");
         const Ground ground(b);
         const GroundAhead seen = ground.ahead(Vec3(0.0), 0.0);
-        // The comparison: whether a walker that goes there falls.
+        // For comparison, a walker goes there and falls or does not fall.
         Walker walker(*ground.world, ground.rules.body);
         walker.place(Vec3(0.0));
         double lowest = 0.0;
@@ -94,7 +94,7 @@ TEST(Hazards, a_drop_is_a_gap_into_which_the_body_would_fall_and_not_one_that_it
             walker.tick({0.0, 0.5, 0.0}, 1.0 / 60.0);
             lowest = std::min(lowest, walker.state().feet_m.z);
         }
-        // If the gap is about as wide as the body, tiny differences decide whether the walker spans it or falls.
+        // If the gap is about as wide as the walker, tiny differences decide whether the walker crosses it or falls.
         if (std::abs(gap - 0.5) < 0.12 || std::abs(depth - ground.rules.drop_m) < 0.02) continue;
         const bool falls = lowest < -ground.rules.drop_m;
         EXPECT_EQ(seen.drop.has_value(), falls) << "gap " << gap << ", deep " << depth << ", edge at " << edge;

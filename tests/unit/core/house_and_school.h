@@ -1,4 +1,5 @@
-// The bundled maps for learning a building. Under a sanitizer the house is enough: the school runs the same code.
+// The bundled maps for learning a building. Under a sanitizer, the house alone is enough, because the school runs the
+// same code.
 #pragma once
 
 #include <vector>

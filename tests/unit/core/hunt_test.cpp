@@ -17,7 +17,7 @@ namespace hunt_test {
 
 using test::SceneBuilder;
 
-// Two rooms with a doorway; the second has a raised floor with steps up to it.
+// Makes two rooms with a doorway. The second room has a raised floor with steps up to it.
 std::shared_ptr<const Scene> rooms() {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {12, 5, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
@@ -45,7 +45,7 @@ TEST(Hunt, hides_the_clock_at_a_walkable_place_far_enough_away_and_leads_there) 
         places.emplace(static_cast<int>(clock.x * 4), static_cast<int>(clock.y * 4));
         EXPECT_FALSE(world.blocked(clock, WalkerShape{0.2, 1.5}));
         hunt.aim(clock);
-        // A walker who goes where the hint says arrives.
+        // A walker who follows the hints arrives.
         Vec3 at(1, 1, 0);
         ASSERT_TRUE(hunt.way_m(at));
         EXPECT_GE(*hunt.way_m(at), 6.0 - 1e-9);
@@ -72,7 +72,8 @@ TEST(Hunt, hides_as_far_away_as_it_can_where_nothing_is_far_enough) {
         EXPECT_LE(*ground.way_m(ground.hiding_place(number, 0.0)), *ground.way_m(clock));
 }
 
-// A floor of 4 by 4 m at this height, with a plinth as high as stated in its middle.
+// Makes a floor of 4 by 4 m at height `floor_m`, with a plinth of height `plinth_m` in its middle. Returns the number
+// of places on it.
 std::size_t places_around_a_plinth(double floor_m, double plinth_m) {
     SceneBuilder b;
     b.box({0, 0, floor_m - 0.2}, {4, 4, floor_m}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
@@ -92,8 +93,8 @@ TEST(Hunt, knows_each_place_once_and_none_that_nobody_can_step_up_to) {
     EXPECT_EQ(places_around_a_plinth(-0.25, 2.0), around);
 }
 
-// Where the clock is heard through open air, ears lead; where walls or doors muffle it, the person requests a hint and
-// follows it.
+// Where the person hears the clock through open air, they follow the sound. Where walls or doors muffle it, they
+// request a hint and follow that.
 TEST(Hunt, is_won_in_the_house_by_a_newcomer_with_keys_and_ears_and_the_best_time_is_saved) {
     auto scene = read_world(test::project_root() / "worlds" / "maps" / "house.map");
     ASSERT_TRUE(scene);
@@ -107,7 +108,7 @@ TEST(Hunt, is_won_in_the_house_by_a_newcomer_with_keys_and_ears_and_the_best_tim
         EXPECT_FALSE(newcomer.listen_to(SoundKind::Clock).empty())
             << "the grandfather clock of the house ticks too, and sounds otherwise";
         EXPECT_TRUE(newcomer.listen_to(SoundKind::HiddenClock).empty());
-        int followed = 0;  // attempts to follow the ticking
+        int followed = 0;  // number of attempts to follow the ticking
         newcomer.tap("0", 0.5);
         ASSERT_TRUE(newcomer.heard("A clock is hidden here"));
         int by_ear = 0, by_hint = 0;

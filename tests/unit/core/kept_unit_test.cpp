@@ -1,4 +1,4 @@
-// The unit that a person has stated for a world is kept, and nothing else in the side file changes.
+// The unit that a person has set for a world is stored, and nothing else in the side file changes.
 #include "app/core/kept/kept_unit.h"
 
 #include <gtest/gtest.h>

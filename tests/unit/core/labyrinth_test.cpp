@@ -1,5 +1,5 @@
-// The bundled labyrinths, played by keys and ears. A player who does what the words say finishes each one. Holes
-// swallow the ball, a plank covers one, the best time is kept, and the player can start again.
+// The bundled labyrinths, played by keys and ears. A player who follows the announcements finishes each one. The ball
+// falls into holes, a plank covers one hole, the best time is stored, and the player can start again.
 #include <filesystem>
 #include <regex>
 
@@ -30,7 +30,7 @@ struct Player : test::AppSession {
 TEST(Labyrinth, first_level_can_be_finished_in_under_two_minutes_with_only_the_spoken_information) {
     Player player("labyrinth1.map");
     EXPECT_TRUE(player.heard("Labyrinth 1.")) << player.news();
-    // The words name the keys that it presses.
+    // The announcements name the keys that this player presses.
     const KeyMap keys_of({});
     for (const Command told : {Command::Use, Command::Labyrinth, Command::PutBack})
         EXPECT_TRUE(player.heard(keys_of.keys_of(told))) << keys_of.keys_of(told) << ": " << player.news();
@@ -149,7 +149,7 @@ TEST(Labyrinth, the_border_thuds_when_the_ball_hits_it) {
     EXPECT_GE(thuds(), 1);
 }
 
-// Lays the plank over the hole and rolls the ball over it.
+// Puts the plank over the hole, and rolls the ball over the plank.
 void finish_second(Player& player) {
     player.taps(Command::SideLeft, 1);
     player.tap(Command::Use, 0.5);
@@ -186,13 +186,13 @@ TEST(Labyrinth, second_level_is_finished_over_the_plank_twice_and_the_best_time_
     }
     EXPECT_TRUE(std::filesystem::exists(options.records_in / "labyrinth.handrail.toml"));
     Player again("labyrinth2.map", options);
-    again.run(20.0);  // the clock waits for the ball
+    again.run(20.0);  // the clock does not start until the ball moves
     finish_second(again);
     EXPECT_TRUE(again.heard("Finished in "));
     EXPECT_TRUE(again.heard("The best time here is ") || again.heard("That is a new best time")) << again.news();
 }
 
-// The positions of all things at every frame of the second after each tap.
+// Returns the positions of all things in every frame after each tap.
 std::vector<Placement> course_of(Player& player) {
     std::vector<Placement> course;
     const auto step = [&](Command command, int times, double each_s) {
@@ -258,7 +258,7 @@ TEST(Labyrinth, third_level_is_finished_by_filling_the_pit_and_lifting_the_crate
 
 TEST(Labyrinth, third_level_has_a_safe_that_blocks_the_shorter_route) {
     Player player("labyrinth3.map");
-    // Placed at the table's north side, the safe is the nearest thing.
+    // The walker is placed at the north side of the table, where the safe is the nearest thing.
     player.app.apply(Placed{{2.0, 3.15, 0.0}, kPi}, player.now);
     player.run(0.5);
     const Vec3 before = player.app.thing_at("Safe").value_or(Placement{}).position_m;
@@ -267,7 +267,7 @@ TEST(Labyrinth, third_level_has_a_safe_that_blocks_the_shorter_route) {
     EXPECT_TRUE(player.heard("Safe. Heavy, 400 kilograms.")) << player.news();
     const Vec3 after = player.app.thing_at("Safe").value_or(Placement{}).position_m;
     EXPECT_LT(glm::length(after - before), 1e-3);
-    // The safe is between the two walls, and the gap next to it is too narrow for a ball of 10 cm.
+    // The safe stays between the two walls. The gap next to it is too narrow for a ball of 10 cm.
     EXPECT_GT(after.y, 1.75);
     EXPECT_LT(after.y, 2.45);
 }
@@ -299,7 +299,7 @@ TEST(Labyrinth, is_played_in_german) {
     EXPECT_NE(text.find("Ein Loch: 1,5 Ballschritte nach Osten."), std::string::npos) << text;
 }
 
-// Faults of a map's game are reported with their lines.
+// Returns the warnings of the reader. Faults in the game of a map are reported with their lines.
 std::string warnings_of(const std::string& world_keys, const std::string& entities) {
     const std::string room = test::room_brushes(0, 0, 0, 256, 256, 128);
     const auto scene = read_quake_map(

@@ -90,7 +90,7 @@ TEST(SessionTrace, of_a_killed_session_is_reported_once_with_its_last_place) {
         EXPECT_EQ(next.left_at()->feet_m, kKitchen.feet_m);
     }
     {
-        // That session has just crashed too, before it noted a place.
+        // The session above has just crashed too, before it noted a place.
         SessionTrace after(folder.path());
         EXPECT_TRUE(after.crashed());
         ASSERT_TRUE(after.left_at());
@@ -129,7 +129,7 @@ TEST(SessionTrace, is_written_at_most_every_3_s_and_only_after_movement) {
     ASSERT_TRUE(test::eventually([&] { return kept() == 1.0; }));
     trace.note(place(2.0), 12.9);
     EXPECT_EQ(kept(), 1.0);
-    // If the disk is still writing the previous note when the next is due, that waits for the next call.
+    // If the disk is still writing the previous note when the next one is due, the new note waits for the next call.
     ASSERT_TRUE(test::eventually([&] {
         trace.note(place(3.0), 13.1);
         return kept() == 3.0;
@@ -193,7 +193,7 @@ TEST(GoOnAtLastPlace, moves_nobody_out_of_the_world_or_into_a_wall) {
     EXPECT_THAT(session.news(), HasSubstr("no longer part of this world"));
     EXPECT_LT(glm::length(session.app.feet_m() - home), 1e-9);
     const std::string inside_nothing = session.ask(Command::BringOut);
-    // From anywhere within the bounds, the walker can either move afterwards or is at home.
+    // From any place within the bounds, the walker either can move afterwards or is at the base.
     const Aabb bounds = session.app.scene()->bounds_m;
     for (int i = 0; i < 40; ++i) {
         const Vec3 share(0.5 + 0.5 * std::sin(1.7 * i), 0.5 + 0.5 * std::sin(2.9 * i + 1.0), 0.05);

@@ -19,7 +19,7 @@ namespace learning_test {
 
 using test::SceneBuilder;
 
-// A world and its rooms, and the room around a point as a place to learn.
+// A world with its rooms, and the room around a point as a place to learn.
 struct Ground {
     Ground(const SceneBuilder& b, const Vec3& feet_m) : scene(b.share()), world(scene) {
         const WalkerSize size = body_size(*scene, 0.25);
@@ -45,7 +45,8 @@ struct Ground {
     Place place;
 };
 
-// A room with its south-west corner at `at`, a door of a metre in the south wall and a free-standing block.
+// Makes a room with its south-west corner at `at`, a door of a metre in the south wall, and perhaps a free-standing
+// block.
 struct DoorRoom : Ground {
     static SceneBuilder built(const Vec3& at, double wide, double deep, bool block) {
         SceneBuilder b;
@@ -133,7 +134,7 @@ TEST(Learning, reports_the_walked_share_of_the_floor_within_two_percent) {
             }
             at = to;
         }
-        // The expected result, from points three centimetres apart.
+        // Computes the expected result from points three centimetres apart.
         int all = 0, walked = 0;
         for (double x = 0.015; x < room.wide_m; x += 0.03)
             for (double y = 0.015; y < room.deep_m; y += 0.03) {
@@ -146,7 +147,7 @@ TEST(Learning, reports_the_walked_share_of_the_floor_within_two_percent) {
     }
 }
 
-// The nearest unknown stretch of wall, found by comparing every pair.
+// Returns the nearest unknown stretch of wall, found by comparing every pair of samples.
 std::optional<Vec3> nearest_unknown_wall(const Learnt& learnt, const Vec3& feet_m) {
     constexpr double kUnknown_m = 0.45;
     const std::vector<WallSample>& walls = learnt.place().walls;
@@ -225,8 +226,8 @@ TEST(Learning, lanes_are_a_metre_apart_in_both_directions) {
     for (std::size_t i = 0; i < after.size(); ++i) EXPECT_EQ(after[i].done(), i == 2) << i;
 }
 
-// The outline of a room, followed with the room on the left; all corners are square. May contain a free-standing
-// pillar.
+// The outline of a room. The corners are in an order that has the room on the left, and all are right angles. There may
+// be a free-standing pillar.
 struct Outline {
     const char* name = "";
     std::vector<Vec3> corners;
@@ -236,7 +237,7 @@ struct Outline {
 
     Vec3 corner(std::size_t i) const { return corners[i % corners.size()]; }
     bool inside(const Vec3& p) const {
-        bool in = false;  // toggled for each side to the east
+        bool in = false;  // changes for each side of the outline to the east
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const Vec3 a = corner(i), b = corner(i + 1);
             if ((a.y > p.y) != (b.y > p.y) && p.x < a.x) in = !in;
@@ -249,7 +250,7 @@ struct Outline {
         for (std::size_t i = 0; i < corners.size(); ++i) sum_m += glm::length(corner(i + 1) - corner(i));
         return sum_m;
     }
-    // Calls `look` with points of the walls a centimetre apart, and the direction into the room.
+    // Calls `look` with points of the walls, a centimetre apart, and with the direction into the room.
     template <class Look>
     void along_walls(Look look) const {
         for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -270,8 +271,8 @@ struct Outline {
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const Vec3 from = corner(i), to = corner(i + 1), along = (to - from) / glm::length(to - from),
                        out(along.y, -along.x, 0.0);
-            // A wall continues around an outer corner. At an inner one it ends, and the next begins a little behind its
-            // face.
+            // A wall continues round an outer corner. At an inner corner it ends, and the next wall begins slightly
+            // behind its face.
             const Vec3 a = from - along * 0.2, c = to + along * 0.2;
             const auto turn = [](const Vec3& one, const Vec3& other) { return one.x * other.y - one.y * other.x; };
             const Vec3 before = from - corner(i + corners.size() - 1), after = corner(i + 2) - to;
@@ -324,7 +325,7 @@ TEST_P(Outlines, have_the_true_length_and_area_within_two_percent) {
     }
 }
 
-// A person who presses keys, and the positions of the feet.
+// A person who walks a lap by keys, and the positions of the walker's feet.
 struct Lap : test::AppSession {
     explicit Lap(std::shared_ptr<const Scene> scene) {
         app.apply(WorldEntered{make_ready(std::move(scene))}, 0.0);
@@ -348,7 +349,7 @@ struct Lap : test::AppSession {
     std::vector<Vec3> feet;
 };
 
-// A lap by the keys: what the session reports must match the actual path on the floor.
+// For a lap by keys, what the session reports must match the actual path on the floor.
 TEST_P(Outlines, of_a_lap_by_keys_are_reported_within_two_percent_at_every_part) {
     const Outline& outline = GetParam();
     const std::shared_ptr<const Scene> scene = outline.build().share();
@@ -385,8 +386,8 @@ TEST_P(Outlines, of_a_lap_by_keys_are_reported_within_two_percent_at_every_part)
     }
 }
 
-// A pocket too small for any walker has its own wall. Without that wall, 95 percent of the walls are touched, and the
-// session used to report that as all of them.
+// A pocket that is too small for any walker has its own wall. Without that wall, 95 percent of the walls have been
+// touched, and the session used to report that as all of them.
 TEST(Learning, untouched_walls_are_not_reported_as_done) {
     SceneBuilder b;
     const auto wall = [&](const Vec3& from, const Vec3& to, const char* name) {
@@ -420,7 +421,7 @@ TEST(Learning, a_lap_past_a_door_finds_the_door) {
     EXPECT_TRUE(lap.told("North wall done"));
 }
 
-// Two rooms with an open gap of a metre between them.
+// Makes two rooms with an open gap of a metre between them.
 SceneBuilder two_rooms() {
     SceneBuilder b;
     b.box({-1, -1, -0.2}, {12, 6, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
@@ -442,15 +443,15 @@ TEST(Learning, uses_the_room_of_the_graph_as_the_place_and_its_portals_as_exits)
     EXPECT_EQ(study.graph.rooms[study.room].name, "Study");
     for (const Ground* one : {&study, &kitchen}) {
         const Progress none = one->progress();
-        // Three walls, and a fourth with a gap of a metre. The graph decides how much of the jambs belongs to either
-        // room.
+        // Each room has three walls, and a fourth with a gap of a metre. The room graph decides which parts of the
+        // jambs belong to which room.
         EXPECT_NEAR(none.perimeter_m, 2.0 * (one == &study ? 5.0 : 4.8) + 8.0 - 1.0 + 0.2, 0.4);
         EXPECT_NEAR(none.floor_m2, (one == &study ? 5.0 : 4.8) * 4.0, 0.5);
         EXPECT_EQ(none.exits, 1);
         EXPECT_FALSE(none.doors_only);
         EXPECT_EQ(none.exits_found, 0);
     }
-    // Every part of the floor belongs to exactly one of the rooms.
+    // Every part of the floor belongs to exactly one room.
     EXPECT_NEAR(study.place.area_m2() + kitchen.place.area_m2(), 9.8 * 4.0 + 0.2, 0.02 * 39.4);
     LearningNotes notes;
     for (double x = 2.0; x < 8.0; x += 0.05) notes.walked({x, 2.0, 0.0});
@@ -464,7 +465,7 @@ TEST(Learning, keeps_progress_of_a_room_after_leaving_it_and_can_report_on_all_r
     lap.walk(Command::TrailLeft, 4.0);
     const std::string before = lap.ask(Command::ProgressReport);
     const auto percents = [](const std::string& report) { return report.substr(0, report.find(" percent, floor")); };
-    // Leaps to the other room, so that nothing more is touched on the way.
+    // Places the walker in the other room, so that it touches nothing on the way there.
     lap.app.apply(Placed{{8, 2, 0}, 0.0}, lap.now);
     lap.run(1.5);
     EXPECT_TRUE(lap.told("Next room to learn Kitchen The base is here")) << lap.said.back();

@@ -92,7 +92,7 @@ TEST(Lessons, about_the_beacon_end_once_it_was_set_and_reached_and_not_when_it_i
     EXPECT_TRUE(lesson.tick(reached, *w.scene).finished);
 }
 
-// The same in a session: the thing is chosen from the list, the walker goes there, and the beacon ends.
+// In a session, the person chooses the thing from the list, the walker goes there, and the beacon ends.
 TEST(Lessons, about_the_beacon_lead_the_walker_to_the_chosen_thing) {
     const World w;
     Session app(Settings{}, HandFacts{});
@@ -144,7 +144,7 @@ TEST(Lessons, are_short_enough_for_two_minutes) {
     }
 }
 
-// In a session, the lesson continues where it was left.
+// In a session, the first minutes continue at the step where the person left them.
 TEST(FirstMinutes, resume_where_they_were_left_and_never_start_again_once_done) {
     const World w;
     Session app(Settings{}, HandFacts{});
@@ -191,7 +191,7 @@ TEST(FirstMinutes, resume_where_they_were_left_and_never_start_again_once_done) 
     EXPECT_THAT(text, HasSubstr("Welcome back."));
     EXPECT_THAT(text, HasSubstr("You are in a small room"));
 
-    // Escape explains the lesson and, pressed again, leaves it; nothing asks again.
+    // Escape explains the lesson. Pressed again, it ends the lesson without another question.
     app.apply(CommandDown{Command::Leave}, now += 10.0);
     EXPECT_THAT(said(), HasSubstr("Press Escape again to leave the lesson"));
     app.apply(CommandUp{Command::Leave}, now);

@@ -1,4 +1,4 @@
-// Lifts with more than two stops: they come to each storey when called, and go to the storey that the person chooses.
+// Lifts with more than two halts. They come to each storey when called, and go to the storey that the person chooses.
 #include <gmock/gmock.h>
 
 #include "app/core/world/mover_play.h"
@@ -50,7 +50,7 @@ TEST(LiftHalts, include_a_door_between_both_ends_which_the_lift_opens) {
 
 TEST(LiftHalts, lead_to_the_announced_storey_which_the_key_can_change) {
     Ride ride(test::hall_with_lift());
-    ride.walk(4.0);  // up to its door
+    ride.walk(4.0);  // walks to the door of the lift
     ride.tap(Command::Use);
     ride.run(1.5);
     ride.walk(2.5);
@@ -68,8 +68,8 @@ TEST(LiftHalts, lead_to_the_announced_storey_which_the_key_can_change) {
     EXPECT_NEAR(ride.app.feet_m().z, 0.0, 0.02);
 }
 
-// Under the lintel the lift would hit the walker's head. It moves the walker farther in instead of turning back for
-// ever.
+// Under the lintel, the lift would push the walker's head into it. So the walker is moved farther in, and the lift does
+// not turn back again and again.
 TEST(LiftHalts, allow_boarding_from_the_threshold) {
     for (const double in_m : {0.3, 0.35, 0.4, 0.5}) {
         SCOPED_TRACE(in_m);

@@ -1,4 +1,5 @@
-// The menu and all that it contains: key changes, one-handed key sets, input help, settings, worlds, sounds.
+// The menu and all that it contains: changes of keys, sets of keys for one hand, input help, settings, worlds and
+// sounds.
 #include <fstream>
 #include <set>
 
@@ -29,7 +30,7 @@ struct Person : test::AppSession {
         app.apply(WorldEntered{make_ready(room())}, now);
         run(0.1);
     }
-    // Sends a key as a window does, and returns the answer.
+    // Presses a key as in a window, and returns the answer.
     std::string key(const std::string& name) {
         run(0.5);
         said.clear();
@@ -118,7 +119,7 @@ TEST(Rebinding, reports_conflicts_for_the_person_to_decide_and_can_restore_the_b
     EXPECT_EQ(saved.at("keys.what"), "none");
     EXPECT_EQ(saved.at("keys.heading"), "C E");
     leave();
-    // The saved settings mean the same at the next start and cause no problem.
+    // The saved settings have the same meaning at the next start, and cause no error.
     Settings again;
     again.keys = {{"what", "none"}, {"heading", "C E"}};
     EXPECT_TRUE(KeyMap(again.keys).problems().empty());
@@ -216,7 +217,7 @@ TEST(OneHandedKeys, are_chosen_in_the_menu_and_take_effect_at_once) {
     EXPECT_EQ(p.app.keys().find("W"), Command::Forward);
     EXPECT_EQ(p.app.keys().find("Up"), Command::Forward);
     EXPECT_EQ(p.saved()["keyboard.hand"], "left");
-    // A person's own key takes precedence over the set.
+    // A person's own key takes precedence over the set of keys for one hand.
     Settings own;
     own.keyboard.hand = KeyboardHand::Left;
     own.keys["heading"] = "W";

@@ -1,5 +1,5 @@
-// Nothing that moves the walker automatically turns it or changes its height without an announcement. Trailing says
-// where it goes and waits before stairs, and a leap says where the walker is afterwards.
+// If a command moves the walker automatically, the session announces each turn and each change of height. Trailing
+// announces its direction and stops before stairs. A leap announces the new place.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -27,14 +27,15 @@ struct Body : AppSession {
         news();
     }
     explicit Body(const char* world) : Body(test::our_world(world)) {}
-    // Waits until nothing is under way, for a minute at most.
+    // Waits until nothing is pending, for a minute at most.
     void rest() {
         for (int i = 0; i < 60 && !(app.idle() && i > 0); ++i) run(1.0);
     }
     double off_rad(double from_rad) const { return std::abs(std::remainder(app.heading_rad() - from_rad, 2.0 * kPi)); }
 };
 
-// A hall of 10 by 6 metres with its floor at 0. In the east, twelve steps along the south wall lead up to a landing.
+// Makes a hall of 10 by 6 metres with its floor at 0. In the east, twelve steps along the south wall lead up to a
+// landing.
 std::shared_ptr<const Scene> hall_with_stairs() {
     test::SceneBuilder b;
     b.box({0, 0, -0.2}, {20, 6, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
@@ -52,7 +53,8 @@ std::shared_ptr<const Scene> hall_with_stairs() {
 TEST(Trailing, announces_an_initial_turn_of_the_body) {
     for (const char* language : kLanguages) {
         const test::InLanguage spoken(language);
-        // Facing west at the south wall, which is on the left. It is on the right only for a walker who faces east.
+        // The walker faces west, so that the south wall is on its left. To have the wall on its right, the walker must
+        // turn to face east.
         Body s(hall_with_stairs());
         s.app.apply(Placed{{4, 0.4, 0}, -0.5 * kPi}, s.now);
         s.news();
@@ -61,7 +63,7 @@ TEST(Trailing, announces_an_initial_turn_of_the_body) {
             << s.news();
         s.rest();
         EXPECT_LT(s.off_rad(0.5 * kPi), 0.1);
-        // If the wall is already on that side, no turn is announced.
+        // If the wall is already on the requested side, no turn is announced.
         Body beside(hall_with_stairs());
         beside.app.apply(Placed{{4, 0.4, 0}, -0.5 * kPi}, beside.now);
         beside.news();
@@ -96,7 +98,7 @@ TEST(Trailing, waits_at_stairs_until_it_is_requested_again) {
         EXPECT_NEAR(s.app.feet_m().z, 0.0, 0.05) << "still on the floor";
         EXPECT_GT(s.app.feet_m().x, 7.0) << "just before them";
         s.news();
-        for (int i = 0; i < 30 && s.app.feet_m().z < 1.5; ++i) {  // here each step is a separate thing
+        for (int i = 0; i < 30 && s.app.feet_m().z < 1.5; ++i) {  // in this world, each step is a separate thing
             s.ask(Command::TrailOn);
             s.rest();
         }
@@ -104,8 +106,8 @@ TEST(Trailing, waits_at_stairs_until_it_is_requested_again) {
     }
 }
 
-// Trails along the walls of the house's rooms, from their middles. Every turn by more than a notch and every change of
-// height must have been announced before it.
+// The walker trails along the walls of all rooms of the house, starting from their middles. Every turn by more than a
+// notch and every change of height must have been announced before.
 TEST(Trailing, never_turns_or_climbs_without_an_announcement_in_the_house) {
     Body s("house.map");
     s.ask(Command::Exits);
@@ -124,7 +126,7 @@ TEST(Trailing, never_turns_or_climbs_without_an_announcement_in_the_house) {
             s.run(1.0 / 60.0);
             if (s.said.size() > said) {
                 said = s.said.size();
-                // A turn that has begun continues after its announcement.
+                // A turn that has begun may continue after its announcement.
                 heading_rad = s.app.heading_rad();
                 z_m = s.app.feet_m().z;
                 for (int more = 0; more < 90; ++more) {
@@ -143,7 +145,7 @@ TEST(Trailing, never_turns_or_climbs_without_an_announcement_in_the_house) {
     EXPECT_GT(rooms->size(), 5U);
 }
 
-// Three landmarks at 2, 4 and 7 metres, with names in the opposite order to that in the file.
+// Makes three landmarks at 2, 4 and 7 metres. The file has them in the opposite order.
 std::shared_ptr<const Scene> three_things() {
     test::SceneBuilder b;
     b.box({-10, -10, -0.2}, {10, 10, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
@@ -179,7 +181,7 @@ TEST(Leaping, goes_to_the_nearest_thing_first_and_announces_the_new_place) {
         s.run(0.1);
         s.ask(Command::LeapLast);
         EXPECT_EQ(s.said.back(), phrase("leap.no_last", {{"key", s.app.keys().keys_of(Command::UndoLeap)}}));
-        // After a turn, leaping begins again with the nearest thing.
+        // After a turn, the series of leaps begins again with the nearest thing.
         s.tap(Command::TurnLeft, 0.3);
         s.ask(Command::LeapNext);
         EXPECT_THAT(s.said.back(), Not(HasSubstr("Well")));
@@ -197,7 +199,7 @@ TEST(Leaping, reaches_every_door_of_the_room_even_out_of_sight) {
         leapt.insert(s.said.back());
         s.run(0.1);
     }
-    // All doors that the announced exits of the hall named.
+    // Checks all doors that the announced exits of the hall have named.
     for (const char* door : {"Front door", "Living room door", "Study door"}) {
         if (exits.find(door) == std::string::npos) continue;
         EXPECT_TRUE(std::any_of(leapt.begin(), leapt.end(),

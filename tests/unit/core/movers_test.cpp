@@ -1,4 +1,4 @@
-// Doors, lifts, buttons and teleporters: how a map defines them, how they move, and what the session does with them.
+// Doors, lifts, buttons and teleporters: how a map defines them, how they move, and how the session uses them.
 #include "tests/support/map_text.h"
 #include "tests/support/names.h"
 #include "tests/support/project_root.h"
@@ -23,7 +23,7 @@ std::shared_ptr<const Scene> world(const std::string& entities, bool game = fals
     return std::make_shared<const Scene>(std::move(*scene));
 }
 
-// A wall across the 10 m wide hall, 2 m ahead of the base, with a door 1 m wide in it.
+// A wall across the hall, which is 10 m wide, 2 m ahead of the base. It has a doorway 1 m wide.
 const std::string kWall = entity(
     "func_wall", key("name", "cross wall"),
     box_brush(0, 96, 0, 144, 104, 128) + box_brush(176, 96, 0, 320, 104, 128) + box_brush(144, 96, 72, 176, 104, 128));
@@ -36,7 +36,7 @@ struct Walk : test::AppSession {
 TEST(Movers, a_hinged_door_of_a_building_swings_out_of_its_opening) {
     struct Case {
         const char *hinge, *opens;
-        Vec3 far_edge_m;  // middle of the leaf's far edge when open
+        Vec3 far_edge_m;  // middle of the far edge of the open leaf
     };
     for (const Case& c : {Case{"west", "north", {4.5, 4.1875, 0}}, Case{"east", "north", {5.5, 4.1875, 0}},
                           Case{"west", "south", {4.5, 2.0625, 0}}, Case{"east", "south", {5.5, 2.0625, 0}}}) {
@@ -49,7 +49,8 @@ TEST(Movers, a_hinged_door_of_a_building_swings_out_of_its_opening) {
         ASSERT_EQ(thing, std::vector<int>{0});
         EXPECT_TRUE(std::none_of(apart.solids.begin(), apart.solids.end(),
                                  [&](const Solid& s) { return s.feature == mover.feature; }));
-        // Closed, it is where the file puts it. Open, it leaves the opening free except for its own thickness.
+        // The closed leaf is where the file puts it. The open leaf leaves the opening free except for its own
+        // thickness.
         const PlacedFrame closed(mover.at(0.0)), open(mover.at(1.0));
         Aabb shut, wide;
         for (const Polygon& face : apart.placed[0].model->solids[0].shape.faces)
@@ -90,7 +91,7 @@ TEST(Movers, a_door_that_would_shut_on_the_walker_opens_again) {
     Walk walk(world(kWall + door(key("name", "Oak door") + key("hinge", "west"))));
     walk.app.apply(Placed{{5.0, 2.4, 0.0}, 0.0}, walk.now);
     walk.tap(Command::Use, 2.0);
-    walk.app.apply(Placed{{5.0, 3.1, 0.0}, 0.0}, walk.now);  // on the threshold
+    walk.app.apply(Placed{{5.0, 3.1, 0.0}, 0.0}, walk.now);  // places the walker on the threshold
     walk.tap(Command::Use, 4.0);
     EXPECT_TRUE(walk.heard("touched you"));
     EXPECT_FALSE(walk.heard("is shut"));
@@ -98,7 +99,7 @@ TEST(Movers, a_door_that_would_shut_on_the_walker_opens_again) {
     EXPECT_GT(walk.app.feet_m().y, 4.0) << "nobody is held by it";
 }
 
-// A walker who has opened a door steps around its leaf to shut it again.
+// A walker that has opened a door steps round its leaf in order to shut it again.
 TEST(Movers, a_door_shuts_past_a_walker_in_its_swing_but_not_in_its_opening) {
     Walk walk(world(kWall + door(key("name", "Oak door") + key("hinge", "west") + key("opens", "north"))));
     walk.app.apply(Placed{{5.0, 2.4, 0.0}, 0.0}, walk.now);
@@ -140,7 +141,7 @@ TEST(Movers, a_button_opens_only_the_door_with_its_name_and_nothing_else_opens_i
     EXPECT_TRUE(walk.heard("Gate, plaster is locked. Red button") || walk.heard("is locked. Red button"));
     EXPECT_TRUE(walk.heard(" opens it, ")) << "and where it is";
     walk.app.apply(Placed{{5.0, 1.0, 0.0}, 0.0}, walk.now);
-    walk.walk(1.5);  // against the button
+    walk.walk(1.5);  // walks against the button
     walk.run(3.0);
     EXPECT_TRUE(walk.heard("Red button pressed"));
     EXPECT_TRUE(walk.heard("Gate opens"));
@@ -153,13 +154,13 @@ TEST(Movers, a_locked_door_announces_its_button_when_bumped_and_opens_with_it_fr
     const std::string button =
         entity("func_button", key("target", "gate") + key("angle", "90") + key("name", "Red button"),
                box_brush(150, 600, 0, 170, 604, 48));
-    // Flag 32 without `wait`: it stays open.
+    // The gate has flag 32 and no `wait`, so it stays open.
     const std::string gate =
         door(key("angle", "-1") + key("targetname", "gate") + key("spawnflags", "32") + key("name", "Gate"));
     Walk walk(world(kWall + gate + button, true));
     walk.walk(4.0);
     EXPECT_TRUE(walk.heard("is locked. Red button"));
-    walk.app.apply(Placed{{5.0, 18.2, 0.0}, 0.0}, walk.now);  // 15 m beyond
+    walk.app.apply(Placed{{5.0, 18.2, 0.0}, 0.0}, walk.now);  // places the walker 15 m beyond
     walk.tap(Command::Use, 4.0);
     EXPECT_TRUE(walk.heard("Red button pressed"));
     EXPECT_TRUE(walk.heard("Gate opens"));
@@ -177,7 +178,7 @@ TEST(Movers, a_lift_waits_below_and_carries_a_walker_who_steps_on) {
     EXPECT_TRUE(mover.rests_far);
     EXPECT_NEAR(mover.slide_m.z, -(64.0 - 8.0) / 32.0, 1e-12);
     EXPECT_LT(walk.app.feet_m().z, 0.1);
-    walk.walk(2.5);  // onto it
+    walk.walk(2.5);  // walks onto the lift
     double highest = 0.0;
     for (int i = 0; i < 300; ++i) {
         walk.run(1.0 / 60.0);
@@ -210,8 +211,8 @@ TEST(Movers, a_teleporter_without_a_target_is_reported_with_its_line) {
     EXPECT_GT(scene->report.warnings[0].line, 1);
 }
 
-// A moving leaf pushes a hand that is held against it evenly and without knocks. Checked with the body frames of the
-// session.
+// A moving leaf pushes a hand that is held against it, evenly and without knocks. The test checks the body frames of
+// the session.
 TEST(Movers, poses_of_a_swinging_leaf_follow_each_other_closely) {
     Walk walk(world(kWall + door(key("hinge", "west"))));
     walk.app.apply(Placed{{5.0, 2.4, 0.0}, 0.0}, walk.now);
@@ -230,7 +231,7 @@ TEST(Movers, poses_of_a_swinging_leaf_follow_each_other_closely) {
     EXPECT_LT(farthest, 0.05) << "1.3 m/s at the far edge";
 }
 
-// In the bundled house every door can be opened, passed in both directions, and shut behind the walker.
+// In the bundled house, the walker opens every door, passes it in both directions, and shuts it behind itself.
 TEST(Movers, every_door_of_our_house_can_be_used_from_both_sides) {
     auto scene = read_world(test::project_root() / "worlds" / "maps" / "house.map");
     ASSERT_TRUE(scene);

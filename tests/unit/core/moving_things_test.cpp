@@ -1,5 +1,5 @@
-// Who rides on moving things, and what those do when they meet a walker or one another: trains, turning parts, lifts
-// with doors and buttons.
+// Who rides on moving things, and what moving things do when they meet a walker or each other: trains, turning parts,
+// and lifts with doors and buttons.
 #include <random>
 
 #include "app/core/world/mover_meeting.h"
@@ -17,7 +17,8 @@ using test::box_brush;
 using test::entity;
 using test::key;
 
-// A hall 10 by 20 m and 6 m high; one unit is 1/32 m. The base is 1 m from its south wall at x 5 m and looks north.
+// Makes a hall of 10 by 20 m, 6 m high; one unit is 1/32 m. The base is 1 m from its south wall at x = 5 m and faces
+// north.
 std::shared_ptr<const Scene> hall(const std::string& entities, bool game = false,
                                   const std::string& more_building = {}) {
     const std::string room = test::room_brushes(0, 0, 0, 320, 640, 192) + more_building;
@@ -49,7 +50,7 @@ struct Rider : test::AppSession {
         for (std::size_t i = 0; i < app.scene()->placed.size(); ++i) all.push_back(thing(i));
         return all;
     }
-    // Returns the greatest height of the soles, and checks that the walker is never inside something on the way.
+    // Returns the greatest height of the soles during this time. Checks that the walker is never inside a solid.
     double highest_m(double seconds) {
         double highest = app.feet_m().z;
         for (const double until = now + seconds; now < until;) {
@@ -61,8 +62,8 @@ struct Rider : test::AppSession {
     }
 };
 
-// A lift that rises 2 m, with its top level with the floor of the hall below. Another brush of the floor is level with
-// it and farther east; it was once mistaken for what the walker stands on.
+// A lift that rises 2 m. At the bottom, its top is level with the floor of the hall. Another brush of the floor is at
+// the same level and farther east. The code once mistook that brush for the ground under the walker.
 const std::string kLevelLift =
     entity("func_plat", key("name", "Lift") + key("height", "64"), box_brush(96, 96, 0, 224, 224, 64));
 const std::string kFloorPlate = box_brush(100, 70, -8, 250, 250, 0);
@@ -72,7 +73,8 @@ TEST(Riding, starts_on_a_lift_whose_top_is_level_with_the_floor) {
     rider.walk(2.5);
     EXPECT_NEAR(rider.highest_m(3.0), 2.0, 0.02);
     EXPECT_TRUE(rider.heard("Lift stops at the top"));
-    // The passenger stays on, so the lift waits at the top and goes down again with them.
+    // The walker stays on the lift, so the lift waits at the top. When the walker has been placed elsewhere, the lift
+    // goes down again.
     rider.app.apply(Placed{{5.0, 1.0, 0.0}, 0.0}, rider.now);
     rider.run(12.0);
     EXPECT_TRUE(rider.heard("Lift is back"));
@@ -101,8 +103,8 @@ TEST(Riding, ends_by_stepping_off_above_and_the_lift_then_goes_down_empty) {
 }
 
 TEST(Riding, pulls_a_walker_with_a_foot_over_the_edge_of_a_descending_lift_completely_onto_it) {
-    // Its top is level with a floor 2 m up around its shaft. It moves when called, and waits at the top as the map's
-    // author set it.
+    // The top of the lift is level with a floor 2 m up around its shaft. The lift moves when it is called, and waits at
+    // the top for the time in the map.
     const std::string shaft = box_brush(0, 0, 0, 96, 640, 64) + box_brush(224, 0, 0, 320, 640, 64) +
                               box_brush(96, 0, 0, 224, 96, 64) + box_brush(96, 224, 0, 224, 640, 64);
     const std::string lift =
@@ -122,7 +124,7 @@ TEST(Riding, pulls_a_walker_with_a_foot_over_the_edge_of_a_descending_lift_compl
 }
 
 TEST(Meeting, a_lift_under_a_low_ceiling_goes_back_and_does_not_retry_while_the_walker_stands_on_it) {
-    // A beam from 3.1 m up.
+    // There is a beam at a height of 3.1 m.
     const std::string low = entity("func_wall", key("name", "beam"), box_brush(90, 90, 100, 230, 230, 128));
     Rider rider(hall(kLevelLift + low, true));
     rider.app.apply(Placed{{5.0, 5.0, 0.0}, 0.0}, rider.now);
@@ -161,7 +163,7 @@ std::string corner(const std::string& name, const std::string& next, const std::
                    const std::string& more = {}) {
     return entity("path_corner", key("targetname", name) + key("target", next) + key("origin", origin) + more);
 }
-// A platform of 2 by 2 m and 0.25 m thickness, which goes around a square of 4 m at 1 m a second.
+// A platform of 2 by 2 m with a thickness of 0.25 m, which moves round a square of 4 m at 1 m a second.
 const std::string kTrack = corner("a", "b", "32 32 16") + corner("b", "c", "160 32 16", key("wait", "2")) +
                            corner("c", "d", "160 160 16") + corner("d", "a", "32 160 16");
 std::string train(const std::string& more = {}) {
@@ -174,7 +176,8 @@ TEST(Trains, go_from_stop_to_stop_wait_as_the_map_says_and_start_again) {
     const Mover& mover = rider.app.scene()->movers.at(0);
     ASSERT_EQ(mover.stops.size(), 4U);
     EXPECT_EQ(mover.after_last, 0);
-    // The platform's least corner follows the corners of the path: 4 m per side, and a stop of 2 s at the second.
+    // The corner of the platform with the least coordinates follows the corners of the path: 4 m per side, with a stop
+    // of 2 s at the second corner.
     struct At {
         double s;
         Vec3 there_m;
@@ -226,7 +229,7 @@ TEST(Trains, without_two_corners_are_reported_with_their_line_and_stand_still) {
     EXPECT_FALSE(scene->movers.at(0).moves());
 }
 
-// A wall across the hall with an opening 3 m wide and 3 m high, and a track of 12 m through it.
+// A wall across the hall with an opening 3 m wide and 3 m high, and a track of 12 m through the opening.
 const std::string kGate = entity("func_wall", key("name", "gate wall"),
                                  box_brush(0, 304, 0, 112, 320, 128) + box_brush(208, 304, 0, 320, 320, 128) +
                                      box_brush(112, 304, 96, 208, 320, 128));
@@ -237,7 +240,7 @@ TEST(Trains, pass_a_doorway_with_their_passenger_and_wait_for_a_walker_in_it) {
     rider.run(12.3);
     EXPECT_GT(rider.app.feet_m().y, 17.0) << "through the doorway";
     EXPECT_TRUE(rider.bumped.empty());
-    // Now a person stands in the doorway. The train comes back and waits in front of them.
+    // Now a person stands in the doorway. The train comes back and waits in front of that person.
     rider.app.apply(Placed{{5.0, 9.75, 0.0}, 0.0}, rider.now);
     for (int i = 0; i < 900; ++i) {
         rider.run(1.0 / 60.0);
@@ -252,8 +255,8 @@ TEST(Trains, pass_a_doorway_with_their_passenger_and_wait_for_a_walker_in_it) {
 }
 
 TEST(Meeting, a_train_waits_at_a_shut_door_until_it_is_opened) {
-    // The door comes first in the file. It slides up by its height less 8 units, which leaves 2.75 m free; the car is
-    // 0.75 m high.
+    // The door comes before the train in the file. It slides up by its height less 8 units, which leaves 2.75 m free.
+    // The car of the train is 0.75 m high.
     const std::string door =
         entity("func_door", key("name", "Gate") + key("angle", "-1") + key("wait", "20") + key("targetname", "gate"),
                box_brush(112, 308, 0, 208, 316, 96));
@@ -268,7 +271,8 @@ TEST(Meeting, a_train_waits_at_a_shut_door_until_it_is_opened) {
 }
 
 TEST(Meeting, the_earlier_of_two_movers_proceeds_and_the_later_waits_and_goes_back) {
-    // Two sliding leaves whose paths cross at a right angle. Each has a button, and both buttons are pressed at once.
+    // Two sliding leaves whose paths cross at a right angle. Each has a button, and both buttons are pressed at the
+    // same time.
     const auto leaf = [](const char* name, const char* angle, const std::string& box) {
         return entity("func_door",
                       key("name", name) + key("angle", angle) + key("speed", "32") + key("lip", "0") +
@@ -343,7 +347,7 @@ TEST(TurningParts, carry_and_turn_a_walker_who_stands_on_them) {
 }
 
 TEST(TurningParts, wait_for_a_walker_who_blocks_them) {
-    // An arm 4 m long at hip height; the person stands where it passes after a quarter of a turn.
+    // The arm is 4 m long, at the height of the hip. The person stands where the arm passes after a quarter of a turn.
     Rider rider(hall(turner(key("speed", "45"), box_brush(96, 316, 28, 224, 324, 36)), true), {5.0, 11.5, 0.0});
     for (int i = 0; i < 300; ++i) {
         rider.run(1.0 / 60.0);
@@ -359,7 +363,7 @@ TEST(TurningParts, wait_for_a_walker_who_blocks_them) {
 }
 
 TEST(TurningParts, are_felt_as_they_pass_and_push_the_hand) {
-    // A flat arm sweeps over the hand. Four ends pass per turn, so one comes within a second.
+    // A flat arm sweeps over the hand. Four ends of arms pass in each turn, so one comes within a second.
     test::Explorer person(
         hall(turner(key("speed", "60"), box_brush(128, 60, 30, 192, 68, 50) + box_brush(156, 32, 30, 164, 96, 50)),
              true),
@@ -381,7 +385,7 @@ TEST(TurningParts, are_felt_as_they_pass_and_push_the_hand) {
 
 // ---- a lift of a building ----
 
-// Two storeys 3 m apart. Each has a button, and a door that opens only while the lift is there.
+// Makes two storeys 3 m apart. Each has a button, and a door that opens only while the lift is there.
 std::shared_ptr<const Scene> two_storeys(const std::string& more = {}) {
     const std::string upper = box_brush(0, 0, 88, 320, 128, 96) + box_brush(0, 176, 88, 320, 640, 96) +
                               box_brush(0, 128, 88, 136, 176, 96) + box_brush(184, 128, 88, 320, 176, 96);
@@ -417,7 +421,7 @@ TEST(LiftsOfBuildings, are_called_by_door_and_buttons_and_open_a_door_only_at_th
     EXPECT_TRUE(rider.heard("Lower lift door opens"));
     rider.run(5.0);
     EXPECT_FALSE(open(1)) << "it shuts by itself";
-    // Called from above by the button.
+    // A walker on the upper storey calls the lift by its button.
     rider.app.apply(Placed{{182.0 / 32.0, 3.2, 3.0}, 0.0}, rider.now);
     rider.tap(Command::Use, 0.0);
     EXPECT_TRUE(rider.heard("Upper button pressed"));
@@ -456,7 +460,7 @@ TEST(LiftsOfBuildings, wait_with_an_open_door_while_the_walker_stands_in_it) {
     rider.tap(Command::Use, 1.5);
     rider.app.apply(Placed{{5.0, 123.0 / 32.0, 0.0}, 0.0}, rider.now);
     const double below = rider.thing(0).position_m.z;
-    // Another person calls it from above.
+    // Another person calls the lift from above.
     rider.run(0.5);
     rider.run(20.0);
     EXPECT_EQ(rider.thing(0).position_m.z, below);
@@ -487,7 +491,7 @@ TEST(LiftsOfBuildings, include_one_in_our_school_that_can_be_ridden_up_and_down_
         rider.turn_round();
         ASSERT_LT(rider.app.feet_m().y, 10.7) << "in the corridor";
         EXPECT_NEAR(rider.app.feet_m().z, floor_m, 0.02);
-        rider.run(8.0);  // until its door is shut again
+        rider.run(8.0);  // until the door of the lift is shut again
     }
 }
 

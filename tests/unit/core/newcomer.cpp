@@ -12,7 +12,7 @@
 namespace handrail::test {
 namespace {
 
-// Compares whole words: "Stairs" does not begin with "Stair".
+// True if `text` begins with the whole words `with`: "Stairs" does not begin with "Stair".
 bool begins(const std::string& text, const std::string& with) {
     return text.rfind(with, 0) == 0 &&
            (text.size() == with.size() || std::isalnum(static_cast<unsigned char>(text[with.size()])) == 0);
@@ -107,7 +107,7 @@ bool Newcomer::walk(int steps) {
         }
         if (!bumped_since(sounds)) continue;
         if (told_of_lock(said)) return true;
-        // The leaf of an open door is in the way; using the door would shut it.
+        // If the leaf of an open door is in the way, the door is not used, because that would shut it.
         if (!heard("open", said) && (heard("shut", said) || heard("door", said) || door_ahead())) {
             const std::string answer = ask("Enter", 3.0);
             if (told_of_lock(said)) return true;
@@ -139,14 +139,14 @@ bool Newcomer::told_of_lock(std::size_t since) {
     return false;
 }
 
-// If something is in the way, goes along it for a few steps, on alternate sides, and farther each time.
+// If something is in the way, walks sideways for a few steps, on alternate sides, and farther each time.
 void Newcomer::get_round() {
     ++met_;
     const std::string along = met_ % 4 < 2 ? "Shift+Left" : "Shift+Right";
     hold(along, 0.7 + 0.4 * static_cast<double>(met_ % 7));
 }
 
-// Uses the announced key, then waits until the lift has stopped and its door had time to open.
+// Presses the announced key, then waits until the lift has stopped and its door has had time to open.
 void Newcomer::ride() {
     const std::size_t since = lines();
     ask("Enter");
@@ -166,7 +166,7 @@ bool Newcomer::obey(const std::string& text) {
     const auto direction = direction_in(text);
     if (!direction) return false;
     turn(direction->right_deg);
-    over_edges_ = text.find("edge") != std::string::npos;  // the route leads down there
+    over_edges_ = text.find("edge") != std::string::npos;  // the route leads down over the edge
     if (walk(std::clamp(direction->steps, 1, 8)) && !locked_) get_round();
     return true;
 }
@@ -176,7 +176,8 @@ std::vector<std::string> Newcomer::entries(const std::string& key) {
     std::string spoken = ask(key);
     static const std::regex title("^[^.]*\\. ");
     spoken = std::regex_replace(spoken, title, "", std::regex_constants::format_first_only);
-    // Reads to the end, where Down repeats the last entry or starts again. Consecutive footways may have the same name.
+    // Reads until the end of the list, where Down repeats the last entry or starts again at the first. Consecutive
+    // footways may have the same name.
     std::string before;
     for (int i = 0; i < 200 && !spoken.empty() && spoken != before; ++i) {
         const std::string entry = entry_of(spoken);
@@ -196,7 +197,7 @@ std::string Newcomer::choose(const std::string& key, const std::string& begin) {
     for (int i = 0; i < 200; ++i) {
         if (begins(spoken, begin)) {
             const std::string answer = ask("Enter", 0.8);
-            // If several have that name, takes the nearest.
+            // If several things have that name, takes the nearest one.
             return answer.find(": which one?") == std::string::npos ? answer : ask("Enter", 0.8);
         }
         if (spoken == before || spoken.empty()) break;
@@ -237,7 +238,7 @@ bool Newcomer::follow_words_to(const std::string& goal, std::size_t since) {
 bool Newcomer::go_to_thing(const std::string& thing) {
     const std::size_t since = lines();
     if (choose("Shift+H", thing).empty()) return false;
-    tap("Enter", 0.6);  // chooses the beacon, the first of the ways to find it
+    tap("Enter", 0.6);  // chooses the beacon, which is the first of the ways to find the thing
     for (int beats = 0; beats < 120; ++beats) {
         if (heard("Here " + thing, since)) return true;
         const std::size_t sounds = audio_.sounds().size();

@@ -1,6 +1,6 @@
-// A simulated person who has never been there and sees nothing. It presses keys by their names, and knows only what was
-// announced to it and what it heard, in that order. It never looks into the scene or at the walker's position. From
-// sounds it learns what ears would: which sound, from which side, how muffled.
+// A simulated person who has never been in the world and sees nothing. It presses keys by their names. It knows only
+// what was announced and what it heard, in that order, and never reads the scene or the walker's position. From each
+// sound, it learns what ears would: which sound it is, from which side it comes, and how muffled it is.
 #pragma once
 
 #include <filesystem>
@@ -18,14 +18,14 @@ namespace handrail::test {
 
 class Newcomer {
 public:
-    // `hand`: none, or the simulated hand of a device, which stays where it is.
+    // `hand` is absent, or the simulated hand of a device, which stays where it is.
     explicit Newcomer(std::shared_ptr<const Scene> world, const std::filesystem::path& records = {},
                       const HandFacts& hand = {});
 
     void wait(double seconds);
     void tap(const std::string& key, double then_s = 0.4);
     void hold(const std::string& key, double seconds);
-    // Returns everything spoken after a key, in one text.
+    // Presses a key, and returns everything spoken after that as one text.
     std::string ask(const std::string& key, double listen_s = 0.4);
     bool heard(const std::string& words, std::size_t since = 0) const;
     std::size_t lines() const { return speech_.lines().size(); }
@@ -33,39 +33,41 @@ public:
     std::string last_lines(std::size_t count) const;
     double now_s() const { return session_->now_s(); }
 
-    // Turns to the right by this many degrees, using the announced heading.
+    // Turns to the right by this many degrees. It uses the announced heading.
     void turn(double right_deg);
-    // Walks this many steps ahead, or fewer if something is in the way, and then returns true. Opens doors that it
-    // meets and goes through them.
-    bool walk(int steps);  // an edge counts as an obstacle, unless the directions lead over it
-    // Obeys one direction, such as "5 steps, 30 degrees right": turns and walks most of it. If the directions say so,
-    // it starts the lift in which it stands, or takes the stairs at which it stands. Returns false if the text has
-    // neither distance nor direction.
+    // Walks this many steps ahead. If something is in the way, walks fewer and returns true. Opens doors that it meets
+    // and goes through them.
+    bool walk(int steps);  // an edge counts as something in the way, unless the directions lead over it
+    // Follows one direction, such as "5 steps, 30 degrees right": turns and walks most of the distance. If the
+    // directions say so, starts the lift in which it stands, or climbs the stairs at which it stands. Returns false if
+    // the text contains neither distance nor direction.
     bool obey(const std::string& direction);
 
-    // Reads all entries of the list that a key opens, one after the other, and leaves the list.
+    // Opens a list by a key, reads all its entries one after the other, and leaves the list.
     std::vector<std::string> entries(const std::string& key);
-    // Opens the list and chooses the first entry with this beginning. Returns what is said then; empty if there is no
-    // such entry.
+    // Opens a list by a key, and chooses the first entry that begins with `begin`. Returns what is said after that, or
+    // an empty text if there is no such entry.
     std::string choose(const std::string& key, const std::string& begin);
 
-    // Course to a room by its name: chooses it from the list of routes, then requests the next directions again and
-    // again. Returns true when the arrival is announced, and false also in front of a locked door, which `locked` then
+    // Goes to a room: chooses it by name from the list of routes, then requests the next directions again and again.
+    // Returns true when the arrival is announced. Returns false in front of a locked door, which locked() then
     // describes.
     bool go_to_room(const std::string& room);
-    // Course to a thing by its name, guided by words as to a room: the second of the ways to find it.
+    // Goes to a thing by its name, guided by words as to a room. That is the second of the ways to find the thing.
     bool go_by_words_to_thing(const std::string& thing);
-    // Course to a thing by its name: sets the beacon on it and follows that by ear until the arrival is announced.
+    // Goes to a thing by its name: sets the beacon on the thing, and follows the beacon by ear until the arrival is
+    // announced.
     bool go_to_thing(const std::string& thing);
 
-    // What was said about the locked door that ended the last walk, and about its button; none if no such door did.
+    // What was said about the locked door that ended the last walk, and about its button. No value if the last walk did
+    // not end at a locked door.
     struct Locked {
         std::string door, button, where;
     };
     const std::optional<Locked>& locked() const { return locked_; }
 
-    // How the world's own sounds of one kind reach the ears: which source, degrees to the right, and decibels lost on
-    // the path through walls.
+    // How the world's own sounds of one kind reach the ears: the source, the direction in degrees to the right, and the
+    // loss through walls in decibels.
     struct Heard {
         std::uint32_t which = 0;
         double right_deg = 0.0, muffled_db = 0.0;
@@ -74,7 +76,7 @@ public:
     // Turns towards a sound and walks two steps.
     void obey_ears(double right_deg);
 
-    // For the test that judges the newcomer, who does not know this.
+    // Only for the test, which checks the newcomer's position. The newcomer itself does not use it.
     Vec3 feet_m() const { return session_->app().feet_m(); }
 
 private:

@@ -1,4 +1,4 @@
-// A newcomer with only keys and ears, in worlds that were not made for this test.
+// A newcomer with keys and ears only, in worlds that were not made for this test.
 #include "tests/unit/core/newcomer.h"
 
 #include <cstdlib>
@@ -31,9 +31,10 @@ std::shared_ptr<const Scene> real(const std::string& name) {
 // Returns "Corridor, 6 by 26 metres, south" for "Corridor, 6 by 26 metres, south, 35 steps".
 std::string name_of(const std::string& entry) { return entry.substr(0, entry.rfind(", ")); }
 
-// The room to which a route leads, chosen by a word in its name.
+// Returns the name of a room in the list of routes that contains this word.
 std::string room_with(Newcomer& n, const std::string& word) {
-    (void)n.entries("Shift+4");  // once the rooms are known, this is announced between the entries
+    // The announcement that the rooms are known comes between the entries, so the list is read once before.
+    (void)n.entries("Shift+4");
     for (const std::string& room : n.entries("Shift+4"))
         if (room.find(word) != std::string::npos) return name_of(room);
     return {};
@@ -55,7 +56,7 @@ TEST(ANewcomer, walks_through_the_first_tutorial_map_from_start_to_exit) {
     std::cout << "the exit after " << n.now_s() << " s\n";
 }
 
-// The door before the exit opens only with its button, which is two rooms away and higher up.
+// Only a button opens the door before the exit. The button is two rooms away and higher up.
 TEST(ANewcomer, opens_the_locked_door_of_the_fifth_tutorial_map_with_its_button_and_goes_through) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the house is enough";
     const auto world = real("agtut05.map");
@@ -78,7 +79,7 @@ TEST(ANewcomer, opens_the_locked_door_of_the_fifth_tutorial_map_with_its_button_
               << n.now_s() << " s\n";
     const std::string exits = n.ask("X", 1.0);
     EXPECT_TRUE(words_in_order("Locked door to " + exit_room, exits)) << exits;
-    // Finds the button by the announced name, which the list of things uses too.
+    // Finds the button by the announced name, which is the same in the list of things.
     const std::string button = n.locked()->button.substr(0, n.locked()->button.find(", "));
     ASSERT_TRUE(n.go_by_words_to_thing(button)) << n.last_lines(20);
     const std::size_t before = n.lines();
@@ -96,8 +97,8 @@ TEST(ANewcomer, opens_the_locked_door_of_the_fifth_tutorial_map_with_its_button_
     std::cout << "the exit after " << n.now_s() << " s\n";
 }
 
-// Course to three things, each in a different room from the one before. It requests the route to the room, then what is
-// there, and then walks to it by ear.
+// Goes to three things, each in a different room from the one before. The newcomer requests the route to the room, then
+// asks what is there, and then walks to the thing by ear.
 void reaches_three_things(const std::shared_ptr<const Scene>& world) {
     Newcomer n(world);
     std::set<std::string> found;
@@ -138,8 +139,8 @@ TEST(ANewcomer, reaches_three_things_that_its_questions_found_in_other_rooms_of_
     reaches_three_things(world);
 }
 
-// Rooms on two storeys have names: "E008" is on the ground floor, "1022" one flight up. It walks from the main entrance
-// to each and out again, by the stairs, since the lifts are out of order.
+// The newcomer walks from the main entrance to rooms on two storeys and out again. "E008" is on the ground floor and
+// "1022" one flight up. It uses the stairs, because the lifts are out of order.
 TEST(ANewcomer, walks_in_the_university_to_three_rooms_on_two_storeys_and_out_again) {
     if (test::kThreadSanitizer) GTEST_SKIP() << "unit_osm starts the threads that read OpenStreetMap";
     const auto read = real("apb-tu-dresden.osm");
@@ -167,10 +168,10 @@ TEST(ANewcomer, walks_in_the_university_to_three_rooms_on_two_storeys_and_out_ag
         }
         std::cout << room << " after " << n.now_s() << " s\n";
     }
-    // Course back to the porch of the main entrance, and through the door that leads out.
+    // Goes back to the porch of the main entrance, and through the door that leads outside.
     EXPECT_TRUE(n.go_to_room("Windfang")) << n.last_lines(60);
     const auto is_out = [&] { return n.ask("1").find("Pedestrian area") != std::string::npos; };
-    bool out_there = is_out();  // asked only once each time, because asking again gives a longer answer
+    bool out_there = is_out();  // asks once in each round, because a second question would get a longer answer
     for (int asked = 0; asked < 20 && !out_there; ++asked, out_there = is_out()) {
         const std::string exits = n.ask("X");
         const std::size_t out = exits.find("to Pedestrian area: ");
@@ -182,7 +183,7 @@ TEST(ANewcomer, walks_in_the_university_to_three_rooms_on_two_storeys_and_out_ag
     std::cout << "outside after " << n.now_s() << " s\n";
 }
 
-// A newcomer without a device, or with the simulated hand of one, which stays where it is.
+// Makes a newcomer without a device, or with the simulated hand of a device, which stays where it is.
 std::unique_ptr<Newcomer> newcomer(const std::shared_ptr<const Scene>& world, const char* device) {
     HandFacts hand;
     if (device) {
@@ -192,29 +193,29 @@ std::unique_ptr<Newcomer> newcomer(const std::shared_ptr<const Scene>& world, co
     return std::make_unique<Newcomer>(world, std::filesystem::path{}, hand);
 }
 
-// A building, and how many rooms must be known by name and reached: on the storey of the start, and on the one above or
-// below.
+// A building for the test. `here` and `other` are the numbers of rooms that must be known by name and reached: on the
+// storey of the start, and on the storey above or below.
 struct Building {
     const char* file;
     std::size_t here, other;
     bool below = false, ours = false;
     bool back = true;  // false: the way out is not tried
-    bool next = true;  // false: the other storey is two storeys away
+    bool next = true;  // false: the other storey is two storeys from the start
 };
 
-// A two-storey office as a program for architects would write it.
+// Makes a two-storey office in the form that a program for architects would write.
 std::shared_ptr<const Scene> office(const char* file) {
     const test::TemporaryFolder folder;
     return test::world_in(folder.write(file, test::office_ifc({2, 1, 3}).text));
 }
 
-// True for stairs themselves. Footways are named after the stairs to which they lead.
+// True for stairs, but not for footways, which are named after the stairs to which they lead.
 bool is_stairs(const std::string& room) {
     return room.find("tair") != std::string::npos && !room.starts_with("Footway");
 }
 
-// From the outer door at the start to three rooms, each chosen from the list of routes by its announced place, and back
-// to the ground outside. Uses only what is spoken.
+// Goes from the outer door at the start to three rooms and back to the ground outside. Each room is chosen from the
+// list of routes by its announced place. The newcomer uses only what is spoken.
 void walks_to_three_rooms_and_out_again(const Building& building, const char* device) {
     const auto world = building.ours ? office(building.file) : real(building.file);
     if (!world) GTEST_SKIP() << test::needs_real_world(building.file);
@@ -230,7 +231,7 @@ void walks_to_three_rooms_and_out_again(const Building& building, const char* de
     for (const std::string& entry : n.entries("Shift+4")) {
         const std::string room = entry.substr(0, entry.find_first_of(",;"));
         if (room.find("round outside") != std::string::npos || is_stairs(room)) continue;
-        // These names are not from the file.
+        // Skips rooms whose names do not come from the file.
         if (entry.find(", storey ") != std::string::npos || room.ends_with("oom") ||
             room.find("iche") != std::string::npos)
             continue;
@@ -260,8 +261,8 @@ void walks_to_three_rooms_and_out_again(const Building& building, const char* de
 
 constexpr Building kInstitute{"institute.ifczip", 1, 2}, kDuplex{"duplex-apartment.ifc", 1, 2},
     kFamilyHouse{"fzk-haus.ifc", 2, 1},
-    // From the steps that are the third destination, two routes of nearly equal length lead out, and the directions
-    // switch between them at each of two landings.
+    // At the station, two routes of nearly equal length lead out from the steps that are the third destination. The
+    // directions switch between them at each of two landings.
     kStation{.file = "delft-station.osm", .here = 1, .other = 2, .below = true, .next = false},
     kOffice{"office.ifc", 1, 2, false, true};
 
@@ -299,8 +300,8 @@ TEST(ANewcomer, walks_in_the_station_with_a_simulated_device_to_three_places_on_
     walks_to_three_rooms_and_out_again(kStation, "SIM-T");
 }
 
-// The only room upstairs. Its spiral stairs wind below the gallery's own floor, under which a person must bow their
-// head.
+// The gallery is the only room upstairs. Its spiral stairs wind below the gallery's own floor, so that a person must
+// bow their head.
 TEST(ANewcomer, hears_what_is_around_in_the_family_house_and_a_stair_route_to_its_gallery) {
     const auto world = real("fzk-haus.ifc");
     if (!world) GTEST_SKIP() << test::needs_real_world("fzk-haus.ifc");
@@ -314,7 +315,7 @@ TEST(ANewcomer, hears_what_is_around_in_the_family_house_and_a_stair_route_to_it
     EXPECT_EQ(around.find("round outside"), std::string::npos) << "what one stands on is no thing: " << around;
 }
 
-// Course to each named room in turn to which a route is announced. The unnamed ones are window ledges.
+// Goes to each named room to which a route is announced. The unnamed rooms are window ledges.
 TEST(ANewcomer, walks_to_every_room_of_the_duplex_and_the_family_house) {
     if (!std::getenv("HANDRAIL_ALL_ROUTES")) GTEST_SKIP() << "set HANDRAIL_ALL_ROUTES: half a minute of computing";
     for (const char* file : {"duplex-apartment.ifc", "fzk-haus.ifc"}) {
@@ -329,7 +330,8 @@ TEST(ANewcomer, walks_to_every_room_of_the_duplex_and_the_family_house) {
         for (const std::string& entry : n.entries("Shift+4")) rooms.insert(entry.substr(0, entry.find_first_of(",;")));
         for (const char* unnamed : {"Niche", "Roof"}) rooms.erase(unnamed);
         for (const std::string& room : rooms) {
-            if (words_in_order("Stairs", n.ask("1")) && room == "Stairs") continue;  // on the way to another room
+            // The newcomer has already been on the stairs, on the way to another room.
+            if (words_in_order("Stairs", n.ask("1")) && room == "Stairs") continue;
             EXPECT_TRUE(n.go_to_room(room)) << room << ": " << n.last_lines(60);
         }
         std::cout << file << ": " << rooms.size() << " rooms after " << n.now_s() << " s\n";
@@ -337,7 +339,7 @@ TEST(ANewcomer, walks_to_every_room_of_the_duplex_and_the_family_house) {
     }
 }
 
-// The announcements about the lift are enough to ride it.
+// The announcements about the lift are enough for the newcomer to ride it.
 TEST(ANewcomer, rides_the_lift_of_a_building_without_stairs_to_its_highest_storey_and_down_again) {
     Newcomer n(test::hall_with_lift());
     (void)n.entries("Shift+4");
@@ -348,7 +350,7 @@ TEST(ANewcomer, rides_the_lift_of_a_building_without_stairs_to_its_highest_store
     EXPECT_NEAR(n.feet_m().z, 0.0, 0.1);
 }
 
-// Course one storey up by stairs and one more by lift, and out through the porch.
+// Goes one storey up by stairs and one more by lift, and out through the porch.
 TEST(ANewcomer, walks_in_the_university_by_stairs_and_lift_with_a_simulated_device) {
     if (!std::getenv("HANDRAIL_ALL_ROUTES")) GTEST_SKIP() << "set HANDRAIL_ALL_ROUTES: ten seconds of computing";
     const auto world = real("apb-tu-dresden.osm");

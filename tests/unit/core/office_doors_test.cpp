@@ -1,5 +1,5 @@
-// An office with as many doors as a large building has, in a session. The hand finds each door shut, the key opens it,
-// and then the hand passes.
+// An office with as many doors as a large building has, in a session. The hand finds each door shut, the Use key opens
+// it, and then the hand passes.
 #include "app/core/world/entering.h"
 #include "haptic/render/proxy_solver.h"
 #include "haptic/servo/body_playback.h"
@@ -11,10 +11,11 @@
 namespace handrail::test {
 namespace office_doors_test {
 
-// A hand next to the session, which feels the scene that the session hands to the servo.
+// A simulated hand for the session, which feels the scene that the session sends to the servo.
 struct Hand {
     explicit Hand(AppSession& s) : session(s) { tuning.radius_m = 0.005; }
-    // Moves straight on within half a second, from a fresh start. Returns what is felt at the end.
+    // Moves straight from one place to the other within half a second, beginning with a new proxy. Returns what the
+    // hand feels at the end.
     TouchResult goes(const Vec3& from_m, const Vec3& to_m) {
         constexpr int kTicks = 50;
         state.reset();
@@ -52,10 +53,11 @@ TEST(OfficeDoors, let_every_twentieth_of_two_thousand_open_to_the_hand) {
         Vec3 middle_m, through;  // unit vector along the thin side of the leaf
     };
     std::vector<Door> doors;
-    const auto every = static_cast<std::size_t>(
-        20.0 /
-        // All of them would take half a minute of computing. They differ only in their distance from the first.
-        kSanitizerScale);
+    const auto every =
+        static_cast<std::size_t>(20.0 /
+                                 // Only some doors are tried, because all of them would take half a minute of
+                                 // computing. They differ only in their distance from the first one.
+                                 kSanitizerScale);
     const auto scene = session.app.scene();
     ASSERT_EQ(scene->movers.size(), 2000U);
     for (std::size_t i = 0; i < scene->movers.size(); i += every) {

@@ -1,5 +1,5 @@
-// A thing has one place and one distance, whatever the question: exits, where am I, what is ahead, the list of all
-// things and the routes to rooms. Checked in every room of the house and the school.
+// A thing has the same place and the same distance in the answers to all questions: exits, where am I, what is ahead,
+// the list of all things and the routes to rooms. Checked in every room of the house and the school.
 #include <gmock/gmock.h>
 
 #include <map>
@@ -16,7 +16,7 @@ using test::AppSession;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-// Asks in the middle of each room, facing a different direction each time.
+// Calls `each` in the middle of each room, with a different heading each time.
 template <class Each>
 void in_every_room(const char* world, Each each) {
     AppSession s;
@@ -35,7 +35,7 @@ void in_every_room(const char* world, Each each) {
     }
 }
 
-// Maps names to places, such as "Study door" to "3 steps, half right", for exits that are named once.
+// Returns a map from names to places, such as "Study door" to "3 steps, half right", for exits whose name occurs once.
 std::map<std::string, std::string> exits_told(AppSession& s) {
     std::map<std::string, std::string> told;
     std::set<std::string> twice;
@@ -100,8 +100,8 @@ TEST(OnePlace, of_a_thing_in_another_room_has_the_walking_distance_and_says_so) 
             const bool told = value.find(" on foot") != std::string::npos;
             ++(told ? on_foot : straight);
             if (!told) continue;
-            // Its room is also named, unless both have the same name. No walking route is shorter than the straight
-            // line, apart from rounding to five steps.
+            // The value also contains the room, unless thing and room have the same name. No walking route is shorter
+            // than the straight line, apart from rounding to five steps.
             EXPECT_GE(std::count(value.begin(), value.end(), ','), name == "Pond" ? 1 : 2) << name << ": " << value;
             const auto things = named_things(*s.app.scene());
             double nearest_m = 1e9;
@@ -123,7 +123,7 @@ TEST(OnePlace, of_a_thing_in_another_room_has_the_walking_distance_and_says_so) 
 TEST(OnePlace, of_a_room_has_the_distance_of_its_route_and_its_storey_in_the_route_list) {
     for (const char* world : {"house.map", "school.map"}) {
         if (test::kSanitizerScale < 1.0 && world == std::string_view("school.map")) continue;
-        // The school has many routes, so fewer are tried in each run.
+        // The school has many routes, so each run tries only some of them.
         const int every_way = world == std::string_view("school.map") ? 5 * static_cast<int>(test::every(3, 3)) : 5;
         int rooms = 0, ways = 0, other_storeys = 0;
         in_every_room(world, [&](AppSession& s) {

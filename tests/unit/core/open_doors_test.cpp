@@ -1,4 +1,5 @@
-// Routes past open doors in the house. A leaf in the way is passed, both as it is at the start and if it moves later.
+// Routes past open doors in the house. The walker passes a leaf in the way, whether it is there from the start or moves
+// later.
 #include <array>
 #include <map>
 
@@ -19,12 +20,13 @@ struct HouseWalker : test::AppSession {
         ask(Command::Routes);
         for (const ListItem& item : app.dialogue().view().items)
             if (item.name != "Pond" && item.name != "Pond steps" && item.name != "Stairs")
-                rooms.push_back(item.name);  // their edges ask a question; they are no places to stay
+                // These rooms are left out, because their edges ask a question and nobody stays there.
+                rooms.push_back(item.name);
         app.apply(KeyTapped{"Escape"}, now);
     }
-    // Returns true if it arrives; `bumped` gets what it met on the way.
+    // Returns true if the walker arrives in the room. `bumped` receives what the walker bumped into on the way.
     bool go_to(const std::string& room) { return test::go_to_room(*this, room, 60.0); }
-    // Opens a door from the side away from its swing.
+    // Opens a door from the side to which its leaf does not swing.
     void open(const Mover& door) {
         const Aabb leaf = app.scene()->features[door.feature.value].bounds_m;
         const Vec3 shut = leaf.centre_m(), open = PlacedFrame(door.at(1.0)).to_world(shut - door.pivot_m);
@@ -62,7 +64,7 @@ TEST(OpenDoors, block_no_route_between_two_rooms_of_the_house) {
     const std::vector<Mover> movers = p.app.scene()->movers;
     for (const Mover& mover : movers)
         if (p.app.scene()->features[mover.feature.value].kind == FeatureKind::Door) p.open(mover);
-    // Walks to each from the hall, and from each to every other, starting where the last walk ended.
+    // Walks from the hall to each room, and from each room to every other. Each walk starts where the last one ended.
     std::map<std::string, Vec3> places{{"Hall", {6.0, 0.7, 0.0}}};
     const auto walk = [&](const std::string& from, const std::string& to) {
         SCOPED_TRACE(from + " to " + to);
@@ -92,7 +94,7 @@ TEST(OpenDoors, that_the_walker_opens_on_the_way_are_avoided_from_then_on) {
         HouseWalker p;
         EXPECT_TRUE(p.go_to(room)) << "stands at " << p.app.feet_m().x << " " << p.app.feet_m().y << " "
                                    << p.app.feet_m().z;
-        // Bumped into while it was shut.
+        // The walker may have bumped once into each door, while it was shut.
         for (const std::string& door : doors) EXPECT_LE(p.bumps_into(door), 1) << door;
         EXPECT_TRUE(p.go_to("Hall")) << "stands at " << p.app.feet_m().x << " " << p.app.feet_m().y << " "
                                      << p.app.feet_m().z;
@@ -103,8 +105,8 @@ TEST(OpenDoors, that_the_walker_opens_on_the_way_are_avoided_from_then_on) {
 TEST(OpenDoors, that_are_open_from_the_start_are_avoided_from_the_start) {
     using test::box_brush;
     using test::key;
-    // Two rooms with a gap of a metre in the wall between them. The door in the gap is hinged at its south and stands
-    // open into the eastern room. The destination is behind its leaf.
+    // Makes two rooms with a gap of a metre in the wall between them. The door in the gap has its hinge in the south
+    // and stands open into the eastern room. The destination is behind its leaf.
     auto scene = read_quake_map(
         test::entity("worldspawn", key("building", "1"),
                      test::room_brushes(0, 0, 0, 400, 160, 96) + box_brush(196, 0, 0, 204, 64, 96) +
@@ -121,7 +123,7 @@ TEST(OpenDoors, that_are_open_from_the_start_are_avoided_from_the_start) {
     test::AppSession p;
     p.app.apply(WorldEntered{make_ready(std::make_shared<const Scene>(std::move(*scene)))}, 0.0);
     p.run(0.1);
-    p.ask(Command::Exits);  // from here on the routes are known
+    p.ask(Command::Exits);  // the answer waits until the routes are known
     p.ask(Command::Find);
     p.line("Stool");
     p.line("Take me there");
@@ -160,9 +162,9 @@ TEST(OpenDoors, that_are_shut_again_leave_the_routes_unchanged) {
     EXPECT_EQ(way(), shut);
 }
 
-// A corridor, 1.1 m wide by default. On its north side is a closet, whose door opens into the corridor, and farther
-// east an opening to a hall. In a narrow corridor the leaf of the open door leaves no room to pass. `open`: the door is
-// open from the start.
+// Makes a corridor, 1.1 m wide by default. On its north side is a closet, whose door opens into the corridor, and
+// farther east an opening to a hall. In a narrow corridor, the leaf of the open door leaves no room to pass. `open`:
+// the door is open from the start.
 std::shared_ptr<const Scene> corridor_with_closet(int wide_units = 36, bool open = false) {
     const int south = 96 - wide_units;
     const std::string rooms = test::room_brushes(0, 0, 0, 320, 640, 128);
@@ -189,7 +191,7 @@ std::shared_ptr<const Scene> corridor_with_closet(int wide_units = 36, bool open
     return std::make_shared<const Scene>(std::move(*scene));
 }
 
-// Enters that world and opens the closet from the corridor.
+// Enters the world with the corridor, and opens the closet from the corridor.
 void open_the_closet(test::AppSession& p) {
     p.app.apply(WorldEntered{make_ready(corridor_with_closet())}, 0.0);
     p.run(0.1);
@@ -205,7 +207,7 @@ TEST(OpenDoors, whose_leaf_leaves_no_room_to_pass_are_announced_and_can_be_shut)
     p.run(0.2);
     p.ask(Command::Routes);
     p.line("Hall");
-    p.run(0.1);  // the route is planned
+    p.run(0.1);  // now the route is planned
     const std::string leg = p.ask(Command::RepeatLeg);
     EXPECT_NE(leg.find("Closet is open and in the way. Shut it."), std::string::npos) << leg << " | " << p.news();
     p.walk(5.0);
@@ -216,8 +218,8 @@ TEST(OpenDoors, whose_leaf_leaves_no_room_to_pass_are_announced_and_can_be_shut)
     EXPECT_EQ(p.ask(Command::RepeatLeg).find("in the way"), std::string::npos) << p.news();
 }
 
-// A walker who follows the words passes the open leaf: next to it without an announcement if there is room, or else by
-// shutting it.
+// A walker who follows the directions passes the open leaf. If there is room next to the leaf, there is no
+// announcement. Otherwise, the directions say to shut the door.
 TEST(OpenDoors, are_passed_next_to_the_leaf_or_shut_as_the_directions_say) {
     for (const int wide_units : {34, 36, 64, 80}) {
         SCOPED_TRACE(wide_units);
@@ -237,7 +239,7 @@ TEST(OpenDoors, are_passed_next_to_the_leaf_or_shut_as_the_directions_say) {
     }
 }
 
-// A door that is open from the start behaves like any other.
+// A door that is open from the start behaves like any other door.
 TEST(OpenDoors, that_stay_open_are_described_as_open) {
     test::AppSession p;
     p.app.apply(WorldEntered{make_ready(corridor_with_closet(36, true))}, 0.0);
@@ -251,7 +253,7 @@ TEST(OpenDoors, that_stay_open_are_described_as_open) {
     }
 }
 
-// Two doors face each other across a corridor, and their swings overlap.
+// Two doors face each other across a corridor, and the areas of their swings overlap.
 TEST(OpenDoors, on_both_sides_of_a_corridor_open_and_shut_without_collision) {
     const auto door = [](const char* name, const char* hinge, const char* opens, const std::string& brush) {
         return test::entity("func_door",
@@ -274,7 +276,8 @@ TEST(OpenDoors, on_both_sides_of_a_corridor_open_and_shut_without_collision) {
         test::AppSession p;
         p.app.apply(WorldEntered{make_ready(world)}, 0.0);
         p.run(0.1);
-        const Vec3 at_office{5.0, 3.8, 0.0}, at_store{5.0, 1.1, 0.0};  // behind the doors, outside both swings
+        // Two places behind the doors, outside the areas of both swings.
+        const Vec3 at_office{5.0, 3.8, 0.0}, at_store{5.0, 1.1, 0.0};
         const auto use = [&](bool store) {
             p.app.apply(Placed{store ? at_store : at_office, store ? 0.0 : kPi}, p.now);
             p.said.clear();
@@ -290,7 +293,7 @@ TEST(OpenDoors, on_both_sides_of_a_corridor_open_and_shut_without_collision) {
     }
 }
 
-// From the side of its hinge, the leaf is across the route before the doorway through which the route leads.
+// A walker who comes from the side of the hinge meets the leaf before the doorway through which the route leads.
 TEST(OpenDoors, block_their_own_doorway_if_the_route_reaches_the_leaf_first) {
     test::AppSession p;
     open_the_closet(p);
@@ -323,7 +326,8 @@ TEST(OpenDoors, that_were_shut_on_the_route_are_announced_as_to_be_opened_again)
     EXPECT_NE(after.find("Open it"), std::string::npos) << before << " | " << after;
 }
 
-// No leg names the door, since by the plan the walker passes it. A person who asks again hears what to do with it.
+// No leg names the door, because the walker passes it according to the plan. If the person asks again, the session says
+// what to do with the door.
 TEST(OpenDoors, that_stop_the_body_on_a_leg_are_named_as_the_obstacle) {
     test::AppSession p;
     p.app.apply(WorldEntered{make_ready(corridor_with_closet(64))}, 0.0);
@@ -346,7 +350,7 @@ TEST(OpenDoors, that_stop_the_body_on_a_leg_are_named_as_the_obstacle) {
     p.app.guide().note_stop(closet);
     const std::string shut_it = p.ask(Command::RepeatLeg);
     EXPECT_NE(shut_it.find("Closet is open and in the way. Shut it."), std::string::npos) << shut_it;
-    // A door that keeps stopping the walker no longer counts as an exit to suggest.
+    // After a door has stopped the walker several times, the session no longer suggests using it.
     for (int i = 0; i < 4; ++i) p.app.guide().note_stop(closet);
     EXPECT_EQ(p.ask(Command::RepeatLeg).find("Closet is open"), std::string::npos) << p.news();
 }

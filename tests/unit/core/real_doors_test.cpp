@@ -1,5 +1,5 @@
-// The walker of a session at every door of buildings, our own and real ones. It walks through, on the floors that the
-// file has before and behind the door.
+// The walker of a session at every door of our own buildings and of real ones. It walks through each door, on the
+// floors that the file has on either side.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -21,7 +21,7 @@
 namespace handrail {
 namespace real_doors_test {
 
-constexpr double kBefore_m = 0.45;  // distance of the body's middle from the leaf's middle
+constexpr double kBefore_m = 0.45;  // distance of the walker's centre from the middle of the leaf
 
 bool walks(const WalkerWorld& world, const WalkerSize& size, const Vec3& middle_m, const Vec3& way) {
     Walker walker(world, size);
@@ -38,7 +38,7 @@ TEST(RealDoors, can_be_walked_through_in_both_directions_in_a_session) {
         const std::string file = path.filename().string();
         const Result<Scene> scene = read_world(path);
         ASSERT_TRUE(scene) << scene.error().sentence();
-        auto open = std::make_shared<Scene>(*scene);  // no leaf is in the way
+        auto open = std::make_shared<Scene>(*scene);  // the leaves are removed, so that none is in the way
         std::erase_if(open->solids, [](const Solid& solid) { return solid.role == SolidRole::Mover; });
         open->movers.clear();
         const WalkerWorld world(open);
@@ -62,8 +62,8 @@ TEST(RealDoors, can_be_walked_through_in_both_directions_in_a_session) {
     }
 }
 
-// The doors of a scene with open leaves: how many there are, how many the report names, and which ones a walker could
-// not pass onto a floor.
+// The result for the doors of a scene with open leaves: how many there are, how many the report names, and which ones a
+// walker could not pass onto a floor.
 struct DoorsWalked {
     int doors = 0, reported = 0;
     std::string held;  // doors that stopped the walker but are in no report
@@ -107,7 +107,7 @@ TEST(RealDoors, of_each_model_are_passable_or_reported_with_a_reason) {
         }
 }
 
-// As in a model whose doors have no openings.
+// Makes a hut as in a model whose doors have no openings.
 test::Hut hut_without_openings() {
     test::Hut hut;
     hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {6.0, 5.0, 0.0}), ",$");

@@ -1,4 +1,4 @@
-// Walks to rooms whose middle cannot be reached from where the person stands, or whose ceiling could be stood upon.
+// Walks to rooms whose middle cannot be reached from where the person stands, or on whose ceiling a walker could stand.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -33,7 +33,7 @@ TEST(RoomGoals, are_any_reachable_place_of_the_room) {
     EXPECT_LT(person.app.feet_m().z, 0.5) << "not on the gallery";
 }
 
-// The space reaches up to the next storey's floor, which is a roof on which somebody could stand.
+// The space of the room reaches up to the floor of the next storey. That floor is a roof on which a walker could stand.
 TEST(RoomGoals, are_not_on_the_roof_of_a_room_as_high_as_its_storey) {
     Hut hut;
     hut.part("IFCSLAB", "Floor", hut.block({-6.0, -2.0, -0.2}, {6.0, 6.0, 0.0}), ",$");

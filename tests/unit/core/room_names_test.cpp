@@ -1,5 +1,5 @@
-// Names that a person gives to rooms: requested by key and by word, kept next to the world, and reported if they no
-// longer fit.
+// Names that a person gives to rooms. The person gives them by a key or a typed word. They are stored next to the
+// world, and the session reports those that no longer fit.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -16,8 +16,8 @@ namespace room_names_test {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// Two rooms of 6 by 5 m with a gap of this many units in the wall between them (160: no wall is left). The walker
-// starts in the western one.
+// Returns the map of two rooms of 6 by 5 m with a gap of this many units in the wall between them (160: there is no
+// wall). The walker starts in the western room.
 std::string two_rooms(double gap_units = 32.0) {
     using test::box_brush;
     const double low = 80.0 - 0.5 * gap_units, high = 80.0 + 0.5 * gap_units;
@@ -31,9 +31,9 @@ struct Person : test::AppSession {
     explicit Person(const fs::path& world) {
         app.apply(WorldEntered{make_ready(test::world_in(world)), SideFile::of_world(world, {})}, now);
         run(0.1);
-        ask(Command::Exits);  // from here on the rooms are known
+        ask(Command::Exits);  // the answer waits until the rooms are known
     }
-    // Uses only the keys: the question, the letters, Enter.
+    // Gives the room a name by keys only: the key that asks for the name, the letters, and Enter.
     std::string name(const std::string& typed) {
         EXPECT_EQ(app.keys().find("Control+N"), Command::NameRoom);
         ask(Command::NameRoom);
@@ -67,7 +67,7 @@ TEST(NamesOfRooms, that_the_person_gives_are_used_everywhere_and_saved_for_the_n
         p.run(0.1);
         EXPECT_THAT(p.ask(Command::Exits), HasSubstr("to " + sign));
         EXPECT_EQ(p.name("Study"), "This room is now called Study.");
-        EXPECT_EQ(p.name("Library"), "This room is now called Library.");  // named again
+        EXPECT_EQ(p.name("Library"), "This room is now called Library.");  // the room gets another name
     }
     Person p(world.path);
     EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith(sign + ", "));
@@ -122,21 +122,21 @@ TEST(NamesOfRooms, that_no_longer_fit_an_edited_world_are_reported) {
         p.run(0.1);
         p.name("Larder");
     }
-    // The world was edited without a change to the rooms, so all names fit.
+    // The world was edited, but the rooms are the same, so all names fit.
     world.write(two_rooms(36.0));
     {
         Person p(world.path);
         EXPECT_FALSE(p.heard("fit")) << p.said.back();
         EXPECT_THAT(p.ask(Command::Exits), HasSubstr("Shop. 1 exit"));
     }
-    // Without the wall there is one room of twice the size, which is neither of the two.
+    // Without the wall, there is one room of twice the size, which is neither of the two named rooms.
     world.write(two_rooms(160.0));
     {
         Person p(world.path);
         EXPECT_TRUE(p.heard("This world has changed since you named rooms. 2 of 2 names no longer fit: Shop; Larder."));
         EXPECT_THAT(p.ask(Command::WhereAmI), testing::Not(HasSubstr("Shop")));
     }
-    // The names are still kept until the wall is back.
+    // The names stay in the file, so they are back when the wall is back.
     world.write(two_rooms());
     Person p(world.path);
     EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith("Shop, "));
@@ -152,7 +152,7 @@ TEST(NamesOfRooms, that_are_damaged_are_set_aside_reported_and_started_empty) {
         EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith("Room, west, "));
         EXPECT_EQ(p.name("Shop"), "This room is now called Shop.");
     }
-    // Two unusable entries in a readable file are reported, and are still there after something was saved.
+    // Two unusable entries in a readable file are reported. They are still in the file after something else was saved.
     ASSERT_TRUE(write_file_atomically(
         world.beside(),
         "[[room_name]]\nname = \"Shop\"\nplace_m = [1.0, 2.5, 0.0]\n[[room_name]]\nname = \"Attic\"\nplace_m = [1.0]\n"

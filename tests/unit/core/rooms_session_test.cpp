@@ -1,5 +1,5 @@
-// Rooms and routes in a session: the room's name, its exits, the route to another room in words and along it; on a
-// separate thread and on request.
+// Rooms and routes in a session: the name of the room, its exits, and the route to another room, in words and on foot.
+// The rooms are found on a separate thread or at once.
 #include <map>
 #include <string>
 #include <thread>
@@ -56,7 +56,7 @@ TEST(RoomsInASession, are_described_by_name_and_exits_clockwise) {
         << s.said.back();
     const std::string exits = s.ask(Command::Exits);
     EXPECT_TRUE(exits.starts_with("Hall. ")) << exits;
-    // Facing north from the front door: the exit ahead comes first, then east, south, west.
+    // At the front door, facing north: the exit ahead comes first, then east, south, west.
     const auto at = [&](const std::string& part) {
         const std::size_t found = exits.find(part);
         EXPECT_NE(found, std::string::npos) << part << " is missing in: " << exits;
@@ -103,14 +103,14 @@ TEST(RoomsInASession, give_directions_to_another_room_and_along_the_route) {
     EXPECT_NE(rest.find(" stairs up, "), std::string::npos) << rest;
     EXPECT_NE(rest.find("Music room door, shut. Open it. "), std::string::npos) << rest;
     EXPECT_TRUE(rest.starts_with(s.ask(Command::RepeatLeg))) << "the first of them is the one that one is on";
-    // Carried along the route, the walker hears every feature and the arrival.
+    // The walker is placed at points along the route, and hears every feature and the arrival.
     s.said.clear();
     for (const Vec3& place : {Vec3(6.3, 2.0, 0.0), Vec3(5.3, 2.7, 0.0)}) {
         s.app.apply(Placed{place, 0.0}, s.now);
         s.run(0.3);
     }
     EXPECT_TRUE(s.heard("Stairs")) << words;
-    // Carried far off, the walker hears a new route.
+    // The walker is placed far away from the route, and hears a new route.
     s.app.apply(Placed{{6.0, -4.0, 0.0}, 0.0}, s.now);
     s.run(0.3);
     EXPECT_TRUE(s.heard("You have left the route."));
@@ -122,7 +122,7 @@ TEST(RoomsInASession, give_directions_to_another_room_and_along_the_route) {
 }
 
 TEST(RoomsInASession, are_plainly_reported_as_unreachable_if_no_route_exists) {
-    // A balcony 3 m up that cannot be reached.
+    // This world has a balcony 3 m up that cannot be reached.
     auto scene = read_quake_map(R"({
 "classname" "worldspawn"
 "building" "1"
@@ -182,9 +182,9 @@ TEST(RoomsInASession, are_found_in_the_background_while_the_session_continues) {
     EXPECT_TRUE(s.said.back().starts_with("Hall. ")) << s.said.back();
 }
 
-// In virtual time, the rooms arrive at a query with a given number, as in a recording.
+// In virtual time, the rooms arrive when the session asks for results the given number of times, as in a recording.
 struct LateRooms {
-    // Other background tasks query too, so several consecutive numbers are given.
+    // Other background tasks ask for results too, so several consecutive numbers are given.
     explicit LateRooms(std::uint64_t come_with_question)
         : arrivals({come_with_question, come_with_question + 1, come_with_question + 2, come_with_question + 3}) {
         session.app.apply(WorldEntered{make_ready(house())}, 0.0);
@@ -256,7 +256,7 @@ TEST(RoomsKept, equal_newly_found_rooms_and_belong_to_their_session) {
     RoomsOfWorld anew(world, body, at_once(), {}, &kept);
     ASSERT_TRUE(anew.ready() && anew.found());
     ASSERT_NE(kept.of(world, body), nullptr);
-    anew.graph().rooms[0].name = "Vestibule";  // as a person may call it
+    anew.graph().rooms[0].name = "Vestibule";  // the person may give it such a name
     RoomsOfWorld before(world, body, at_once(), {}, &kept);
     RoomsOfWorld other(world, body, at_once());
     ASSERT_TRUE(before.ready() && before.found() && other.ready() && other.found());
@@ -270,7 +270,7 @@ TEST(RoomsKept, equal_newly_found_rooms_and_belong_to_their_session) {
             EXPECT_EQ(a.points_m, b.points_m) << from.name << " to " << to.name;
             EXPECT_EQ(a.reaches, b.reaches);
         }
-    // Neither for another scene, nor for another body, nor in another language.
+    // There is no result for another scene, another size of the walker or another language.
     EXPECT_EQ(kept.of(same_again, body), nullptr);
     EXPECT_EQ(kept.of(world, walk_body(*world, size.radius_m + 0.01, size.height_m, size.step_up_m)), nullptr);
     const test::InLanguage german("de");

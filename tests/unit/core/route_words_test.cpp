@@ -1,4 +1,4 @@
-// Routes in words, and announcements along them.
+// Routes in words, and the announcements along a route.
 #include "app/core/wayfinding/route_words.h"
 
 #include <gmock/gmock.h>
@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 
 const DistanceWords kSteps{true, 0.7};
 
-// A route ten metres north to a door, through it, ten metres east, and ten more half right.
+// Returns a route ten metres north to a door, through the door and ten metres east, and ten more half right.
 Route corner() {
     Route route;
     route.points_m = {{0, 0, 0}, {0, 10, 0}, {10, 10, 0}, {17.071, 2.929, 0}};

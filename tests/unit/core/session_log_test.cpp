@@ -21,7 +21,8 @@ TEST(LineAmplitude, finds_a_sine_in_a_ramp_with_its_amplitude) {
     EXPECT_NEAR(line_amplitude(samples, 1e-3, 8.0, 300.0), 0.05, 0.001);
 }
 
-// Each kind of expectation must be able to fail: it is checked on the same log, once met and once not.
+// Each kind of expectation must be able to fail. So each kind is checked twice on the same log, once with an
+// expectation that is met and once with one that is not.
 TEST(Failures, each_kind_of_expectation_passes_when_met_and_otherwise_fails_with_line_and_observation) {
     test::SceneBuilder b;
     const FeatureId wall = b.box({-1, 1, 0}, {1, 1.2, 2}, "north wall");
@@ -121,7 +122,7 @@ TEST(Failures, each_kind_of_expectation_passes_when_met_and_otherwise_fails_with
           [](Expectation& e) { e.low = 4.8, e.high = 5.2, e.from_hz = 2, e.to_hz = 100, e.tolerance = 0.3; });
     fails(Check::StrongestLine,
           [](Expectation& e) { e.low = 9.0, e.high = 11.0, e.from_hz = 2, e.to_hz = 100, e.tolerance = 0.01; });
-    log.ticks.back().proxy_m.y = 0.95;  // 5 cm into the wall
+    log.ticks.back().proxy_m.y = 0.95;  // puts the proxy 5 cm into the wall
     fails(Check::Penetration, [](Expectation& e) { e.high = 0.04; });
     log.ticks.back().force_n = Vec3(0.0);
     fails(Check::ForceRising, [](Expectation&) {});

@@ -13,8 +13,8 @@ namespace session_test {
 
 using test::SceneBuilder;
 
-// A room of 6 by 4 metres with a plaster wall in the north and a door in the south; the base is at (3, 0.5) and faces
-// north.
+// Makes a room of 6 by 4 metres with a plaster wall in the north and a door in the south. The base is at (3, 0.5) and
+// faces north.
 std::shared_ptr<const Scene> room() {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {6, 4, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
@@ -296,7 +296,7 @@ TEST(Session, f12_raises_panic_until_f_confirms) {
 TEST(Session, follows_a_stop_seen_by_the_servo_switch_and_only_f_releases_it) {
     SessionAlone s(true);
     s.app.apply(Stopped{1}, s.now);
-    s.app.apply(CommandDown{Command::StopEverything}, s.now);  // the window reports the same press
+    s.app.apply(CommandDown{Command::StopEverything}, s.now);  // the window reports the same press of the stop key
     s.run(0.1);
     EXPECT_TRUE(s.app.hand().tuning.panic);
     EXPECT_EQ(s.app.hand().tuning.stops_let_go, 0U);
@@ -364,7 +364,8 @@ TEST(Session, a_device_plugged_in_later_is_offered_and_accepted_with_the_force_k
     s.tap(Command::ToggleForces);
     EXPECT_FALSE(s.app.hand().tuning.forces_on) << "now it is the force key again";
     EXPECT_EQ(s.app.feet_m(), feet);
-    s.tool.contact_s = 401.0;  // time on the new device; together with the old one more than a quarter of an hour
+    // Contact time with the new device; together with the old device, it is more than a quarter of an hour.
+    s.tool.contact_s = 401.0;
     s.run(0.2);
     EXPECT_THAT(s.said().back(), testing::HasSubstr("15 minutes"));
 }
@@ -460,7 +461,7 @@ TEST(Session, places_moves_and_removes_things_while_everything_continues) {
     EXPECT_FALSE(s.app.send_thing("chest", {}, 1.0));
     EXPECT_FALSE(s.app.send_thing("crate", {}, 0.0));
 
-    // The walker bumps into it at its first place and at the place to which it was moved.
+    // The walker bumps into the thing at its first place and at the place to which it was moved.
     s.app.apply(Placed{{3, 0.6, 0}, 0.0}, s.now);
     s.app.apply(CommandDown{Command::Forward}, s.now);
     s.run(3.0);
@@ -488,7 +489,7 @@ TEST(Session, moves_body_and_hand_out_of_solids_that_they_are_in) {
     s.run(0.1);
     s.tap(Command::BringOut);
     EXPECT_EQ(s.said().back(), "You are not inside anything.");
-    s.tool.hip_m = Vec3(1.5, 3.25, 0.6);  // inside the table
+    s.tool.hip_m = Vec3(1.5, 3.25, 0.6);  // puts the hand inside the table
     s.run(0.1);
     const Vec3 before = s.app.hand().pose.origin_m;
     s.tap(Command::BringOut);
@@ -537,7 +538,8 @@ TEST(Session, building_scale_places_the_building_around_the_hand_and_never_the_h
     s.run(0.1);
     s.tool.ticks = 10;
     s.tool.workspace_jump = s.app.hand().pose.jump;
-    // The middle of the bounds is (3, 2). At the scale that fits 6.4 by 4.4 m, the hand would be in the north wall.
+    // The middle of the bounds is (3, 2). At the scale at which 6.4 by 4.4 m fit into the workspace, the hand would be
+    // in the north wall.
     s.tool.hand_m = Vec3(0.0, 0.035, 0.0);
     s.tool.proxy_m = s.app.hand().pose.origin_m + s.tool.hand_m * 60.0;
     s.run(0.1);
@@ -617,7 +619,7 @@ TEST(Session, two_hands_have_separate_limits_and_follow_each_others_workspace) {
     right_tool.workspace_shift_m = Vec3(1.0, 0.0, 0.0);
     left_tool.workspace_shift_m = Vec3(0.0, 0.0, 0.5);
     s.app.tick(s.now += 0.02, right_tool, left_tool);
-    // Each servo adds its own shift, and both workspaces are at the sum.
+    // Each servo adds the shift by its own hand, so both workspaces are at the sum of both shifts.
     EXPECT_LT(glm::length(s.app.hand().pose.origin_m + right_tool.workspace_shift_m - origin - Vec3(1.0, 0.0, 0.5)),
               1e-3);
     EXPECT_LT(glm::length(s.app.hand(1).pose.origin_m + left_tool.workspace_shift_m - origin - Vec3(1.0, 0.0, 0.5)),

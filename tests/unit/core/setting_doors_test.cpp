@@ -1,5 +1,5 @@
-// Every setting, changed by every means that a session has. The state and the forces are then the same, and the
-// person's file contains the same.
+// Every setting, changed by every means that a session offers. After each change, the state, the forces and the
+// person's settings file must be the same.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -28,7 +28,7 @@ std::shared_ptr<const Scene> room() {
     return b.share();
 }
 
-// A person with a hand who has chosen a named scale.
+// A session of a person with a hand who has chosen a named scale.
 struct Door : test::AppSession {
     Door() : AppSession(Settings{}, hand()) {
         app.apply(WorldEntered{make_ready(room())}, now);
@@ -41,13 +41,13 @@ struct Door : test::AppSession {
         facts.spec = *find_device_spec("sim-t");
         return facts;
     }
-    // Acts on an item as a screen reader does.
+    // Performs an action on an item of a list, as a screen reader does.
     void act(ItemAct::Kind kind, std::size_t item) {
         const auto items = app.dialogue().view().items;
         ASSERT_LT(item, items.size());
         EXPECT_TRUE(app.apply(ItemActed{{kind, item, items[item].name}}, now)) << items[item].name;
     }
-    // Opens the list with that setting and returns its place there.
+    // Opens the list that contains this setting, and returns the index of the setting in the list.
     std::size_t open_list_of(std::string_view key) {
         const auto topics = setting_topics();
         const std::string_view topic = key.substr(0, key.find('.'));
@@ -62,7 +62,7 @@ struct Door : test::AppSession {
     }
 };
 
-// Everything that a change of a setting may affect, and the person's file afterwards.
+// Returns everything that a change of a setting may affect, including the person's file afterwards.
 std::map<std::string, std::string> state_of(Door& door) {
     std::map<std::string, std::string> state;
     for (const SettingInfo& info : settings_table())
@@ -90,7 +90,7 @@ std::map<std::string, std::string> state_of(Door& door) {
     return state;
 }
 
-// Returns a value other than the default, as a person types it.
+// Returns a value other than the default, in the form in which a person types it.
 std::string another_value(const SettingInfo& info) {
     if (info.key == "speech.language") return "de";
     if (std::holds_alternative<TextField>(info.field)) return "sim-f";
@@ -105,7 +105,8 @@ std::string another_value(const SettingInfo& info) {
 
 class SettingDoors : public testing::Test {
 protected:
-    // Restores the language, which the change may have altered.
+    // Makes the change in a new session and returns the state. Restores the language, which the change may have
+    // altered.
     template <class Change>
     static std::map<std::string, std::string> changed_by(const Change& change) {
         const test::InLanguage english("en");
@@ -183,10 +184,11 @@ TEST_F(SettingDoors, by_command_have_the_same_effect_as_in_the_list) {
     EXPECT_NE(turned, "0.0");
 }
 
-// Changes from a file, from the set-up by voice or from another world arrive all at once.
+// The owner of the settings sends changes from a file, from the set-up by voice or for another world all at once.
 TEST_F(SettingDoors, of_the_settings_owner_lead_to_the_same_state) {
     for (const SettingInfo& info : settings_table()) {
-        if (info.key == "workspace.scale") continue;  // a named scale stays active until the person chooses another one
+        // A named scale stays effective until the person chooses another one.
+        if (info.key == "workspace.scale") continue;
         SCOPED_TRACE(info.key);
         const std::string value = another_value(info);
         auto wanted = set(info.key, value), owned = changed_by([&](Door&door) {
@@ -209,7 +211,7 @@ TEST_F(SettingDoors, change_keys_and_refuse_invalid_values) {
     EXPECT_TRUE(door.app.take_setting_changes().empty());
 }
 
-// Until 2026-11 the new scale was announced and saved, but the hand stayed in the named scale.
+// Until 2026-11, the session announced and saved the new scale, but the hand stayed in the named scale.
 TEST_F(SettingDoors, leave_a_named_scale_when_a_number_is_set) {
     EXPECT_THAT(set("workspace.scale", "33").at("touch"), testing::StartsWith("33 "));
 }

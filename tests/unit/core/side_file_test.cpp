@@ -1,4 +1,4 @@
-// A person's additions to a world: kept next to it, never lost, never misread.
+// What a person adds to a world: it is stored next to the world, never lost, and never misread.
 #include "app/core/kept/side_file.h"
 
 #include <gmock/gmock.h>
@@ -61,7 +61,7 @@ TEST(SideFile, keeps_unknown_content) {
     EXPECT_EQ(SideFile::of_world(world, {}).entries("mark"), marks);
 }
 
-// Another person's folder may contain such a link to any file of the user.
+// In a folder of another person, the side file could be a link to any file of the user.
 TEST(SideFile, is_never_read_or_written_through_a_symbolic_link) {
     const TemporaryFolder folder, data;
     const fs::path world = folder.write("a.map", "x");
@@ -135,7 +135,7 @@ TEST(SideFile, survives_being_cut_or_changed_at_every_byte) {
         else broken[i] = static_cast<char>(random());
         folder.write("a.map.handrail.toml", broken);
         const SideFile read = SideFile::of_world(world, {});
-        // The file is either understood, or reported and kept.
+        // The file is either read, or reported and kept under another name.
         if (read.news().empty()) EXPECT_LE(read.entries("mark").size(), 1U);
         else EXPECT_FALSE(fs::exists(path));
         for (const SideEntry& entry : read.entries("mark")) {
@@ -155,9 +155,9 @@ TEST(SideFile, goes_to_the_data_folder_if_the_worlds_folder_is_not_writable) {
     ASSERT_TRUE(file.save());
     EXPECT_EQ(file.path().parent_path(), data.path() / "worlds");
     EXPECT_EQ(SideFile::of_world(world, data.path()).entries("mark").size(), 1U);
-    // Another world with the same name has separate additions.
+    // Another world of the same name has separate additions.
     EXPECT_TRUE(SideFile::of_world(other.write("a.map", "x"), data.path()).entries("mark").empty());
-    // Once the folder becomes writable, earlier additions are not lost.
+    // Once the folder can be written again, the earlier additions are still there.
     fs::permissions(folder.path(), fs::perms::owner_all);
     EXPECT_EQ(SideFile::of_world(world, data.path()).entries("mark").size(), 1U);
 }
@@ -173,7 +173,7 @@ TEST(SideFile, goes_to_the_data_folder_if_the_worlds_folder_is_read_only_for_eve
 
 TEST(SideFile, uses_the_data_folder_if_saving_next_to_the_world_fails) {
     const TemporaryFolder folder, data;
-    // A name that is valid for the world but leaves no room for our ending.
+    // The name is valid for the world, but leaves no room for the extension of the side file.
     const std::string name(244, 'w');
     const fs::path world = folder.write(name, "x");
     SideFile file = SideFile::of_world(world, data.path());
@@ -223,7 +223,7 @@ TEST(SideFile, is_copied_aside_before_a_value_that_is_not_a_list_is_overwritten)
         file.set_entries("mark", {mark("newer", 1.0)});
         ASSERT_TRUE(file.save());
         EXPECT_FALSE(fs::exists(kept.string() + "-2")) << "once";
-        // A file that cannot be copied is not overwritten.
+        // If the file cannot be copied, it is not overwritten.
         folder.write("a.map.handrail.toml", text);
         SideFile again = SideFile::of_world(world, {});
         fs::remove(folder.path() / "a.map.handrail.toml");

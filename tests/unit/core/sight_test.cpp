@@ -1,5 +1,5 @@
-// What is in sight in large worlds, compared with the plain method: eight straight lines to everything. Also tests body
-// worlds that share a building.
+// What is in sight in large worlds, compared with a simple method that uses eight straight lines to every thing. Also
+// tests WalkerWorld objects that share a building.
 #include <random>
 
 #include "app/core/world/surroundings.h"
@@ -15,7 +15,8 @@ namespace sight_test {
 
 constexpr std::uint32_t kSeed = 7;
 
-// The plain method: everything within range, nearest first, eight lines to each, nothing left out.
+// The simple method: returns everything within range, the nearest first, with eight lines to each thing and without
+// shortcuts.
 std::vector<Seen> plainly_in_sight(const WalkerWorld& world, const Vec3& feet_m, double height_m, std::size_t most) {
     const Scene& scene = world.scene();
     const Vec3 eye = feet_m + Vec3(0.0, 0.0, height_m);
@@ -136,7 +137,7 @@ TEST(Sight, uses_a_limited_number_of_rays_in_a_world_of_any_size) {
         most = std::max(most, rays);
     }
     EXPECT_LT(most, kMostRays + 16);
-    // In a hall with 1,600 things in sight it is enough to check the nearest.
+    // In a hall with 1,600 things in sight, only the nearest are checked.
     SceneBuilder hall;
     for (int i = 0; i < 1600; ++i) {
         const Vec3 a(-38.0 + 1.9 * (i % 40), -38.0 + 1.9 * (i / 40), 0.0);
@@ -171,7 +172,7 @@ TEST(WalkerWorld, hits_the_same_obstacles_whether_the_building_is_shared_or_priv
     }
 }
 
-// Finds where a path meets each solid alone; for all solids together the first of these counts.
+// Finds where a path meets each solid alone. For all solids together, the first of these hits counts.
 TEST(WalkerWorld, reports_the_first_obstacle_that_a_search_of_all_solids_finds) {
     std::mt19937 random(kSeed);
     const Aabb all{Vec3(-6.0), Vec3(6.0)};

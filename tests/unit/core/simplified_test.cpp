@@ -1,5 +1,5 @@
-// Things that are too small to feel at a scale: they are changed for the hand, announced and listed, and nothing else
-// changes.
+// Things that are too small to feel at a scale. They are changed for the hand, announced and listed, and everything
+// else stays the same.
 #include <gmock/gmock.h>
 
 #include <random>
@@ -119,7 +119,7 @@ TEST(Simplified, view_can_be_switched_off_by_a_setting_at_once_which_is_announce
     EXPECT_FALSE(is_felt(*p.app().haptic_scene(), coats));
 }
 
-// A room with a globe of 10,580 triangles on a post.
+// Makes a room with a globe of 10,580 triangles on a post.
 test::SceneBuilder room_with_globe() {
     test::SceneBuilder b;
     b.box({0, 0, -0.2}, {6, 6, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
@@ -240,7 +240,7 @@ TEST(Simplified, view_is_described_in_whole_german_sentences) {
     EXPECT_TRUE(p.heard("Nichts ist vereinfacht.", from)) << p.all_heard(from);
 }
 
-// Two rooms joined by an opening of 0.9 m without a door, and a partition of 0.05 m at x 6.
+// Makes two rooms connected by an opening of 0.9 m without a door, and a partition of 0.05 m at x = 6.
 std::shared_ptr<const Scene> open_rooms() {
     test::SceneBuilder builder;
     const auto wall = [&](const Vec3& low, const Vec3& high, FeatureKind kind = FeatureKind::Wall) {
@@ -267,7 +267,7 @@ TEST(Simplified, view_widens_doorless_openings_as_soon_as_the_rooms_are_found) {
     app.apply(CommandDown{Command::ScaleBuilding}, 0.0);
     std::string said;
     double now = 0.0;
-    // The thread that finds rooms takes real time; sessions continue meanwhile.
+    // The thread that searches for rooms takes real time, and the session continues meanwhile.
     test::eventually([&] {
         app.tick(now += 1.0 / 60.0, {});
         for (const CueRequest& cue : app.take_cues()) said += cue.text + "\n";
@@ -280,7 +280,8 @@ TEST(Simplified, view_widens_doorless_openings_as_soon_as_the_rooms_are_found) {
     EXPECT_THAT(app.dialogue().view().items[0].name, HasSubstr("Opening between "));
 }
 
-// Waits until all background tasks are done, in real time, since a thread may do them. Returns what was said.
+// Waits in real time until all background tasks are done, because they may run on a thread. Returns what the session
+// said.
 std::string wait_for_touch(Session& app, double& now) {
     std::string said;
     int frames = 0;
@@ -300,8 +301,8 @@ bool any_rounded(const HapticScene& scene) {
                        [](const Obstacle& o) { return o.rounding != 0; });
 }
 
-// The results with threads and without them are bit-identical. Until they are ready, the hand feels what there was
-// before, and entering a world does not wait.
+// The results are bit-identical with and without threads. Until they are ready, the hand feels the previous scene.
+// Entering a world does not wait for them.
 TEST(Simplified, view_is_bit_identical_with_and_without_threads) {
     const auto house = test::our_world("house.map");
     Session beside({}, Explorer::facts("sim-t"), {.executor = on_threads()}), at_once({}, Explorer::facts("sim-t"));
@@ -345,7 +346,7 @@ TEST(Simplified, view_is_bit_identical_with_and_without_threads) {
             EXPECT_THAT(said, HasSubstr("Simplified: ")) << "told when it is felt";
         }
     }
-    // Only the last of many changes counts, and a session that ends does not wait for any.
+    // Of many changes, only the last one counts. A session that ends does not wait for any of them.
     for (int i = 0; i < 12; ++i) {
         beside.apply(CommandDown{kScales[static_cast<std::size_t>(i) % 4]}, now);
         beside.apply(CommandUp{kScales[static_cast<std::size_t>(i) % 4]}, now);
@@ -354,8 +355,8 @@ TEST(Simplified, view_is_bit_identical_with_and_without_threads) {
     compare("after many changes");
 }
 
-// An opened door is found, seen and walked through at its new place, also if a background task has registered that
-// place.
+// The session can find an opened door at its new place, and the walker can see it and walk through it. That is also
+// true after a background task has put that place into the scene.
 TEST(Simplified, view_updates_movers_that_came_to_rest_in_the_background) {
     const auto house = test::our_world("house.map");
     Session app({}, Explorer::facts(nullptr), {.executor = on_threads()});
@@ -378,13 +379,13 @@ TEST(Simplified, openings_are_found_on_entering_a_world_without_those_of_the_pre
     Explorer p(test::our_world("house.map"), "sim-t");
     p.tap(Command::ScaleBuilding, 0.2);
     const std::size_t from = p.lines();
-    // This world has no moving doors, and those of the house are gone.
+    // This world has no moving doors, and the doors of the house are gone.
     p.app().apply(WorldEntered{make_ready(open_rooms())}, p.now_s());
     p.run(0.2);
     EXPECT_TRUE(p.heard("Simplified: 1 doorway widened.", from)) << p.all_heard(from);
 }
 
-// Walls are not thickened, because no wall is too thin to hold the hand.
+// Walls are not made thicker, because even the thinnest wall stops the hand.
 TEST(Simplified, view_stops_a_fast_hand_at_a_wall_of_a_fifth_of_a_millimetre) {
     Settings settings;
     settings.desk.use = false;
@@ -409,7 +410,7 @@ TEST(Simplified, view_stops_a_fast_hand_at_a_wall_of_a_fifth_of_a_millimetre) {
     }
 }
 
-// A liquid is felt within a centimetre of hand movement around it.
+// True if the hand feels a liquid: the hand is inside it, or within a centimetre of it in hand metres.
 bool feels_liquid(const Scene& scene, const Vec3& hip_m, double world_m_per_hand_m) {
     constexpr double kFelt_hand_m = 0.01;
     return std::any_of(scene.solids.begin(), scene.solids.end(), [&](const Solid& solid) {
@@ -417,8 +418,9 @@ bool feels_liquid(const Scene& scene, const Vec3& hip_m, double world_m_per_hand
     });
 }
 
-// Whatever the hand is doing, in or outside walls and doorways, a change of scale leaves the proxy outside of
-// everything and cannot be felt. The only exception is the stream of a nearby pond, which grows with everything else.
+// A change of scale leaves the proxy outside all solids and cannot be felt, whatever the hand is doing, in or outside
+// walls and doorways. The only exception is the current of a pond nearby, because the pond is felt larger or smaller
+// after the change.
 void changes_under_the_hand(const std::shared_ptr<const Scene>& world, const char* device, int rounds) {
     const WalkerSize size = body_size(*world, Settings{}.walk.body_radius_m);
     const std::vector<Room> rooms =
@@ -427,7 +429,7 @@ void changes_under_the_hand(const std::shared_ptr<const Scene>& world, const cha
     std::mt19937 random(test::seed_of_run());
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
     Settings settings;
-    settings.desk.use = false;  // because at the desk changes of scale wait
+    settings.desk.use = false;  // at the desk, changes of the scale would wait
     settings.workspace.rim = false;
     Explorer p(world, device, settings);
     const double reach_m = find_device_spec(device)->workspace_radius_m;
@@ -461,9 +463,9 @@ TEST(Simplified, view_changes_under_the_hand_without_a_jolt_or_leaving_it_in_a_w
         changes_under_the_hand(test::our_world("house.map"), device, test::scaled(60));
 }
 
-// Scenario 17: the first level of an architect's house. Each scale is announced by its name and its true width.
-// Openings too narrow to feel are widened and announced. The proxy passes through every door, and on the way back
-// everything is as before.
+// Scenario 17: the first level of an architect's house. Each scale is announced with its name and its true width.
+// Openings too narrow to feel are widened, and that is announced. The proxy passes through every door. After the return
+// to the first scale, everything is as before.
 void tells_the_truth_of_each_scale(const std::shared_ptr<const Scene>& world) {
     {
         Explorer p(world, "sim-t");
@@ -518,8 +520,8 @@ TEST(Simplified, view_reports_each_scale_of_an_architects_house_truthfully_and_c
     tells_the_truth_of_each_scale(test::world_once(*path));
 }
 
-// Both hands are still, anywhere in their workspaces. A change of scale puts each proxy outside of everything wherever
-// the shared workspace has room for both.
+// Both hands are still, at any place in their workspaces. After a change of scale, each proxy is outside all solids if
+// the shared workspace has a place that suits both.
 TEST(Simplified, view_moves_both_hands_out_of_walls_in_their_common_workspace) {
     Settings settings;
     settings.desk.use = false;
@@ -557,7 +559,8 @@ TEST(Simplified, view_moves_both_hands_out_of_walls_in_their_common_workspace) {
     std::cout << left_free << " of " << rounds << " left hands are free\n";
 }
 
-// The rule of thirds also applies to doorways as they are felt, so the proxy of each scale passes through all of them.
+// The proxy has at most a third of the width of the narrowest doorway as it is felt. So the proxy of each scale passes
+// through all doorways.
 TEST(Simplified, doorways_let_the_ball_through_at_each_scale) {
     for (const char* device : {"sim-t", "sim-f"})
         for (const char* file : {"house.map", "school.map"}) {

@@ -15,7 +15,8 @@ using test::SceneBuilder;
 
 constexpr Vec3 kEars_m{2.0, 1.0, 1.6};
 
-// Two rooms along y with a wall between them from y 4 to 4.2. Its opening, x 1.5 to 2.5 and z 0 to 2.1, may be filled.
+// Makes two rooms along y with a wall between them from y = 4 to 4.2. Its opening, x 1.5 to 2.5 and z 0 to 2.1, may be
+// filled.
 SceneBuilder two_rooms() {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {4, 8.2, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
@@ -47,7 +48,7 @@ TEST(Muffling, of_a_wall_is_stronger_than_of_a_door_and_a_wall_of_two_layers_cou
 }
 
 TEST(Muffling, rises_gradually_behind_an_edge_and_is_small_for_furniture) {
-    // The line from these ears to the source passes the corner at (2.5, 4) first on one side, then on the other.
+    // The ears move so that the line to the source passes the corner at (2.5, 4) first on one side, then on the other.
     const WalkerWorld world(two_rooms().share());
     const Vec3 source{2.5, 7.0, 1.6};
     double last_db = -1.0;
@@ -106,7 +107,7 @@ TEST(Crossings, agree_with_walking_along_the_line_in_small_steps) {
     }
 }
 
-// The inner size is 6 by 4 by 2.6 metres.
+// Makes a closed room whose inner size is 6 by 4 by 2.6 metres.
 SceneBuilder closed_room(const std::string& floor, const std::string& walls, const std::string& ceiling) {
     SceneBuilder b;
     b.box({-0.2, -0.2, -0.2}, {6.2, 4.2, 0}, "floor", SolidRole::Solid, floor, FeatureKind::Floor);
@@ -139,7 +140,7 @@ TEST(Reverberation, is_absent_outdoors_and_on_open_ground) {
     EXPECT_EQ(reverberation_s(WalkerWorld(b.share()), {0, 0, 1.6}), 0.0);
 }
 
-// Sources along x at y 2, in the open air.
+// Sources in the open air, along x at y = 2.
 struct Field {
     explicit Field(std::initializer_list<double> places) {
         SceneBuilder b;
@@ -180,7 +181,7 @@ TEST(Soundscape, plays_the_three_loudest_sources_and_follows_the_walker) {
 }
 
 TEST(Soundscape, keeps_a_source_when_another_becomes_about_equally_loud) {
-    Field f{-3, 3, 9, -9};  // the two far ones differ by less than 3 dB around the middle
+    Field f{-3, 3, 9, -9};  // around the middle, the levels of the two far sources differ by less than 3 dB
     f.stand(0.0, 1.0);
     const auto before = f.playing;
     const std::size_t changes = f.changes;

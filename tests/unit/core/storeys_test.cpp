@@ -28,7 +28,7 @@ struct Visitor : AppSession {
         ask(Command::Storeys);
         return app.dialogue().view().items;
     }
-    // The middle of the first room that is at least this high above the ground.
+    // Returns the middle of the first room that is at least this high above the ground.
     Vec3 room_above(double least_m) {
         ask(Command::PlanView);
         run(0.1);
@@ -50,7 +50,7 @@ TEST(Storeys, of_the_house_are_listed_from_below_with_their_rooms_and_the_curren
     EXPECT_THAT(storeys[0].value, HasSubstr(" rooms, you are here"));
     EXPECT_THAT(storeys[1].value, testing::EndsWith(" rooms"));
     EXPECT_EQ(s.app.dialogue().view().at, 0U) << "the list begins at one's own";
-    // The same counts as in the overview of the whole building.
+    // The numbers are the same as in the description of the whole building.
     s.app.apply(KeyTapped{"Escape"}, s.now);
     const std::string whole = s.ask(Command::Overview);
     const std::string upper = storeys[1].value, lower = storeys[0].value.substr(0, storeys[0].value.find(','));
@@ -66,7 +66,7 @@ TEST(Storeys, are_walked_to_by_the_route_to_their_nearest_room) {
         const std::string to = phrase("rooms.way", {{"goal", "|"}, {"route", ""}});
         EXPECT_THAT(way, testing::StartsWith(to.substr(0, to.find('|')))) << way;
         EXPECT_FALSE(s.app.dialogue().is_open());
-        // The route is followed like any other route to a room.
+        // The person follows this route like any other route to a room.
         EXPECT_NE(s.ask(Command::RestOfWay), phrase("way.none"));
     }
 }

@@ -1,5 +1,5 @@
-// The announced sizes of buildings and rooms are those of their walls; the ground that was added around them does not
-// count.
+// The announced sizes of buildings and rooms are those of their walls. Ground that a reader added around a building
+// does not count.
 #include <cmath>
 #include <numbers>
 

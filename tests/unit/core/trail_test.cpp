@@ -15,11 +15,12 @@ namespace trail_test {
 
 using test::SceneBuilder;
 
-// A walker that trails until the time is up or the wall ends, as Session moves it, and what it reported.
+// A walker that trails until the time is up or the wall ends. The test moves it as Session does, and keeps what it
+// reports.
 struct Trailed {
     std::vector<TrailEvent> events;
     std::vector<Vec3> feet_m;
-    double farthest_from_wall_m = 0.0;  // distance of its side from the wall while it reports contact
+    double farthest_from_wall_m = 0.0;  // largest distance of its side from the wall while it reports contact
 };
 
 Trailed go(const WalkerWorld& world, const WalkerSize& body, const Vec3& feet, double heading, TrailSide side,
@@ -40,7 +41,7 @@ Trailed go(const WalkerWorld& world, const WalkerSize& body, const Vec3& feet, d
     return result;
 }
 
-// The events in words: names in order, corners with a star before them.
+// Returns the events in words: the names in order, with a star before each corner.
 std::vector<std::string> words(const Scene& scene, const std::vector<TrailEvent>& events) {
     std::vector<std::string> all;
     for (const TrailEvent& event : events) {
@@ -93,7 +94,8 @@ TEST(Trail, goes_round_a_room_both_ways_at_any_place_and_never_leaves_the_wall) 
         const auto first = std::find(order.begin(), order.end(), corners.front()) - order.begin();
         for (std::size_t i = 0; i < corners.size(); ++i)
             EXPECT_EQ(corners[i], order[(static_cast<std::size_t>(first) + i) % 4]) << run;
-        // The walker has been along every wall: its path comes within the gap of each, and is never farther away.
+        // The walker has been along every wall: its path comes as near to each wall as the gap, and is never farther
+        // away from all walls.
         double least[4] = {9, 9, 9, 9};
         for (std::size_t i = 120; i < lap.feet_m.size(); ++i) {
             const Vec3 p = lap.feet_m[i] - at;
@@ -133,7 +135,7 @@ TEST(Trail, crosses_doorways_straight_and_announces_them_but_follows_wide_openin
 }
 
 TEST(Trail, goes_round_the_outside_of_free_standing_straight_and_slanted_blocks) {
-    for (const double gap : {0.0, 0.7}) {  // a square room, and one with a slanted side
+    for (const double gap : {0.0, 0.7}) {  // a square room, and a room with a slanted side
         SceneBuilder b;
         b.box({-9, -9, -0.2}, {9, 9, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
         b.box({-1, -1, 0}, {1, 1, 2}, "block", SolidRole::Solid, "wood", FeatureKind::Wall);
@@ -156,7 +158,7 @@ TEST(Trail, goes_round_the_outside_of_free_standing_straight_and_slanted_blocks)
     }
 }
 
-// An upright brush over a polygon, whose corners run counter-clockwise as seen from above; map units.
+// Returns an upright brush over a polygon, whose corners are in counter-clockwise order as seen from above. Map units.
 std::string prism(const std::vector<Vec3>& ring, double z0, double z1) {
     const auto point = [](double x, double y, double z) { return fmt::format("( {} {} {} ) ", x, y, z); };
     std::string faces;
@@ -169,7 +171,7 @@ std::string prism(const std::vector<Vec3>& ring, double z0, double z1) {
     return "{\n" + faces + "}\n";
 }
 
-// Six walls; in two of the three rooms none of them is parallel to an axis.
+// The rooms have six walls. In two of the three rooms, no wall is parallel to an axis.
 TEST(Trail, goes_round_a_room_with_slanted_walls_at_a_constant_distance) {
     for (const double turned : {0.0, 0.2, 0.41}) {
         constexpr double kRadius = 128.0;  // 4 m
@@ -190,7 +192,7 @@ TEST(Trail, goes_round_a_room_with_slanted_walls_at_a_constant_distance) {
         const auto shared = std::make_shared<const Scene>(*scene);
         const WalkerWorld world(shared);
         const double apothem = kRadius / 32.0 * std::cos(kPi / 6.0);
-        // Starts next to the middle of the first wall and faces along it.
+        // The walker starts next to the middle of the first wall and faces along the wall.
         const double across = turned + kPi / 6.0;
         const Vec3 start((apothem - 0.6) * std::cos(across), (apothem - 0.6) * std::sin(across), 0.0);
         const Trailed lap = go(world, body_size(*shared, 0.25), start, -across, TrailSide::Left, 27.0);

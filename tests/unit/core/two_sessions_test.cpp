@@ -1,5 +1,5 @@
-// Two sessions in one world: everything that either adds, changes or deletes is in the file in the end, in whatever
-// order they save.
+// Two sessions in one world. In the end, the file contains everything that either session has added, changed or
+// deleted, whatever the order in which they save.
 #include <gmock/gmock.h>
 #include <sys/file.h>
 
@@ -64,7 +64,7 @@ TEST(SideMerge, keeps_both_versions_of_a_conflicting_change_and_reports_the_name
     EXPECT_THAT(names(merged.entries), UnorderedElementsAre("mine", "theirs", "b changed", "c changed"))
         << "a change counts more than a deletion";
     EXPECT_THAT(merged.conflicts, UnorderedElementsAre("mine", "b changed", "c changed"));
-    // The same change by both is no conflict, and the same new entry counts once.
+    // If both make the same change, there is no conflict. If both add the same entry, it counts once.
     const MergedEntries alike = merge_entries(base, {entry("x", 1.0), base[1], base[2], entry("new", 9.0)},
                                               {entry("x", 1.0), base[1], base[2], entry("new", 9.0)}, Alike::OneThing);
     EXPECT_THAT(names(alike.entries), ElementsAre("x", "b", "c", "new"));
@@ -110,7 +110,8 @@ TEST(SideMerge, merges_tables_key_by_key) {
     EXPECT_THAT(merged.conflicts, ElementsAre("c"));
 }
 
-// The reference model knows each entry by a number and keeps all its values. The tested code knows only the file.
+// A reference model of two sessions and their file. It identifies each entry by a number and keeps all its values. The
+// tested code knows only the file.
 class Twin {
 public:
     using Values = std::map<int, std::set<std::string>>;  // the values of each existing entry
@@ -121,8 +122,8 @@ public:
     One a, b;
     Values file;
 
-    // The values of an entry are a set: those that both began with and neither removed, and all that either has added.
-    // So a change wins over a deletion, and two changes are both kept.
+    // The values of an entry are a set. It contains the common values that neither session has removed, and all values
+    // that either session has added. So a change wins over a deletion, and two changes are both kept.
     void save(One& s) {
         if (!std::exchange(s.changed, false)) return;
         std::set<int> all;
@@ -176,8 +177,8 @@ TEST(TwoSessions, lose_nothing_in_random_interleavings_of_their_edits) {
             ASSERT_EQ(std::multiset<std::string>(here.begin(), here.end()), all_of(session.now))
                 << "run " << run << ", step " << step;
             const int what = upto(9);
-            // An entry that both have changed is in the list twice, and nobody could say which is which, so the test
-            // leaves it alone.
+            // If both sessions have changed an entry, it is in the list twice. The test cannot distinguish the two, so
+            // it does not change them.
             std::vector<int> plain;
             for (const auto& [id, values] : session.now)
                 if (values.size() == 1) plain.push_back(id);
@@ -263,7 +264,7 @@ struct Visitor : test::AppSession {
         app.apply(WorldEntered{make_ready(test::world_in(world)), SideFile::of_world(world, {})}, now);
         run(0.1);
     }
-    // Sets a mark and gives it this name.
+    // Sets a mark and gives it this name. Returns the answer.
     std::string mark(const std::string& name) {
         ask(Command::DropMark);
         return line(name);
@@ -282,7 +283,7 @@ TEST(Additions, that_cannot_be_saved_are_reported_each_time_and_saved_once_that_
     const TemporaryFolder folder;
     const fs::path world = folder.path() / "first_room.map", link = folder.path() / "first_room.map.handrail.toml";
     fs::copy_file(test::project_root() / "worlds/maps/first_room.map", world);
-    fs::create_symlink("elsewhere", link);  // no save writes through a link, whoever runs the test
+    fs::create_symlink("elsewhere", link);  // no save writes through a link, whichever user runs the test
     Visitor visitor(world);
     EXPECT_THAT(visitor.mark("Coat"), HasSubstr("Not saved yet: Coat"));
     EXPECT_THAT(visitor.mark("Shoes"), HasSubstr("Not saved yet: Shoes")) << "not only the first time";

@@ -1,4 +1,4 @@
-// What was understood of a building's file: one sentence on entering, and a full list on request.
+// What the reader understood of a building's file: one sentence when the world is entered, and a full list on request.
 #include "app/core/context/telling.h"
 #include "app/core/context/workspace_scale.h"
 #include "app/core/dialogue/words.h"
@@ -16,7 +16,7 @@ namespace understood_test {
 using test::Explorer;
 using testing::HasSubstr;
 
-// Two rooms of an architect's model; the second looks as if stairs filled it.
+// Returns two rooms of an architect's model. The second room looks as if stairs filled it.
 std::shared_ptr<const Scene> house_with_odd_room() {
     Result<Scene> scene = read_world(test::project_root() / "tests/unit/ifc/worlds/small_house.ifc");
     EXPECT_TRUE(scene.has_value());
@@ -48,7 +48,7 @@ TEST(Understood, is_announced_in_one_sentence_on_entering_which_leads_to_the_poi
     EXPECT_NEAR(p.app().guide().goal()->box_m.min_m.y, at_m.y, 1e-9);
 }
 
-// The reader adds eight metres of ground around this house, which does not count as part of it.
+// The reader adds eight metres of ground around this house. That ground does not count as part of the building.
 TEST(SizeOfABuilding, excludes_the_ground_that_the_reader_added_around_it) {
     Explorer p(house_with_odd_room(), "sim-t");
     const Scene& scene = *p.app().scene();

@@ -7,8 +7,8 @@
 namespace handrail {
 namespace walked_stairs_test {
 
-// Walks from point to point of a route, like a person who knows the stairs. Returns how far from its end it stays, in
-// metres.
+// Walks from point to point of a route, like a person who knows the stairs. Returns the remaining distance to the end
+// of the route in metres.
 double left_m(Walker& walker, const std::vector<Vec3>& points_m) {
     constexpr double kSpeed_m_per_s = 0.7, kTick_s = 1.0 / 60.0, kThere_m = 0.03, kPatience_s = 3.0;
     for (const Vec3& point_m : points_m) {
@@ -48,7 +48,7 @@ TEST(WalkedStairs, of_each_form_lead_up_and_down) {
     }
 }
 
-// A step that does not belong to the stairs is as high as ever, even right next to them.
+// A step that does not belong to the stairs keeps its height, even if it is next to them.
 TEST(WalkedStairs, lower_no_step_that_does_not_belong_to_them) {
     test::SceneBuilder b;
     b.box({-5, -5, -0.2}, {5, 5, 0}, "floor");

@@ -131,7 +131,7 @@ TEST(Walker, passes_a_door_of_90_cm_but_not_one_of_40_cm) {
     }
 }
 
-// Under a lintel, a full step up would lift the head into it.
+// Under the lintel, a full step up would push the head into it.
 TEST(Walker, steps_over_a_threshold_of_2_cm_under_a_lintel_that_leaves_it_3_cm) {
     SceneBuilder rooms;
     rooms.box({-5, -5, -0.22}, {5, 1, -0.02}, "outside");
@@ -148,7 +148,7 @@ TEST(Walker, steps_over_a_threshold_of_2_cm_under_a_lintel_that_leaves_it_3_cm) 
     EXPECT_NEAR(walker.state().feet_m.z, 0.0, 1e-3);
 }
 
-// Earlier, nothing held up a walker between walls that it overlapped, and it fell through its floor.
+// In the past, nothing carried a walker between walls that it overlapped, and it fell through its floor.
 TEST(Walker, stands_on_the_floor_even_if_it_is_too_wide_for_its_place) {
     SceneBuilder passage;
     passage.box({-5, -5, -0.2}, {5, 5, 0});
@@ -168,7 +168,7 @@ TEST(Walker, stands_on_the_floor_even_if_it_is_too_wide_for_its_place) {
     }
 }
 
-// Earlier, solids that a walker overlapped were ignored, and it walked through the whole wall.
+// In the past, solids that a walker overlapped were ignored, so that it walked through the whole wall.
 TEST(Walker, walks_out_of_an_overlapping_solid_and_never_deeper_into_it) {
     SceneBuilder passage;
     passage.box({-5, -5, -0.2}, {5, 5, 0});
@@ -191,7 +191,7 @@ TEST(Walker, walks_out_of_an_overlapping_solid_and_never_deeper_into_it) {
     EXPECT_NEAR(walker.state().feet_m.y, -0.1, 1e-3);
 }
 
-// A crate that comes down at a slant neither lifts nor moves a walker that it touches.
+// A crate that comes down at a slant and touches a walker neither lifts nor moves it.
 TEST(Walker, stays_in_place_when_something_comes_to_overlap_it) {
     SceneBuilder room;
     room.box({-5, -5, -0.2}, {5, 5, 0});
@@ -213,7 +213,7 @@ TEST(Walker, stays_in_place_when_something_comes_to_overlap_it) {
     EXPECT_FALSE(world.blocked(walker.state().feet_m, walker.shape()));
 }
 
-// A walker is not trapped in something that was set down around it.
+// A walker is not trapped in a solid that was placed around it.
 TEST(Walker, walks_out_of_a_solid_around_its_centre_in_either_direction) {
     SceneBuilder room;
     room.box({-5, -5, -0.2}, {5, 5, 0});
@@ -229,7 +229,7 @@ TEST(Walker, walks_out_of_a_solid_around_its_centre_in_either_direction) {
     }
 }
 
-// Whatever the person wishes, and at any frame rate, the walker is never inside a solid.
+// The walker is never inside a solid, whatever the person wants and at any frame rate.
 TEST(Walker, never_ends_inside_a_solid_in_random_clutter) {
     std::mt19937 random(20);
     std::uniform_real_distribution<double> place(-6, 6), size(0.1, 2.0), angle(0, 2 * kPi);
@@ -273,8 +273,8 @@ TEST(WalkerWorld, trace_agrees_with_small_steps_for_random_rays) {
         const WalkerShape body{i % 2 ? 0.25 : 0.0, i % 2 ? 0.5 : 0.0};
         if (world.blocked(from, body)) continue;
         const TraceHit hit = world.trace(from, to, body);
-        // Brute force: a thousand and one places along the path. The exact answer is within one spacing of the first
-        // blocked one.
+        // Brute force: tests a thousand and one places along the path. The exact answer must be within one spacing of
+        // the first blocked place.
         double first = 1.0;
         const int parts = 1000;
         for (int k = 0; k <= parts; ++k)

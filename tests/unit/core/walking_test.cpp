@@ -51,7 +51,7 @@ struct Walk {
     std::vector<CueRequest> cues;
 };
 
-// A room of 6 by 4 metres with a door in the south wall, where the walker starts, and a landmark in the north.
+// Makes a room of 6 by 4 metres with a door in the south wall, where the walker starts, and a landmark in the north.
 std::shared_ptr<const Scene> room() {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {6, 4, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
@@ -68,7 +68,7 @@ std::shared_ptr<const Scene> room() {
     return b.share();
 }
 
-// A platform 10 m long to the north, whose end is `deep` above the floor.
+// Makes a platform that reaches 10 m to the north. Its edge is `deep` above the floor.
 std::shared_ptr<const Scene> platform(double deep) {
     SceneBuilder b;
     b.box({-5, -5, -4}, {5, 4, 0}, "floor", SolidRole::Solid, "concrete", FeatureKind::Floor);
@@ -151,7 +151,7 @@ TEST(Walking, a_leap_can_lead_exactly_onto_the_persons_mark) {
     ASSERT_TRUE(w.said("Mark 1"));
     const Vec3 left = w.app.feet_m();
     int onto_it = 0;
-    for (int i = 0; i < 3; ++i) {  // for the door, the clock and the mark
+    for (int i = 0; i < 3; ++i) {  // the three leaps go to the door, the clock and the mark
         w.tap(Command::LeapNext);
         onto_it += glm::length(w.app.feet_m() - marked) < 0.05 ? 1 : 0;
     }
@@ -187,7 +187,7 @@ TEST(Walking, an_edge_stops_the_walker_until_a_second_request_unless_that_is_swi
     EXPECT_TRUE(w.said("Edge. Drop, 1.2 metres deep"));
     EXPECT_GT(w.sounds(SoundKind::DropNear), 4);
     w.run(1.0);
-    w.hold(Command::Forward, 0.5);  // three seconds after the stop, so it counts as a first press again
+    w.hold(Command::Forward, 0.5);  // three seconds after the stop, so it counts as the first press again
     EXPECT_NEAR(w.app.feet_m().y, 4.0, 0.05);
     w.run(0.5);
     w.hold(Command::Forward, 1.5);
@@ -220,8 +220,8 @@ TEST(Walking, callouts_are_switched_off_and_on_by_their_key_and_stay_so) {
     EXPECT_TRUE(w.said("Callouts on"));
 }
 
-// In a level of steps half a metre high, the walker goes a minute in every direction: it says little without a request,
-// and gets around.
+// In a level with steps half a metre high, the walker goes for a minute in every direction. It gets round, and the
+// session says little without a request.
 TEST(Walking, game_levels_are_walkable_and_quiet) {
     const auto ours = test::project_root() / "tests/scenarios/worlds/game_step.map";
     for (const auto& file : test::with_real_worlds({ours}, {"agtut01.map", "quake-e1m1.map"})) {

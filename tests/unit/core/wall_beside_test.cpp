@@ -1,4 +1,4 @@
-// How near a wall is to a person who walks along it, whatever the wall consists of.
+// How near a wall is to a walker who walks along it, whatever the wall consists of.
 #include "app/core/world/wall_beside.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ using test::box_brush;
 using test::entity;
 using test::key;
 
-// A box of the building, given in metres.
+// Returns a box of the building, given in metres.
 std::string built(double x0, double y0, double z0, double x1, double y1, double z1) {
     return box_brush(32.0 * x0, 32.0 * y0, 32.0 * z0, 32.0 * x1, 32.0 * y1, 32.0 * z1);
 }
@@ -23,8 +23,9 @@ std::string thing(const std::string& name, double x0, double y0, double z0, doub
     return entity("thing", key("name", name), built(x0, y0, z0, x1, y1, z1));
 }
 
-// A room of 8 by 6 metres with walls of 0.3:
-// - north: a window of 1.6 m over a sill of 0.9, its pane 0.2 m back, and one of 1.2 m down to the floor;
+// Makes a room of 8 by 6 metres with walls of 0.3 m:
+// - north: a window of 1.6 m over a sill of 0.9 m, its pane 0.2 m back, and another window of 1.2 m down to the
+//   floor;
 // - east: an open door of 1 m;
 // - south: a board that hangs on the wall, and a bookshelf 0.4 m deep;
 // - west: a gate of 3.2 m;
@@ -52,7 +53,7 @@ TEST(WallBeside, continues_across_windows_doors_and_boards) {
     const WalkerWorld world = room();
     for (double x = 0.6; x <= 7.4; x += 0.1) EXPECT_NEAR(wall_beside_m(world, {x, 5.6, 0.0}), 0.4, 0.02) << x;
     for (double y = 0.6; y <= 5.4; y += 0.1) EXPECT_NEAR(wall_beside_m(world, {7.6, y, 0.0}), 0.4, 0.02) << y;
-    // The board is 6 cm nearer than its wall.
+    // The board is 6 cm nearer to the walker than its wall.
     for (double x = 0.6; x <= 4.5; x += 0.1) EXPECT_NEAR(wall_beside_m(world, {x, 0.4, 0.0}), 0.37, 0.04) << x;
 }
 
@@ -63,7 +64,7 @@ TEST(WallBeside, includes_things_against_a_wall_but_not_free_standing_things) {
     EXPECT_GT(wall_beside_m(world, {4.0, 4.2, 0.0}), 1.7);
 }
 
-// A window from corner to corner has no wall next to it.
+// A window from corner to corner has no piece of wall next to it.
 TEST(WallBeside, is_a_glass_pane_from_corner_to_corner_but_not_a_pole) {
     std::string walls = built(-1, -1, -0.2, 9, 7, 0.0) + built(-1, -1, 2.6, 9, 7, 2.8) + built(-0.3, 0, 0, 0, 6, 2.6) +
                         built(8, 0, 0, 8.3, 6, 2.6) + built(-0.3, -0.3, 0, 8.3, 0, 2.6);
@@ -84,7 +85,7 @@ TEST(WallBeside, continues_along_the_windows_of_a_real_building) {
     auto scene = read_world(*file);
     ASSERT_TRUE(scene) << scene.error().sentence();
     const WalkerWorld world(std::make_shared<const Scene>(std::move(*scene)));
-    // The west wall of a bedroom: 3 of its 5 metres are glass down to the floor.
+    // The west wall of a bedroom. 3 of its 5 metres are glass down to the floor.
     int near = 0;
     for (int i = 0; i <= 100; ++i) near += wall_beside_m(world, {0.75, -17.0 + 0.05 * i, 3.12}) < 0.45;
     EXPECT_GE(near, 95) << "of 101";
@@ -92,7 +93,7 @@ TEST(WallBeside, continues_along_the_windows_of_a_real_building) {
 
 TEST(WallBeside, ends_where_the_wall_does_not_continue) {
     const WalkerWorld world = room();
-    // In the gate, and outside in the open.
+    // There is no wall in the gate, nor outside.
     EXPECT_GT(wall_beside_m(world, {0.4, 1.7, 0.0}), 1.5);
     EXPECT_GT(wall_beside_m(world, {-0.7, 1.7, 0.0}), 1.5);
     EXPECT_NEAR(wall_beside_m(world, {0.4, 4.5, 0.0}), 0.4, 0.02);

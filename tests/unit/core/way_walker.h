@@ -1,5 +1,5 @@
-// A walker that follows directions: it walks along the last planned route, point after point, and opens the doors
-// before which it stands.
+// A walker that follows routes. It walks along the last planned route, point after point, and opens the doors before
+// which it stands.
 #pragma once
 
 #include <cmath>
@@ -10,9 +10,9 @@
 
 namespace handrail::test {
 
-// Walks until `there` is true, or for `seconds`; returns true if it got there.
+// Walks along the route until `there` returns true, but at most for `seconds`. Returns true if the walker got there.
 inline bool walk_along(AppSession& person, const std::function<bool()>& there, double seconds) {
-    // Turning a hand's breadth before a point cuts corners by no more than that.
+    // The walker turns up to a hand's breadth before each point, so it cuts a corner by no more than that.
     constexpr double kAtPoint_m = 0.05, kStuck_s = 0.5, kDoorOpens_s = 2.5;
     Session& app = person.app;
     std::vector<Vec3> way;
@@ -50,7 +50,7 @@ inline bool walk_along(AppSession& person, const std::function<bool()>& there, d
     return there();
 }
 
-// Chooses a room in the list of routes and walks there; returns true if it arrives.
+// Chooses a room in the list of routes and walks there. Returns true if the walker arrives.
 inline bool go_to_room(AppSession& person, const std::string& room, double seconds) {
     person.ask(Command::Routes);
     person.line(room);
@@ -61,8 +61,8 @@ inline bool go_to_room(AppSession& person, const std::string& room, double secon
         person, [&] { return person.heard(there); }, seconds);
 }
 
-// Walks straight from place to place, whatever route may be planned. `run(seconds)` lets time pass and returns the time
-// afterwards.
+// Walks straight from place to place, without following a planned route. `run(seconds)` lets time pass and returns the
+// time afterwards.
 template <class Run>
 void steer_along(Session& app, const std::vector<Vec3>& places, Run run) {
     double now_s = run(0.0);

@@ -1,6 +1,6 @@
-// Kept routes in a session. They are planned or walked, and kept under a name next to the world. After a restart they
-// are heard, followed stop by stop by ear and by hand, reversed, changed and deleted. Also covers damaged files and
-// worlds that were edited since.
+// Saved routes in a session. A route is planned or walked, and saved under a name next to the world. After a restart,
+// the person hears it, follows it stop by stop by ear and by hand, reverses, changes and deletes it. Also covers
+// damaged files and worlds that were edited meanwhile.
 #include <gmock/gmock.h>
 
 #include "tests/support/child_process.h"
@@ -22,7 +22,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-// The house in a folder where additions are kept next to it.
+// A copy of the house in a folder of its own, where additions are stored next to it.
 struct House {
     House() { fs::copy_file(test::project_root() / "worlds/maps/house.map", path); }
     fs::path beside() const { return path.string() + ".handrail.toml"; }
@@ -31,14 +31,14 @@ struct House {
 };
 
 struct Person : test::AppSession {
-    // `beside`: rooms are found on a separate thread, as in a session with a window.
+    // If `beside` is true, the rooms are searched for on a separate thread, as in a session with a window.
     explicit Person(const fs::path& world, bool beside = false)
         : AppSession({}, {}, {.executor = beside ? on_threads() : at_once()}) {
         app.apply(WorldEntered{make_ready(test::world_in(world)), SideFile::of_world(world, {})}, now);
         run(0.1);
     }
     bool go_to(const std::string& room) { return test::go_to_room(*this, room, 90.0); }
-    // Chooses a kept route and what to do with it.
+    // Chooses a saved route from the list.
     std::string way(const std::string& name) {
         ask(Command::Ways);
         return line(name);
@@ -47,7 +47,7 @@ struct Person : test::AppSession {
         way(name);
         return line(act);
     }
-    // An entry of the open list with its name and value; empty if there is no such entry.
+    // Returns the entry of the open list that begins with `begin`, as name and value. Empty if there is no such entry.
     std::string item(const std::string& begin) const {
         for (const ListItem& one : app.dialogue().view().items)
             if (one.name.starts_with(begin)) return one.name + ", " + one.value;
@@ -67,7 +67,7 @@ TEST(KeptRoutes, from_a_planned_route_are_walked_stop_after_stop_after_a_restart
         EXPECT_THAT(p.ask(Command::Ways), HasSubstr("You have not kept a route here yet. Control+8 keeps the route"));
         ASSERT_TRUE(p.go_to("Living room")) << p.app.feet_m().x << " " << p.app.feet_m().y;
         p.ask(Command::Routes);
-        p.line("Kitchen");  // planned from the end of the route before, so it is part of the same route
+        p.line("Kitchen");  // planned from the end of the previous route, so both are parts of one route
         p.ask(Command::KeepWay);
         EXPECT_EQ(p.item("The route you planned last"), "The route you planned last, Hall, Living room, Kitchen");
         EXPECT_THAT(p.line("The route you planned last"),
@@ -92,7 +92,7 @@ TEST(KeptRoutes, from_a_planned_route_are_walked_stop_after_stop_after_a_restart
     EXPECT_THAT(words, HasSubstr(" to Kitchen."));
 
     EXPECT_THAT(p.way("To the stove", "Follow it by ear"),
-                StartsWith("To Living room. "));  // the walker is at its first stop
+                StartsWith("To Living room. "));  // the first stop is left out, because the walker is already there
     p.said.clear();
     ASSERT_TRUE(test::walk_along(
         p, [&] { return p.heard("Kitchen. You are there."); }, 120.0))
@@ -100,9 +100,9 @@ TEST(KeptRoutes, from_a_planned_route_are_walked_stop_after_stop_after_a_restart
     EXPECT_TRUE(p.heard("Living room. You are there. To Kitchen. "));
     EXPECT_EQ(p.ask(Command::WhereAmI).substr(0, 9), "Kitchen, ");
     p.ask(Command::Routes);
-    EXPECT_EQ(p.item("Stop following"), "");  // the route is over
+    EXPECT_EQ(p.item("Stop following"), "");  // the route has ended
 
-    // Follows the route backwards, from its end.
+    // Follows the route backwards, from its end to its beginning.
     EXPECT_THAT(p.way("To the stove", "Reverse the route"), HasSubstr("To the stove, backwards"));
     EXPECT_THAT(p.line("Follow it by ear"), StartsWith("To Living room. "));
     p.said.clear();
@@ -119,14 +119,14 @@ TEST(KeptRoutes, are_listed_resumed_from_the_current_place_and_stopped_on_reques
     p.keep("The route you planned last", "There");
     p.way("There", "Add a stop");
     EXPECT_EQ(p.line("Kitchen"), "There now goes on to Kitchen.");
-    // From the study the walker is first led to the first stop.
+    // From the study, the session first leads the walker to the first stop.
     p.app.apply(Placed{{9.5, 3.0, 0.0}, 0.0}, p.now);
     p.run(0.1);
     EXPECT_THAT(p.way("There", "Follow it by ear"), StartsWith("To Hall. "));
     p.said.clear();
     ASSERT_TRUE(test::walk_along(
         p, [&] { return p.heard("Hall. You are there. To Living room."); }, 60.0));
-    // Carried far off, the walker hears the route to the same stop.
+    // The walker is placed far away from the route, and hears the route to the same stop.
     p.app.apply(Placed{{6.0, -4.0, 0.0}, 0.0}, p.now);
     p.said.clear();
     p.run(0.3);
@@ -143,8 +143,8 @@ TEST(KeptRoutes, are_listed_resumed_from_the_current_place_and_stopped_on_reques
 
 TEST(KeptRoutes, from_the_trail_keep_its_corners_and_lead_along_them) {
     const House house;
-    // In the garden around the far side of the pond: south of the house to the west and back up, which no plan would
-    // choose.
+    // A walk in the garden round the far side of the pond: south of the house to the west, and back. No planned route
+    // would lead that way.
     const std::vector<Vec3> detour{{6.0, -2.0, 0.0}, {1.0, -2.0, 0.0}, {1.0, -4.0, 0.0}, {8.0, -4.0, 0.0}};
     {
         Person p(house.path);
@@ -153,7 +153,7 @@ TEST(KeptRoutes, from_the_trail_keep_its_corners_and_lead_along_them) {
         p.ask(Command::DropMark);
         p.line("Gate");
         p.ask(Command::KeepWay);
-        EXPECT_EQ(p.item("Everything"), "");  // nothing has been walked yet
+        EXPECT_EQ(p.item("Everything"), "");  // the walker has not walked yet
         EXPECT_THAT(p.line("Begin a route here"),
                     HasSubstr("A route begins here. Control+8 keeps what you walk from now on."));
         test::steer_along(p.app, detour, [&](double seconds) {
@@ -167,7 +167,7 @@ TEST(KeptRoutes, from_the_trail_keep_its_corners_and_lead_along_them) {
         p.line("What you walked since you began");
         EXPECT_EQ(p.line("Round"), "Route Round kept");
         EXPECT_EQ(p.keep("Everything", "round"),
-                  "Another route is already called round.");  // two routes cannot have one name
+                  "Another route is already called round.");  // two routes cannot have the same name
     }
     Person p(house.path);
     std::vector<Error> faults;
@@ -181,7 +181,7 @@ TEST(KeptRoutes, from_the_trail_keep_its_corners_and_lead_along_them) {
     p.app.apply(Placed{detour[0], 0.0}, p.now);
     p.run(0.1);
     p.way("Round", "Follow it by ear");
-    // The whole detour is the route, including both corners.
+    // The saved route follows the whole detour, including both corners.
     const std::vector<Vec3> way = p.app.guide().way_m();
     for (const Vec3& corner : detour) EXPECT_LT(nearest_on_way(way, corner).distance_m, 0.6);
     p.said.clear();
@@ -249,7 +249,7 @@ TEST(KeptRoutes, that_are_damaged_are_set_aside_or_reported_with_their_line) {
 
 // ---- a world that was edited ----
 
-// Two rooms of 6 by 5 m with a gap of this many units between them, and a table in the eastern one.
+// Returns the map of two rooms of 6 by 5 m with a gap of this many units between them, and a table in the eastern room.
 std::string two_rooms(double gap_units, double table_x) {
     using test::box_brush;
     const double low = 80.0 - 0.5 * gap_units, high = 80.0 + 0.5 * gap_units;
@@ -278,7 +278,7 @@ TEST(KeptRoutes, report_by_name_what_no_longer_fits_an_edited_world_on_entering_
         p.line("Take me there");
         ASSERT_EQ(p.keep("The route you planned last", "To lunch"), "Route To lunch kept");
     }
-    // The world was edited without a change to the stops.
+    // The world was edited, but the stops are the same.
     write(two_rooms(36.0, 300.0));
     {
         Person p(path);
@@ -303,12 +303,12 @@ TEST(KeptRoutes, report_by_name_what_no_longer_fits_an_edited_world_on_entering_
         const std::string chosen = p.line("To lunch");
         const std::string faults(edit.told + 10, std::strlen(edit.told) - 12);
         EXPECT_THAT(chosen, HasSubstr("To lunch. This route does not fit this version of the world: " + faults));
-        // The route is still followed as far as it goes.
+        // The session follows the route as far as possible.
         const std::string words = p.line("Follow it by ear");
         EXPECT_THAT(words,
                     edit.gap_units == 0.0 ? HasSubstr("No walking route found to Table.") : HasSubstr("To Table. "));
     }
-    // If rooms are found in a background task, the check follows as soon as they are known.
+    // If a background task searches for the rooms, the check of the routes follows as soon as the rooms are known.
     {
         Person p(path, true);
         EXPECT_TRUE(test::eventually([&] {
@@ -316,7 +316,8 @@ TEST(KeptRoutes, report_by_name_what_no_longer_fits_an_edited_world_on_entering_
             return p.heard("no longer fits: To lunch (no walking route from Shop to Table).");
         })) << testing::PrintToString(p.said);
     }
-    // The change is accepted as it is: nothing more is announced, and the route leads to the table's new place.
+    // The person has accepted the new place. So nothing more is announced, and the route leads to the new place of the
+    // table.
     write(two_rooms(36.0, 206.0));
     {
         Person p(path);
@@ -328,7 +329,7 @@ TEST(KeptRoutes, report_by_name_what_no_longer_fits_an_edited_world_on_entering_
     p.said.clear();
     ASSERT_TRUE(test::walk_along(
         p, [&] { return p.heard("Table. You are there."); }, 60.0));
-    EXPECT_LT(p.app.feet_m().x, 8.3);  // the table ends at 7.7 m
+    EXPECT_LT(p.app.feet_m().x, 8.3);  // the table ends at x = 7.7 m
 }
 
 TEST(KeptRoutes, follow_a_room_that_the_person_renames) {
@@ -352,7 +353,8 @@ TEST(KeptRoutes, follow_a_room_that_the_person_renames) {
 
 // ---- by the hand, and in German ----
 
-// Keeps a route, and leads the free hand along it from the base. Returns how many lines had been said before.
+// Saves a route, and guides the free hand along it from the base. Returns how many lines had been said before the
+// guidance.
 std::size_t kept_and_led(test::Explorer& p, const std::string& which) {
     p.tap(Command::KeepWay);
     p.line(which);
@@ -381,7 +383,7 @@ TEST(KeptRoutes, guide_the_hand_from_stop_to_stop) {
             ASSERT_TRUE(p.wait_for([&] { return p.heard("Here: Coat stand"); }, 40.0)) << p.all_heard();
         }
     }
-    p.tap(Command::TakeMe);  // lets go
+    p.tap(Command::TakeMe);  // ends the guidance of the hand
     const std::size_t before = kept_and_led(p, "The route you planned last");
     ASSERT_TRUE(p.wait_for([&] { return p.heard("Here: Door mat", before); }, 90.0)) << p.all_heard(before);
     EXPECT_LT(p.find("Taking your hand to Coat stand", before),
@@ -393,7 +395,7 @@ TEST(KeptRoutes, guide_the_hand_from_stop_to_stop) {
 TEST(KeptRoutes, guide_the_hand_along_the_corners_of_a_trail) {
     test::Explorer p(test::our_world("house.map"), "sim-t");
     p.tap(Command::Exits);
-    // Walks around by the east of the hall and back to its west, 3 m from the start.
+    // The walker goes along the east of the hall and back to its west, 3 m from the start.
     test::steer_along(p.app(), {{6.9, 1.2, 0.0}, {6.9, 3.2, 0.0}, {5.1, 3.2, 0.0}}, [&](double seconds) {
         p.run(seconds);
         return p.now_s();
@@ -404,7 +406,7 @@ TEST(KeptRoutes, guide_the_hand_along_the_corners_of_a_trail) {
     ASSERT_TRUE(p.wait_for(
         [&] {
             east_m = std::max(east_m, p.tool().proxy_m.x);
-            return p.heard("Here: Stairs", before);  // at the end of the hall in the north-west
+            return p.heard("Here: Stairs", before);  // this place is at the end of the hall in the north-west
         },
         90.0))
         << p.all_heard(before);

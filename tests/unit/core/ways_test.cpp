@@ -1,5 +1,5 @@
-// Kept routes: read and written, never lost or misread; looked up again in an edited world; planned through their
-// stops; trails with few corners.
+// Saved routes: they are read and written without loss or misreading, looked up again in an edited world, and planned
+// through their stops. Trails are reduced to few corners.
 #include "app/core/kept/saved_routes.h"
 
 #include <gmock/gmock.h>
@@ -125,7 +125,7 @@ TEST(Ways, that_are_unreadable_are_reported_with_file_line_and_advice_and_stay_i
         write_ways(file, ways);
         ASSERT_TRUE(file.save());
         const std::vector<SideEntry> after = SideFile::of_world(world, {}).entries("way");
-        if (one.entry.find("nan") == std::string::npos) {  // nan equals nothing
+        if (one.entry.find("nan") == std::string::npos) {  // NaN is not equal to anything
             EXPECT_EQ(after, before);
         }
         EXPECT_EQ(after.size(), 2U);
@@ -158,8 +158,9 @@ TEST(Ways, survive_a_file_that_is_cut_or_changed_at_every_byte) {
             EXPECT_FALSE(way.stops.front().name.empty() || way.stops.back().name.empty());
             for (const Stop& one : way.stops) EXPECT_TRUE(is_finite(one.place_m));
         }
-        if ((ways.empty() && faults.empty()) || i % 7 != 0) continue;  // writing to the disk is slow
-        // What was understood is still understood after it was written.
+        // Only every seventh file is written, because writing to the disk is slow.
+        if ((ways.empty() && faults.empty()) || i % 7 != 0) continue;
+        // What was read correctly is the same after it was written and read again.
         const std::vector<SideEntry> before = read.entries("way");
         write_ways(read, ways);
         ASSERT_TRUE(read.save());
@@ -178,8 +179,8 @@ struct Flat {
     RoomGraph graph;
 };
 
-// A floor of 12 by 5 metres with walls around it, and a wall across the middle with a gap of a metre unless it is shut.
-// A table is in the west or elsewhere, or there is none.
+// Makes a floor of 12 by 5 metres with walls around it. A wall across the middle has a gap of a metre, unless `shut` is
+// true. The table is at the given place, or there is none.
 Flat flat(const std::optional<Vec3>& table, bool shut = false, const std::optional<Vec3>& block = {}) {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {12, 5, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
@@ -226,20 +227,20 @@ std::string unfit(const Flat& flat, const SavedRoute& way = to_the_table()) {
 TEST(Ways, are_checked_against_the_world_and_misfits_are_reported_by_name) {
     const Vec3 table(2.4, 3.2, 0);
     EXPECT_EQ(unfit(flat(table)), "");
-    EXPECT_EQ(unfit(flat(table - Vec3(0.3, 0, 0))), "");  // moved by less than half a metre
+    EXPECT_EQ(unfit(flat(table - Vec3(0.3, 0, 0))), "");  // the table has moved by less than half a metre
     EXPECT_EQ(unfit(flat({})), "Table no longer exists");
     EXPECT_EQ(unfit(flat(table, true)), "no walking route from Table to Far end");
     EXPECT_EQ(unfit(flat(table, false, Vec3(10.9, 2.5, 0))), "there is no place to stand at Far end");
-    EXPECT_EQ(unfit(flat(table, false, Vec3(7.5, 2.5, 0))), "");  // a walker can go around it
-    // The table is found at another place, and the route goes there.
+    EXPECT_EQ(unfit(flat(table, false, Vec3(7.5, 2.5, 0))), "");  // the walker can go round the block
+    // The table is found at another place, and the route leads there.
     const Flat moved = flat(Vec3(9.5, 0.3, 0));
     const FoundRoute found = look_up(to_the_table(), *moved.scene, SideFile(), *moved.navigation, moved.graph);
     ASSERT_EQ(found.faults.size(), 1U);
     EXPECT_EQ(found.faults[0].kind, StopFault::Kind::ThingMoved);
     EXPECT_NEAR(found.faults[0].moved_m, std::hypot(9.5 - 2.0, 3.5 - 0.9),
-                1e-9);  // from (2, 3.5) to its corner at (9.5, 0.9)
+                1e-9);  // the distance from (2, 3.5) to the corner of the table at (9.5, 0.9)
     EXPECT_LT(glm::length(found.stops[1].place_m - Vec3(9.5, 0.9, 0)), 0.6);
-    // If a corner of a trail is inside a pillar, the fault names the stop behind it.
+    // If a corner of a trail is inside a pillar, the fault names the stop after that corner.
     EXPECT_THAT(unfit(flat(table, false, Vec3(8.5, 4.0, 0))),
                 HasSubstr("there is no place to stand on the route to Far end"));
 }
@@ -252,7 +253,7 @@ TEST(Ways, know_rooms_by_all_their_names) {
     one.graph.rooms[room_at(one.graph, one.navigation->space(), {1, 1, 0})].map_name = "larder";
     EXPECT_EQ(unfit(one, way), "");
     EXPECT_EQ(unfit(one), "");
-    // The name now belongs to the other side, so the stop is there.
+    // Now a room on the other side has the name, so the stop is found there.
     one = flat(Vec3(2.4, 3.2, 0));
     for (Room& room : one.graph.rooms) room.name = "other";
     give_names(one.graph, one.navigation->space(), {{{11, 2.5, 0}, "Shop"}});
@@ -296,7 +297,7 @@ TEST(Ways, through_several_places_consist_of_consecutive_legs) {
 
 // ---- trails ----
 
-// Compares every point with every line between two kept ones.
+// Compares every point of the trail with every line between two corners. Returns the largest distance.
 double farthest_off_m(const std::vector<Vec3>& trail, const std::vector<Vec3>& corners) {
     double worst = 0.0;
     for (const Vec3& p : trail) {
@@ -330,7 +331,7 @@ TEST(Trails, keep_few_corners_and_stay_within_the_given_tolerance) {
             EXPECT_EQ(corners.back(), one.back());
             EXPECT_LE(farthest_off_m(one, corners), 0.4 + 0.01);
             EXPECT_LE(corners.size(), one.size());
-            // The corners are in the order of the trail.
+            // The corners are in the same order as the trail.
             std::size_t at = 0;
             for (const Vec3& corner : corners) {
                 while (at < one.size() && one[at] != corner) ++at;
@@ -340,7 +341,7 @@ TEST(Trails, keep_few_corners_and_stay_within_the_given_tolerance) {
     }
     EXPECT_TRUE(corners_of({}, 0.4).empty());
     EXPECT_EQ(corners_of(std::vector<Vec3>{{1, 1, 1}}, 0.4).size(), 1U);
-    std::vector<Vec3> straight;  // 20 metres with a bend in the middle: its two ends and the bend remain
+    std::vector<Vec3> straight;  // 20 metres with a bend in the middle; only the two ends and the bend remain
     for (int i = 0; i <= 40; ++i) straight.push_back({0.25 * i, 0, 0});
     for (int i = 1; i <= 40; ++i) straight.push_back({10, 0.25 * i, 0});
     EXPECT_EQ(corners_of(straight, 0.4), (std::vector<Vec3>{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}}));
@@ -348,10 +349,10 @@ TEST(Trails, keep_few_corners_and_stay_within_the_given_tolerance) {
 
 TEST(Trails, since_a_place_start_at_the_latest_nearest_approach_to_it) {
     std::vector<Vec3> trail;
-    for (int i = 0; i <= 40; ++i) trail.push_back({0.25 * i, 0, 0});  // 10 metres east, and back to 6
+    for (int i = 0; i <= 40; ++i) trail.push_back({0.25 * i, 0, 0});  // a trail 10 metres to the east and back to x = 6
     for (int i = 1; i <= 16; ++i) trail.push_back({10 - 0.25 * i, 0, 0});
     EXPECT_EQ(trail_since(trail, {2, 0.5, 0}, 1.0).front(), Vec3(2, 0, 0));
-    EXPECT_EQ(trail_since(trail, {7, 0, 0}, 1.0).size(), 5U);  // from x = 7 on the way back to 6
+    EXPECT_EQ(trail_since(trail, {7, 0, 0}, 1.0).size(), 5U);  // the part from x = 7 on the way back to x = 6
     EXPECT_TRUE(trail_since(trail, {2, 5, 0}, 1.0).empty());
     EXPECT_TRUE(trail_since({}, {2, 5, 0}, 1.0).empty());
     EXPECT_EQ(length_of(trail_since(trail, {0, 0, 0}, 1.0)), 14.0);

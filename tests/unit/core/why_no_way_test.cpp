@@ -1,4 +1,4 @@
-// A person who requests the route to an unreachable room hears the reason and what would help.
+// If a person requests the route to a room that cannot be reached, the session says why, and what would help.
 #include <gtest/gtest.h>
 
 #include "tests/support/box_scene.h"
@@ -11,8 +11,8 @@
 namespace handrail {
 namespace why_no_way_test {
 
-// Two rooms of 5 by 4 m with a gap between them; the farther one is empty. The wall between them has thickness
-// `wall_m`, and the gap has height `high_m`.
+// Makes two rooms of 5 by 4 m with a gap between them. The farther room is empty. The wall between them has the
+// thickness `wall_m`, and the gap has the height `high_m`.
 std::shared_ptr<const Scene> two_rooms(double gap_m, double wall_m = 0.2, double high_m = 3.0) {
     test::SceneBuilder b;
     b.box({0, 0, -0.2}, {10.2, 4, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
@@ -64,7 +64,7 @@ TEST(NoRouteReason, is_reported_with_a_remedy_at_once_or_from_a_background_task)
     }
 }
 
-// Most such walls are thin enough for a door; the session once suggested a door instead of giving the reason.
+// Most of these walls are thin enough for a door. The session once suggested a door instead of naming the reason.
 TEST(NoRouteReason, is_a_gap_that_is_too_narrow_or_too_low_in_any_wall) {
     struct Gap {
         double wide_m, high_m;

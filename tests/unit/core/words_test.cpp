@@ -11,8 +11,8 @@ TEST(DistanceWords, are_whole_steps_rounded_to_five_above_twenty) {
     EXPECT_EQ(distance_words(3.5, steps), "5 steps");
     EXPECT_EQ(distance_words(0.7, steps), "1 step");
     EXPECT_EQ(distance_words(0.2, steps), "close by");
-    EXPECT_EQ(distance_words(15.0, steps), "20 steps");  // exactly 21.4 steps
-    EXPECT_EQ(distance_words(33.0, steps), "45 steps");  // exactly 47.1 steps
+    EXPECT_EQ(distance_words(15.0, steps), "20 steps");  // 21.4 steps before rounding
+    EXPECT_EQ(distance_words(33.0, steps), "45 steps");  // 47.1 steps before rounding
 }
 
 TEST(DistanceWords, are_half_metres_in_metres_mode) {
@@ -50,7 +50,8 @@ TEST(DirectionWords, depend_only_on_the_chosen_vocabulary) {
     EXPECT_EQ(direction_words(radians_from_degrees(22.5), 0.0, DirectionChoice::Sides, false), "23 degrees right");
 }
 
-// In every direction and for every heading, the hour is the nearest one and the words name the same side.
+// In every direction and for every heading, the hour is the nearest one, and the direction in words names the same
+// side.
 TEST(DirectionWords, agree_with_each_other_in_every_direction) {
     for (int heading = -360; heading <= 360; heading += 30)
         for (int turn = -175; turn <= 175; turn += 5) {

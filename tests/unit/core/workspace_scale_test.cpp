@@ -15,7 +15,8 @@ TEST(NamedScale, has_the_published_ratios_and_fits_a_building_with_both_corners_
         EXPECT_EQ(world_m_per_hand_m(NamedScale::Room, kBounds, reach), 60.0);
         EXPECT_EQ(world_m_per_hand_m(NamedScale::Detail, kBounds, reach), 15.0);
     }
-    EXPECT_NEAR(world_m_per_hand_m(NamedScale::Building, kBounds, kTouch) * 0.8 * kTouch, 25.0, 1e-9);  // half of 50
+    // Half of the width of 50 m.
+    EXPECT_NEAR(world_m_per_hand_m(NamedScale::Building, kBounds, kTouch) * 0.8 * kTouch, 25.0, 1e-9);
     EXPECT_EQ(world_m_per_hand_m(NamedScale::Building, kBounds, kFalcon), 500.0)
         << "no coarser than the setting allows";
     EXPECT_EQ(world_m_per_hand_m(NamedScale::Building, Aabb{}, kTouch), 120.0) << "nothing to fit";
@@ -37,8 +38,8 @@ TEST(BallRadius, is_4_mm_at_room_scale_2_to_6_mm_elsewhere_and_at_most_a_sixth_o
     const Scene& plain = open.scene();
     EXPECT_NEAR(ball_radius_m(plain, 0.004, 60.0), 0.12, 1e-12);
     EXPECT_NEAR(ball_radius_m(plain, 0.004, 120.0), 0.12, 1e-12);
-    EXPECT_NEAR(ball_radius_m(plain, 0.004, 15.0), 0.045, 1e-12);  // 6 mm for the hand
-    EXPECT_NEAR(ball_radius_m(plain, 0.004, 400.0), 0.4, 1e-12);   // 2 mm for the hand
+    EXPECT_NEAR(ball_radius_m(plain, 0.004, 15.0), 0.045, 1e-12);  // 6 mm at the hand
+    EXPECT_NEAR(ball_radius_m(plain, 0.004, 400.0), 0.4, 1e-12);   // 2 mm at the hand
     open.box({2, 0, 0}, {2.9, 0.1, 2.0}, "door", SolidRole::Solid, "wood", FeatureKind::Door);
     for (const double scale : {15.0, 60.0, 120.0, 400.0})
         EXPECT_LE(2.0 * ball_radius_m(open.scene(), 0.004, scale), 0.9 / 3.0 + 1e-12);
