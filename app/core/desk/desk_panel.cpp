@@ -22,10 +22,9 @@ constexpr double kButtonHighM = 0.004;  // how far a button stands out of the pa
 constexpr double kSliderHighM = 0.002, kKnobHighM = 0.002, kDomeHighM = 0.003;
 // Radius and height of the post in the middle of a knob; the hand turns round it.
 constexpr double kKnobPostM = 0.0022, kKnobPostHighM = 0.005;
-constexpr double kRidgeHighM = 0.0002,
-                 // Width of the ridges between positions; higher ridges would hold back the hand of a soft device by
-                 // more than a position.
-    kRidgeWideM = 0.0006;
+// Height and width of the ridges between positions. Higher ridges would hold back the hand of a soft device by more
+// than a position.
+constexpr double kRidgeHighM = 0.0002, kRidgeWideM = 0.0006;
 constexpr double kFriction = 0.1;  // friction of all surfaces; low, so that a slider or knob follows the hand easily
 constexpr double kListGapM = 0.002;
 constexpr double kSliderEndM = 0.0025;  // distance from the end of a slider to its first position

@@ -94,11 +94,10 @@ Mark new_mark(const Scene& scene, const SideFile& file, const std::vector<Mark>&
     };
     std::string name;
     std::size_t number = 1;
+    // n marks take at most n numbers, so the bound is never too small. Without it, the loop would never end if the text
+    // of the language ignores the number.
     do name = phrase("marks.name", {{"number", number}});
-    while (taken(name) &&
-           // n marks take at most n numbers, so the bound is never too small. Without it, the loop would never end if
-           // the text of the language ignores the number.
-           ++number <= marks.size() + 1);
+    while (taken(name) && ++number <= marks.size() + 1);
     const std::string thing = spoken_thing(scene, near.name),
                       whole = phrase("marks.name_near", {{"mark", name}, {"thing", thing}});
     // If the name would be too long, the thing is left out of it. Cutting the name could split a character.

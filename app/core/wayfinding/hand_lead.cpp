@@ -282,8 +282,8 @@ Vec3 HandLead::carry() {
     const HandsState& hands = context_.hands;
     const servo::ToolState& tool = hands.tool;
     const auto way = points_of(led_.path);
-    const bool lines =
-        led_.path.kind == servo::GuidanceKind::WayLines;  // true: the hand is on the lines and leans along them
+    // With lines, the workspace moves only while the hand is on the lines and leans along them.
+    const bool lines = led_.path.kind == servo::GuidanceKind::WayLines;
     const bool led = led_.acts && (lines || led_.path.kind == servo::GuidanceKind::Pull) && led_.path.strength > 0.0 &&
                      tool.guidance.number == led_.path.number && tool.guidance.phase == servo::GuidancePhase::Acts &&
                      tool.workspace_jump == hands.pose.jump && !hands.at_desk() &&

@@ -15,18 +15,15 @@ namespace handrail::core {
 namespace {
 
 constexpr double kLookEvery_s = 0.1;  // interval between two checks for obstacles and shut doors along a route
-constexpr double kOverSteps_m = 0.35, kNarrow_m = 0.2,
-                 // Size and height above the floor of the shape for checks ahead; they suit stairs, too.
-    kNarrowHeight_m = 1.2;
+// Height above the floor, radius and height of the shape for checks ahead. They suit stairs, too.
+constexpr double kOverSteps_m = 0.35, kNarrow_m = 0.2, kNarrowHeight_m = 1.2;
 constexpr double kBackOnWay_m = 1.0;  // how far ahead along the route a person who is off the route is led
-constexpr double kHardlyLonger = 1.25,
-                 // A thing guides directly if the route to it is at most this factor times the straight line plus this
-                 // allowance.
-    kAllowance_m = 1.0;
+// A thing guides directly if the route to it is at most kHardlyLonger times the straight line plus kAllowance_m.
+constexpr double kHardlyLonger = 1.25, kAllowance_m = 1.0;
 // Distance along the route within which a shut door is announced, about an arm's length.
 constexpr double kDoorAhead_m = 1.0;
 constexpr double kPast = 0.1;   // a change of the distance by less than this share counts as neither nearer nor farther
-constexpr double kPitch = 0.5;  // how much the pitch rises when the person moves straight towards the thing: by a fifth
+constexpr double kPitch = 0.5;  // rise of the pitch on a straight approach: half, which is a musical fifth
 // World metres of the walker's distance that count as one hand metre, as at the scale of a room.
 constexpr double kBody_m_per_hand_m = 60.0;
 

@@ -88,9 +88,8 @@ private:
     RouteFollower follower_;
     RouteDirections word_;
     std::optional<std::uint32_t> room_;  // the room that is the goal, if it can be reached
-    navigation::RouteWish wish_ =
-        // OnFoot while directions leg by leg are announced, so that both plans use the same route.
-        navigation::RouteWish::Safest;
+    // OnFoot while directions leg by leg are announced, so that both plans use the same route.
+    navigation::RouteWish wish_ = navigation::RouteWish::Safest;
     bool faces_ = false;       // true: the person faces in the direction of the announced leg
     bool rest_asked_ = false;  // true: the person requested the rest of the route before it was planned
     std::string name_;

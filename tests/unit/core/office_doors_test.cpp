@@ -53,11 +53,9 @@ TEST(OfficeDoors, let_every_twentieth_of_two_thousand_open_to_the_hand) {
         Vec3 middle_m, through;  // unit vector along the thin side of the leaf
     };
     std::vector<Door> doors;
-    const auto every =
-        static_cast<std::size_t>(20.0 /
-                                 // Only some doors are tried, because all of them would take half a minute of
-                                 // computing. They differ only in their distance from the first one.
-                                 kSanitizerScale);
+    // Only some doors are tried, because all of them would take half a minute of computing. They differ only in their
+    // distance from the first one.
+    const auto every = static_cast<std::size_t>(20.0 / kSanitizerScale);
     const auto scene = session.app.scene();
     ASSERT_EQ(scene->movers.size(), 2000U);
     for (std::size_t i = 0; i < scene->movers.size(); i += every) {
