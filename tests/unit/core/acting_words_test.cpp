@@ -77,8 +77,8 @@ TEST(WhatGivesWay, is_announced_while_it_is_pressed) {
         test::Explorer person(std::make_shared<const Scene>(std::move(*scene)), "sim-t");
         person.tap(Command::ScaleDetail, 1.5);
         const double ground_m = 20.0 / 32.0;
-        // Moves the hand down onto the thing, a millimetre at a time, until the soft thing pushes back before anything
-        // hard does.
+        // Moves the hand down onto the thing, a millimetre at a time, until the thing pushes back although the hand
+        // touches nothing hard.
         bool pressed = false;
         person.hold({0.0, 0.04, 0.0});
         person.tap(Command::ScaleRoom, 1.5);

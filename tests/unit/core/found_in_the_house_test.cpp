@@ -343,7 +343,7 @@ public:
         sure_ -= glm::outerProduct(gain, sure_ * went);
     }
     const Vec3& way() const { return way_; }
-    // The direction about which least is known; its length is the uncertainty.
+    // Returns the direction about which least is known. Its length is the uncertainty.
     Vec3 doubt() const {
         Vec3 axis(0.6, 0.5, 0.62);
         for (int i = 0; i < 30; ++i) axis = glm::normalize(sure_ * axis);
