@@ -65,8 +65,8 @@ public:
     const dynamics::BodyEngine* engine() const { return engine_.get(); }
     // How much of the engine's output this class has read.
     struct EngineRead {
-        std::uint32_t engine = 0;  // HandChannel::engine
-        std::uint64_t frame = 0;   // DynamicsFrame::number; 0: none yet
+        std::uint32_t engine = 0;  // number of the engine, as in HandChannel::engine
+        std::uint64_t frame = 0;   // number of the last frame read, as in DynamicsFrame::number; 0: none yet
         std::uint64_t events = 0;  // number of events read since the engine was made
     };
     const EngineRead& read_of_engine() const { return read_; }

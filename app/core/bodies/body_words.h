@@ -1,4 +1,4 @@
-// Words for movable things. Functions of what the context contains; app thread.
+// Words for movable things. Functions of the context; app thread.
 #pragma once
 
 #include <string>

@@ -14,7 +14,7 @@
 
 namespace handrail::core {
 
-// A hand began to touch another feature, or nothing.
+// A hand has begun to touch another feature, or no feature any more.
 struct Touched {
     FeatureId feature;
     bool left = false;   // true: the left of two hands
@@ -28,7 +28,7 @@ struct RoomEntered {
 };
 // How the person visits a thing: touching it with the hand, asking about it, or facing it.
 enum class VisitedBy : std::uint8_t { Hand, Asking, Facing };
-// The person is at a thing; reported once per stay.
+// The person visits a thing. Reported once for each stay at the thing.
 struct ThingVisited {
     FeatureId feature;
     VisitedBy by = VisitedBy::Hand;

@@ -5,7 +5,7 @@
 
 namespace handrail::core {
 
-// Not copyable: the session, other features, open lists and questions keep the address of a feature.
+// Not copyable, because the session, other features, open lists and questions keep the address of a feature.
 class SessionPart {
 public:
     SessionPart(const SessionPart&) = delete;
@@ -15,7 +15,7 @@ protected:
     explicit SessionPart(const SessionContext& context) : context_(context) {}
     ~SessionPart() = default;
 
-    const SessionContext& context_;  // outlives the feature
+    const SessionContext& context_;  // must outlive the feature
 };
 
 }  // namespace handrail::core

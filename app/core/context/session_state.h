@@ -27,7 +27,8 @@ struct SessionState {
     Cues cues{body};
     Lists lists{cues};
     SideFile additions;
-    std::optional<double> additions_due_s;  // when to try again to save the additions
+    // Time of the next attempt to save the additions; no value: nothing is unsaved.
+    std::optional<double> additions_due_s;
     Events events;
     OwnerRequests requests;
     SessionContext context;

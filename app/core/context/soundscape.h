@@ -30,8 +30,8 @@ double reverberation_s(const WalkerWorld& world, const Vec3& ears_m);
 struct AddedSound {
     cues::SoundKind kind = cues::SoundKind::Shimmer;
     Vec3 position_m{0.0};
-    double loudness = 1.0;      // 0 to 1
-    double pulses_per_s = 0.0;  // swells per second; 0: steady
+    double loudness = 1.0;      // loudness from 0 to 1
+    double pulses_per_s = 0.0;  // how often a second the sound swells; 0: it is steady
 
     bool operator==(const AddedSound&) const = default;
 };

@@ -20,12 +20,12 @@ struct TeacherActed {
         Order,   // text: a question; items: to be put in order
         Point,   // text: what to point at, by facing it or by moving the hand towards it
         Lead,    // items and places_m: stops of a route; number: how much guidance the learner gets, from 0 (none) to 1
-        Leave,   // ends the guidance along the route
+        Leave,   // ends the guidance that Lead has begun
         Block,   // text: a door; number: its feature. The door is shut and stays shut, and routes avoid it
         Open,    // ends the blocking of a door; text and number as for Block
-        Note,    // text: a note of the teacher; kept, not announced
-        Result,  // text: measurements of a task in JSON; kept, not announced
-        Summary,  // text: the present results; kept, not announced
+        Note,    // text: a note of the teacher; it is stored but not announced
+        Result,  // text: measurements of a task in JSON; they are stored but not announced
+        Summary,  // text: the results until now; they are stored but not announced
         End,      // ends the lesson with its blocked doors, guidance and questions
         // Opens a list of learners. text: the present learner's name; items: name and description of each learner;
         // number: index of the present learner. The session requests the chosen one from the owner by number.

@@ -35,19 +35,19 @@ struct ViewState {
     std::vector<MovedThing> moved;       // all things that are not at their position in the scene
     Vec3 eyes_m{0.0};
     double heading_rad = 0.0;
-    double tilt_rad = 0.0;  // up is positive
+    double tilt_rad = 0.0;  // tilt of the view; up is positive
     Vec3 feet_m{0.0};
     bool show_hand = false;  // true: there is a device or a simulated hand
     Vec3 proxy_m{0.0};
     double ball_radius_m = 0.005;
     bool touching = false;   // true: the proxy is drawn red, otherwise green
-    bool plan_view = false;  // toggled with F3
+    bool plan_view = false;  // true: the plan is shown; F3 switches it
     bool forces_on = true;
     bool north_up = true;  // true in the Map frame
     std::shared_ptr<const std::vector<DrawnRoom>>
         rooms;  // rooms in the order of the room graph; null: not known, or no plan is shown
     std::uint32_t room = navigation::kNothing;  // index of the walker's room in `rooms`
-    std::string last_spoken;                    // shown as large text
+    std::string last_spoken;                    // the last announcement, shown as large text
     std::vector<Vec3> path_m;                   // walked path, oldest first
     DialogueView dialogue;                      // the list or question that is open
 

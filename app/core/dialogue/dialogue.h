@@ -83,7 +83,7 @@ struct ItemAct {
     enum class Kind { GoTo, Choose, Less, More, Put } kind = Kind::Choose;
     std::size_t item = 0;
     std::string name;
-    double number = 0.0;  // for Put
+    double number = 0.0;  // the new number, only for Put
 };
 
 // True if `typed` is this name, perhaps after words such as "to" and "the".

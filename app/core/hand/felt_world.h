@@ -21,7 +21,7 @@ struct FeltOrder {
     OpenPortals portals;                               // the openings in `simplify` belong to these portals
     double world_m_per_hand_m = 1.0, ball_diameter_hand_m = 0.0, edge_rounding_hand_mm = 0.0;
     double mesh_tolerance_hand_mm = 0.0;  // tolerance for simplifying dense meshes; 0: they stay as they are
-    std::uint32_t world = 0;              // HapticScene::world
+    std::uint32_t world = 0;              // value for HapticScene::world
 
     // True if both orders lead to a world that feels the same.
     bool same_as(const FeltOrder& other) const;

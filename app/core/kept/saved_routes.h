@@ -26,7 +26,7 @@ struct Stop {
 
 struct SavedRoute {
     std::string name;
-    std::vector<Stop> stops;  // at least two; the first and the last have names
+    std::vector<Stop> stops;  // at least two stops; the first and the last have names
     std::string world;        // checksum of the world's file when the route was saved; empty: not known
     SideEntry kept;
 };

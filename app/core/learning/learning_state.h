@@ -13,7 +13,7 @@ namespace handrail::core {
 
 // The progress in one room, until the world is left.
 struct RoomLearning {
-    std::optional<Learnt> learnt;  // made on the first query
+    std::optional<Learnt> learnt;  // made when it is needed for the first time
     double spent_s = 0.0;
     // These belong to the guided mode:
     std::optional<Vec3> base_m;

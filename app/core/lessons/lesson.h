@@ -34,8 +34,9 @@ enum class LessonGoal {
 struct LessonStep {
     LessonGoal goal;
     // These are keys of texts.
-    std::string_view hand;    // announced to a person whose hand is on a device, real or simulated
-    std::string_view body;    // announced to a person who walks by keys only; empty: the step is skipped for them
+    std::string_view hand;  // announced to a person whose hand is on a device, real or simulated
+    // Announced to a person who walks by keys only; empty: for such a person, the step is skipped.
+    std::string_view body;
     std::string_view praise;  // announced when the step is done
     std::string_view named{};
 };

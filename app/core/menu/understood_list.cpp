@@ -15,7 +15,7 @@
 namespace handrail::core {
 namespace {
 
-// Items of a list have no full stop at the end.
+// Removes the full stop, because items of a list have none.
 std::string without_stop(std::string sentence) {
     if (sentence.ends_with('.')) sentence.pop_back();
     return sentence;

@@ -30,7 +30,7 @@ public:
     // Plays a sound if the hand or the walker comes near a mark, landmark or clue. Also announces the name of a mark.
     void tick(double now_s);
 
-    // A row above the marks in their list.
+    // A row that comes before the marks in their list.
     struct Row {
         ListItem item;
         std::function<void(double now_s)> chosen;
@@ -62,8 +62,9 @@ private:
     std::weak_ptr<const Scene> listed_of_;  // a weak pointer, so that the scene can be destroyed
     std::vector<FeatureId> landmarks_near_;
     FeatureId touched_ = kNoFeature;
-    bool first_look_ = true;     // true: what is near is not announced, because the world has just been entered
-    std::uint32_t buttons_ = 0;  // the device's buttons one tick earlier; kept across worlds, because the device stays
+    bool first_look_ = true;  // true: what is near is not announced, because the world has just been entered
+    // Buttons of the device one tick earlier; not reset in another world, because the device is the same.
+    std::uint32_t buttons_ = 0;
 };
 
 }  // namespace handrail::core

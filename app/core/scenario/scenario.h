@@ -117,7 +117,7 @@ struct Moment {
 
 enum class Check {
     Say,     // say: a line contains these words in this order, exactly `times` times or at least once
-    NotSay,  // not_say
+    NotSay,  // not_say: no line contains these words in this order
     // say_in_order: each part between bars is in a line of its own, in this order; other lines may come between.
     SayInOrder,
     NothingTwice,  // nothing_twice_s: no line is repeated within this many seconds

@@ -14,7 +14,7 @@ namespace {
 enum class Follows : std::uint8_t {
     Nothing,
     Pose,       // move the workspace
-    Tuning,     // tune the servo again; force ramps in again
+    Tuning,     // tune the servo again, which lets the force rise again from zero
     UnderHand,  // turn or change the workspace, while the point of the world under the hand stays
     Scale,      // change the scale, while the point under the hand stays; no named scale is effective after that
     Keys,       // assign keys to other commands

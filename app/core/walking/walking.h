@@ -43,7 +43,7 @@ public:
     // Sets the position of the sticks, which acts until the next call. A value that is not finite counts as the rest
     // position.
     void steer(const Steering& steering);
-    // Drops the remaining steps.
+    // Drops the steps that have not been walked.
     void halt() {
         pending_ = {};
         gait_.stand();

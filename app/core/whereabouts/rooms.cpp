@@ -115,7 +115,7 @@ bool Rooms::have(double now_s) {
     return false;
 }
 
-// Determines the present room; `quietly`: without announcing it.
+// Determines the present room, and announces it unless `quietly` is true.
 void Rooms::notice(double now_s, bool quietly) {
     if (!found()) return;
     navigation::RoomGraph& graph = of_world_->graph();

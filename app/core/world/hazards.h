@@ -22,7 +22,7 @@ struct StairsAhead {
     bool whole = true;        // true: the stairs end at a landing, not at a wall
     double distance_m = 0.0;  // distance from the walker's centre to the first riser
     double height_m = 0.0;    // height of all risers together
-    Vec3 place_m{0.0};        // edge of the first riser
+    Vec3 place_m{0.0};        // a point on the edge of the first riser
 };
 struct DropAhead {
     double distance_m = 0.0;        // distance from the walker's centre to the edge

@@ -10,7 +10,7 @@ namespace handrail::core {
 
 struct WalkerState {
     std::unique_ptr<Walker> walker;  // null: no world has been entered
-    double heading_rad = 0.0;        // present direction
+    double heading_rad = 0.0;        // present direction of the walker
     int times_put = 0;               // how often the walker was placed elsewhere instead of walking
     // Direction after the present turn. heading_rad approaches it at a limited rate, so that the hand is not thrown.
     double heading_goal_rad = 0.0;

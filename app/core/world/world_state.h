@@ -20,7 +20,7 @@ struct WorldState {
     PlacedThings things;
     MoverPlay movers;
     std::vector<int> thing_of_mover;      // for each mover, the index among the placed things; -1: part of the building
-    std::unique_ptr<WalkerWorld> solids;  // what a walker bumps into
+    std::unique_ptr<WalkerWorld> solids;  // the solids that a walker bumps into
     Vec3 home_feet_m{0.0};
     double home_heading_rad = 0.0;
     std::vector<Mark> marks;  // the person's marks

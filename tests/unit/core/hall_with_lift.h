@@ -42,7 +42,7 @@ inline std::shared_ptr<const Scene> hall_with(PlanSpaceKind kind, const std::str
 }
 
 inline std::shared_ptr<const Scene> hall_with_lift() { return hall_with(PlanSpaceKind::Lift, "Lift", 2.0, 2.0, 3); }
-// These stairs are too narrow for separate steps.
+// Makes a building with stairs that are too narrow for separate steps.
 inline std::shared_ptr<const Scene> hall_with_narrow_stairs() {
     return hall_with(PlanSpaceKind::Stairs, "Spiral stairs", 1.6, 1.6, 2);
 }

@@ -1,5 +1,5 @@
-// After any crash the next start says so and offers to continue at the last place. Sessions that run at the same time
-// do not count as crashes.
+// After any crash, the next start announces it and offers to continue at the last place. Sessions that run at the same
+// time do not count as crashed.
 #include "app/core/kept/last_place.h"
 
 #include <gmock/gmock.h>

@@ -66,7 +66,7 @@ TEST(RealDoors, can_be_walked_through_in_both_directions_in_a_session) {
 // walker could not pass onto a floor.
 struct DoorsWalked {
     int doors = 0, reported = 0;
-    std::string held;  // doors that stopped the walker but are in no report
+    std::string held;  // names of doors that stopped the walker and that the report does not name
 };
 DoorsWalked walk_all(const Scene& scene) {
     auto open = std::make_shared<Scene>(scene);

@@ -174,7 +174,7 @@ std::string prism(const std::vector<Vec3>& ring, double z0, double z1) {
 // The rooms have six walls. In two of the three rooms, no wall is parallel to an axis.
 TEST(Trail, goes_round_a_room_with_slanted_walls_at_a_constant_distance) {
     for (const double turned : {0.0, 0.2, 0.41}) {
-        constexpr double kRadius = 128.0;  // 4 m
+        constexpr double kRadius = 128.0;  // 4 m in map units
         const auto corner = [&](int i, double radius) {
             return Vec3(radius * std::cos(turned + i * kPi / 3.0), radius * std::sin(turned + i * kPi / 3.0), 0.0);
         };

@@ -98,7 +98,7 @@ TEST(Walking, trailing_stops_at_an_obstacle_and_turns_round_on_the_same_wall) {
 
 TEST(Walking, square_up_turns_towards_the_nearest_wall_or_along_it) {
     Walk w(room());
-    for (int i = 0; i < 3; ++i) w.tap(Command::TurnRight, 0.5);  // 67.5 degrees
+    for (int i = 0; i < 3; ++i) w.tap(Command::TurnRight, 0.5);  // three notches are 67.5 degrees
     w.tap(Command::SquareUp);
     EXPECT_NEAR(degrees_from_radians(w.app.heading_rad()), 90.0, 1e-9);
     EXPECT_TRUE(w.said("Turned square. Facing east"));
