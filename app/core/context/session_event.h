@@ -90,7 +90,7 @@ struct ListShown {
     bool open = false;
 };
 
-// What a learner requests from the teacher, who is a person or a lesson file.
+// What a learner requests from the teacher. The teacher is a person or a lesson file.
 enum class LessonWish : std::uint8_t { Done, MoreHelp, LessHelp, Leave };
 struct LessonWished {
     LessonWish wish = LessonWish::Done;

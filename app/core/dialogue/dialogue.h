@@ -53,7 +53,7 @@ struct TextSpec {
 };
 inline constexpr std::size_t kLongestTyped = 200;
 
-// What the window or a screen reader shows of the dialogue.
+// The part of the dialogue that the window and screen readers show.
 struct DialogueView {
     enum class Kind { None, List, Text } kind = Kind::None;
     std::string title;  // title of the list, or the question

@@ -232,8 +232,8 @@ struct SideFile::Content {
         return merged;
     }
 
-    // Sets the two possible files of this world. The preferred one is first, unless it is a link: Handrail never
-    // creates links, so it does not write to one.
+    // Sets the two possible files of this world. The preferred one is first. If it is a link and the other one is not,
+    // they are swapped, because Handrail never creates links.
     void lies_in(const fs::path& first, const fs::path& second) {
         const bool first_is_link = is_link(first);
         const bool swaps = first_is_link && !second.empty() && !is_link(second);

@@ -29,7 +29,7 @@ public:
     // Returns a sentence that says why there is no force, or an empty text if force may act.
     std::string why_no_force() const;
     bool force_may_act() const { return why_no_force().empty(); }
-    // True while a pull acts, is about to begin, or will begin again when everything is at rest.
+    // True while a pull or lines act, are about to begin, or will begin again when everything is at rest.
     bool at_work() const { return led_.acts || led_.announced || led_.left; }
     // True while lines act or have been announced.
     bool lines_at_work() const;

@@ -85,8 +85,8 @@ public:
             const Vec3 feet = place_along(route.points_m, std::max(0.0, length_m - off_m));
             const Vec3 hand = feet + Vec3(0.0, 0.0, kHandHeight_m);
             if (in_sight(hand, place_on(thing.bounds_m, hand), thing.feature)) return feet;
-            // From the side, its frame may hide a door. Then it is enough that the place in front of the door is in
-            // sight.
+            // The frame of a door may hide the door from the side. It is then enough that the place in front of the
+            // door is in sight.
             if (in_sight(hand, route.points_m.back() + Vec3(0.0, 0.0, kHandHeight_m), thing.feature)) return feet;
         }
         return route.points_m.back();

@@ -520,8 +520,8 @@ TEST(Simplified, view_reports_each_scale_of_an_architects_house_truthfully_and_c
     tells_the_truth_of_each_scale(test::world_once(*path));
 }
 
-// Both hands are still, at any place in their workspaces. After a change of scale, each proxy is outside all solids if
-// the shared workspace has a place that suits both.
+// Both hands are still, at any place in their workspaces. After a change of scale, each proxy is outside all solids,
+// provided that the shared workspace has a position at which both proxies fit.
 TEST(Simplified, view_moves_both_hands_out_of_walls_in_their_common_workspace) {
     Settings settings;
     settings.desk.use = false;

@@ -1,4 +1,5 @@
-// What the reader understood of a building's file: one sentence when the world is entered, and a full list on request.
+// The report on what the reader understood of a building's file: one sentence when the world is entered, and a full
+// list on request.
 #include "app/core/context/telling.h"
 #include "app/core/context/workspace_scale.h"
 #include "app/core/dialogue/words.h"
