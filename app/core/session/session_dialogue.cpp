@@ -65,7 +65,8 @@ bool Session::take_line(std::string_view line, double now_s) {
     quiet(now_s);
     const DialogueReply said = state_.lists.dialogue.line(line, now_s);
     const auto asked = [&]() -> std::optional<Command> {
-        // This check comes first, because in a list the same word may be meant for the list.
+        // While a list is open, a word for leaving the program counts as Command::Leave, because the word may be meant
+        // for the list.
         if (is_quit_word(bare)) return Command::Leave;
         if (const auto command = command_of_word(bare)) return command;
         const auto sentence = typed_sentence(bare);

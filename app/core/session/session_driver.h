@@ -19,7 +19,7 @@ namespace handrail::core {
 
 class SessionDriver {
 public:
-    // What the right hand feels during a set-up, instead of the world.
+    // The scene that the right hand feels during a set-up, instead of the world.
     struct SetUpTouch {
         std::shared_ptr<const render::HapticScene> scene;
         servo::ServoTuning tuning;

@@ -82,7 +82,8 @@ bool Footing::tell_place_once(const Vec3& place_m, bool drop, double now_s) {
     std::erase_if(told_, [&](const Told& told) { return now_s - told.time_s > kTellAgain_s; });
     for (Told& told : told_)
         if (told.drop == drop && glm::length(told.place_m - place_m) < kSamePlace_m) {
-            told.time_s = now_s;  // the time starts again, so that it is not repeated while the person stays there
+            // The time starts again, so that the announcement is not repeated while the person stays there.
+            told.time_s = now_s;
             return false;
         }
     if (told_.size() == kMostTold) told_.erase(told_.begin());

@@ -193,8 +193,8 @@ void Guide::list_routes(double now_s) {
     }
     const auto in_order = [](const Near& a, const Near& b) { return a.order_m < b.order_m; };
     std::stable_sort(near.begin(), near.end(), in_order);
-    // For the nearest rooms, the list shows the same distance that is announced when the room is chosen. For rooms
-    // farther away, it is announced only after the choice.
+    // For the nearest rooms, the list shows the distance that is also announced when the room is chosen. For rooms
+    // farther away, the distance is announced only after the choice.
     const std::size_t planned = std::min(near.size(), kMostOnFoot);
     for (std::size_t i = 0; i < planned; ++i)
         if (const navigation::Route route = ear_.to_room(near[i].room); route.reaches) {

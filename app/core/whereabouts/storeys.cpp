@@ -34,7 +34,7 @@ std::vector<StoreyOfRooms> storeys_of(const Scene& scene, const navigation::Room
         storey.level = level;
         storey.floor_m = *middle;
         if (scene.stated) storey.file_name = stated_storey_around(*scene.stated, storey.floor_m);
-        // If two successive storeys would have the same name in the file, only the lower one has it.
+        // If the file has the same name for two successive storeys, only the lower storey gets it.
         if (!storeys.empty() && storeys.back().file_name == storey.file_name) storey.file_name.clear();
         storeys.push_back(std::move(storey));
     }

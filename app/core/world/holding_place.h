@@ -10,7 +10,7 @@
 
 namespace handrail::core {
 
-// A walker that is this far below the lowest part of the world has fallen out of it.
+// A walker that is this far below the lowest part of the world has fallen out of the world.
 inline constexpr double kOutOfWorld_m = 20.0;
 
 // Returns where the walker comes to rest. The places in `wishes` are tried in order. If none holds the walker, returns

@@ -1,4 +1,4 @@
-// What is around a walker, found by rays through the scene; only what is in line of sight. Pure functions over an
+// Finds what is around a walker by rays through the scene. Only what is in line of sight counts. Pure functions over an
 // immutable world; app thread.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace handrail::core {
 
-// What a ray in one direction hits.
+// The surface that a ray in one direction hits.
 struct Seen {
     double bearing_rad = 0.0;  // heading of the ray in the world
     double distance_m = 0.0;   // distance from the walker's centre to the surface
