@@ -1,5 +1,10 @@
-// report_pages FOLDER: writes reports for accessibility checks in browsers. They are of a session with everything, in
-// both languages, of one without hand and plan, of an empty one, and of one with deliberate faults.
+// report_pages FOLDER: writes reports of sessions, so that accessibility checkers in browsers can examine the pages.
+// It writes these reports:
+// - a session with everything, in English and in German
+// - a session without a hand and a plan
+// - an empty session
+// - several sessions of one learner
+// - a page with deliberate faults, which the checkers must find
 #include <filesystem>
 #include <iostream>
 

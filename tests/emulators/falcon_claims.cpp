@@ -55,7 +55,7 @@ void wake_home_and_rest_against_a_wall(std::unique_ptr<ByteLink> link, FalconEmu
         sample = device.read(at_s);
         took_s.push_back(clock.now_s() - at_s);
         ASSERT_TRUE(sample.connected && sample.homed);
-        if (!sample.fresh) {  // a busy machine may deliver late
+        if (!sample.fresh) {  // a busy machine may deliver the sample late
             ++unanswered;
             continue;
         }

@@ -1,5 +1,5 @@
-// What the Falcon's driver must do over every connection to the device: usbfs emulated by umockdev, and the kernel's
-// own USB core.
+// Checks that the Falcon's driver must pass on every connection to the device. The connections are usbfs emulated by
+// umockdev, and the kernel's own USB core.
 #pragma once
 
 #include <memory>
@@ -11,8 +11,8 @@
 
 namespace handrail::test {
 
-// Loads firmware from a file, homes without a force, then runs 1,000 exchanges of a wall on which a hand presses. The
-// hand must rest at the exact static solution. `lock` guards the emulator.
+// Loads the firmware from a file and homes without a force. Then a simulated hand presses against a virtual wall for
+// 1,000 exchanges. The hand must come to rest at the exact static solution. `lock` guards the emulator.
 void wake_home_and_rest_against_a_wall(std::unique_ptr<ByteLink> link, FalconEmulator& falcon, std::mutex& lock);
 
 }  // namespace handrail::test

@@ -7,13 +7,13 @@
 namespace handrail::test {
 namespace {
 
-// Dimensions of the machine, in metres and radians.
+// Dimensions of the Falcon's legs in metres.
 constexpr double kThigh = 0.060, kRod = 0.1025, kJoints = 0.0225;
 constexpr double kFrameMs = 1e-3;
 
 double leg_direction(int leg) { return radians_from_degrees(105.0 - 120.0 * leg); }
 
-// |knee - grip|^2 - reach^2 for one leg, in its own plane.
+// Returns |knee - grip|^2 - reach^2 in the plane of `leg`. The leg closes where the result is zero.
 double open_by(const Vec3& grip, int leg, double angle) {
     const double phi = leg_direction(leg);
     const double u = grip.x * std::cos(phi) + grip.y * std::sin(phi) - 0.0400 + 0.01443;
@@ -50,7 +50,7 @@ std::vector<std::uint8_t> boot_image(std::size_t data_bytes) {
     return image;
 }
 
-// Searches from the knee position that points away from the grip inwards for the first angle at which the leg closes.
+// Returns the angle of each leg at which it closes. Bisection, from the side of the grip to the opposite side.
 Vec3 FalconEmulator::leg_angles_at(const Vec3& grip) {
     Vec3 angles{0.0};
     for (int leg = 0; leg < 3; ++leg) {
@@ -66,7 +66,7 @@ Vec3 FalconEmulator::leg_angles_at(const Vec3& grip) {
     return angles;
 }
 
-// Work of the motors over a small displacement, by finite differences.
+// Returns the force of the motors on the grip. It is the motors' work over a small displacement, by finite differences.
 Vec3 FalconEmulator::force_for(const std::array<int, 3>& counts, const Vec3& at) const {
     constexpr double kStep = 1e-6;
     Vec3 force{0.0};

@@ -1,7 +1,7 @@
-// A Novint Falcon as seen on its wire: serial chip, boot ROM, firmware, three encoders and three motors, with a grip
-// that a simulated hand holds. It computes its geometry independently, by bisection and finite differences, so that it
-// can contradict the driver. Axes of the Falcon: x right, y up, z towards the person. Not thread-safe; the umockdev bed
-// locks around it.
+// A Novint Falcon as its USB link shows it: serial chip, boot ROM, firmware, three encoders and three motors. A
+// simulated hand holds the grip. The emulator computes its geometry by bisection and finite differences, independently
+// of the driver, so that it can contradict the driver. Axes of the Falcon: x right, y up, z towards the person. Not
+// thread-safe; the umockdev test bed locks around it.
 #pragma once
 
 #include <array>
@@ -19,15 +19,16 @@
 
 namespace handrail::test {
 
-// A firmware image of `data_bytes` in two blocks that a boot ROM accepts. Its contents have no meaning.
+// Returns a firmware image with `data_bytes` of data in two blocks. A boot ROM accepts the image, but its contents have
+// no meaning.
 std::vector<std::uint8_t> boot_image(std::size_t data_bytes);
 
 class FalconEmulator {
 public:
     enum class Stage { Silent, BootRom, Loader, Running };
 
-    // The hand: a mass at `grip_m`, pushed by `push_n` and damped, which moves for 1 ms in each frame. If held, it
-    // stays where it is put.
+    // The simulated hand is a damped mass at `grip_m`, pushed by `push_n`. It moves for 1 ms in each frame. If `held`
+    // is true, it stays at `grip_m`.
     Vec3 grip_m{0.0, 0.0, 0.145};
     Vec3 velocity_m_per_s{0.0};
     Vec3 push_n{0.0};
@@ -35,33 +36,34 @@ public:
     double mass_kg = 0.1;
     bool held = true;
     int frames_until_homed = 0;
-    // Alternative homing: two legs find their zero when the grip is pulled out, the third when it is pushed in again.
+    // If true, homing works differently: two legs find their zero when the hand pulls the grip out, the third when it
+    // pushes the grip in again.
     bool homes_by_moving = false;
     std::uint8_t buttons = 0;
     double counts_per_nm = 10000.0;  // motor counts for a torque of 1 Nm
 
-    // Faults of the device.
-    int wrong_echo_at_byte = -1;  // corrupts one echo only
+    // Faults that the emulated device can have.
+    int wrong_echo_at_byte = -1;  // this one byte is echoed wrongly, once; -1: none
     int lose_every_nth_answer = 0;
-    int late_every_nth_answer = 0;  // held back until the next command
+    int late_every_nth_answer = 0;  // the device holds the answer back until the next command
     int garbage_before_every_nth = 0;
-    int torn_every_nth_answer = 0;  // only the first half comes
+    int torn_every_nth_answer = 0;  // the device sends only the first half of the answer
     int stuck_leg = -1;
     bool leading_zero = false;
-    bool deaf = false;  // without power
+    bool deaf = false;  // the device has no power and does not respond
 
     Stage stage = Stage::Silent;
     std::vector<std::uint8_t> firmware;
-    std::size_t firmware_wanted = 0;  // it runs after this many bytes
+    std::size_t firmware_wanted = 0;  // the firmware starts after this many bytes
 
-    // What the device has received.
+    // What the emulator has received from the driver.
     std::array<int, 3> motors{};
     std::uint64_t frames = 0, malformed = 0, over_range = 0, frames_before_homed_with_force = 0;
     double largest_force_n = 0.0;
     unsigned latency_ms = 16;
     bool homed() const { return homed_legs_ == 7; }
     Vec3 force_on_hand_n() const { return force_for(motors, grip_m); }
-    // Called after each frame.
+    // The emulator calls this after each frame.
     std::function<void(FalconEmulator&)> after_frame;
 
     // The chip's side of the USB connection.

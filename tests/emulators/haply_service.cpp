@@ -20,7 +20,7 @@ struct StandInService::Server {
           thread_([this] { serve(); }) {}
     ~Server() {
         boost::beast::error_code ignored;
-        Tcp::socket knock(io_);  // ends the accept if nobody has connected
+        Tcp::socket knock(io_);  // this connection ends a pending accept
         knock.connect({boost::asio::ip::address_v4::loopback(), port_}, ignored);
         knock.close(ignored);
         thread_.join();

@@ -1,4 +1,5 @@
-// What a pad and a puck must do over every connection: both back ends of hidapi, and the kernel's own HID core.
+// Checks that a gamepad and a SpaceMouse must pass on every connection: both back ends of hidapi, and the kernel's own
+// HID core.
 #pragma once
 
 #include <functional>
@@ -11,14 +12,14 @@
 
 namespace handrail::test {
 
-// Sends a thousand outputs, each of which the pad must see unchanged, and a thousand inputs, none of which may be lost.
-// At the end the triggers are loose and the motors still. `ring` is called after the emulator has queued reports;
-// `lock` guards the emulator.
+// Sends a thousand outputs, each of which the pad must receive unchanged, and a thousand inputs, none of which may be
+// lost. At the end the triggers must be loose and the motors still. The function calls `ring` after the emulator has
+// queued reports. `lock` guards the emulator.
 void exchange_a_thousand_reports(std::unique_ptr<HidLink> link, PadBus bus, PadEmulator& emulator, std::mutex& lock,
                                  const std::function<void()>& ring);
 
-// The puck reports a push ahead and a turn to the left. Checks them in the device's frame and in ours, and that the
-// light can be switched.
+// The SpaceMouse reports a push ahead and a turn to the left. The function checks both in the device's frame and in
+// Handrail's frame. It also checks that the light can be switched.
 void steer_with_a_space_mouse(std::unique_ptr<HidLink> link, PuckEmulator& emulator, std::mutex& lock,
                               const std::function<void()>& ring);
 

@@ -6,7 +6,7 @@
 namespace handrail::test {
 namespace {
 
-// Computed bit by bit, as the standard defines it.
+// The CRC-32 of the reports, computed bit by bit as the standard defines it.
 std::uint32_t checksum(std::uint8_t leading, std::span<const std::uint8_t> bytes) {
     std::uint32_t crc = 0xffffffffU;
     const auto take = [&](std::uint8_t byte) {
@@ -25,7 +25,7 @@ void append_checksum(std::vector<std::uint8_t>& report) {
 
 enum class ReportWay : std::uint8_t { Input = 0x81, Output = 0x91, Feature = 0xb1 };
 
-// A report descriptor with one application on the generic desktop page and reports in bytes.
+// Builds a report descriptor with one application on the generic desktop page. All its reports consist of bytes.
 class Descriptor {
 public:
     explicit Descriptor(std::uint8_t usage)
@@ -134,7 +134,7 @@ std::vector<std::uint8_t> PadEmulator::input() const {
         report.insert(report.end(), {triggers[0], triggers[1], 0x77, keys[0], keys[1], keys[2]});
     } else {
         report.insert(report.end(), {keys[0], keys[1], static_cast<std::uint8_t>(keys[2] | 0xa4), triggers[0],
-                                     triggers[1]});  // a counter in the bits above the keys
+                                     triggers[1]});  // the bits above the keys contain a counter
     }
     report.resize(bluetooth_ ? 74 : 64);
     if (bluetooth_) append_checksum(report);

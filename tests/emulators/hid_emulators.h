@@ -1,6 +1,6 @@
-// HID devices as their reports show them. A PlayStation pad checks what it receives and reports what its fingers do; a
-// HidLink leads directly to a device. The pad implements its reports independently of the driver, including the
-// checksum. Not thread-safe.
+// Emulated HID devices. A PlayStation pad checks the reports that it receives and reports what its keys and sticks do.
+// A HidLink connects the driver directly to a device. The pad implements its reports independently of the driver,
+// including the checksum. Not thread-safe.
 #pragma once
 
 #include <array>
@@ -14,15 +14,16 @@
 
 namespace handrail::test {
 
-// Any device behind a HID node.
+// A device behind a HID node.
 class HidEmulator {
 public:
     virtual ~HidEmulator() = default;
-    // The report descriptor that the bus delivers: usage, numbers and lengths, without the meaning of single bits.
+    // Returns the report descriptor that the bus delivers: usage, numbers and lengths of the reports, without the
+    // meaning of single bits.
     virtual std::vector<std::uint8_t> descriptor() const = 0;
-    // Takes a report that the host wrote. Returns false if the device refuses it.
+    // Receives a report from the host. Returns false if the device refuses the report.
     virtual bool take(std::span<const std::uint8_t> report) = 0;
-    // Returns a feature report by number; empty if there is none.
+    // Returns the feature report with this number; empty if the device has none.
     virtual std::vector<std::uint8_t> feature(std::uint8_t number) = 0;
 
     std::deque<std::vector<std::uint8_t>> to_host;
@@ -35,8 +36,8 @@ public:
     std::vector<std::uint8_t> descriptor() const override;
     bool take(std::span<const std::uint8_t> report) override;
     std::vector<std::uint8_t> feature(std::uint8_t number) override;
-    // Queues an input report of the pad's current state. Over Bluetooth it is short until the host has requested the
-    // calibration.
+    // Queues an input report of the pad's current state. Over Bluetooth the reports are short until the host has
+    // requested the calibration.
     void tell();
     void tell_wrong_checksum();
 

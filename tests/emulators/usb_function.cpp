@@ -29,7 +29,7 @@ UsbSetup usb_setup(std::span<const std::uint8_t> bytes) {
 
 bool UsbFunction::answer(const UsbSetup& setup, std::vector<std::uint8_t>& data) {
     if ((setup.type & kTypeMask) != kTypeStandard) return control(setup, data);
-    if (!setup.to_host()) return true;  // sets a configuration or an interface, or ends a halt
+    if (!setup.to_host()) return true;  // the host sets a configuration or an interface, or ends a halt
     if (setup.request == kGetStatus) data = {1, 0};
     else if (setup.request == kGetConfiguration) data = {1};
     else if (setup.request != kGetDescriptor) return false;
@@ -85,7 +85,7 @@ bool HidOnUsb::control(const UsbSetup& setup, std::vector<std::uint8_t>& data) {
         return !data.empty();
     }
     if (!setup.to_host() && setup.request == kSetReport) return device_.take(data);
-    return !setup.to_host();  // idle rate and protocol, which have no effect here
+    return !setup.to_host();  // the host sets the idle rate or the protocol, which have no effect here
 }
 
 std::optional<std::vector<std::uint8_t>> HidOnUsb::in(std::size_t room, std::chrono::milliseconds) {

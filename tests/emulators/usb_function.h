@@ -1,5 +1,6 @@
-// A device as a USB bus sees it: descriptors, control requests, packets. In the tests two buses carry it: umockdev's
-// usbfs (tests/umockdev) and the kernel's own, through USB/IP (tests/kernel). Not thread-safe; a bus locks around it.
+// A device as a USB bus sees it: descriptors, control requests and packets. The tests put such a device on two buses:
+// usbfs of umockdev (tests/umockdev), and the kernel's own bus through USB/IP (tests/kernel). Not thread-safe; the bus
+// locks around the device.
 #pragma once
 
 #include <chrono>
@@ -29,19 +30,19 @@ public:
     virtual std::vector<std::uint8_t> device_descriptor() const = 0;
     virtual std::vector<std::uint8_t> configuration_descriptor() const = 0;
     virtual std::string product() const = 0;
-    // Requests of its class or its maker. To the host: fills `data`; from the host: `data` is what was received.
-    // Returns false if the device refuses the request.
+    // Handles requests of the device's class or maker. A request to the host fills `data`; a request from the host has
+    // its data there. Returns false if the device refuses the request.
     virtual bool control(const UsbSetup& setup, std::vector<std::uint8_t>& data) = 0;
     virtual void out(std::span<const std::uint8_t> packet) = 0;
-    // Returns one packet of at most `room` bytes for a host that has waited this long. Without a result the host
-    // continues to wait.
+    // Returns one packet of at most `room` bytes. `waited` is how long the host has waited for it. Without a packet,
+    // the host continues to wait.
     virtual std::optional<std::vector<std::uint8_t>> in(std::size_t room, std::chrono::milliseconds waited) = 0;
 
-    // Answers the control requests that every device knows, then those of this device.
+    // Answers the control requests that every device knows, and passes the others to control().
     bool answer(const UsbSetup& setup, std::vector<std::uint8_t>& data);
 };
 
-// An FT232-class chip with the Falcon's identifiers: one interface, bulk in 0x81, bulk out 0x02.
+// A Falcon's USB interface: an FT232-class chip with the Falcon's identifiers, bulk in 0x81, bulk out 0x02.
 class FalconOnUsb final : public UsbFunction {
 public:
     explicit FalconOnUsb(FalconEmulator& falcon) : falcon_(falcon) {}
@@ -50,7 +51,7 @@ public:
     std::string product() const override { return "FALCON HAPTIC"; }
     bool control(const UsbSetup& setup, std::vector<std::uint8_t>& data) override;
     void out(std::span<const std::uint8_t> packet) override { falcon_.out(packet.data(), packet.size()); }
-    // If there is no data, returns two status bytes when the latency timer expires.
+    // If the Falcon has no data, the chip returns only its two status bytes when the latency timer expires.
     std::optional<std::vector<std::uint8_t>> in(std::size_t room, std::chrono::milliseconds waited) override;
 
 private:

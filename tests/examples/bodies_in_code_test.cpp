@@ -1,4 +1,5 @@
-// A world with bodies made in code, pushed and lifted by a simulated hand; described in docs/developer/examples.md.
+// Makes a world with movable bodies in code. A simulated hand pushes and lifts them. Described in
+// docs/developer/examples.md.
 #include <algorithm>
 
 #include "haptic/dynamics/dynamics.h"
@@ -11,7 +12,7 @@ using namespace dynamics;
 using namespace render;
 using namespace servo;
 
-// A floor with a crate of one kilogram on it: one scene for touch and one for dynamics.
+// A floor with a crate of one kilogram on it, as one scene for touch and one for dynamics.
 struct CrateWorld {
     std::shared_ptr<const HapticScene> felt;
     std::shared_ptr<const DynamicsScene> moves;
@@ -22,7 +23,7 @@ CrateWorld crate_world() {
     HapticSceneBuilder shape, felt;
     shape.add_box(crate, {FeatureId{2}});
     felt.add_box(floor, {FeatureId{1}});
-    felt.add_body(FeatureId{2}, shape.build(), start);  // body 0 of the felt scene
+    felt.add_body(FeatureId{2}, shape.build(), start);  // index 0: the body's index in the scene for touch
 
     DynamicsSceneBuilder moves;
     moves.add_fixed_box(floor, FeatureId{1});
@@ -34,19 +35,19 @@ CrateWorld crate_world() {
     return {felt.build(), moves.build()};
 }
 
-// The hand moves 20 mm/s to the east for a second and pushes the crate. A metre of the hand is 20 metres of the world.
-// Runs 1,000 ticks of the hand and 240 steps of the engine. Returns the force at the end in newtons.
+// Moves the hand to the east at 20 mm/s for a second, so that it pushes the crate. One metre of the hand is 20 metres
+// in the world. Runs 1,000 ticks of the hand and 240 steps of the engine. Returns the force at the end in newtons.
 double push_east(const CrateWorld& world, Dynamics& engine) {
     TouchState state;
     TouchTuning tuning;
-    tuning.radius_m = 0.04;  // 2 mm for the hand
+    tuning.radius_m = 0.04;  // 4 cm in the world, 2 mm in the hand's workspace
     tuning.world_m_per_hand_m = 20.0;
     tuning.damping_ns_per_m = 5.0;
     BodyFeel feel;
     feel.world_m_per_hand_m = tuning.world_m_per_hand_m;
     feel.ball_m = tuning.radius_m;
 
-    BodiesInReach bodies(0);  // hand 0 of two
+    BodiesInReach bodies(0);  // this is hand 0 of two
     bodies.enter(world.moves.get());
     HandPushRing pushes;
     std::vector<BodyPose> poses{{world.felt->bodies[0].start, true}};
@@ -58,14 +59,14 @@ double push_east(const CrateWorld& world, Dynamics& engine) {
     for (int tick = 0; tick < 1000; ++tick) {
         const double now_s = Dynamics::kStep_s + 1e-3 * tick;
         const Vec3 hand_m(-0.25 + 0.4 * (now_s - Dynamics::kStep_s), 0.0, 0.1);
-        // The hand's tick, as the servo runs it.
+        // One tick of the hand, as the servo thread runs it.
         bodies.hear(frame);
         if (bodies.place(now_s, hand_m, feel, poses)) ++number;
         const TouchResult touch =
             touch_tick(state, *world.felt, tuning, hand_m, 1e-3, bodies.carried_m(), {poses, number});
         felt_n = std::min(glm::length(touch.force_n), feel.ceiling_n);
         bodies.react(touch, felt_n / std::max(1e-9, glm::length(touch.force_n)), now_s, 1e-3, feel, pushes);
-        // The engine, as DynamicsLoop runs it on its own thread.
+        // One step of the engine, as DynamicsLoop runs it on its own thread.
         engine.place_hand(0, {hand_m, feel.ball_m, now_s});
         for (HandPush push; pushes.pop(push);) engine.push(0, push);
         while (engine.time_s() + Dynamics::kStep_s <= now_s + 1e-3) engine.step(frame, events);
@@ -78,8 +79,10 @@ TEST(Example, a_crate_made_in_code_is_pushed_by_a_simulated_hand) {
     ASSERT_TRUE(world.moves);
     Dynamics engine(world.moves);
     const double felt_n = push_east(world, engine);
-    EXPECT_NEAR(felt_n, 0.4 * 1.0 * 9.81 / 20.0, 0.06);  // the friction of the crate's weight, scaled by a twentieth
-    EXPECT_NEAR(engine.middle(0).position_m.x, -0.25 + 0.4 + 0.24, 0.02);  // the proxy pushed the crate this far
+    // Friction under the crate's weight, divided by the world scale of 20.
+    EXPECT_NEAR(felt_n, 0.4 * 1.0 * 9.81 / 20.0, 0.06);
+    // The distance over which the proxy pushed the crate.
+    EXPECT_NEAR(engine.middle(0).position_m.x, -0.25 + 0.4 + 0.24, 0.02);
     EXPECT_NEAR(engine.middle(0).position_m.z, 0.2, 1e-3);
 }
 

@@ -1,4 +1,4 @@
-// A custom force that is computed on each tick; described in docs/developer/examples.md.
+// A custom force law that the servo thread computes on each tick. Described in docs/developer/examples.md.
 #include "haptic/render/haptic_scene.h"
 #include "haptic/render/touch.h"
 
@@ -6,8 +6,9 @@ namespace handrail {
 namespace new_effect_test {
 using namespace render;
 
-// A breeze from the west that rises and falls every two seconds. The servo thread calls it, so it must not allocate,
-// lock, read a clock or throw. It uses only + - x / and square root, so that every machine gives the same numbers.
+// A breeze from the west that rises and falls every two seconds. The servo thread calls this function, so it must not
+// allocate, lock, read a clock or throw. It uses only + - x / and the square root, so that every machine computes the
+// same numbers.
 Vec3 breeze(const EffectPoint& point, const void* data) noexcept {
     const double strongest_n = *static_cast<const double*>(data);
     const double periods = point.time_s / 2.0;
@@ -19,7 +20,7 @@ std::shared_ptr<const HapticScene> breezy_corner() {
     EffectVolume effect;
     effect.feature = FeatureId{7};
     effect.region = SphereRegion{{0.0, 0.0, 1.0}, 0.2};
-    // Zero stiffness, because the law has no spring.
+    // The last argument is the stiffness. It is zero, because the breeze has no spring.
     effect.law = CustomLaw{breeze, std::make_shared<const double>(0.8), 0.0};
     HapticSceneBuilder builder;
     EXPECT_TRUE(builder.add_effect(effect));

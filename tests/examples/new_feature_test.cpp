@@ -1,4 +1,4 @@
-// A new feature of the session: a class that uses the context and is tested without the session; described in
+// A new feature of the session: a class that uses the session's context. The test needs no full session. Described in
 // docs/developer/examples.md.
 #include <gmock/gmock.h>
 
@@ -10,8 +10,8 @@
 namespace handrail {
 namespace new_feature_test {
 
-// Counts the walker's steps. A feature owns its state and accesses the session through the context. It is neither
-// copied nor moved, because open lists may refer to it by address. App thread only.
+// Counts the walker's steps. A feature owns its state and accesses the session through the context. It can be neither
+// copied nor moved, because open lists may hold its address. App thread only.
 class StepCount : SessionPart {
 public:
     explicit StepCount(const SessionContext& context) : SessionPart(context) {}
@@ -20,14 +20,16 @@ public:
         walked_m_ = 0.0;
         was_m_ = context_.body.feet_m();
     }
-    // Called once a tick. A distance longer than a step is not walking: the walker was moved there.
+    // The session calls this once a tick. If the walker moved farther than a step, it did not walk: something placed it
+    // there.
     void tick() {
         const Vec3 off = context_.body.feet_m() - was_m_;
         const double moved_m = std::hypot(off.x, off.y);
         if (moved_m < context_.settings.walk.step_length_m) walked_m_ += moved_m;
         was_m_ = context_.body.feet_m();
     }
-    // Returns false if the command belongs to another feature. A real feature has its own command.
+    // Returns false if the command belongs to another feature. This example borrows a command; a real feature has its
+    // own.
     bool act(Command command, double now_s) {
         if (command != Command::ProgressReport) return false;
         context_.answer(std::to_string(std::lround(walked_m_ / context_.settings.walk.step_length_m)), now_s);
@@ -52,7 +54,7 @@ TEST(NewFeature, counts_steps_without_a_full_session) {
     };
     const Vec3 from_m = plain.body.feet_m();
     for (int i = 1; i <= 20; ++i) walk(from_m + Vec3(0.0, 0.5 * step_m * i, 0.0));
-    walk(from_m + Vec3(5.0, 0.0, 0.0));  // moved elsewhere
+    walk(from_m + Vec3(5.0, 0.0, 0.0));  // too far for a step, so the walker was placed there
     EXPECT_FALSE(steps.act(Command::Exits, 0.0)) << "another's command";
     EXPECT_TRUE(steps.act(Command::ProgressReport, 0.0));
     EXPECT_THAT(plain.said(), testing::ElementsAre("10"));

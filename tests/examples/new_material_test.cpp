@@ -1,4 +1,4 @@
-// A material made in code, described in docs/developer/examples.md.
+// A material made in code. Described in docs/developer/examples.md.
 #include "haptic/render/haptic_scene.h"
 #include "haptic/render/touch.h"
 

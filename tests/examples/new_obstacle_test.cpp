@@ -1,4 +1,4 @@
-// A custom solid with exact contact; described in docs/developer/examples.md.
+// A custom solid with exact contact. Described in docs/developer/examples.md.
 #include <random>
 
 #include "haptic/render/haptic_scene.h"
@@ -8,8 +8,9 @@ namespace handrail {
 namespace new_obstacle_test {
 using namespace render;
 
-// The knob at the end of a handrail: an ellipsoid with these half axes. The servo thread calls it, so it must not
-// allocate, lock or throw. It uses only + - * / and square root, so that every machine gives the same numbers.
+// The knob at the end of a handrail: an ellipsoid with the half axes `half_m`. The servo thread calls it, so it must
+// not allocate, lock or throw. It uses only + - * / and the square root, so that every machine computes the same
+// numbers.
 struct Knob {
     Vec3 half_m{0.05, 0.03, 0.02};
 };
@@ -17,9 +18,9 @@ struct Knob {
 ClosestPoint nearest_on_knob(const Vec3& at, const void* data) noexcept {
     const Vec3& a = static_cast<const Knob*>(data)->half_m;
     const Vec3 a2 = a * a;
-    // The nearest point q satisfies: at - q is along the normal q / a2. So q = at a2 / (a2 + t), with the t that puts q
-    // on the surface. Newton's method from below never overshoots; 30 rounds are exact to rounding from anywhere
-    // outside.
+    // At the nearest point q, the vector at - q has the direction of the normal q / a2. So q = at a2 / (a2 + t), with
+    // the t that puts q on the surface. Newton's method never overshoots if it starts from below. From anywhere
+    // outside, 30 rounds are exact to rounding.
     double t = 0.0;
     for (int round = 0; round < 30; ++round) {
         const Vec3 share = a * at / (a2 + t);
@@ -28,8 +29,8 @@ ClosestPoint nearest_on_knob(const Vec3& at, const void* data) noexcept {
         t += 0.5 * beyond / glm::dot(share * share, 1.0 / (a2 + t));
     }
     Vec3 q = at * a2 / (a2 + t);
-    // Projects the point onto the surface, so that the plane there is the surface's tangent plane. Inside, any tangent
-    // plane is valid.
+    // Projects q onto the surface, so that the contact plane there is the surface's tangent plane. For a point inside
+    // the knob, any tangent plane is valid.
     const Vec3 unit = q / a;
     const double length = glm::length(unit);
     q = length > 0.0 ? q / length : Vec3(0.0, 0.0, a.z);
@@ -49,7 +50,8 @@ std::shared_ptr<const HapticScene> handrail_with_knob() {
     return builder.build();
 }
 
-// The nearest of many sampled points. Each round searches more closely around the best point of the round before.
+// Returns the nearest of many sampled points of the knob. Each round samples more closely around the best point of the
+// previous round.
 Vec3 nearest_by_search(const Vec3& at) {
     const Vec3 half = Knob{}.half_m;
     double middle_u = 0.0, middle_v = 0.0, reach = kPi;
@@ -87,7 +89,7 @@ TEST(Example, a_custom_solid_is_located_by_search_and_felt_there) {
         ++outside;
         EXPECT_NEAR(found.distance_m, glm::length(at - nearest_by_search(at)), 1e-9);
         EXPECT_LE(glm::length(found.point_m - Vec3(0.0, 0.0, 1.0) - nearest_by_search(at)), 1e-6);
-        // The whole knob is behind the plane.
+        // Every point of the knob must be behind the contact plane.
         for (int k = 0; k < 100; ++k) {
             const Vec3 way(within(random), within(random), within(random));
             const Vec3 other = Knob{}.half_m * (way / glm::length(way));
@@ -106,7 +108,7 @@ TEST(Example, a_ball_goes_round_a_custom_solid_without_entering_it) {
     for (int i = 0; i <= 2000; ++i) {
         const double angle = -0.6 * kPi + 1.2 * kPi * i / 2000.0;
         const Vec3 ring(0.052 * std::cos(angle), 0.0,
-                        0.022 * std::sin(angle) + 1.0);  // the proxy's centre comes 3 mm too near to the knob
+                        0.022 * std::sin(angle) + 1.0);  // puts the proxy's centre 3 mm too near to the knob
         const TouchResult felt = touch_tick(state, *scene, tuning, i == 0 ? Vec3(-0.1, 0.0, 0.9) : ring, 1e-3);
         EXPECT_GE(scene->closest(0, felt.proxy_m).distance_m, 0.005 - 1e-8);
         for (int k = 0; k < felt.contacts.count; ++k)
@@ -120,7 +122,7 @@ TEST(Example, a_solid_that_breaks_its_contract_is_refused) {
     CustomObstacle knob;
     knob.bounds_m = {Vec3(-0.05), Vec3(0.05)};
     EXPECT_FALSE(builder.add_custom(knob)) << "no function";
-    // A dumb-bell is not convex, so the plane at one ball cuts the other.
+    // A dumb-bell is not convex: the contact plane at one of its balls cuts the other ball.
     knob.closest = [](const Vec3& at, const void*) noexcept {
         const SphereShape one{{0.03, 0.0, 0.0}, 0.02}, other{{-0.03, 0.0, 0.0}, 0.02};
         return closest_point(at.x > 0.0 ? one : other, at);

@@ -1,4 +1,4 @@
-// Worlds made in code, described in docs/developer/examples.md.
+// Worlds made in code. Described in docs/developer/examples.md.
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/render/touch.h"
 #include "worlds/readers/reader.h"
@@ -9,7 +9,7 @@ using namespace compile;
 using namespace readers;
 using namespace render;
 
-// A floor, a step and a slanting sheet. Each has the number by which contacts identify it.
+// A floor, a step and a slanting sheet. Each has a feature number, by which a contact names it.
 std::shared_ptr<const HapticScene> small_world() {
     HapticSceneBuilder builder;
     builder.add_box({{-1.0, -1.0, -0.1}, {1.0, 1.0, 0.0}}, {FeatureId{1}});
@@ -20,7 +20,7 @@ std::shared_ptr<const HapticScene> small_world() {
 
 // Lowers a hand by a tenth of a millimetre per tick and returns the contact on the last tick.
 TouchResult come_down(const HapticScene& scene, Vec3 hand_m, double to_z_m) {
-    TouchState state;  // allocates here and never during a tick
+    TouchState state;  // this object allocates here and never during a tick
     TouchTuning tuning;
     tuning.radius_m = 0.005;
     TouchResult felt = touch_tick(state, scene, tuning, hand_m, 1e-3);
@@ -35,7 +35,7 @@ TEST(Example, a_world_made_in_code_is_touched) {
     const auto scene = small_world();
     const TouchResult floor = come_down(*scene, {-0.5, 0.0, 0.05}, 0.002);
     EXPECT_NEAR(floor.force_n.z, 0.003 * 800.0,
-                1e-9);  // the proxy's centre stays 5 mm above the floor, the hand is 3 mm below it
+                1e-9);  // the proxy's centre stays 5 mm above the floor, while the hand is 3 mm below the floor
     EXPECT_EQ(floor.contacts.contacts[0].feature, FeatureId{1});
     const TouchResult step = come_down(*scene, {0.5, 0.0, 0.2}, 0.15);
     EXPECT_NEAR(step.proxy_m.z, 0.155, 1e-12);

@@ -1,4 +1,5 @@
-// Data from devices and their services: frames, reports, messages, and the image with which a Falcon is started.
+// Harnesses for data from devices and their services: frames, reports, messages, and the firmware image that starts a
+// Falcon.
 #include <cmath>
 
 #include "haptic/drivers/falcon_protocol.h"
@@ -27,7 +28,7 @@ std::string pad_fault(PadModel model, PadBus bus, std::span<const std::uint8_t> 
     return input->hat >= 0 && input->hat <= 8 ? std::string() : "a hat that looks nowhere";
 }
 
-// The same report with a correct checksum, so that mutated bytes pass the check.
+// Returns the report with a correct checksum, so that mutated bytes pass the driver's check.
 std::vector<std::uint8_t> with_right_checksum(std::span<const std::uint8_t> report) {
     std::vector<std::uint8_t> right(report.begin(), report.end());
     if (right.size() < 4) return right;
@@ -52,7 +53,7 @@ std::string puck_fault(std::span<const std::uint8_t> report) {
 
 }  // namespace
 
-// Feeds the bytes in pieces, as a serial line does; the first byte sets their length.
+// Feeds the bytes to the parser in pieces, as a serial line does. The first byte sets the length of the pieces.
 std::string falcon_fault(std::string_view bytes) {
     if (bytes.empty()) return {};
     const std::size_t piece = 1 + static_cast<unsigned char>(bytes.front()) % 40;

@@ -1,4 +1,5 @@
-// Every parser of the program as a function over bytes. The parsers are rows of one table, which the mutation test and
+// Every parser of the program as a function that takes bytes. The parsers are the rows of one table, which the mutation
+// test and
 // the endless fuzzer share. A new reader needs a row here and a folder tests/fuzz/inputs/NAME with:
 // - seeds/: small valid inputs
 // - words.dict: strings worth inserting, in libFuzzer's format
@@ -13,15 +14,16 @@ namespace handrail::fuzz {
 
 struct Harness {
     std::string_view name;
-    // Describes what is wrong with the parser's result. Empty if the bytes gave a complete result or were refused with
-    // a message. Crashes, hangs and findings of the sanitizers end the process and need no description.
+    // Parses the bytes and describes what is wrong with the result. Returns an empty string if the result is complete,
+    // or if the parser refused the bytes with a message. Crashes, hangs and findings of the sanitizers end the process
+    // and need no description.
     std::string (*fault)(std::string_view bytes);
-    int rounds;  // number of rounds in the mutation test; all of them take a good second
+    int rounds;  // rounds of the mutation test; all parsers together take a good second
 };
 
 std::span<const Harness> harnesses();
 
-// One function for each row, named by what it reads.
+// Functions of the table's rows. Each is named after the format that it reads.
 std::string map_fault(std::string_view bytes);
 std::string obj_fault(std::string_view bytes);
 std::string gltf_fault(std::string_view bytes);
@@ -47,8 +49,8 @@ std::string boot_image_fault(std::string_view bytes);
 std::string hid_fault(std::string_view bytes);
 std::string haply_fault(std::string_view bytes);
 
-// Describes what is wrong with words for a person: no words, a byte that is not text, or a character that no voice
-// speaks.
+// Describes what is wrong with a text that the program announces: it is empty, or contains a byte that is not text or a
+// character that no voice speaks. Returns an empty string if nothing is wrong.
 std::string words_fault(std::string_view words);
 
 }  // namespace handrail::fuzz

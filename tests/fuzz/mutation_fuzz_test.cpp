@@ -1,5 +1,5 @@
-// Every parser gets the inputs that once failed, and mutations of its seeds. The mutations are deterministic and the
-// same everywhere. The endless version is tests/fuzz/libfuzzer (clang).
+// Gives every parser the inputs that once failed, and mutations of its seeds. The mutations are deterministic and the
+// same on every machine. The endless version is tests/fuzz/libfuzzer (clang).
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -31,7 +31,7 @@ std::vector<Input> inputs_in(const fs::path& folder) {
     return inputs;
 }
 
-// Lines of "text" in libFuzzer's format, where \xAB is a byte.
+// Returns the quoted strings of a dictionary in libFuzzer's format, in which \xAB stands for a byte.
 std::vector<std::string> words_of(const fs::path& dictionary) {
     std::vector<std::string> words;
     std::ifstream file(dictionary);
@@ -102,7 +102,7 @@ TEST_P(Parser, accepts_mutated_seed_inputs_or_reports_an_error) {
 INSTANTIATE_TEST_SUITE_P(Every, Parser, testing::ValuesIn(harnesses().begin(), harnesses().end()),
                          [](const testing::TestParamInfo<Harness>& row) { return std::string(row.param.name); });
 
-// Without this check, nothing would test a folder of inputs that has no row.
+// Without this check, a folder of inputs that has no row would never be used.
 TEST(Harnesses, cover_every_folder_of_fuzz_inputs) {
     for (const auto& entry : fs::directory_iterator(test::project_root() / "tests/fuzz/inputs")) {
         const std::string name = entry.path().filename().string();

@@ -1,5 +1,5 @@
-// Text that people and the program write: settings, side files of worlds, scenarios, languages, recorded paths of a
-// hand. All except the path come as files.
+// Harnesses for text that people and the program write: settings, side files of worlds, scenarios, languages and
+// recorded paths of a hand. The parsers read all of these from files, except the recorded paths.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -22,7 +22,7 @@
 namespace handrail::fuzz {
 namespace {
 
-// Uses a folder in memory if there is one, because saving waits for the disk each time.
+// Uses a folder in memory if the system has one, because every save waits for the disk.
 struct InMemory {
     InMemory() {
         if (std::filesystem::exists("/dev/shm")) ::setenv("TMPDIR", "/dev/shm", 0);
@@ -43,8 +43,8 @@ std::string rows_text(const SettingsStore& store) {
 
 }  // namespace
 
-// Settings that were read can be saved with a change and read again unchanged. A file that could not be understood is
-// never replaced.
+// Settings that were read must still be the same after a change, a save and a second reading. The program must never
+// replace a file that it could not understand.
 std::string settings_fault(std::string_view bytes) {
     const std::filesystem::path file = folder().write("settings.toml", bytes);
     SettingsStore store;
@@ -63,7 +63,7 @@ std::string settings_fault(std::string_view bytes) {
     return {};
 }
 
-// Entries that are passed back and saved can be read again. A file that cannot be understood is kept under another
+// The side file must read back the entries that it saved. It must keep a file that it cannot understand under another
 // name.
 std::string side_file_fault(std::string_view bytes) {
     const test::TemporaryFolder own;
@@ -93,7 +93,7 @@ std::string side_file_fault(std::string_view bytes) {
         file.set_entries(list, entries);
         if (const Result<void> saved = file.save(); !saved) return words_fault(saved.error().sentence());
         const std::vector<SideEntry> again = SideFile::of_world(world, {}).entries(list);
-        // NaN equals NaN here, as for the merge.
+        // Here NaN equals NaN, as it does when side files are merged.
         if (!std::equal(again.begin(), again.end(), entries.begin(), entries.end(),
                         [](const SideEntry& a, const SideEntry& b) { return same(a, b); }))
             return std::string("entries changed by saving and reading: ") + list;
@@ -101,7 +101,7 @@ std::string side_file_fault(std::string_view bytes) {
     return {};
 }
 
-// A learner file reads back as it was written, including consents and unknown entries.
+// A learner file must read back as it was written, including consents and unknown entries.
 std::string learner_fault(std::string_view bytes) {
     const std::string text(bytes);
     const Result<Learner> learner = read_learner(text, "learner.toml");
@@ -121,8 +121,8 @@ std::string learner_fault(std::string_view bytes) {
     return again->name == learner->name ? std::string() : "another name: " + *written;
 }
 
-// Bytes that begin with { are events, others are a table of a hand's positions. Damage is reported with its line, and
-// the rows before it read back as they were written.
+// Bytes that begin with { are events; other bytes are a table of a hand's positions. The reader must report damage with
+// its line. The rows before the damage must read back as they were written.
 std::string recording_fault(std::string_view bytes) {
     if (bytes.starts_with("{")) {
         const Result<Recording> recording = read_events(bytes, "events.jsonl");
@@ -163,7 +163,7 @@ std::string scenario_fault(std::string_view bytes) {
     return std::isfinite(scenario->tail_s) && scenario->tail_s >= 0.0 ? std::string() : "a tail that is none";
 }
 
-// The answer of a reader process is either refused, or can be written and read again.
+// The program either refuses the answer of a reader process, or can write the answer and read it again.
 std::string toml_answer_fault(std::string_view bytes) {
     const Result<TomlValue> values = toml_in_answer(bytes);
     if (!values) return values.error().message.size() > 300 ? "a long fault" : std::string();
@@ -173,7 +173,7 @@ std::string toml_answer_fault(std::string_view bytes) {
     return *again == *values ? std::string() : "it changed by writing and reading: " + text;
 }
 
-// A lesson reads back the same from its own text, except for the learners in it.
+// A lesson must read back unchanged from its own text, except for its learners.
 std::string lesson_fault(std::string_view bytes) {
     folder().write("box.map", "{\n\"classname\" \"worldspawn\"\n}\n");
     const std::filesystem::path file = folder().path() / "fuzz.lesson.toml";
@@ -187,7 +187,7 @@ std::string lesson_fault(std::string_view bytes) {
     return lesson_text(*again) == text ? std::string() : "it changed by writing and reading: " + text;
 }
 
-// Whatever a language file says, texts that it lacks come from another language, and every text exists.
+// Whatever a language file says, every text must exist: another language provides the texts that the file lacks.
 std::string language_fault(std::string_view bytes) {
     folder().write("xx.toml", bytes);
     const Result<std::vector<Diagnostic>> spoken = speak_language("xx", folder().path());

@@ -1,4 +1,4 @@
-// Maps, meshes and pictures: the result is a consistent Scene or an error.
+// Harnesses for maps, meshes and pictures. Each must give a consistent Scene or an error.
 #include <zlib.h>
 
 #include <cstdio>
@@ -30,7 +30,7 @@ std::uint32_t big_endian(std::string_view bytes) {
     return value;
 }
 
-// The same PNG with correct checksums of its chunks, so that mutated bytes pass the check.
+// Returns the PNG with correct checksums of its chunks, so that mutated bytes pass the reader's check.
 std::string with_right_checksums(std::string_view bytes) {
     std::string png(bytes);
     for (std::size_t at = 8; at + 12 <= png.size();) {
@@ -44,8 +44,8 @@ std::string with_right_checksums(std::string_view bytes) {
     return png;
 }
 
-// A cached world to which all edits apply. It is generated, so that no stored file becomes outdated when the Scene gets
-// another member.
+// Returns a cached world, to which the harness applies all edits. It is generated, so that no stored file becomes
+// outdated when the Scene gets another member.
 const std::string& kept_scene_bytes() {
     static const std::string bytes = [] {
         const std::string map =
@@ -57,7 +57,7 @@ const std::string& kept_scene_bytes() {
 }
 
 // Applies edits line by line: "AT BYTE" sets a byte, "AT +BYTE" inserts one, "AT -COUNT" removes some, "cut AT" drops
-// the rest. AT wraps round at the end. Other lines are ignored.
+// the rest. AT wraps round at the end of the bytes. Other lines are ignored.
 std::string edited(std::string kept, std::string_view edits) {
     for (std::size_t from = 0; from < edits.size() && !kept.empty();) {
         const std::size_t end = std::min(edits.find('\n', from), edits.size());
@@ -101,7 +101,7 @@ std::string ply_fault(std::string_view bytes) { return scene_fault(read_ply(byte
 std::string stl_fault(std::string_view bytes) { return scene_fault(read_stl(bytes, "fuzz.stl")); }
 std::string obj_fault(std::string_view bytes) { return scene_fault(read_obj(bytes, "fuzz.obj")); }
 
-// Reads the bytes as a model, or as an archive with a model if they look like one.
+// Reads the bytes as an IFC model, or as an archive with a model if they look like an archive.
 std::string ifc_fault(std::string_view bytes) {
     if (is_ifczip("fuzz.zip", bytes)) return scene_fault(read_ifczip(bytes, "fuzz.ifczip"));
     return scene_fault(read_ifc(bytes, "fuzz.ifc"));
@@ -111,7 +111,8 @@ std::string osm_fault(std::string_view bytes) { return scene_fault(read_osm(byte
 
 std::string rooms_fault(std::string_view bytes) { return scene_fault(read_words(bytes, "fuzz.rooms")); }
 
-// Reads the bytes as an archive, and as the texts of one: each after a line "--- NAME".
+// Reads the bytes as an archive. Then builds an archive from the texts in them, each after a line "--- NAME", and reads
+// that archive, too.
 std::string imdf_fault(std::string_view bytes) {
     if (std::string fault = scene_fault(read_imdf(bytes, "fuzz.imdf.zip")); !fault.empty()) return fault;
     std::map<std::string, std::string> files;
@@ -125,8 +126,8 @@ std::string imdf_fault(std::string_view bytes) {
     return scene_fault(read_imdf(test::zipped(files), "fuzz.imdf.zip"));
 }
 
-// Edits of a cached world, such as an attacker could make who can forge the cache's digest: of the whole entry, and of
-// the scene in it.
+// Edits a cached world as an attacker who can forge the cache's digest could edit it. The edits apply once to the whole
+// cache entry and once to the scene in it.
 std::string kept_fault(std::string_view bytes) {
     const std::vector<NeighbourFile> beside{{"beside.png", std::string(64, 'a')}};
     const std::string whole = kept_scene(beside, kept_scene_bytes());

@@ -19,14 +19,14 @@ std::string output_of(const std::string& program) {
     return out;
 }
 
-// FNV-1a hash.
+// Returns the FNV-1a hash of `text`.
 std::uint64_t sum_of(const std::string& text) {
     std::uint64_t sum = 0xcbf29ce484222325U;
     for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
     return sum;
 }
 
-// Every compiler, optimiser and sanitizer must give these numbers. After an intended change of the renderer's numbers,
+// Every compiler, optimiser and sanitizer must give the same numbers. If you change the renderer's numbers on purpose,
 // enter the new sums here. Run `touch_replay >FILE` before and after the change to see which numbers differ.
 TEST(TouchRenderer, gives_identical_numbers_in_every_build_preset) {
     const std::string numbers = output_of(test::built_program("touch_replay"));

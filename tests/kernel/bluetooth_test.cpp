@@ -1,4 +1,4 @@
-// A Bluetooth DualSense on the kernel's own HID core, with /dev/uhid in place of the radio.
+// Tests a Bluetooth DualSense on the kernel's own HID core. /dev/uhid replaces the radio.
 #include <fcntl.h>
 #include <linux/input.h>
 #include <linux/uhid.h>
@@ -19,7 +19,8 @@
 namespace handrail {
 namespace bluetooth_test {
 
-// A HID device whose transport is this program. A separate thread answers the kernel; `lock` guards the emulator.
+// A HID device whose reports this program sends and receives. A separate thread answers the kernel; `lock` guards the
+// emulator.
 class UserHid {
 public:
     UserHid(test::HidEmulator& device, std::uint16_t product, const char* name)
@@ -44,7 +45,7 @@ public:
     UserHid(const UserHid&) = delete;
     UserHid& operator=(const UserHid&) = delete;
 
-    // Call this after the emulator has queued reports.
+    // The test must call this after the emulator has queued reports.
     void ring() {
         const std::lock_guard guard(lock);
         for (; !device_.to_host.empty(); device_.to_host.pop_front()) {

@@ -1,4 +1,4 @@
-// Rumble and a joystick's forces through the kernel's own force feedback. uinput provides the device.
+// Tests rumble and a joystick's forces through the kernel's own force feedback. uinput provides the device.
 #include <fcntl.h>
 #include <linux/uinput.h>
 #include <poll.h>
@@ -21,8 +21,7 @@
 namespace handrail {
 namespace force_feedback_test {
 
-// A force-feedback device of this program. A separate thread answers the kernel; `lock` guards what the device has
-// received.
+// An emulated force-feedback device. A separate thread answers the kernel; `lock` guards what the device has received.
 class UserStick {
 public:
     UserStick(const char* name, std::initializer_list<int> effects) : fd_(::open("/dev/uinput", O_RDWR | O_CLOEXEC)) {
@@ -44,7 +43,8 @@ public:
             throw std::runtime_error("the kernel does not take an input device from here");
         thread_ = std::thread([this] { run(); });
     }
-    // Destroy this after every node of the device is closed; otherwise the kernel waits until effects are removed.
+    // The test must close every node of the device before it destroys this object; otherwise the kernel waits until
+    // effects are removed.
     ~UserStick() {
         ended_ = true;
         thread_.join();
@@ -155,7 +155,7 @@ TEST(KernelForceFeedback, stick_rests_against_a_wall_within_one_axis_step_of_the
             device.write({{wanted_n, 0.0, 0.0}});
             const std::lock_guard guard(stick.lock);
             ASSERT_EQ(stick.effect.type, FF_CONSTANT);
-            // Down is 0, left is a quarter turn, right is three quarters.
+            // The kernel's directions: 0 is down, a quarter turn is left, three quarters (0xC000) are right.
             const double towards = stick.effect.direction == 0xC000 ? 1.0 : -1.0;
             const double force_n = towards * stick.effect.u.constant.level / 0x7fff * device.spec().peak_force_n;
             EXPECT_TRUE(wanted_n == 0.0 || stick.effect.direction == 0x4000) << stick.effect.direction;

@@ -1,5 +1,5 @@
-// Drivers on the kernel's own USB core: libusb over usbfs, and hidapi over usbhid and hidraw. Devices are plugged in
-// through USB/IP.
+// Tests drivers on the kernel's own USB core: libusb over usbfs, and hidapi over usbhid and hidraw. USB/IP plugs the
+// emulated devices in.
 #include "haptic/drivers/falcon_device.h"
 #include "haptic/drivers/usb_link.h"
 #include "tests/emulators/falcon_claims.h"
@@ -59,7 +59,8 @@ TEST(KernelUsb, loses_none_of_a_thousand_dual_sense_reports_over_hidraw) {
 
 TEST(KernelUsb, space_mouse_steers_the_walker) {
     test::PuckEmulator puck;
-    // A SpaceMouse of 3Dconnexion, because the kernel has its own driver for Logitech's.
+    // This is a SpaceMouse with the identifier of 3Dconnexion, because the kernel has its own driver for Logitech's
+    // SpaceMice.
     test::HidOnUsb function(puck, 0x256f, 0xc635, "SpaceMouse Compact");
     test::UsbIpPlug plug(function, 3, test::UsbIpPlug::Speed::Full);
     test::steer_with_a_space_mouse(test::open_hid(0x256f), puck, plug.lock, [] {});

@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 constexpr const char* kAttach = "/sys/devices/platform/vhci_hcd.0/attach";
 constexpr const char* kDetach = "/sys/devices/platform/vhci_hcd.0/detach";
 constexpr std::uint32_t kSubmit = 1, kUnlink = 2, kSubmitted = 3, kUnlinked = 4;
-constexpr auto kTick = 1ms;  // between two polls of a device without data
+constexpr auto kTick = 1ms;  // time between two polls of a device that has no data
 
 bool read_all(int fd, void* to, std::size_t size) {
     auto* at = static_cast<std::uint8_t*>(to);
@@ -34,7 +34,7 @@ bool read_all(int fd, void* to, std::size_t size) {
 void write_all(int fd, std::span<const std::uint8_t> bytes) {
     while (!bytes.empty()) {
         const ssize_t gone = ::send(fd, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-        if (gone <= 0) return;  // the device was unplugged
+        if (gone <= 0) return;  // the test unplugged the device
         bytes = bytes.subspan(static_cast<std::size_t>(gone));
     }
 }
@@ -57,7 +57,7 @@ UsbIpPlug::UsbIpPlug(UsbFunction& function, int port, Speed speed) : function_(f
     std::ofstream attach(kAttach);
     attach << fmt::format("{} {} {} {}", port, ends[0], port + 1, static_cast<int>(speed)) << std::flush;
     const bool attached = attach.good();
-    ::close(ends[0]);  // the kernel keeps its own end
+    ::close(ends[0]);  // the kernel keeps its own end of the socket pair
     if (!attached) {
         ::close(socket_);
         throw std::runtime_error("the kernel's virtual USB controller does not take the device");

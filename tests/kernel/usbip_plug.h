@@ -1,6 +1,6 @@
-// Plugs an emulated USB device into the running kernel. vhci-hcd is a host controller whose cable is a socket, and this
-// class answers every transfer on it. Needs root and the module vhci-hcd. It has its own thread; `lock` guards the
-// emulator. Source: the USB/IP protocol, Documentation/usb/usbip_protocol.rst of Linux.
+// Plugs an emulated USB device into the running kernel. The kernel module vhci-hcd is a host controller whose cable is
+// a socket; this class answers every transfer on the socket. It needs root and the module. It has its own thread;
+// `lock` guards the emulator. Source: the USB/IP protocol, Documentation/usb/usbip_protocol.rst of Linux.
 #pragma once
 
 #include <atomic>
@@ -18,13 +18,14 @@ class UsbIpPlug {
 public:
     enum class Speed : std::uint8_t { Full = 2, High = 3 };
 
-    // Throws if the kernel refuses the device. `port` of the controller, 0 to 7; each port takes one device at a time.
+    // `port` is a port of the controller, from 0 to 7. Each port takes one device at a time. Throws if the kernel
+    // refuses the device.
     UsbIpPlug(UsbFunction& function, int port, Speed speed);
     ~UsbIpPlug();
     UsbIpPlug(const UsbIpPlug&) = delete;
     UsbIpPlug& operator=(const UsbIpPlug&) = delete;
 
-    // Pulls the plug; the kernel notices immediately.
+    // Pulls the device out. The kernel notices it immediately.
     void unplug();
 
     std::mutex lock;

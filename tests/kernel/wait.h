@@ -1,4 +1,4 @@
-// Waits for asynchronous work of the kernel. Test thread.
+// Waits until asynchronous work of the kernel is done. Test thread only.
 #pragma once
 
 #include <chrono>

@@ -1,8 +1,9 @@
-// A hand wanders through quake-e1m1.map at 1 m/s with a proxy of 5 mm, without friction. A judge checks every tick. It
-// shares nothing with the renderer except the planes of the brushes. There must be no crossing, no lost contact, and no
-// jump of the force unless a proxy that rolls off an edge explains it.
+// Moves a hand at random through quake-e1m1.map at 1 m/s, with a proxy of 5 mm radius and without friction. A judge
+// checks every tick.
+// The judge shares nothing with the renderer except the planes of the brushes. The proxy must never cross a surface or
+// lose a contact. The force must not jump, unless a proxy that rolls off an edge explains the jump.
 //   long_walk [TICKS] [SEED]
-// 20,000,000 ticks take minutes; ctest runs a short walk. The exit status is 1 at the first violation.
+// 20,000,000 ticks take minutes; ctest runs a short walk. The program exits with status 1 at the first violation.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -22,10 +23,11 @@ namespace handrail::test {
 namespace {
 
 constexpr double kRadius_m = 0.005, kStiffness_n_per_m = 1000.0;
-constexpr double kTether_m = 0.010;  // the hand is never farther than this from the proxy: 10 N
+constexpr double kTether_m = 0.010;  // greatest distance of the hand from the proxy: a force of 10 N
 constexpr double kCell_m = 0.5;
 
-// The touchable solids in a grid. A cell lists every solid whose bounds, grown by kReach_m, overlap it.
+// A grid of the touchable solids, which checks the proxy. Each cell lists every solid whose bounds, grown by kReach_m,
+// overlap the cell.
 class Judge {
 public:
     explicit Judge(const Scene& scene) {
@@ -47,8 +49,8 @@ public:
 
     static constexpr double kReach_m = 0.05;
 
-    // Returns whether the distance to every solid is at least `least`, which is at most kReach_m. For almost all solids
-    // a single plane proves it. The others are measured by trying every face, edge and corner in long double.
+    // Returns whether the distance of `p` from every solid is at least `least`, which is at most kReach_m. For almost
+    // all solids, a single plane proves it. For the others, the judge tries every face, edge and corner in long double.
     bool clear(const Vec3& p, double least) {
         for (const std::uint32_t s : table_[index(cell_of(p))]) {
             double out = -1e9;
@@ -62,7 +64,7 @@ public:
     bool knows(const Vec3& p) const {
         return glm::all(glm::greaterThan(p, all_.min_m)) && glm::all(glm::lessThan(p, all_.max_m));
     }
-    // All solids near a place, for the continuous reference.
+    // Returns all solids near `p`, for the continuous reference solution.
     BruteForce around(const Vec3& p) const {
         BruteForce near;
         for (const std::uint32_t s : table_[index(cell_of(p))]) {
@@ -104,7 +106,8 @@ struct Walker {
     int left = 0, stuck = 0;
 
     double unit() { return static_cast<double>(random()) / 4294967296.0; }
-    // One millisecond at 1 m/s. Three of four directions keep to the touched surface.
+    // Returns the hand's next position, one millisecond later at 1 m/s. Three of four directions lead along the touched
+    // surface.
     Vec3 step(const Vec3& goal, const Vec3& ball, const std::optional<Vec3>& normal) {
         if (--left <= 0 || stuck > 100) {
             do {
@@ -129,9 +132,9 @@ struct Findings {
     double largest_jump_n = 0.0, way_m = 0.0;
 };
 
-// A jump is explained if a proxy that moves continuously from the same place to the same goal comes at least as near
-// and goes as far. Nine tenths of the distance are enough, because a proxy that the speed cap stops on its way may be
-// next to the direct path.
+// Returns whether a continuous movement explains a jump of the force. It does if a proxy that moves continuously from
+// the same place to the same goal comes at least as near and moves as far. Nine tenths of the distance are enough: the
+// speed cap may stop the proxy next to the direct path.
 bool explained(const Judge& judge, const Vec3& before, const Vec3& goal, const Vec3& after) {
     const BruteForce near = judge.around(before);
     ReferenceProxy reference(near, before, kRadius_m);
@@ -162,7 +165,7 @@ int run(long ticks, std::uint32_t seed) {
         return 1;
     };
     for (long i = 0; i < ticks; ++i) {
-        // Moves elsewhere every fifty seconds, so that one walk covers the whole building.
+        // Every fifty seconds, puts the hand elsewhere, so that one walk covers the whole building.
         if (i % 50000 == 0 && i > 0) {
             const Start& start = scene->starts[walker.random() % scene->starts.size()];
             goal = ball = start.feet_m + Vec3(0, 0, 0.5 + walker.unit());
@@ -176,8 +179,8 @@ int run(long ticks, std::uint32_t seed) {
         ball = r.proxy_m;
         force = r.force_n;
         if (r.contacts.ghosted) continue;
-        // Both ends of every segment of the proxy's path are a radius away from all solids. A segment of less than two
-        // radii between such places cannot lead through a wall.
+        // Both ends of every segment of the proxy's path must be at least a radius away from all solids. If such a
+        // segment is shorter than two radii, it cannot pass through a wall.
         const ProxySolver& solver = state.solver();
         for (int k = 1; k < solver.path_size(); ++k) {
             if (glm::length(solver.path_m(k) - solver.path_m(k - 1)) >= 2 * kRadius_m)
@@ -193,13 +196,13 @@ int run(long ticks, std::uint32_t seed) {
         found.touching += r.contacts.count > 0;
         found.capped += r.contacts.capped;
         found.way_m += glm::length(goal - goal_before);
-        // A hand that moves a millimetre changes the force by a newton at most; more is a jump.
+        // If the hand moves by a millimetre, the force changes by a newton at most. A greater change is a jump.
         const double jump_n = glm::length(force - force_before);
         if (i % 50000 != 0 && jump_n > std::max(1.0, kStiffness_n_per_m * glm::length(goal - goal_before)) + 1e-6) {
             ++found.jumps;
             found.largest_jump_n = std::max(found.largest_jump_n, jump_n);
-            // On a tick that the speed cap cut short, the proxy is still moving. It may be one capped step away from
-            // the direct path.
+            // On a tick on which the speed cap stops the proxy, the proxy has not arrived. It may be one capped step
+            // away from the direct path.
             const double on_its_way_n =
                 r.contacts.capped ? kStiffness_n_per_m * (glm::length(goal - goal_before) + tuning.slide_cap_hand_m)
                                   : 0.0;

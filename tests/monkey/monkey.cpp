@@ -14,9 +14,9 @@ namespace handrail::test {
 namespace {
 
 constexpr std::size_t kStory = 30;
-constexpr double kInside_m = 1e-4;  // depth in a solid that cannot be rounding
+constexpr double kInside_m = 1e-4;  // greater depths in a solid cannot be rounding errors
 
-// The building without movers and placed objects, both of which may move into a walker.
+// Returns the building without moving parts and placed objects, because those may move into a walker.
 std::shared_ptr<const Scene> still_part(const Scene& scene) {
     auto still = std::make_shared<Scene>(scene);
     still->placed.clear();
@@ -27,8 +27,8 @@ std::shared_ptr<const Scene> still_part(const Scene& scene) {
     return still;
 }
 
-// Returns whether something solid is nearer than nearer_m. If that is negative: whether the place is at least that deep
-// in a solid.
+// Returns whether a solid is nearer to the place than `nearer_m`. A negative `nearer_m` means a depth: returns whether
+// the place is at least that deep in a solid.
 bool solid_within(const HapticScene& scene, const Vec3& world_m, double nearer_m) {
     const Vec3 local_m = world_m - scene.origin_m;
     bool found = false;
@@ -131,7 +131,7 @@ void Monkey::key() {
         "Backspace", "Delete", "Tab",     "Space", "Shift+Left", "Ctrl+Right", "Alt+F4", "F1",  "F2",     "F5",
         "F12",       "A",      "Shift+4", "7",     "Nothing",    "",           "+",      "\xFF"};
     std::string name = kKeys[below(std::size(kKeys))];
-    // In a list, keys that make progress are more useful.
+    // In a list, keys that move through the list reach more of the program.
     if (app().dialogue().is_open() && chance(0.5)) name = chance(0.5) ? "Down" : chance(0.6) ? "Enter" : "Right";
     note("key", name);
     session_->tap_key(name);
@@ -199,7 +199,7 @@ void Monkey::trouble() {
             trouble.failed = true;
             break;
         default:
-            break;  // the device works again
+            break;  // the device works again after this
     }
     session_->hand(below(2)).trouble.publish(trouble);
     session_->slow_servo(chance(0.1) ? 1 + static_cast<int>(below(30)) : 1);
@@ -226,7 +226,7 @@ void Monkey::device() {
 // Sets a random setting to a valid or an invalid value.
 void Monkey::setting() {
     const SettingRow& row = settings_[below(static_cast<std::uint32_t>(settings_.size()))];
-    if (row.key == "speech.language" && chance(0.8)) return;  // a language is the slowest setting and finds the least
+    if (row.key == "speech.language" && chance(0.8)) return;  // loading a language is slow and rarely finds a fault
     std::string value = row.value == "true" ? "false" : "true";
     const std::size_t to = row.range.find(" to ");
     double least = 0.0, most = 0.0;
@@ -323,8 +323,8 @@ void Monkey::run(double seconds) {
         for (std::size_t which = 0; which < 2; ++which) {
             if (!facts_[which].present) continue;
             const ToolState& tool = session_->tool(which);
-            // If there was no force, or its gain restarted on this tick, the proxy may have restarted at the hand, even
-            // inside a wall.
+            // If the hand felt no force, or the force started to fade in again on this tick, the proxy may have
+            // restarted at the hand, even inside a wall.
             Free& free = ball_free_[which];
             if (tool.force_gain == 0.0 || free.gain == 0.0 || tool.force_gain < free.gain) free.known = false;
             free.gain = tool.force_gain;
@@ -340,8 +340,8 @@ void Monkey::run(double seconds) {
     }
 }
 
-// Checks that proxies and the walker that were outside everything solid, and were not moved elsewhere, are still
-// outside.
+// Checks that the proxies and the walker are still outside all solids. Skips those that were inside before, or that
+// something placed elsewhere.
 void Monkey::check_places() {
     const std::shared_ptr<const HapticScene> touch = app().haptic_scene();
     for (std::size_t which = 0; which < 2; ++which) {
@@ -359,7 +359,7 @@ void Monkey::check_places() {
         if (inside && must_be_free)
             fail(fmt::format("ball {} came into a solid at {} {} {}", which, tool.proxy_m.x, tool.proxy_m.y,
                              tool.proxy_m.z));
-        // A solid around a newly placed proxy does not hold it until the whole proxy is out.
+        // A proxy that was just placed inside a solid does not feel that solid until the whole proxy has left it.
         const bool out =
             (must_be_free && !inside) || !solid_within(*touch, tool.proxy_m, app().hand(which).tuning.touch.radius_m);
         free = {out, touch->generation, tool.workspace_jump, tool.force_gain};
@@ -379,12 +379,12 @@ void Monkey::check_places() {
     body_free_m_ = blocked ? 0.0 : size.radius_m;
 }
 
-// Leaves every list, gives the window the keyboard, and checks that a query is answered.
+// Leaves every list, gives the window the keyboard focus, and checks that the program answers a query.
 void Monkey::expect_an_answer() {
     session_->set_focus(true);
-    for (int i = 0; i < 120 && app().dialogue().is_open(); ++i) {  // lists can be nested
-        // While input help is on, it explains Escape instead of leaving. The test does not know whether it is on, so it
-        // tries both.
+    for (int i = 0; i < 120 && app().dialogue().is_open(); ++i) {  // 120, because lists can open further lists
+        // While input help is on, Escape only announces what it does. The test does not know whether input help is on,
+        // so it tries Escape in both states.
         if (i % 45 == 15) session_->press(Command::InputHelp);
         session_->tap_key("Escape");
         run(0.02);

@@ -1,6 +1,6 @@
-// A monkey test: random keys, characters, lines, jumping hands, devices that break, vanish and return, settings and
-// changes of world. It runs in virtual time with the same Session and servo as the program. The same seed gives the
-// same actions.
+// A monkey test. It presses random keys, types random characters and lines, moves the hands in jumps, and changes
+// settings and worlds. Its devices break, vanish and return. It runs in virtual time with the same Session and servo as
+// the program. The same seed gives the same actions.
 #pragma once
 
 #include <deque>
@@ -17,7 +17,7 @@
 
 namespace handrail::test {
 
-// Sinks that count and keep little, because a long session would fill the memory.
+// A sink that counts the sounds and keeps few of them, because a long session would fill the memory.
 class CountingAudio final : public AudioSink {
 public:
     void play(const SoundCue&) override { ++heard; }
@@ -34,7 +34,7 @@ public:
     void stop() override {}
     bool speaking() const override { return false; }
     void tick(double) override {}
-    long lines = 0, empty = 0, damaged = 0;  // damaged: not UTF-8
+    long lines = 0, empty = 0, damaged = 0;  // damaged: lines that are not UTF-8
     std::deque<std::string> last;
 
 private:
@@ -45,11 +45,11 @@ class Monkey {
 public:
     Monkey(std::uint32_t seed, std::vector<std::shared_ptr<const Scene>> worlds);
 
-    // Performs one random action and lets a little time pass. Returns false at the first violation; fault() then
-    // describes it.
+    // Performs one random action and lets a little time pass. Returns false at the first violation, which fault() then
+    // describes.
     bool act();
     const std::string& fault() const { return fault_; }
-    // The last actions and the last announcements, for analysing a fault.
+    // Returns the last actions and the last announcements, for the analysis of a fault.
     std::string story() const;
     const std::map<std::string, long>& done() const { return done_; }  // number of actions by kind
     double seconds() const { return seconds_; }
@@ -75,7 +75,7 @@ private:
     void device();
     void setting();
     void world();
-    void owner();  // acts like the program around the app
+    void owner();  // does what the program does around the app
     void run(double seconds);
     void check_tick();
     void check_places();
@@ -95,8 +95,8 @@ private:
     std::map<std::string, long> done_;
     std::string fault_;
     double seconds_ = 0.0;
-    // Whether the place was free at the last check, and under which circumstances. While these stay the same, it must
-    // remain free.
+    // Remembers whether the proxy was outside all solids at the last check, and under which circumstances. While the
+    // circumstances stay the same, it must remain outside.
     struct Free {
         bool known = false;
         std::uint32_t generation = 0, jump = 0;
@@ -105,8 +105,9 @@ private:
     Free ball_free_[2];
     std::shared_ptr<const Scene> walls_of_;
     std::unique_ptr<WalkerWorld> walls_;
-    double least_radius_m_ = 1.0;  // least value of the setting: a walker takes this size when it enters a world
-    double body_free_m_ = 0.0;  // radius with which the walker's place was free at the last check; 0: it was not free
+    // Least value that the setting ever had: a walker takes its radius from the setting when it enters a world.
+    double least_radius_m_ = 1.0;
+    double body_free_m_ = 0.0;  // radius at which the walker fitted in its place at the last check; 0: it did not fit
 };
 
 }  // namespace handrail::test

@@ -1,5 +1,5 @@
-// 8,000 random actions (2,400 under a sanitizer; HANDRAIL_ACTS sets the number), in eight parts, each with its own
-// worlds. HANDRAIL_SEED repeats a run.
+// Performs 8,000 random actions, or 2,400 under a sanitizer, in eight parts, each with its own worlds. HANDRAIL_ACTS
+// sets the number of actions. HANDRAIL_SEED repeats a run.
 #include "tests/monkey/monkey.h"
 
 #include <gtest/gtest.h>
@@ -67,7 +67,7 @@ TEST_P(MonkeySession, never_exceeds_the_force_ceiling_never_enters_a_wall_and_al
         EXPECT_GT(monkey.done().count(kind), 0U) << kind << " never came about";
     const auto looks = monkey.done().find("ball in its place");
     const auto looked = looks == monkey.done().end() ? 0 : looks->second;
-    // There must have been forces while a proxy touched something. A short run may not get that far.
+    // At least one proxy that touched something must have felt a force. A short run may not get that far.
     if (acts >= 1000) {
         EXPECT_GT(looked, 0) << "the ball was never looked at";
     }

@@ -1,5 +1,5 @@
-// Commands typed in the first second, before the rooms of a world are known, are still answered. The line after such a
-// command answers its list and is no command of its own.
+// A person types commands in the first second, before the program knows the rooms of a world. The program must still
+// answer them. If a command opens a list, the next line answers the list and is not a command.
 #include <gmock/gmock.h>
 
 #include "tests/support/names.h"

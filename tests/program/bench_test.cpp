@@ -1,5 +1,5 @@
-// The measuring commands: `handrail bench`, which people have, and the comparison of renderers, which is only in the
-// source tree.
+// Tests the measuring commands: `handrail bench`, which is installed, and the comparison of renderers, which exists
+// only in the source tree.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>

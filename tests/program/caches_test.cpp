@@ -1,4 +1,5 @@
-// Where the program keeps what it has computed, and that it never writes through a link in somebody else's folder.
+// Tests where the program caches its results, and that it never writes through a symbolic link in somebody else's
+// folder.
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -34,7 +35,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
 
 class Caches : public testing::Test {
 protected:
-    // Runs `handrail info FILE` with this home.
+    // Runs `handrail info FILE` with the home of this test.
     ProgramRun info(const fs::path& file, std::map<std::string, std::string> environment = {}) const {
         ProgramCall call;
         call.program = built_program("handrail");
@@ -55,7 +56,7 @@ protected:
         EXPECT_EQ(run.exit_status, 0) << run.err;
         return run.out + run.err;
     }
-    // An office large enough to be cached, with enough rooms that its routes are cached too.
+    // Writes an office that is large enough for the cache of worlds, with enough rooms for the cache of routes.
     fs::path office(const std::string& name) const {
         return folder_.write(name, office_ifc({.storeys = 2, .corridors = 1, .rooms_along = 20}).text);
     }
@@ -92,7 +93,7 @@ TEST_F(Caches, are_in_the_persons_folder_and_never_next_to_the_file) {
     EXPECT_THAT(info(file).out, HasSubstr(kTaken));
 }
 
-// Until November 2026 the program wrote through each of these links.
+// Until November 2026 the program wrote through each of the links that this test makes.
 TEST_F(Caches, never_write_through_a_symbolic_link_in_the_folder_of_a_world) {
     const fs::path map = folder_.path() / "house.map", file = office("office.ifc");
     fs::copy_file(bundled_world("house.map"), map);

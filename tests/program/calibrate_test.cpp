@@ -1,4 +1,5 @@
-// `handrail calibrate` as a process: lines go in, sentences come out, and the settings contain the results.
+// Runs `handrail calibrate` as a process. The tests type lines, read the sentences that come out, and check the results
+// in the settings.
 #include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
@@ -34,11 +35,12 @@ protected:
 };
 
 constexpr const char* kSimulatedHand =
-    "left\n\n"                                                            // bell at both ears
-    "hand-back 15\nhand-forward 30\nhand-left 12\n"                       // pulled, pushed, left hand
-    "wait 12\nbutton\n"                                                   // the force grows until it is felt
-    "up\nhand-back 20\nhand-forward 20\nwait 1\n\n"                       // the wall at normal force
-    "hand-right 30\nhand-left 30\nhand-forward 30\nhand-back 30\n\n\n\n"  // reach, scale, rim
+    "left\n\n"                                       // the bell is heard at both ears
+    "hand-back 15\nhand-forward 30\nhand-left 12\n"  // the person pulls, pushes and moves to the left hand's side
+    "wait 12\nbutton\n"                              // the force grows until the person feels it
+    "up\nhand-back 20\nhand-forward 20\nwait 1\n\n"  // the person presses against the wall at normal force
+    // The person finds the workspace, the scale and the rim.
+    "hand-right 30\nhand-left 30\nhand-forward 30\nhand-back 30\n\n\n\n"
     "65\n";
 
 TEST_F(CalibrateProgram, runs_from_start_to_end_with_a_simulated_touch) {

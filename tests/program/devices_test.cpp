@@ -1,5 +1,5 @@
-// Requests for devices that are missing, or whose maker's library is missing, incomplete or a stand-in. The program
-// always continues or says why not.
+// A person requests a device that is missing, or whose maker's library is missing, incomplete or a stand-in. The
+// program must continue or say why it cannot.
 #include <nlohmann/json.hpp>
 
 #include "tests/support/names.h"
@@ -18,7 +18,8 @@ ProgramRun run(std::vector<std::string> arguments, const std::filesystem::path& 
     ProgramCall call;
     call.program = test::built_program("handrail");
     call.arguments = std::move(arguments);
-    call.input = "where\n";  // the end of input waits for the search for devices, but "quit" does not
+    // At the end of the input, the program still waits until it has searched for devices; after "quit" it does not.
+    call.input = "where\n";
     if (!libraries.empty()) call.environment["LD_LIBRARY_PATH"] = libraries.string();
     return run_program(call);
 }
@@ -34,7 +35,8 @@ TEST(Devices, command_reports_their_absence_in_words_and_as_data) {
     EXPECT_EQ(json["udev_rule"], "70-handrail.rules");
 }
 
-// The kernel decides what can confine a process. If it offers nothing, the program says so and continues.
+// Which means can confine a process depends on the kernel. If the kernel offers none, the program must say so and
+// continue.
 TEST(Devices, command_describes_the_confinement_of_processes_that_handle_files_and_devices) {
     const auto on_old_kernel = [](std::vector<std::string> arguments) {
         ProgramCall call;

@@ -1,6 +1,7 @@
-// Checks every command that a document shows. Commands of the program are run, with our worlds in place of a reader's.
-// For test programs it checks that the filter matches something. Scripts, presets and labels must exist. Commands that
-// need a device, root or the network are marked in the document: "# needs a device".
+// Checks every command that a document shows. It runs the program's commands, with Handrail's worlds in place of the
+// reader's files. Of commands that run test programs, it checks that the filter matches a test. Scripts, presets and
+// labels must exist. A mark in the document, such as "# needs a device", excludes commands that need a device, root or
+// the network.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -24,19 +25,20 @@ using Words = std::vector<std::string>;
 const fs::path kRoot = test::project_root();
 
 struct DocCommand {
-    std::string text, where, needs;  // needs: the text of the mark, "a device"; empty without a mark
+    // `needs` is the text of the mark, such as "a device"; empty if the command has no mark.
+    std::string text, where, needs;
 };
 
 bool is_command(const std::string& text) {
     static const std::regex kCommand(
         R"re(^([A-Z_]+=\S+ )*(\./run|handrail|build/release/bin/\w+|cmake|ctest|sudo|git|debootstrap|cp|valgrind)re"
         R"re(|tests/[\w/]+\.sh|\.ci/run|docs/\w+\.py|(unit|property|program|voices|window|umockdev)_\w+)( .*|$))re");
-    // "unit_m = 0.001" is a key in a scenario, no command.
+    // A line like "unit_m = 0.001" is a key in a scenario, not a command.
     return std::regex_match(text, kCommand) && text.find("cp -") == std::string::npos &&
            !std::regex_search(text, std::regex(R"(^\w+ = )"));
 }
 
-// The commands of one page, in code lines and between backticks. In a table \| is a bar.
+// Adds the commands of one page, which are in code lines and between backticks. In a table, \| stands for a bar.
 void add_commands_of(const fs::path& page, std::vector<DocCommand>& all) {
     static const std::regex kSpan("`([^`]+)`"), kMark(R"(^(.*?)\s+# (.*)$)");
     std::istringstream lines(content_of(page));
@@ -75,7 +77,7 @@ std::vector<DocCommand> commands() {
     return all;
 }
 
-// Splits like a shell and removes quotes; redirections are left out.
+// Splits `text` as a shell does and removes quotes and redirections.
 Words words_of(const std::string& text) {
     Words words;
     std::string word;
@@ -103,7 +105,7 @@ std::string all_of(const std::string& ending) {
     return text;
 }
 
-// Checks a test program and the tests that its filter names. Returns an empty string, or what is missing.
+// Checks that a test program exists and that its filter matches a test. Returns an empty string, or what is missing.
 std::string fault_of_test_program(const std::string& name, const Words& options) {
     static const std::string kLists = all_of("CMakeLists.txt");
     if (!std::regex_search(
@@ -111,7 +113,7 @@ std::string fault_of_test_program(const std::string& name, const Words& options)
         name != "handrail")
         return "no program is named " + name;
     const fs::path program = test::built_program(name);
-    if (!fs::exists(program)) return {};  // not built in this preset
+    if (!fs::exists(program)) return {};  // this preset does not build the program
     for (const std::string& option : options) {
         const bool gtest = option.starts_with("--gtest_filter="), speed = option.starts_with("--benchmark_filter=");
         if (!gtest && !speed) continue;
@@ -154,7 +156,8 @@ std::string fault_of_ctest(const Words& words) {
     return {};
 }
 
-// The folder in which a reader's commands are run: worlds by the names that the documents use.
+// A folder in which the test runs the commands of a document's reader. It contains worlds under the names that the
+// documents use.
 class Reader {
 public:
     Reader() {
@@ -171,7 +174,7 @@ public:
         fs::copy_file(kRoot / "tests" / "scenarios" / "first_contact.toml",
                       folder_.path() / "scenarios" / "first_contact.toml");
         names_["tests/scenarios"] = (folder_.path() / "scenarios").string();
-        // Makes a recording, the newest one, for the commands that replay and report.
+        // Makes a recording for the commands that replay the newest recording or report on it.
         const ProgramRun recorded =
             run({"--record", "--no-window", "--device", "none", "house"}, "forward 2\nwhere\nquit\n");
         EXPECT_EQ(recorded.exit_status, 0) << recorded.err;
@@ -187,7 +190,8 @@ public:
         call.environment["XDG_DATA_HOME"] = (folder_.path() / "data").string();
         return run_program(call);
     }
-    // Makes the learner that the documents name, as far as the words need: with one recorded session for reports.
+    // Makes the learner whom the documents name, if `words` name that learner. The learner has one recorded session if
+    // `words` request a report.
     void make_learner_for(const Words& words) const {
         const std::string name = "Maple Heron";
         if (std::find(words.begin(), words.end(), name) == words.end()) return;
@@ -198,7 +202,7 @@ public:
         if (words[0] == "report")
             run({"house", "--no-window", "--device", "none", "--learner", name}, "forward 2\nquit\n");
     }
-    // Converts the words of a document to words that can be run here.
+    // Replaces words of a document by words that work in this folder.
     Words arguments(Words words) const {
         static const std::set<std::string> kWritten{"--swell", "--stl",  "--route-card", "--html",
                                                     "--csv",   "--json", "--junit",      "--scenario"};
@@ -228,7 +232,7 @@ private:
     std::map<std::string, std::string> names_;
 };
 
-// Checks what a document says about `./run` or `handrail`. Returns an empty string, or what is wrong.
+// Checks a command of `./run` or `handrail` in a document. Returns an empty string, or what is wrong.
 std::string fault_of_program(const Reader& reader, Words words) {
     static const std::set<std::string> kCommands{"info",  "touch", "scenario", "settings", "calibrate", "devices",
                                                  "bench", "check", "export",   "replay",   "report",    "lesson"};
@@ -244,11 +248,12 @@ std::string fault_of_program(const Reader& reader, Words words) {
         return script.find("\nbench)\n") == std::string::npos ? "./run knows no bench" : "";
     if (!words.empty() && words[0] == "COMMAND") words.erase(words.begin());
     const bool command = !words.empty() && kCommands.contains(words[0]);
-    // A lesson lasts as long as somebody learns, so its options are only compared with its help.
+    // A lesson takes as long as its learner needs, so the test does not run it. It only looks for the options in the
+    // command's help.
     if (command && words[0] == "lesson")
         words.erase(std::remove_if(words.begin() + 1, words.end(), [](const auto& w) { return !w.starts_with("-"); }),
                     words.end());
-    // A command that is named alone or only with options is compared with its help.
+    // If a document names a command alone or only with options, the test looks for them in the command's help.
     const bool named = command && words[0] != "settings" && words[0] != "devices" && words[0] != "calibrate" &&
                        words[0] != "replay" && words[0] != "report" &&
                        std::all_of(words.begin() + 1, words.end(), [](const auto& w) { return w.starts_with("-"); });
@@ -270,7 +275,7 @@ std::string fault_of_program(const Reader& reader, Words words) {
     return {};
 }
 
-// Checks a command by its first word.
+// Checks a command. Its first word decides how.
 std::string fault_of(const Reader& reader, Words words) {
     while (!words.empty() && std::regex_match(words[0], std::regex("[A-Z_]+=.*"))) words.erase(words.begin());
     if (words.empty()) return "nothing is called";

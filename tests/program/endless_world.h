@@ -1,4 +1,5 @@
-// A world that takes more than a minute to read: its faces have the greatest number of corners that is accepted.
+// A world that takes more than a minute to read, because its faces have the greatest number of corners that the reader
+// accepts.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// A world can be entered from the command line, from the menu, where a session broke off, or in a recording. In each
-// case its settings come and go with it, and it is read as requested.
+// A person can enter a world from the command line, from the menu, where a session broke off, or in a recording. In
+// each case the world's settings must come and go with it, and the program must read it as requested.
 #include <gmock/gmock.h>
 
 #include <csignal>
@@ -24,7 +24,7 @@ ProgramRun run_with(std::vector<std::string> arguments, const std::string& lines
     return run_program(call);
 }
 
-// The answers to the scale-bar command: how large five steps are under the hand, for each time it was asked.
+// Returns the answers to the scale-bar command: how large five steps are under the hand, once for each command.
 std::vector<std::string> bars_of(const std::string& out) {
     std::vector<std::string> bars;
     for (std::size_t at = 0; (at = out.find("metres are ", at)) != std::string::npos; ++at)
@@ -54,7 +54,7 @@ TEST(EnteredWorlds, report_errors_in_their_settings_on_entering_and_list_them_in
     EXPECT_THAT(bars_of(run.out), testing::ElementsAre("17.5")) << run.out;
 }
 
-// Chooses a named scale, and then types another into the list of settings.
+// The person chooses a named scale, and then types another scale into the list of settings.
 TEST(EnteredWorlds, open_at_the_scale_that_was_chosen_last) {
     const ProgramRun run = run_with({"house", "--no-window"},
                                     "detail\nscale-bar\nmenu\nsettings\nworkspace\nscale\n8\nescape\nescape\nescape\n"
@@ -98,7 +98,7 @@ TEST_F(BuildingOfSeveral, is_reopened_after_a_crash) {
     killed.close_input = false;
     killed.signal_when_said = SIGKILL;
     killed.signal_after = "acing south";
-    // The place is saved every 3 seconds.
+    // The session saves the walker's place every 3 seconds.
     const ProgramRun first =
         explore({"--building", "Annex"},
                 "forward\nback\nforward\nback\nforward\nback\nforward\nback\nright 8\nheading\n", killed);

@@ -25,7 +25,7 @@ ProgramRun explore(std::vector<std::string> arguments, const std::string& input,
 
 TEST(Explore, without_any_device_gives_the_position_mentions_no_missing_hardware_and_exits_cleanly) {
     ProgramCall call;
-    call.voice = true;  // no settings, as for any new user
+    call.voice = true;  // no settings, as for a new user
     const ProgramRun run = explore({}, "", call);
     EXPECT_EQ(run.exit_status, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("say: "));
@@ -35,11 +35,11 @@ TEST(Explore, without_any_device_gives_the_position_mentions_no_missing_hardware
     EXPECT_THAT(run.out, HasSubstr("facing north"));
 }
 
-// Until 2026-11-28 PipeWire printed its own line on the terminal in both cases if OpenAL uses it (Debian 13).
+// Until 2026-11-28, PipeWire printed its own line on the terminal in both cases when OpenAL used it (Debian 13).
 TEST(Explore, sound_libraries_print_no_complaints_if_they_find_no_device) {
     for (const char* missing : {"PIPEWIRE_CONFIG_DIR", "SPA_PLUGIN_DIR"}) {
         ProgramCall call;
-        call.environment["ALSOFT_DRIVERS"] = "";  // the default drivers of OpenAL
+        call.environment["ALSOFT_DRIVERS"] = "";  // lets OpenAL use its default drivers
         call.environment[missing] = "/nonexistent";
         const ProgramRun run = explore({"--no-window", "--device", "none"}, "quit\n", call);
         EXPECT_EQ(run.exit_status, 0);
@@ -56,8 +56,8 @@ TEST(Explore, also_enters_a_complete_map) {
     }
 }
 
-// Every thread of ours has a name that `top -H` shows. The first thread has the program's name, as does one that OpenAL
-// starts.
+// Every thread of the program must have a name that `top -H` shows. The first thread has the program's name, and so has
+// a thread that OpenAL starts.
 TEST(Explore, all_its_threads_have_names) {
     const TemporaryFolder home;
     const std::filesystem::path out = home.path() / "out";
@@ -137,8 +137,9 @@ TEST(Explore, after_a_crash_the_next_start_gives_the_path_of_an_anonymous_report
     crashing.close_input = false;
     crashing.signal_when_said = SIGSEGV;
     crashing.signal_after = "Facing east";
-    // Otherwise a sanitizer would report the signal as a fault and end with its own status.
-    for (const char* options : {"ASAN_OPTIONS", "TSAN_OPTIONS"}) {  // keeps the given options, such as suppressions
+    // Without these options, a sanitizer would report the signal as a fault and end with its own status.
+    // Keeps options that are already set, such as suppressions.
+    for (const char* options : {"ASAN_OPTIONS", "TSAN_OPTIONS"}) {
         const char* given = std::getenv(options);
         crashing.environment[options] = (given ? std::string(given) + ":" : std::string()) + "handle_segv=0";
     }
@@ -171,7 +172,8 @@ TEST(Explore, after_a_kill_the_next_start_says_so_and_restores_place_and_setting
     killed.close_input = false;
     killed.signal_when_said = SIGKILL;
     killed.signal_after = "Facing east";
-    // More than 5 s of walking between the changes and the kill: settings are saved after 2, the place every 3.
+    // The walk between the changes and the kill takes more than 5 s. The program saves settings after 2 s and the
+    // walker's place every 3 s.
     const ProgramRun first =
         explore({"--no-window"}, "frame\nforward 3\nback 3\nforward 3\nback 3\nright 4\nheading\n", killed);
     EXPECT_EQ(first.exit_status, 128 + SIGKILL) << first.out;

@@ -1,5 +1,5 @@
-// How the built programs are protected, as shown by readelf. Both start at random addresses, their tables are read-only
-// while they run, and functions with arrays detect that their stack was overwritten.
+// Checks with readelf how the built programs are protected. Both programs load at random addresses, their tables are
+// read-only while they run, and functions with arrays detect an overwritten stack.
 #include <array>
 #include <cstdio>
 
@@ -39,7 +39,7 @@ TEST(Hardened, programs_start_at_random_addresses_with_read_only_tables_and_guar
     }
 #ifdef __OPTIMIZE__
     EXPECT_THAT(told_of(test::built_program("handrail")),
-                ContainsRegex("__[a-z]+_chk@"));  // the C library's checked calls
+                ContainsRegex("__[a-z]+_chk@"));  // the checked versions of the C library's functions
 #endif
     EXPECT_THAT(told_of(test::built_program("handrail")), HasSubstr("__glibcxx_assert_fail"));
 }

@@ -1,5 +1,5 @@
-// What a person, a script or a system may give the program instead of what it expects: pipes for files, closed
-// descriptors, floods of input, and an immediate end.
+// Gives the program what it does not expect from a person, a script or a system: pipes in place of files, closed
+// descriptors, floods of input, and an immediate end of the input.
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -53,13 +53,13 @@ TEST(HostileFiles, pipes_without_a_writer_and_endless_devices_give_one_sentence_
     expect_refused(run({"info", fifo("world.map")}), "world.map");
     expect_refused(run({"--no-window", "--device", "none", fifo("other.map")}), "other.map");
     expect_refused(run({"info", "/dev/zero"}), "zero");
-    EXPECT_FALSE(run({"scenario", fifo("scenario.toml")}).timed_out);  // refused before it is opened
+    EXPECT_FALSE(run({"scenario", fifo("scenario.toml")}).timed_out);  // the program refuses a pipe before it opens it
     fs::create_directories(folder.path() / "handrail");
     fifo("handrail/settings.toml");
     ProgramCall call;
     call.environment["XDG_CONFIG_HOME"] = folder.path();
     expect_refused(run({"settings", "--explain"}, call), "settings.toml");
-    // A picture next to a world, and what is cached next to it.
+    // Tests a picture next to a world, and the cache next to the world.
     std::ifstream in(test::bundled_world("first_room.map"));
     std::string map{std::istreambuf_iterator<char>(in), {}};
     const std::size_t at = map.find("\"classname\" \"worldspawn\"");
@@ -70,7 +70,8 @@ TEST(HostileFiles, pipes_without_a_writer_and_endless_devices_give_one_sentence_
     expect_refused(run({"info", (folder.path() / "room.map").string()}), "picture.png");
 }
 
-// If a descriptor is closed, the first opened file would get its number, and printed output would be written into it.
+// If a standard descriptor is closed, the first file that the program opens would get its number. The program would
+// then print into that file.
 TEST(HostileFiles, closed_descriptors_are_reopened_before_anything_else) {
     const TemporaryFolder home;
     std::array<int, 2> input{-1, -1};
@@ -86,7 +87,8 @@ TEST(HostileFiles, closed_descriptors_are_reopened_before_anything_else) {
     std::vector<std::string> variables;
     for (const auto& [name, value] : bare_environment(home.path()))
         if (!value.empty()) variables.push_back(name + "=" + value);
-    for (const std::string sanitizer : {"LSAN_OPTIONS", "TSAN_OPTIONS"})  // because of foreign libraries
+    // These sanitizers would report faults of foreign libraries.
+    for (const std::string sanitizer : {"LSAN_OPTIONS", "TSAN_OPTIONS"})
         if (const char* options = std::getenv(sanitizer.c_str())) variables.push_back(sanitizer + "=" + options);
     std::vector<char*> envp;
     for (std::string& variable : variables) envp.push_back(variable.data());
@@ -106,7 +108,7 @@ TEST(HostileFiles, closed_descriptors_are_reopened_before_anything_else) {
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
 }
 
-// Whoever prepared the folder of a world may have put these files there. Each of them kills its parser.
+// An attacker who prepared the folder of a world may have put these files there. Each of them crashes its parser.
 TEST(HostileFiles, hostile_toml_next_to_a_world_ends_only_its_reader_process) {
     const TemporaryFolder folder;
     const fs::path world = folder.path() / "room.map";
@@ -125,7 +127,8 @@ TEST(HostileFiles, hostile_toml_next_to_a_world_ends_only_its_reader_process) {
     for (const std::string& name : names) EXPECT_EQ(content_of(folder.path() / name), deadly_toml()) << name;
 }
 
-// With a reader that reads nothing, a world could be played only if it were read without the reader.
+// Here the reader process reads nothing. A scenario could play its world only if the program read the world without
+// that process.
 TEST(HostileFiles, worlds_of_scenarios_are_read_in_the_reader_process) {
     const TemporaryFolder folder;
     fs::create_directories(folder.path() / "bin");

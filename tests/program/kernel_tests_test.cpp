@@ -1,5 +1,5 @@
-// `./run kernel-tests` on a machine that lacks what it needs: prints one sentence and ends with the status of a skipped
-// test, never as a pass or a failure.
+// Runs `./run kernel-tests` on a machine that lacks what the tests need. The command must print one sentence and end
+// with the status of a skipped test, never as a pass or a failure.
 #include "tests/support/precompiled.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
@@ -10,7 +10,7 @@ namespace kernel_tests_test {
 
 namespace fs = std::filesystem;
 
-// A machine on which only these programs are installed.
+// Runs the command on a simulated machine on which only `programs` are installed.
 ProgramRun run_with(const TemporaryFolder& folder, std::initializer_list<const char*> programs) {
     const fs::path bin = folder.path() / "bin";
     fs::create_directories(bin);
@@ -37,7 +37,8 @@ TEST(KernelTests, are_skipped_with_a_message_if_qemu_is_missing) {
 TEST(KernelTests, are_skipped_with_a_message_if_no_kernel_can_be_downloaded) {
     const TemporaryFolder folder;
     fs::create_directories(folder.path() / "bin");
-    // Stand-ins that only need to exist. A shell script is not a dynamic program, like a static busybox.
+    // These stand-ins only need to exist. A shell script is not a dynamically linked program, and neither is a static
+    // busybox.
     for (const char* name : {"qemu-system-x86_64", "busybox"}) {
         std::ofstream(folder.path() / "bin" / name) << "#!/bin/bash\n";
         fs::permissions(folder.path() / "bin" / name, fs::perms::owner_all);

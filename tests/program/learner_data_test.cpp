@@ -1,5 +1,5 @@
-// No command releases a learner's data without consent, and everything is gone once the learner is deleted. The
-// commands and options are read from the program's own help, so that new ones are tried as well.
+// Tests that no command releases a learner's data without consent, and that no data remains after the learner is
+// deleted. The test reads the commands and options from the program's own help, so that it tries new ones, too.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ struct FileOption {
 };
 struct CommandWithFiles {
     std::string name;
-    bool needs_path = false;  // for touch: the hand's path, a second file to read
+    bool needs_path = false;  // for `touch`, which reads a second file: the hand's path
     std::vector<FileOption> outputs;
 };
 
@@ -66,12 +66,12 @@ protected:
         ASSERT_FALSE(recording_.empty());
         own_ = recording_.parent_path().parent_path();
         fs::create_directories(out_);
-        // A session of which only the results were kept.
+        // A session of which the program kept only the results.
         write(own_ / "results.jsonl",
               "{\"begun_utc\":\"2026-11-22T17:30:00Z\",\"lesson\":\"Corridors\",\"world\":\"House\",\"seconds\":60.0,"
               "\"tasks\":[{\"t_s\":30.0,\"kind\":\"learn\",\"name\":\"Kitchen\",\"measures\":{\"time\":12.0}}]}\n");
-        // Files that somebody could make from the data inside the folder, where nobody else looks, and that other
-        // commands read.
+        // Files inside the learner's folder that other commands could read. Somebody could make them from the learner's
+        // data, and nobody looks for them there.
         fs::copy_file(test::project_root() / "tests/scenarios/regression_workspace_offset.toml", own_ / "own.toml");
         fs::copy_file(test::bundled_world("first_room.map"), own_ / "own.map");
         write(own_ / "path.csv", "t,x,y,z\n0,0,0,1\n0.001,0,0,1\n");
@@ -87,7 +87,7 @@ protected:
         call.environment["XDG_CONFIG_HOME"] = (home_.path() / ".config").string();
         return run_program(call);
     }
-    // Commands that take a file or folder to read, with their options that name a file to write.
+    // Returns the commands that read a file or a folder, with their options that name a file to write.
     std::vector<CommandWithFiles> commands() const {
         std::vector<CommandWithFiles> found;
         bool listed = false;
@@ -103,7 +103,7 @@ protected:
     CommandWithFiles command(const std::string& name) const {
         CommandWithFiles one{name, false, {}};
         const std::string help = run({name, "--help"}).out;
-        if (help.find("Arguments:") == std::string::npos) return one;  // it reads no file given by name
+        if (help.find("Arguments:") == std::string::npos) return one;  // the command reads no file given by name
         for (const std::string& line : lines_of(help)) {
             const std::vector<std::string> words = words_of(line);
             if (words.size() < 2 || !words[0].starts_with("--") || words[0] == "--settings") continue;
@@ -131,7 +131,7 @@ protected:
         std::sort(files.begin(), files.end());
         return files;
     }
-    // Files anywhere below the home whose name or content, compressed or not, contains this.
+    // Returns the files below the home whose name or content contains `words`, even if the content is compressed.
     std::vector<std::string> files_with(const std::string& words) const {
         std::vector<std::string> files;
         for (const auto& entry : fs::recursive_directory_iterator(home_.path())) {

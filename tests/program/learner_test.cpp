@@ -1,4 +1,5 @@
-// Learners in the program itself. Each has separate settings, marks and recordings, and is gone once deleted.
+// Runs the program with several learners. Each must have separate settings, marks and recordings, and nothing may
+// remain of a deleted learner.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -84,13 +85,13 @@ TEST_F(LearnerProgram, has_a_learner_chosen_in_the_session_and_named_in_no_other
     std::size_t at = 0;
     for (const char* words : {
              "Oak Owl is learning.",
-             "Oak Owl is here.",  // the list, at the learner's entry
+             "Oak Owl is here.",  // the list begins at the learner's entry
              "Oak Owl, is remembered and is recorded, 3 of 3",
              "Fig Finch is learning.",
-             "1 of 2",  // marks; that of the other learner is not among them
+             "1 of 2",  // the list of marks, without the mark of the other learner
              "Fig Finch is here.",
              "Fig Finch, is remembered, 2 of 3",
-             "Fig Finch: is remembered. No recordings.",  // choosing the present learner gives their details
+             "Fig Finch: is remembered. No recordings.",  // choosing the present learner announces their details
              "Oak Owl is learning.",
              "1 of 3",
              "No learner is signed in.",
@@ -146,7 +147,7 @@ TEST_F(LearnerProgram, does_not_list_a_learners_world_among_everyones_recent_wor
     EXPECT_EQ(run(here, "forward 2\n").exit_status, 0);
     EXPECT_THAT(files_that_say("owls_very_own"), testing::Contains("recent-worlds.txt"));
     EXPECT_FALSE(fs::exists(home_.path() / "state/handrail/recent-worlds.txt"));
-    // The learner also finds it there again.
+    // The program must also offer this place to the learner in a later session.
     EXPECT_THAT(run({test::bundled_world("house.map"), "--no-window", "--device", "none", "--learner", "Oak Owl"},
                     "menu\n2\n2\n")
                     .out,
@@ -158,7 +159,8 @@ TEST_F(LearnerProgram, does_not_list_a_learners_world_among_everyones_recent_wor
 
 TEST_F(LearnerProgram, resumes_the_learning_progress_only_with_consent) {
     EXPECT_EQ(run({"learner", "new", "Oak Owl"}).exit_status, 0);
-    const auto rooms_learnt = [this] {  // the beginning of the list of rooms; on a busy machine more is said after it
+    // The beginning of the list of rooms; on a busy machine, more may be announced after it.
+    const auto rooms_learnt = [this] {
         const std::string out = explore("Oak Owl", "learnt\n").out;
         const std::size_t list = out.find("Rooms learnt");
         return list == std::string::npos ? "no list in " + out : out.substr(list, out.find('\n', list) - list);

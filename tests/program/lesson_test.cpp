@@ -1,5 +1,5 @@
-// A lesson taught by the program itself, by text alone, to a named learner and with the desk. It is recorded if the
-// learner has agreed, computed again, reported on and forgotten.
+// The program itself teaches a lesson to a named learner, by text alone and with the desk. The program records the
+// lesson if the learner has agreed. The test replays the recording, reports on it and deletes the learner's data.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -40,7 +40,7 @@ protected:
         call.environment = environment();
         return run_program(call);
     }
-    // A learner at a terminal, who waits for the announced words before the next line is typed.
+    // Simulates a learner at a terminal, who waits for announced words before typing the next line.
     class Pupil {
     public:
         Pupil(const TaughtByTheProgram& test, const char* name, std::vector<std::string> words)
@@ -96,7 +96,7 @@ TEST_F(TaughtByTheProgram, keeps_marks_and_recordings_of_its_learner_and_can_be_
     ASSERT_TRUE(first.hears("Get to know Entrance hall")) << first.all();
     first.type("mark");
     first.type("door");
-    desk.type("summary");  // otherwise a line comes every ten seconds
+    desk.type("summary");  // without this, the desk prints a line every ten seconds
     ASSERT_TRUE(desk.hears("walls done")) << desk.all();
     first.type("done");
     ASSERT_TRUE(first.hears("Face Trophy case")) << first.all();
@@ -166,15 +166,17 @@ TEST_F(TaughtByTheProgram, resumes_with_the_next_session_and_stores_results_only
         first.type("done");
         ASSERT_TRUE(first.hears(asked)) << first.all();
     }
-    // The list of lessons shows it at once.
+    // The list of lessons must show the started session immediately.
     first.type("task");
     ASSERT_TRUE(first.hears("Begin From the main door to the library, session 2 of 3")) << first.all();
     first.type("1");
     ASSERT_TRUE(first.hears("Route with help, 1 task.")) << first.all();
-    EXPECT_EQ(first.leave(), 0);  // leaves in the middle of the session, so it comes next again
+    // The learner leaves in the middle of the session, so the next lesson continues with it.
+    EXPECT_EQ(first.leave(), 0);
     EXPECT_TRUE(recordings().empty());
 
-    // A report shows what was measured, also in the session that was left. Nothing that was said is kept.
+    // A report must show what was measured, also in the session that the learner left. The program must not keep any
+    // announced text.
     const std::string table = (home_.path() / "results.csv").string(), page = (home_.path() / "page.html").string();
     const ProgramRun report = run({"report", "--learner", "Oak Owl", "--csv", table, "--html", page});
     EXPECT_EQ(report.exit_status, 0) << report.err;
@@ -196,7 +198,8 @@ TEST_F(TaughtByTheProgram, resumes_with_the_next_session_and_stores_results_only
     ASSERT_TRUE(second.hears("From the main door to the library: session 2 of 3 is next.")) << second.all();
     EXPECT_EQ(second.leave(), 0);
 
-    // A learner who is no longer remembered begins again, and what was kept is gone.
+    // The learner has withdrawn consent, so the program no longer remembers them. The course must begin again, and the
+    // kept data must be gone.
     EXPECT_EQ(run({"learner", "consent", "Oak Owl", "--withdraw", "remember"}).exit_status, 0);
     Pupil third(*this, "third", words);
     ASSERT_TRUE(third.hears("Walls, 2 tasks.")) << third.all();
@@ -240,7 +243,8 @@ TEST_F(TaughtByTheProgram, has_a_step_order_that_depends_on_the_learner_whether_
     EXPECT_EQ(pupil.leave(), 0);
 }
 
-// Its scale is felt from its beginning to its end, whether started by the command or from the list.
+// The lesson's scale must be effective from its beginning to its end, whether the command line or the list started the
+// lesson.
 TEST_F(TaughtByTheProgram, applies_the_lesson_settings_until_it_ends_whether_it_is_named_or_chosen) {
     fs::create_directories(home_.path() / "data/handrail/lessons");
     const std::string file = (home_.path() / "data/handrail/lessons/scale.lesson.toml").string();
@@ -323,7 +327,7 @@ TEST_F(TaughtByTheProgram, gives_the_same_errors_in_the_check_and_in_the_lesson_
         const ProgramRun checked = run({"lesson", file, "--check"}), written = run({"lesson", file, "--protocol"});
         EXPECT_EQ(checked.exit_status, 2) << wrong;
         EXPECT_EQ(written.exit_status, 2) << wrong;
-        // On a busy machine progress messages may come first.
+        // On a busy machine, progress messages may precede the last line.
         const auto last_line = [](const std::string& told) {
             return told.substr(told.rfind('\n', told.size() - 2) + 1);
         };
@@ -331,7 +335,7 @@ TEST_F(TaughtByTheProgram, gives_the_same_errors_in_the_check_and_in_the_lesson_
         EXPECT_THAT(written.err, HasSubstr("line"));
         EXPECT_EQ(written.out, "");
     }
-    // A world may be named without its ending.
+    // A lesson may name its world without the file extension.
     std::string named = good;
     const std::string world = "world = \"school.map\"";
     named.replace(named.find(world), world.size(), "world = \"school\"");

@@ -1,5 +1,4 @@
-// A person at the program's real window, on a virtual display, who does not want to wait for a world that is being
-// read.
+// Uses the program's real window on a virtual display. A person does not want to wait until a world has been read.
 #include <X11/Xlib.h>
 #include <gtest/gtest.h>
 
@@ -30,7 +29,7 @@ protected:
         fs::copy_file(test::bundled_world("first_room.map"), folder_.path() / "first_room.map");
     }
 
-    // If a failed test leaves the program running, it ends with its display.
+    // If a failed test leaves the program running, closing the display ends it.
     void TearDown() override { display_.reset(); }
 
     void start(const fs::path& world) {
@@ -47,7 +46,7 @@ protected:
         call.environment["DISPLAY"] = ::getenv("DISPLAY");
         call.environment["LIBGL_ALWAYS_SOFTWARE"] = "1";
         call.environment["HANDRAIL_WORLDS"] = folder_.path().string();
-        call.environment["ASAN_OPTIONS"] = "detect_leaks=0";  // because Mesa leaks memory
+        call.environment["ASAN_OPTIONS"] = "detect_leaks=0";  // Mesa leaks memory, which the sanitizer would report
         run_ = std::async(std::launch::async, [call] { return run_program(call); });
         ASSERT_TRUE(eventually([&] {
             return display_->xdotool("search --onlyvisible --name Handrail windowfocus --sync >/dev/null 2>&1");
@@ -74,7 +73,7 @@ protected:
     std::future<ProgramRun> run_;
 };
 
-// Closes the window as a desktop's button does.
+// Closes the window in the same way as the close button of a desktop.
 bool close_window() {
     Display* display = XOpenDisplay(nullptr);
     if (!display) return false;

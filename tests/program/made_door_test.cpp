@@ -1,5 +1,5 @@
-// A door that is missing in a world's file. The person makes it from the list of faults, walks through it in the same
-// session and the next, and removes it again; the file itself stays unchanged.
+// A world's file lacks a door. The person adds the door from the list of faults, walks through it in this session and
+// the next, and removes it again. The world's file must stay unchanged.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -22,7 +22,7 @@ constexpr const char* kText =
     "Building: Two rooms.\n\nRoom: Hall, 4 by 6 metres. Door outside in the south wall.\n\n"
     "Room: Kitchen, 4 by 4 metres, east of Hall. Stove in the north-east corner, landmark.\n";
 
-// Returns what the program says to these lines; the session then ends.
+// Types the lines into a session, which then ends. Returns what the program printed.
 std::string said_in(const std::filesystem::path& world, const std::string& lines) {
     ProgramCall call;
     call.program = test::built_program("handrail");
@@ -64,7 +64,7 @@ TEST_F(MadeDoor, exists_at_once_and_in_the_next_session_until_it_is_removed) {
     EXPECT_THAT(said_of("describe kitchen\n"), Not(HasSubstr("opening to Hall")));
 }
 
-// A terrace with a bench, as a mesh that states no unit and was drawn in millimetres.
+// A mesh of a terrace with a bench. It was drawn in millimetres and states no unit.
 std::string terrace_in_millimetres() {
     std::string text = "solid terrace\n";
     const auto block = [&](const std::array<int, 3>& least, const std::array<int, 3>& most) {

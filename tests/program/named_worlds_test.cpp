@@ -1,5 +1,5 @@
-// The worlds that come with the program. Every command that reads a world knows them by name, they have no fault that
-// would stop anybody, and when written in words they are read again as the same building.
+// Tests the worlds that come with the program. Every command that reads a world must know their names. They may have no
+// fault that would stop a walker. Exported as room descriptions, they must read back as the same building.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -60,7 +60,7 @@ TEST(BundledWorlds, have_no_fault_that_would_stop_or_mislead_anyone) {
     EXPECT_GE(worlds, 6U);
 }
 
-// For each room, what it leads to: "door Hall", "opening Garden", "door outside".
+// Returns where each room leads, such as "door Hall", "opening Garden" or "door outside".
 std::map<std::string, std::multiset<std::string>> rooms_in(const std::string& text) {
     std::map<std::string, std::multiset<std::string>> rooms;
     const auto name_at = [](const std::string& line, std::size_t at) {
@@ -80,7 +80,7 @@ std::map<std::string, std::multiset<std::string>> rooms_in(const std::string& te
             rooms[room];
             EXPECT_TRUE(described.insert(room).second) << "twice: " << room;
         }
-        // An opening at an edge is called a drop.
+        // The room descriptions call an opening at an edge a drop.
         if (line.starts_with("Drop of ")) join("Opening", name_at(line, line.find(" to ") + 4));
         for (const std::string kind : {"Door", "Sliding door", "Opening"}) {
             if (line.starts_with(kind + " outside")) rooms[room].insert(kind + " outside");

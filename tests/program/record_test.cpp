@@ -1,4 +1,4 @@
-// Recordings of sessions of the program itself.
+// Tests recordings that the program makes of its own sessions.
 #include <random>
 #include <regex>
 
@@ -24,7 +24,8 @@ std::vector<std::filesystem::path> folders_in(const std::filesystem::path& folde
     return found;
 }
 
-// A recorded session in our house with a simulated device; the recording is in a folder below this one.
+// Returns the call of a recorded session in the bundled house with a simulated device. The program writes the recording
+// below `folder`.
 ProgramCall recorded_in(const std::filesystem::path& folder) {
     ProgramCall call;
     call.program = test::built_program("handrail");
@@ -54,7 +55,7 @@ TEST(RecordedSession, contains_every_spoken_line_in_order) {
     EXPECT_EQ(said, run.out);
 }
 
-// Input of a person in a hurry: commands, lists, typed text, another world, settings.
+// Input of a person in a hurry: commands, lists, typed text, a change of world, and settings.
 constexpr const char* kBusy[] = {
     "forward 3\nwhere\nexits\nescape\nverbosity\nfind\nkitchen\nexits\n1\nscale-up\nscale-down\nwhat\nahead\n",
     "menu\nWorlds\nhouse\nforward 9\nright 4\nforward 5\naround\nmark\nmy \"first\" mark\nmarks\nescape\nmenu\n2\n"
@@ -62,10 +63,10 @@ constexpr const char* kBusy[] = {
     "hand-left\nfind\nstairs\ntake-me\nleft 3\nforward 12\nname-room\nMy "
     "hall\nwhere\nlost\n"
     "desk\nescape\nhelp\nescape\n",
-    // With a device in each hand.
+    // This person has a device in each hand.
     "forward 3\nwhat\nhand-forward 8\nhand-left 12\nscale-down\nroom\nframe\nhand-right 20\nwhere\nfind\nkitchen\n"
     "take-me\nforward 4\nright 3\nforces\nforces\nhand-back 6\ndetail\nhand-left 9\nexits\nescape\n",
-    // With a device that is disconnected during a walk, found again, and disconnected again.
+    // The device is disconnected during a walk, found again, and disconnected again.
     "forward 3\nwhere\nexits\nescape\nforward 6\nleft 2\nfind\nkitchen\nforward 4\nforces\nwhat\nbackward 9\n"
     "around\nforward 9\nwhere\nforces\nforward 5\nahead\nbackward 5\nmark\nmine\n",
     // With a device in each hand among bodies that are free to move. They are pushed, held by hand and by keys,

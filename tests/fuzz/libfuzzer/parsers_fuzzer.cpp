@@ -1,4 +1,5 @@
-// Entry point for libFuzzer: parsers_fuzzer NAME [arguments of libFuzzer]. Without a name it lists the names.
+// Entry point for libFuzzer. Usage: parsers_fuzzer NAME [arguments of libFuzzer]. Without NAME it lists the names of
+// the parsers.
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -12,7 +13,8 @@
 namespace {
 const handrail::fuzz::Harness* chosen = nullptr;
 
-// Processor time, unlike libFuzzer's own -timeout: under load, one second of it may take a minute.
+// Limit of processor time for one input. Processor time, unlike libFuzzer's own -timeout, because one second of it may
+// take a minute on a loaded machine.
 constexpr time_t kMostSeconds = 10;
 
 // This is a signal handler, so it may only call functions that are safe in one.
@@ -34,7 +36,8 @@ extern "C" int LLVMFuzzerInitialize(int* argument_count, char*** arguments) {
         for (const auto& harness : handrail::fuzz::harnesses())
             if (name && harness.name == name) chosen = &harness;
     };
-    // When libFuzzer starts this program itself, for example to minimise a corpus, it omits the name.
+    // libFuzzer omits the name when it starts this program again, for example to minimise a corpus. The environment
+    // then contains the name.
     choose(std::getenv(kOfParent));
     if (chosen) {
         std::signal(SIGPROF, end_as_too_slow);

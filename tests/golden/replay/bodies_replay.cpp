@@ -1,5 +1,5 @@
-// A hand pushes a crate against a stack, rolls a ball and lifts a plank. Prints the final poses and the forces on the
-// hand as exact numbers, for comparing builds.
+// Simulates a hand that pushes a crate against a stack, rolls a ball and lifts a plank. Prints the final poses and the
+// forces on the hand as exact numbers, so that builds can be compared.
 #include <array>
 #include <cmath>
 #include <cstdio>

@@ -1,4 +1,5 @@
-// Replays every hard case through the touch renderer and prints the results as exact numbers, for comparing builds.
+// Replays every hard case through the touch renderer. Prints the results as exact numbers, so that builds can be
+// compared.
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -12,7 +13,7 @@ namespace {
 
 using namespace handrail;
 
-// Adds the vector's bits to an FNV-1a hash.
+// Adds the bits of `v` to an FNV-1a hash.
 void mix(std::uint64_t& hash, const Vec3& v) {
     for (int axis = 0; axis < 3; ++axis) {
         std::uint64_t bits = 0;

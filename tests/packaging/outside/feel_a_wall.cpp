@@ -1,5 +1,6 @@
-// Presses a tenth of a millimetre deep into a wall of a world. It begins a metre above the ground at a start and moves
-// east by half a millimetre a tick until something holds the proxy. Then it presses and prints the force in newtons.
+// Presses the hand a tenth of a millimetre deep into a wall of a world. The hand begins a metre above the ground at a
+// start and moves east by half a millimetre a tick until something stops the proxy. Then the program prints the force
+// in newtons.
 #include <cstdio>
 
 #include "haptic/compile/compile_haptic.h"

@@ -1,5 +1,5 @@
-// The one device that no bus shows. `handrail devices` queries its maker's service, here a stand-in at the service's
-// own port.
+// Tests the Inverse3, the only device that does not appear on a bus. `handrail devices` queries the maker's service;
+// here a stand-in listens on the service's own port.
 #include "haptic/drivers/haply_device.h"
 
 #include <nlohmann/json.hpp>
@@ -27,7 +27,7 @@ nlohmann::json inverse3_of(StandInService& service, Mood mood) {
     return nullptr;
 }
 
-TEST(Inverse3Facts, are_all_available_as_data) {  // S137
+TEST(Inverse3Facts, are_all_available_as_data) {  // checks finding S137
     for (const bool calibrated : {true, false}) {
         std::optional<StandInService> service;
         try {
