@@ -1,5 +1,5 @@
-// A person's additions to a world that comes with the program are kept in the person's own folder, however the world
-// was opened.
+// The program must keep a person's additions to a bundled world in the person's own folder, whichever way the person
+// opened the world.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 
 class ShippedWorld : public testing::Test {
 protected:
-    // Sets a mark there and leaves. Returns where it was kept, below the person's own folder.
+    // Opens `world`, sets a mark at the start and leaves. Returns the files that then contain the mark, below the
+    // person's own folder.
     std::vector<std::string> kept_after_mark_in(const std::string& world,
                                                 const std::map<std::string, std::string>& environment = {}) {
         const TemporaryFolder home;

@@ -1,5 +1,5 @@
-// The program in its own terminal, as a person uses it. Keys act at once, words come after a colon, and however it ends
-// the terminal is restored.
+// Runs the program in a terminal of its own, as a person uses it. Keys act immediately, and a colon begins a typed
+// command. However the program ends, it must restore the terminal.
 #include <unistd.h>
 
 #include <csignal>
@@ -17,7 +17,7 @@
 namespace handrail::test {
 namespace terminal_test {
 
-// The program in a terminal; it lasts until its home folder is removed.
+// The program in a terminal. It runs until this object and its home folder are destroyed.
 struct AtTerminal {
     TemporaryFolder home;
     std::unique_ptr<PtyJob> job;
@@ -39,7 +39,7 @@ struct AtTerminal {
             ::_exit(127);
         });
     }
-    // Types this, and returns true once the output after that contains `said`.
+    // Types `typed`. Returns true once the output after that contains `said`.
     bool after(const std::string& typed, const std::string& said) const {
         const std::size_t from = job->said().size();
         job->type(typed);

@@ -1,5 +1,5 @@
-// The same typed lines on two clocks: the program with its threads in real time, and the session on a virtual clock
-// that scenarios and tests use. Both must say the same.
+// Gives the same typed lines to two programs. One is the real program with its threads in real time. The other is the
+// session on a virtual clock that scenarios and tests use. Both must announce the same.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ std::string joined(const std::vector<std::string>& lines) {
     return all;
 }
 
-// What is said, starting from the world's first sentence.
+// Removes the lines before the world's first sentence.
 std::vector<std::string> from_greeting(std::vector<std::string> said) {
     const auto greeting =
         std::find_if(said.begin(), said.end(), [](const std::string& line) { return line.starts_with("House with"); });

@@ -1,4 +1,5 @@
-// The program in a Wayland session without X11: in its window if GLFW supports that, otherwise in the terminal.
+// Runs the program in a Wayland session without X11. It must use its window if GLFW supports Wayland, otherwise the
+// terminal.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
@@ -42,7 +43,7 @@ protected:
         ASSERT_TRUE(session_);
         Environment environment = bare_environment(home_.path().string());
         environment["WAYLAND_DISPLAY"] = std::getenv("WAYLAND_DISPLAY");
-        environment["ASAN_OPTIONS"] = "detect_leaks=0";  // because Mesa leaks memory
+        environment["ASAN_OPTIONS"] = "detect_leaks=0";  // Mesa leaks memory, which the sanitizer would report
         program_ = ChildProcess::start({test::built_program("handrail")}, environment, home_.path() / "said");
         ASSERT_TRUE(program_);
         ASSERT_TRUE(says("facing north")) << said();
@@ -51,7 +52,8 @@ protected:
     bool says(const std::string& words) {
         return eventually([&] { return said().find(words) != std::string::npos; });
     }
-    // The window receives the keyboard a moment after the first words, so the key is pressed until it is answered.
+    // The window receives the keyboard focus a moment after the first announcement. Therefore this function presses the
+    // key until the program answers.
     bool answers(const std::string& key, const std::string& words) {
         return eventually([&] {
             return session_->xdotool("key " + key) &&

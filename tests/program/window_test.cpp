@@ -1,4 +1,5 @@
-// The whole program with a real window on a virtual display: keys go in, speech and pixels come out.
+// Runs the whole program with a real window on a virtual display. The test sends keys and checks the announcements and
+// the pixels.
 #include <cstdlib>
 #include <fstream>
 
@@ -17,7 +18,7 @@ bool has_program(const char* name) {
     return std::system(fmt::format("command -v {} >/dev/null 2>&1", name).c_str()) == 0;
 }
 
-// The actions of a person at the window as a shell script: $1 is the program, $2 a folder for its output and pictures.
+// A shell script that acts like a person at the window. $1 is the program, $2 a folder for its output and the pictures.
 constexpr const char* kScript = R"(
 said() { i=0; until grep -q "$1" "$out/said"; do
     i=$((i+1)); [ $i -gt 600 ] && { echo "never said: $1"; kill $pid; exit 9; }; sleep 0.1; done; }
@@ -44,7 +45,7 @@ xdotool key Escape
 wait $pid
 )";
 
-// The share of pixels that differ clearly between two pictures, measured by ImageMagick.
+// Returns the share of pixels that differ clearly between two pictures, as ImageMagick measures it.
 double difference(const fs::path& a, const fs::path& b) {
     const fs::path result = a.parent_path() / "difference";
     (void)!std::system(
@@ -71,7 +72,7 @@ TEST(WindowOfTheProgram, accepts_keys_speaks_and_shows_the_first_person_wall_and
                       test::built_program("handrail"),
                       folder.path().string()};
     call.environment["LIBGL_ALWAYS_SOFTWARE"] = "1";
-    // Mesa leaks memory, and its driver is unloaded before the leaks could be suppressed by name.
+    // Mesa leaks memory. Its driver is unloaded before the sanitizer could suppress the leaks by name.
     call.environment["ASAN_OPTIONS"] = "detect_leaks=0";
     const ProgramRun run = run_program(call);
     std::ifstream said_file(folder.path() / "said");
@@ -79,7 +80,7 @@ TEST(WindowOfTheProgram, accepts_keys_speaks_and_shows_the_first_person_wall_and
     ASSERT_EQ(run.exit_status, 0) << run.out << run.err << said;
     EXPECT_THAT(said, HasSubstr("say: Press Escape again to leave."));
     EXPECT_THAT(said, HasSubstr("say: Goodbye."));
-    // Walking to the wall changes a good part of the picture, and so does the plan.
+    // The picture must change clearly when the walker reaches the wall, and again when the plan opens.
     EXPECT_GT(difference(folder.path() / "first.png", folder.path() / "wall.png"), 0.05);
     EXPECT_GT(difference(folder.path() / "wall.png", folder.path() / "plan.png"), 0.05);
 }

@@ -1,7 +1,13 @@
-// Guard processes with a simulated device, for testing the program's side without hardware. They start like
-// handrail-guard. The name selects the device's behaviour: echo, blocks (after 20 exchanges), nan, dies, absent,
-// stubborn (cannot be set to zero) or pries (its driver tries to reach forbidden resources and reports which it
-// reached).
+// A stand-in for handrail-guard with a simulated device, so that tests of the program's side need no hardware. It
+// starts like handrail-guard.
+// The device's name selects its behaviour:
+// - echo
+// - blocks (after 20 exchanges)
+// - nan
+// - dies
+// - absent
+// - stubborn (the force cannot be set to zero)
+// - pries (its driver tries to reach forbidden resources and reports which of them it reached)
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
@@ -44,7 +50,8 @@ private:
     int exchanges_ = 0;
 };
 
-// What a hijacked driver would try to reach, with the error of each attempt; 0 if it succeeded.
+// Tries to reach what a hijacked driver would try to reach. Returns the error number of each attempt; 0 means that it
+// succeeded.
 std::string reached_by_prying() {
     const auto error_of = [](int result) { return result < 0 ? errno : 0; };
     const int file = error_of(::open("/etc/passwd", O_RDONLY | O_CLOEXEC));

@@ -1,5 +1,6 @@
-// Replaces Force Dimension's libdhd with the same symbols and sign conventions, and one device with a hand on it.
-// Library axes: x towards the person, y right, z up. Tests control it through the functions that begin with standin_.
+// A stand-in for Force Dimension's libdhd. It has the library's symbols and sign conventions, and one device with a
+// simulated hand on it. Axes of the library: x towards the person, y right, z up. Tests control the stand-in through
+// the functions that begin with standin_.
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -44,7 +45,7 @@ int dhdGetPosition(double* x, double* y, double* z, char) {
     return state.open ? 0 : -1;
 }
 #ifndef STANDIN_LACKS_SET_FORCE
-// Also moves the hand for a millisecond: 0.1 kg, 8 Ns/m.
+// Also moves the simulated hand for a millisecond. The hand has a mass of 0.1 kg and a damping of 8 Ns/m.
 int dhdSetForce(double x, double y, double z, char) {
     const double force[3]{x, y, z};
     for (int i = 0; i < 3; ++i) {

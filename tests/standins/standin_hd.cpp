@@ -1,6 +1,6 @@
-// Replaces 3D Systems' libHD with the same symbols, a thread that calls back, and one device with a hand on it. Library
-// axes: x right, y up, z towards the person, millimetres. Tests control it through the functions that begin with
-// standin_.
+// A stand-in for 3D Systems' libHD. It has the library's symbols, a thread that runs the callbacks, and one device with
+// a simulated hand on it. Axes of the library: x right, y up, z towards the person; lengths in millimetres. Tests
+// control the stand-in through the functions that begin with standin_.
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -22,7 +22,7 @@ struct State {
 };
 std::mutex mutex;
 State state;
-// The device is unplugged after this many ticks of the process; 0: it stays.
+// Number of ticks of the process after which the device is unplugged; 0: never.
 const int goes_after = [] {
     const char* ticks = std::getenv("HANDRAIL_STANDIN_GOES_AFTER");
     return ticks ? std::atoi(ticks) : 0;

@@ -1,8 +1,7 @@
-// A sound card that can be pulled out, loaded before OpenAL. While the file $STANDIN_SOUND_PULLED exists, it reports
-// that the device is gone, and opens none.
-// It also observes the program's own voice, the only source to which buffers are queued. $STANDIN_SOUND_VOICE gets a
-// line with the steady clock's seconds and "speak" when the voice begins, or "hush" when its gain goes to zero while it
-// speaks.
+// A stand-in for a sound card that can be pulled out. Tests load it before OpenAL. While the file $STANDIN_SOUND_PULLED
+// exists, the stand-in reports that the device is gone and opens no device. It also observes the program's own voice,
+// which is the only source with queued buffers. It appends a line to $STANDIN_SOUND_VOICE with the steady clock's
+// seconds and a word: "speak" when the voice begins, "hush" when its gain goes to zero while it speaks.
 #include <AL/al.h>
 #include <AL/alc.h>
 #include <dlfcn.h>
@@ -21,7 +20,7 @@ bool pulled() {
     return file && ::access(file, F_OK) == 0;
 }
 
-std::atomic<bool> queued_to[4096];  // indexed by the source's number
+std::atomic<bool> queued_to[4096];  // the index is the source's number
 
 bool is_voice(ALuint source) { return source < std::size(queued_to) && queued_to[source]; }
 
@@ -35,7 +34,7 @@ void note(const char* what) {
     }
 }
 
-constexpr ALCenum kConnected = 0x313;  // ALC_CONNECTED of ALC_EXT_disconnect
+constexpr ALCenum kConnected = 0x313;  // ALC_CONNECTED of the extension ALC_EXT_disconnect
 
 }  // namespace
 

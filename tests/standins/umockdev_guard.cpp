@@ -1,5 +1,5 @@
-// handrail-guard as shipped, with access to umockdev's emulated devices. These are in a separate folder and behind a
-// Unix socket, which a guard otherwise cannot reach.
+// handrail-guard as it ships, but with access to the devices that umockdev emulates. Those devices are in a separate
+// folder and behind a Unix socket, neither of which the shipped guard can reach.
 #include <cstdlib>
 
 #include "haptic/drivers/guard_process.h"

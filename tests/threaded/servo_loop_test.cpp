@@ -26,7 +26,7 @@ ServoTuning room_tuning() {
     return tuning;
 }
 
-// What the app does before tick i: walk, move the hand, replace scenes, change settings, cause faults.
+// What the app does before tick i: it walks, moves the hand, replaces scenes, changes settings and causes faults.
 class Script {
 public:
     explicit Script(ServoLoop& loop, SimulatedHand& hand, const std::vector<std::shared_ptr<const HapticScene>>& scenes)
@@ -75,7 +75,7 @@ void add(std::vector<std::uint64_t>& bits, const Vec3& v) {
     for (int axis = 0; axis < 3; ++axis) add(bits, v[axis]);
 }
 
-// Every number of a ToolState as bits.
+// Returns every number of a ToolState as its bits.
 std::vector<std::uint64_t> bits_of(const ToolState& tool) {
     std::vector<std::uint64_t> bits;
     for (const double value : {tool.time_s, tool.ball_radius_m, tool.force_gain, tool.contact_s, tool.rate_hz})
@@ -200,7 +200,7 @@ TEST(ServoLoop, runs_on_its_own_thread_in_parallel_with_app_and_audio) {
         }
     });
     std::vector<std::weak_ptr<const HapticScene>> swapped;
-    // Paced by the servo's ticks, so that a slow machine only takes longer.
+    // The number of servo ticks ends this loop, so a slow machine only takes longer.
     for (int i = 1; loop.tool().ticks < 1500; ++i) {
         script.before_tick(i, clock.now_s());
         if (i % 20 == 0) {
@@ -233,7 +233,7 @@ TEST(ServoLoop, runs_on_its_own_thread_in_parallel_with_app_and_audio) {
         report.durations.worst_s, report.overruns, heard);
 }
 
-// A device that records its commands.
+// A device that records the commands that it receives.
 class NotingDevice final : public HapticDevice {
 public:
     struct Notes {
@@ -295,8 +295,8 @@ TEST(ServoLoop, stopping_removes_the_force_within_75_ms_and_then_closes) {
     EXPECT_EQ(notes.opened, 1);
 }
 
-// The stop key F12 in virtual time, without the app. The thread that sees the key sets the switch, and the next tick
-// has zero force.
+// Presses the stop key F12 in virtual time, without the app. The thread that sees the key sets the stop switch; on the
+// next tick, the force must be zero.
 TEST(ServoLoop, the_stop_switch_zeroes_the_force_on_the_next_tick_and_a_lost_keyboard_within_76_ticks) {
     for (const bool stop : {true, false}) {
         VirtualClock clock;
@@ -341,7 +341,7 @@ TEST(ServoLoop, the_stop_switch_zeroes_the_force_on_the_next_tick_and_a_lost_key
 
 TEST(ServoLoop, the_destructor_stops_a_running_thread) {
     NotingDevice::Notes notes;
-    VirtualClock clock;  // sleeping advances it, so the thread runs as fast as it can
+    VirtualClock clock;  // sleeping advances this clock, so the thread runs as fast as it can
     {
         ServoLoop loop(std::make_unique<NotingDevice>(notes), clock);
         ASSERT_TRUE(loop.open());
@@ -381,7 +381,7 @@ TEST(ServoLoop, frees_a_scene_only_after_the_servo_thread_has_released_it) {
     loop.step();
     EXPECT_EQ(loop.scenes_kept(), 1u);
     EXPECT_TRUE(watch.expired());
-    // Scenes that the servo never used are freed too.
+    // The loop must also free scenes that the servo never used.
     for (int i = 0; i < 5; ++i) loop.set_scene(test::wall_scene(1.0));
     clock.advance_s(kTick);
     loop.step();
@@ -407,7 +407,8 @@ TEST(ServoLoop, counts_events_that_were_not_fetched_in_time) {
     EXPECT_GT(loop.report().counters.lost_events, 100u);
 }
 
-// Two devices are two hands. Each has its own thread on the same scene, and a stop of one does not stop the other.
+// Two devices are two hands. Each has its own thread, and both feel the same scene. A fault that stops one hand must
+// not stop the other.
 TEST(ServoLoop, two_loops_share_only_a_scene_and_the_stop_key) {
     SteadyClock clock;
     ServoSwitches switches;
@@ -423,7 +424,7 @@ TEST(ServoLoop, two_loops_share_only_a_scene_and_the_stop_key) {
     for (std::size_t i = 0; i < hands.size(); ++i) {
         Hand& hand = hands[i];
         DeviceSpec spec = *find_device_spec(i == 0 ? "sim-t" : "sim-f");
-        spec.min_rate_hz = 0.0;  // the load of this machine is irrelevant here
+        spec.min_rate_hz = 0.0;  // the load of this machine must not cause faults here
         hand.loop = std::make_unique<ServoLoop>(std::make_unique<SimulatedDevice>(spec, hand.simulated), clock, kTick,
                                                 ServoLoop::Links{&switches, &hand.events});
         ASSERT_TRUE(hand.loop->open());
@@ -443,7 +444,7 @@ TEST(ServoLoop, two_loops_share_only_a_scene_and_the_stop_key) {
             hand.simulated->command.publish(command);
         }
     };
-    // Waits until the condition is true. A busy machine may take long; with a real fault this never ends.
+    // Waits until `holds` returns true. On a busy machine this may take long. If the loop is faulty, it never ends.
     const auto until = [&](auto holds) {
         while (!holds()) clock.sleep_until_s(clock.now_s() + kTick);
     };

@@ -1,5 +1,5 @@
-// A session with pads and SpaceMouse pucks. The sticks walk the walker into a wall, and the pad signals it. Real hidapi
-// runs on hidraw nodes that umockdev emulates.
+// Runs a session with gamepads and SpaceMouse pucks. A stick moves the walker into a wall, and the pad signals the
+// wall. The real hidapi runs on hidraw nodes that umockdev emulates.
 #include "app/companions/companion_session.h"
 #include "haptic/drivers/playstation_pad.h"
 #include "tests/support/box_scene.h"
@@ -17,7 +17,7 @@ using test::MockHidraw;
 using testing::Contains;
 using testing::HasSubstr;
 
-// A brick wall in the north, two metres ahead of the base.
+// Returns a hall with a brick wall in the north, two metres ahead of the base.
 std::shared_ptr<const Scene> hall() {
     test::SceneBuilder b;
     b.box({0, 0, -0.2}, {6, 4, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
@@ -32,8 +32,8 @@ protected:
         ASSERT_TRUE(umockdev_in_mock_environment()) << "this program needs LD_PRELOAD=libumockdev-preload.so.0";
     }
 
-    // Runs in virtual time until the condition is true or this many seconds have passed. In each frame the pad's
-    // thread, the app and the cues run in a fixed order.
+    // Runs in virtual time until the condition is true or `seconds` have passed. In each frame, the pad's thread, the
+    // app and the cues run in a fixed order.
     template <class Condition>
     bool run_until(Condition&& condition, double seconds) {
         for (const double end_s = clock_.now_s() + seconds; clock_.now_s() < end_s;) {
@@ -81,7 +81,7 @@ void Companions::walk_into_the_wall(bool bluetooth) {
     EXPECT_THAT(news_, Contains(HasSubstr("I found a DualSense. The left stick walks")));
 
     push(pad, node, {128, 0, 128, 128});
-    // The trigger stiffens as the wall comes nearer.
+    // The trigger must stiffen as the walker comes nearer to the wall.
     ASSERT_TRUE(run_until([&] { return app_.feet_m().y > 2.8; }, 5.0));
     {
         const std::lock_guard guard(node.lock);
@@ -100,7 +100,8 @@ void Companions::walk_into_the_wall(bool bluetooth) {
     EXPECT_NEAR(app_.feet_m().y, 4.0 - 0.25, 0.01) << "the body stands at the wall";
     EXPECT_TRUE(run_until([&] { return pad.strong == 0; }, 1.0)) << "a knock is short";
 
-    // The right stick turns the walker to the right; when it is released, the new direction is announced.
+    // The right stick must turn the walker to the right. When the person releases the stick, the session must announce
+    // the new direction.
     push(pad, node, {128, 128, 255, 128});
     ASSERT_TRUE(run_until([&] { return app_.heading_rad() > radians_from_degrees(80.0); }, 5.0));
     said_.clear();
@@ -108,7 +109,7 @@ void Companions::walk_into_the_wall(bool bluetooth) {
     ASSERT_TRUE(run_until([&] { return !said_.empty(); }, 1.0));
     EXPECT_EQ(said_.front(), "East");
 
-    // The cross button asks where the walker is.
+    // The cross button must announce where the walker is.
     said_.clear();
     push(pad, node, {128, 128, 128, 128}, {8 | 0x20, 0, 0});
     ASSERT_TRUE(run_until([&] { return !said_.empty(); }, 1.0));
@@ -141,7 +142,9 @@ TEST_F(Companions, a_press_while_the_person_is_busy_elsewhere_has_no_effect_then
     ASSERT_TRUE(run_until([&] { return session_.devices().steering().ahead > 0.9; }, 5.0));
     push(pad, node, {128, 0, 128, 128});
     EXPECT_FALSE(run_until([&] { return app_.feet_m().y > 2.01 || !said_.empty(); }, 1.0));
-    busy_elsewhere_ = false;  // the stick is still pushed and counts from now on; the button pressed meanwhile does not
+    // The person still pushes the stick, which must have an effect from now on. The earlier press of the button must
+    // have none.
+    busy_elsewhere_ = false;
     EXPECT_TRUE(run_until([&] { return app_.feet_m().y > 2.2; }, 5.0));
     EXPECT_TRUE(said_.empty()) << said_.front();
 }
@@ -155,7 +158,7 @@ TEST_F(Companions, a_space_mouse_walks_and_turns_and_counts_as_at_rest_when_it_f
     {
         const std::lock_guard guard(node.lock);
         EXPECT_TRUE(puck.light);
-        puck.tell(1, {0, -20, 0});  // within the dead band
+        puck.tell(1, {0, -20, 0});  // this push is within the dead band
     }
     node.ring();
     const Vec3 at = app_.feet_m();
@@ -215,7 +218,7 @@ TEST_F(Companions, a_rumble_only_pad_knocks_at_the_wall_and_is_still_afterwards)
     EXPECT_EQ(pad.bad_uploads, 0);
 }
 
-// The whole program: a pad gives cues and walking, but is no hand.
+// Runs the whole program: it must use the pad for cues and for walking, but not as a hand.
 TEST_F(Companions, the_program_uses_a_dual_sense_for_cues_and_walking) {
     test::PadEmulator pad(true, false);
     MockHidraw node(bed_.bed, pad, {0, false, 0x054c, 0x0ce6, "DualSense Wireless Controller"});

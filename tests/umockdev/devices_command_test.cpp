@@ -1,4 +1,5 @@
-// `handrail devices` for every supported kind of device: each fact as data, and as text for speech.
+// Runs `handrail devices` with every supported kind of device. The command must report each fact as data, and as text
+// that a voice can read.
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -26,7 +27,7 @@ ByName by_name_of(const nlohmann::json& json) {
     return by_name;
 }
 
-// Every fact that a user may query; null if the device lacks it.
+// Checks that every fact that a user may query is present. A fact is null if the device lacks it.
 void expect_every_fact(const ByName& by_name) {
     for (const auto& [name, device] : by_name) {
         SCOPED_TRACE(name);
@@ -64,7 +65,7 @@ protected:
         UMockdevTestbed* bed = umockdev_testbed_new();
         ~Bed() { g_object_unref(bed); }
     } bed_;
-    // One device of each kind that is found on a bus.
+    // One device of each kind that the program finds on a bus.
     test::MockFalconBus falcon_{bed_.bed};
     test::PadEmulator pad_{true, false};
     test::PuckEmulator puck_, vendor_;
@@ -100,7 +101,7 @@ TEST_F(DevicesCommand, lists_every_fact_of_every_device_as_data) {
     EXPECT_EQ(json["udev_rule"], kUdevRule);
 }
 
-// Other pads: a DualShock 4, a DualSense over Bluetooth, and one that only rumbles.
+// Pads of other kinds: a DualShock 4, a DualSense over Bluetooth, and a pad that only rumbles.
 TEST(DevicesCommandPads, lists_every_fact_of_pads) {
     UMockdevTestbed* bed = umockdev_testbed_new();
     {
@@ -118,7 +119,7 @@ TEST(DevicesCommandPads, lists_every_fact_of_pads) {
     g_object_unref(bed);
 }
 
-// Whole sentences without tables, signs or brackets, because a voice reads them aloud.
+// The output must consist of whole sentences without tables, signs or brackets, because a voice reads it aloud.
 TEST_F(DevicesCommand, lists_devices_in_words_that_a_voice_can_read) {
     const std::string words = out_of({"devices"});
     for (const char* part :

@@ -1,4 +1,4 @@
-// The Falcon's driver on the installed libusb, with a bus that umockdev emulates.
+// Tests the Falcon's driver on the installed libusb. umockdev emulates the bus.
 #include "haptic/drivers/falcon_device.h"
 #include "haptic/drivers/usb_link.h"
 #include "tests/emulators/falcon_claims.h"
@@ -25,7 +25,7 @@ protected:
         return link ? std::move(*link) : nullptr;
     }
 
-    // The testbed comes first: everything after it uses its world.
+    // The testbed must be the first member, because the other members connect to it.
     struct Bed {
         UMockdevTestbed* bed = umockdev_testbed_new();
         ~Bed() { g_object_unref(bed); }

@@ -1,4 +1,4 @@
-// Rumble pads and force-feedback sticks through the kernel's event interface, which umockdev emulates.
+// Tests rumble pads and force-feedback sticks through the kernel's event interface, which umockdev emulates.
 #include "tests/umockdev/mock_stick.h"
 
 #include "haptic/drivers/ff_link.h"
@@ -47,8 +47,8 @@ TEST_F(OverEvdev, a_rumble_pad_follows_commands_and_stops_when_closed) {
     EXPECT_FALSE(pad.loaded);
 }
 
-// Axes in the plane: right is x and away from the person is y. A force to the right has the kernel's direction "right",
-// and so on.
+// The stick moves in a plane: x is right, and y is away from the person. A force to the right must have the kernel's
+// direction "right", and so on.
 TEST_F(OverEvdev, a_stick_maps_right_and_forward_to_east_and_north_and_pushes_right_for_a_force_east) {
     MockStick stick(bed_.bed, true);
     auto link = open_ff_link("/dev/input/event5");
@@ -66,13 +66,13 @@ TEST_F(OverEvdev, a_stick_maps_right_and_forward_to_east_and_north_and_pushes_ri
     EXPECT_EQ(sample.position_m, Vec3(device.spec().workspace_radius_m, 0.0, 0.0));
     EXPECT_EQ(sample.buttons, 1U);
     stick.tell(EV_ABS, ABS_X, 0);
-    stick.tell(EV_ABS, ABS_Y, -512);  // pushed away
+    stick.tell(EV_ABS, ABS_Y, -512);  // the person pushes the stick away
     stick.tell(EV_KEY, BTN_TRIGGER, 0);
     sample = device.read(0.0);
     EXPECT_EQ(sample.position_m, Vec3(0.0, device.spec().workspace_radius_m, 0.0));
     EXPECT_EQ(sample.buttons, 0U);
-    // Converts to the world and back. Half of the travel right or away, then 2 mm into a surface that pushes east or
-    // north.
+    // Checks the directions through the whole conversion to the world and back. The stick goes half of its travel to
+    // the right or away. The hand then presses 2 mm into a surface, which must push it east or north.
     for (const auto& [axis, code, value, direction] :
          {std::tuple{0, ABS_X, 256, 0xC000}, std::tuple{1, ABS_Y, -256, 0x8000}}) {
         stick.tell(EV_ABS, ABS_X, 0);

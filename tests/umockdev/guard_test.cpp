@@ -1,4 +1,4 @@
-// The program and its guard as separate processes, with a Falcon on a bus that umockdev emulates in the test process.
+// Runs the program and its guard as separate processes. umockdev emulates a bus with a Falcon in the test process.
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
@@ -33,8 +33,8 @@ using test::times_in;
 
 const std::filesystem::path kGuard = test::built_program("standin_umockdev_guard");
 
-// The watchdogs check every 10 ms, and the second guard needs some exchanges. A machine that wakes a thread 10 ms late
-// cannot show that the guard meets its deadline.
+// Returns whether this machine wakes a thread less than 10 ms late. The watchdogs check every 10 ms, and the second
+// guard needs some exchanges, so a later machine cannot show that the guard meets its deadline.
 bool gives_its_time() {
     constexpr int kLooks = 100;
     constexpr auto kLate = 10ms;
@@ -49,9 +49,9 @@ bool gives_its_time() {
     return worst < kLate;
 }
 
-constexpr std::size_t kBusyEnough = 4;  // after this many messages that the computer is too busy, the test gives up
+constexpr std::size_t kBusyEnough = 4;  // the test gives up after this many messages that the computer is too busy
 
-// The child processes that any thread of `process` has started, the oldest first.
+// Returns the child processes that any thread of `process` has started, the oldest first.
 std::vector<pid_t> children_of(pid_t process) {
     std::vector<pid_t> found;
     std::error_code ec;
@@ -63,7 +63,7 @@ std::vector<pid_t> children_of(pid_t process) {
     return found;
 }
 
-// One field of the kernel's status of a process; empty if there is no such process.
+// Returns one field of the kernel's status of a process; empty if the process does not exist.
 std::string field_of(pid_t process, const std::string& name) {
     std::ifstream status(fmt::format("/proc/{}/status", process));
     for (std::string line; std::getline(status, line);)
@@ -101,7 +101,7 @@ protected:
         ~Bed() { g_object_unref(bed); }
     } bed_;
     test::MockFalconBus bus_{bed_.bed};
-    std::vector<Frame> frames_;  // guarded by bus_.lock
+    std::vector<Frame> frames_;  // `bus_.lock` guards this list
 };
 
 TEST_F(GuardProcess, holds_the_device_for_the_servo_and_releases_it_at_zero_force) {
@@ -155,18 +155,19 @@ TEST_F(GuardProcess, unplugging_and_replugging_are_detected) {
         bus_.unplugged = false;
     }
     EXPECT_TRUE(tick_until(true));
-    // If a guard is killed, its device counts as gone. The second guard makes sure that the device exerts no force.
+    // If its guard is killed, the program must treat the device as lost. The second guard makes sure that the device
+    // exerts no force.
     ::kill(device.guard_process(), SIGKILL);
     EXPECT_TRUE(tick_until(false));
     for (const auto end = Clock_::now() + 20s; Clock_::now() < end && device.read(0.0).loss != DeviceLoss::ForceOff;) {
-        (void)device.take_news();  // as the app does; this call also replaces a second guard that died
+        (void)device.take_news();  // the app calls this, too; the call also replaces a second guard that died
         std::this_thread::sleep_for(1ms);
     }
     EXPECT_EQ(device.read(0.0).loss, DeviceLoss::ForceOff);
     EXPECT_TRUE(device.guard_ended()) << "another guard may open it";
 }
 
-// The program itself in the first room, with a hand that presses on the floor with 2 N.
+// The program in the first room, as a separate process.
 class RunningProgram {
 public:
     explicit RunningProgram(const std::filesystem::path& home, const std::string& device = "falcon",
@@ -182,8 +183,8 @@ public:
         std::vector<char*> argv;
         for (std::string& word : words) argv.push_back(word.data());
         argv.push_back(nullptr);
-        // No speech server either. Starting one forks the process, and umockdev's lock does not survive a fork while
-        // another thread looks for devices.
+        // The program also gets no speech server. Starting one forks the process, and umockdev's lock does not survive
+        // a fork while another thread looks for devices.
         const auto bare = test::bare_environment(home.string());
         std::vector<std::string> variables;
         for (char** variable = environ; *variable; ++variable) {
@@ -226,7 +227,7 @@ public:
             if (said().find(words) != std::string::npos) return true;
         return false;
     }
-    // True when the words have been said a second time.
+    // Returns true once the program has announced `words` a second time.
     bool says_again(const std::string& words) {
         for (const auto end = Clock_::now() + 300s; Clock_::now() < end; std::this_thread::sleep_for(10ms)) {
             const std::string text = said();
@@ -237,7 +238,8 @@ public:
     void type(std::string_view line) {
         [[maybe_unused]] const auto written = ::write(input_, line.data(), line.size());
     }
-    // Also waits for its guards: umockdev ends the test if a process still uses a bus that is being removed.
+    // Also waits until the program's guards have ended: umockdev ends the test if a process still uses a bus that is
+    // being removed.
     void kill_and_wait() {
         const std::vector<pid_t> guards = children_of(pid_);
         ::kill(pid_, SIGKILL);
@@ -275,7 +277,7 @@ protected:
         if (!gives_its_time()) GTEST_SKIP() << "this machine is too busy to give a servo its rate";
         ASSERT_TRUE(program_.says("First room, 6 by 4 metres.") && program_.says("The Falcon is ready."))
             << program_.said();
-        for (const double up_m : {0.006, 0.0}) {  // a first movement, then the ramp of 1 s
+        for (const double up_m : {0.006, 0.0}) {  // the hand must first move; then the force ramps up over 1 s
             std::this_thread::sleep_for(100ms);
             const std::lock_guard guard(bus_.lock);
             bus_.falcon.grip_m.y = up_m;
@@ -286,8 +288,8 @@ protected:
             bus_.falcon.held = false;
             bus_.falcon.push_n = {0.0, -2.0, 0.0};
         }
-        // On a busy machine the watchdog of the servo rate may trip. The force key then brings the force back, as for
-        // any user.
+        // On a busy machine, the watchdog of the servo rate may switch the force off. The test then brings the force
+        // back with the force command, as a user would.
         std::size_t answered = 0;
         bool pressed = false;
         wait(
@@ -305,7 +307,8 @@ protected:
             GTEST_SKIP() << "this machine is too busy to give a servo its rate";
         ASSERT_TRUE(pressed) << program_.said();
     }
-    // Waits for zero force and reports how it came, counting frames from `since` on.
+    // Waits for zero force. Checks that at most `most_frames_with_force` frames after `since` carried a force, and that
+    // no force comes back. Prints how long it took.
     void expect_zero_since(Clock_::time_point since, int most_frames_with_force) {
         ASSERT_TRUE(wait([this] { return no_force_now(); }));
         const std::lock_guard guard(bus_.lock);
@@ -337,8 +340,8 @@ TEST_F(DyingProgram, killed_with_2_newtons_in_the_hand_leaves_zero_force) {
     const auto killed = Clock_::now();
     program_.kill_and_wait();
     std::printf("kill -9: ");
-    // A dead program commands nothing. At most two frames may carry force, the one on its way and the one it had
-    // ordered, whatever else the machine does. Two frames are less than 20 ms of exchanges.
+    // A killed program sends no more commands. The guard's time limit allows at most 20 frames with force, which is 20
+    // ms of exchanges.
     expect_zero_since(killed, 20);
     const std::lock_guard guard(bus_.lock);
     EXPECT_LE(bus_.falcon.largest_force_n, 3.0);
@@ -355,10 +358,11 @@ TEST_F(DyingProgram, frozen_with_2_newtons_in_the_hand_leaves_zero_force) {
 
 class FailingGuard : public DyingProgram {
 protected:
-    // The first guard starts before the second one, so its process number is smaller.
+    // Returns the process numbers of both guards. The first guard starts before the second one, so its number is
+    // smaller.
     std::vector<pid_t> guards() { return children_of(program_.pid()); }
-    // Milliseconds from `since` until the motors first had no force. Also checks that no force comes back while the
-    // test observes.
+    // Returns the milliseconds from `since` until the motors first had no force. Also checks that no force comes back
+    // during the next 300 ms.
     double zero_after_ms(Clock_::time_point since) {
         EXPECT_TRUE(wait([this] { return no_force_now(); }));
         std::this_thread::sleep_for(300ms);
@@ -373,8 +377,8 @@ protected:
             << "no force comes back";
         return std::chrono::duration<double, std::milli>(zero->at - since).count();
     }
-    // Runs `act` while the hand feels 2 N, and expects zero force within `most_ms`. If the machine was late before or
-    // after, this is only reported.
+    // Runs `act` while the hand feels 2 N. Expects zero force within `most_ms`. If it took longer on a machine that is
+    // too busy to measure times, skips the test.
     void expect_zero_within(double most_ms, const char* what, const std::function<void()>& act) {
         press_on_the_floor();
         if (IsSkipped() || HasFatalFailure()) return;
@@ -423,7 +427,7 @@ TEST_F(FailingGuard, frozen_while_the_program_exits_leaves_zero_force) {
     EXPECT_EQ(program_.wait_for_end(), 0) << program_.said();
 }
 
-// The second guard is frozen first, so that only the program is left when the first guard dies.
+// The test first freezes the second guard, so that only the program can stop the force when the first guard dies.
 TEST_F(FailingGuard, killed_with_a_frozen_second_guard_is_still_followed_by_zero_force) {
     expect_zero_within(250.0, "second guard frozen, first killed", [this] {
         const auto both = guards();
@@ -455,7 +459,8 @@ TEST_F(FailingGuard, drops_all_privileges_and_is_replaced_when_the_second_guard_
         const std::string text{std::istreambuf_iterator<char>(limits), {}};
         EXPECT_THAT(text, testing::ContainsRegex("Max core file size +0 +0"));
         EXPECT_THAT(text, testing::ContainsRegex("Max open files +256 +256"));
-        // The guard uses what the system allows it; the program reports what the system denies.
+        // If the system denies the guard protection from running out of memory, or a memory lock, the program must say
+        // so.
         int score = 0;
         std::ifstream(fmt::format("/proc/{}/oom_score_adj", guard)) >> score;
         EXPECT_EQ(score != -1000, program_.said().find("If memory runs out") != std::string::npos) << program_.said();
@@ -474,7 +479,7 @@ TEST_F(FailingGuard, drops_all_privileges_and_is_replaced_when_the_second_guard_
     EXPECT_TRUE(wait([this] { return no_force_now(); })) << "the new second guard does its work";
 }
 
-// A system bus with logind on it, running before the program starts and looks for them.
+// A system bus with logind on it. The constructor starts it before the program starts and looks for logind.
 struct SystemBus {
     test::TemporaryFolder folder;
     std::optional<test::LoginManager> logind;
@@ -511,8 +516,8 @@ TEST_F(SleepingComputer, loses_2_newtons_before_it_sleeps_and_gets_them_back_onl
     EXPECT_TRUE(wait([this] { return !no_force_now(); })) << program_.said();
 }
 
-// Nothing is connected at the start. A Falcon that is plugged in later is announced, opened with the force key, woken,
-// and felt.
+// No device is connected at the start. When a Falcon is plugged in later, the program must announce it, open it at the
+// force command, and wake it. Then the hand must feel a force.
 TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
     struct Bed {
         UMockdevTestbed* bed = umockdev_testbed_new();
@@ -533,13 +538,14 @@ TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
     ASSERT_TRUE(program.says("At the base, by the door")) << "the keyboard goes on meanwhile";
     program.type("forces\n");
     ASSERT_TRUE(program.says("Opening the Falcon.") && program.says("The Falcon is ready.")) << program.said();
-    // The hand moves first; then the wall into which it is pushed exerts force.
+    // Moves the grip: first freely, then into a wall, which must exert a force.
     const auto moved_to = [&](double y_m) {
         const std::lock_guard guard(bus.lock);
         bus.falcon.grip_m.y = y_m;
     };
     bool felt = false;
-    // On a busy machine the force may be off. The force key brings it back, as for any user.
+    // On a busy machine, the force may be off. The test then brings the force back with the force command, as a user
+    // would.
     std::size_t told = 0;
     for (const auto end = Clock_::now() + 300s; !felt && Clock_::now() < end;) {
         const std::string said = program.said();
@@ -555,7 +561,7 @@ TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
         }
     }
     EXPECT_TRUE(felt) << program.said();
-    // Without its guard a device is lost, and can be opened again.
+    // When its guard is killed, the program must treat the Falcon as lost and then be able to open it again.
     const auto both = children_of(program.pid());
     ASSERT_EQ(both.size(), 2U);
     ::kill(both.front(), SIGKILL);
@@ -563,16 +569,16 @@ TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
         << program.said();
     program.type("forces\n");
     ASSERT_TRUE(program.says_again("The Falcon is ready.")) << program.said();
-    program.end();  // while the bus still exists
+    program.end();  // the program must end while the bus still exists
     const std::lock_guard guard(bus.lock);
     EXPECT_LE(bus.falcon.largest_force_n, 3.0);
 }
 
 class CalibratingProgram : public GuardProcess {
 protected:
-    // Waits until these words are said. On a busy machine a fault may interrupt; the test then presses Enter, as any
-    // user would. Returns false if the words are not said within 90 s or the guard ran out of time and let the device
-    // go. It also returns false if the servo complained too often about lack of time.
+    // Waits until the program has announced `words`. If a fault interrupts on a busy machine, presses Enter, as a user
+    // would. Returns false if the guard let the device go because it ran out of time, or if the servo complained too
+    // often about lack of time. Fails and returns false after 300 s.
     bool hears(const std::string& words) {
         for (const auto end = Clock_::now() + 300s; Clock_::now() < end; std::this_thread::sleep_for(10ms)) {
             if (program_->said().find(words) != std::string::npos) return true;
@@ -594,7 +600,7 @@ protected:
         program_->type(line);
         return true;
     }
-    // Moves the hand there gradually, 0.2 mm with each exchange.
+    // Moves the hand to `grip_m` in steps of 0.2 mm, one with each exchange.
     bool move_to(const Vec3& grip_m) {
         {
             const std::lock_guard guard(bus_.lock);
@@ -612,8 +618,8 @@ protected:
         const std::lock_guard guard(bus_.lock);
         bus_.falcon.buttons = down ? 4 : 0;
     }
-    // Presses the button when the hand feels something. Presses again if a fault interrupted and the question is
-    // repeated, and also if the device has meanwhile let go.
+    // Presses the button when the hand feels a force. Presses it again if the program repeats the question, either
+    // because a fault interrupted or because the device let go.
     bool feels_and_presses() {
         if (!hears("I will press")) return false;
         const auto feels = [this] { return glm::length(bus_.falcon.force_on_hand_n()) > 0.2; };
@@ -624,7 +630,8 @@ protected:
             const bool has_let_go = std::exchange(let_go, times) < times;
             if (!has_let_go && !wait(feels, 1s)) continue;
             press_button(true);
-            const bool felt = program_->says("You felt it at", 5s);  // a second press would answer the next question
+            // Waits, because a second press would answer the next question.
+            const bool felt = program_->says("You felt it at", 5s);
             press_button(false);
             if (felt) return true;
             std::this_thread::sleep_for(100ms);  // the program polls sixty times a second
@@ -655,7 +662,7 @@ protected:
     std::optional<RunningProgram> program_;
     std::size_t faults_ = 0;
     bool lost_ = false;
-    Vec3 target_m_{0.0, 0.0, 0.145};  // guarded by bus_.lock
+    Vec3 target_m_{0.0, 0.0, 0.145};  // `bus_.lock` guards this place
 };
 
 TEST_F(CalibratingProgram, guides_through_the_whole_setup_by_voice_and_saves_a_profile) {
@@ -725,8 +732,8 @@ TEST_F(GuardProcess, devices_command_names_the_udev_rule_if_access_is_denied) {
     const test::ProgramRun asleep = test::run_program(call);
     EXPECT_THAT(asleep.out, testing::HasSubstr("nvent_firmware.bin"));
     EXPECT_THAT(asleep.out, testing::HasSubstr("cannot be used yet"));
-    // Without a request the program announces the failure and continues with a simulated hand. If that very device was
-    // requested, the program ends.
+    // If the user requested no device, the program must announce the failure and continue with a simulated hand. If the
+    // user requested this device, the program must end.
     call.arguments = {"--no-window"};
     const test::ProgramRun left_to_itself = test::run_program(call);
     EXPECT_EQ(left_to_itself.exit_status, 0) << left_to_itself.err;

@@ -1,4 +1,4 @@
-// Pads and pucks through the installed hidapi, on hidraw nodes that umockdev emulates.
+// Tests gamepads and SpaceMouse pucks through the installed hidapi, on hidraw nodes that umockdev emulates.
 #include <nlohmann/json.hpp>
 
 #include "haptic/drivers/found_device.h"

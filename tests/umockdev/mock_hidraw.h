@@ -1,6 +1,6 @@
-// A hidraw node in umockdev that leads to a HID emulator and preserves report boundaries. The node is a terminal that
-// only signals readiness; this class answers reads and writes. The testbed answers on its own thread, and `lock` guards
-// the emulator.
+// A hidraw node in umockdev. It leads to a HID emulator and preserves the boundaries of reports. The node is a terminal
+// that only signals that reports wait; this class answers the reads and writes. The testbed answers on its own thread,
+// and `lock` guards the emulator.
 #pragma once
 
 #include <umockdev.h>
@@ -15,7 +15,7 @@ namespace handrail::test {
 class MockHidraw {
 public:
     struct Identity {
-        int number;  // number of /dev/hidrawN
+        int number;  // the N of /dev/hidrawN
         bool bluetooth;
         std::uint16_t vendor, product;
         std::string name;
@@ -25,7 +25,7 @@ public:
     MockHidraw(const MockHidraw&) = delete;
     MockHidraw& operator=(const MockHidraw&) = delete;
 
-    // Call this after the emulator has queued reports.
+    // The test must call this after the emulator has queued reports.
     void ring();
 
     std::mutex lock;

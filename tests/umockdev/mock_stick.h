@@ -1,5 +1,6 @@
-// An event node with force feedback in umockdev: a rumble pad, or a joystick with a constant force, and the hand on it.
-// The testbed answers on its own thread. `lock` guards what the device has received and what it reports.
+// An event node with force feedback in umockdev. It is a rumble pad, or a joystick with a constant force and a
+// simulated hand on it. The testbed answers on its own thread. `lock` guards what the device has received and what it
+// reports.
 #pragma once
 
 #include <linux/input.h>
@@ -14,7 +15,7 @@ namespace handrail::test {
 
 class MockStick {
 public:
-    // constant: a joystick with a constant force; otherwise a pad that only rumbles.
+    // If `constant` is true, the device is a joystick with a constant force; otherwise a pad that only rumbles.
     MockStick(UMockdevTestbed* bed, bool constant);
     ~MockStick();
     MockStick(const MockStick&) = delete;

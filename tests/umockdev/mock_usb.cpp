@@ -24,7 +24,7 @@ std::string hex(std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 MockUsbDevice::MockUsbDevice(UMockdevTestbed* bed, UsbFunction& function, int address) : function_(function) {
-    ::signal(SIGPIPE, SIG_IGN);  // umockdev may answer processes that tests have killed
+    ::signal(SIGPIPE, SIG_IGN);  // umockdev may write answers to processes that tests have killed
     const std::vector<std::uint8_t> numbers = function.device_descriptor();
     const std::string node = fmt::format("bus/usb/{:03}/{:03}", kBus, address);
     const std::string device = fmt::format(
@@ -61,7 +61,7 @@ void MockUsbDevice::finish(const Urb& urb, int status, std::size_t length) {
     done_.push_back(urb);
 }
 
-// Transfers to the host wait until the device has data.
+// Completes the waiting transfers to the host for which the device now has data.
 void MockUsbDevice::serve_waiting() {
     const auto now = std::chrono::steady_clock::now();
     while (!waiting_.empty()) {
@@ -75,7 +75,7 @@ void MockUsbDevice::serve_waiting() {
     }
 }
 
-// Eight set-up bytes, then the data in either direction.
+// Handles a control transfer. Its buffer has eight set-up bytes, then the data in either direction.
 void MockUsbDevice::control(const Urb& urb) {
     constexpr std::size_t kSetup = 8;
     std::uint8_t* bytes = urb.buffer->data;
@@ -110,7 +110,7 @@ void MockUsbDevice::submit(UMockdevIoctlData* data, const void* client) {
     serve_waiting();
 }
 
-// The kernel drops requests when the process that made them ends.
+// Drops the requests of all other clients, as the kernel drops the requests of a process that ends.
 void MockUsbDevice::forget_requests_of_others(const void* client) {
     for (auto* queue : {&waiting_, &done_}) {
         for (auto it = queue->begin(); it != queue->end();) {
@@ -157,7 +157,7 @@ gboolean MockUsbDevice::answer(UMockdevIoctlClient* client) {
                 submit(data, client);
                 return complete(0, 0);
             }
-            return complete(-1, EFAULT);  // the calling process died during its request
+            return complete(-1, EFAULT);  // the calling process died while its request waited
         case USBDEVFS_DISCARDURB: {
             const auto address = *reinterpret_cast<unsigned long*>(argument->data);
             for (auto it = waiting_.begin(); it != waiting_.end(); ++it)

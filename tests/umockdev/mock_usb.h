@@ -1,5 +1,5 @@
-// USB devices in umockdev. Answers usbfs as the kernel would, for any device of tests/emulators/usb_function.h. The
-// testbed answers on its own thread, and `lock` guards the emulator.
+// A USB device in umockdev. It answers usbfs requests as the kernel would, for any device of
+// tests/emulators/usb_function.h. The testbed answers on its own thread, and `lock` guards the emulator.
 #pragma once
 
 #include <umockdev.h>
@@ -23,7 +23,7 @@ public:
     MockUsbDevice& operator=(const MockUsbDevice&) = delete;
 
     std::mutex lock;
-    bool unplugged = false;  // every request fails with ENODEV from now on
+    bool unplugged = false;  // if true, every request fails with ENODEV
 
 private:
     struct Urb {
@@ -45,7 +45,7 @@ private:
     std::deque<Urb> waiting_, done_;
 };
 
-// A bus with one Falcon.
+// A bus with one Falcon on it.
 class MockFalconBus : public FalconAndItsChip, public MockUsbDevice {
 public:
     static constexpr int kAddress = 7;

@@ -27,7 +27,7 @@ nlohmann::json inverse3_of(StandInService& service, Mood mood) {
     return nullptr;
 }
 
-TEST(Inverse3Facts, are_all_available_as_data) {  // checks finding S137
+TEST(Inverse3Facts, are_all_available_as_data) {
     for (const bool calibrated : {true, false}) {
         std::optional<StandInService> service;
         try {

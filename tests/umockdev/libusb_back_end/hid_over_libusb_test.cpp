@@ -1,5 +1,5 @@
-// A DualSense and a SpaceMouse through hidapi's libusb back end, on a bus that umockdev emulates. A system without
-// hidraw has only this back end.
+// Tests a DualSense and a SpaceMouse through hidapi's libusb back end, on a bus that umockdev emulates. A system
+// without hidraw has only this back end.
 #include "tests/emulators/hid_claims.h"
 #include "tests/support/names.h"
 #include "tests/support/precompiled.h"
@@ -50,7 +50,7 @@ TEST_F(OverHidapiLibusb, a_space_mouse_steers_the_walker) {
     test::steer_with_a_space_mouse(open(0x046d), puck_, puck_device_.lock, [] {});
 }
 
-// The back end reads on a separate thread, which ends when the device does.
+// The back end reads on a separate thread. The thread must end when the device is unplugged.
 TEST_F(OverHidapiLibusb, an_unplugged_pad_counts_as_lost_without_waiting) {
     PlaystationPad pad(open(0x054c), PadModel::DualSense, PadBus::Usb);
     ASSERT_TRUE(pad.open());

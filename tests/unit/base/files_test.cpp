@@ -68,7 +68,7 @@ TEST(ReadWholeFile, names_the_file_and_the_reason_for_a_failure) {
     EXPECT_THAT(read_whole_file(folder.write("long", std::string(6, 'x')), 5).error().message, HasSubstr("larger"));
 }
 
-// Opening a pipe without a writer would wait, and reading a device would never end.
+// Opening a pipe without a writer would block, and reading a device would never end.
 TEST(ReadWholeFile, opens_only_ordinary_files_and_never_blocks) {
     const TemporaryFolder folder;
     const fs::path fifo = folder.path() / "fifo.map";
@@ -100,7 +100,7 @@ TEST(ReadWholeFile, can_be_cancelled_at_any_point) {
     EXPECT_FALSE(read_whole_file(folder.write("some", "bytes"), 100, stop.get_token()));
 }
 
-// A signal arrives again and again; its handler does nothing and restarts no call.
+// A signal arrives again and again. Its handler does nothing, and the kernel does not restart interrupted calls.
 TEST(WriteFileAtomically, does_not_treat_an_interruption_as_an_error) {
     struct sigaction action {
     }, before{};
@@ -191,7 +191,7 @@ TEST(WriteNamedFileAtomically, follows_a_symbolic_link_and_keeps_it_a_link) {
     EXPECT_TRUE(fs::is_symlink(folder.path() / "circle"));
 }
 
-// Somebody else's folder may contain such a link to any file of the person.
+// In somebody else's folder, such a link may lead to any file of the person.
 TEST(WriteFileAtomically, refuses_a_symbolic_link_and_does_not_change_it_or_its_target) {
     const TemporaryFolder folder;
     const fs::path target = folder.write("diary", "mine");
@@ -215,7 +215,7 @@ TEST(WritePrivateFileAtomically, makes_new_files_readable_only_by_the_person) {
     EXPECT_EQ(fs::status(folder.path() / "fresh").permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
-// In a child process without root rights, since root may write anywhere.
+// Runs in a child process without root rights, because root may write anywhere.
 TEST(WriteFileAtomically, keeps_the_old_file_and_reports_an_error_if_the_folder_is_read_only) {
     const TemporaryFolder folder;
     const fs::path file = folder.write("file", "old");

@@ -17,7 +17,7 @@ void write(const std::filesystem::path& path, std::string_view content) {
 }
 
 TEST(SpokenTime, is_formatted_as_people_write_it) {
-    // At noon UTC it is this day in nearly all of the world.
+    // When it is noon in UTC, nearly every time zone has this same day.
     EXPECT_EQ(day_words("2026-11-02T12:00:00Z"), "2 November 2026");
     EXPECT_TRUE(std::regex_match(day_and_time_words("2026-11-02T12:00:00Z"), std::regex("2 November 2026, ..:..")))
         << day_and_time_words("2026-11-02T12:00:00Z");
@@ -51,7 +51,7 @@ TEST(Phrase, keeps_curly_brackets_and_apostrophes_of_values) {
 
 TEST(InSpokenLanguage, returns_a_text_that_outlives_its_arguments) {
     const std::string& told = in_spoken_language(std::string(100, 'x'), {});
-    const std::string other(100, 'y');  // possibly at the address of the first one
+    const std::string other(100, 'y');  // may reuse the memory of the first string
     EXPECT_EQ(told, std::string(100, 'x'));
 }
 
@@ -216,7 +216,8 @@ TEST(Phrase, has_a_second_form_for_typed_commands_in_every_language) {
 
 TEST(LanguageOfEnvironment, is_a_bundled_or_custom_language_and_is_found_without_opening_a_file) {
     const test::TemporaryFolder folder;
-    write(folder.path() / "nl.toml", "damaged = \"");  // reported only when it is spoken
+    // The program must report this fault only when someone chooses the language.
+    write(folder.path() / "nl.toml", "damaged = \"");
     write(folder.path() / "xx.toml", "");
     test::WithEnvironment environment("LC_ALL", nullptr);
     const auto asked = [&](const char* locale) {
@@ -237,7 +238,7 @@ TEST(PatternFault, reports_the_placeholders_of_a_pattern_and_its_syntax_errors) 
     std::vector<std::string> names;
     EXPECT_EQ(pattern_fault("{n, plural, one {# step of {who}} other {# steps}}", &names), "");
     EXPECT_EQ(names, (std::vector<std::string>{"n", "who"}));
-    EXPECT_NE(pattern_fault("{n, plural, one {# step}}"), "");  // "other" is missing
+    EXPECT_NE(pattern_fault("{n, plural, one {# step}}"), "");  // the required form "other" is missing
     EXPECT_NE(pattern_fault("{n"), "");
 }
 

@@ -13,7 +13,7 @@
 namespace handrail {
 namespace latest_value_test {
 
-// Large enough that a torn copy would show: every element has the same number.
+// A value so large that a torn copy would show: a complete copy has the same number in every element.
 struct Wide {
     std::array<std::uint64_t, 64> words{};
     static Wide of(std::uint64_t number) {
@@ -61,7 +61,7 @@ TEST(LatestValue, passes_whole_values_between_threads_in_order_and_never_loses_t
     EXPECT_FALSE(value.refresh());
 }
 
-// In memory shared by two processes, the other process may write anything.
+// If two processes share the memory, the other process may write anything into the indices.
 TEST(LatestValue, stays_within_its_memory_for_any_content_of_its_indices) {
     struct Slot {
         std::array<std::uint64_t, 4> words{};

@@ -61,8 +61,8 @@ TEST(IsUtf8, accepts_every_valid_length_and_refuses_every_kind_of_damage) {
     for (const char* good :
          {"", "plain", "\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x98\x80", "\xED\x9F\xBF", "\xF4\x8F\xBF\xBF"})
         EXPECT_TRUE(is_utf8(good)) << good;
-    // A stray continuation byte, cut-off and overlong forms, a surrogate, a code above U+10FFFF, and bytes that never
-    // occur.
+    // Kinds of damage: a stray continuation byte, cut-off and overlong forms, a surrogate, a code above U+10FFFF, and
+    // bytes that never occur in UTF-8.
     for (const char* bad : {"\x80", "\xC3", "\xE2\x82", "a\xF0\x9F\x98", "\xC3(", "\xC0\xAF", "\xE0\x80\xAF",
                             "\xF0\x80\x80\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xFE", "\xFF"})
         EXPECT_FALSE(is_utf8(bad)) << testing::PrintToString(std::string(bad));
@@ -71,12 +71,12 @@ TEST(IsUtf8, accepts_every_valid_length_and_refuses_every_kind_of_damage) {
 TEST(OneLine, removes_only_unspeakable_characters_and_terminal_controls) {
     EXPECT_EQ(one_line("T\xC3\xBCr, \xE2\x82\xAC 5, \xC2\xA0x"), "T\xC3\xBCr, \xE2\x82\xAC 5, \xC2\xA0x");
     EXPECT_EQ(one_line(std::string("a\0b\n\tc\x1B[2J\x7F", 11)), "a b  c [2J ");
-    EXPECT_EQ(one_line("a\xC2\x9Bz"), "a z");  // also an escape of terminals, in one character
+    EXPECT_EQ(one_line("a\xC2\x9Bz"), "a z");  // this single character also begins a terminal escape sequence
     EXPECT_EQ(one_line("\xFFx\xC3"), "\xEF\xBF\xBDx\xEF\xBF\xBD");
     EXPECT_EQ(one_line(""), "");
 }
 
-// After U+202E in a name, everything that follows is shown backwards, in terminals and on pages.
+// After a U+202E in a name, terminals and pages would show everything that follows backwards.
 TEST(OneLine, and_text_for_pages_contain_no_direction_controls) {
     for (const char* control : {"\u061c", "\u200e", "\u200f", "\u202a", "\u202b", "\u202c", "\u202d", "\u202e",
                                 "\u2066", "\u2067", "\u2068", "\u2069"}) {
@@ -91,7 +91,7 @@ TEST(OneLine, and_text_for_pages_contain_no_direction_controls) {
     EXPECT_EQ(one_line("a\u2028b\u2029c"), "a b c");
 }
 
-// The comparison: the textbook recursion without optimisation.
+// The reference for the comparison: the textbook recursion without optimisation.
 std::size_t plain_distance(std::string_view a, std::string_view b) {
     if (a.empty() || b.empty()) return a.size() + b.size();
     return std::min({plain_distance(a.substr(1), b) + 1, plain_distance(a, b.substr(1)) + 1,

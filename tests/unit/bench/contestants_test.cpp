@@ -1,4 +1,5 @@
-// Checks that the renderers of the comparison do what their descriptions say, and that the measurements are correct.
+// Checks that the renderers that the benchmark compares do what their descriptions say, and that the measurements are
+// correct.
 #include <random>
 
 #include "tests/bench/compare/measure.h"
@@ -132,7 +133,8 @@ TEST(TimeOfImpact, agrees_with_the_first_contact_found_by_small_steps) {
             if (scene->closest(0, from + way * (static_cast<double>(k) / kSteps)).distance_m < kRadius)
                 first = static_cast<double>(k) / kSteps;
         if (first > 1.0) {
-            // The steps may miss a grazing contact, but only if the overlap is within their sagitta.
+            // The sampled steps may miss a grazing contact. They may do so only if the overlap is within the depth that
+            // the proxy can reach between two steps.
             if (part <= 1.0) {
                 EXPECT_NEAR(scene->closest(0, from + way * part).distance_m, kRadius, 2e-8) << i;
             }
@@ -147,8 +149,8 @@ TEST(TimeOfImpact, agrees_with_the_first_contact_found_by_small_steps) {
 }
 
 TEST(Reference, solution_follows_a_circle_round_an_edge) {
-    // The exact solution at the edge of a box: the proxy's centre is on a circle of its radius about the edge, towards
-    // the hand.
+    // The exact solution at the edge of a box: the proxy's centre is on a circle about the edge. The circle's radius is
+    // the proxy's, and the centre is on the hand's side.
     test::TouchWorld box;
     box.box({-.05, -.05, -.1}, {.05, .05, 0});
     const BenchWorld world = world_of(box, {{.03, 0, .02}, {.03, 0, .003}, {.052, 0, .003}}, 0.1);

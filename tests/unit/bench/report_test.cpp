@@ -1,5 +1,5 @@
-// The outputs of the comparison of renderers: one JSON object, tables, and pictures with text for people who cannot see
-// them.
+// Tests the outputs of the comparison of renderers: one JSON object, tables, and pictures with text for people who
+// cannot see them.
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -93,7 +93,7 @@ TEST(BenchPlots, have_a_title_labels_for_all_points_and_axes_with_units) {
         EXPECT_EQ(svg.find("nan "), std::string::npos) << name;
         EXPECT_EQ(svg.find("\"nan"), std::string::npos) << name;
         EXPECT_EQ(svg.find("inf"), std::string::npos) << name;
-        // Every opened tag is closed.
+        // As many tags open as close, so none is cut off.
         EXPECT_EQ(std::count(svg.begin(), svg.end(), '<'), std::count(svg.begin(), svg.end(), '>')) << name;
     }
 }

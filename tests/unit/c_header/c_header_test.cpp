@@ -1,4 +1,5 @@
-// The C header: it refuses invalid input, gives the same result as the C++ renderer, and its tick allocates nothing.
+// Tests the C header. It must refuse invalid input and give the same result as the C++ renderer, and its tick must not
+// allocate.
 #include "haptic/c/handrail.h"
 
 #include <limits>
@@ -50,8 +51,8 @@ TEST(CHeader, feels_bit_identical_to_the_renderer_once_the_force_has_ramped_in) 
     TouchState state;
     bool touched = false;
     for (int i = 0; i < 4000; ++i) {
-        // The hand stands still for a second. Then it moves down and along the ground by up to a tenth of a millimetre
-        // a tick.
+        // The hand stands still for 1.1 seconds. Then it moves down and along the ground by up to a tenth of a
+        // millimetre a tick.
         const double moved = std::max(0, i - 1100) * 1e-4;
         const double x = at_m[0] + 0.3 * moved, y = at_m[1] + moved, z = at_m[2] + std::max(0.004, 0.05 - moved);
         const TouchResult expected = touch_tick(state, *felt, TouchTuning{}, {x, y, z}, 1e-3);

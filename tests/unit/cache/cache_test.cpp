@@ -1,4 +1,4 @@
-// The cache folder of the user, in which the program keeps its own results.
+// Tests the user's cache folder, in which the program keeps its own results.
 #include "worlds/cache/cache.h"
 
 #include <fcntl.h>
@@ -22,7 +22,7 @@ namespace cache_test {
 namespace fs = std::filesystem;
 using test::TemporaryFolder;
 
-// Returns nothing if the entry is missing or not trustworthy.
+// Reads the entry `name`. Returns nothing if the entry is missing or not trustworthy.
 std::optional<std::string> taken(const Cache& cache, const std::string& name) {
     const Descriptor file = cache.open(name);
     return file.get() < 0 ? std::nullopt : kept_content(file.get(), name);
