@@ -46,7 +46,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
     return names;
 }
 
-// Runs `work` in a separate process as a user other than root. Returns its exit status.
+// Runs `work` in a separate process as a user other than root. Returns the exit status of that process.
 int as_nobody(const std::function<bool()>& work) {
     const pid_t child = ::fork();
     if (child == 0) {
@@ -121,7 +121,7 @@ TEST(Cache, rejects_entries_that_are_changed_cut_or_renamed) {
 TEST(Cache, removes_the_least_recently_used_entry) {
     const TemporaryFolder folder;
     const fs::path in = folder.path() / "handrail";
-    const Cache cache(in, 1000);  // limit in bytes; each of these entries has 264
+    const Cache cache(in, 1000);  // limit of the whole cache in bytes; each entry below takes 264
     const std::string content(200, 'x');
     int ago = 300;
     for (const char* name : {"a", "b", "c"}) {
@@ -225,7 +225,8 @@ TEST(Cache, that_is_not_writable_stores_nothing_and_fails_nothing) {
     EXPECT_FALSE(nowhere);
 }
 
-// Two processes write and remove the same files under a limit that allows two of them. Neither ever reads half a file.
+// Two processes write and remove the same files under a limit that leaves room for two files. Neither process may ever
+// read half a file.
 TEST(Cache, serves_two_processes_at_once) {
     const TemporaryFolder folder;
     const fs::path in = folder.path() / "handrail";

@@ -1,5 +1,5 @@
-// A wall that lacks a door. The missing door is found and cut, walker and hand pass it, and it is saved in the world's
-// side file and removed again.
+// A wall lacks a door. The tests find and cut the missing door, send the walker and the hand through it, save it in the
+// world's side file and remove it again.
 #include "worlds/check/missing_doors.h"
 
 #include <gmock/gmock.h>
@@ -61,7 +61,7 @@ Scene read_rooms(const std::string& text) {
     return scene ? std::move(*scene) : Scene{};
 }
 
-// The kitchen has no door. The hall is to its west and the store to its north.
+// Returns three rooms. The kitchen has no door; the hall is to its west and the store to its north.
 Scene three_rooms() {
     return read_rooms(
         "Building: Three rooms.\nWalls: 20 cm thick.\n\nRoom: Hall, 4 by 6 metres. Door outside in the south wall.\n\n"
@@ -69,7 +69,7 @@ Scene three_rooms() {
         "Room: Store, 4 by 2 metres, north of Kitchen. Door to Hall.\n");
 }
 
-// Pushes a proxy from one place to another. Returns how far from the target it ends.
+// Pushes the proxy from `from_m` towards `to_m`. Returns how far from `to_m` it ends, in metres.
 double short_of(const HapticScene& haptic, const Vec3& from_m, const Vec3& to_m) {
     TouchState state;
     TouchTuning tuning;
@@ -98,7 +98,8 @@ TEST(MissingDoors, are_found_in_the_walls_between_an_unreachable_room_and_its_ne
         EXPECT_LE(door.door.through_m, 0.5);
         EXPECT_NEAR(door.door.place_m.z, 0.0, 0.02);
         if (world.graph.rooms[door.to].name != "Hall") continue;
-        // The hall extends from x 0 to 4, so the wall's middle is at 4. Kitchen and hall share it from y 0 to 4.
+        // The hall extends from x 0 to 4, so the middle of its east wall is at x = 4. Kitchen and hall share that wall
+        // from y 0 to 4.
         EXPECT_NEAR(door.door.place_m.x, 4.0, 0.1);
         EXPECT_NEAR(door.door.place_m.y, 2.0, 0.3);
     }
@@ -107,7 +108,7 @@ TEST(MissingDoors, are_found_in_the_walls_between_an_unreachable_room_and_its_ne
 
 TEST(MissingDoors, are_suggested_at_the_walkers_place_if_it_is_at_such_a_wall) {
     const World world(three_rooms());
-    const Vec3 stood_m(4.0 - 0.4, 1.0, 0.0);  // in the hall, at the kitchen's wall
+    const Vec3 stood_m(4.0 - 0.4, 1.0, 0.0);  // the person stands in the hall, at the kitchen's wall
     const std::vector<MissingDoor> doors =
         missing_doors(world.scene, world.space, world.graph, world.room("Kitchen"), stood_m);
     ASSERT_FALSE(doors.empty());
@@ -115,7 +116,7 @@ TEST(MissingDoors, are_suggested_at_the_walkers_place_if_it_is_at_such_a_wall) {
     EXPECT_NEAR(doors[0].door.place_m.y, 1.0, 0.06);
 }
 
-// An architect's small house, turned, without its inner door.
+// Returns the model of a small house without its inner door, turned by `degrees` about the vertical.
 Scene shut_house(double degrees) {
     std::string text = test::small_house();
     for (const char* instance : {"#122=", "#123=", "#124=", "#125="}) {
@@ -162,7 +163,7 @@ TEST(MissingDoors, are_found_and_created_in_walls_of_any_direction) {
         EXPECT_TRUE(after.joined(after.room("Living room"), after.room("Küche")));
         const Vec3 along(std::sin(door.heading_rad), std::cos(door.heading_rad), 0.0);
         EXPECT_TRUE(after.space.straight(door.place_m - along * 0.8, door.place_m + along * 0.8));
-        // For a person who stands at the wall, the door is at that place.
+        // If a person stands at the wall, the offered door must be where the person stands.
         const Vec3 stood_m = turned({4.4, 3.2, 0.0});
         const auto near = missing_doors(before.scene, before.space, before.graph, living, stood_m, 1);
         ASSERT_EQ(near.size(), 1U);
@@ -200,7 +201,7 @@ TEST(ImpassableDoors, of_the_file_can_be_cut_free_of_a_wall_that_stands_in_them)
     EXPECT_FALSE(impassable(after).has_value());
     EXPECT_THAT(after.out_of_reach(), testing::IsEmpty());
     EXPECT_EQ(after.scene.stated->portals.size(), scene.stated->portals.size()) << "it is the same door";
-    // Nothing is offered if an object blocks the door, or for another kind of fault.
+    // doorway_cut_free() must return nothing if an object blocks the door, or if the fault is of another kind.
     WorldFault other = *fault;
     other.other = "Cupboard";
     EXPECT_FALSE(doorway_cut_free(before.scene, other).has_value());
@@ -222,12 +223,12 @@ TEST(MadeDoors, open_the_wall_to_body_and_hand_only_within_the_doorway) {
     EXPECT_TRUE(after.joined(after.room("Kitchen"), after.room("Hall")));
     EXPECT_FALSE(after.joined(after.room("Kitchen"), after.room("Store")));
     EXPECT_EQ(after.graph.rooms.size(), before.graph.rooms.size());
-    // The walker goes straight through in the new world but not in the old one.
+    // The walker must pass straight through the wall in the new world, but not in the old one.
     const Vec3 along(std::sin(door.heading_rad), std::cos(door.heading_rad), 0.0), across(along.y, -along.x, 0.0);
     EXPECT_TRUE(after.space.straight(door.place_m - along * 0.8, door.place_m + along * 0.8));
     EXPECT_FALSE(before.space.straight(door.place_m - along * 0.8, door.place_m + along * 0.8));
-    // The hand also passes over the whole width and height of the door. To its sides and above it the wall is
-    // unchanged.
+    // The hand must also pass over the whole width and height of the door. To the sides of the door and above it, the
+    // wall must be unchanged.
     const auto was = compile_haptic(before.scene, MaterialSource::KeysOnly),
                is = compile_haptic(after.scene, MaterialSource::KeysOnly);
     const auto pushed = [&](const HapticScene& haptic, double right_m, double up_m) {
@@ -241,19 +242,19 @@ TEST(MadeDoors, open_the_wall_to_body_and_hand_only_within_the_doorway) {
         }
     for (const auto& [right_m, up_m] : {std::pair{-0.7, 1.0}, std::pair{0.7, 1.0}, std::pair{0.0, 2.3}})
         EXPECT_GT(pushed(*is, right_m, up_m), 0.4) << right_m << " " << up_m;
-    // Both sides and the top stop a hand in the doorway.
+    // In the doorway, both sides and the top of the frame must stop the hand.
     const Vec3 within = door.place_m + Vec3(0.0, 0.0, 1.0);
     EXPECT_GT(short_of(*is, within, within + across * 0.7), 0.2);
     EXPECT_GT(short_of(*is, within, within - across * 0.7), 0.2);
     EXPECT_GT(short_of(*is, within, within + Vec3(0.0, 0.0, 1.3)), 0.2);
-    // The door is stated as an opening between the two rooms.
+    // The building must now state the door as an opening between the two rooms.
     const StatedPortal& stated = after.scene.stated->portals.back();
     EXPECT_EQ(stated.kind, StatedPortalKind::Opening);
     ASSERT_EQ(stated.rooms.size(), 2U);
     EXPECT_EQ(after.scene.stated->portals.size(), before.scene.stated->portals.size() + 1);
 }
 
-// Two rooms of a .map with a double wall between them that has no floor under it.
+// Two rooms of a .map. Between them is a double wall without a floor under it.
 TEST(MadeDoors, cut_through_walls_of_several_layers_and_get_a_threshold_if_there_is_no_floor) {
     std::string brushes;
     const auto room = [&](double west) {

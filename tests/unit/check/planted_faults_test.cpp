@@ -1,4 +1,4 @@
-// The school map, and copies of it with one deliberate fault each.
+// Checks the school map, and copies of it that have one deliberate fault each.
 #include <fmt/format.h>
 
 #include <functional>
@@ -28,7 +28,7 @@ const std::string& school() {
     return kText;
 }
 
-// A map's text whose entities can be changed by class and name.
+// A map's text. Tests can change its entities, which they name by class and name.
 class MapCopy {
 public:
     explicit MapCopy(std::string text) : text_(std::move(text)) {}
@@ -38,7 +38,7 @@ public:
         text_.erase(begin, end - begin);
         return *this;
     }
-    // Replaces text within one entity.
+    // Replaces `what` by `by` within one entity.
     MapCopy& replace(const std::string& class_name, const std::string& name, const std::string& what,
                      const std::string& by) {
         const auto [begin, end] = entity(class_name, name);
@@ -58,7 +58,7 @@ public:
         text_ += entity_text;
         return *this;
     }
-    // Removes the brush of worldspawn that has this face.
+    // Removes the brush of worldspawn that contains the line `face`.
     MapCopy& remove_brush(const std::string& face) {
         const std::size_t at = text_.find(face);
         EXPECT_NE(at, std::string::npos) << face;
@@ -76,7 +76,7 @@ private:
             std::size_t end = text_.find("\n}\n", begin) + 3;
             while (text_.compare(end, 2, "}\n") != 0 && text_.compare(end, 2, "{\n") == 0 &&
                    text_.compare(end, 3, "{\n\"") != 0)
-                end = text_.find("\n}\n", end) + 3;  // includes the entity's brushes
+                end = text_.find("\n}\n", end) + 3;  // the end of the entity, including its brushes
             if (text_.compare(end, 2, "}\n") == 0) end += 2;
             if (text_.substr(begin, end - begin).find(named) != std::string::npos) return {begin, end};
         }
@@ -98,7 +98,7 @@ struct Found {
     RoomGraph graph;
 };
 
-// `state` adds what a file that states its rooms would contain.
+// Returns the faults of a map. `state` may add what a file that states its rooms would contain.
 Found faults_of(const std::string& map, const std::function<void(Scene&, const RoomGraph&)>& state = {}) {
     Found found;
     Result<Scene> scene = read_quake_map(map, "school.map");
@@ -141,7 +141,7 @@ StatedRoom stated_room(const std::string& name, const Vec2& low, const Vec2& hig
 struct Planted {
     const char* what;
     FaultKind kind;
-    const char* name;  // must be part of the message
+    const char* name;  // text that must be part of the message
     std::function<MapCopy(MapCopy)> plant;
     std::function<void(Scene&, const RoomGraph&)> state = {};
 };
@@ -299,12 +299,12 @@ TEST_P(CopyOfTheSchool, gets_a_report_of_its_planted_fault_with_place_and_advice
     if (planted.kind != FaultKind::NowhereToStand) {
         EXPECT_GT(fault->source.line, 0) << listed(found);
     }
-    // Nothing unrelated is reported: at most the consequences of the fault at the same place.
+    // The check may report no unrelated fault. At most, it may report consequences of the planted fault.
     EXPECT_LE(found.faults.size(), planted.state ? 60U : 6U) << listed(found);
 }
 
-// Counts the faults of this kind in a room whose wall begins `joint_m` above the floor. On request there is a start in
-// the air in front of a door of the upper storey.
+// Counts the faults of this kind in a room. A gap of `joint_m` separates the room's wall from the floor. One start is
+// in the air in the upper storey; if `before_door` is true, it belongs to a door.
 std::size_t count_of(FaultKind kind, double joint_m, bool before_door) {
     test::SceneBuilder b;
     b.box({0, 0, -0.2}, {8, 6, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
@@ -334,7 +334,8 @@ TEST(NoFault, is_reported_for_a_start_at_a_balcony_door_or_a_narrow_gap_under_a_
     EXPECT_EQ(count_of(FaultKind::Crack, 0.03, true), 1U);
 }
 
-// Counts cracks between a wall and a part that has this generated name.
+// Counts the cracks between a wall and another part. The part has the generated name `what` and is `joint_m` away from
+// the wall.
 std::size_t cracks_beside(const char* what, double joint_m) {
     test::SceneBuilder b;
     b.box({0, 0, -0.2}, {8, 6, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);

@@ -1,5 +1,5 @@
-// Finds what the best route to a place lacks. Checked on small worlds with one obstruction each, and by trying walkers
-// of different sizes one by one.
+// Tests what the best route to a place lacks. The small worlds have one obstruction each. A comparison tries walkers of
+// different sizes one by one.
 #include "worlds/check/way_lacks.h"
 
 #include <gmock/gmock.h>
@@ -26,8 +26,8 @@ namespace way_lacks_test {
 
 using ::testing::HasSubstr;
 
-// Two rooms of 4 by 4 metres next to each other. Whatever is between x = 4 and x = 5 joins or separates them. The floor
-// of the second room is `up_m` higher.
+// Returns two rooms of 4 by 4 metres next to each other. What a test puts between x = 4 and x = 5 joins or separates
+// the rooms. The floor of the second room is `up_m` higher.
 test::SceneBuilder two_rooms(const Vec3& at, double up_m = 0.0) {
     test::SceneBuilder b;
     const auto wall = [&](const Vec3& from, const Vec3& to) {
@@ -88,7 +88,9 @@ TEST(WayLacks, are_the_obstacles_to_a_body_and_their_extent) {
             b.box(at + Vec3(4, 0, 0), at + Vec3(5, 4, 4), "wall", SolidRole::Solid, {}, FeatureKind::Wall);
             EXPECT_EQ(lacks_in(*b.share(), there).lack, Lack::Nothing);
         }
-        {  // A beam at 1.3 m over a ledge of half a metre. The route lacks two things, and neither alone blocks it.
+        // A beam at 1.3 m over a ledge of half a metre. The route lacks headroom and has too high a step, so no single
+        // lack explains it.
+        {
             test::SceneBuilder b = two_rooms(at, 0.5);
             b.box(at + Vec3(4, 0, 1.8), at + Vec3(6, 4, 4), "Beam", SolidRole::Solid, {}, FeatureKind::Wall);
             EXPECT_EQ(lacks_in(*b.share(), there + Vec3(0, 0, 0.5)).lack, Lack::Nothing);
@@ -96,7 +98,7 @@ TEST(WayLacks, are_the_obstacles_to_a_body_and_their_extent) {
     }
 }
 
-// The better of two routes is reported, with its worst place.
+// way_lacks() must choose the better of two routes and report the worst place on it.
 TEST(WayLacks, are_those_of_the_worst_place_on_the_best_route) {
     test::SceneBuilder b = two_rooms(Vec3(0.0));
     b.box({4, 0, 1.0}, {5, 2, 4}, "Beam", SolidRole::Solid, {}, FeatureKind::Wall);
@@ -109,7 +111,7 @@ TEST(WayLacks, are_those_of_the_worst_place_on_the_best_route) {
     EXPECT_GT(found.at_m.x, 4.2);
 }
 
-// Returns whether such a walker gets from the start to a place, in a walkable area computed for its size.
+// Computes the walkable area for a walker of this size. Returns whether the walker gets from the start to `there_m`.
 bool flooded(const Scene& scene, const WalkerMeasures& body, const Vec3& there_m) {
     const Result<WalkSpace> space = make_walk_space(scene, body);
     if (!space) return false;
@@ -119,8 +121,7 @@ bool flooded(const Scene& scene, const WalkerMeasures& body, const Vec3& there_m
     return spans_reached(*space, first)[last];
 }
 
-// The reported amount is the limit of what a walker may need. A slightly smaller walker gets there, a slightly larger
-// one does not.
+// The reported amount must be the limit: a slightly smaller walker arrives, and a slightly larger one does not.
 TEST(WayLacks, agree_with_trying_bodies_one_by_one) {
     std::mt19937_64 random(test::seed_of_run());
     const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
@@ -196,8 +197,8 @@ TEST(RoomOutOfReach, reports_stairs_that_lead_under_a_floor_without_headroom) {
     EXPECT_THAT(advice, HasSubstr("at least 1.8 metres of headroom"));
 }
 
-// A row of houses, each with a flight of stairs to its gallery and a beam over it at a different height. For each
-// flight, only the obstruction on that flight is reported.
+// A row of houses. Each has a flight of stairs to its gallery, and a beam over the flight at a different height. For
+// each flight, the check must report only the beam over that flight.
 TEST(StairsInOneGo, report_for_each_flight_what_blocks_it) {
     constexpr int kHouses = 7, kSteps = 14;
     constexpr double kUp_m = 2.8, kEach_m = 6.0;
@@ -231,7 +232,7 @@ TEST(StairsInOneGo, report_for_each_flight_what_blocks_it) {
         }
         stated.portals.push_back(portal);
         headroom_m.push_back(1.35 + 0.05 * house);
-        // Above the eighth step, as wide as the flight.
+        // The beam is above the eighth step and as wide as the flight.
         const double step_x = 7.0 - 7 * 0.28, step_top = kUp_m * 8 / (kSteps + 1);
         b.box(at + Vec3(step_x, 0, step_top + headroom_m.back()), at + Vec3(step_x + 0.28, 4, 6), "beam",
               SolidRole::Solid, {}, FeatureKind::Wall);
@@ -250,14 +251,14 @@ TEST(StairsInOneGo, report_for_each_flight_what_blocks_it) {
         ASSERT_TRUE(told.contains(stairs.value)) << house;
         const WorldFault& fault = told.at(stairs.value);
         EXPECT_EQ(fault.lack, Lack::Headroom) << house;
-        // Part of the walker may still be on the step before or after.
+        // Part of the walker may still be on the previous or the next step, so the headroom may differ by a step.
         EXPECT_NEAR(fault.amount, headroom_m[static_cast<std::size_t>(house)], 0.45) << house;
         EXPECT_GT(fault.at_m.y, house * kEach_m) << house;
         EXPECT_LT(fault.at_m.y, house * kEach_m + 4.0) << house;
     }
 }
 
-// A trial finds the same reachable places as a complete walkable area for the same walker.
+// A trial space must have the same reachable places as the complete walkable area of the same walker.
 TEST(TrialSpaces, agree_with_complete_spaces_about_reachable_places) {
     std::mt19937_64 random(test::seed_of_run());
     const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
@@ -287,7 +288,8 @@ TEST(TrialSpaces, agree_with_complete_spaces_about_reachable_places) {
     }
 }
 
-// A spiral staircase whose lower turns are under the edge of the floor that they lead to, with 1.8 m of headroom there.
+// The house has a spiral staircase. Its lower turns are under the edge of the floor to which it leads, with 1.8 m of
+// headroom.
 TEST(StairsInOneGo, are_not_needed_under_low_headroom_in_a_family_house) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for the stairs under a floor";
     const auto path = test::real_world("fzk-haus.ifc");
@@ -311,7 +313,8 @@ TEST(StairsInOneGo, are_not_needed_under_low_headroom_in_a_family_house) {
     EXPECT_TRUE(spans_reached(*space, base)[at]);
 }
 
-// The ground around a building is generated with it, and is correctly below its floors.
+// The reader generates the ground around a building together with the building, so the ground may be below the
+// building's floors.
 TEST(ThingFaults, are_not_reported_for_the_ground_that_was_added_around_a_building) {
     const test::TemporaryFolder folder;
     const std::filesystem::path file = folder.path() / "two.rooms";

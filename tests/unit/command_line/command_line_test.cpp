@@ -34,7 +34,8 @@ T parsed_as(const Words& words) {
     return {};
 }
 
-// Requires exit status 2, nothing on stdout, and one sentence on stderr, which it returns.
+// Runs a command that the program must refuse with exit status 2, nothing on stdout, and one sentence on stderr.
+// Returns the sentence.
 std::string refused(const Words& words) {
     std::ostringstream out, err;
     EXPECT_EQ(run_command_line(words, out, err), 2) << testing::PrintToString(words);
@@ -159,7 +160,7 @@ TEST(CommandLine, names_the_nearest_option_or_command_in_one_sentence_and_exits_
     EXPECT_THAT(refused({"settings", "--set", "keys.wheer=F5"}), HasSubstr("the nearest is keys.where"));
 }
 
-// Each error is one sentence that says what to do, without the library's words.
+// Each error must be one sentence that says what to do. It must not contain the wording of the command-line library.
 TEST(CommandLine, reports_errors_in_the_commands_for_recordings_worlds_and_learners) {
     EXPECT_THAT(refused({"report"}), HasSubstr("--html OUT.html"));
     EXPECT_THAT(refused({"report", "--html"}), StartsWith("--html needs a value: OUT.html."));
@@ -250,7 +251,7 @@ TEST(CommandLine, prints_no_control_character_of_a_quoted_word) {
     }
 }
 
-// Names of a world that would control a terminal, or reverse the text after them.
+// These names of worlds would control a terminal, or reverse the text after them.
 TEST(CommandLine, prints_names_of_worlds_without_terminal_control_sequences) {
     const test::TemporaryFolder folder;
     const test::WithEnvironment cache("XDG_CACHE_HOME", "/dev/null");
@@ -294,7 +295,7 @@ TEST(PlainOutput, lets_all_other_text_through_wherever_it_is_cut) {
     EXPECT_EQ(to.str(), "abc[1m5");
 }
 
-// Without a home folder, the folder in which the program was started is neither searched nor written.
+// Without a home folder, the program must neither search nor write the folder in which it was started.
 TEST(CommandLine, never_searches_the_current_folder_if_there_is_no_home_folder) {
     const test::TemporaryFolder here;
     for (const char* folder : {"lessons", "learners/aaaaaaaa", "recordings/2026-01-01T00-00-00Z-aaaaaaaa"})
@@ -340,7 +341,8 @@ TEST(CommandLine, prints_help_for_every_command_and_its_version) {
     }
 }
 
-// In the person's language one and a half may be written 1,5; the command line and the files never use that.
+// In the person's locale, one and a half may be written 1,5. The command line and the files must never use that
+// notation.
 TEST(CommandLine, reads_numbers_the_same_way_in_every_locale) {
     const std::string before = std::setlocale(LC_ALL, nullptr);
     if (!std::setlocale(LC_ALL, "de_DE.UTF-8")) GTEST_SKIP() << "no German language setting on this machine";

@@ -1,5 +1,5 @@
-// A waiting person is not told about quick work, and otherwise hears a sentence every few seconds, in virtual time.
-// Every command reports what it is doing.
+// In virtual time, tests how commands report long work. Quick work must not be reported. During longer work, a waiting
+// person must get a sentence every few seconds. Every command must report what it is doing.
 #include "app/main/long_work.h"
 
 #include <gmock/gmock.h>
@@ -31,7 +31,7 @@ struct Told {
 };
 void PrintTo(const Told& told, std::ostream* os) { *os << told.at_s << " s: " << told.words; }
 
-// The sentences from a caller that looks four times a second, from one time to another.
+// Returns the sentences between `from_s` and `to_s` if the caller checks for news four times a second.
 std::vector<Told> told_from(const LongWork& progress, double from_s, double to_s) {
     std::vector<Told> all;
     for (double now_s = from_s; now_s < to_s; now_s += 0.25)
@@ -91,7 +91,8 @@ TEST(LongWork, costs_nothing_without_an_observer) {
     EXPECT_THAT(told_from(nobody, 0.0, 10.0), IsEmpty());
 }
 
-// The stages of a command in order. The last one must be reported before the command writes.
+// Returns the stages that a command reports, in order. The command must report the last one before it writes its
+// output.
 std::vector<std::string> stages(const std::function<int(std::ostream&, std::ostream&, const LongWork&)>& command) {
     std::ostringstream out, err;
     std::vector<std::string> all;
@@ -171,8 +172,8 @@ TEST(CommandWork, ends_before_a_problem_is_reported) {
     EXPECT_EQ(all.back(), "");
 }
 
-// The thread that writes for a terminal runs in real time, so this only tests that it ends at once, with or without
-// work.
+// The thread that writes to a terminal runs in real time. Therefore this tests only that the thread ends immediately,
+// with or without work.
 TEST(LongWorkLines, stop_at_once_with_and_without_work) {
     std::ostringstream to;
     const LongWork progress = LongWork::begun();

@@ -1,4 +1,4 @@
-// Lines typed to the program, in virtual time.
+// Tests lines that a person types to the program, in virtual time.
 #include "app/main/program_lines.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace handrail {
 namespace program_lines_test {
 
-// A session with typed lines; each tick is a frame of the program.
+// A session that receives typed lines. Each tick is a frame of the program.
 struct Typed {
     explicit Typed(std::shared_ptr<const Scene> world, bool by_person = false) : lines{app, worlds, by_person} {
         arguments.common.data_in = folder.path();
@@ -85,7 +85,7 @@ TEST(ProgramLines, of_a_person_are_performed_while_another_world_is_being_read) 
         Typed typed(std::make_shared<const Scene>(*house), by_person);
         typed.run(0.5);
         const Vec3 begun_m = typed.app.feet_m();
-        // The world counts as being read until somebody checks whether it is ready.
+        // `typed.worlds` counts as reading the world until somebody checks whether the world is ready.
         typed.app.requests().world = WorldRequest{test::bundled_world("school.map")};
         typed.worlds.change(typed.now);
         ASSERT_TRUE(typed.worlds.reading());
@@ -95,7 +95,7 @@ TEST(ProgramLines, of_a_person_are_performed_while_another_world_is_being_read) 
     }
 }
 
-// The house has a room of that name, and a thing whose name begins with it.
+// The house has a room called Kitchen, and a thing whose name begins with "Kitchen".
 TEST(ProgramLines, find_a_room_with_the_exact_name_before_things_whose_names_begin_with_it) {
     const auto house = read_world(test::bundled_world("house.map"));
     ASSERT_TRUE(house);

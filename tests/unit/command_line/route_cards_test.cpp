@@ -1,4 +1,4 @@
-// Cards print exactly the legs that a session announces to a person at the base.
+// A route card must print exactly the legs of the route that a session announces to a person at the base.
 #include "app/main/route_cards.h"
 
 #include <fmt/ranges.h>
@@ -18,7 +18,7 @@
 namespace handrail::test {
 namespace route_cards_test {
 
-// A person at the base who chooses a route in the list of rooms and requests all of it.
+// A person at the base, who chooses a route in the list of rooms and requests all its legs.
 class Walker {
 public:
     explicit Walker(const std::shared_ptr<const Scene>& scene) : session_(Settings{}, HandFacts{}) {
@@ -86,7 +86,7 @@ TEST_P(OfWorld, the_route_cards_have_the_spoken_legs_to_every_room) {
             name = sentence_case(name.substr(0, name.size() - 1));
             const std::uint32_t here = room_at(rooms.graph(), rooms.navigation().space(), base->feet_m);
             if (here != kNothing && sentence_case(rooms.graph().rooms[here].name) == name)
-                continue;  // the list has no route to the present place
+                continue;  // the list has no route to the room where the person is
             walker.stand(rooms.navigation().nearest_place(base->feet_m).value_or(base->feet_m),
                          notch_heading_rad(nearest_notch(base->heading_rad)));
             EXPECT_EQ(fmt::format("{}", fmt::join(way.begin() + 2, way.end(), " ")), walker.told(name)) << name;

@@ -1,4 +1,4 @@
-// The placed models of a Scene as bodies: which are free, which are driven, and what they weigh.
+// Tests how the placed models of a Scene become bodies: which are free, which are driven, and what they weigh.
 #include "haptic/compile/compile_dynamics.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ Solid solid_of(const DynamicsPiece& piece, FeatureId feature) {
     return solid;
 }
 
-// A floor, a pool above it, and three crates of 0.4 m; the last is twice as large.
+// Returns a scene with a floor, a pool above it, and three crates of 0.4 m. The last crate is scaled to twice the size.
 Scene crates() {
     Scene scene;
     scene.materials.resize(1);
@@ -59,7 +59,7 @@ TEST(CompileDynamics, creates_bodies_for_free_things_and_leaves_the_rest_driven)
     EXPECT_NEAR(made->bodies[0].inertia_kg_m2.x, 4.0 * 2 * 0.16 / 12.0, 1e-12);
     EXPECT_NEAR(made->bodies[1].inertia_kg_m2.x, report.mass_kg[1] * 2 * 0.64 / 12.0, 1e-9);
     EXPECT_NEAR(made->bodies[0].start.position_m.z, 0.5 - 100.0, 1e-12) << "local to the origin";
-    // The body is where the hand feels it.
+    // The body of the dynamics must be where the hand feels the crate.
     const auto felt = compile_haptic(scene, MaterialSource::KeysOnly);
     const Placement thing = thing_of(made->bodies[1], made->bodies[1].start);
     EXPECT_LT(glm::length(thing.position_m + made->origin_m - felt->bodies[2].start.position_m), 1e-12);

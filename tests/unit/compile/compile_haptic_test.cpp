@@ -66,7 +66,7 @@ TEST(CompileHaptic, keeps_the_touchable_side_of_sheets_even_after_joining_them) 
 }
 
 TEST(CompileHaptic, applies_textures_and_shading_to_moving_and_static_things_alike) {
-    // A slightly bent sheet, thin along x, with four facets around an axis.
+    // A slightly bent sheet, thin along x, made of four facets about an axis.
     auto model = std::make_shared<Scene>();
     model->materials.resize(1);
     const auto at = [](int k, double z) { return Vec3(0.1 * std::cos(0.1 * k), 0.1 * std::sin(0.1 * k), z); };
@@ -92,7 +92,7 @@ TEST(CompileHaptic, applies_textures_and_shading_to_moving_and_static_things_ali
     EXPECT_EQ(replayed->bodies[0].shape->shading.highest_m, 0.0) << "a replay meets the facets";
     ASSERT_EQ(felt->relief_axis.size(), 1U);
     EXPECT_EQ(felt->relief_axis[0], 0) << "along its own x";
-    // The pattern moves with the body, so the body's place does not change what is felt at a point of it.
+    // The relief pattern is fixed to the body. So the body's place must not change the force at a point of the body.
     const auto press = [&](const Vec3& moved_m) {
         TouchState state;
         TouchTuning tuning;

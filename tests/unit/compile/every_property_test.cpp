@@ -1,4 +1,5 @@
-// The map with every property that a world can have: each is read without a warning and can be felt.
+// Uses the map that has every property that a world can have. The reader must read each property without a warning, and
+// the hand must feel it.
 #include <optional>
 
 #include "haptic/compile/compile_haptic.h"
@@ -27,8 +28,8 @@ protected:
         scene.reset();
     }
 
-    // The force on a hand that has rested at a place and then moved by a step per tick for some ticks. As the `touch`
-    // command computes it, at scale 1.
+    // Returns the force on a hand that rests at `at_m` for `rest_ticks` and then moves by `step_m` in each of
+    // `move_ticks`. Computed as the `touch` command does, at scale 1.
     static Vec3 felt(const Vec3& at_m, int rest_ticks = 1, const Vec3& step_m = Vec3(0.0), int move_ticks = 0) {
         TouchState state;
         TouchResult r;
@@ -48,7 +49,7 @@ TEST_F(EveryProperty, is_read_without_a_warning) {
 }
 
 TEST_F(EveryProperty, liquids_drag_lift_hold_and_flow) {
-    const Vec3 step(2e-4, 0, 0);  // 0.2 m/s
+    const Vec3 step(2e-4, 0, 0);  // 0.2 m/s at 1,000 ticks a second
     EXPECT_NEAR(felt({3, 3, -0.6}, 1, step, 400).x, -4.0 * 0.2, 1e-6);
     EXPECT_NEAR(felt({7.5, 3.5, -0.6}, 200).z, 0.6, 1e-9);
     EXPECT_EQ(felt({7.5, 3.5, -0.6}, 200, step, 100).x, 0.0) << "no viscosity, no drag";
@@ -85,12 +86,13 @@ TEST_F(EveryProperty, each_effect_is_felt_as_its_keys_say) {
 }
 
 TEST_F(EveryProperty, soft_sides_yield_as_their_keys_say) {
-    // Cushion, top at 1 m, soft to 0.4 m: at once a quarter of 1,000 N/m; held, the force relaxes to about two thirds.
+    // A cushion with its top at 1 m, which is soft down to 0.4 m. Its stiffness is a quarter of 1,000 N/m at first.
+    // While the hand rests, the force relaxes to about two thirds.
     const double radius = TouchTuning{}.radius_m;
     EXPECT_NEAR(felt({17, 3, 1.0 + radius - 0.004}).z, 250.0 * 0.004, 0.02);
     EXPECT_NEAR(felt({17, 3, 1.0 + radius - 0.004}, 5000).z, 250.0 * 0.004 * 0.64, 0.1);
     EXPECT_EQ(felt({17, 3, 1.0 + radius + 0.001}), Vec3(0.0));
-    // Clay, south side at y = 2: 400 N/m up to half a newton, then it yields.
+    // Clay, with its south side at y = 2. It has 400 N/m up to half a newton and yields above that.
     EXPECT_NEAR(felt({21, 2.0 - radius + 0.001, 1}).y, -400.0 * 0.001, 0.01);
     EXPECT_LT(std::abs(felt({21, 2.0 - radius + 0.02, 1}, 300).y), 3.5)
         << "it has given way, and 8 newtons would be the spring's";

@@ -1,6 +1,6 @@
-// Meshes prepared for touch. Joined triangles cover what was there, dropped ones are covered by others, and a
-// simplified mesh is as near as stated. Random triangulations of planes, boxes, prisms and terrain, rotated, moved and
-// shuffled.
+// Tests meshes that are prepared for touch. Joined triangles must cover the same area as before. Other triangles must
+// cover the dropped ones. A simplified mesh must be as near to the original as stated. The meshes are random
+// triangulations of planes, boxes, prisms and terrain, rotated, moved and shuffled.
 #include "haptic/compile/prepare_mesh.h"
 
 #include <array>
@@ -26,8 +26,8 @@ using Soup = std::vector<Vec3>;  // three corners per triangle
 
 void triangle(Soup& soup, const Vec3& a, const Vec3& b, const Vec3& c) { soup.insert(soup.end(), {a, b, c}); }
 
-// A sheet of n by m cells with random inner points; each cell is cut along a random diagonal, and `holes` of them are
-// missing. A function gives the height.
+// Adds a sheet of n by m cells with random inner points. Each cell is cut along a random diagonal, and `holes` cells
+// are missing. `height` is a function that gives the height.
 template <class Height>
 void grid(Soup& soup, std::mt19937& random, int n, int m, int holes, const Height& height) {
     std::vector<Vec3> points;
@@ -79,7 +79,7 @@ void box(Soup& soup, const Vec3& low, const Vec3& high) {
     }
 }
 
-// Shuffles the triangles, changes the first corner of each, and moves the whole.
+// Returns the triangles in random order, each beginning with a random corner, after the motion.
 Soup stirred(const Soup& soup, std::mt19937& random, const Motion& motion) {
     std::vector<std::size_t> order(soup.size() / 3);
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -96,7 +96,7 @@ PreparedMesh prepared(const Soup& soup, const MeshOptions& options = {}) {
     return prepare_mesh(soup, std::vector<std::uint32_t>(soup.size() / 3, 7), options);
 }
 
-// The sheets as the touch judge sees them, without a hierarchy: polygons become fans.
+// Returns the sheets that the touch solver receives, without a hierarchy. Polygons become fans of triangles.
 Soup sheets_of(const PreparedMesh& prepared_mesh) {
     Soup sheets;
     for (const Corners& t : prepared_mesh.mesh.triangles)
@@ -115,7 +115,7 @@ double distance_to(const Soup& soup, const Vec3& p) {
     return static_cast<double>(nearest);
 }
 
-// The greatest distance of random points on one soup from another.
+// Returns the greatest distance of random points on `from` from `to`, in metres.
 double farthest(const Soup& from, const Soup& to, std::mt19937& random, int samples) {
     double most = 0.0;
     for (int i = 0; i < samples; ++i) {
@@ -155,7 +155,7 @@ struct Family {
     const char* name;
     Soup soup;
     double bound_m;
-    std::size_t most_pieces;  // polygons and triangles counted together
+    std::size_t most_pieces;  // greatest number of pieces; a piece is a polygon or a triangle
 };
 
 std::vector<Family> families(std::mt19937& random) {
@@ -228,7 +228,8 @@ TEST(PrepareMesh, merges_only_triangles_of_one_surface) {
     Soup soup;
     grid(soup, random, 10, 2, 0, [](const Vec2&) { return 0.0; });
     std::vector<std::uint32_t> surfaces;
-    for (std::size_t t = 0; t < soup.size() / 3; ++t) surfaces.push_back(t < 20 ? 1 : 2);  // makes two rows
+    // The surface of each triangle: two rows of triangles.
+    for (std::size_t t = 0; t < soup.size() / 3; ++t) surfaces.push_back(t < 20 ? 1 : 2);
     const PreparedMesh mesh = prepare_mesh(soup, surfaces, {});
     EXPECT_TRUE(mesh.mesh.triangles.empty() || mesh.surfaces.size() == mesh.mesh.triangles.size());
     for (std::size_t i = 0; i < mesh.polygons.size(); ++i) {
@@ -254,7 +255,8 @@ TEST(PrepareMesh, welds_the_same_points_as_an_all_pairs_comparison) {
             }
             MeshReport report;
             const TriangleMesh mesh = weld_corners(soup, tolerance, report);
-            // The comparison: each corner is merged with the nearest kept point that is near enough, or else is kept.
+            // The reference: merges each corner with the nearest kept point within the tolerance, or else keeps the
+            // corner.
             std::vector<Vec3> kept;
             for (std::size_t i = 0; i < soup.size(); ++i) {
                 std::size_t nearest = kept.size();
@@ -266,7 +268,8 @@ TEST(PrepareMesh, welds_the_same_points_as_an_all_pairs_comparison) {
                         nearest = k;
                     }
                 if (nearest == kept.size()) kept.push_back(soup[i]);
-                // A place that was seen before keeps its answer, even if a nearer point has come since.
+                // A corner that occurred before must get the same kept point again, even if a nearer point was kept
+                // later.
                 const Vec3 got = mesh.points_m[mesh.triangles[i / 3][i % 3]];
                 ASSERT_LE(glm::length(got - soup[i]), tolerance) << "seed " << kSeed << " round " << round;
                 ASSERT_LE(glm::length(got - kept[nearest]), 2.0 * tolerance);
@@ -279,10 +282,10 @@ TEST(PrepareMesh, welds_the_same_points_as_an_all_pairs_comparison) {
 TEST(PrepareMesh, drops_zero_area_triangles_only_if_neighbours_cover_them) {
     Soup soup;
     triangle(soup, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-    triangle(soup, {0, 0, 0}, {0.4, 0, 0}, {1, 0, 0});  // degenerate, on the edge of the first
-    triangle(soup, {1, 0, 0}, {1, 0, 0}, {1, 0, 0});    // a single point on a corner of it
-    triangle(soup, {2, 0, 0}, {2, 0, 0}, {2, 0, 0});    // an isolated point
-    triangle(soup, {0, 0, 0}, {0, 0, 0.5}, {0, 0, 1});  // an isolated edge
+    triangle(soup, {0, 0, 0}, {0.4, 0, 0}, {1, 0, 0});  // degenerate, lies on the edge of the first triangle
+    triangle(soup, {1, 0, 0}, {1, 0, 0}, {1, 0, 0});    // degenerate, a single point at a corner of the first triangle
+    triangle(soup, {2, 0, 0}, {2, 0, 0}, {2, 0, 0});    // degenerate, an isolated point
+    triangle(soup, {0, 0, 0}, {0, 0, 0.5}, {0, 0, 1});  // degenerate, an isolated edge
     triangle(soup, {0, 1, 0}, {0, 0, 0}, {1, 0, 0});    // the first triangle again
     const PreparedMesh tidied = prepared(soup, {.merge = false});
     EXPECT_EQ(tidied.report.without_area, 2U);
@@ -294,8 +297,8 @@ TEST(PrepareMesh, drops_zero_area_triangles_only_if_neighbours_cover_them) {
     EXPECT_TRUE(all.report.sentences().empty());
 }
 
-// Three sheets at one edge, two that share only a corner, the same face twice, and the same face reversed. None of them
-// may be lost.
+// Three sheets that meet at one edge, two that share only a corner, the same face twice, and the same face reversed.
+// The preparation may lose none of them.
 Soup untidy() {
     Soup soup;
     triangle(soup, {0, 0, 0}, {1, 0, 0}, {0.5, 1, 0});
@@ -342,7 +345,7 @@ TEST(PrepareMesh, makes_curves_coarser_within_the_error_bound_and_reports_the_de
     }
 }
 
-// Half of a sphere; a band along its rim is another surface with fewer triangles.
+// A half sphere. A band along its rim is a second surface with fewer triangles.
 struct TwoSurfaces {
     Soup soup;
     std::vector<std::uint32_t> surfaces;
@@ -386,7 +389,8 @@ TEST(PrepareMesh, makes_dense_surfaces_alone_coarser_and_leaves_their_borders_wh
     EXPECT_LE(coarser.measured_m, options.simplify_m);
     EXPECT_EQ(mesh.report.simplify_measured_m, coarser.measured_m);
     ASSERT_EQ(mesh.mesh.triangles.size(), two.few + coarser.after);
-    // The few are there as they were, and each of their corners that the dense ones touched is still a corner of both.
+    // The triangles of the smaller surface must be unchanged. Each of their corners that the dense surface touched must
+    // still be a corner of both surfaces.
     const auto corners_of = [](const std::vector<Vec3>& points, const auto& in) {
         std::set<std::array<double, 3>> corners;
         for (std::size_t i = 0; i < points.size(); ++i)
@@ -463,7 +467,7 @@ TEST(PrepareMesh, keeps_touch_within_a_micrometre_of_the_original_mesh) {
         TouchState raw_state, merged_state;
         TouchTuning tuning;
         long compared = 0, touching = 0;
-        // Comes down on a random place of the surface and moves along it, pressed 2 mm deep.
+        // The hand comes down at a random place of the surface and moves along it, pressed in by 2 mm.
         for (int press = 0; press < scaled(12); ++press) {
             const std::size_t t = 3 * (random() % (soup.size() / 3));
             const Vec3 normal = glm::normalize(glm::cross(soup[t + 1] - soup[t], soup[t + 2] - soup[t]));
@@ -477,7 +481,7 @@ TEST(PrepareMesh, keeps_touch_within_a_micrometre_of_the_original_mesh) {
                 const TouchResult a = touch_tick(raw_state, *raw, tuning, goal, 1e-3),
                                   b = touch_tick(merged_state, *merged, tuning, goal, 1e-3);
                 same = same && a.contacts.converged &&
-                       !a.contacts.capped;  // a proxy that the cap stopped may be elsewhere from then on
+                       !a.contacts.capped;  // after the speed cap stopped a proxy, it may be elsewhere
                 if (!same) break;
                 ++compared;
                 touching += b.contacts.count > 0;
@@ -489,7 +493,7 @@ TEST(PrepareMesh, keeps_touch_within_a_micrometre_of_the_original_mesh) {
     }
 }
 
-// Slivers of aspect 1e3 to 1e7 in a plane, as in the hard case of that name; joined, they make the plane.
+// Slivers with aspect ratios of 1e3 to 1e7 in a plane, as in the hard case of that name. Joined, they form the plane.
 TEST(PrepareMesh, makes_a_plane_of_sliver_triangles_feel_like_a_plane) {
     constexpr double b = 0.1, r = 0.005;
     for (const double aspect : {1e3, 1e5, 1e7})

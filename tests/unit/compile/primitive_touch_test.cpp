@@ -1,5 +1,5 @@
-// Exact shapes from the scene to the hand. Each becomes the matching obstacle and, moved, rotated and scaled, feels
-// correspondingly.
+// Tests exact shapes from the scene to the hand. Each shape must become the matching obstacle. A moved, rotated and
+// scaled shape must exert the moved, rotated and scaled force.
 #include <random>
 
 #include "haptic/compile/compile_haptic.h"
@@ -46,10 +46,11 @@ TEST(CompileHaptic, turns_every_exact_shape_into_its_obstacle_whether_static_or_
         << "a turned box is a brush";
 }
 
-// Force and proxy along a hand path, for a placed shape, turned back into the shape's own frame.
+// Compares force and proxy along a hand path. The results of the placed shape are transformed back into the shape's own
+// frame.
 TEST(CompileHaptic, moved_turned_and_scaled_shapes_push_like_the_transformed_originals) {
     const std::uint32_t seed0 = test::seed_of_run();
-    std::size_t touched = 0;  // over all rounds, since a single path may miss a thin shape
+    std::size_t touched = 0;  // contacts of all rounds together, because a single path may miss a thin shape
     for (int round = 0; round < scaled(20); ++round) {
         std::mt19937 random(seed0 + static_cast<std::uint32_t>(round));
         const auto kind = static_cast<PrimitiveKind>(round % 5);
@@ -64,7 +65,7 @@ TEST(CompileHaptic, moved_turned_and_scaled_shapes_push_like_the_transformed_ori
         for (int i = 0; i < 12; ++i) way.emplace_back(0.06 * part(), 0.06 * part(), 0.06 * part());
         way.emplace_back(0, 0, 0.09);
         const std::vector<Vec3> goals = hand_path(way, 0.2);
-        // The hand is scaled with the world, so that both follow the same path.
+        // The hand's tuning is scaled with the world, so that the hand takes the corresponding path in both scenes.
         TouchTuning tuning, scaled_tuning;
         tuning.slide_cap_hand_m = scaled_tuning.slide_cap_hand_m = 1.0;
         tuning.default_friction_static = tuning.default_friction_kinetic = scaled_tuning.default_friction_static =
@@ -87,8 +88,8 @@ TEST(CompileHaptic, moved_turned_and_scaled_shapes_push_like_the_transformed_ori
             differ += difference_n > 1e-5 ? 1 : 0;
             worst_m = std::max(worst_m, glm::length(frame.to_own(other.proxy_m) - one.proxy_m));
         }
-        // Iterations end at 1e-8 m of the world, and friction preserves that error. A rim or tip, and a hand about to
-        // slip off, multiply it.
+        // The solver's iterations end within 1e-8 m of the world, and friction preserves that error. Rims and tips
+        // multiply the error, and so does a hand that is about to slip off.
         const bool edges = kind != PrimitiveKind::Sphere && kind != PrimitiveKind::Capsule;
         EXPECT_LE(worst_n, 0.1) << "seed " << seed0 + static_cast<std::uint32_t>(round) << " kind "
                                 << static_cast<int>(kind);

@@ -1,4 +1,5 @@
-// The limits of rounding a scene: not beyond a stated number of solids, and not after cancellation.
+// Tests the limits of rounding a scene. compile_haptic() must stop rounding above a stated number of solids, and after
+// a cancellation.
 #include <gmock/gmock.h>
 
 #include "haptic/compile/compile_haptic.h"

@@ -15,12 +15,13 @@
 namespace handrail {
 namespace simplify_scene_test {
 
-constexpr double kBuilding = 254.0;  // a gap can be felt from 1.6256 m on, a thing from 0.8128 m
+// Scale of the building. At this scale, the hand feels gaps of at least 1.6256 m and things of at least 0.8128 m.
+constexpr double kBuilding = 254.0;
 
 SimplifyOptions at_scale(double scale) { return {scale, {}, {}}; }
 
-// Two rooms of 8 by 6 metres, south and north of a wall of 0.2 m. The wall has a doorway of 0.9 m with a door. Lintel
-// at 2.1 m, ceiling at 2.6 m.
+// Two rooms of 8 by 6 metres, south and north of a wall of 0.2 m. The wall has a doorway of 0.9 m with a door. The
+// lintel is at 2.1 m and the ceiling at 2.6 m.
 struct TwoRooms {
     explicit TwoRooms(double door_low_m = 3.5, const Vec3& at_m = Vec3(0.0), bool with_door = true)
         : low_m(door_low_m), zero_m(at_m) {
@@ -63,7 +64,8 @@ bool is_solid(const Scene& scene, const Vec3& p, bool with_leaves = true) {
     });
 }
 
-// Doors, openings without doors, and many small things, each of which is checked more than once.
+// Many small things, a door and openings without doors, because plan_simplification() checks for a cancellation at each
+// of them.
 TEST(SimplifyScene, stops_at_once_when_cancelled_at_any_step) {
     TwoRooms rooms;
     for (int i = 0; i < 30; ++i)
@@ -143,7 +145,7 @@ TEST(SimplifyScene, omits_unneeded_things_under_an_eighth_of_an_inch) {
         EXPECT_FALSE(is_solid(felt, rooms.scene().features[out.value].bounds_m.centre_m()));
     for (const FeatureId in : {shelf, fountain, clue, marked, ticks, button})
         EXPECT_TRUE(is_solid(felt, rooms.scene().features[in.value].bounds_m.centre_m()));
-    // At 1:60, 0.3 m are 5 mm of hand movement.
+    // At 1:60, the pole's 0.3 m are 5 mm of hand movement.
     EXPECT_EQ(plan_simplification(rooms.scene(), at_scale(60.0)).left_out, std::vector<FeatureId>{pole});
 }
 
@@ -162,7 +164,7 @@ TEST(SimplifyScene, leaves_no_hole_where_a_window_or_a_piece_of_wall_is_small) {
     rooms.wall({6, 6, 0}, {6.5, 6.2, 1.0});
     rooms.wall({6, 6, 1.6}, {6.5, 6.2, 2.6});
     const FeatureId window = rooms.thing({6, 6.05, 1.0}, {6.5, 6.1, 1.6}, "Window");
-    // Next to the east wall, and in a corner.
+    // The bin is next to the east wall, and the stand is in a corner.
     const FeatureId bin = rooms.thing({7.6, 3, 0}, {8, 3.4, 0.5}, "Bin"),
                     stand = rooms.thing({7.6, 0, 0}, {8, 0.4, 0.5}, "Stand");
     const FeatureId stub = rooms.wall({1.0, 6.2, 0}, {1.4, 6.6, 2.6}, FeatureKind::Object),
@@ -174,7 +176,7 @@ TEST(SimplifyScene, leaves_no_hole_where_a_window_or_a_piece_of_wall_is_small) {
 }
 
 TEST(SimplifyScene, stops_widening_at_a_crossing_wall_and_widens_to_the_other_side) {
-    // A third room in the north-west; its wall meets the doorway's wall 0.1 m west of the doorway.
+    // A third room in the north-west. Its wall meets the wall with the doorway 0.1 m west of the doorway.
     TwoRooms rooms;
     rooms.wall({3.2, 6.2, 0}, {3.4, 12.2, 2.6});
     const Simplification plan = plan_simplification(rooms.scene(), at_scale(kBuilding));
@@ -198,7 +200,7 @@ TEST(SimplifyScene, reports_an_opening_that_stays_narrow_between_two_crossing_wa
 
 TEST(SimplifyScene, never_cuts_into_a_separately_named_thing) {
     TwoRooms rooms;
-    rooms.thing({4.6, 6, 0}, {5.8, 6.2, 2.0}, "Window");  // it is inside the wall
+    rooms.thing({4.6, 6, 0}, {5.8, 6.2, 2.0}, "Window");  // the window is inside the wall
     const Simplification plan = plan_simplification(rooms.scene(), at_scale(kBuilding));
     ASSERT_EQ(plan.openings.size(), 1U);
     EXPECT_NEAR(plan.openings[0].felt_high_m, 4.6, 1e-9);
@@ -207,7 +209,7 @@ TEST(SimplifyScene, never_cuts_into_a_separately_named_thing) {
 
 TEST(SimplifyScene, keeps_a_piece_of_wall_between_two_doorways) {
     TwoRooms rooms(3.5);
-    // Another doorway, from 5.0 to 5.9, in the same wall.
+    // A second doorway in the same wall. It begins 0.5 m east of the first one.
     std::erase_if(rooms.scene().solids,
                   [](const Solid& s) { return s.shape.bounds_m.min_m.x == 4.4 && s.shape.bounds_m.min_m.y == 6.0; });
     rooms.wall({4.4, 6, 0}, {5.4, 6.2, 2.6});
@@ -226,7 +228,7 @@ TEST(SimplifyScene, widens_doorless_openings_only_at_the_given_places) {
     TwoRooms rooms(3.5, Vec3(0.0), false);
     EXPECT_TRUE(plan_simplification(rooms.scene(), at_scale(kBuilding)).openings.empty());
     SimplifyOptions options = at_scale(kBuilding);
-    options.openings_m = {{4.1, 6.15, 0.0}, {2.0, 3.0, 0.0}};  // the second is in the middle of a room
+    options.openings_m = {{4.1, 6.15, 0.0}, {2.0, 3.0, 0.0}};  // the second place is in the middle of a room
     const Simplification plan = plan_simplification(rooms.scene(), options);
     ASSERT_EQ(plan.openings.size(), 1U);
     EXPECT_EQ(plan.openings[0].place, 0);
@@ -275,14 +277,14 @@ TEST(SimplifyScene, widens_a_doorway_above_a_hole_in_the_floor) {
     std::erase_if(rooms.scene().solids, [](const Solid& s) { return s.shape.bounds_m.max_m.z == 0.0; });
     rooms.wall({0, 0, -0.4}, {8, 6, 0}, FeatureKind::Floor);
     rooms.wall({0, 6.2, -0.4}, {8, 12.2, 0}, FeatureKind::Floor);
-    rooms.wall({0, 6, -3}, {8, 6.2, -0.4});  // the wall of the storey below
+    rooms.wall({0, 6, -3}, {8, 6.2, -0.4});  // this is the wall of the storey below
     const Simplification plan = plan_simplification(rooms.scene(), at_scale(kBuilding));
     ASSERT_EQ(plan.openings.size(), 1U);
     EXPECT_NEAR(plan.openings[0].felt_width_m(), 0.0064 * kBuilding, 1e-9);
     EXPECT_EQ(plan.openings[0].floor_m, 0.0);
 }
 
-// The same building rotated about the vertical axis.
+// Returns the building rotated about the vertical axis.
 Scene turned(Scene scene, double angle_rad) {
     const double c = std::cos(angle_rad), k = std::sin(angle_rad);
     const auto turn = [&](const Vec3& p) { return Vec3(c * p.x - k * p.y, k * p.x + c * p.y, p.z); };
@@ -362,7 +364,7 @@ TEST(SimplifyScene, treats_two_leaves_in_one_doorway_as_one) {
     EXPECT_NEAR(leaf(east).max_m.x - leaf(west).min_m.x, 0.0064 * kBuilding, 1e-9);
 }
 
-// Brute force: random places all over the building.
+// Compares random places all over the building with a brute-force computation.
 TEST(SimplifyScene, changes_only_cuts_door_leaves_and_omitted_things) {
     const std::uint32_t seed = test::seed_of_run();
     SCOPED_TRACE(seed);
@@ -411,7 +413,8 @@ TEST(SimplifyScene, changes_only_cuts_door_leaves_and_omitted_things) {
             EXPECT_EQ(is_solid(felt, p, false), wanted)
                 << "round " << round << " at " << p.x - far.x << " " << p.y - far.y << " " << p.z - far.z;
             EXPECT_EQ(is_solid(felt_shuffled, p, false), wanted);
-            // The leaf closes the opening from jamb to jamb, at its own depth and height.
+            // With door leaves included, the leaf must close the opening from jamb to jamb, at the leaf's own depth and
+            // height.
             const bool in_leaf = in_cut && p.y > far.y + 6.0 && p.y < far.y + 6.05 && p.z < far.z + 2.08;
             EXPECT_EQ(is_solid(felt, p), wanted || in_leaf || (!in_cut && is_solid(felt, p)));
         }

@@ -1,4 +1,4 @@
-// What a world consists of for the hand, counted and described in every language.
+// Tests the counts and descriptions of what the hand can touch in a world, in every language.
 #include "haptic/compile/touch_model.h"
 
 #include <set>

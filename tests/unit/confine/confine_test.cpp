@@ -77,7 +77,7 @@ int connect_error(std::uint16_t port) {
     return error_of(::connect(opened.get(), reinterpret_cast<const sockaddr*>(&to), sizeof to));
 }
 
-// These tests need a kernel with seccomp and Landlock, which every system has that Handrail is built for.
+// These tests need a kernel with seccomp and Landlock. Every system for which Handrail is built has such a kernel.
 class Confined : public testing::Test {
 protected:
     void SetUp() override {
@@ -169,7 +169,7 @@ TEST_F(Driving, opens_only_files_permitted_at_the_start_or_later) {
     EXPECT_EQ(confined(permissions, [] { return open_error("/etc/passwd"); }), kNotPermitted);
     EXPECT_EQ(confined(permissions, [&] { return open_error(fact); }), kWentThrough);
     EXPECT_EQ(confined(permissions, [&] { return open_error(fact, O_WRONLY); }), kNotPermitted);
-    // A guard tries to open its device repeatedly, until somebody plugs it in.
+    // The child process acts as a guard that tries to open its device until somebody plugs the device in.
     const auto look = [&] { return open_error(devices.path() / "event7", O_RDWR); };
     int guards[2] = {-1, -1}, ours[2] = {-1, -1};
     ASSERT_TRUE(::pipe2(guards, O_CLOEXEC) == 0 && ::pipe2(ours, O_CLOEXEC) == 0);
@@ -197,7 +197,7 @@ TEST_F(Driving, starts_no_other_program) { EXPECT_EQ(confined(nothing(), exec_er
 TEST_F(Driving, gets_only_permitted_sockets) {
     for (const int family : {AF_UNIX, AF_INET, AF_INET6, AF_NETLINK, AF_PACKET})
         EXPECT_EQ(confined(nothing(), [=] { return socket_error(family, SOCK_DGRAM); }), kRefused) << family;
-    // The kernel uses only the lower half of the number.
+    // The kernel uses only the lower half of the 64-bit argument, so the filter must do the same.
     EXPECT_EQ(
         confined(nothing(), [] { return error_of(::syscall(SYS_socket, (1ULL << 32) | AF_UNIX, SOCK_STREAM, 0)); }),
         kRefused);
@@ -234,7 +234,7 @@ TEST_F(Driving, reaches_no_other_process_but_may_end_itself) {
     EXPECT_EQ(confined(nothing(), [] { return error_of(::kill(::getpid(), SIGKILL)); }).signal, SIGKILL);
 }
 
-// Simulates a kernel that was built without either, or a container that hides them.
+// Simulates a kernel that was built without seccomp and Landlock, or a container that hides them.
 TEST(Confinement, that_the_kernel_lacks_is_reported_and_changes_nothing) {
     const test::TemporaryFolder folder;
     const fs::path file = folder.write("file", "");

@@ -30,7 +30,8 @@ Feature feature(FeatureKind kind, std::string name, MaterialId material, Vec3 mi
     return f;
 }
 
-// A room of 6 by 4 metres: a plaster wall, a carpet floor, an oak door, a pool, and a feature without a name.
+// Returns a room of 6 by 4 metres with a plaster wall, a carpet floor, an oak door, a pool, and a feature without a
+// name.
 std::shared_ptr<const Scene> room() {
     auto scene = std::make_shared<Scene>();
     scene->materials.resize(4);
@@ -51,7 +52,7 @@ std::shared_ptr<const Scene> room() {
     return scene;
 }
 
-// A planner with its sinks in virtual time, ticked every 5 ms like the audio thread.
+// A planner with recording sinks in virtual time. It ticks every 5 ms, as it does on the audio thread.
 class CuePlannerTest : public ::testing::Test {
 protected:
     explicit CuePlannerTest(double words_per_minute = 0.0) : speech(words_per_minute) { planner.enter_world(room()); }
@@ -111,7 +112,7 @@ protected:
     CuePlanner planner{Settings{}};
 };
 
-// The same with a voice that takes realistic time: 240 words a minute, so a word lasts 0.25 s.
+// A planner whose voice takes realistic time: 240 words a minute, so a word lasts 0.25 s.
 class CuePlannerWithVoice : public CuePlannerTest {
 protected:
     CuePlannerWithVoice() : CuePlannerTest(240.0) {}
@@ -139,7 +140,7 @@ TEST_F(CuePlannerTest, plays_the_materials_contact_sound_at_the_hand_within_15_m
 }
 
 TEST_F(CuePlannerTest, second_touch_within_5_s_is_a_knock_without_speech) {
-    for (int touch = 0; touch < 5; ++touch) {  // at 0, 1, ... 4 s
+    for (int touch = 0; touch < 5; ++touch) {  // the hand touches the wall at 0, 1, ... 4 s
         begin(kNorth);
         wait(0.5);
         end(kNorth);
@@ -192,11 +193,11 @@ TEST_F(CuePlannerTest, nothing_is_spoken_twice_within_5_s) {
         }
         last[line.utterance.text] = line.time_s;
     }
-    EXPECT_EQ(last.size(), 5U);  // exactly the four names and the answer were said
+    EXPECT_EQ(last.size(), 5U);  // the planner announced exactly the four names and the answer
 }
 
 TEST_F(CuePlannerTest, chatter_of_one_feature_within_50_ms_sounds_once) {
-    for (int i = 0; i < 8; ++i) {  // every 5 ms
+    for (int i = 0; i < 8; ++i) {  // one touch every 5 ms
         begin(kNorth);
         tick({event(ContactEventKind::End, kNorth)});
         now_s -= 0.005;
@@ -215,7 +216,8 @@ TEST_F(CuePlannerTest, a_corner_gives_two_knocks_and_only_the_newest_name) {
 }
 
 TEST_F(CuePlannerTest, hand_trembling_between_two_surfaces_still_hears_a_name_within_120_ms) {
-    for (int i = 0; i < 24; ++i) begin(i % 2 == 0 ? kNorth : kFloor);  // every 5 ms for 120 ms
+    // The hand changes the surface every 5 ms for 120 ms.
+    for (int i = 0; i < 24; ++i) begin(i % 2 == 0 ? kNorth : kFloor);
     EXPECT_THAT(said(), ::testing::Not(IsEmpty()));
 }
 
@@ -412,7 +414,7 @@ TEST_F(CuePlannerTest, fault_sounds_and_speaks_as_an_alarm) {
     EXPECT_THAT(heard(), ElementsAre(SoundKind::Alarm));
 }
 
-// Here speech takes time. The message that a device may push interrupts earlier messages about that device,
+// In this test, speech takes time. The message that a device may push must interrupt earlier messages about that device
 // instead of waiting behind them.
 TEST_F(CuePlannerWithVoice, a_warning_that_a_device_may_push_waits_for_no_other_alarm) {
     ContactEvent fault = event(ContactEventKind::FaultRaised, kNoFeature.value);
@@ -652,7 +654,7 @@ TEST_F(CuePlannerWithVoice, the_sound_dictionary_speaks_the_name_first_and_then_
     EXPECT_EQ(audio.world_sounds().size(), 1U);
     wait(0.6);
     EXPECT_TRUE(audio.world_sounds().empty()) << "a loop ends by itself";
-    // A key ends the sound at once, and sounds that were waiting are not played.
+    // The key that stops speech must also end the sound immediately, and discard the sounds that were waiting.
     tick({}, {shown});
     wait(1.5);
     EXPECT_EQ(audio.world_sounds().size(), 1U);
@@ -830,7 +832,7 @@ TEST_F(CuePlannerWithVoice, any_key_interrupts_an_answer_but_no_warning) {
     tick({}, {request(CueRequestKind::Interrupt)});
     EXPECT_FALSE(speech.speaking());
     for (const SpeechClass warns : {SpeechClass::Warning, SpeechClass::Alarm}) {
-        // The key comes before anybody can have understood the warning.
+        // The person presses a key before anybody can have understood the warning.
         tick({}, {text("Edge. Drop, two metres deep, and more words", warns)});
         wait(0.3);
         tick({}, {request(CueRequestKind::Interrupt), text("To the key")});
@@ -839,13 +841,13 @@ TEST_F(CuePlannerWithVoice, any_key_interrupts_an_answer_but_no_warning) {
         wait(8.0);
         EXPECT_EQ(said().back(), "To the key") << "and then comes what the key asked for";
         wait(6.0);
-        // However long it takes.
+        // A key must not interrupt a warning, however long the warning takes.
         tick({}, {text("A warning of so many words that it goes on for a while and then for some more", warns)});
         wait(3.0);
         tick({}, {request(CueRequestKind::Interrupt)});
         EXPECT_TRUE(speech.speaking());
         wait(8.0);
-        // The key that silences everything does so at once.
+        // The key that silences everything must end even a warning immediately.
         tick({}, {text("One more warning", warns)});
         tick({}, {request(CueRequestKind::StopSpeech)});
         EXPECT_FALSE(speech.speaking());
@@ -907,7 +909,7 @@ TEST_F(CuePlannerTest, with_two_hands_names_the_touching_hand_and_separates_thei
     ASSERT_EQ(audio.sounds().size(), 2U);
     EXPECT_EQ(audio.sounds()[0].cue.position_m, Vec3(1.0, 2.0, 3.0));
     EXPECT_EQ(audio.sounds()[1].cue.position_m, Vec3(-2.0, 0.0, 1.0)) << "where that hand is";
-    // Both hands slide; one stops.
+    // Both hands slide; then the left hand stops.
     tick({event(ContactEventKind::Slide, kNorth), of_left(event(ContactEventKind::Slide, kDoor), {-2.0, 0.0, 1.0})});
     ASSERT_TRUE(audio.loop(SoundKind::Slide, 0) && audio.loop(SoundKind::Slide, 1));
     EXPECT_EQ(audio.loop(SoundKind::Slide, 0)->material, SoundClass::Plaster);
@@ -915,7 +917,7 @@ TEST_F(CuePlannerTest, with_two_hands_names_the_touching_hand_and_separates_thei
     tick({of_left(event(ContactEventKind::End, kDoor), {-2.0, 0.0, 1.0})});
     EXPECT_TRUE(audio.loop(SoundKind::Slide, 0));
     EXPECT_FALSE(audio.loop(SoundKind::Slide, 1));
-    // The same object under the other hand is announced again.
+    // The planner must announce the same object again if the other hand touches it.
     tick({of_left(event(ContactEventKind::Begin, kNorth), {-1.0, 4.0, 1.0})});
     wait(0.1);
     EXPECT_EQ(said().back(), "Left hand: North wall, plaster");

@@ -1,4 +1,4 @@
-// What the fingers on a pad feel of walls, doors, materials and stairs.
+// Tests what a pad signals to the fingers about walls, doors, materials and stairs.
 #include "audio-cues/plan/finger_planner.h"
 
 #include "tests/support/names.h"
@@ -113,7 +113,7 @@ TEST_F(FingerPlannerTest, a_hand_feels_force_as_stiffness_and_texture_at_its_own
     EXPECT_LT(light.nearness, heavy.nearness);
     EXPECT_EQ(heavy.nearness, 1.0);
     EXPECT_EQ(heavy.material_hz, 0.0) << "a hand at rest";
-    tool.hand_m.x += 0.05 / 60.0;  // 50 mm a second over ribs that are 2 mm apart
+    tool.hand_m.x += 0.05 / 60.0;  // the hand moves at 50 mm a second over ribs that are 2 mm apart
     const FingerCue sliding = tick({}, &tool);
     EXPECT_NEAR(sliding.material_hz, 25.0, 0.01);
     EXPECT_GT(sliding.grain, 0.0);

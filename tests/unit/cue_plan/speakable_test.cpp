@@ -13,15 +13,17 @@ TEST(Speakable, leaves_clean_text_unchanged) {
 TEST(Speakable, joins_several_lines_into_one) {
     EXPECT_EQ(speakable("  You need\r\nthe\tgold \n\n key\x7f "), "You need the gold key");
     EXPECT_EQ(speakable(std::string_view("a\0b", 3)), "a b");
-    EXPECT_EQ(speakable("bell\x1b[2J"), "bell [2J");  // no escape sequence reaches a terminal
+    EXPECT_EQ(speakable("bell\x1b[2J"), "bell [2J");  // the text keeps no escape sequence for a terminal
     EXPECT_EQ(speakable("next\xc2\x85line"), "next line");
 }
 
 TEST(Speakable, reads_invalid_utf8_as_latin_1) {
     EXPECT_EQ(speakable("Caf\xe9"), "Café");
-    EXPECT_EQ(speakable("\xc0\xaf"), "À¯");              // an overlong slash does not count as a slash
-    EXPECT_EQ(speakable("\xe6\x9d"), "æ");               // truncated sequence: 9d is a control character in Latin-1
-    EXPECT_EQ(speakable("\xed\xa0\x80x"), "í\u00a0 x");  // a surrogate is not a character; 80 is a control character
+    EXPECT_EQ(speakable("\xc0\xaf"), "À¯");  // an overlong slash does not count as a slash
+    // Truncated sequence: 9d is a control character in Latin-1, so it is dropped.
+    EXPECT_EQ(speakable("\xe6\x9d"), "æ");
+    // A surrogate is not a character, and 80 is a control character.
+    EXPECT_EQ(speakable("\xed\xa0\x80x"), "í\u00a0 x");
 }
 
 TEST(Speakable, contains_no_direction_controls_and_no_line_separators) {

@@ -1,5 +1,5 @@
-// The order in which lines are spoken and which are dropped, with a voice that takes its time in virtual time: 240
-// words a minute, so that a word lasts 0.25 s and each line 0.1 s more.
+// Tests in which order the planner has lines spoken and which lines it drops. The voice takes time in virtual time: 240
+// words a minute, so that a word lasts 0.25 s. Each line takes 0.1 s more.
 #include "audio-cues/plan/speech_order.h"
 
 #include <gmock/gmock.h>
@@ -38,7 +38,7 @@ protected:
         voice.tick(now_s);
         if (order.key(now_s, voice.speaking())) voice.stop();
     }
-    // Lines that were said to their end.
+    // Returns the lines that the voice spoke to the end.
     std::vector<std::string> heard() const {
         std::vector<std::string> texts;
         for (const HeardSpeech& line : voice.lines())

@@ -70,15 +70,15 @@ TEST(EffectiveStiffness, plaster_on_the_simulated_touch_is_300_newtons_per_metre
 
 TEST(EffectiveStiffness, follows_delay_damping_and_measured_period_below_the_rating) {
     const DeviceSpec& falcon = *find_device_spec("sim-f");
-    // b_eff = 0.2 + 1 + 0.7 * 5 = 4.7, and 0.5 * 4.7 / 1.5 ms = 1566.7 N/m for the default wall, which has 0.8 of the
-    // result.
+    // The effective damping is b_eff = 0.2 + 1 + 0.7 * 5 = 4.7. The default wall has 0.8 of the effective stiffness:
+    // 0.5 * 4.7 / 1.5 ms = 1566.7 N/m.
     EXPECT_NEAR(0.8 * effective_stiffness_n_per_m(falcon, 1e-3, 5.0), 1566.67, 0.01);
-    // T = 2 ms: 0.5 * 4.7 / 2 ms = 1175.
+    // With T = 2 ms, the wall has 0.5 * 4.7 / 2 ms = 1175 N/m.
     EXPECT_NEAR(0.8 * effective_stiffness_n_per_m(falcon, 2e-3, 5.0), 1175.0, 1e-9);
-    // No damping: b_eff = 1.2; 0.5 * 1.2 / 1.5 ms = 400.
+    // Without added damping, b_eff = 1.2 and the wall has 0.5 * 1.2 / 1.5 ms = 400 N/m.
     EXPECT_NEAR(0.8 * effective_stiffness_n_per_m(falcon, 1e-3, 0.0), 400.0, 1e-9);
     DeviceSpec slow = falcon;
-    slow.delay_s = 2e-3;  // 0.5 * 4.7 / 2.5 ms = 940
+    slow.delay_s = 2e-3;  // the wall then has 0.5 * 4.7 / 2.5 ms = 940 N/m
     EXPECT_NEAR(0.8 * effective_stiffness_n_per_m(slow, 1e-3, 5.0), 940.0, 1e-9);
 }
 

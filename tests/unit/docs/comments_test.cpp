@@ -1,4 +1,5 @@
-// Keeps the comments of the code readable: odd turns of speech, spelling. The rules: docs/developer/language.md.
+// Keeps the comments of the code readable: no odd turns of speech, and correct spelling. The rules are in
+// docs/developer/language.md.
 #include <map>
 #include <regex>
 #include <set>
@@ -20,11 +21,13 @@ struct Comment {
     std::string text;
 };
 
-// Returns what follows "//" on each line, joined where lines without code continue a comment. Strings are no comments.
+// Returns the comments of a source file: what follows "//" on each line. Joins a comment that continues on the next
+// line without code. Ignores "//" in strings.
 std::vector<Comment> comments_of(const std::string& source) {
     std::vector<Comment> found;
     std::size_t line = 1;
-    bool code = false, continues = false;  // of this line; whether the line before ended with a comment
+    // `code`: this line has code. `continues`: the previous line ended with a comment.
+    bool code = false, continues = false;
     for (std::size_t i = 0; i < source.size(); ++i) {
         const char c = source[i];
         if (c == '\n') {
@@ -71,7 +74,7 @@ template <class Look>
 void look_at_all(const Look& look) {
     for (const std::string& file : test::project_files()) {
         if (!file.ends_with(".h") && !file.ends_with(".cpp")) continue;
-        if (file == "tests/unit/docs/plain_english.h") continue;  // shows what not to write
+        if (file == "tests/unit/docs/plain_english.h") continue;  // this file shows what not to write
         for (const Comment& comment : comments_of(test::content_of(test::project_root() / file))) look(file, comment);
     }
 }
@@ -91,11 +94,12 @@ TEST(Comments, have_none_of_the_listed_patterns) {
     });
 }
 
-// Names of people, programs and code are in words_code.txt; words of the language are in words_en.txt, as for
-// documents.
+// Names of people, programs and code are in words_code.txt. Words of the language are in words_en.txt, which the
+// documents use, too.
 TEST(Comments, are_spelled_as_the_dictionary_or_the_word_lists_have_it) {
     if (!test::has_dictionary("en_GB")) GTEST_SKIP() << "needs hunspell and hunspell-en-gb: the spelling of comments";
-    // Left out: code and quoted texts, then what has digits, underscores, capitals inside, or is part of a name.
+    // The test skips code and quoted texts. It also skips words with digits, underscores or inner capitals, and words
+    // that are part of a name.
     static const std::regex quoted(R"(`[^`]*`|"[^"]*")"), word(R"(^\(?([A-Za-z]?[a-z]{2,}('[a-z]+)?)[.,;:?!)]*$)");
     std::map<std::string, std::string> places;
     std::set<std::string> words;

@@ -1,4 +1,4 @@
-// The guides match the code: their tables are compared with the tables in the code, row by row.
+// The guides must match the code. The tests compare the tables of the guides with the tables in the code, row by row.
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 const fs::path kRoot = test::project_root();
 
-// The pages at the top and every page of docs, sorted by name.
+// Returns the pages at the top and every page of docs, sorted by name.
 std::vector<fs::path> pages() {
     std::vector<fs::path> all{kRoot / "README.md", kRoot / "CONTRIBUTING.md", kRoot / "NEWS.md"};
     for (const auto& entry : fs::recursive_directory_iterator(kRoot / "docs"))
@@ -33,7 +33,7 @@ std::vector<fs::path> pages() {
     return all;
 }
 
-// A page without its code blocks, in which a lambda looks like a link and a comment like a heading.
+// Returns a page without its code blocks, in which a lambda looks like a link and a comment like a heading.
 std::string prose_of(const fs::path& page) {
     std::string text = test::content_of(page);
     for (std::size_t open = text.find("```"); open != std::string::npos; open = text.find("```", open)) {
@@ -43,7 +43,7 @@ std::string prose_of(const fs::path& page) {
     return text;
 }
 
-// The anchors of a page's headings for links: lower-case letters, digits and hyphens.
+// Returns the anchors of a page's headings, to which links lead: lower-case letters, digits and hyphens.
 std::set<std::string> anchors_of(const fs::path& page) {
     std::set<std::string> anchors;
     std::istringstream lines(prose_of(page));
@@ -122,8 +122,8 @@ TEST(MapAuthorsGuide, lists_every_effect_with_its_ranges) {
     EXPECT_THAT(table_rows("map-authors-guide/touch.md", "| Effect | Strength |"), UnorderedElementsAreArray(expected));
 }
 
-// The reader queries keys by name. Every queried name must have a line in the guide, and every line must belong to a
-// queried name.
+// The reader queries keys by name. Every name that it queries must have a line in the guide, and the reader must query
+// the name of every line.
 TEST(MapAuthorsGuide, lists_every_key_that_the_map_reader_reads) {
     static const std::regex kAsked(
         R"re((?:(?:entity_?\.find|entity\.value|text_of|yes_no_of|number_of|side_of|vector_of|)re"
@@ -135,7 +135,7 @@ TEST(MapAuthorsGuide, lists_every_key_that_the_map_reader_reads) {
     std::set<std::string> asked;
     for (auto it = std::sregex_iterator(source.begin(), source.end(), kAsked); it != std::sregex_iterator(); ++it)
         asked.insert((*it)[1]);
-    asked.erase("_external_map");  // belongs to another program; it is left out and reported
+    asked.erase("_external_map");  // this key belongs to another program; Handrail omits what it names and says so
     EXPECT_GE(asked.size(), 10U) << "the reader's source was not understood";
     std::set<std::string> listed;
     static const std::regex kKey("`([a-z_]+)`");
@@ -217,7 +217,7 @@ TEST(Documents, have_fewer_than_400_lines_and_one_title_each) {
     }
 }
 
-// The line after a table of docs/results: "Measured 2026-11-24, a machine, with a command."
+// The line that follows a table in docs/results: "Measured 2026-11-24, a machine, with a command."
 TEST(Results, state_for_each_table_when_where_and_with_what_it_was_measured) {
     static const std::regex kMeasured(R"re(^Measured \d{4}-\d\d-\d\d, [^`]+, with ([^`]*`[^`]+`.*|the .*column)\.$)re");
     std::size_t tables = 0;

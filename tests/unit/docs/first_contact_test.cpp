@@ -1,5 +1,5 @@
-// The first minute that README.md shows, played again from its scenario and compared with the page. With
-// HANDRAIL_WRITE_TRANSCRIPTS set, the test writes it instead.
+// README.md shows the first minute of a session. The test plays that minute from its scenario and compares it with the
+// page. If HANDRAIL_WRITE_TRANSCRIPTS is set, the test writes the page instead.
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -18,7 +18,7 @@ namespace first_contact_test {
 
 const std::filesystem::path kRoot = test::project_root();
 
-// A person's action in words; empty while the person listens.
+// Describes a person's action in words; empty while the person listens.
 std::string deed_of(const ScenarioStep& step) {
     const auto key = [](Command command) {
         const std::string keys(info(command).key);
@@ -30,14 +30,14 @@ std::string deed_of(const ScenarioStep& step) {
     return {};
 }
 
-// The name of a sound, such as "footstep on tile" or "wall tone".
+// Returns the name of a sound, such as "footstep on tile" or "wall tone".
 std::string name_of(const SoundCue& cue) {
     const std::string name(info(cue.kind).name);
     return cue.material == SoundClass::Generic ? name : name + " on " + std::string(material_sound_name(cue.material));
 }
 
-// The time up to the next action in words: "0:23 You hold Up for 3 seconds. Heard: footstep on wood, twice; knock.
-// Said: North wall."
+// Describes an action and what happens until the next one, for example: "0:23 You hold Up for 3 seconds. Heard:
+// footstep on wood, twice; knock. Said: North wall."
 std::string paragraph(const std::string& deed, double from_s, double to_s, const RecordingAudio& audio,
                       const RecordingSpeech& speech, std::set<SoundKind>& going_on) {
     std::vector<std::pair<std::string, int>> heard;
@@ -49,7 +49,7 @@ std::string paragraph(const std::string& deed, double from_s, double to_s, const
     std::set<SoundKind> loops;
     for (const HeardSound& sound : audio.sounds())
         if (sound.time_s >= from_s && sound.time_s < to_s) hear(name_of(sound.cue));
-    // A lasting sound is named when it begins.
+    // Names a lasting sound when it begins.
     for (const HeardSound& sound : audio.loop_changes())
         if (sound.time_s >= from_s && sound.time_s < to_s && sound.cue.loudness > 0.0 &&
             loops.insert(sound.cue.kind).second && !going_on.contains(sound.cue.kind))
@@ -88,7 +88,8 @@ std::string played() {
     for (const ScenarioAction& action : scenario->actions) {
         const std::string deed = deed_of(action.step);
         if (action.name.empty()) {
-            // Adds to the previous action, which is the same one or none.
+            // Two equal actions in a row become one with "twice". A step without an action continues the previous
+            // action.
             if (!deed.empty() && deed == deeds.back().last) deeds.back().words += " twice";
             else EXPECT_TRUE(deed.empty()) << deed << " needs a name";
             continue;

@@ -1,4 +1,5 @@
-// The five lines of README.md that show the library, compiled and run here, and compared with the page.
+// README.md shows five lines that use the library. The test compiles and runs them here and compares them with the
+// page.
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -17,7 +18,7 @@ double force_in_house() {
     // clang-format off
 const auto world = handrail::read_world("house.map");
 const auto felt = handrail::compile_haptic(*world, handrail::MaterialSource::Library);
-const auto hand_m = world->starts.front().feet_m + handrail::Vec3(0.0, 0.0, -0.001);  // 1 mm deep
+const auto hand_m = world->starts.front().feet_m + handrail::Vec3(0.0, 0.0, -0.001);  // 1 mm deep in the ground
 handrail::TouchState state;
 const auto force_n = handrail::touch_tick(state, *felt, {}, hand_m, 0.001).force_n;
     // clang-format on

@@ -1,4 +1,4 @@
-// Turns of speech that the documents and comments do without. The rules: docs/developer/language.md.
+// Turns of speech that documents and comments must avoid. The rules are in docs/developer/language.md.
 #pragma once
 
 #include <regex>
@@ -10,12 +10,12 @@
 namespace handrail::test {
 
 struct Pattern {
-    const char* found;        // a regular expression, whole words
-    const char* instead;      // what to write
-    bool in_comments = true;  // false: in comments it is often right, since people do stand in rooms
+    const char* found;        // a regular expression for whole words
+    const char* instead;      // what to write instead
+    bool in_comments = true;  // false: allowed in comments, where it is often right ("people stand in rooms")
 };
 
-// Expressions that strangers did not understand at once.
+// Expressions that strangers did not understand immediately.
 inline constexpr Pattern kEnglishPatterns[]{
     {"where there (is|are) (none|no|one)", "if there is none"},
     {"(is|are|was|were) told", "is reported, is announced, says so"},
@@ -50,7 +50,7 @@ inline constexpr Pattern kGermanPatterns[]{
     {"Tasten vom Anfang", "Standardtasten"},
 };
 
-// All patterns in one, since most texts match none.
+// Returns all patterns as one expression, because most texts match none.
 template <std::size_t N>
 std::regex any_of_them(const Pattern (&patterns)[N]) {
     std::string any;

@@ -1,4 +1,4 @@
-// The page on portability must list each file that includes a system header, and no other.
+// The page on portability must list each file that includes a system header, and no other file.
 #include <algorithm>
 #include <array>
 #include <regex>
@@ -33,7 +33,8 @@ std::set<std::string> asked_by(const std::string& text) {
     return headers;
 }
 
-// True for files in folders that must not call the system; a few folders in worlds and app/core may.
+// Returns true if `file` is in a folder that must not call the system. A few folders in worlds and app/core may call
+// it.
 bool needs_no_system(const std::string& file) {
     for (const char* folder : {"settings/", "haptic/render/", "haptic/compile/", "haptic/dynamics/", "haptic/device/",
                                "haptic/loop/", "haptic/c/", "audio-cues/plan/"})

@@ -1,6 +1,6 @@
-// Keeps the documents readable: line and sentence lengths, odd patterns, spelling, and names that no longer exist.
-// plain_pages.txt lists the pages that were rewritten for this; it only grows. The rules are in
-// docs/developer/language.md.
+// Keeps the documents readable. It checks line and sentence lengths, odd turns of speech, spelling, and names that no
+// longer exist. plain_pages.txt lists the pages that were rewritten for these rules; pages are only added to it. The
+// rules are in docs/developer/language.md.
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
@@ -34,7 +34,7 @@ struct ProseLine {
     std::string text;
 };
 
-// A paragraph, an item of a list or a heading, with all its lines.
+// A paragraph, an item of a list, or a heading, with all its lines.
 struct Block {
     std::vector<ProseLine> lines;
     bool heading = false, table = false;
@@ -45,8 +45,8 @@ bool begins_item(const std::string& line) {
     return std::regex_match(line, kItem);
 }
 
-// The text that people wrote on a page. Leaves out code, HTML, and quotations from the program between "<!-- ... -->"
-// and "<!-- end -->".
+// Returns the text that people wrote on a page. Omits code, HTML, and quotations from the program between "<!-- ...
+// -->" and "<!-- end -->".
 std::vector<Block> read_blocks(const std::string& page) {
     std::istringstream lines(test::content_of(kRoot / page));
     std::vector<Block> blocks;
@@ -70,15 +70,15 @@ std::vector<Block> read_blocks(const std::string& page) {
     return blocks;
 }
 
-// The same, read only once per process.
+// Returns the blocks of a page, and reads each page only once per process.
 const std::vector<Block>& blocks_of(const std::string& page) {
     static std::map<std::string, std::vector<Block>> read;
     const auto at = read.find(page);
     return at != read.end() ? at->second : read.emplace(page, read_blocks(page)).first->second;
 }
 
-// A block's text on one line. Links become their words and code becomes `X`. The program's own texts have separate
-// tests and become "X".
+// Returns a block's text as one line. Replaces links by their words and code by `X`. Replaces the program's own texts,
+// which have separate tests, by "X".
 std::string words_of(const Block& block) {
     static const std::regex kIndent("^ +"), kAsked("\"[^\"]*([.?!])\""), kSaid("\"[^\"]*[^\".?!]\"");
     static const std::regex kMark(R"(^ *([-*]|\d+\.|#+) +)"), kLink(R"(!?\[([^\]]*)\]\([^)]*\))"), kCode("`[^`]*`"),
@@ -153,7 +153,7 @@ TEST(Prose, sentences_and_words_are_counted_correctly) {
     EXPECT_EQ(word_count("A door - 0.9 m wide."), 5U);
 }
 
-// Tables and code cannot be wrapped, nor can a link or a command that is longer than a line.
+// Tables and code cannot be wrapped, and neither can a link or a command that is longer than a line.
 TEST(Prose, wraps_at_100_columns) {
     for (const std::string& page : test::listed_in("plain_pages.txt"))
         for (const Block& block : blocks_of(page)) {
@@ -171,10 +171,10 @@ TEST(Prose, wraps_at_100_columns) {
         }
 }
 
-// Pages on which a pattern is allowed, with the reason.
+// Returns whether a page may contain a pattern. The comments below give the reasons.
 bool is_allowed(const std::string& page, const std::string& found) {
     static const std::set<std::pair<std::string, std::string>> kAllowed{
-        // The rules show what not to write.
+        // This page shows what not to write.
         {"docs/developer/language.md", "*"},
     };
     return kAllowed.contains({page, "*"}) || kAllowed.contains({page, found});
@@ -187,7 +187,7 @@ TEST(Prose, has_none_of_the_listed_patterns) {
                      any_german = test::any_of_them(test::kGermanPatterns);
     for (const std::string& page : test::listed_in("plain_pages.txt"))
         for (const Block& block : blocks_of(page)) {
-            if (block.table) continue;  // many tables are made from the program's texts, which have separate tests
+            if (block.table) continue;  // many tables are generated from the program's texts, which have separate tests
             const std::string text = words_of(block);
             if (!std::regex_search(text, is_german(page) ? any_german : any_english)) continue;
             for (const test::Search& search : is_german(page) ? german : english)
@@ -198,7 +198,7 @@ TEST(Prose, has_none_of_the_listed_patterns) {
         }
 }
 
-// All of the project except its documents, in one text.
+// Returns all files of the project except its documents, as one text.
 const std::string& sources() {
     static const std::string kAll = [] {
         std::string all;
@@ -211,7 +211,8 @@ const std::string& sources() {
     return kAll;
 }
 
-// For `ServoLoop::open`, `force_n` or `haptic/servo/servo_loop.h`, each part must be in the sources or be a file.
+// A document names code such as `ServoLoop::open`, `force_n` or `haptic/servo/servo_loop.h`. Each part of the name must
+// occur in the sources or be a file.
 TEST(Prose, mentions_only_names_that_exist) {
     static const std::regex kCode("`([^`]+)`"),
         kName(R"(^(?:[A-Za-z_]\w*(?:::|\.|/))*[A-Za-z_]\w*(?:\.(?:h|cpp|sh|py|toml|md|txt|cmake))?(?:\(\))?$)");
@@ -227,7 +228,7 @@ TEST(Prose, mentions_only_names_that_exist) {
                                          std::regex_match(name, std::regex("[A-Z][a-z]+[A-Z][A-Za-z]*"));
                     if (!of_code || !std::regex_match(name, kName) || !looked_up.insert(name).second) continue;
                     if (name.ends_with("()")) name.resize(name.size() - 2);
-                    const std::size_t scope = name.find_last_of(":.");  // a name in a class or in a test suite
+                    const std::size_t scope = name.find_last_of(":.");  // this is a name within a class or a test suite
                     const bool file = name.find('/') != std::string::npos;
                     const std::string last = scope == std::string::npos || file ? name : name.substr(scope + 1);
                     const bool there =
@@ -249,7 +250,7 @@ TEST(Prose, is_spelled_as_in_the_dictionaries_or_the_word_list) {
         for (const std::string& page : test::listed_in("plain_pages.txt")) {
             if (is_german(page) != german) continue;
             for (const Block& block : blocks_of(page)) {
-                // Words with digits, file names and addresses are not words of a language.
+                // Removes words with digits, file names and addresses, which are not words of a language.
                 const std::string text =
                     std::regex_replace(words_of(block), std::regex(R"(\S*[\d_/\\]\S*|\S+\.\w+)"), " ");
                 for (auto it = std::sregex_iterator(text.begin(), text.end(), kWord); it != std::sregex_iterator();

@@ -1,4 +1,4 @@
-// Spelling by hunspell, and the word lists of this folder.
+// Checks spelling with hunspell and with the word lists of this folder.
 #pragma once
 
 #include <cstdlib>
@@ -15,7 +15,7 @@
 
 namespace handrail::test {
 
-// The lines of a file in this folder, without comments.
+// Returns the lines of a file in this folder, without comments.
 inline std::vector<std::string> listed_in(const char* file) {
     std::istringstream lines(content_of(project_root() / "tests" / "unit" / "docs" / file));
     std::vector<std::string> listed;
@@ -24,7 +24,7 @@ inline std::vector<std::string> listed_in(const char* file) {
     return listed;
 }
 
-// The words of a list that are not in this hunspell dictionary.
+// Returns the words that are not in this hunspell dictionary.
 inline std::set<std::string> unknown_words(const std::set<std::string>& words, const std::string& dictionary) {
     const TemporaryFolder folder;
     const std::filesystem::path in = folder.path() / "words", out = folder.path() / "unknown";

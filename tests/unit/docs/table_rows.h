@@ -1,4 +1,4 @@
-// Tables of the guides as their rows, and lists as their items.
+// Reads tables and lists of the guides.
 #pragma once
 
 #include <sstream>
@@ -11,7 +11,7 @@
 
 namespace handrail::test {
 
-// The rows of the table whose header line starts with `head`, without the line of dashes.
+// Returns the rows of the table whose header line starts with `head`, without the line of dashes.
 inline std::vector<std::string> table_rows(const std::string& document, const std::string& head) {
     std::istringstream lines(test::content_of(test::project_root() / "docs" / document));
     std::vector<std::string> rows;
@@ -25,7 +25,7 @@ inline std::vector<std::string> table_rows(const std::string& document, const st
     return rows;
 }
 
-// The items of the list under a heading, each on one line, however it is wrapped.
+// Returns the items of the list under a heading. Each item is one line, however it is wrapped in the document.
 inline std::vector<std::string> list_items(const std::string& document, const std::string& heading) {
     std::istringstream lines(test::content_of(test::project_root() / "docs" / document));
     std::vector<std::string> items;

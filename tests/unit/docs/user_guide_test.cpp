@@ -18,7 +18,7 @@ using test::list_items;
 using test::table_rows;
 using testing::UnorderedElementsAreArray;
 
-// A command's keys as a guide lists them: "F or Grave", with each key named by `name`.
+// Returns a command's keys as a guide lists them, such as "F or Grave". `name` gives the name of a key.
 template <typename Name>
 std::string keys_of(const CommandInfo& command, const std::string& between, Name&& name) {
     std::istringstream words{std::string(command.key)};
@@ -27,7 +27,7 @@ std::string keys_of(const CommandInfo& command, const std::string& between, Name
     return keys;
 }
 
-// A line of the list: "- `where` (F2 or 1): Say where you are."
+// Returns a line of the list of commands: "- `where` (F2 or 1): Say where you are."
 std::string command_line(const std::string& word, const std::string& keys, const std::string& help) {
     return fmt::format("- `{}`{}: {}", word, keys.empty() ? "" : " (" + keys + ")", help);
 }
@@ -50,7 +50,7 @@ TEST(UserGuide, lists_every_command_in_german_with_its_german_word_and_keys) {
     EXPECT_THAT(list_items("de/benutzerhandbuch/tasten.md", "## Tasten"), UnorderedElementsAreArray(expected));
 }
 
-// Counts the parts of a page by kind: titles of each level, table rows, list items, code lines, and settings and
+// Counts the parts of a page by kind: titles of each level, table rows, list items and code lines. Counts settings and
 // options by their names.
 std::map<std::string, int> parts_of(const std::string& page) {
     std::map<std::string, int> parts;
@@ -96,7 +96,7 @@ TEST(AuthorsGuide, is_complete_in_german) {
     for (const auto& entry : std::filesystem::directory_iterator(test::project_root() / "docs/map-authors-guide"))
         EXPECT_TRUE(pages.contains("map-authors-guide/" + entry.path().filename().string())) << entry.path();
     for (const auto& [english, german] : pages) EXPECT_EQ(parts_of(english), parts_of("de/" + german)) << german;
-    // The keys are the same in both languages and in the same order.
+    // The tables must have the same keys in both languages, in the same order.
     const auto first_words = [](const std::vector<std::string>& rows) {
         std::vector<std::string> words;
         for (const std::string& row : rows) words.push_back(row.substr(0, row.find(' ', 2)));
@@ -136,7 +136,7 @@ TEST(Dictionary, lists_every_sound_in_the_order_of_the_spoken_dictionary) {
     for (const DictionaryEntry& entry : sound_dictionary()) {
         if (entry.kind != SoundKind::Contact) {
             expected.push_back("- " + entry.text);
-            // Scenarios name a sound by its words before the colon, in lower case.
+            // Scenarios name a sound by the words before the colon, in lower case.
             EXPECT_EQ(lower_ascii(entry.text.substr(0, entry.text.find(':'))), info(entry.kind).name);
         } else {
             contacts += (contacts.empty() ? "" : ", ") + std::string(material_sound_name(entry.material));

@@ -21,7 +21,7 @@ using test::FalconEmulator;
 
 constexpr double kEncoderQuantumM = 0.06e-3;
 
-// A Falcon on a simulated wire, in virtual time.
+// A Falcon on a simulated USB link, in virtual time.
 struct Falcon {
     VirtualClock clock;
     FalconEmulator emulator;
@@ -71,7 +71,7 @@ TEST(FalconDevice, starts_up_by_sending_its_firmware_and_comparing_every_echo) {
     EXPECT_EQ(falcon.emulator.latency_ms, 1U);
 }
 
-// A wire on which writing each piece takes a while.
+// A link on which writing each piece takes a while.
 class SlowLink final : public ByteLink {
 public:
     SlowLink(std::unique_ptr<ByteLink> wire, VirtualClock& clock, double write_s)
@@ -89,7 +89,8 @@ private:
     double write_s_;
 };
 
-// A sentence after two seconds and then every five: 4000 bytes in pieces that take a third of a second each.
+// The driver must report progress after two seconds and then every five. The upload has 4000 bytes, in pieces that take
+// a third of a second each.
 TEST(FalconDevice, reports_progress_of_a_slow_firmware_upload) {
     VirtualClock clock;
     FalconEmulator emulator;
@@ -207,10 +208,11 @@ TEST(FalconDevice, commands_no_force_before_all_legs_are_homed) {
     EXPECT_GT(falcon.emulator.largest_force_n, 2.0) << "and the force does come then";
 }
 
-// S126: the axes of the hand are those of the world.
+// The axes of the hand must match those of the world.
 TEST(FalconDevice, right_forward_up_are_east_north_up_and_a_force_to_the_east_pushes_right) {
     const std::array<Vec3, 3> falcon_axes{Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 0.0, -1.0},
-                                          Vec3{0.0, 1.0, 0.0}};  // right, away from the person, up
+                                          // The Falcon's axes for right, away from the person, and up.
+                                          Vec3{0.0, 1.0, 0.0}};
     for (int axis = 0; axis < 3; ++axis) {
         Falcon falcon;
         falcon.emulator.grip_m = kFalconMiddleM;
@@ -224,7 +226,7 @@ TEST(FalconDevice, right_forward_up_are_east_north_up_and_a_force_to_the_east_pu
         const DeviceSample moved = falcon.exchange(Vec3(0.0));
         EXPECT_LT(glm::length(moved.position_m - expected), 2.0 * kEncoderQuantumM) << axis;
 
-        // The whole path into the world and back.
+        // Checks the whole conversion into the world and back.
         const test::ThroughWorld through = test::through_world(falcon.device->spec(), moved.position_m, axis);
         test::expect_east_north_up(through, axis, 0.01, 2.0 * kEncoderQuantumM);
 
@@ -268,8 +270,8 @@ TEST(FalconDevice, gives_the_requested_force_and_never_exceeds_its_ceiling) {
     EXPECT_NEAR(glm::length(falcon.emulator.force_on_hand_n()), 0.95 * 3.0, 0.02);
 }
 
-// A wall of 1000 N/m across z = 0.130, pressed with less than the 3 N of the ceiling. The static answer is force /
-// stiffness behind it.
+// A wall of 1000 N/m across z = 0.130. The hand presses with less than the ceiling of 3 N, so the static answer is
+// force / stiffness behind the wall.
 TEST(FalconDevice, rests_against_a_wall_at_the_exact_static_answer_over_a_thousand_exchanges) {
     constexpr double kStiffness = 1000.0, kPush = 2.0;
     const double wall_y = falcon_to_device({0.0, 0.0, 0.130}).y;
@@ -277,13 +279,13 @@ TEST(FalconDevice, rests_against_a_wall_at_the_exact_static_answer_over_a_thousa
     ASSERT_TRUE(falcon.device->open());
     falcon.home();
     falcon.emulator.held = false;
-    falcon.emulator.push_n = {0.0, 0.0, -kPush};  // away from the person
+    falcon.emulator.push_n = {0.0, 0.0, -kPush};  // the hand pushes away from the person
     Vec3 force{0.0};
     for (int i = 0; i < 1000; ++i) {
         const DeviceSample sample = falcon.exchange(force);
         ASSERT_TRUE(sample.fresh && sample.connected && sample.homed) << i;
         ASSERT_LT(glm::length(sample.position_m - true_place(falcon.emulator)), 3.0 * kEncoderQuantumM)
-            << i;  // the hand has moved during the answer
+            << i;  // the hand moved while the device answered
         force = {0.0, std::min(0.0, -kStiffness * (sample.position_m.y - wall_y)), 0.0};
     }
     EXPECT_NEAR(true_place(falcon.emulator).y, wall_y + kPush / kStiffness, kEncoderQuantumM);
@@ -292,7 +294,7 @@ TEST(FalconDevice, rests_against_a_wall_at_the_exact_static_answer_over_a_thousa
     EXPECT_LT(glm::length(falcon.emulator.velocity_m_per_s), 0.01);
 }
 
-// A fault of the wire, how many exchanges may fail because of it, and whether the device must have noticed something.
+// A fault of the link, how many exchanges may fail because of it, and whether the device must have counted something.
 struct WireFault {
     const char* name;
     void (*make)(Falcon&);
@@ -318,7 +320,8 @@ TEST_P(FalconWire, never_gives_a_wrong_position_or_too_much_force) {
         if (!sample.fresh) {
             ++failures;
         } else {
-            // The place of this exchange or, if an answer was late, of one of the two before.
+            // The reported place must be that of this exchange. If an answer was late, it may be that of one of the two
+            // previous exchanges.
             const double off = std::min({glm::length(sample.position_m - now), glm::length(sample.position_m - old),
                                          glm::length(sample.position_m - older)});
             ASSERT_LT(off, kEncoderQuantumM) << GetParam().name << ", exchange " << i;
@@ -380,8 +383,9 @@ TEST(FalconDevice, withdraws_its_force_after_20_ms_without_commands) {
     EXPECT_TRUE(falcon.exchange({0.0, 2.0, 0.0}).fresh);
 }
 
-// The device has three encoders for three directions, so only time can show that one is stuck. Until then the grip's
-// position is wrong by a few millimetres, and the force falls before that.
+// The device has three encoders for three directions, so only the course of time can reveal a stuck one. Until the
+// driver detects it, the reported position is wrong by a few millimetres. The force must end before the error is
+// greater.
 TEST(FalconDevice, a_stuck_encoder_is_detected_within_millimetres_and_ends_the_force) {
     for (int leg = 0; leg < 3; ++leg) {
         Falcon falcon;
@@ -433,8 +437,9 @@ TEST(FalconDevice, moving_along_a_line_on_which_one_leg_stays_still_interrupts_f
     EXPECT_GT(last, 1.9);
 }
 
-// The whole chain over a wire on which anything can go wrong at any time, with a hand that presses a wall. Whatever
-// comes over the wire, no accepted position is wrong and no force is above the ceiling, nor with a stuck leg.
+// Runs the whole chain over a link on which anything can go wrong at any time, while the hand presses against a wall.
+// Whatever arrives, the driver must never accept a wrong position or exceed the force ceiling. A stuck leg may not
+// change this.
 TEST(FalconDevice, no_fault_under_the_servo_gives_a_wrong_position_or_a_force_above_the_ceiling) {
     const std::uint64_t seed = test::seed_of_run();
     SCOPED_TRACE(fmt::format("seed {}", seed));
@@ -473,7 +478,7 @@ TEST(FalconDevice, no_fault_under_the_servo_gives_a_wrong_position_or_a_force_ab
             if (sample.fresh && sample.homed && is_finite(sample.position_m)) {
                 const double off = std::min({glm::length(sample.position_m - now), glm::length(sample.position_m - old),
                                              glm::length(sample.position_m - older)});
-                // A hand that moves only the stuck leg cannot be told from a resting one, so no position can be checked
+                // A hand that moves only the stuck leg looks like a resting hand, so the test cannot check positions
                 // then.
                 ASSERT_TRUE(leg_was_stuck || off < 2.0 * kEncoderQuantumM)
                     << "run " << run << ", exchange " << i << ", off by " << off;
@@ -483,8 +488,8 @@ TEST(FalconDevice, no_fault_under_the_servo_gives_a_wrong_position_or_a_force_ab
             rig.sample = sample;
             command = rig.tick_raw(sample.position_m, test::kTick);
             strongest_n = std::max(strongest_n, glm::length(command.force_n));
-            // A stuck leg also turns the force that reaches the hand: it may be somewhat more than requested, but never
-            // more than the driver allows.
+            // A stuck leg also turns the force that reaches the hand. The force may then be somewhat more than
+            // requested, but never more than the driver allows.
             ASSERT_LE(falcon.emulator.largest_force_n, leg_was_stuck ? 3.0 : 1.05 * kCeilingN)
                 << "run " << run << ", exchange " << i;
         }
