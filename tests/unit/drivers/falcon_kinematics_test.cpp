@@ -12,7 +12,7 @@ namespace falcon_kinematics_test {
 
 using test::FalconEmulator;
 
-// A position within the sphere in which the device is used.
+// Returns a random place within the sphere in which the device is used.
 Vec3 random_grip(std::mt19937& random) {
     std::uniform_real_distribution<double> within(-0.04, 0.04);
     for (;;) {
@@ -41,7 +41,7 @@ TEST(FalconKinematics, agrees_with_the_published_values_in_front_of_the_centre) 
         for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR((*rows)[leg][axis], expected[leg][axis], 1e-3);
     EXPECT_NEAR(degrees_from_radians(falcon_inverse({0.0, 0.0, 0.15})->x), 47.24, 0.005);
     EXPECT_EQ(falcon_encoder_counts(falcon_inverse({0.0, 0.0, 0.15})->x), 336);
-    // 1 N along z requires 251 counts of each motor, at 10,000 counts per Nm.
+    // A force of 1 N along z needs 251 counts of each motor, at 10,000 counts per Nm.
     const auto torques = falcon_torques(grip, *angles, {0.0, 0.0, 1.0});
     ASSERT_TRUE(torques);
     EXPECT_NEAR(torques->x * 10000.0, 251.0, 0.5);
@@ -58,7 +58,7 @@ TEST(FalconKinematics, forward_after_inverse_is_within_0_06_mm_from_quantised_en
         ASSERT_TRUE(angles) << "seed " << seed << ", point " << i;
         Vec3 measured{0.0};
         for (int leg = 0; leg < 3; ++leg) measured[leg] = falcon_leg_angle_rad(falcon_encoder_counts((*angles)[leg]));
-        // Starts from where the hand might have been a moment ago, and from anywhere.
+        // The search starts from where the hand might have been a moment ago, from the middle, and from a random place.
         for (const Vec3& start : {grip + Vec3(0.002, -0.001, 0.003), kFalconMiddleM, random_grip(random)}) {
             const auto back = falcon_forward(measured, start);
             ASSERT_TRUE(back) << "seed " << seed << ", point " << i;
@@ -79,7 +79,7 @@ TEST(FalconKinematics, jacobian_equals_numeric_differences) {
         const auto rows = falcon_jacobian(grip, *falcon_inverse(grip));
         ASSERT_TRUE(rows);
         for (int axis = 0; axis < 3; ++axis) {
-            // Five points, so that the difference is exact to fourth order.
+            // The numeric derivative uses five points, so that it is exact to fourth order.
             constexpr double h = 2e-5;
             Vec3 step{0.0};
             step[axis] = h;
@@ -114,7 +114,7 @@ TEST(FalconKinematics, torques_do_the_work_of_the_force) {
     for (int i = 0; i < test::scaled(2000); ++i) {
         const Vec3 grip = random_grip(random), force{newtons(random), newtons(random), newtons(random)};
         const Vec3 torques = *falcon_torques(grip, *falcon_inverse(grip), force);
-        // Counts so fine that rounding is invisible.
+        // The counts are so fine that rounding does not show.
         falcon.counts_per_nm = 1e6;
         const std::array<int, 3> counts{static_cast<int>(-torques.x * 1e6), static_cast<int>(-torques.y * 1e6),
                                         static_cast<int>(-torques.z * 1e6)};
@@ -129,7 +129,7 @@ TEST(FalconKinematics, returns_nothing_rather_than_a_wrong_answer) {
     EXPECT_FALSE(falcon_inverse({nan, 0.0, 0.12}));
     EXPECT_FALSE(falcon_forward({nan, 0.4, 0.4}, kFalconMiddleM));
     EXPECT_FALSE(falcon_torques({0.0, 0.3, 0.12}, {0.4, 0.4, 0.4}, {0.0, 0.0, 1.0}));
-    // Arbitrary encoder values give either no position or one that matches the legs.
+    // Arbitrary encoder values must give either no position or one that matches the legs.
     std::mt19937 random(8);
     std::uniform_int_distribution<int> counts(-32768, 32767), near(-1500, 1500);
     int places = 0;

@@ -76,13 +76,13 @@ TEST(FalconFrames, are_found_again_after_any_garbage) {
         const FalconFrame frame = pack_falcon_command({{value, 12, -7}, false, false, false, false});
         bytes.insert(bytes.end(), frame.begin(), frame.end());
         std::optional<FalconStatus> last;
-        for (std::size_t at = 0; at < bytes.size();) {  // in pieces
+        for (std::size_t at = 0; at < bytes.size();) {  // the bytes arrive in pieces
             const std::size_t piece = std::min<std::size_t>(1 + random() % 7, bytes.size() - at);
             reader.push({bytes.data() + at, piece});
             at += piece;
             while (const auto status = reader.next()) last = status;
         }
-        // Noise that ends in a piece of '<' must not swallow anything: the true frame always comes out.
+        // Noise may end with the first byte of a '<' sequence. The reader must still find the true frame after it.
         ASSERT_TRUE(last) << "seed " << seed << ", round " << i;
         ASSERT_EQ(last->encoders, (std::array<int, 3>{value, 12, -7})) << "seed " << seed << ", round " << i;
         ++frames;
@@ -114,7 +114,7 @@ TEST(FalconMotorCounts, stay_in_range_and_keep_the_direction_of_the_force) {
             ASSERT_LE(std::abs(count), 4095) << "seed " << seed;
             largest = std::max(largest, std::abs(torques[leg]));
         }
-        // The direction is kept to within one count: counts = -scale * torques.
+        // The direction must be exact to one count, where counts = -scale * torques.
         const double scale = std::min(4095.0 / largest, 10000.0);
         for (int leg = 0; leg < 3; ++leg)
             ASSERT_NEAR(counts[static_cast<std::size_t>(leg)], -scale * torques[leg], 1.0)

@@ -1,4 +1,4 @@
-// The last step of every driver with a force, and the bytes that reach each wire.
+// Tests the last step of every driver with a force, and the bytes that each driver sends.
 #include "haptic/drivers/force_packing.h"
 
 #include <limits>
@@ -15,7 +15,8 @@ namespace force_packing_test {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-// Keeps the last effect that it received. The angle is the kernel's: 0 is towards the person, clockwise.
+// A link that keeps the last effect that it received. The angle is that of the kernel: 0 is towards the person,
+// clockwise.
 class KeepingLink final : public FfLink {
 public:
     struct Told {
@@ -36,7 +37,7 @@ private:
     Told& told_;
 };
 
-// A force over 600 orders of magnitude, independent for each axis, so that some components are nearly zero compared
+// Returns a force whose axes differ by up to 600 orders of magnitude, so that some components are nearly zero compared
 // with others.
 Vec3 any_force(std::mt19937& random) {
     std::uniform_real_distribution<double> power(-300.0, 300.0), sign(-1.0, 1.0);

@@ -1,5 +1,5 @@
-// Shared by the tests of both guards: the program's end of the pipe to a guard, and a device behind real guards that is
-// ticked as by a servo.
+// Code that the tests of both guards share: the program's end of the connection to a guard, and a servo-like loop for a
+// device behind real guards.
 #pragma once
 
 #include <sys/eventfd.h>
@@ -16,13 +16,13 @@
 
 namespace handrail::test {
 
-// Wakes whoever waits for that event.
+// Wakes the thread or process that waits for `event`.
 inline void signal_event(int event) {
     const std::uint64_t one = 1;
     [[maybe_unused]] const auto written = ::write(event, &one, sizeof one);
 }
 
-// Both ends of a guard's messages; the first is the program's.
+// Both ends of the connection that carries a guard's messages. The first end is the program's.
 struct GuardEnds {
     std::array<int, 2> ends{-1, -1};
 
@@ -40,13 +40,13 @@ struct GuardEnds {
         const auto size = ::recv(ends[0], bytes.data(), bytes.size(), 0);
         return size > 0 ? std::string(bytes.begin(), bytes.begin() + size) : std::string();
     }
-    // Closes the program's end, as happens when it dies.
+    // Closes the program's end, as the kernel does when the program dies.
     void leave() {
         if (ends[0] >= 0) ::close(std::exchange(ends[0], -1));
     }
 };
 
-// Ticks it like a servo until the condition is true.
+// Reads and writes the device as the servo does until the condition is true.
 template <class Condition>
 bool tick_until(GuardedDevice& device, Condition&& condition) {
     return eventually([&] {

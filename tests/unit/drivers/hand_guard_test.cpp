@@ -28,7 +28,7 @@ namespace hand_guard_test {
 using namespace std::chrono_literals;
 using test::tick_until;
 
-// The events of a device in order, and instructions for its behaviour.
+// Records what happens to a device, in order, and contains instructions for its behaviour.
 struct Life {
     std::mutex mutex;
     std::condition_variable changed;
@@ -71,7 +71,7 @@ private:
     Life& life_;
 };
 
-// A guard on a separate thread; the test plays the program's side.
+// A guard on a separate thread. The test acts as the program.
 struct Guard : test::GuardEnds {
     Life life;
     HandMailbox mailbox;
@@ -125,7 +125,7 @@ TEST(HandGuard, zeroes_the_force_when_the_program_stops_sending_commands) {
     ASSERT_TRUE(
         guard.life.wait([&] { return !guard.life.forces.empty() && guard.life.forces.back() == Vec3(0.0, 2.0, 0.0); }));
     ASSERT_TRUE(guard.life.wait([&] { return guard.life.forces.back() == Vec3(0.0); }));
-    // At the first exchange after the old force.
+    // The guard must set the force to zero at the first exchange after the old force.
     const std::lock_guard lock(guard.life.mutex);
     const auto last_force = std::find_if(guard.life.forces.rbegin(), guard.life.forces.rend(),
                                          [](const Vec3& f) { return f != Vec3(0.0); });
@@ -272,7 +272,7 @@ TEST(GuardPermissions, are_exactly_those_that_each_driver_needs) {
     }
 }
 
-// A person's environment contains keys and addresses of other programs.
+// A person's environment contains keys of the person and addresses of other programs.
 TEST(GuardedDevice, passes_only_the_environment_variables_that_drivers_need) {
     const std::map<std::string, std::string> hidden{{"SSH_AUTH_SOCK", "/run/agent"},
                                                     {"DBUS_SESSION_BUS_ADDRESS", "unix:path=/run/bus"},

@@ -1,4 +1,4 @@
-// The Inverse3 through its maker's service, which a stand-in plays.
+// Tests the Inverse3 through its maker's service. A stand-in acts as the service.
 #include "haptic/drivers/haply_device.h"
 
 #include <cmath>
@@ -46,7 +46,8 @@ TEST(HaplyDevice, rests_against_a_wall_at_the_exact_static_answer_over_a_thousan
     for (int i = 0; i < 20000 && answers < 1500; ++i) {
         (*device)->write({force});
         sample = (*device)->read(0.0);
-        // Ten exchanges without an answer: on a very busy machine the service may get no turn for that long.
+        // The device counts as lost after ten exchanges without an answer. On a very busy machine, the service may not
+        // run for that long.
         if (!sample.connected) {
             ASSERT_LE(++lost, 5);
             device = open_haply_device(clock, service.port());
@@ -54,7 +55,7 @@ TEST(HaplyDevice, rests_against_a_wall_at_the_exact_static_answer_over_a_thousan
             force = Vec3(0.0);
             continue;
         }
-        if (!sample.fresh) continue;  // the machine is busy with other things
+        if (!sample.fresh) continue;  // the machine is busy, so there is no new answer yet
         ++answers;
         force = {0.0, std::min(0.0, -kStiffness * (sample.position_m.y - 0.01)), 0.0};
     }
@@ -74,7 +75,7 @@ TEST(HaplyDevice, force_keeps_its_direction_and_stays_below_the_ceiling) {
     ASSERT_TRUE(device);
     for (const Vec3& asked :
          {Vec3(1e9, 0, 0), Vec3(0, 1e9, -1e9), Vec3(std::nan(""), 1, 1), Vec3(0, INFINITY, 0), Vec3(1, 0, 0)}) {
-        for (int answer = 0; answer < 2; ++answer)  // the first answer may belong to the request before
+        for (int answer = 0; answer < 2; ++answer)  // the first answer may belong to the previous command
             do {
                 (*device)->read(0.0);
                 (*device)->write({asked});
@@ -89,7 +90,7 @@ TEST(HaplyDevice, force_keeps_its_direction_and_stays_below_the_ceiling) {
     }
 }
 
-// S126, as we understand the service's documentation.
+// Checks the axes as we understand the service's documentation.
 TEST(HaplyDevice, right_forward_up_are_east_north_up_and_a_force_to_the_east_pushes_right) {
     for (int axis = 0; axis < 3; ++axis) {
         StandInService service;
@@ -135,7 +136,7 @@ TEST(HaplyDevice, damaged_silent_or_missing_states_are_ignored_and_a_closed_conn
         auto device = open_haply_device(clock, service.port());
         ASSERT_TRUE(device);
         service.mood = mood;
-        for (int i = 0; i < 6; ++i) (*device)->read(0.0);  // drains answers that were still on their way
+        for (int i = 0; i < 6; ++i) (*device)->read(0.0);  // these reads remove answers that were still under way
         const double begun_s = clock.now_s();
         for (int i = 0; i < 10; ++i) {
             (*device)->write({{0.0, 2.0, 0.0}});

@@ -39,7 +39,7 @@ TEST_P(Pad, reports_sticks_triggers_and_buttons) {
     EXPECT_DOUBLE_EQ(input->left_trigger, 0.2);
     EXPECT_DOUBLE_EQ(input->right_trigger, 1.0);
     EXPECT_EQ(input->hat, 2);
-    EXPECT_EQ(input->buttons, 0b11'1000'0001'0010U);  // cross, L1, R3, PS, touch
+    EXPECT_EQ(input->buttons, 0b11'1000'0001'0010U);  // the pressed keys: cross, L1, R3, PS, touch pad
 }
 
 TEST_P(Pad, takes_two_thousand_valid_outputs_and_is_at_rest_at_the_end) {
@@ -163,7 +163,7 @@ struct Puck {
     SpaceMouse mouse{std::make_unique<DirectHidLink>(emulator)};
 };
 
-// S126: pushes to the right, away and up are x, y and z.
+// Pushes to the right, away from the person and up must be x, y and z.
 TEST(SpaceMouse, right_forward_up_are_x_y_z_and_rotations_follow_the_right_hand_rule) {
     Puck puck;
     puck.emulator.tell(1, {350, 0, 0});

@@ -26,10 +26,10 @@ using namespace std::chrono_literals;
 using test::eventually;
 using test::tick_until;
 
-// A second guard on a separate thread; the test plays the program and the first guard.
+// A second guard on a separate thread. The test acts as the program and as the first guard.
 struct Reliever : test::GuardEnds {
     HandMailbox mailbox;
-    int guard = ::eventfd(0, EFD_NONBLOCK);  // acts as a process descriptor: readable when the process has ended
+    int guard = ::eventfd(0, EFD_NONBLOCK);  // stands for a process descriptor: readable when the process has ended
     std::atomic<int> zeroed{0}, killed{0}, status{-1};
     std::atomic<bool> refuse{false}, slow{false}, dies_when_killed{true}, held_by_two{false};
     std::atomic<bool> ended{false};
@@ -88,7 +88,8 @@ TEST(ReliefGuard, kills_a_frozen_first_guard_before_it_touches_the_device) {
 
 TEST(ReliefGuard, does_not_touch_a_device_that_the_first_guard_has_released) {
     Reliever relief;
-    std::this_thread::sleep_for(250ms);  // opening takes a guard seconds, in which it counts no rounds
+    // The first guard needs seconds to open a device and counts no rounds meanwhile.
+    std::this_thread::sleep_for(250ms);
     EXPECT_EQ(relief.killed, 0);
     relief.end_guard();
     ASSERT_TRUE(relief.comes_to(ReliefState::Zero));
@@ -156,7 +157,8 @@ TEST(GuardedDevice, warns_on_closing_that_it_may_push_if_zero_was_not_confirmed)
     ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; }));
     ::kill(device.guard_process(), SIGKILL);
     ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return !sample.connected; }));
-    // The second guard has tried and failed by then. Closing waits for it for only a second.
+    // By then, the second guard has tried to remove the force and failed. On closing, the device waits only a second
+    // for the second guard.
     ASSERT_TRUE(tick_until(device, [&](const DeviceSample&) { return device.guard_ended(); }));
     EXPECT_EQ(device.read(0.0).loss, DeviceLoss::MayPush);
     device.close();
@@ -180,7 +182,8 @@ TEST(GuardedDevice, gets_a_new_second_guard_when_the_old_one_dies) {
         device, [](const DeviceSample& sample) { return !sample.connected && sample.loss == DeviceLoss::ForceOff; }));
 }
 
-// The news of `device` are never taken, so the guards are watched even if the app is busy.
+// Returns whether another second guard replaces the process `than`. Nobody fetches the news of `device`, because the
+// guards must be watched even if the app is busy.
 bool gets_another_second_guard(const GuardedDevice& device, pid_t than) {
     return eventually([&] { return device.relief_process() != than; });
 }

@@ -1,4 +1,4 @@
-// The makers' libraries, played by our own libraries, which a test can make faulty.
+// Tests the makers' libraries. Stand-in libraries replace them, which a test can make faulty.
 #include <dlfcn.h>
 
 #include <chrono>
@@ -21,7 +21,8 @@ using test::eventually;
 
 constexpr double kStiffness = 1000.0, kPush = 2.0;
 
-// Gives the test access to the stand-in itself. It is opened once more, so it is the same one that the driver uses.
+// Gives the test access to the stand-in library. The test opens the library a second time, so it gets the same instance
+// as the driver.
 class StandIn {
 public:
     explicit StandIn(const std::string& path) : handle_(::dlopen(path.c_str(), RTLD_NOW)) {
@@ -80,7 +81,7 @@ TEST(DhdDevice, rests_against_a_wall_at_the_exact_static_answer_over_a_thousand_
     ASSERT_TRUE(device) << device.error().sentence();
     EXPECT_EQ((*device)->spec().name, "omega");
     EXPECT_GT(dhd.told().watchdog, 0) << "the device's own, for when this process dies";
-    dhd.push(-kPush, 0.0, 0.0);  // away from the person
+    dhd.push(-kPush, 0.0, 0.0);  // the hand pushes away from the person
     Vec3 force{0.0};
     for (int i = 0; i < 1000; ++i) {
         const DeviceSample sample = (*device)->read(0.0);
@@ -95,7 +96,7 @@ TEST(DhdDevice, rests_against_a_wall_at_the_exact_static_answer_over_a_thousand_
     EXPECT_FALSE(dhd.told().open);
 }
 
-// S126, both makers: x right, y forward, z up, for places and for forces.
+// Both makers' drivers must give x right, y forward and z up, for places and for forces.
 TEST(VendorDevices, right_forward_up_are_east_north_up_and_a_force_to_the_east_pushes_right) {
     const std::array<Vec3, 3> dhd_axes{Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1)},
         hd_axes{Vec3(1, 0, 0), Vec3(0, 0, -1), Vec3(0, 1, 0)};
@@ -185,7 +186,7 @@ TEST(HdDevice, rests_against_a_wall_at_the_exact_static_answer_with_calls_from_t
     EXPECT_EQ((*device)->spec().name, "omni");
     EXPECT_DOUBLE_EQ((*device)->spec().peak_force_n, 3.0) << "the library states less than the table";
     EXPECT_DOUBLE_EQ((*device)->spec().rated_stiffness_n_per_m, 350.0);
-    hd.push(0.0, 0.0, -kPush);  // away from the person
+    hd.push(0.0, 0.0, -kPush);  // the hand pushes away from the person
     double y = 0.0;
     int answers = 0;
     for (const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(test::kPatience_s);
@@ -216,7 +217,8 @@ TEST(HdDevice, gives_no_force_before_calibration_or_at_invalid_positions) {
     EXPECT_FALSE((*device)->read(0.0).homed);
     EXPECT_EQ(hd.told().force, Vec3(0.0));
     EXPECT_EQ(hd.told().uncalibrated_with_force, 0);
-    hd.call<void(unsigned)>("standin_calibration")(0x5001);  // requests an update, which the driver then makes
+    // Requests a calibration update, which the driver then performs.
+    hd.call<void(unsigned)>("standin_calibration")(0x5001);
     EXPECT_TRUE(eventually([&] { return (*device)->read(0.0).homed; }));
     EXPECT_TRUE(eventually([&] { return hd.told().force != Vec3(0.0); }));
     hd.nan(true);
@@ -238,7 +240,8 @@ TEST(HdDevice, a_force_error_of_the_library_disconnects_the_device_and_overheati
     }
 }
 
-// The library hangs. Reads return at once without a new sample, and the servo removes the force after 25 ms.
+// The library blocks. Reads must return immediately without a new sample. In the program, the servo then removes the
+// force after 25 ms.
 TEST(HdDevice, a_blocked_library_gives_no_new_samples) {
     const Hd hd;
     auto device = open_hd_device(test::built_standin("standin_hd"));

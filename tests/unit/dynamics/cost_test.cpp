@@ -1,4 +1,4 @@
-// Reports the cost of the engine without asserting it, because machines differ. It prints the numbers of
+// Measures the cost of the engine. The test asserts no cost, because machines differ. It prints the numbers of
 // docs/results.md.
 #include <algorithm>
 #include <chrono>
@@ -39,7 +39,7 @@ TEST(DynamicsCost, prints_the_cost_of_a_step) {
         std::vector<double> took;
         std::uint32_t awake = 0;
         for (int i = 0; i < scaled(480); ++i) {
-            for (std::uint32_t b = 0; b < bodies; ++b) {  // prevents bodies from falling asleep
+            for (std::uint32_t b = 0; b < bodies; ++b) {  // this prevents the bodies from falling asleep
                 HandPush push;
                 push.time_s = engine.time_s();
                 push.dt_s = Dynamics::kStep_s;

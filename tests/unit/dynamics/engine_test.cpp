@@ -1,4 +1,4 @@
-// The engine alone: bodies fall, slide, roll, stack and sleep, bit-identically every time.
+// Tests the engine alone. Bodies fall, slide, roll, stack and fall asleep, and every run must be bit-identical.
 #include <bit>
 #include <random>
 
@@ -9,7 +9,7 @@
 namespace handrail::test {
 namespace engine_test {
 
-// Twenty boxes, balls and cylinders above a floor of tiles with a wall.
+// Returns a scene with twenty boxes, balls and cylinders above a floor of tiles with a wall.
 std::shared_ptr<const DynamicsScene> heap(unsigned seed, const Vec3& at = Vec3(0.0)) {
     std::mt19937 random(seed);
     const auto unit = [&] { return random() / 4294967296.0; };
@@ -44,7 +44,7 @@ std::uint64_t bits_of(const Dynamics& engine) {
     return sum;
 }
 
-// Applies the same pushes on the same steps.
+// Applies the same pushes on the same steps in every run. Returns a hash of the results.
 std::uint64_t play(Dynamics& engine, std::uint32_t game, int steps) {
     DynamicsFrame frame;
     std::vector<BodyEvent> events;
@@ -68,7 +68,7 @@ TEST(Dynamics, gives_bit_identical_results_in_two_runs_and_after_a_restart) {
         const int steps = scaled(600);
         Dynamics a(heap(seed));
         const std::uint64_t first = play(a, 1, steps);
-        // Allocates, so that the second engine runs with a different state of the memory heap.
+        // This allocation makes the second engine run with a different state of the memory heap.
         auto clutter = std::make_unique<std::vector<std::vector<int>>>(137, std::vector<int>(91));
         Dynamics b(heap(seed));
         EXPECT_EQ(play(b, 1, steps), first);
@@ -84,13 +84,13 @@ TEST(Dynamics, is_the_same_far_away_if_the_scene_states_its_origin) {
     Dynamics near(heap(4)), far(heap(4, Vec3(5000.0, -3000.0, 200.0)));
     run(near, scaled(480));
     run(far, scaled(480));
-    // At 5 km the scene is rounded to 1e-12 m, and the heap of bodies amplifies that. It must still settle to a heap of
-    // the same kind, by the same physics.
+    // At 5 km, the coordinates of the scene are rounded to 1e-12 m, and collisions between the bodies amplify the
+    // difference. So the test only checks that the bodies settle above the floor at plausible speeds.
     for (std::uint32_t i = 0; i < 20; ++i) {
         EXPECT_GT(far.middle(i).position_m.z - 200.0, 0.03) << i;
         EXPECT_LT(glm::length(far.speed_m_per_s(i)), 8.0) << i;
     }
-    // A single body gives the same result to a micrometre.
+    // A single body must come to rest at the same height.
     for (const Vec3& at : {Vec3(0.0), Vec3(5000.0, -3000.0, 200.0)}) {
         DynamicsSceneBuilder builder(at);
         builder.add_fixed_box({at + Vec3(-5, -5, -1), at + Vec3(5, 5, 0)});
@@ -104,7 +104,7 @@ TEST(Dynamics, is_the_same_far_away_if_the_scene_states_its_origin) {
 }
 
 TEST(Dynamics, makes_bodies_fall_slide_and_roll_as_the_formulas_say) {
-    // Free fall for a quarter of a second.
+    // A ball falls freely for a quarter of a second.
     {
         DynamicsSceneBuilder builder;
         builder.add_fixed_box({Vec3(-5, -5, -1), Vec3(5, 5, 0)});
@@ -115,7 +115,7 @@ TEST(Dynamics, makes_bodies_fall_slide_and_roll_as_the_formulas_say) {
         run(engine, 60);
         EXPECT_NEAR(engine.speed_m_per_s(0).z, -9.81 * 0.25, 1e-9);
     }
-    // A ball rolls down ten degrees: 5/7 g sin after a second.
+    // A ball rolls down a slope of ten degrees. After a second its speed is 5/7 g sin(10 degrees).
     {
         const double slope = kPi / 18.0;
         DynamicsSceneBuilder builder;
@@ -128,7 +128,7 @@ TEST(Dynamics, makes_bodies_fall_slide_and_roll_as_the_formulas_say) {
         run(engine, 240);
         EXPECT_NEAR(engine.speed_m_per_s(0).x, 5.0 / 7.0 * 9.81 * std::sin(slope), 0.005);
     }
-    // A sliding crate stops after v^2 / (2 mu g).
+    // A sliding crate must stop after the distance v^2 / (2 mu g).
     {
         DynamicsSceneBuilder builder;
         builder.add_fixed_box({Vec3(-50, -5, -1), Vec3(50, 5, 0)});
@@ -138,7 +138,8 @@ TEST(Dynamics, makes_bodies_fall_slide_and_roll_as_the_formulas_say) {
         Dynamics engine(builder.build());
         run(engine, 10);
         HandPush push = push_of(engine);
-        push.force_n = Vec3(4.0 * 2.0 / Dynamics::kStep_s, 0, 0);  // accelerates it to 2 m/s in one step
+        // This force accelerates the crate to 2 m/s in one step.
+        push.force_n = Vec3(4.0 * 2.0 / Dynamics::kStep_s, 0, 0);
         engine.push(0, push);
         run(engine, 480);
         EXPECT_NEAR(engine.middle(0).position_m.x, 2.0 * 2.0 / (2.0 * 0.4 * 9.81), 0.02);
@@ -161,7 +162,7 @@ TEST(Dynamics, lets_a_stack_of_five_bodies_stand_and_sleep) {
         EXPECT_LT(std::abs(engine.middle(i).position_m.x), 2e-3);
         EXPECT_FALSE(engine.awake(i)) << i;
     }
-    // An approaching hand wakes the body that it approaches.
+    // An approaching hand must wake the body in front of it.
     engine.place_hand(0, {Vec3(0.17, 0, 1.35), 0.02, 0.0});
     run(engine, 1);
     EXPECT_TRUE(engine.awake(4));
@@ -170,7 +171,8 @@ TEST(Dynamics, lets_a_stack_of_five_bodies_stand_and_sleep) {
 TEST(Dynamics, lets_no_body_through_walls_floors_and_sheets_at_any_speed) {
     std::mt19937 random(11);
     const auto unit = [&] { return random() / 4294967296.0; };
-    const auto three = [&] {  // separate statements, because compilers evaluate arguments in different orders
+    // The calls are separate statements, because compilers evaluate arguments in different orders.
+    const auto three = [&] {
         const double x = unit(), y = unit();
         return Vec3(x, y, unit());
     };
@@ -178,7 +180,7 @@ TEST(Dynamics, lets_no_body_through_walls_floors_and_sheets_at_any_speed) {
         SCOPED_TRACE(run_number);
         DynamicsSceneBuilder builder;
         builder.add_fixed_box({Vec3(-2, -2, -0.1), Vec3(2, 2, 0)});
-        for (int side = 0; side < 4; ++side) {  // walls of 5 cm, except for one sheet
+        for (int side = 0; side < 4; ++side) {  // the walls are 5 cm thick, except for one, which is a sheet
             const double s = side % 2 ? 1.0 : -1.0;
             if (side == 3) {
                 builder.add_sheet({-2, 2, 0}, {2, 2, 0}, {2, 2, 4});
@@ -256,7 +258,7 @@ TEST(Dynamics, limits_the_number_of_moving_bodies_and_forgets_none) {
     for (std::uint32_t i = 0; i < kBalls; ++i) EXPECT_NEAR(engine.middle(i).position_m.z, 0.1, 2e-3) << i;
 }
 
-// `count` boxes of 0.4 m in rows, `apart_m` between their centres, which fall from `z_m`.
+// Returns `count` boxes of 0.4 m in rows, which fall from `z_m`. Their centres are `apart_m` apart.
 std::shared_ptr<const DynamicsScene> many_boxes(std::uint32_t count, double apart_m, double z_m,
                                                 const BodyNature& nature) {
     DynamicsSceneBuilder builder;
@@ -269,7 +271,7 @@ std::shared_ptr<const DynamicsScene> many_boxes(std::uint32_t count, double apar
     return builder.build();
 }
 
-// The boxes are so close that each moving one keeps its neighbours awake.
+// The boxes are so close together that each moving box keeps its neighbours awake.
 TEST(Dynamics, puts_every_resting_body_to_sleep_even_after_waiting) {
     for (const double z_m : {0.2, 0.3, 1.2})
         for (const bool elastic : {false, true}) {
@@ -282,8 +284,8 @@ TEST(Dynamics, puts_every_resting_body_to_sleep_even_after_waiting) {
         }
 }
 
-// A hundred at a time. All 2,048 that fit also come to rest, in 44 s of the world's time, which take as long to
-// compute.
+// The engine lets a hundred bodies move at a time. All 2,048 bodies that fit into a scene also come to rest, in 44 s of
+// the world's time. Computing that takes as long.
 TEST(Dynamics, brings_600_bodies_to_rest_in_place) {
     constexpr std::uint32_t kBodies = 600;
     Dynamics engine(many_boxes(kBodies, 0.5, 0.2, nature(4)));
@@ -358,20 +360,21 @@ TEST(Dynamics, carries_a_body_on_a_lift_and_stops_a_door_at_a_jammed_body) {
     DynamicsFrame frame;
     std::vector<BodyEvent> events;
     bool blocked = false;
-    for (int i = 0; i < 720; ++i) {  // the lift rises two metres in two seconds; the door would close to x = 0.95
+    // The lift rises two metres in two seconds, while the door tries to close to x = 0.95.
+    for (int i = 0; i < 720; ++i) {
         const double part = std::min(1.0, i / 480.0);
         engine.drive(lift, {Vec3(-2, 0, 2.0 * part), {}, 1.0});
         engine.drive(door, {Vec3(0.2 + 0.75 * part, 0, 0), {}, 1.0});
         engine.step(frame, events);
         blocked = blocked || frame.blocked == door;
-        EXPECT_LT(engine.middle(1).position_m.x, 0.87) << i;  // never reaches the wall, which begins at 1
+        EXPECT_LT(engine.middle(1).position_m.x, 0.87) << i;  // the crate never reaches the wall, which begins at x = 1
     }
     EXPECT_NEAR(engine.middle(0).position_m.z, 2.25, 5e-3);
     EXPECT_NEAR(engine.middle(0).position_m.x, -2.0, 5e-3);
     EXPECT_TRUE(blocked);
     EXPECT_TRUE(engine.blocked(door));
     EXPECT_NEAR(engine.middle(1).position_m.x, 0.85, 0.01);
-    // The door opens again as soon as it is sent back.
+    // The door must open again as soon as it is driven back.
     for (int i = 0; i < 120; ++i) {
         engine.drive(door, {Vec3(0.2, 0, 0), {}, 1.0});
         engine.step(frame, events);
@@ -392,10 +395,11 @@ TEST(Dynamics, keeps_bodies_out_of_the_walker) {
     engine.push(0, push);
     for (int i = 0; i < 480; ++i) {
         run(engine, 1);
-        // The bottom of the capsule is round: a ball of 0.1 m touches it with its centre 0.316 m from the axis.
+        // The bottom of the walker's capsule is round: a ball of 0.1 m touches it when the ball's centre is 0.316 m
+        // from the axis.
         EXPECT_GT(glm::length(Vec2(engine.middle(0).position_m)), 0.31) << i;
     }
-    // A walker who continues pushes the ball along and does not walk over it.
+    // If the walker continues, it must push the ball along and not walk over it.
     for (int i = 0; i < 240; ++i) {
         engine.walker(Vec3(-0.005 * i, 0, 0), 0.25, 1.7);
         run(engine, 1);
@@ -417,10 +421,10 @@ TEST(Dynamics, drives_a_body_by_keys_with_no_more_than_the_given_force) {
     run(engine, 480);
     EXPECT_LT(glm::length(engine.middle(0).position_m - Vec3(0.5, 0.5, 0.65)), 0.01);
     EXPECT_NEAR(std::abs(engine.middle(0).rotation.z), std::sqrt(0.5), 0.01);
-    engine.lead(1, Vec3(2, 0, 0.65), 50.0);  // 12 kg weigh 118 N, more than 50 N
+    engine.lead(1, Vec3(2, 0, 0.65), 50.0);  // the crate of 12 kg weighs 118 N, which is more than the 50 N of the hand
     run(engine, 480);
     EXPECT_NEAR(engine.middle(1).position_m.z, 0.15, 5e-3);
-    EXPECT_LT(engine.middle(0).position_m.z, 0.2);  // fell after it was released
+    EXPECT_LT(engine.middle(0).position_m.z, 0.2);  // the first crate fell after it was released
 }
 
 TEST(Dynamics, reports_what_an_impact_hit_and_how_hard) {
@@ -456,7 +460,7 @@ TEST(Dynamics, refuses_bodies_without_volume_or_with_invalid_numbers) {
     EXPECT_EQ(add(ball, nature(1, -1)), BodyFault::BadNature);
     EXPECT_EQ(add(ball, nature(1), Vec3(std::nan(""), 0, 0)), BodyFault::BadPlace);
     EXPECT_EQ(add(ball, nature(1)), BodyFault::None);
-    Dynamics engine(builder.build());  // without any building, the body falls and is put back
+    Dynamics engine(builder.build());  // the scene has no building, so the body falls and is put back
     HandPush bad;
     bad.body = 7;
     bad.dt_s = 1e-3;

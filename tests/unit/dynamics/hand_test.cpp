@@ -1,5 +1,5 @@
-// A hand and bodies in one closed loop, in virtual time: how weight, friction and mass feel, and that they give the
-// hand no energy.
+// Tests a hand and bodies in one closed loop, in virtual time: how weight, friction and mass feel. The bodies must not
+// give the hand any energy.
 #include <random>
 
 #include "tests/support/names.h"
@@ -30,12 +30,12 @@ TEST(BodyModel, of_four_kilograms_breaks_away_at_its_friction_and_then_slides_wi
                 return HandIntent{Vec3(0.0), Vec3(0.05 * now, 0, 0)};
             },
             [&](const Vec3& hand, double, double) { return rig.render(0, hand); });
-        // A speed of three quarters of a millimetre of the hand a second. The push grows by 0.05 N a second, so it is
-        // then 0.02 N above the force at which the body broke loose.
+        // This speed is three quarters of a millimetre of the hand a second. The push grows by 0.05 N a second. At this
+        // speed, it is 0.02 N above the force at which the body broke loose.
         if (i > 1500 && rig.engine.speed_m_per_s(0).x > 0.015) breaks_n = -rig.hands[0]->force_n.x;
     }
     EXPECT_NEAR(breaks_n, 0.4 * 4.0 * 9.81 / 20.0, 0.05 * 0.785);
-    // A hand that keeps 10 mm/s pushes the body on and measures the sliding friction.
+    // A hand that moves at a steady 10 mm/s pushes the body along, so its mean force is the sliding friction.
     BodyWorldMaker same;
     same.floor();
     same.body(box_of(0.2), Vec3(0, 0, 0.2), n);
@@ -76,7 +76,7 @@ TEST(BodyModel, is_felt_in_the_grip_with_its_true_weight) {
         EXPECT_EQ(rig.hands[0]->bodies().holds(), 0U);
         EXPECT_GT(rig.engine.middle(0).position_m.z, 0.25);
         EXPECT_NEAR(mean_n, kg * 9.81 / 20.0, 0.02 * kg * 9.81 / 20.0 + 1e-3);
-        // When released, the body falls and comes to rest where it was before.
+        // When released, the body must fall and come to rest where it was before.
         rig.hands[0]->want_grip = false;
         for (int i = 0; i < 1500; ++i)
             loop.tick(
@@ -116,8 +116,8 @@ TEST(BodyModel, is_felt_with_its_true_mass) {
     }
 }
 
-// The hand follows a prescribed path exactly, without delay and encoder: a random closed path of four seconds, then a
-// second of rest. There is no damping at all.
+// Returns the greatest energy in mJ that the bodies give the hand. The hand follows a prescribed path exactly, without
+// delay and encoder. The path is a random closed path of four seconds, followed by a second of rest. Nothing is damped.
 double worst_energy_mj(bool push, double kg, int seeds) {
     double worst = -1e9;
     for (int seed = 1; seed <= seeds; ++seed) {
@@ -283,7 +283,7 @@ TEST(BodyModel, squeezed_between_hand_and_wall_stands_still_and_feels_like_the_w
             at.push_back(rig.engine.middle(0).position_m.x);
         }
         EXPECT_LT(peak_to_peak(force), 0.35);
-        EXPECT_LT(std::abs(at.back()), 0.006);  // a third of a millimetre in the hand's scale
+        EXPECT_LT(std::abs(at.back()), 0.006);  // 0.006 m of the world are a third of a millimetre of the hand
         EXPECT_LT(rig.hands[0]->force_n.x, -1.2);
     }
 }
@@ -292,7 +292,7 @@ TEST(BodiesInReach, pushed_in_a_row_or_a_stack_never_pass_through_each_other) {
     BodyWorldMaker world;
     world.floor();
     for (int i = 0; i < 3; ++i) world.body(box_of(0.15), Vec3(0.31 * i, 0, 0.15), nature(1.0, 0.3));
-    world.body(box_of(0.15), Vec3(0, 0, 0.45), nature(1.0, 0.3));  // stands on the first body
+    world.body(box_of(0.15), Vec3(0, 0, 0.45), nature(1.0, 0.3));  // this body stands on the first one
     HandSetup setup;
     setup.origin_m = Vec3(-0.15 - 0.04 - 0.02, 0, 0.12);
     BodyRig rig(world, {setup});
@@ -319,13 +319,14 @@ TEST(BodiesInReach, hold_a_plank_jammed_in_a_corridor_with_no_more_than_the_ceil
     world.floor();
     world.box({Vec3(-3, 0.25, 0), Vec3(3, 0.5, 1)}, kWall);
     world.box({Vec3(-3, -0.5, 0), Vec3(3, -0.25, 1)}, kWall);
-    // Half a metre wide and longer than that, so the plank jams when it is turned.
+    // The corridor is half a metre wide. The plank is longer, so it jams when it turns.
     const DynamicsPiece plank = make_box_piece({Vec3(-0.3, -0.1, -0.1), Vec3(0.3, 0.1, 0.1)});
     world.body(plank, Vec3(0, 0, 0.1), nature(2.0, 0.6));
     HandSetup setup;
     setup.ceiling_n = 2.5;
     setup.friction = 0.3;
-    setup.origin_m = Vec3(-0.3 - 0.04 - 0.02, 0.08, 0.1);  // away from the plank's middle, so that it turns
+    // The hand pushes away from the plank's middle, so that the plank turns.
+    setup.origin_m = Vec3(-0.3 - 0.04 - 0.02, 0.08, 0.1);
     BodyRig rig(world, {setup});
     ClosedLoop loop(light_hand(3.0), Vec3(0.0));
     double most_n = 0.0;
@@ -381,7 +382,7 @@ TEST(BodiesInReach, stay_upright_in_the_grip_and_turn_in_quarter_turns) {
     const DynamicsPiece plank = make_box_piece({Vec3(-0.4, -0.1, -0.05), Vec3(0.4, 0.1, 0.05)});
     world.body(plank, Vec3(0, 0, 0.05), nature(1.0));
     HandSetup setup;
-    setup.origin_m = Vec3(0.3, 0, 0.09);  // far from its centre
+    setup.origin_m = Vec3(0.3, 0, 0.09);  // the hand grips far from the plank's centre
     BodyRig rig(world, {setup});
     rig.hands[0]->want_grip = true;
     ClosedLoop loop(light_hand(3.0), Vec3(0.0));
@@ -396,7 +397,8 @@ TEST(BodiesInReach, stay_upright_in_the_grip_and_turn_in_quarter_turns) {
     run(2000, 0.04);
     const Placement lifted = rig.engine.middle(0);
     EXPECT_GT(lifted.position_m.z, 0.4);
-    EXPECT_GT(std::abs(lifted.rotation.w), std::cos(0.5 * 0.35));  // its weight turns it by less than 20 degrees
+    // The plank's weight turns it by less than 20 degrees.
+    EXPECT_GT(std::abs(lifted.rotation.w), std::cos(0.5 * 0.35));
     rig.hands[0]->bodies().turn_held(rotation_about({0, 0, 1}, kPi / 2));
     run(1500, 0.04);
     const Rotation turned = rig.engine.middle(0).rotation;
@@ -430,7 +432,8 @@ TEST(BodiesInReach, give_bit_identical_results_in_two_runs) {
     EXPECT_EQ(play(), play());
 }
 
-// Runs the same hand twice; one of them examines every body on every tick.
+// Moves two equal hands along the same path. One of them examines every body on every tick, the other only the moving
+// ones.
 TEST(BodiesInReach, considering_only_moving_ones_gives_the_same_result_as_considering_all) {
     BodyWorldMaker world;
     world.floor();
@@ -446,11 +449,11 @@ TEST(BodiesInReach, considering_only_moving_ones_gives_the_same_result_as_consid
     std::size_t most = 0, least = 24;
     for (int i = 0; i < 12000; ++i) {
         const double now_s = Dynamics::kStep_s + 1e-3 * i;
-        // Approaches the first bodies, holds one of them for a while, and leaves.
+        // The hand approaches the first bodies, holds one of them for a while, and leaves.
         const Vec3 goal = Vec3(-0.6 + 0.25e-3 * std::min(i, 6000), 0.02, 0.12 + (i > 7000 ? 1.0 : 0.0)) / setup.scale;
         for (Hand* each : {&hand, &twin}) {
             each->want_grip = i % 3000 > 2500;
-            if (i % 50 != 7) each->hear(frame);  // sometimes the hand misses a frame
+            if (i % 50 != 7) each->hear(frame);  // sometimes both hands miss a frame
         }
         twin.bodies().show_all();
         hand.tick(goal, now_s, 1e-3);

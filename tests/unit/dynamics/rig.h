@@ -1,4 +1,5 @@
-// Small worlds with bodies made in code. One or two hands touch them through the complete hand's side, in virtual time.
+// Small worlds with bodies, made in code. One or two hands touch them in virtual time, with all the code of the hand's
+// side.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,12 +16,12 @@
 
 namespace handrail::test {
 
-inline constexpr FeatureId kFloor{1}, kWall{2}, kThing{5};  // bodies have kThing and the numbers after it
+inline constexpr FeatureId kFloor{1}, kWall{2}, kThing{5};  // feature of body 0; body n has the number kThing + n
 
 inline DynamicsPiece box_of(double half_m) { return make_box_piece({Vec3(-half_m), Vec3(half_m)}); }
 inline DynamicsPiece ball_of(double radius_m) { return make_piece(RoundShape(SphereShape{Vec3(0.0), radius_m})); }
 
-// A material that does not bounce and has no rolling friction.
+// Returns a material that does not bounce and has no rolling friction.
 inline BodyNature nature(double kg, double friction = 0.4) {
     BodyNature n;
     n.mass_kg = kg;
@@ -30,14 +31,14 @@ inline BodyNature nature(double kg, double friction = 0.4) {
     return n;
 }
 
-// Runs steps and discards the events.
+// Runs `steps` steps of the engine and discards the events.
 inline void run(Dynamics& engine, int steps) {
     DynamicsFrame frame;
     std::vector<BodyEvent> events;
     for (int i = 0; i < steps; ++i) engine.step(frame, events);
 }
 
-// A push on body 0 for the next step, still without a force.
+// Returns a push on body 0 for the next step. The caller must still set the force.
 inline HandPush push_of(const Dynamics& engine) {
     HandPush push;
     push.time_s = engine.time_s();
@@ -47,7 +48,7 @@ inline HandPush push_of(const Dynamics& engine) {
     return push;
 }
 
-// Builds the two views of one world: one for touch and one for dynamics.
+// Builds one world twice: as a scene for touch and as a scene for dynamics.
 class BodyWorldMaker {
 public:
     explicit BodyWorldMaker(const Vec3& origin_m = Vec3(0.0)) : bodies_(origin_m) {}
@@ -57,7 +58,7 @@ public:
         bodies_.add_fixed_box(box_m, feature);
     }
     void floor(const Vec3& at = Vec3(0.0)) { box({at + Vec3(-50, -50, -1), at + Vec3(50, 50, 0)}); }
-    // Adds a box or ball; its feature is kThing plus its number.
+    // Adds a box or ball. Its feature is kThing plus the body's number.
     std::uint32_t body(const DynamicsPiece& piece, const Vec3& at_m, const BodyNature& nature) {
         const FeatureId feature{kThing.value + count_};
         HapticSceneBuilder own;
@@ -84,11 +85,11 @@ struct HandSetup {
     double stiffness_n_per_m = 800.0, damping_ns_per_m = 5.0, friction = 0.0;
     double grip_n_per_m = 400.0, grip_ns_per_m = 5.0;
     double ceiling_n = 1e9;
-    int latency_ticks = 1;  // delay from the end of an engine's step until its frame reaches the hand
-    Vec3 origin_m{0.0};     // place in the world of the hand's origin
+    int latency_ticks = 1;  // ticks from the end of an engine's step until its frame reaches the hand
+    Vec3 origin_m{0.0};     // place in the world where the hand's origin is
 };
 
-// A hand on a shared engine.
+// A hand that touches the bodies of an engine. Several hands may share the engine.
 class Hand {
 public:
     Hand(unsigned number, std::shared_ptr<const HapticScene> felt, const DynamicsScene& moves, const HandSetup& as)
@@ -103,7 +104,7 @@ public:
         bodies_.enter(&moves);
     }
 
-    // Call this before the hands' ticks at this time, with the engine's latest frame.
+    // Gives the hand the engine's latest frame. The test must call this before the hands' ticks at the same time.
     void hear(const DynamicsFrame& frame) { bodies_.hear(frame); }
     Vec3 tick(const Vec3& hand_m, double now_s, double dt_s) {
         const Vec3 goal = setup.origin_m + hand_m * setup.scale;
@@ -145,7 +146,7 @@ private:
     std::uint64_t poses_number_ = 1;
 };
 
-// Engine and hands on one clock with milliseconds.
+// An engine and its hands on one clock. A tick is one millisecond.
 class BodyRig {
 public:
     BodyRig(BodyWorldMaker& maker, const std::vector<HandSetup>& setups)
@@ -153,11 +154,11 @@ public:
         const auto felt = maker.felt();
         for (unsigned i = 0; i < setups.size(); ++i)
             hands.push_back(std::make_unique<Hand>(i, felt, *moves, setups[i]));
-        engine.step(frame_, events);  // the first frame, so that everything is known when a hand arrives
+        engine.step(frame_, events);  // computes the first frame, so that each hand knows all bodies when it arrives
         heard_ = frame_;
     }
 
-    // Renders hand i. Rendering the last hand also advances the engine.
+    // Renders hand i at `hand_m`. Returns its force in newtons. Rendering the last hand also advances the engine.
     Vec3 render(std::size_t i, const Vec3& hand_m, double dt_s = 1e-3) {
         Hand& hand = *hands[i];
         if (i == 0)

@@ -1,4 +1,5 @@
-// Flush parts of a building: bodies that slide or roll over the seams do not catch, and real contacts are kept.
+// Tests flush parts of a building. Bodies that slide or roll over the seams must not catch, and real contacts must
+// remain.
 #include "haptic/dynamics/seams.h"
 
 #include <random>
@@ -10,7 +11,7 @@
 namespace handrail::test {
 namespace seams_test {
 
-// Sets the speed of a body in one step.
+// Gives body 0 the speed `speed` and the angular speed `turning` in one step. `inertia` is its moment of inertia.
 void throw_it(Dynamics& engine, const Vec3& speed, const Vec3& turning, double inertia) {
     HandPush push = push_of(engine);
     push.force_n = speed * (engine.scene().bodies[0].nature.mass_kg / Dynamics::kStep_s);
@@ -135,7 +136,7 @@ TEST(Seams, handling_does_not_change_a_real_step_a_wall_or_a_hole) {
     }
 }
 
-// The independent check examines every part of the building, where the compiled scene lists only neighbours.
+// The independent check examines every part of the building. The compiled scene lists only the neighbours of each part.
 TEST(Seams, get_the_same_verdict_from_neighbours_as_from_all_parts_in_any_order_and_far_away) {
     std::mt19937 random(5);
     const auto unit = [&] { return random() / 4294967296.0; };
@@ -144,7 +145,8 @@ TEST(Seams, get_the_same_verdict_from_neighbours_as_from_all_parts_in_any_order_
         const Vec3 zero = round % 2 ? Vec3(0.0) : Vec3(4000.0, -2500.0, 100.0);
         std::vector<Aabb> boxes;
         for (int i = 0; i < 30;
-             ++i) {  // on a grid, so that many are flush; some overlap, and some have lips of half a millimetre
+             // The boxes are on a grid, so that many are flush; some overlap, and some have lips of half a millimetre.
+             ++i) {
             const Vec3 low(std::floor(unit() * 4) * 0.5, std::floor(unit() * 4) * 0.5, std::floor(unit() * 2) * 0.5);
             const Vec3 size = Vec3(0.5) * Vec3(1 + std::floor(unit() * 2), 1 + std::floor(unit() * 2), 1);
             const double lip = unit() < 0.3 ? 5e-4 : 0.0;
@@ -162,7 +164,7 @@ TEST(Seams, get_the_same_verdict_from_neighbours_as_from_all_parts_in_any_order_
             const Polygon& face = is.solid.faces[static_cast<std::size_t>(unit() * 6.0)];
             Vec3 at = face.points_m[0] + (face.points_m[1] - face.points_m[0]) * unit() +
                       (face.points_m[3] - face.points_m[0]) * unit();
-            // A point on an edge.
+            // Every third point is on an edge.
             if (ask % 3 == 0) at = face.points_m[0] + (face.points_m[1] - face.points_m[0]) * unit();
             at += Vec3(unit() - 0.5, unit() - 0.5, unit() - 0.5) * 4e-3;
             const Vec3 normal = glm::normalize(Vec3(unit() - 0.5, unit() - 0.5, unit() - 0.5));

@@ -1,5 +1,5 @@
-// The engine on its own thread and in virtual time. Everything passed to it arrives, and the same calls give
-// bit-identical results.
+// Tests the engine on its own thread and in virtual time. Everything that is passed to it must arrive, and the same
+// calls must give bit-identical results.
 #include "haptic/dynamics/dynamics_loop.h"
 
 #include "tests/support/names.h"
@@ -18,7 +18,8 @@ std::shared_ptr<const DynamicsScene> ball_on_floor() {
     return builder.build();
 }
 
-// Everything that the app, the hands and the sounds exchange with the loop, in virtual time.
+// Exchanges everything with the loop that the app, the hands and the sounds exchange with it, in virtual time. Returns
+// where the ball ends.
 Vec3 play(double from_s) {
     auto loop = std::make_unique<DynamicsLoop>(ball_on_floor(), from_s);
     EXPECT_FALSE(loop->step_until(from_s));
@@ -48,7 +49,7 @@ Vec3 play(double from_s) {
     bool hit = false;
     while (loop->take_event(event)) hit = hit || event.kind == BodyEvent::Kind::Hit;
     EXPECT_TRUE(hit);
-    // A restart puts the ball back to its start.
+    // A restart must put the ball back to its start.
     EXPECT_TRUE(loop->order({DynamicsLoop::Order::Kind::Restart}));
     loop->step_until(from_s + 2.005);
     loop->newer_frame_for_app();
@@ -78,7 +79,7 @@ TEST(DynamicsLoop, runs_on_its_own_thread_in_parallel_with_servo_and_audio) {
     SteadyClock clock;
     auto loop = std::make_unique<DynamicsLoop>(ball_on_floor(), clock.now_s());
     loop->start(clock);
-    loop->start(clock);  // a second call changes nothing
+    loop->start(clock);  // the second call must change nothing
     const double end_s = clock.now_s() + 30.0;
     std::uint64_t frames = 0;
     bool fell = false, heard = false;
@@ -105,7 +106,7 @@ TEST(DynamicsLoop, runs_on_its_own_thread_in_parallel_with_servo_and_audio) {
     EXPECT_TRUE(fell);
     EXPECT_TRUE(heard);
     EXPECT_GT(frames, 20U);
-    loop->start(clock);  // restarts after the stop
+    loop->start(clock);  // the loop starts again after the stop
     loop.reset();
 }
 

@@ -1,5 +1,5 @@
-// The hand's side of movable bodies neither allocates nor frees. The test counts every call of operator new and delete
-// in this program.
+// Checks that the hand's side of movable bodies neither allocates nor frees memory. The test counts every call of
+// operator new and delete in this program.
 #include "haptic/servo/servo_tick.h"
 #include "tests/support/count_allocations.h"
 #include "tests/support/names.h"
@@ -38,7 +38,7 @@ TEST(BodiesInReach, never_allocate_or_free_in_a_tick) {
         held += hand.bodies().holds() != kNoBody;
         contacts += hand.touch.contacts.count;
         hand.send_to(engine);
-        // Invalidates all earlier contacts, so the hand's side starts again within a tick.
+        // This makes all earlier contacts invalid, so the hand's side must start again within a tick.
         if (i == 2500) engine.restart();
         while (engine.time_s() + Dynamics::kStep_s <= now_s + 1e-3) engine.step(frame, events);
         events.clear();
@@ -48,8 +48,8 @@ TEST(BodiesInReach, never_allocate_or_free_in_a_tick) {
     EXPECT_GT(contacts, 100);
 }
 
-// The same in the whole tick. The hand grips by button and by key and turns, the workspace jumps, and the device stops
-// answering.
+// Checks the whole servo tick. The hand grips bodies by button and by key and turns them, the workspace jumps, and the
+// device stops answering.
 TEST(ServoTick, never_allocates_or_frees_with_free_bodies) {
     BodyWorldMaker world;
     world.floor();

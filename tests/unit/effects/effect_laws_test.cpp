@@ -1,5 +1,5 @@
-// Each law runs on 40 random smooth loops of 4 s, with and without an encoder's quantum. It gives the hand at most 5
-// microjoules or takes energy. Force and slope stay within their bounds.
+// Runs each effect law on 40 random smooth loops of 4 s, with and without an encoder's quantum. A law may give the hand
+// at most 5 microjoules. Its force and its stiffness must stay within their bounds.
 #include <fmt/format.h>
 
 #include "haptic/render/effects.h"
@@ -35,7 +35,7 @@ ConvexRegion slanted(double half_m) {
     return region;
 }
 
-// Regions of each kind, half as large as the loops, so that the loops cross every border.
+// Returns regions of each kind. They are half as large as the loops, so that the loops cross every border.
 std::vector<EffectRegion> regions(double half_m) {
     return {cube(half_m), SphereRegion{Vec3(0.1 * half_m), 1.2 * half_m},
             CapsuleRegion{Vec3(-half_m, 0, 0), Vec3(half_m, half_m, 0), 0.7 * half_m}, slanted(0.7 * half_m)};
@@ -106,7 +106,7 @@ TEST(EffectLaws, give_no_energy_on_random_loops) {
         }
 }
 
-// A pool from z = -0.5 up to 0, in hand metres, in a basin that is open only at the top.
+// Returns a pool from z = -0.5 up to 0, in hand metres. Its basin is open only at the top.
 LiquidVolume pool(double scale, double half_m = 0.3) {
     LiquidVolume liquid;
     for (int axis = 0; axis < 3; ++axis) {
@@ -169,7 +169,7 @@ TEST(LiquidLaws, a_stream_gives_at_most_two_newtons_times_its_speed) {
     river.viscosity_ns_per_m = 8.0;
     river.flow_hand_m_per_s = Vec3(0.1, 0.0, 0.0);
     const auto scene = scene_of(river, 1.0);
-    // A hand at rest feels viscosity times flow.
+    // A hand at rest must feel the viscosity times the flow.
     TouchState state;
     TouchTuning tuning;
     TouchResult r;
@@ -207,7 +207,7 @@ TEST(LiquidLaws, lift_with_buoyancy_and_hold_the_hand_back_at_the_surface_film) 
     EXPECT_NEAR(force_at(*lifts, 0.0), 0.35, 1e-9);
     EXPECT_NEAR(force_at(*lifts, 0.01), 0.7, 1e-9);
     EXPECT_NEAR(force_at(*lifts, 0.2), 0.7, 1e-9) << "as far down as the pool goes";
-    // The film pulls to the surface from both sides, most strongly at w / sqrt 2 = 2.8 mm.
+    // The film pulls to the surface from both sides. The pull is strongest at a distance of w / sqrt 2 = 2.8 mm.
     EXPECT_NEAR(force_at(*holds, 0.004 / std::sqrt(2.0)), 0.32, 1e-6);
     EXPECT_NEAR(force_at(*holds, -0.004 / std::sqrt(2.0)), -0.32, 1e-6);
     EXPECT_NEAR(force_at(*holds, 0.0), 0.0, 1e-12);
@@ -215,7 +215,8 @@ TEST(LiquidLaws, lift_with_buoyancy_and_hold_the_hand_back_at_the_surface_film) 
 }
 
 TEST(LiquidLaws, a_pressed_pool_wall_does_not_cancel_the_buoyancy) {
-    // The pool's side x = 0.3 is a wall. The hand presses 8 mm into it, so the hand itself is outside the pool.
+    // The pool's side at x = 0.3 is a wall. The hand presses 8 mm into the wall, so the hand itself is outside the
+    // pool.
     HapticSceneBuilder builder;
     LiquidVolume liquid = pool(1.0);
     liquid.buoyancy_n = 1.0;
@@ -228,7 +229,7 @@ TEST(LiquidLaws, a_pressed_pool_wall_does_not_cancel_the_buoyancy) {
         r = touch_tick(state, *scene, TouchTuning{}, Vec3(0.2 + 0.108e-3 * i, 0, -0.2), kTick_s);
     EXPECT_NEAR(r.force_n.z, 1.0, 1e-9);
     EXPECT_NEAR(r.force_n.x, -0.013 * 800.0, 1e-6);
-    // Behind the wall, outside the pool, there is no liquid.
+    // Behind the wall, outside the pool, the hand must feel no liquid.
     state.reset();
     for (int i = 0; i < 300; ++i) r = touch_tick(state, *scene, TouchTuning{}, Vec3(0.5, 0, -0.2), kTick_s);
     EXPECT_EQ(r.force_n, Vec3(0.0));
@@ -251,8 +252,8 @@ TEST(EffectLaws, keep_energy_sources_within_their_bounds) {
         EXPECT_LE(shaken.largest_n, 0.5 + 1e-12);
         EXPECT_LE(shaken.given_j, 0.5 * way);
     }
-    // A hand at rest in the middle. The wind reaches its full force after 100 ms, with at most 0.03 N a tick; the
-    // shaker is a sine of 100 Hz.
+    // The hand rests in the middle. The wind reaches its full force after 100 ms, with steps of at most 0.03 N a tick.
+    // The shaker is a sine of 100 Hz.
     TouchState state;
     Vec3 last(0.0);
     for (int i = 1; i <= 150; ++i) {
@@ -281,25 +282,27 @@ TEST(EffectLaws, follow_their_formulas) {
         TouchState state;
         return touch_tick(state, scene, tuning, at, kTick_s).force_n;
     };
-    // Magnet: 2 N and 10 mm, a point in the middle of a wide region. The force is greatest at a distance of one width.
+    // Magnet of 2 N with a width of 10 mm: a point in the middle of a wide region. The force is greatest at a distance
+    // of one width.
     const auto magnet = scene_of({effect_of(MagnetLaw{{{Vec3(0.0)}}}, cube(0.2))});
     EXPECT_NEAR(force_at(*magnet, {0.01, 0, 0}).x, -2.0, 1e-7);
     EXPECT_NEAR(force_at(*magnet, {0, 0.005, 0}).y, -0.5 * 2.0 * std::exp(0.5 * (1 - 0.25)), 1e-7);
     EXPECT_NEAR(force_at(*magnet, {0, 0, -0.03}).z, 3.0 * 2.0 * std::exp(0.5 * (1 - 9.0)), 1e-7);
     EXPECT_EQ(force_at(*magnet, Vec3(0.0)), Vec3(0.0));
-    // A line from (-0.05, 0, 0) to (0.05, 0, 0). At its side only the distance counts; beyond its end, the direction to
-    // the end.
+    // Magnet along a line from (-0.05, 0, 0) to (0.05, 0, 0). To the side of the line, the force depends only on the
+    // distance from it. Beyond an end, the force has the direction of that end.
     const auto line = scene_of({effect_of(MagnetLaw{{{Vec3(0.0), Vec3(0.05, 0, 0)}}, -1.0, 0.02}, cube(0.3))});
     EXPECT_NEAR(force_at(*line, {0.03, 0, 0.02}).z, 1.0, 1e-7) << "it pushes away";
     EXPECT_NEAR(force_at(*line, {0.07, 0, 0}).x, 1.0, 1e-7);
-    // Detent: no force at each notch, and the strongest a quarter of the pitch away from it.
+    // Detent: the force is zero at each notch and strongest a quarter of the pitch away from it.
     const auto detent = scene_of({effect_of(DetentLaw{Vec3(0.0), Vec3(0, 1, 0)}, cube(0.2))});
     for (int notch = -3; notch <= 3; ++notch) {
         EXPECT_NEAR(force_at(*detent, {0, 0.01 * notch, 0}).y, 0.0, 1e-9);
         EXPECT_NEAR(force_at(*detent, {0, 0.01 * notch + 0.0025, 0}).y, -1.5, 1e-9);
         EXPECT_NEAR(force_at(*detent, {0, 0.01 * notch - 0.0025, 0}).y, 1.5, 1e-9);
     }
-    // Button: no force at either end of its travel, unstable in the middle, and the strongest force in between.
+    // Button: the force is zero at both ends of its travel and in the middle, where it is unstable. In between, it is
+    // strongest.
     const auto button = scene_of({effect_of(ButtonLaw{Vec3(0.0), Vec3(1, 0, 0)}, cube(0.2))});
     EXPECT_NEAR(force_at(*button, {0.01, 0, 0}).x, 0.0, 1e-9);
     EXPECT_NEAR(force_at(*button, {-0.01, 0, 0}).x, 0.0, 1e-9);
@@ -314,7 +317,7 @@ TEST(EffectLaws, fly_paper_holds_until_it_tears_and_then_holds_again) {
     touch_tick(state, *scene, {}, Vec3(0.0), kTick_s);
     double largest = 0.0;
     Vec3 force(0.0);
-    for (int i = 1; i <= 48; ++i) {  // 4.8 mm at 400 N/m, so 1.92 N
+    for (int i = 1; i <= 48; ++i) {  // 4.8 mm at 400 N/m give 1.92 N
         force = touch_tick(state, *scene, {}, Vec3(1e-4 * i, 0, 0), kTick_s).force_n;
         EXPECT_NEAR(force.x, -400.0 * 1e-4 * i, 1e-9);
     }
@@ -327,7 +330,7 @@ TEST(EffectLaws, fly_paper_holds_until_it_tears_and_then_holds_again) {
     for (int i = 0; i < 300; ++i) force = touch_tick(state, *scene, {}, Vec3(0.006, 0, 0), kTick_s).force_n;
     EXPECT_LT(glm::length(force), 400.0 * 0.2e-3) << "torn, and stuck again here";
     EXPECT_NEAR(touch_tick(state, *scene, {}, Vec3(0.007, 0, 0), kTick_s).force_n.x - force.x, -0.4, 1e-9);
-    // A teleport or a fault resets the place where the proxy stuck.
+    // A teleport or a fault must reset the place where the proxy stuck.
     state.reset_filters();
     EXPECT_EQ(touch_tick(state, *scene, {}, Vec3(0.009, 0, 0), kTick_s).force_n, Vec3(0.0));
 }
@@ -340,7 +343,8 @@ TEST(EffectLaws, for_inertia_resist_acceleration_but_not_steady_motion) {
     TouchState state;
     double x = 0.0, v = 0.0, mean = 0.0, late = 0.0;
     for (int i = 0; i < 8000; ++i) {
-        v += i < 2000 ? 1e-3 * 0.5 : 0.0;  // half a metre per second squared for 2 s, then constant speed
+        // Acceleration of half a metre per second squared for 2 s, then constant speed.
+        v += i < 2000 ? 1e-3 * 0.5 : 0.0;
         x += v * 1e-3;
         const double force = touch_tick(state, *scene, {}, Vec3(x, 0, 0), kTick_s).force_n.x;
         if (i >= 1000 && i < 2000) mean += force / 1000.0;
@@ -351,7 +355,7 @@ TEST(EffectLaws, for_inertia_resist_acceleration_but_not_steady_motion) {
 }
 
 TEST(EffectLaws, of_neighbouring_magnets_blend_without_an_edge_between_targets) {
-    // Across the plane that is equally far from two points, the force reverses gradually, without a step.
+    // Between two equal magnets, the force must reverse gradually, without a step at the plane of equal distance.
     const auto scene = scene_of({effect_of(MagnetLaw{{{Vec3(-0.012, 0, 0)}, {Vec3(0.012, 0, 0)}}}, cube(0.2))});
     TouchState state;
     Vec3 last = touch_tick(state, *scene, {}, Vec3(-0.005, 0, 0), kTick_s).force_n;
@@ -364,8 +368,8 @@ TEST(EffectLaws, of_neighbouring_magnets_blend_without_an_edge_between_targets) 
 }
 
 TEST(EffectLaws, stay_bounded_in_stiffness_and_force_where_many_overlap) {
-    // Combines all effects in one place, several times over. No direction gets stiffer than the device allows, and
-    // nothing pushes with more than 4 N.
+    // Combines all effects in one place, several times over. No direction may get stiffer than the device allows, and
+    // the effects together may not push with more than 4 N.
     for (const double rated : {300.0, 1000.0}) {
         std::vector<EffectVolume> effects;
         for (const Law& law : passive_laws(1.0))
@@ -396,8 +400,8 @@ TEST(EffectLaws, stay_bounded_in_stiffness_and_force_where_many_overlap) {
 }
 
 TEST(EffectLaws, move_with_the_body_to_which_they_are_attached) {
-    // A crate with a magnet, a row of notches and fly-paper on it is moved, turned and enlarged. In the crate's own
-    // frame nothing changes.
+    // A crate carries a magnet, a row of notches or fly-paper. The crate is moved, turned and enlarged, but the force
+    // in the crate's own frame must not change.
     for (const EffectLaw& law : {EffectLaw(MagnetLaw{{{Vec3(0.01, 0, 0)}}}),
                                  EffectLaw(DetentLaw{Vec3(0.0), Vec3(0, 0, 1)}), EffectLaw(FlyPaperLaw{})}) {
         const EffectVolume effect = effect_of(law, cube(0.05));
@@ -413,19 +417,19 @@ TEST(EffectLaws, move_with_the_body_to_which_they_are_attached) {
         const auto moving = builder.build();
         TouchState still_state, moving_state;
         TouchTuning one, grown;
-        grown.world_m_per_hand_m = 2.0;  // crate and hand are both twice as large
+        grown.world_m_per_hand_m = 2.0;  // the crate and the hand are both twice as large
         const std::vector<Vec3> loop = random_loop(11, 0.06);
         for (int i = 0; i < 2000; ++i) {
             const Vec3 own = loop[static_cast<std::size_t>(i)];
             const Placement at{Vec3(1.0 + 1e-3 * i, 2.0, -3.0), rotation_about(Vec3(0, 0, 1), 0.002 * i), 2.0};
             const PlacedFrame frame(at);
             const std::array<BodyPose, 1> poses{BodyPose{at, true}};
-            // The widths of the library's magnet and edge are in hand metres. The crate's region is twice as large at
-            // twice the scale.
+            // The library gives the widths of magnet and edge in hand metres. At twice the scale, the crate's region is
+            // twice as large.
             const Vec3 expected = touch_tick(still_state, *still, one, own, kTick_s).force_n;
             const TouchResult r = touch_tick(moving_state, *moving, grown, frame.to_world(own), kTick_s, Vec3(0.0),
                                              BodyPoses{poses, static_cast<std::uint64_t>(i + 1)});
-            // Near obstacles, including bodies, effects get 0.6 of the device's stiffness: 600 N/m.
+            // Near obstacles, including bodies, effects may use 0.6 of the device's stiffness, which is 600 N/m.
             const double share = std::min(1.0, 600.0 / stiffness_bound_n_per_m(law));
             EXPECT_LE(glm::length(frame.turned_back(r.force_n) - expected * share), 1e-9) << i;
         }
@@ -459,7 +463,7 @@ TEST(EffectLaws, enter_and_leave_without_a_jump_in_force) {
             tuning.world_m_per_hand_m = scale;
             TouchState state;
             Vec3 last(0.0);
-            for (int i = 0; i <= 4800; ++i) {  // straight through at 25 mm/s
+            for (int i = 0; i <= 4800; ++i) {  // the hand moves straight through at 25 mm/s
                 const Vec3 at = Vec3(-0.06 + 2.5e-5 * i, 0.003, 0.007) * scale;
                 const Vec3 force = touch_tick(state, *scene, tuning, at, kTick_s).force_n;
                 EXPECT_LE(glm::length(force - last), law.law.index() < 3 ? 2.5e-5 * 1000.0 : 0.12)
@@ -492,7 +496,7 @@ TEST(EffectLaws, survive_extreme_step_sizes) {
                     const Vec3 force = state.force_n(*scene, hand);
                     EXPECT_TRUE(is_finite(force)) << step << ' ' << place << ' ' << dt << ' ' << scale;
                 }
-    // After all that, a reset restores the original behaviour.
+    // After all these values, a reset must restore the original behaviour.
     hand = HandMotion{};
     state.reset();
     EXPECT_TRUE(is_finite(state.force_n(*scene, hand)));

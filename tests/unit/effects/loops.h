@@ -1,4 +1,4 @@
-// Smooth random closed paths of a hand, and measurements of a law along one.
+// Random smooth closed paths of a hand, and what they measure of an effect law.
 #pragma once
 
 #include <memory>
@@ -13,8 +13,8 @@ namespace handrail::test {
 constexpr double kTick_s = 1e-3;
 constexpr int kLoopTicks = 4000;
 
-// Lasts 4 s, with three harmonics for each axis. Reaches at most `reach_hand_m` from the origin along each axis, in
-// hand metres.
+// Returns a closed path of 4 s with three harmonics for each axis. It reaches at most `reach_hand_m` from the origin
+// along each axis, in hand metres.
 inline std::vector<Vec3> random_loop(unsigned seed, double reach_hand_m) {
     std::mt19937 random(seed);
     const auto unit = [&random] { return static_cast<double>(random()) / 4294967296.0; };
@@ -33,7 +33,7 @@ inline std::vector<Vec3> random_loop(unsigned seed, double reach_hand_m) {
     return loop;
 }
 
-// Positions of a device with discrete encoder steps.
+// Returns the path as a device with encoder steps of `quantum_m` measures it.
 inline std::vector<Vec3> quantised(std::vector<Vec3> path, double quantum_m = 6e-5) {
     for (Vec3& p : path)
         for (int axis = 0; axis < 3; ++axis) p[axis] = quantum_m * std::round(p[axis] / quantum_m);
@@ -41,16 +41,17 @@ inline std::vector<Vec3> quantised(std::vector<Vec3> path, double quantum_m = 6e
 }
 
 struct LoopOutcome {
-    double given_j = 0.0;         // energy given to the hand in the second round
+    double given_j = 0.0;         // energy that the law gives to the hand in the second round
     double largest_n = 0.0;       // largest force
     double largest_step_n = 0.0;  // largest change of the force in one tick
-    // Largest change of force divided by the hand's step, over ticks that move at least 0.02 mm.
+    // Largest change of the force divided by the hand's movement. Only ticks in which the hand moves at least 0.02 mm
+    // count.
     double steepest_n_per_m = 0.0;
     double felt = 0.0;  // share of the ticks with a force
 };
 
-// Follows the loop twice. The path is in hand coordinates times the scale, around `centre_m`. Measures only the second
-// round, after the start has settled.
+// Follows the loop twice around `centre_m`. The path is in hand metres; the function multiplies it by the scale.
+// Measures only the second round, when the start has settled.
 inline LoopOutcome go_round(const HapticScene& scene, TouchTuning tuning, const std::vector<Vec3>& loop,
                             const Vec3& centre_m = Vec3(0.0)) {
     TouchState state;

@@ -1,4 +1,5 @@
-// Cushions and clay: the documented force law, no energy given, dents that stay or recover, and no other change.
+// Tests cushions and clay. They must follow the documented force law, give no energy, and keep or lose their dents.
+// They must not change anything else.
 #include <chrono>
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@ namespace soft_patch_test {
 
 constexpr double kRated = 1000.0;
 
-// A patch of 0.2 by 0.16 hand metres with a corner at the origin, soft to a depth of 0.03.
+// Returns a patch of 0.2 by 0.16 hand metres with a corner at the origin. It is soft to a depth of 0.03.
 SoftPatch patch_of(bool plastic, double scale = 1.0, const Vec3& at_m = Vec3(0.0)) {
     SoftPatch patch;
     patch.feature = FeatureId{5};
@@ -35,8 +36,8 @@ std::shared_ptr<const HapticScene> scene_of(const SoftPatch& patch, bool with_ba
     return builder.build();
 }
 
-// A second implementation of the law that the header documents: plain loops in long double, and the dent by many small
-// explicit steps.
+// A second implementation of the law that the header documents. It uses plain loops in long double, and computes the
+// dent in many small explicit steps.
 class Law {
 public:
     explicit Law(const SoftPatch& patch, double radius_m, double scale)
@@ -84,7 +85,7 @@ public:
             for (std::uint32_t iu = 0; iu < patch_.cells_u; ++iu) {
                 const long double w = std::max(0.0L, e - s_[iv * patch_.cells_u + iu]);
                 const long double k = 3.0L * du * dv / (3.14159265358979323846L * footprint * footprint);
-                // The slope along the face, by finite differences of the energy instead of the formula.
+                // The force along the face, by finite differences of the energy instead of the formula.
                 const auto energy = [&](long double shift_u, long double shift_v) {
                     const long double x = (iu + 0.5L) * du - glm::dot(own, patch_.u) - shift_u,
                                       y = (iv + 0.5L) * dv - glm::dot(own, patch_.v) - shift_v;
@@ -106,7 +107,7 @@ private:
 };
 
 TEST(SoftPatch, pushes_back_with_stiffness_times_depth_on_an_untouched_face) {
-    // Winkler model: 200 N/m of the device's 1,000, at any scale and anywhere inside the face.
+    // The Winkler model gives 200 N/m of the device's 1,000, at any scale and anywhere inside the face.
     std::mt19937 random(7);
     const auto unit = [&random] { return static_cast<double>(random()) / 4294967296.0; };
     for (const double scale : {1.0, 60.0})
@@ -133,8 +134,8 @@ TEST(SoftPatch, pushes_back_with_stiffness_times_depth_on_an_untouched_face) {
 }
 
 TEST(SoftPatch, follows_its_formula_within_two_percent) {
-    // Random wandering and pressing, compared with the second implementation, which steps the dent four times as
-    // finely. Whole loops are needed, because their beginning hardly presses. Sanitizers get fewer of them.
+    // The hand wanders and presses at random. The second implementation computes the dent in steps of a quarter of the
+    // size. The loops must be complete, because their beginnings hardly press. Sanitizers run fewer loops.
     const unsigned seeds = static_cast<unsigned>(std::max(2, scaled(6)));
     for (const bool plastic : {false, true})
         for (unsigned seed = 1; seed <= seeds; ++seed) {
@@ -174,7 +175,8 @@ TEST(SoftPatch, gives_no_energy_on_closed_loops) {
                 TouchTuning tuning;
                 tuning.world_m_per_hand_m = scale;
                 tuning.radius_m = 0.004 * scale;
-                // Follows the same path twice: from the air into the patch, about in it, over its borders, and back.
+                // Follows each path twice. The path begins in the air, enters the patch, wanders in it and over its
+                // borders, and goes back.
                 const std::vector<Vec3> smooth = random_loop(seed, 0.06);
                 for (const bool quantum : {false, true}) {
                     const LoopOutcome out =
@@ -187,8 +189,8 @@ TEST(SoftPatch, gives_no_energy_on_closed_loops) {
     std::cout << fmt::format("worst loop {:+.4f} mJ\n", worst * 1e3);
 }
 
-// Presses straight down in the middle until the hand is `depth_m` below the face, rests, and leaves. Returns the force
-// at rest.
+// Presses straight down in the middle until the hand is `depth_m` below the face, rests there for `rest_ticks`, and
+// leaves. Returns the force at rest in newtons.
 double press_middle(TouchState& state, const HapticScene& scene, double depth_m, int rest_ticks = 300) {
     double force = 0.0;
     const TouchTuning tuning;
@@ -204,7 +206,7 @@ TEST(SoftPatch, as_clay_keeps_a_dent_but_as_a_cushion_loses_it) {
     TouchState in_clay, in_cushion;
     const double first_clay = press_middle(in_clay, *clay, 0.02),
                  first_cushion = press_middle(in_cushion, *cushion, 0.02);
-    // Ten minutes elsewhere, preceded by a teleport and a fault.
+    // The hand is elsewhere for ten minutes, after a teleport and a fault.
     for (TouchState* state : {&in_clay, &in_cushion}) {
         const auto& scene = state == &in_clay ? clay : cushion;
         state->reset();
@@ -215,7 +217,7 @@ TEST(SoftPatch, as_clay_keeps_a_dent_but_as_a_cushion_loses_it) {
         << "the dent is there: of the newton of untouched clay only its rim is left";
     EXPECT_GT(first_clay, 1.0);
     EXPECT_NEAR(press_middle(in_cushion, *cushion, 0.02), first_cushion, 1e-6) << "the cushion is as before";
-    // In another world all patches are new. In the same world with an added object the dent remains.
+    // In another world, all patches must be new. In the same world with an added object, the dent must remain.
     const auto fresh = scene_of(patch_of(true));
     EXPECT_GT(press_middle(in_clay, *fresh, 0.005, 1), 0.5);
     HapticSceneBuilder builder;
@@ -230,16 +232,16 @@ TEST(SoftPatch, as_a_cushion_recovers_with_its_time_constant) {
     patch.recovery_s = 0.2;
     const auto scene = scene_of(patch);
     TouchState state;
-    press_middle(state, *scene, 0.01);  // rests for 0.3 s
-    // A wide press has hardly any shear in its middle. This one has shear, so it recovers faster than the bare cells
-    // would, never slower.
+    press_middle(state, *scene, 0.01);  // presses and rests for 0.3 s
+    // The middle of a wide press has hardly any shear. This narrow press has shear, so the cushion recovers faster than
+    // its cells alone would, and never slower.
     const auto probe = [&](double after_s) {
         TouchState again;
         press_middle(again, *scene, 0.01);
         for (int i = 0; i < static_cast<int>(after_s * 1e3); ++i)
             touch_tick(again, *scene, {}, {0.1, 0.08, 0.05}, 1e-3);
         return 200.0 * 0.005 -
-               touch_tick(again, *scene, {}, {0.1, 0.08, 0.0}, 1e-3).force_n.z;  // missing force of a press of 5 mm
+               touch_tick(again, *scene, {}, {0.1, 0.08, 0.0}, 1e-3).force_n.z;  // what a press of 5 mm lacks in force
     };
     const double early = probe(0.05), later = probe(0.25), late = probe(2.0);
     EXPECT_GT(early, 0.02);
@@ -261,7 +263,7 @@ TEST(SoftPatch, stops_at_its_hard_floor_and_leaves_everything_else_unchanged) {
     tuning.default_friction_static = tuning.default_friction_kinetic = 0.3;
     TouchState a, b;
     int touched = 0;
-    for (const Vec3& p : random_loop(3, 0.15)) {  // along the wall and the sheet, away from the patch
+    for (const Vec3& p : random_loop(3, 0.15)) {  // the hand moves along the wall and the sheet, away from the patch
         const Vec3 goal = Vec3(0.33, 0.4, -0.15) + p;
         const TouchResult x = touch_tick(a, *soft, tuning, goal, 1e-3), y = touch_tick(b, *hard, tuning, goal, 1e-3);
         ASSERT_EQ(x.force_n, y.force_n);
@@ -269,7 +271,7 @@ TEST(SoftPatch, stops_at_its_hard_floor_and_leaves_everything_else_unchanged) {
         touched += x.contacts.count > 0;
     }
     EXPECT_GT(touched, 500);
-    // On the patch: hard surfaces give the same force as before, and the cushion adds its own.
+    // On the patch, the hard surfaces must exert the same force as without it, and the cushion must add its own force.
     a.reset();
     b.reset();
     bool on_floor = false;
@@ -280,7 +282,7 @@ TEST(SoftPatch, stops_at_its_hard_floor_and_leaves_everything_else_unchanged) {
         on_floor = on_floor || x.contacts.count > 0;
     }
     EXPECT_TRUE(on_floor);
-    // From below, through the floor, the patch is not felt.
+    // From below, through the floor, the hand must not feel the patch.
     a.reset();
     for (double z = -0.1; z < -0.06; z += 1e-4)
         EXPECT_EQ(touch_tick(a, *soft, tuning, {0.1, 0.08, z}, 1e-3).soft, kNoFeature);
@@ -330,7 +332,7 @@ TEST(SoftPatch, feels_the_same_far_away_and_rotated) {
 
 TEST(SoftPatch, is_soft_only_within_its_face) {
     SoftPatch patch = patch_of(false);
-    patch.outline_m = {{0, 0, 0}, {0.2, 0, 0}, {0, 0.16, 0}};  // a triangle with half the rectangle's area
+    patch.outline_m = {{0, 0, 0}, {0.2, 0, 0}, {0, 0.16, 0}};  // the triangle has half the rectangle's area
     const auto scene = scene_of(patch);
     const auto at = [&](double x, double y) {
         TouchState state;
@@ -374,8 +376,8 @@ TEST(SoftPatch, cells_are_shared_by_many_patches_and_invalid_patches_are_refused
 }
 
 TEST(SoftPatch, prints_the_cost_of_many_patches_pressed_at_once) {
-    // Eight cushions that share the largest possible number of cells, pressed at once. The cost is reported, not
-    // asserted.
+    // Presses eight cushions at once, which share the largest possible number of cells. The test prints the cost but
+    // does not assert it.
     HapticSceneBuilder builder;
     for (int i = 0; i < 8; ++i) builder.add_soft(patch_of(false, 1.0, Vec3(0, 0, -0.004 * i)));
     const auto scene = builder.build();

@@ -1,4 +1,4 @@
-// Text as braille cells, lines and BRF.
+// Tests how text becomes braille cells, lines and BRF.
 #include "worlds/exports/braille.h"
 #include "tests/support/names.h"
 

@@ -1,5 +1,5 @@
-// Floors that end without a wall: rows of short lines show where, signs stand on the floor, and nothing is drawn in
-// what is beyond.
+// Tests floors that end without a wall. Rows of short lines must show the edge, signs must stand on the floor, and the
+// sheet must show nothing beyond the edge.
 #include "worlds/exports/floor_edges.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace floor_edges_test {
 
 bool says(const SwellSheet& sheet, const std::string& text) { return sheet.plan.text.find(text) != std::string::npos; }
 
-// Two platforms, 8 m apart, with nothing around them.
+// Returns two platforms, 8 m apart, with nothing around them.
 Storey two_platforms() {
     Storey storey = two_rooms();
     storey.max_m = {20.0, 4.7};
@@ -34,7 +34,7 @@ Storey two_platforms() {
     return storey;
 }
 
-// How many of the sheet's short lines are near a line of the world.
+// Returns the number of the sheet's short lines near the line from `from_m` to `to_m` in the world.
 int lines_along(const SwellSheet& sheet, const Vec2& from_m, const Vec2& to_m) {
     int lines = 0;
     for (const SheetShape& shape : sheet.plan.shapes) {
@@ -52,7 +52,7 @@ int lines_along(const SwellSheet& sheet, const Vec2& from_m, const Vec2& to_m) {
 TEST(FloorEdges, are_rows_of_short_lines_where_no_wall_is) {
     Storey storey = two_rooms();
     storey.things.clear();
-    storey.walls_m.erase(storey.walls_m.begin() + 1);  // the north wall
+    storey.walls_m.erase(storey.walls_m.begin() + 1);  // this removes the north wall
     find_beyond(storey);
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
     ASSERT_TRUE(sheet);
@@ -90,7 +90,7 @@ TEST(FloorEdges, part_floors_with_nothing_between_without_a_wall) {
 }
 
 TEST(FloorEdges, are_not_within_walls_on_one_of_several_sheets) {
-    // A pit in the kitchen goes on beyond the sheet, where the sheet has no walls.
+    // A pit in the kitchen continues beyond the rim of the sheet, where the sheet has no walls.
     Storey storey = two_rooms();
     storey.things.clear();
     storey.rooms[0].loops_m = {{{0.25, 0.25}, {2.0, 0.25}, {2.0, 3.75}, {0.25, 3.75}}};

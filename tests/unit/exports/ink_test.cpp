@@ -1,4 +1,4 @@
-// Distances in a picture of the page: what is too near, what is too thick, and lines around it.
+// Tests distances in a picture of the page: gaps that are too narrow, lines that are too thick, and outlines.
 #include "worlds/exports/ink.h"
 
 #include <gtest/gtest.h>
@@ -73,18 +73,19 @@ TEST(CheckGaps, finds_gaps_that_are_too_narrow_and_ignores_wide_enough_ones) {
 }
 
 TEST(CheckGaps, finds_slits_within_one_part_and_ignores_its_corners) {
-    // Two lines of one part, joined by a third: first with a gap of 2 mm between them, then of 4 mm.
+    // A third line joins two lines of one part. The gap between the two is 2 mm in the first page and 4 mm in the
+    // second.
     EXPECT_FALSE(check_gaps(page_of({{box(5, 5, 20, 7)}, {box(5, 9, 20, 11)}, {box(3, 5, 5, 11)}}, true), 3.0)
                      .narrow_mm.empty());
     EXPECT_TRUE(check_gaps(page_of({{box(5, 5, 20, 7)}, {box(5, 11, 20, 13)}, {box(3, 5, 5, 13)}}, true), 3.0)
                     .narrow_mm.empty());
-    // A door of 2 mm in a wall, then one of 4 mm.
+    // A wall with a doorway of 2 mm, then one with a doorway of 4 mm.
     EXPECT_FALSE(check_gaps(page_of({{box(3, 5, 10, 7)}, {box(12, 5, 20, 7)}}, true), 3.0).narrow_mm.empty());
     EXPECT_TRUE(check_gaps(page_of({{box(3, 5, 10, 7)}, {box(14, 5, 20, 7)}}, true), 3.0).narrow_mm.empty());
-    // A pit too small for anything, and one of 4 mm.
+    // A pit of 2 mm, which is too small for anything, and one of 4 mm.
     EXPECT_FALSE(check_gaps(page_of({{box(3, 3, 20, 20), box(8, 8, 10, 10)}}), 3.0).narrow_mm.empty());
     EXPECT_TRUE(check_gaps(page_of({{box(3, 3, 20, 20), box(8, 8, 12, 12)}}), 3.0).narrow_mm.empty());
-    // Corners of every angle that walls have.
+    // Tests corners of every angle that walls have.
     for (const double turn : {0.8, 1.2, 1.6, 2.4}) {
         const Vec2 way(std::cos(turn), std::sin(turn)), side(-way.y, way.x);
         const Vec2 at(12, 8);

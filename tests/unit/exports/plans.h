@@ -1,4 +1,4 @@
-// Storeys of our own worlds and of real ones, for tests of printed sheets; each world is read once.
+// Storeys of bundled worlds and of real ones, for tests of printed sheets. Each world is read once.
 #pragma once
 
 #include <optional>
@@ -14,11 +14,11 @@ struct NamedStoreys {
     std::string world;
     std::vector<Storey> storeys;
 };
-// "house.map", "school.map" and "small_house.ifc" are ours; others are looked for among the real worlds. Null if the
-// file is absent.
+// Returns the storeys of a world; null if the file is absent. "house.map", "school.map" and "small_house.ifc" are in
+// this repository. Other files must be among the real worlds.
 const NamedStoreys* storeys_of(const std::string& file);
 
-// A room of 6 by 4 m with a door of 1 m to a second room of 3 by 4 m, and a table in the first: see plans.cpp.
+// Returns a room of 6 by 4 m with a table. A door of 1 m leads to a second room of 3 by 4 m. See plans.cpp.
 Storey two_rooms();
 
 }  // namespace handrail::test

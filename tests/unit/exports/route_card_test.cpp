@@ -1,4 +1,4 @@
-// Directions on cards: lines, pages and contents.
+// Tests cards with directions: their lines, pages and contents.
 #include "worlds/exports/route_card.h"
 #include "tests/support/names.h"
 

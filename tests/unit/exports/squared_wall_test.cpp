@@ -1,4 +1,4 @@
-// Walls with mitred ends are made square, so that no corner has a notch.
+// Walls with mitred ends must become square, so that no corner has a notch.
 #include "worlds/plan/plan_shapes.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace handrail::test {
 namespace squared_wall_test {
 
 TEST(SquaredWall, has_no_mitre) {
-    // Its upper side is the longer one to the right.
+    // The upper side of this wall is longer at its right end.
     const auto squared = squared_wall({{0.0, 0.0}, {3.0, 0.0}, {3.4, 0.4}, {0.0, 0.4}});
     ASSERT_TRUE(squared);
     EXPECT_NEAR(glm::distance(squared->outline[1], Vec2(3.4, 0.0)), 0.0, 1e-9);

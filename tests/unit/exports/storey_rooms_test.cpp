@@ -1,4 +1,4 @@
-// The rooms of a storey that is printed, and what they are called.
+// Tests which rooms a printed storey has and how the sheet names them.
 #include "worlds/plan/storey.h"
 
 #include <gtest/gtest.h>

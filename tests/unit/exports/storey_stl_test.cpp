@@ -1,4 +1,5 @@
-// Plates of all storeys of our worlds are closed solids, by our own check and by admesh if it is installed.
+// The printed plates of all storeys of the bundled worlds must be closed solids. The test checks this itself, and with
+// admesh if it is installed.
 #include "worlds/exports/storey_stl.h"
 
 #include <gtest/gtest.h>
@@ -112,7 +113,7 @@ TEST(StlOfSolid, contains_every_triangle_in_millimetres_with_its_normal) {
     EXPECT_EQ(highest, 20.0F);
 }
 
-// The faults that admesh finds in a file; empty if there is none, or if admesh is not installed.
+// Returns the faults that admesh finds in a file; empty if it finds none or is not installed.
 std::string faults_by_admesh(const std::string& stl) {
     if (std::system("command -v admesh >/dev/null 2>&1") != 0) {
         std::cout << "admesh is not installed, so only our own check was made\n";
@@ -166,7 +167,7 @@ TEST(StoreyPlate, has_walls_things_signs_and_an_open_door_at_their_heights) {
     EXPECT_TRUE(plate->signs[0].on_sheet && plate->signs[1].on_sheet);
 }
 
-// Whether a face at wall height covers a place.
+// Returns whether a face at wall height covers a place of the plate.
 bool is_wall_at(const StoreyPlate& plate, const Vec2& at_um) {
     return std::any_of(plate.triangles.begin(), plate.triangles.end(), [&](const SolidTriangle& triangle) {
         std::vector<Vec2> corners;
@@ -177,7 +178,7 @@ bool is_wall_at(const StoreyPlate& plate, const Vec2& at_um) {
 }
 
 TEST(StoreyPlate, is_solid_between_the_two_layers_of_a_wall) {
-    // The wall between the rooms has two skins with 0.3 m between them, up to the doorway.
+    // The wall between the rooms has two layers. Up to the doorway, a cavity of 0.3 m separates them.
     Storey storey = two_rooms();
     storey.walls_m.push_back({{6.5, 0.0}, {6.7, 0.0}, {6.7, 1.5}, {6.5, 1.5}});
     storey.walls_m.push_back({{6.2, 1.4}, {6.5, 1.4}, {6.5, 1.5}, {6.2, 1.5}});

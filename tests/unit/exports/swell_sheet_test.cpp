@@ -1,5 +1,5 @@
-// Sheets for swell paper of all storeys of our worlds: no lines are nearer than a finger can distinguish, and nothing
-// is lost silently.
+// Tests sheets for swell paper of all storeys of the bundled worlds. A finger must be able to distinguish all lines,
+// and the sheet must not omit anything silently.
 #include "worlds/exports/swell_sheet.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@
 namespace handrail::test {
 namespace swell_sheet_test {
 
-// Every sign is inside its room with all its corners, and off the doorways.
+// Checks that every sign is inside its room with all its corners, and not in a doorway.
 void stand_in_their_rooms(const Storey& storey, const SwellSheet& sheet, const std::string& what) {
     Ink walls(sheet.plan.width_mm, sheet.plan.height_mm);
     for (const SheetShape& shape : sheet.plan.shapes)
@@ -140,14 +140,14 @@ TEST(SwellSheet, of_two_rooms_has_their_signs_the_table_and_an_open_door) {
     EXPECT_TRUE(sheet->simplified.empty()) << sheet->simplified[0];
     ASSERT_FALSE(sheet->key.empty());
     EXPECT_NE(sheet->plan.text.find("ki  Kitchen."), std::string::npos) << sheet->plan.text;
-    // 25 mm of the door are free.
+    // The sheet must leave the doorway free over its whole width of 25 mm.
     const Ink ink = ink_of(sheet->plan);
     const OnPaper& on_sheet = sheet->on_paper;
     EXPECT_TRUE(black_at(ink, on_sheet({6.1, 1.4})));
     for (const double y : {1.55, 2.0, 2.45}) EXPECT_FALSE(black_at(ink, on_sheet({6.1, y})));
 }
 
-// The braille in the head of a sheet in BRF characters, its lines separated by blanks.
+// Returns the braille in the head of a sheet in BRF characters. Blanks separate the lines.
 std::string head_of(const SwellSheet& sheet) {
     std::string head;
     for (const double line_mm : {0.0, kBrailleLine_mm}) {
@@ -243,7 +243,7 @@ TEST(SwellSheet, of_an_upper_storey_shows_the_stairs_that_arrive_there) {
     ASSERT_TRUE(sheet);
     EXPECT_NE(sheet->plan.text.find("Stairs of another storey begin or end in: Landing."), std::string::npos)
         << sheet->plan.text;
-    // Three or more lines across the flight.
+    // At least three lines must cross the flight of stairs.
     int lines = 0;
     for (const SheetShape& shape : sheet->plan.shapes) {
         Vec2 low(1e9), high(-1e9);
@@ -286,7 +286,8 @@ TEST(SwellSheet, of_a_real_building_has_no_sign_for_a_niche_outside_it) {
 
 TEST(SwellSheet, assigns_a_thing_to_the_room_in_which_it_is_drawn) {
     Storey storey = two_rooms();
-    // No walker gets to this place next to the wall; the nearest floor is that of the kitchen, behind the wall.
+    // No walker reaches the place of the board, which is next to the wall. The nearest walkable area is in the kitchen,
+    // behind the wall.
     storey.rooms[1].loops_m = {{{7.8, 0.25}, {8.95, 0.25}, {8.95, 3.75}, {7.8, 3.75}},
                                {{6.45, 1.5}, {8.0, 1.5}, {8.0, 2.2}, {6.45, 2.2}}};
     lay_floor(storey);
@@ -298,7 +299,7 @@ TEST(SwellSheet, assigns_a_thing_to_the_room_in_which_it_is_drawn) {
     EXPECT_NE(sheet->plan.text.find("the base, in Kitchen;"), std::string::npos) << sheet->plan.text;
 }
 
-// Rooms of 3 by 3 m in rows, each with a door to the next.
+// Returns rooms of 3 by 3 m in rows. Each room has a door to the next one.
 Storey many_rooms(int columns, int rows) {
     Storey storey;
     storey.world = "Test";
@@ -354,7 +355,7 @@ TEST(SwellSheets, state_that_one_is_not_enough_and_several_meet_all_requirements
         ASSERT_TRUE(sheet.part);
         EXPECT_NE(head_of(sheet).find("SHEET"), std::string::npos) << head_of(sheet);
         EXPECT_EQ(head_of(sheet).front(), ',') << "a capital letter, not what the name of the world left";
-        // Neighbouring sheets refer to each other and have their marks at the same places of the world.
+        // Neighbouring sheets must refer to each other, and their marks must be at the same places of the world.
         constexpr std::size_t kBack[] = {1, 0, 3, 2};
         for (std::size_t side = 0; side < 4; ++side)
             for (const NextSheet& next : sheet.part->next[side]) {
@@ -375,7 +376,7 @@ TEST(SwellSheets, state_that_one_is_not_enough_and_several_meet_all_requirements
 }
 
 TEST(SheetParts, are_cut_between_wings_and_show_no_empty_corner) {
-    // Two wings of 20 by 10 m, joined only by a corridor.
+    // Two wings of 20 by 10 m. Only a corridor joins them.
     Storey storey;
     storey.world = "Test";
     storey.max_m = {50.0, 40.0};
@@ -410,7 +411,7 @@ TEST(SheetParts, are_cut_between_wings_and_show_no_empty_corner) {
 TEST(SheetParts, have_the_scale_that_each_room_needs) {
     const Storey storey = two_rooms();
     const std::vector<double> scales{100.0, 200.0, 300.0, 1000.0};
-    // 6 m and 3 m wide, 4 m deep, between walls.
+    // Between their walls, the rooms are 6 m and 3 m wide and 4 m deep.
     EXPECT_EQ(scales_needed(storey, scales, {16.0, 13.0}), (std::vector<double>{300.0, 100.0}));
     EXPECT_EQ(scales_needed(storey, scales, {16.0, 50.0}), (std::vector<double>{0.0, 0.0}));
 }
@@ -421,21 +422,22 @@ TEST(SwellSheet, gives_a_small_room_one_letter_and_describes_where_an_even_small
         storey.max_m = {wide_m, 30.0};
         return swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
     };
-    // 3 m between walls are 13.3 mm at 1 to 225; two cells need 16.3 mm, a single cell 10.4.
+    // Between its walls, Room 12 is 3 m wide, which is 13.3 mm at 1 to 225. A sign of two cells needs 16.3 mm, a sign
+    // of one cell 10.4 mm.
     const Result<SwellSheet> letter = sheet_of(two_rooms(), 57.0);
     ASSERT_TRUE(letter && letter->one_to == 225.0);
     EXPECT_EQ(letter->signs[0].sign, "ki");
     EXPECT_TRUE(letter->signs[1].on_sheet);
     EXPECT_EQ(letter->signs[1].sign, "r");
     EXPECT_NE(letter->plan.text.find("r  Room 12."), std::string::npos) << letter->plan.text;
-    // At 1 to 275 only 10.1 mm are left, because lines are drawn thicker than the walls.
+    // At 1 to 275, the room has only 10.1 mm left, because the sheet draws lines thicker than the walls are.
     const Result<SwellSheet> none = sheet_of(two_rooms(), 72.0);
     ASSERT_TRUE(none && none->one_to == 275.0);
     EXPECT_EQ(none->signs[1].doors_to, std::vector<std::string>{"Kitchen"});
     EXPECT_NE(none->plan.text.find("Room 12: not labelled on the plan. It leads to: Kitchen."), std::string::npos)
         << none->plan.text;
     EXPECT_TRUE(none->broken.empty()) << none->broken[0];
-    // With two such rooms nobody knows which is which.
+    // If two such rooms have no sign, nobody can tell which is which.
     Storey both = two_rooms();
     both.rooms.push_back(both.rooms[1]);
     both.rooms[1].loops_m = {{{6.45, 0.25}, {8.95, 0.25}, {8.95, 1.75}, {6.45, 1.75}}};
@@ -464,7 +466,7 @@ TEST(SwellSheet, gives_a_small_room_one_letter_and_describes_where_an_even_small
 
 TEST(SwellSheets, repeat_at_a_larger_scale_what_is_too_small_for_its_sign) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for our house";
-    // Two closets of 1.5 by 1.5 m in a room: for most rooms one sheet is enough.
+    // Two closets of 1.5 by 1.5 m are inside a room. For all other rooms, one scale is enough.
     Storey storey = many_rooms(8, 10);
     for (std::size_t i = 0; i < storey.rooms.size(); ++i)
         storey.rooms[i].name = {static_cast<char>('A' + i / 10), static_cast<char>('a' + i % 10)};
@@ -478,7 +480,7 @@ TEST(SwellSheets, repeat_at_a_larger_scale_what_is_too_small_for_its_sign) {
         room.area_m2 = 1.0;
         room.loops_m = {{room.min_m, {x + 1.0, y}, room.max_m, {x, y + 1.0}}};
         storey.rooms.push_back(std::move(room));
-        // Cuts them out of the surrounding room.
+        // Cuts the closet out of the room around it.
         storey.rooms[0].loops_m.push_back(
             {{x - 0.3, y - 0.3}, {x - 0.3, y + 1.3}, {x + 1.3, y + 1.3}, {x + 1.3, y - 0.3}});
     };
@@ -518,7 +520,7 @@ TEST(SwellSheets, repeat_at_a_larger_scale_what_is_too_small_for_its_sign) {
 
 TEST(SwellSheet, makes_doors_wide_enough_for_a_finger_and_reports_it) {
     Storey storey = two_rooms();
-    storey.max_m = {80.0, 40.0};  // at 1 to 300 the door is 3.3 mm
+    storey.max_m = {80.0, 40.0};  // makes the scale 1 to 300, at which the door is 3.3 mm wide
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
     ASSERT_TRUE(sheet);
     const Ink ink = ink_of(sheet->plan);
@@ -544,7 +546,8 @@ TEST(SwellSheet, names_things_that_are_omitted_for_lack_of_space) {
     is_fit_for_fingers(storey, *sheet, "with things");
 }
 
-// Earlier, a wall of another part of the building, far beyond the rooms of the storey, ran through the title.
+// Earlier, the sheet drew a wall through its title. The wall belonged to another part of the building, far beyond the
+// rooms of the storey.
 TEST(SwellSheet, draws_no_wall_through_its_title_or_its_footer) {
     Storey storey = two_rooms();
     storey.walls_m.push_back({{3.0, -40.0}, {3.2, -40.0}, {3.2, 60.0}, {3.0, 60.0}});
@@ -626,7 +629,8 @@ bool says(const SwellSheet& sheet, const std::string& text) { return sheet.plan.
 
 TEST(SwellSheet, draws_stairs_between_narrow_walls_from_wall_to_wall) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for our house";
-    // 3 m between the walls are 8.6 mm: lines that keep away from both would be too short.
+    // At this scale, the 3 m between the walls are 8.6 mm. Lines that keep a distance from both walls would be too
+    // short.
     Storey storey = two_rooms();
     storey.rooms[1].kind = RoomKind::Stairs;
     storey.max_m = {90.0, 30.0};
@@ -644,7 +648,7 @@ TEST(SwellSheet, draws_stairs_between_narrow_walls_from_wall_to_wall) {
 
 TEST(SwellSheet, keeps_stairs_that_reach_into_a_wall_away_from_what_is_at_their_other_end) {
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "the same code as for our house";
-    // No wall is at the east side, and a piece of wall ends next to it, between two lines.
+    // The east side has no wall. A piece of wall ends next to it, between two lines of the stairs.
     Storey storey = two_rooms();
     storey.rooms[1].kind = RoomKind::Stairs;
     for (Vec2& p : storey.walls_m[3]) p.x += 6.0;
@@ -665,7 +669,7 @@ TEST(SwellSheet, keeps_stairs_that_reach_into_a_wall_away_from_what_is_at_their_
 }
 
 TEST(SwellSheet, of_several_joins_no_rooms_by_ending_in_a_third) {
-    // Kitchen and Room 12 both lead to the south end of a hall, whose floor is on another sheet.
+    // Kitchen and Room 12 both lead to the south end of a hall. The floor of the hall is on another sheet.
     Storey storey = two_rooms();
     storey.things.clear();
     storey.gaps.clear();
@@ -729,7 +733,7 @@ TEST(SwellSheet, states_between_which_rooms_it_is_drawn_closed) {
 
 TEST(SwellSheet, states_which_floors_end_without_a_wall) {
     Storey storey = two_rooms();
-    storey.walls_m.erase(storey.walls_m.begin() + 1);  // removes the north wall
+    storey.walls_m.erase(storey.walls_m.begin() + 1);  // this removes the north wall
     const Result<SwellSheet> sheet = swell_sheet(storey, {kA4, BrailleTable::EnUebG1});
     ASSERT_TRUE(sheet);
     EXPECT_TRUE(says(*sheet, "Floors that end without a wall, but have no lines there: Kitchen; Room 12."))
@@ -769,9 +773,9 @@ TEST(CalibrationStrip, has_samples_of_every_size_with_their_numbers) {
     EXPECT_NEAR(check_gaps(*strip, 1.5).least_mm, 2.0, 0.15) << "the narrowest sample, and nothing beside it";
 }
 
-// --- files
+// ---- files ----
 
-// Tags open and close in order, attributes are quoted, and there is no stray ampersand.
+// Checks that tags open and close in order, attributes have quotation marks, and no ampersand is unescaped.
 void is_xml(const std::string& text) {
     static const std::regex kTag(R"re(<(\?xml[^>]*\?|/?[a-zA-Z]+((\s+[a-zA-Z:_-]+="[^"<]*")*)\s*/?)>)re");
     std::vector<std::string> open;
@@ -821,7 +825,7 @@ TEST(PdfOfSheet, contains_every_page_and_a_table_that_points_at_its_objects) {
     const std::size_t start = pdf.rfind("startxref\n") + 10;
     const std::size_t table = std::stoul(pdf.substr(start));
     ASSERT_EQ(pdf.substr(table, 5), "xref\n");
-    std::size_t line = pdf.find('\n', table + 5) + 1 + 20;  // skips the first entry, which is free
+    std::size_t line = pdf.find('\n', table + 5) + 1 + 20;  // skips the first entry of the table, which is the free one
     int objects = 0;
     while (pdf.compare(line, 7, "trailer") != 0) {
         const std::size_t place = std::stoul(pdf.substr(line, 10));
@@ -830,7 +834,7 @@ TEST(PdfOfSheet, contains_every_page_and_a_table_that_points_at_its_objects) {
         line += 20;
     }
     EXPECT_EQ(objects, 3 + 2 * static_cast<int>(pages.size()));
-    // Each stream has its stated length.
+    // Each stream must have the length that it states.
     static const std::regex kLength("/Length ([0-9]+)>>stream\n");
     for (auto it = std::sregex_iterator(pdf.begin(), pdf.end(), kLength); it != std::sregex_iterator(); ++it) {
         const auto from = static_cast<std::size_t>(it->position() + it->length());

@@ -1,4 +1,4 @@
-// The desk without a session: the test provides what it needs, as plain state.
+// Tests the desk without a session. The test provides plain state instead.
 #include "app/core/desk/desk_visit.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// The facts that features report as events, each over plain state alone.
+// Tests the facts that features report as events. Each test uses only plain state, without a session.
 #include <gmock/gmock.h>
 
 #include "app/core/context/touch_events.h"

@@ -1,4 +1,4 @@
-// Features of the session, each over plain state alone.
+// Tests features of the session. Each test uses only plain state, without a session.
 #include <gmock/gmock.h>
 
 #include "app/core/movers/doors.h"
@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// A floor with a pillar 3 m north of the base and a pool around it.
+// Returns a floor with a pillar 3 m north of the base. A pool surrounds the pillar.
 std::shared_ptr<const Scene> yard() {
     test::SceneBuilder builder;
     builder.box({-10.0, -10.0, -0.5}, {10.0, 10.0, 0.0}, "floor");

@@ -1,4 +1,5 @@
-// What the hand feels, where its workspace is and when it has force, over plain state alone.
+// Tests what the hand feels, where its workspace is and when it has force. The tests use only plain state, without a
+// session.
 #include <gmock/gmock.h>
 
 #include "app/core/hand/forces.h"
@@ -14,7 +15,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// A floor with a block 2 m north of the base and a bead on top of it that is too small to feel at large scales.
+// Returns a floor with a block 2 m north of the base. The bead on top of the block is too small to feel at large
+// scales.
 std::shared_ptr<const Scene> block_with_bead() {
     test::SceneBuilder builder;
     builder.box({-5.0, -5.0, -0.5}, {5.0, 5.0, 0.0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
@@ -35,17 +37,18 @@ struct WithHand {
         workspace.publish(0.0, PoseChange::Placed);
         feel_at(plain.hands.pose.origin_m);
     }
-    // Makes the servo report that the hand is there, in the present workspace.
+    // Makes the servo report that the hand is at `place_m`, in the present workspace.
     void feel_at(const Vec3& place_m) {
         ToolState& tool = plain.hands.tool;
         tool.ticks = 1;
         tool.waiting_for_hand = false;
         tool.hip_m = tool.proxy_m = place_m;
         tool.workspace_jump = plain.hands.pose.jump;
-        tool.hand_m = (place_m - plain.hands.pose.origin_m) / scale_now();  // valid while the workspace faces north
+        // This formula requires that the workspace faces north.
+        tool.hand_m = (place_m - plain.hands.pose.origin_m) / scale_now();
     }
     double scale_now() const { return plain.hands.tuning.touch.world_m_per_hand_m; }
-    // The world position of a hand at that place of the device.
+    // Returns the place in the world of a hand at `hand_m` in the device's frame.
     Vec3 world_m(const Vec3& hand_m) const { return plain.hands.pose.origin_m + hand_m * scale_now(); }
 
     test::PlainSession plain;

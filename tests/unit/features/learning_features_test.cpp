@@ -1,4 +1,4 @@
-// Learning a place and the hunt, each over plain state alone.
+// Tests how a person learns a place, and the hunt. Each test uses only plain state, without a session.
 #include <gmock/gmock.h>
 
 #include <optional>
@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-// A hall of 10 by 6 m.
+// Returns a hall of 10 by 6 m.
 std::shared_ptr<const Scene> hall() {
     test::SceneBuilder builder;
     const auto wall = [&](const Vec3& min_m, const Vec3& max_m, const std::string& name) {
@@ -46,7 +46,7 @@ struct Learner : test::PlainSession {
         const std::vector<std::string> words = said();
         return words.size() == 1 ? words.front() : std::string("not one answer");
     }
-    // Walks along the south wall, either trailing it or freely.
+    // Walks east along the south wall. If `trails` is true, the walker trails the wall; otherwise it walks freely.
     void walk_east(bool trails, double& now_s) {
         for (double x = 0.3; x < 9.8; x += 0.1, now_s += 0.1) {
             stand({x, 0.35, 0.0});
@@ -138,7 +138,7 @@ struct Hunter : test::PlainSession {
         rooms.tick(0.0);
         hunt.enter_world();
     }
-    // Where the clock ticks; none if it does not tick.
+    // Returns where the hidden clock ticks; empty if it does not tick.
     std::optional<Vec3> clock_m() {
         std::vector<CueRequest> sounding;
         Soundscape ears = soundscape;
@@ -147,7 +147,7 @@ struct Hunter : test::PlainSession {
             if (cue.sound == SoundKind::HiddenClock && cue.loudness > 0.0) return cue.position_m;
         return std::nullopt;
     }
-    // Course to the clock at that time and returns what is said there.
+    // Puts the walker at the clock. Returns what the session then announces.
     std::vector<std::string> find_at(double now_s) {
         const Vec3 clock = clock_m().value();
         stand(clock - Vec3(0.0, 0.0, 1.0));

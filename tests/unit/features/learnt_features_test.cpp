@@ -1,4 +1,5 @@
-// What is remembered of learning from session to session, over plain state and a separate side file.
+// Tests what the program remembers of learning from session to session. The tests use plain state and a separate side
+// file.
 #include <gmock/gmock.h>
 
 #include <random>
@@ -21,7 +22,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-// A hall of 10 by 6 m with three things, and a wall from the south that leaves two metres free in the north.
+// Returns a hall of 10 by 6 m with three things. A wall from the south leaves two metres free in the north.
 std::shared_ptr<const Scene> hall() {
     test::SceneBuilder builder;
     const auto wall = [&](const Vec3& min_m, const Vec3& max_m, const std::string& name) {
@@ -235,7 +236,7 @@ TEST_F(Remembered, a_file_cut_at_every_byte_is_never_overwritten) {
     for (std::size_t length = 0; length < whole.size(); ++length) {
         folder.write("hall.map.handrail.toml", whole.substr(0, length));
         const SideFile cut = SideFile::of_world(world, {});
-        if (!cut.news().empty()) {  // set aside and reported
+        if (!cut.news().empty()) {  // the damaged file was set aside, and the fault was reported
             std::filesystem::path aside = file;
             aside += ".damaged";
             EXPECT_EQ(test::content_of(aside), whole.substr(0, length));
@@ -268,7 +269,7 @@ TEST(LearntFile, after_thinning_holds_the_same_knowledge_and_thinning_again_chan
     thin_out(again, twice);
     EXPECT_EQ(twice.steps_m.size(), once.steps_m.size());
     EXPECT_EQ(twice.touches.size(), once.touches.size());
-    // Each touched spot of wall is still known, and none beyond.
+    // The thinned notes must still contain each touched place of the wall, and no others.
     const auto known = [](const std::vector<TouchNote>& touches, double x) {
         return std::any_of(touches.begin(), touches.end(), [&](const TouchNote& note) {
             return note.normal.y > 0.9 && std::abs(note.point_m.x - x) <= note.reach_m + 1e-9;

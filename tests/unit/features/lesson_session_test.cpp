@@ -1,4 +1,4 @@
-// Lessons without a session: the test provides what they need, as plain state.
+// Tests lessons without a session. The test provides plain state instead.
 #include "app/core/lessons/lesson_session.h"
 
 #include <gmock/gmock.h>
@@ -146,7 +146,7 @@ TEST_F(LessonsAlone, detect_a_wall_met_by_the_body_and_continue_with_the_chosen_
     tick();
     EXPECT_THAT(tick(2.0), ::testing::Not(IsEmpty()));
 
-    // The end of the first minutes, reached from the last step that was saved.
+    // Resumes the first minutes at the last step that was saved, so that they end soon.
     plain.person.settings.welcome.step = static_cast<int>(first_minutes().steps.size()) - 1;
     lessons.begin_first_minutes("a voice", false, now_s);
     plain.said();

@@ -1,4 +1,4 @@
-// The menu and its lists without a session: the test provides what they need, as plain state.
+// Tests the menu and its lists without a session. The test provides plain state instead.
 #include "app/core/menu/menu.h"
 
 #include <gmock/gmock.h>
@@ -34,7 +34,7 @@ protected:
         plain.context.tick_s = 1.0;
         plain.context.asks.perform = [this](Command command, double) { performed.push_back(command); };
     }
-    // The list's answer to a key, as a session would say it.
+    // Returns the list's answer to a key, which a session would announce.
     std::string key(std::string_view name) { return plain.lists.dialogue.key(name, 1.0).words; }
     void line(std::string_view text) { plain.lists.dialogue.line(text, 1.0); }
 

@@ -1,4 +1,4 @@
-// The mark list and kept routes, each over plain state alone.
+// Tests the list of marks and saved routes. Each test uses only plain state, without a session.
 #include <gmock/gmock.h>
 
 #include <optional>
@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-// A yard with a fountain that its map calls a landmark.
+// Returns a yard with a fountain, which its map marks as a landmark.
 std::shared_ptr<const Scene> yard() {
     test::SceneBuilder builder;
     builder.box({-10.0, -10.0, -0.5}, {10.0, 10.0, 0.0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
@@ -38,7 +38,7 @@ struct Place : test::PlainSession {
         rooms.enter_world(as_read);
         rooms.tick(0.0);
     }
-    // The answer to a typed line, or to choosing an item of the open list by its name.
+    // Types a line, or the name of an item of the open list. Returns the announcements.
     std::vector<std::string> line(const std::string& typed) {
         const DialogueReply reply = lists.dialogue.line(typed, context.tick_s);
         EXPECT_TRUE(reply.taken && !reply.denied) << typed << ": " << reply.words;
@@ -205,7 +205,7 @@ TEST(MarkListFeature, reports_invalid_marks_of_the_file_once) {
 
 struct Keeper : Place {
     Keeper() { ways.enter_world(0.0); }
-    // Walks from the base 6 m east, and keeps the route under that name.
+    // Walks 6 m east from the base and saves the route under `name`.
     void keep(const std::string& name) {
         for (double x = 0.0; x <= 6.0; x += 0.25) body.crumbs_m.emplace_back(x, 0.0, 0.0);
         stand({6.0, 0.0, 0.0});

@@ -1,4 +1,4 @@
-// The state on which a session's features work, set up directly by a test: no session, no servo, no clock.
+// The state on which the features of a session work. A test sets it up directly, without a session, a servo or a clock.
 #pragma once
 
 #include <algorithm>
@@ -37,14 +37,14 @@ struct PlainSession : SessionState {
             return set;
         };
     }
-    // Everything said since the last call.
+    // Returns what the features announced since the last call.
     std::vector<std::string> said() {
         std::vector<std::string> words;
         for (CueRequest& cue : cues.take())
             if (cue.kind == CueRequestKind::Say) words.push_back(std::move(cue.text));
         return words;
     }
-    // How often that sound was requested since the last call of this or of said().
+    // Returns how often the features requested the sound since the last call of this function or of said().
     std::size_t heard(SoundKind kind) {
         const std::vector<CueRequest> asked = cues.take();
         return static_cast<std::size_t>(std::count_if(asked.begin(), asked.end(), [&](const CueRequest& cue) {

@@ -1,4 +1,4 @@
-// Walking, moving by ear and the ground underfoot, over plain state alone.
+// Tests walking, moving by ear, and the ground underfoot. The tests use only plain state, without a session.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using ::testing::IsEmpty;
 
 constexpr double kTick_s = 1.0 / 60.0;
 
-// A floor of 20 by 20 metres with nothing around it, and a wall across it 3 m north of the base.
+// Returns a floor of 20 by 20 metres with nothing around it. A wall crosses the floor 3 m north of the base.
 std::shared_ptr<const Scene> terrace() {
     test::SceneBuilder builder;
     builder.box({-10.0, -10.0, -0.5}, {10.0, 10.0, 0.0}, "floor");
@@ -45,7 +45,7 @@ struct OnFoot {
         settle();
     }
     void tick() { walking.tick(now_s += kTick_s, kTick_s); }
-    // Waits until nothing is under way, for ten seconds at most.
+    // Ticks until the walker has finished all movements, for ten seconds at most.
     void settle() {
         tick();
         for (int i = 0; i < 600 && !walking.idle(); ++i) tick();
@@ -70,7 +70,7 @@ int count_of(const std::vector<CueRequest>& cues, CueRequestKind kind) {
         std::count_if(cues.begin(), cues.end(), [kind](const CueRequest& cue) { return cue.kind == kind; }));
 }
 
-// Earlier, at the verbosity that leaves out materials, it read past the end of the world's features.
+// Earlier, met_words() read past the end of the world's features if the verbosity omitted materials.
 TEST(WalkingFeature, calls_an_unnamed_obstacle_a_wall_at_every_verbosity) {
     OnFoot one;
     for (const FeatureId nameless : {kNoFeature, FeatureId{1000}})
@@ -136,7 +136,7 @@ TEST(WalkingFeature, stops_at_an_edge_until_the_key_is_pressed_again) {
     EXPECT_FALSE(one.plain.body.walker->state().on_ground) << "asked for twice";
 }
 
-// The person types while this object lives.
+// While this object exists, the session addresses a person who types lines.
 struct ByLines {
     ByLines() { speak_to(ActsBy::Lines); }
     ~ByLines() { speak_to(ActsBy::WindowKeys); }
@@ -144,7 +144,7 @@ struct ByLines {
     ByLines& operator=(const ByLines&) = delete;
 };
 
-// What is said of the steps, and of a blocked step if nothing else was read of it.
+// Returns the announcements about steps, including those about blocked steps.
 std::vector<std::string> told(OnFoot& one) {
     std::vector<std::string> words;
     for (CueRequest& cue : one.plain.cues.take())
@@ -209,7 +209,8 @@ TEST(WalkingFeature, reports_on_which_side_a_step_was_blocked) {
     };
     EXPECT_EQ(met({0.0, 2.7, 0.0}, 0.0, Command::Forward), "Wall");
     EXPECT_EQ(met({0.0, 2.7, 0.0}, kPi, Command::Back), "Wall, behind");
-    // The gate is four metres east and two metres wide; the walker passes its end with one shoulder.
+    // The gate is four metres east of the base and two metres wide. Only one shoulder of the walker meets the end of
+    // the gate.
     EXPECT_EQ(met({3.7, 1.2, 0.0}, 0.5 * kPi, Command::Forward), "Gate, right shoulder");
     EXPECT_EQ(met({3.7, -1.2, 0.0}, 0.5 * kPi, Command::Forward), "Gate, left shoulder");
     one.walking.steer({0.0, 1.0, 0.0});
@@ -255,7 +256,7 @@ TEST(WalkingFeature, returns_to_the_base_after_falling_out_of_the_world) {
     EXPECT_THAT(one.plain.said(), ::testing::Contains(phrase("session.fell_out")));
 }
 
-// A floor far from a base that has nothing below it, or no floor at all.
+// A walker over a floor, or over no floor at all. The base is far from the floor and has nothing below it.
 struct OverNothing : OnFoot {
     using OnFoot::OnFoot;
     int falls_within_a_minute() {

@@ -1,5 +1,5 @@
-// Wayfinding over plain state alone: stops, routes by ear and by hand, beacon and "warmer", and the guide that combines
-// them.
+// Tests wayfinding: stops, routes by ear and by hand, beacon and "warmer", and the guide that combines them. The tests
+// use only plain state, without a session.
 #include <gmock/gmock.h>
 
 #include "app/core/wayfinding/guide.h"
@@ -18,8 +18,8 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-// A yard with a wall across it that ends 6 m east of the base. A bench is 4 m north of the base, behind the wall, and a
-// well 4 m south of it.
+// Returns a yard. A wall crosses it and ends 6 m east of the base. A bench is 4 m north of the base, behind the wall; a
+// well is 4 m south of the base.
 std::shared_ptr<const Scene> yard() {
     test::SceneBuilder builder;
     builder.box({-10.0, -10.0, -0.5}, {10.0, 10.0, 0.0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
@@ -42,7 +42,7 @@ struct Yard : test::PlainSession {
         ADD_FAILURE() << "no " << name;
         return {};
     }
-    // Adds a device whose force may act, with its proxy at `at_m`.
+    // Adds a device that may exert force. Its proxy is at `at_m`.
     void give_hand(const Vec3& at_m) {
         hands.right.present = true;
         hands.right.spec.workspace_radius_m = 0.1;
@@ -133,7 +133,7 @@ TEST(Wayfinding, describes_a_whole_route_with_its_stops) {
     EXPECT_NE(whole_way_words(plain.context, plain.rooms, "Round", stops), words) << "told in steps";
 }
 
-// ---- plans ----
+// ---- planned routes ----
 
 TEST(Wayfinding, follows_the_stops_of_a_saved_route_and_passes_unnamed_ones) {
     Plans plain;
@@ -173,7 +173,7 @@ TEST(Wayfinding, guides_a_hand_straight_or_around_obstacles) {
     EXPECT_TRUE(plain.plans.last_m().empty());
 }
 
-// ---- by ear ----
+// ---- guidance by ear ----
 
 TEST(Wayfinding, describes_a_route_and_then_each_of_its_steps_by_ear) {
     Plans plain;
@@ -221,7 +221,7 @@ TEST(Wayfinding, has_not_arrived_by_ear_while_a_wall_is_in_between) {
     EXPECT_TRUE(ear.tick(0.0).arrived);
 }
 
-// Two rooms with a doorway between them.
+// Returns two rooms with a doorway between them.
 std::shared_ptr<const Scene> two_rooms() {
     test::SceneBuilder builder;
     builder.box({0.0, 0.0, -0.5}, {6.0, 12.0, 0.0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
@@ -237,7 +237,8 @@ std::shared_ptr<const Scene> two_rooms() {
     return builder.share();
 }
 
-// The ground used for words may let a body slide past something that really stops it.
+// DirectionsGround plans routes for announced directions. On it, a walker may seem to slide past something that really
+// stops the walker.
 TEST(Wayfinding, does_not_repeat_a_leg_on_which_the_body_was_just_stopped) {
     test::PlainSession plain(two_rooms());
     Rooms rooms{plain.context};
@@ -248,7 +249,7 @@ TEST(Wayfinding, does_not_repeat_a_leg_on_which_the_body_was_just_stopped) {
     ASSERT_NE(kitchen, kNothing);
     DirectionsGround ground(plain.context, rooms);
     RouteDirections word(plain.context, rooms, ground);
-    // First the floor, then a route on it.
+    // The first ticks prepare the ground; the next one plans a route on it.
     const auto plan = [&] {
         for (int i = 0; i < 3 && word.state() == RouteDirections::State::Planned; ++i) {
             ground.tick();
@@ -272,7 +273,7 @@ TEST(Wayfinding, does_not_repeat_a_leg_on_which_the_body_was_just_stopped) {
     }
 }
 
-// ---- by the hand ----
+// ---- guidance by the hand ----
 
 struct Hand : Plans {
     Hand() {
@@ -280,7 +281,7 @@ struct Hand : Plans {
         goal = Yard::goal("Well");
         way = plans.for_hand(*goal, GuidancePath::kMostPoints);
     }
-    // An active pull that the servo feels.
+    // Starts an active pull, which the servo renders.
     void pull(double now_s) {
         hand.pull(way, 1.0, "Taking you.", now_s);
         hand.tick(goal, now_s + 1.1);
@@ -389,7 +390,7 @@ TEST(Wayfinding, lays_grooves_along_the_last_path_while_nothing_else_acts) {
     EXPECT_EQ(plain.hand.path().number, 0U);
 }
 
-// ---- by sounds ----
+// ---- guidance by sounds ----
 
 TEST(Wayfinding, calls_from_a_thing_until_the_walker_arrives) {
     Plans plain;
@@ -428,7 +429,7 @@ TEST(Wayfinding, reports_the_target_of_warmer_as_found_only_on_its_side_of_a_wal
 // ---- the guide that combines them ----
 
 struct Guided : Yard {
-    // Walks along the last planned route and returns everything said on it.
+    // Walks along the last planned route. Returns the announcements on it.
     std::vector<std::string> walk() {
         std::vector<std::string> heard;
         const std::vector<Vec3> way = guide.way_m();
@@ -506,7 +507,7 @@ TEST(Wayfinding, guides_by_ear_if_force_is_not_permitted) {
     plain.hands.tuning.forces_on = false;
     plain.guide.open_tools(plain.goal("Bench"), 0.0);
     plain.said();
-    plain.lists.dialogue.line("2", 0.0);  // chooses "take me there"
+    plain.lists.dialogue.line("2", 0.0);  // chooses "take me there" from the list
     EXPECT_EQ(plain.guide.path().number, 0U);
     EXPECT_THAT(plain.said(), Contains(HasSubstr("Bench")));
     EXPECT_FALSE(plain.guide.way_m().empty());
@@ -517,9 +518,9 @@ TEST(Wayfinding, guides_by_ear_if_force_is_not_permitted) {
     EXPECT_GT(plain.guide.path().number, 0U) << "and by the hand where it may";
 }
 
-// ---- what it reports as facts ----
+// ---- events that the guide reports ----
 
-// Facts such as "led Bench by 1": what happened, the destination, and the LedBy value.
+// Returns the reported events as text, such as "led Bench by 1": what happened, the destination, and the LedBy value.
 std::vector<std::string> facts(Yard& plain) {
     const auto fact = [](const char* what, const std::string& name, LedBy by) {
         return fmt::format("{} {} by {}", what, name, static_cast<int>(by));
@@ -550,7 +551,7 @@ TEST(Wayfinding, reports_passed_stops_and_the_end_as_events) {
     EXPECT_THAT(facts(plain), IsEmpty()) << "once";
 }
 
-// A lesson leads to one stop, which may be nearer than the distance that counts as passed.
+// A lesson may lead to a single stop. The stop may be nearer than the distance at which a stop counts as passed.
 TEST(Wayfinding, guides_to_the_only_stop_of_a_route_even_if_it_is_near) {
     for (const double away_m : {0.0, 0.2, 1.0, 1.4}) {
         Guided plain;
@@ -599,7 +600,7 @@ TEST(Wayfinding, reports_guidance_of_a_hand_as_events) {
     plain.felt(plain.guide.path(), GuidancePhase::Arrived);
     plain.guide.lead(2.8);
     EXPECT_THAT(facts(plain), ElementsAre("arrived Well by 0"));
-    plain.lists.dialogue.line("4", 3.0);  // chooses its lines
+    plain.lists.dialogue.line("4", 3.0);  // chooses the fourth way of guidance from the list
     plain.guide.lead(4.1);
     EXPECT_THAT(facts(plain), ElementsAre("led Well by 1"));
 }

@@ -1,4 +1,4 @@
-// Closed meshes filled with convex solids, compared with point-by-point tests.
+// Tests how convex solids fill closed meshes. A point-by-point test is the reference.
 #include "worlds/geometry/closed_mesh.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ std::optional<std::vector<ConvexSolid>> filled(const BlockMesh& mesh, const Fill
     return solids_within(mesh.points_m, mesh.triangles, all_of(mesh), limits);
 }
 
-// How many of the solids contain the place. Nothing if it is so near a side that the answer is ambiguous.
+// Returns how many of the solids contain `at_m`; empty if the place is so near a face that the answer is ambiguous.
 std::optional<int> held(const std::vector<ConvexSolid>& solids, const Vec3& at_m) {
     int in = 0;
     for (const ConvexSolid& solid : solids) {
@@ -57,7 +57,7 @@ TEST(SolidsWithin, contain_exactly_once_each_point_that_a_ray_cast_calls_inside)
             next[random() % 3] += random() % 2 ? 1 : -1;
             blocks.insert(next);
         }
-        // Blocks as generated, turned about the vertical axis, or also sheared.
+        // Depending on the seed, the blocks stay as generated, turn about the vertical axis, or are also sheared.
         const double turn = seed % 3 == 0 ? 0.0 : 6.0 * unit(random), slant = seed % 3 == 2 ? unit(random) : 0.0;
         const BlockMesh mesh = test::block_mesh(blocks, [&](const Vec3& p) {
             const Vec3 q(p.x + slant * p.z, p.y - 0.5 * slant * p.x, p.z + 0.25 * slant * p.y);
@@ -83,7 +83,7 @@ TEST(SolidsWithin, contain_exactly_once_each_point_that_a_ray_cast_calls_inside)
     EXPECT_GT(several, test::scaled(60) / 2);
 }
 
-// A ring with the proportions of a swimming ring, made of slanting faces.
+// Returns a torus with the proportions of a swimming ring, made of slanting faces.
 BlockMesh ring(int around, int sides) {
     BlockMesh mesh;
     for (int i = 0; i < around; ++i)
@@ -122,7 +122,7 @@ TEST(SolidsWithin, fill_a_ring_without_its_hole) {
 }
 
 TEST(SolidsWithin, cut_round_shapes_into_parts_with_few_sides) {
-    BlockMesh ball;  // a ball of 24 by 24 sides
+    BlockMesh ball;  // this makes a sphere with 24 by 24 faces
     constexpr int kSides = 24;
     for (int i = 0; i <= kSides; ++i)
         for (int k = 0; k < kSides; ++k) {
@@ -172,7 +172,7 @@ TEST(SolidsWithin, are_refused_at_the_limits_and_for_self_intersecting_skins) {
     few.looks_left = &little;
     EXPECT_FALSE(filled(table, few).has_value());
     EXPECT_EQ(little, 0U);
-    // One leg is pulled up through the top.
+    // Here, one leg of the table reaches up through its top.
     BlockMesh through = table;
     for (Vec3& p : through.points_m)
         if (p.z < 0.01 && p.x < 0.31 && p.y < 0.31) p += Vec3(0.5, 0.5, 2.0);
@@ -198,7 +198,7 @@ TEST(ShellsOf, a_mesh_are_its_pieces_with_closedness_and_visible_side) {
     EXPECT_FALSE(shells[1].closed) << "the loose triangle";
     EXPECT_NEAR(shells[2].volume_m3, 27.0, 1e-9);
     EXPECT_TRUE(shells[0].closed && shells[2].closed);
-    // The chest without its loose triangle gives 26 blocks, and none in the middle.
+    // Without its loose triangle, the chest must give 26 blocks, and none in the middle.
     mesh.triangles.pop_back();
     const auto solids = filled(mesh);
     ASSERT_TRUE(solids.has_value());

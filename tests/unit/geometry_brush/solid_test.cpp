@@ -20,7 +20,8 @@ Vec3 random_direction(std::mt19937& random) {
     }
 }
 
-// Independent brute-force computation: every corner is where three planes meet, behind all others.
+// An independent brute-force computation: a corner is a point where three planes meet and which is behind all other
+// planes.
 std::vector<Vec3> corners_by_triples(const std::vector<Plane>& planes) {
     std::vector<Vec3> corners;
     for (std::size_t i = 0; i < planes.size(); ++i)
@@ -82,7 +83,7 @@ TEST(SolidFromPlanes, agrees_with_brute_force_on_random_solids_in_any_order_of_p
         const std::vector<Vec3> wanted = corners_by_triples(planes);
         for (const Vec3& p : wanted) EXPECT_TRUE(holds_near(corners, p, 1e-4));
         for (const Vec3& p : corners) EXPECT_TRUE(holds_near(wanted, p, 1e-4));
-        // The area vectors of a closed surface's faces add up to zero.
+        // The area vectors of all faces of a closed surface must add up to zero.
         Vec3 sum{0.0};
         for (const Polygon& face : built.solid.faces) sum += area_vector_m2(face.points_m);
         EXPECT_LT(glm::length(sum), 1e-4);
@@ -94,7 +95,7 @@ TEST(SolidFromPlanes, distinguishes_open_empty_and_inside_out) {
     planes.pop_back();
     EXPECT_EQ(solid_from_planes(planes, {0, 0, 0}, 100.0).fault, SolidFault::Open);
     planes = box_planes({0, 0, 0}, {1, 1, 1});
-    planes.push_back({{1, 0, 0}, -5.0});  // cuts everything away
+    planes.push_back({{1, 0, 0}, -5.0});  // this plane cuts everything away
     EXPECT_EQ(solid_from_planes(planes, {0, 0, 0}, 100.0).fault, SolidFault::Empty);
     EXPECT_EQ(solid_from_planes({}, {0, 0, 0}, 100.0).fault, SolidFault::Empty);
     std::vector<Plane> turned = box_planes({0, 0, 0}, {1, 1, 1});

@@ -40,7 +40,7 @@ double total_area(const std::vector<ExposedPiece>& pieces) {
     return sum;
 }
 
-// How deep a point is inside a polygon in its plane; negative outside.
+// Returns how deep `p` is inside the polygon, in the polygon's plane; negative if it is outside.
 double depth_in(const Polygon& polygon, const Vec3& normal, const Vec3& p) {
     double depth = 1e9;
     const std::size_t n = polygon.points_m.size();
@@ -64,18 +64,18 @@ Vec3 random_point_in(const Polygon& polygon, std::mt19937& random) {
 }
 
 TEST(ExposedSurface, drops_both_sides_of_a_contact_and_one_of_two_equal_faces) {
-    // Two unit cubes next to each other: of 12 faces, the two in contact are hidden.
+    // Two unit cubes next to each other have 12 faces. The two faces in contact must be hidden.
     const auto side_by_side = exposed({box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1})});
     EXPECT_EQ(side_by_side.size(), 10U);
     EXPECT_DOUBLE_EQ(total_area(side_by_side), 10.0);
-    // The same cube twice counts as one.
+    // Two copies of the same cube must count as one.
     EXPECT_DOUBLE_EQ(total_area(exposed({box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0}, {1, 1, 1})})), 6.0);
-    // A cube on a plate: the plate's top loses the area under the cube, and the cube its bottom.
+    // A cube stands on a plate. The plate's top loses the area under the cube, and the cube loses its bottom.
     EXPECT_DOUBLE_EQ(total_area(exposed({box({0, 0, 0}, {4, 4, 1}), box({1, 1, 1}, {2, 2, 2})})),
                      16.0 + 15.0 + 16.0 + 5.0);
-    // A cube wholly inside another has no visible surface.
+    // A cube that is wholly inside another one has no exposed surface.
     EXPECT_DOUBLE_EQ(total_area(exposed({box({0, 0, 0}, {4, 4, 4}), box({1, 1, 1}, {2, 2, 2})})), 96.0);
-    // Contacts in a point or an edge cover nothing.
+    // Cubes that touch at a point or along an edge cover nothing.
     EXPECT_DOUBLE_EQ(
         total_area(exposed({box({0, 0, 0}, {1, 1, 1}), box({1, 1, 1}, {2, 2, 2}), box({1, 1, 0}, {2, 2, 1})})), 16.0);
 }
@@ -89,8 +89,9 @@ TEST(ExposedSurface, keeps_the_wall_behind_doors_and_liquids) {
     EXPECT_DOUBLE_EQ(total_area(exposed_surface(water, BoxIndex(boxes), kTolerance)), 11.0);
 }
 
-// Brute-force check over boxes on a coarse grid, where dozens of faces coincide. A point of a face is exposed exactly
-// once if the space directly in front of it is free of all solids, and never otherwise.
+// Compares with brute force on boxes on a coarse grid, where dozens of faces coincide. If the space directly in front
+// of a point of a face is free of all solids, exactly one piece must contain the point. Otherwise no piece may contain
+// it.
 TEST(ExposedSurface, agrees_with_brute_force_on_boxes_with_coinciding_faces) {
     const int rounds = test::scaled(60);
     for (int seed = 0; seed < rounds; ++seed) {
@@ -202,14 +203,15 @@ std::vector<std::uint32_t> joined(const std::vector<Polygon>& polygons, const st
     return joined_surfaces(pieces, 1e-4);
 }
 
-// A floor with hundreds of objects on it. Every place of it is either under one of them or in exactly one piece of the
-// rest.
+// Hundreds of objects stand on a floor. Every place of the floor must be either under an object or in exactly one piece
+// of the remaining floor.
 TEST(ExposedSurface, cuts_a_floor_around_everything_that_stands_on_it) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> place(-10.0, 9.0), size(0.1, 0.9), anywhere(-10.0, 10.0);
     std::vector<ConvexSolid> shapes{box({-10, -10, -1}, {10, 10, 0})};
     for (int i = 0; i < 400; ++i) {
-        const Vec3 low(place(random), place(random), i % 5 ? 0.0 : -0.5);  // some overlap, some reach into the floor
+        // Some of the boxes overlap, and some reach into the floor.
+        const Vec3 low(place(random), place(random), i % 5 ? 0.0 : -0.5);
         shapes.push_back(
             i % 7 ? box(low, low + Vec3(size(random), size(random), 1.0))
                   : solid({{glm::normalize(Vec3(1, 1, 0)), glm::dot(glm::normalize(Vec3(1, 1, 0)), low) + 0.5},
@@ -252,8 +254,8 @@ TEST(ExposedSurface, cuts_a_floor_around_everything_that_stands_on_it) {
     EXPECT_NEAR(area, 400.0 * free / points, 400.0 * 4.0 / std::sqrt(points));
 }
 
-// Solids, each repeated thousands of times (fewer if time is short). The exposed surface is that of a single copy of
-// each, and belongs to the first copy.
+// Each solid is repeated thousands of times, or less often if time is short. The exposed surface must be that of a
+// single copy of each solid, and must belong to the first copy.
 TEST(ExposedSurface, shows_thousands_of_coincident_solids_once) {
     std::mt19937 random(11);
     std::uniform_int_distribution<int> place(0, 5), extent(1, 4);
@@ -273,8 +275,8 @@ TEST(ExposedSurface, shows_thousands_of_coincident_solids_once) {
     }
 }
 
-// Boxes less than 2 mm apart from each other, none identical to another. The exposed surface is still only that of
-// their union.
+// The boxes are less than 2 mm apart from each other, and none is identical to another. The exposed surface must still
+// be that of their union.
 TEST(ExposedSurface, shows_only_the_outside_of_a_heap) {
     std::mt19937 random(12);
     std::uniform_int_distribution<int> tenths_of_mm(0, 20);
@@ -288,7 +290,7 @@ TEST(ExposedSurface, shows_only_the_outside_of_a_heap) {
     EXPECT_NEAR(total_area(exposed(heap)), 6.0 * 1.002 * 1.002, 0.01);
 }
 
-// Visible area, seen from above, of the tops of solids that are in the same place.
+// Returns the exposed area of the tops of solids, seen from above. The solids are all in about the same place.
 double top_area(const std::vector<ConvexSolid>& shapes, const CutTolerance& tolerance,
                 const std::vector<int>& ranks = {}) {
     std::vector<Aabb> boxes;
@@ -306,20 +308,19 @@ double top_area(const std::vector<ConvexSolid>& shapes, const CutTolerance& tole
 
 TEST(ExposedSurface, keeps_only_one_of_several_almost_coincident_faces_in_any_arrangement) {
     constexpr CutTolerance kCoarse{1e-3, 1e-3};
-    // Each box is as large as the next within the tolerance, but the third exceeds the first by more. The first is the
-    // westmost.
+    // Each box equals the next within the tolerance, but the third exceeds the first by more than the tolerance.
     EXPECT_NEAR(
         top_area({box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0}, {1 + 7e-7, 1, 1}), box({0, 0, 0}, {1 + 1.4e-6, 1, 1})},
                  kCoarse),
         1.0, 1e-5);
-    // The second box exceeds the first by more than the tolerance; the third is in between.
+    // The second box exceeds the first by more than the tolerance. The size of the third is in between.
     EXPECT_NEAR(
         top_area({box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0}, {1, 1, 1.0012}), box({0, 0, 0}, {1, 1, 1.0006})}, kCoarse),
         1.0, 1e-2);
     EXPECT_NEAR(top_area({box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0}, {1, 1, 1.0012}), box({0, 0, 0}, {1, 1, 1.0006})},
                          kCoarse, {1, 0, 1}),
                 1.0, 1e-2);
-    // Many random boxes, less than 1 um apart, and in other runs farther apart than some tolerances.
+    // Many random boxes. In some runs they differ by less than 1 um, in others by several tolerances.
     for (int seed = 0; seed < test::scaled(40); ++seed) {
         SCOPED_TRACE(seed);
         std::mt19937 random(static_cast<unsigned>(seed));
@@ -358,7 +359,7 @@ TEST(BoxIndex, finds_the_same_boxes_as_brute_force_in_rising_order) {
     };
     std::vector<Aabb> boxes;
     for (int i = 0; i < 300; ++i) boxes.push_back(random_box());
-    boxes.emplace_back();  // a query never finds an empty box
+    boxes.emplace_back();  // a query must never find an empty box
     const BoxIndex index(boxes);
     std::vector<std::uint32_t> found, expected;
     for (int i = 0; i < 300; ++i) {

@@ -1,4 +1,5 @@
-// Curved patches, compared with the curve itself, densely sampled, and with their neighbours.
+// Tests the meshes of curved patches. Dense samples of the curved patch are the reference. Meshes of neighbouring
+// patches must meet.
 #include "worlds/geometry/bezier_patch.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ double number(std::mt19937& random, double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-// A sheet of about a metre with random bends.
+// Returns the control points of a sheet of about a metre with random bends.
 PatchGrid random_grid(std::mt19937& random, double bend) {
     PatchGrid grid{3 + 2 * static_cast<int>(random() % 2), 3 + 2 * static_cast<int>(random() % 3), {}};
     for (int r = 0; r < grid.rows; ++r)
@@ -69,7 +70,7 @@ TEST(BezierPatch, flat_patches_become_two_triangles_per_part_and_patches_without
             0.0);
     const PatchGrid point{3, 3, std::vector<Vec3>(9, Vec3(1, 2, 3))};
     EXPECT_TRUE(tessellate(point, 1e-3).mesh.triangles.empty());
-    // A cone's tip: one row is a single point.
+    // The tip of a cone: one row of control points is a single point.
     PatchGrid cone{3,
                    3,
                    {{0, 0, 1},
@@ -84,7 +85,8 @@ TEST(BezierPatch, flat_patches_become_two_triangles_per_part_and_patches_without
     const PatchMesh made = tessellate(cone, 1e-3);
     EXPECT_LE(made.error_m, 1e-3);
     EXPECT_LT(made.mesh.triangles.size(), triangles_of_patch(cone, 1e-3));
-    // Bent far beyond the limits: uses the maximum number of splits and reports the true error.
+    // The control points bend the patch far beyond the limits. The mesh must use the greatest number of splits and
+    // report its true error.
     for (Vec3& p : cone.points_m) p *= 1e4;
     const PatchMesh huge = tessellate(cone, 1e-3);
     EXPECT_LE(huge.mesh.triangles.size(), std::size_t{2 * kMostPatchSplits * kMostPatchSplits});
@@ -110,8 +112,8 @@ TEST(BezierPatch, neighbours_with_a_common_edge_meet_along_one_line_in_any_orien
     std::mt19937 random(kSeed);
     for (int round = 0; round < scaled(30); ++round) {
         const PatchGrid a = random_grid(random, 0.5);
-        // The neighbour continues beyond a's first row with a very different bend, so that it is split differently
-        // inside.
+        // Patch b continues beyond the first row of a with a very different bend, so that tessellate() splits it
+        // differently inside.
         PatchGrid b{3, a.columns, {}};
         for (int r = 2; r >= 0; --r)
             for (int c = 0; c < a.columns; ++c)
@@ -130,7 +132,8 @@ TEST(BezierPatch, neighbours_with_a_common_edge_meet_along_one_line_in_any_orien
         const std::size_t width_a = one.columns, width_b = other.columns;
         const std::vector<Vec3> edge_a = line_of(one, 0, 1, width_a);
         const bool turned = round % 4 >= 2;
-        // b's edge towards a is its last row; after transposing its last column; after mirroring that the first column.
+        // The edge of b towards a is the last row of b. After transposing it is the last column; after transposing and
+        // mirroring it is the first column.
         const std::size_t rows_b = other.mesh.points_m.size() / width_b;
         const std::vector<Vec3> edge_b = !turned          ? line_of(other, (rows_b - 1) * width_b, 1, width_b)
                                          : round % 4 == 2 ? line_of(other, width_b - 1, width_b, rows_b)

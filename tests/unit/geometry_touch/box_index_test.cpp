@@ -1,4 +1,4 @@
-// The box hierarchy for lines and boxes, compared with scans of all boxes.
+// Tests the box hierarchy for lines and boxes. A scan of all boxes is the reference.
 #include <random>
 
 #include "tests/support/names.h"
@@ -28,7 +28,8 @@ std::vector<Aabb> random_boxes(std::mt19937& random, int count, const Vec3& shif
     return boxes;
 }
 
-// The share of the path at which the line enters the grown box; above 1 if it never does.
+// Returns the fraction of the path at which the line enters the grown box. The fraction is above 1 if the line never
+// enters it.
 double enters(const Aabb& box, const Vec3& from, const Vec3& to, const Vec3& low, const Vec3& high) {
     double in = 0.0, out = 1.0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -77,7 +78,8 @@ TEST(BoxIndex, finds_the_same_boxes_and_lines_as_a_full_scan) {
                     }
                     nearest = std::min(nearest, in);
                 }
-                // If each box ends the path, the nearest is found without looking at boxes behind it.
+                // If the first box on the path ends the query, the index must find the nearest box and examine no box
+                // behind it.
                 std::size_t looks = 0;
                 tree.along(from, to, low, high, [&](std::uint32_t i, double& reach) {
                     ++looks;

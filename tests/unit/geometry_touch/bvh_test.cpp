@@ -1,4 +1,5 @@
-// The box hierarchy, compared with scans of all boxes: ordinary, all at one place, empty, far away, moved at random.
+// Tests the box hierarchy. A scan of all boxes is the reference. The boxes are scattered, all in one place, empty, far
+// away, or moved at random.
 #include <random>
 
 #include "tests/support/names.h"
@@ -19,7 +20,7 @@ Vec3 in_cube(std::mt19937& random, double half) {
     return {x, y, z};
 }
 
-// Boxes of one kind: scattered, thin, points at one place, a row, nested; some empty.
+// Returns boxes of one kind: scattered, thin, points in one place, a row, or nested. Some boxes are empty.
 std::vector<Aabb> random_boxes(std::mt19937& random, int count, const Vec3& shift) {
     std::vector<Aabb> boxes;
     for (int i = 0; i < count; ++i) {
@@ -46,8 +47,8 @@ double nearest_of(const std::vector<Aabb>& boxes, const Vec3& p) {
     return std::sqrt(nearest2);
 }
 
-// Compares every query with its full scan. Boxes visited beyond the reach cost only time, so they are ignored here and
-// limited in number.
+// Compares every query with a full scan. Visits to boxes beyond the reach cost only time, so the test limits their
+// number but otherwise ignores them.
 void expect_right(const Bvh& bvh, const std::vector<Aabb>& boxes, std::mt19937& random, const Vec3& around,
                   const std::string& what) {
     constexpr int kPlenty = 1 << 20;
@@ -77,7 +78,8 @@ void expect_right(const Bvh& bvh, const std::vector<Aabb>& boxes, std::mt19937& 
         std::sort(in_order.begin(), in_order.end());
         ASSERT_EQ(in_order, expected);
 
-        // The nearest, found by lowering the reach, and a lower bound of it that may be loose by 0.7.
+        // Finds the nearest box by lowering the reach. The second query may return a lower bound that is smaller by a
+        // factor of 0.7.
         const double nearest = nearest_of(boxes, p);
         double best = 1e9, loose = 1e9;
         bvh.within(p, 1e9, [&](std::uint32_t item, double& lower) {
@@ -95,7 +97,8 @@ void expect_right(const Bvh& bvh, const std::vector<Aabb>& boxes, std::mt19937& 
             EXPECT_GE(bound, 0.7 * nearest * (1.0 - 1e-12));
         }
 
-        // With a limited number of looks: everything nearer than the answer was visited, and the limit was kept.
+        // If the query may examine only a few boxes, it must keep to that limit. It must have visited every box that is
+        // nearer than its answer.
         std::vector<bool> visited(boxes.size(), false);
         looks = 1 + query;
         int used = 0;
@@ -123,8 +126,8 @@ TEST(Bvh, answers_like_a_full_scan_for_many_things_in_one_place_and_far_from_the
 }
 
 TEST(Bvh, stays_within_its_budget_of_looks_when_everything_is_equally_near) {
-    // In the middle of a round room no order helps: 20,480 triangles at one distance. A hundred looks must suffice and
-    // still report that the room is there.
+    // In the middle of a round room, no order of the 20,480 triangles helps, because all have the same distance. After
+    // a hundred examined boxes, the query must stop and still report that something is near.
     const TriangleMesh mesh = sphere_mesh(32, 0.006);
     std::vector<Aabb> boxes;
     for (const Corners& t : mesh.triangles) {

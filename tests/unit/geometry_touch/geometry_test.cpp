@@ -1,4 +1,5 @@
-// Each geometry routine, compared with brute force: ordinary, degenerate, far away, in every order.
+// Tests each geometry routine against brute force. The inputs are ordinary, degenerate, far from the origin, and in
+// every order.
 #include <random>
 
 #include "tests/support/names.h"
@@ -20,7 +21,7 @@ Vec3 random_point(std::mt19937& random, double half) {
 
 double as_double(long double v) { return static_cast<double>(v); }
 
-// Triangles of every shape: ordinary, needles, flat, points, and with a repeated corner.
+// Returns a triangle of one kind: ordinary, needle, degenerate, a point, or with a repeated corner.
 std::array<Vec3, 3> random_triangle(std::mt19937& random, int kind) {
     const Vec3 a = random_point(random, 0.1), b = random_point(random, 0.1);
     switch (kind % 6) {
@@ -75,7 +76,7 @@ TEST(ClosestPointOfTriangle, agrees_with_brute_force_in_all_vertex_orders_degene
             ASSERT_NEAR(q.distance_m, expected, rounding + (shape.degenerate ? 1e-7 : 0.0));
             ASSERT_NEAR(glm::length(q.normal), 1.0, 1e-12);
             ASSERT_NEAR(glm::length(p - q.point_m), q.distance_m, rounding);
-            for (const Vec3& corner : s)  // the plane there supports the triangle
+            for (const Vec3& corner : s)  // the plane at the closest point must have the whole triangle behind it
                 ASSERT_LE(glm::dot(q.normal, corner - q.point_m), rounding * 10 + (shape.degenerate ? 2e-7 : 0.0));
         }
     }
@@ -150,7 +151,7 @@ TEST(ProjectOnHalfSpaces, agrees_with_trying_every_subset_from_cold_and_warm_sta
         std::vector<LHalfSpace> long_walls;
         for (std::size_t i = 0; i < count; ++i) {
             HalfSpace h{glm::normalize(random_point(random, 1.0) + Vec3(1e-3)), (random() % 2000 - 1200.0) * 1e-5};
-            if (i > 0 && random() % 8 == 0) h = walls[random() % i];  // a duplicate
+            if (i > 0 && random() % 8 == 0) h = walls[random() % i];  // repeats an earlier wall
             walls.push_back(h);
             long_walls.push_back({LVec(h.normal), h.offset_m});
         }
@@ -165,8 +166,8 @@ TEST(ProjectOnHalfSpaces, agrees_with_trying_every_subset_from_cold_and_warm_sta
             EXPECT_FALSE(solved);
             continue;
         }
-        // Allowed only if the cell is thinner than rounding can resolve: then the strict problem has no solution
-        // either.
+        // The function may fail only if the cell is thinner than rounding can resolve. Then the enumeration with a
+        // negative tolerance has no solution either.
         if (!solved) {
             EXPECT_FALSE(project_by_enumeration(long_walls, LVec(goal), -1e-7L)) << "gave up on a roomy cell";
             continue;

@@ -1,4 +1,5 @@
-// Volume, middle and spread of solids, compared with a count of many points, at any place and rotation.
+// Tests volume, centre and second moments of solids, at any place and rotation. A count of many points is the
+// reference.
 #include "worlds/geometry/mass_properties.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@
 namespace handrail {
 namespace mass_properties_test {
 
-// Counts the midpoints of a fine grid that are inside.
+// Computes the properties by counting the midpoints of a fine grid that are inside.
 template <class Inside>
 MassProperties counted(const Aabb& box, Inside&& inside) {
     constexpr int kSteps = 70;
@@ -63,12 +64,12 @@ TEST(MassProperties, of_flat_solids_agree_with_counted_points_even_far_from_the_
         const BuiltSolid built = solid_from_planes(planes, at, 100.0);
         const Vec3 size = built.solid.bounds_m.size_m();
         if (built.fault != SolidFault::None || std::max({size.x, size.y, size.z}) > 3.0)
-            continue;  // it is so long that the count is too coarse
+            continue;  // this solid is so long that the count would be too coarse
         ++looked_at;
         const MassProperties exact = mass_properties(built.solid);
         expect_near(exact, counted(built.solid.bounds_m, [&](const Vec3& p) { return contains(built.solid, p); }), 1.0,
                     0.01);
-        // Its principal axes make the spread diagonal.
+        // In the frame of the principal axes, the second moments must be diagonal.
         const PrincipalAxes axes = principal_axes(exact.spread_m5);
         const PlacedFrame frame(Placement{Vec3(0.0), axes.rotation, 1.0});
         const auto times = [&](const Vec3& v) {
