@@ -340,8 +340,8 @@ TEST_F(DyingProgram, killed_with_2_newtons_in_the_hand_leaves_zero_force) {
     const auto killed = Clock_::now();
     program_.kill_and_wait();
     std::printf("kill -9: ");
-    // A killed program sends no more commands. The guard's time limit allows at most 20 frames with force, which is 20
-    // ms of exchanges.
+    // A killed program sends no more commands. At most two frames should still carry a force: the one under way and the
+    // one that the program had ordered. The test allows 20 frames, which take about 20 ms.
     expect_zero_since(killed, 20);
     const std::lock_guard guard(bus_.lock);
     EXPECT_LE(bus_.falcon.largest_force_n, 3.0);

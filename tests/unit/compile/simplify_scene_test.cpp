@@ -209,7 +209,7 @@ TEST(SimplifyScene, never_cuts_into_a_separately_named_thing) {
 
 TEST(SimplifyScene, keeps_a_piece_of_wall_between_two_doorways) {
     TwoRooms rooms(3.5);
-    // A second doorway in the same wall. It begins 0.5 m east of the first one.
+    // A second doorway in the same wall, from x = 5.4 to 6.3.
     std::erase_if(rooms.scene().solids,
                   [](const Solid& s) { return s.shape.bounds_m.min_m.x == 4.4 && s.shape.bounds_m.min_m.y == 6.0; });
     rooms.wall({4.4, 6, 0}, {5.4, 6.2, 2.6});

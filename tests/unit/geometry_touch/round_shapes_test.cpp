@@ -1,5 +1,5 @@
-// Spheres, capsules, cylinders and cones, compared with a different implementation in long double. Also checks the
-// property of a closest point: the whole shape is behind the plane there.
+// Compares spheres, capsules, cylinders and cones with a different implementation in long double. Also checks a
+// property of the closest point: the whole shape is behind the plane there.
 #include "worlds/geometry/round_shapes.h"
 
 #include <random>
@@ -39,7 +39,7 @@ struct Shape {
         }
     }
     Nearest twin(const Vec3& p) const {
-        // Relative to from_m, so that a short axis keeps its direction far from the origin.
+        // The coordinates are relative to `from_m`, so that a short axis keeps its direction far from the origin.
         const LVec a(0.0L), b = LVec(axis) * static_cast<long double>(height_m), at = LVec(p) - LVec(from_m);
         const auto radius = static_cast<long double>(radius_m);
         switch (kind) {
@@ -53,7 +53,7 @@ struct Shape {
                 return nearest_on_cone(a, b, radius, at);
         }
     }
-    // How far the shape extends along a unit direction, measured from from_m.
+    // Returns how far the shape extends along the unit direction `n`, measured from `from_m`.
     double reach(const Vec3& n) const {
         const double up = glm::dot(n, axis), across = glm::length(glm::cross(n, axis));
         switch (kind) {
@@ -69,7 +69,8 @@ struct Shape {
     }
 };
 
-// About 0.1 in size, with every degenerate form in turn: no radius, no height, neither, needles, discs.
+// Returns a shape of about 0.1 m. `form` selects ordinary and degenerate forms in turn: no radius, no height, neither,
+// needles, discs.
 Shape random_shape(Kind kind, int form, const Vec3& shift, std::mt19937& random) {
     Shape shape{kind, shift + point(random, 0.05), random_turn(random).turn[0], number(random, 0.01, 0.2),
                 number(random, 0.01, 0.1)};
@@ -77,7 +78,7 @@ Shape random_shape(Kind kind, int form, const Vec3& shift, std::mt19937& random)
     if (form % 8 == 2 || form % 8 == 3) shape.height_m = 0.0;
     if (form % 8 == 4) shape.radius_m = 1e-7;
     if (form % 8 == 5) shape.height_m = 1e-7;
-    // The comparison knows no direction of a shape without height.
+    // The reference implementation knows no direction for a shape without height.
     if (shape.height_m == 0.0) shape.axis = Vec3(0, 0, 1);
     return shape;
 }
@@ -101,7 +102,8 @@ TEST_P(RoundShape, agrees_with_brute_force_and_gives_a_supporting_plane_even_deg
         ASSERT_NEAR(q.distance_m, static_cast<double>(twin.distance), rounding);
         ASSERT_NEAR(glm::length(q.normal), 1.0, 1e-15);
         ASSERT_NEAR(glm::dot(q.normal, p - q.point_m), q.distance_m, rounding);
-        // No part of the shape extends further along the normal than the point, and the point belongs to the shape.
+        // No part of the shape may extend further along the normal than the closest point. The closest point must
+        // belong to the shape.
         ASSERT_NEAR(glm::dot(q.normal, q.point_m - shape.from_m), shape.reach(q.normal), rounding);
         ASSERT_LE(std::abs(static_cast<double>(shape.twin(q.point_m).distance)), rounding);
         if (round % 3 == 0)
@@ -160,8 +162,8 @@ TEST(FaceTowards, names_the_side_and_the_ends) {
     EXPECT_EQ(face_towards(cone, {0.1, 0, -0.99}), 1);
 }
 
-// Convex polygons: points of an ellipse in order, with repeated ones and ones on an edge; needles; flat ones and single
-// points.
+// Returns a convex polygon: points of an ellipse in order. Some points are repeated or lie on an edge. Other forms are
+// needles, degenerate polygons and single points.
 std::vector<Vec3> random_polygon(int form, const Vec3& shift, std::mt19937& random) {
     const glm::dmat3 turn = random_turn(random).turn;
     const int count = 3 + static_cast<int>(random() % 7);
@@ -186,7 +188,7 @@ TEST(ClosestPointOfPolygon, agrees_with_brute_force_from_every_first_corner_dege
     for (int round = 0; round < scaled(5000); ++round) {
         const Vec3 shift = round % 3 == 0 ? Vec3(0.0) : round % 3 == 1 ? Vec3(1e3, -2e3, 500.0) : Vec3(7e5, 3e5, -9e5);
         std::vector<Vec3> corners = random_polygon(round, shift, random);
-        // Far from the origin, corners are rounded out of their plane; that adds to the error.
+        // Far from the origin, rounding moves the corners out of their plane, which adds to the error.
         const double rounding = round % 3 == 0 ? 1e-15 : round % 3 == 1 ? 3e-12 : 3e-9;
         const Vec3 p = shift + point(random, 0.2);
         const Nearest twin = nearest_on_polygon(std::vector<LVec>(corners.begin(), corners.end()), LVec(p));

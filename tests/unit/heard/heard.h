@@ -1,5 +1,5 @@
-// Which lines a person has heard of a voice that takes its time: judged by what a recording sink kept, never by what
-// was printed.
+// Which lines a person has heard in full. The functions examine what a recording sink spoke in realistic time, not what
+// the session printed.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,13 +12,14 @@
 
 namespace handrail::test {
 
-inline constexpr double kAfterLastKey_s = 15.0;  // then what was heard is judged
+inline constexpr double kAfterLastKey_s = 15.0;  // time after the last key, after which the tests judge what was heard
 
-// It was spoken and nothing cut it.
+// Returns whether the voice spoke the line to its end without an interruption.
 inline bool in_full(const HeardSpeech& line, double now_s) { return line.voiced && !line.cut && line.end_s <= now_s; }
 
-// The last lines about these topics, if they were cut or only written; one that is still being said is heard. The line
-// that tells the topic anew counts, so an empty result means that all that still holds was heard.
+// Returns the last line about each topic if it was cut or only written. A line that is still being spoken counts as
+// heard. An earlier line does not matter, because the last line replaces it. So an empty result means that the person
+// heard everything that is still valid.
 inline std::vector<std::string> unheard(const RecordingSpeech& voice, const std::vector<SpeechTopic>& topics) {
     std::vector<std::string> missing;
     for (const SpeechTopic topic : topics) {
@@ -30,7 +31,7 @@ inline std::vector<std::string> unheard(const RecordingSpeech& voice, const std:
     return missing;
 }
 
-// Every line with its times, for whoever reads of a failure.
+// Returns every line with its times, for a person who analyses a failure.
 inline std::string told(const RecordingSpeech& voice) {
     std::string text;
     for (const HeardSpeech& said : voice.lines())
@@ -42,7 +43,7 @@ inline std::string told(const RecordingSpeech& voice) {
     return text;
 }
 
-// Warnings that something cut.
+// Returns the warnings that something cut.
 inline std::vector<std::string> cut_warnings(const RecordingSpeech& voice) {
     std::vector<std::string> cut;
     for (const HeardSpeech& line : voice.lines())

@@ -1,7 +1,8 @@
-// Three recordings as a person with headphones would hear them: the first minutes, a walk through five doors with a
-// beacon, and a labyrinth. Each is transcribed by matching it with the voice's own rendering of each line.
+// Makes three recordings as a person with headphones would hear them: the first minutes, a walk through five doors with
+// a
+// beacon, and a labyrinth. Transcribes each recording by matching it with the voice's own rendering of each line.
 //   HANDRAIL_WRITE_RECORDINGS=FOLDER build/release/bin/unit_heard --gtest_filter='Recordings.*'
-// keeps the recordings with what was heard of each line.
+// saves each recording together with a list of how much of each line was heard.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +35,7 @@ void put(std::ofstream& file, std::uint32_t value, int bytes) {
     for (int i = 0; i < bytes; ++i) file.put(static_cast<char>(value >> (8 * i) & 0xFFU));
 }
 
-// 16 bits, two channels, 48 kHz.
+// Writes a WAV file with 16 bits, two channels and 48 kHz.
 void write_wav(const std::filesystem::path& path, const std::vector<float>& both) {
     std::ofstream file(path, std::ios::binary);
     const auto size = static_cast<std::uint32_t>(2 * both.size());
@@ -51,7 +52,8 @@ void write_wav(const std::filesystem::path& path, const std::vector<float>& both
     ASSERT_TRUE(file.flush().good()) << path;
 }
 
-// What matters was heard, and the mix keeps its distance from full scale.
+// Checks that the person heard at least 95 % of the important lines in full, and that the mix stays 3 dB below full
+// scale. `least` is the least number of important lines.
 void judge(const Recorded& recorded, const std::string& name, int least) {
     const std::vector<test::Transcribed> lines = test::transcribe(recorded);
     const std::string transcript = test::text_of(lines);
@@ -85,7 +87,7 @@ TEST_F(Recordings, of_the_first_minutes) {
     recorded.listen();
     recorded.key("Enter");
     recorded.listen();
-    // Without waiting for the end of what is said, and then with.
+    // Presses the key `times` times without waiting for the announcements, and then listens until the voice is silent.
     const auto go = [&](Command command, int times) {
         recorded.press(command, times);
         recorded.listen();
@@ -107,7 +109,7 @@ TEST_F(Recordings, of_the_first_minutes) {
 TEST_F(Recordings, of_a_walk_through_five_doors_with_a_beacon) {
     const test::LegForm form = test::english_legs();
     recorded.enter("house.map");
-    recorded.press(Command::Exits);  // from here on the rooms are known
+    recorded.press(Command::Exits);  // after this, the session knows the rooms
     recorded.listen();
     const auto last_leg = [&](std::size_t from) {
         for (std::size_t i = recorded.lines().size(); i > from; --i)
@@ -116,7 +118,7 @@ TEST_F(Recordings, of_a_walk_through_five_doors_with_a_beacon) {
     };
     for (const auto& [room, thing] : {std::pair{"Living room", "Sofa"}, {"Study", "Desk"}, {"Kitchen", "Kitchen"}}) {
         recorded.type(fmt::format("find {}", thing));
-        recorded.key("Enter");  // by the beacon
+        recorded.key("Enter");  // selects the beacon
         recorded.type(fmt::format("routes {}", room));
         std::size_t from = recorded.lines().size();
         recorded.press(Command::RepeatLeg);

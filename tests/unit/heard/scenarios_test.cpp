@@ -1,5 +1,6 @@
-// Every scenario with a voice of 180 words a minute, and ten of them with a slow and a fast one: judged 15 s after the
-// last key, what still holds was heard, and no warning was cut. And every scenario with its sounds: no mix is too loud.
+// Runs every scenario with a voice of 180 words a minute, and ten of them also with a slow and a fast voice. By 15 s
+// after the last key, the person must have heard everything that is still valid, and nothing may have cut a warning.
+// Also mixes the sounds of every scenario, and no mix may be too loud.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -32,7 +33,7 @@ std::vector<std::string> all_scenarios() {
     return names;
 }
 
-// Stop keys silence warnings too.
+// Returns whether the scenario presses a key that stops speech. Such a key also silences warnings.
 bool stops(const Scenario& scenario) {
     return std::any_of(scenario.actions.begin(), scenario.actions.end(), [](const ScenarioAction& action) {
         const auto* tap = std::get_if<TapCommand>(&action.step);
@@ -60,10 +61,10 @@ void hear(const std::string& name, double words_per_minute) {
                      [&](HeadlessSession& session) { leads = session.app().guide().leads(); });
     ASSERT_TRUE(log) << log.error().sentence();
     const std::string how = fmt::format("{}, {} words a minute:\n{}", name, words_per_minute, test::told(voice));
-    // Whoever presses a stop key wants to hear none of it.
+    // A person who presses a stop key does not want to hear the lines.
     if (stops(scenario)) return;
     EXPECT_THAT(test::unheard(voice, {SpeechTopic::Place}), IsEmpty()) << how;
-    if (how.find("What to do next") == std::string::npos) {  // the lesson goes on
+    if (how.find("What to do next") == std::string::npos) {  // not for first minutes that have reached the last step
         EXPECT_THAT(test::unheard(voice, {SpeechTopic::Praise, SpeechTopic::Lesson}), IsEmpty()) << how;
     }
     if (leads) {

@@ -8,7 +8,7 @@
 namespace handrail::test {
 namespace {
 
-constexpr int kVoice_hz = 22050;  // of espeak-ng
+constexpr int kVoice_hz = 22050;  // sample rate of espeak-ng
 constexpr int kFramesPerMs = 48;
 
 std::unique_ptr<OpenALSink> open_mix(const std::shared_ptr<VoiceChannel>& channel) {

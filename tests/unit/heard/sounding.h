@@ -1,5 +1,6 @@
-// A session's sounds and the built-in voice, mixed as for headphones in virtual time. Speaking waits until espeak-ng
-// has made the whole line, so two runs give the same samples. One thread, besides that of espeak-ng.
+// Mixes a session's sounds and the built-in voice as for headphones, in virtual time. Before it speaks, it waits until
+// espeak-ng has rendered the whole line, so two runs give the same samples. It uses one thread, and espeak-ng uses
+// another.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +14,13 @@
 
 namespace handrail::test {
 
-// A line that the session printed.
+// A line that the session printed, and how the voice rendered it.
 struct PrintedLine {
     Utterance utterance;
-    bool voiced = true;    // false: only written
-    bool stopped = false;  // a key cut it
+    bool voiced = true;    // false: the session wrote the line but did not speak it
+    bool stopped = false;  // a key cut the line
     std::size_t begin_frame = 0;
-    std::vector<std::int16_t> samples;  // as the voice made them, at voice_hz()
+    std::vector<std::int16_t> samples;  // the line as the voice rendered it, at the voice's sample rate
 };
 
 class Sounding : public SpeechSink {
@@ -27,9 +28,9 @@ public:
     Sounding();
 
     AudioSink& audio() { return *sink_; }
-    // The next millisecond of the mix.
+    // Adds the next millisecond to the mix.
     void mix_ms();
-    const std::vector<float>& mix() const { return mix_; }  // left and right in turn, 48 kHz
+    const std::vector<float>& mix() const { return mix_; }  // left and right samples in turn, 48 kHz
     const std::vector<PrintedLine>& lines() const { return lines_; }
 
     void say(const Utterance& utterance) override;
@@ -37,14 +38,16 @@ public:
     void stop() override;
     bool speaking() const override { return heard_->playing(); }
 
-    // This line alone, as both ears hear it where nothing else sounds.
+    // Returns this line alone, for both ears, without any other sound.
     static std::vector<float> alone(const PrintedLine& line);
 
 private:
     std::vector<std::int16_t> synthesised(const Utterance& utterance);
 
-    std::shared_ptr<VoiceChannel> made_ = std::make_shared<VoiceChannel>();   // from espeak-ng to here
-    std::shared_ptr<VoiceChannel> heard_ = std::make_shared<VoiceChannel>();  // from here to the mix
+    // Carries samples from espeak-ng to this class.
+    std::shared_ptr<VoiceChannel> made_ = std::make_shared<VoiceChannel>();
+    // Carries samples from this class to the mix.
+    std::shared_ptr<VoiceChannel> heard_ = std::make_shared<VoiceChannel>();
     std::unique_ptr<EspeakSpeech> voice_;
     std::unique_ptr<OpenALSink> sink_;
     std::vector<PrintedLine> lines_;

@@ -12,15 +12,15 @@ namespace handrail::test {
 namespace {
 
 constexpr double kHz = 48000.0;
-// First at 4 kHz over 15 s, then at 16 kHz around the place that was found.
+// The search first uses 4 kHz over 15 s, then 16 kHz around the place that it found.
 constexpr std::size_t kCoarse = 12, kFine = 3;
 constexpr double kSearched_s = 15.0, kBeginning_s = 0.6, kPiece_s = 0.25;
-constexpr double kAlike = 0.5;        // correlation of a piece with the mix, sounds included
-constexpr double kSilence = 1e-3;     // of the energy of the line
-constexpr double kQuiet_db = -30.0;   // a piece that much below the loudest is a pause
-constexpr double kShareInFull = 0.9;  // a sound may cover a piece
+constexpr double kAlike = 0.5;        // least correlation of a piece with the mix; the mix includes the sounds
+constexpr double kSilence = 1e-3;     // mix energy, relative to the line's, below which a place counts as silent
+constexpr double kQuiet_db = -30.0;   // a piece that is this much quieter than the loudest piece is a pause
+constexpr double kShareInFull = 0.9;  // share of the pieces that must be heard; a sound may cover the others
 
-// Both ears in one, every `step` samples averaged.
+// Adds both ears and every `step` samples to one sample.
 std::vector<float> thinned(std::span<const float> both, std::size_t step) {
     std::vector<float> out(both.size() / 2 / step);
     for (std::size_t i = 0; i < out.size(); ++i) {
@@ -37,7 +37,7 @@ double energy(std::span<const float> samples) {
     return sum;
 }
 
-// -1 to 1; 0 of silence.
+// Returns the correlation of two signals from -1 to 1; 0 if one of them is silent.
 double likeness(std::span<const float> a, std::span<const float> b) {
     double product = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i) product += static_cast<double>(a[i]) * static_cast<double>(b[i]);
@@ -45,7 +45,7 @@ double likeness(std::span<const float> a, std::span<const float> b) {
     return both > 1e-12 ? product / std::sqrt(both) : 0.0;
 }
 
-// Where `line` begins in `mix`, between two places.
+// Searches for the beginning of `line` in `mix`, between the places `from` and `until`.
 struct Found {
     std::size_t at = 0;
     double likeness = -1.0;
@@ -55,15 +55,15 @@ Found find_in(std::span<const float> mix, std::span<const float> line, std::size
     if (line.empty() || from + line.size() > mix.size()) return best;
     until = std::min(until, mix.size() - line.size());
     const double of_line = energy(line);
-    double of_mix = energy(mix.subspan(from, line.size()));  // of the part under the line
+    double of_mix = energy(mix.subspan(from, line.size()));  // energy of the mix under the line
     for (std::size_t at = from; at < until; ++at) {
-        // Several sums at once, which the compiler may not make of one.
+        // Adds up eight separate sums, because the compiler may not split one sum to vectorise it.
         std::array<float, 8> sums{};
         for (std::size_t i = 0; i + sums.size() <= line.size(); i += sums.size())
             for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += line[i + k] * mix[at + i + k];
         float product = 0.0F;
         for (const float sum : sums) product += sum;
-        // In silence there is nothing but rounding.
+        // If the mix is silent here, the correlation would be only rounding errors.
         const double here =
             of_mix > kSilence * of_line ? static_cast<double>(product) / std::sqrt(of_line * of_mix) : -1.0;
         if (here > best.likeness) best = {at, here};
@@ -130,7 +130,7 @@ std::vector<Transcribed> transcribe(const Sounding& sounding) {
 
 Judged judge(const std::vector<Transcribed>& lines) {
     Judged all;
-    // The line that is told last of each topic, and whether it was heard once.
+    // For each topic: the latest important text, and whether the person heard it in full at least once.
     struct Run {
         std::string text;
         bool heard = false;

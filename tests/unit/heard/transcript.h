@@ -1,4 +1,4 @@
-// What a person hears of a mix: each line is searched for in it by the voice's own rendering of that line.
+// What a person hears in a mix. Searches the mix for each line, using the voice's own rendering of that line.
 #pragma once
 
 #include <optional>
@@ -17,12 +17,13 @@ struct Transcribed {
     SpeechTopic topic = SpeechTopic::None;
     bool voiced = true, stopped = false;
     double printed_s = 0.0;
-    std::optional<double> heard_s;  // where it begins in the mix; none: it was not found
-    double share = 0.0;             // of its pieces with voice in them that are in the mix
-    bool in_full = false;           // 90 % of the pieces and the last one
+    std::optional<double> heard_s;  // time at which the line begins in the mix; empty: not found
+    double share = 0.0;             // share of the line's voiced pieces that are heard in the mix
+    bool in_full = false;           // at least 90 % of the voiced pieces are heard, including the last one
 
-    // Danger, places, routes and lessons, and answers that the person did not cut with the next key. What is only
-    // written was said a moment before, or is out of date.
+    // Returns whether the line is important. Lines about danger, places, routes and lessons are, and answers that the
+    // person did not cut with the next key. Lines that were only written are not, because they were announced a moment
+    // before or are out of date.
     bool matters() const {
         if (!voiced || speech_class > SpeechClass::Guidance || topic == SpeechTopic::Heading) return false;
         return topic != SpeechTopic::None || speech_class <= SpeechClass::Warning || !stopped;
@@ -31,8 +32,8 @@ struct Transcribed {
 
 std::vector<Transcribed> transcribe(const Sounding& sounding);
 
-// Of the lines that matter: how many there are, and those that were never heard in full. A line that is told again,
-// because it was cut, counts once.
+// The number of important lines, and those that were never heard in full. If a line was announced again because it was
+// cut, it counts once.
 struct Judged {
     int matter = 0;
     std::vector<std::string> missing;
@@ -40,7 +41,7 @@ struct Judged {
 };
 Judged judge(const std::vector<Transcribed>& lines);
 
-// A line of text for each, with the times at which it was printed and heard.
+// Returns one line of text for each line, with the times at which the session printed it and the person heard it.
 std::string text_of(const std::vector<Transcribed>& lines);
 
 }  // namespace handrail::test

@@ -1,4 +1,4 @@
-// A person at the keyboard of a session in virtual time: presses a key, waits, presses the next.
+// Simulates a person at the keyboard of a session in virtual time, who presses a key, waits, and presses the next one.
 #pragma once
 
 #include <fmt/format.h>
@@ -26,14 +26,15 @@ namespace handrail::test {
 
 class Typing {
 public:
-    // `pauses_s` after one key each, in turn. `each_ms` is called after every millisecond of the session.
+    // The pauses after the keys are `pauses_s` in turn. The class calls `each_ms` after every millisecond of the
+    // session.
     Typing(AudioSink& audio, SpeechSink& speech, std::vector<double> pauses_s, std::function<void()> each_ms = {})
         : speech_(speech),
           pauses_s_(std::move(pauses_s)),
           each_ms_(std::move(each_ms)),
           session_(Settings{}, HandFacts{}, audio, speech) {}
 
-    // A world of ours, or of the scenarios.
+    // Enters a bundled world or a world of the scenarios.
     void enter(const std::string& file) {
         const std::filesystem::path ours = bundled_world(file),
                                     of_scenarios = project_root() / "tests" / "scenarios" / "worlds" / file;
@@ -66,12 +67,12 @@ public:
         EXPECT_TRUE(session_.tap_key(name)) << name;
         pause();
     }
-    // Types a line, and listens to what comes of it.
+    // Types a line and listens until the voice is silent.
     void type(const std::string& line) {
         session_.type(line);
         listen();
     }
-    // Until nothing has been said for longer than it takes until a line that was cut is told anew.
+    // Waits until the voice has been silent for 1.5 s. Within that time, the session repeats a line that was cut.
     void listen() {
         constexpr double kSilence_s = 1.5, kMost_s = 120.0;
         const double began_s = now_s();
@@ -103,7 +104,7 @@ struct KeptSinks {
     RecordingSpeech voice;
 };
 
-// With a voice that takes its time, and nothing that sounds.
+// A typist with a voice that takes realistic time, and without sounds.
 class Typist : public KeptSinks, public Typing {
 public:
     Typist(const std::string& file, double words_per_minute, double pause_s)
@@ -111,7 +112,8 @@ public:
         enter(file);
     }
 
-    // Rooms whose names were not heard while the typist was there, of those left after `stay_s` or later.
+    // Returns the rooms whose names were not heard while the typist was in them. Omits rooms that the typist left in
+    // less than `stay_s`.
     std::vector<std::string> rooms_not_heard(double stay_s) const {
         std::vector<std::string> missing;
         for (std::size_t i = 0; i < rooms.size(); ++i) {

@@ -1,5 +1,5 @@
-// People who type at their pace, with a voice that takes its time in virtual time: what matters is heard, whatever was
-// pressed meanwhile.
+// Simulates people who type at different paces. The voice takes realistic time in virtual time. Each person must hear
+// everything important, whatever keys they press meanwhile.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -40,7 +40,8 @@ TEST_P(Paced, who_walks_through_the_house_hears_rooms_and_the_whole_of_a_route) 
     typist.press(Command::TurnRight, 3);
     typist.press(Command::Forward, 6);
     typist.finish();
-    // A stay that is shorter than two pauses and a name may end before there is a pause at all.
+    // If a stay is shorter than two pauses and the announcement of a name, it may end before the voice has any time to
+    // speak.
     const double stay_s = GetParam().pause_s < 2.0 ? kAfterLastKey_s : 2.0 * GetParam().pause_s + 3.0;
     EXPECT_THAT(typist.rooms_not_heard(stay_s), IsEmpty()) << typist.all();
     EXPECT_FALSE(typist.rooms.empty());
@@ -71,7 +72,7 @@ TEST_P(Paced, who_walks_on_in_the_first_minutes_hears_what_the_next_step_wants) 
     typist.press(Command::Forward, 6);
     typist.finish();
     EXPECT_THAT(test::unheard(typist.voice, {SpeechTopic::Praise, SpeechTopic::Lesson}), IsEmpty()) << typist.all();
-    // Who presses faster than steps are taken does not come to the wall.
+    // A person who presses keys faster than the walker takes steps does not reach the wall.
     if (GetParam().pause_s >= 2.0) {
         EXPECT_THAT(typist.all(), ::testing::HasSubstr("radiator"));
     }

@@ -1,4 +1,5 @@
-// The tone of walls tells who moves that one is near; who stands has heard it.
+// The wall tone reports a near wall to a person who moves. It falls silent for a person who stands, because they have
+// heard it.
 #include <gtest/gtest.h>
 
 #include "app/core/session/headless_session.h"

@@ -1,4 +1,4 @@
-// Models in a ZIP archive.
+// Tests models in a ZIP archive.
 #include <gmock/gmock.h>
 
 #include "tests/support/names.h"

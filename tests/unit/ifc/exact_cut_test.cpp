@@ -1,4 +1,5 @@
-// Cuts that convex solids cannot represent, compared with a check of many single places, and cuts in files.
+// Tests cuts whose result convex solids cannot represent. A check of many single places is the reference. Also tests
+// such cuts in IFC files.
 #include "worlds/ifc/exact_cut.h"
 
 #include <CGAL/version.h>
@@ -52,7 +53,7 @@ struct Ring3 {
     bool holds(const Vec3& at_m) const {
         const Vec3 off = at_m - frame.origin_m;
         const double x = glm::dot(off, frame.x), y = glm::dot(off, frame.y), z = glm::dot(off, frame.z);
-        const auto within = [&](double radius_m) {  // a polygon's sides are nearer to the middle than its corners
+        const auto within = [&](double radius_m) {  // the middle of a side is nearer to the axis than the corners
             const double turn = 2.0 * kPi / corners, angle = std::atan2(y, x);
             const double to_middle = angle - turn * (std::floor(angle / turn) + 0.5);
             return std::hypot(x, y) * std::cos(to_middle) < radius_m * std::cos(0.5 * turn);
@@ -93,7 +94,7 @@ double sampled_common_m3(const Ring3& ring, int places) {
 TEST(ExactCuts, agree_with_testing_single_points) {
     const double all_m3 = volume_m3(wall());
     for (const int corners : {8, 12, 48})  // with 12 corners the hole touches the faces of the wall
-        // With these angles the wall's faces are in the ring's faces, or across them.
+        // The angles put faces of the ring in the planes of the wall's faces, or across them.
         for (const double angle : {0.0, 0.5 * kPi, 0.4}) {
             SCOPED_TRACE(std::to_string(corners) + " corners, " + std::to_string(angle));
             Ring3 ring;
@@ -122,12 +123,12 @@ TEST(ExactCuts, leave_untouched_parts_bit_identical) {
     EXPECT_TRUE(common->empty());
 }
 
-// Solids whose faces were cut without regard to their neighbours, and one that is cut twice.
+// The sides of the skin were cut without regard to their neighbours. Then two solids are subtracted from it.
 TEST(ExactCuts, subtract_two_things_from_a_hollow_skin) {
     Ring3 outer;
     outer.corners = 16;
     Body hollow = outer.body();
-    std::vector<Polygon> halves;  // every side is halved, so that corners are on edges of the caps
+    std::vector<Polygon> halves;  // every third face is halved, so that corners lie on edges of the neighbouring faces
     for (const Polygon& sheet : hollow.sheets) {
         const std::vector<Vec3>& p = sheet.points_m;
         const Vec3 low = 0.5 * (p[0] + p[1]), high = 0.5 * (p[2] + p[3]);
@@ -146,7 +147,7 @@ TEST(ExactCuts, subtract_two_things_from_a_hollow_skin) {
     const std::optional<Body> less = cut_exactly(hollow, by, ExactCut::TakeAway, limits, {});
     ASSERT_TRUE(less);
     const double ring_m3 = volume_m3(outer.body());
-    // From 0.5 m to the outer side; one of the 16 corners is on the x axis.
+    // The cut reaches from 0.5 m to the outer side. One of the 16 corners is on the x axis.
     const double edge_m = 1.0 - 0.05 * std::tan(kPi / 16.0);
     EXPECT_NEAR(ring_m3 - volume_m3(*less), 0.2 * 1.0 * (edge_m - 0.5), 1e-3);
 }
@@ -177,7 +178,7 @@ TEST(ExactCuts, refuse_bodies_that_enclose_nothing_or_exceed_the_limits) {
     EXPECT_TRUE(cut_exactly(wall(), ring.body(), ExactCut::TakeAway, limits, {}));
 }
 
-// Both compilers give this number. Another major version of CGAL may refine the meshes in a different order.
+// Both compilers must give this number. Another major version of CGAL may refine the meshes in a different order.
 TEST(ExactCuts, are_bit_identical_on_every_compiler) {
     if (CGAL_VERSION_NR / 10000000 != 105) GTEST_SKIP() << "the number is that of CGAL 5";
     Ring3 ring;
@@ -188,7 +189,7 @@ TEST(ExactCuts, are_bit_identical_on_every_compiler) {
     EXPECT_EQ(number_of(*less), 3138210858221976862U);
 }
 
-// ---- in files ----
+// ---- cuts in files ----
 
 int brep(Hut& hut, const std::vector<std::vector<Vec3>>& faces) {
     std::vector<int> made;
@@ -222,7 +223,8 @@ int face_set(Hut& hut, const std::vector<std::vector<Vec3>>& faces) {
     return hut.add("IFCTRIANGULATEDFACESET(" + Hut::ref(list) + ",$,.T.,(" + triangles.str() + "),$)");
 }
 
-// The remaining volume of a wall in the scene, be it solids or a closed skin of triangles.
+// Returns the remaining volume of the wall in the scene, whether the wall is made of solids or of a closed surface of
+// triangles.
 double left_m3(const Scene& scene) {
     double sum = 0.0;
     for (const Solid& solid : scene.solids)
@@ -234,7 +236,7 @@ double left_m3(const Scene& scene) {
 }
 
 TEST(ExactCuts, make_openings_of_the_given_shape) {
-    for (const int corners : {12, 160}) {  // the first hole can be made of convex solids, the second cannot
+    for (const int corners : {12, 160}) {  // convex solids can represent the first hole, but not the second
         SCOPED_TRACE(corners);
         Ring3 ring;
         ring.corners = corners;
@@ -286,7 +288,7 @@ TEST(ExactCuts, subtract_round_tessellated_and_nested_bodies) {
              return hut.add("IFCREVOLVEDAREASOLID(" + Hut::ref(profile) + "," + Hut::ref(hut.placed({2.0, 0.0, 1.0})) +
                             "," + Hut::ref(axis) + ",6.283185307179586)");
          },
-         kPi * (0.2 * 0.2 - 0.1 * 0.1) * 0.3},  // it reaches from the middle of the wall to beyond its face
+         kPi * (0.2 * 0.2 - 0.1 * 0.1) * 0.3},  // the hole reaches from the middle of the wall to beyond its face
         {"pipe",
          [&](Hut& hut) {
              const int line =
@@ -311,7 +313,8 @@ TEST(ExactCuts, that_are_refused_leave_the_whole_body_and_are_reported_by_name) 
     ring.frame.origin_m = {2.0, 0.0, 0.4};
     std::vector<std::vector<Vec3>> faces = ring.faces();
     ring.frame.origin_m.x += 0.3;
-    for (std::vector<Vec3>& face : ring.faces()) faces.push_back(face);  // the shell intersects itself
+    // The faces occur twice, so the shell intersects itself.
+    for (std::vector<Vec3>& face : ring.faces()) faces.push_back(face);
     Hut hut;
     hut.part("IFCWALL", "Wall", hut.less(hut.block(kWallLeast, kWallMost), brep(hut, faces)), ",$");
     const Scene scene = hut.scene();

@@ -1,4 +1,4 @@
-// Small IFC files built from boxes, for tests of how each kind of part is read.
+// Small IFC files built from boxes. They test how the reader reads each kind of part.
 #pragma once
 
 #include <sstream>
@@ -43,7 +43,7 @@ public:
         return add("IFCFACE((" +
                    ref(add("IFCFACEOUTERBOUND(" + ref(add("IFCPOLYLOOP(" + refs(points) + ")")) + ",.T.)")) + "))");
     }
-    // A closed shell whose outline, as seen from above, need not be convex.
+    // Adds a closed shell. Its outline, as seen from above, need not be convex.
     int brep(const Ring& outline, double low, double high) {
         std::vector<Vec3> lower, upper;
         for (const Vec2& p : outline) {
@@ -57,14 +57,14 @@ public:
         }
         return add("IFCFACETEDBREP(" + ref(add("IFCCLOSEDSHELL(" + refs(faces) + ")")) + ")");
     }
-    // Open faces that enclose no volume.
+    // Adds open faces, which enclose no volume.
     int sheet(const std::vector<std::vector<Vec3>>& rings) {
         std::vector<int> faces;
         for (const std::vector<Vec3>& ring : rings) faces.push_back(face(ring));
         return add("IFCSHELLBASEDSURFACEMODEL((" + ref(add("IFCOPENSHELL(" + refs(faces) + ")")) + "))");
     }
     int less(int from, int what) { return add("IFCBOOLEANRESULT(.DIFFERENCE.," + ref(from) + "," + ref(what) + ")"); }
-    // Adds a part of that class; `more` are the attributes after its tag.
+    // Adds a part of the class `kind`. `more` contains the attributes that follow the tag.
     int part(const std::string& kind, const std::string& name, int item, const std::string& more = {},
              int placement = kPlacement) {
         const int shape = add("IFCPRODUCTDEFINITIONSHAPE($,$,(" +
@@ -73,7 +73,7 @@ public:
                              "," + ref(shape) + ",$" + more + ")"));
         return parts_.back();
     }
-    // Adds a space on the given storey.
+    // Adds a space to the storey with this index.
     void space(const std::string& name, int item, int placement = kPlacement, int storey = 0) {
         const int made = part("IFCSPACE", name, item, {}, placement);
         parts_.pop_back();
@@ -81,7 +81,7 @@ public:
             add("IFCRELAGGREGATES('R" + std::to_string(made) + "',$,$,$," + ref(storey) + "," + refs({made}) + ")");
         else spaces_.push_back(made);
     }
-    // `elevation` is the value of its attribute; by default that of its placement.
+    // Adds a storey. `elevation` is the value of its attribute; if empty, the height of its placement.
     int storey(const std::string& name, double height, std::optional<double> elevation = std::nullopt) {
         const int at = add("IFCLOCALPLACEMENT($," + ref(placed({0.0, 0.0, height})) + ")");
         const int made = add("IFCBUILDINGSTOREY('S" + std::to_string(last_ + 1) + "',$,'" + name + "',$,$," + ref(at) +
@@ -96,7 +96,7 @@ public:
         if (filling)
             add("IFCRELFILLSELEMENT('F" + std::to_string(last_) + "',$,$,$," + ref(made) + "," + ref(filling) + ")");
     }
-    // `storey_m`: the placement of its storey.
+    // Returns the file as text. `storey_m` is the placement of the first storey.
     std::string text(const std::string& schema = "IFC4", const Vec3& storey_m = Vec3(0.0)) const {
         std::ostringstream at;
         at.precision(12);
@@ -131,7 +131,8 @@ private:
     std::vector<int> parts_, spaces_;
 };
 
-// A hall of 8 by 6 m, entered from the west. A wall divides it, and its widest place is a gallery without stairs.
+// Returns a hall of 8 by 6 m, which is entered from the west. A wall divides it. Its widest walkable area is a gallery
+// without stairs.
 inline Hut hall_with_gallery() {
     Hut hut;
     hut.part("IFCSLAB", "Floor", hut.block({-6.0, -2.0, -0.2}, {8.0, 6.0, 0.0}), ",$");
@@ -145,7 +146,7 @@ inline Hut hall_with_gallery() {
     return hut;
 }
 
-// The volume of the solids that are wholly inside a box.
+// Returns the volume of the solids that are wholly inside a box.
 inline double volume_within_m3(const Scene& scene, const Aabb& box) {
     double sum = 0.0;
     for (const Solid& solid : scene.solids)

@@ -1,4 +1,4 @@
-// Small IFC files as text: the house in tests/unit/ifc/worlds, changed for a test.
+// Small IFC files as text. They are variants of the house in tests/unit/ifc/worlds.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace handrail::test {
 
-// A hall of 8 by 4 m: Küche in the west, Living room in the east, a door in the wall between them, a door in the south,
-// a window in the north.
+// A house of 8 by 4 m with two rooms: Küche in the west, Living room in the east. The wall between the rooms has a
+// door. Another door is in the south, and a window in the north.
 inline std::string small_house(const std::string& name = "small_house.ifc") {
     return content_of(test::project_root() / "tests/unit/ifc/worlds" / name);
 }
@@ -23,7 +23,7 @@ inline std::string replaced(std::string text, const std::string& from, const std
     return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-// The text with more instances before the end of the data.
+// Returns the text with more instances before the end of the data.
 inline std::string with_instances(const std::string& text, const std::string& more) {
     const std::size_t at = text.rfind("ENDSEC;");
     return text.substr(0, at) + more + text.substr(at);

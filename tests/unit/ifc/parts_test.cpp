@@ -1,4 +1,4 @@
-// Each kind of part that was once lost, left uncut or put in the wrong place.
+// Tests each kind of part that the reader once lost, left uncut or put in the wrong place.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -43,14 +43,14 @@ TEST(PartsOfIfc, survive_any_number_of_nested_cuts) {
 TEST(PartsOfIfc, survive_deeply_nested_cutting_solids) {
     Hut hut;
     int cutter = hut.block({1.0, -1.0, 0.0}, {2.0, 1.0, 2.0});
-    for (int i = 0; i < 60; ++i)  // with an even number the last cutter leaves what the first one takes away
+    for (int i = 0; i < 60; ++i)  // the number of cutters is even, so the last cutter leaves what the first one removes
         cutter = hut.less(hut.block({1.0, -1.0, 0.0}, {2.0, 1.0, 2.0}), cutter);
     hut.part("IFCWALL", "North", hut.less(hut.block(kWall.min_m, kWall.max_m), cutter), ",$");
     EXPECT_NEAR(volume_within_m3(hut.scene(), kWall), 4.5 - 0.3 * 2.0, 1e-4);
 }
 
-// A partition is named after its two sides, whether the wall in front is a solid or a sheet. Only without that wall its
-// front is the outer side of the building.
+// A partition is named after its two sides, whether the wall in front of it is a solid or a sheet. Only without that
+// wall is its front the outer side of the building.
 TEST(PartsOfIfc, behind_a_sheet_get_the_same_names_as_behind_a_solid_wall) {
     enum class Before { Nothing, Solid, Sheet };
     for (const Before before : {Before::Nothing, Before::Solid, Before::Sheet}) {
@@ -99,7 +99,7 @@ TEST(PartsOfIfc, can_be_cut_by_non_convex_shells) {
     EXPECT_FALSE(in_a_solid(scene, {2.2, 0.2, 1.0}));
 }
 
-// A wedge with a step, neither convex nor a prism.
+// The cutting solid is a wedge with a step, so it is neither convex nor a prism.
 TEST(PartsOfIfc, can_be_cut_by_any_closed_shell) {
     Hut hut;
     const int step = hut.brep({{1.0, -1.0}, {2.0, -1.0}, {2.0, 1.0}, {1.0, 1.0}}, 0.5, 1.0);
@@ -117,12 +117,12 @@ TEST(PartsOfIfc, keep_the_wall_behind_a_niche_with_any_filling) {
                                    filling == "IFCDOOR" || filling == "IFCWINDOW" ? ",1.,1.,$,$,$" : ",$");
         hut.opening(wall, hut.block({1.0, 0.15, 0.4}, {2.0, 0.31, 1.6}), thing);
         const Scene scene = hut.scene();
-        // Nobody could pass this door, so the reader cuts a passage and reports it.
+        // Nobody could pass this door, so the reader must cut a passage and report it.
         const bool leads_through = filling == "IFCDOOR";
         EXPECT_EQ(in_a_solid(scene, {1.05, 0.1, 1.2}), true);
         EXPECT_EQ(in_a_solid(scene, {1.5, 0.1, 1.2}), !leads_through);
         if (filling != "IFCWINDOW") {
-            EXPECT_FALSE(in_a_solid(scene, {1.05, 0.2, 1.2}));  // a window has its pane there
+            EXPECT_FALSE(in_a_solid(scene, {1.05, 0.2, 1.2}));  // a window has its pane at this place
         }
     }
 }
@@ -131,11 +131,13 @@ TEST(PartsOfIfc, are_cut_through_by_windows_that_are_flush_with_their_faces) {
     Hut hut;
     const int wall = hut.part("IFCWALL", "South", hut.block(kWall.min_m, kWall.max_m), ",$");
     const int window = hut.part("IFCWINDOW", "Window", hut.block({1.0, 0.1, 1.0}, {2.0, 0.2, 2.0}), ",1.,1.,$,$,$");
-    hut.opening(wall, hut.block({1.0, 0.005, 1.0}, {2.0, 0.295, 2.0}), window);  // it ends 5 mm before each face
+    // The opening ends 5 mm before each face of the wall.
+    hut.opening(wall, hut.block({1.0, 0.005, 1.0}, {2.0, 0.295, 2.0}), window);
     EXPECT_FALSE(in_a_solid(hut.scene(), {1.5, 0.002, 1.5}));
 }
 
-// A wall that is already cut and also has a matching opening, and one whose opening is next to it.
+// Two walls are stored already cut. The opening of the first is where its cut is; the opening of the second is next to
+// the wall.
 TEST(PartsOfIfc, that_are_stored_already_cut_need_no_cut) {
     for (const bool beside : {false, true}) {
         Hut hut;
@@ -156,7 +158,7 @@ TEST(PartsOfIfc, that_are_stored_already_cut_need_no_cut) {
 }
 
 TEST(DoorsOfIfc, without_an_opening_are_cut_at_the_size_of_the_leaf) {
-    for (const double off : {0.0, 0.1, 0.25}) {  // in the wall, and hung in front of it
+    for (const double off : {0.0, 0.1, 0.25}) {  // the door is in the wall, or hung in front of it
         SCOPED_TRACE(off);
         Hut hut;
         hut.part("IFCSLAB", "Floor", hut.block({-3.0, -3.0, -0.2}, {9.0, 5.0, 0.0}), ",$");
@@ -169,7 +171,7 @@ TEST(DoorsOfIfc, without_an_opening_are_cut_at_the_size_of_the_leaf) {
                     EXPECT_FALSE(in_a_solid(scene, {x, y, z})) << x << " " << y << " " << z;
         EXPECT_TRUE(in_a_solid(scene, {2.48, 0.15, 1.0}));
         EXPECT_TRUE(in_a_solid(scene, {3.0, 0.15, 2.15}));
-        EXPECT_TRUE(in_a_solid(scene, {3.0, 0.15, -0.1}));  // the floor remains
+        EXPECT_TRUE(in_a_solid(scene, {3.0, 0.15, -0.1}));  // the cut must not remove the floor
         const HonestReport report = honest_report(scene);
         EXPECT_EQ(report.doors_cut_free, 1);
         EXPECT_EQ(report.doors_impassable, 0);
@@ -194,12 +196,12 @@ TEST(DoorsOfIfc, that_lead_against_a_wall_are_reported_with_that_wall) {
     }
 }
 
-// Each is named in the report, in the list of things to check, and among the warnings.
+// The report, the list of things to check, and the warnings must each name the door.
 TEST(DoorsOfIfc, too_small_for_a_body_are_named_with_the_reason) {
     struct Row {
-        Vec3 least, most;  // extent of the door
+        Vec3 least, most;  // opposite corners of the door's box
         std::string reason;
-        std::string kind = {}, name = {};  // class and name of the other part there
+        std::string kind = {}, name = {};  // IFC class and name of another part in the doorway
         Vec3 from = Vec3(0.0), to = Vec3(0.0);
     };
     const Row rows[] = {
@@ -246,7 +248,7 @@ TEST(DoorsOfIfc, too_small_for_a_body_are_named_with_the_reason) {
 }
 
 TEST(PartsOfIfc, can_be_placed_at_crossings_of_grid_axes) {
-    for (const bool relative : {false, true}) {  // IFC 4.3 has an additional attribute
+    for (const bool relative : {false, true}) {  // in IFC 4.3, the placement has an additional attribute
         SCOPED_TRACE(relative);
         Hut hut;
         const auto axis = [&](const Vec3& from, const Vec3& to, const char* same = ".T.") {
@@ -269,8 +271,9 @@ TEST(PartsOfIfc, can_be_placed_at_crossings_of_grid_axes) {
             hut.part("IFCCOLUMN", "Column", hut.block({-0.2, -0.2, 0.0}, {0.2, 0.2, 3.0}), ",$", at);
         };
         column(one, a, "(0.,0.)");
-        column(two, b, "(0.,0.)");         // the axis ends before the column
-        column(back, b, "(0.5,0.,0.25)");  // on the left of an axis in the opposite direction, and higher
+        column(two, b, "(0.,0.)");  // the axis ends before it reaches the column
+        // An offset to the left of an axis that runs in the opposite direction, and upwards.
+        column(back, b, "(0.5,0.,0.25)");
         const Scene scene = hut.scene();
         EXPECT_TRUE(in_a_solid(scene, {100.0, 0.0, 1.5}));
         EXPECT_TRUE(in_a_solid(scene, {106.0, 7.0, 1.5}));
@@ -371,10 +374,11 @@ TEST(MissingParts, are_reported_with_their_guid_storey_and_reason) {
     EXPECT_THAT(said, testing::Not(testing::HasSubstr("Floor")));
 }
 
-// Sweeps that grow or shrink are read as straight, so they make a part with too little volume, and one with too much.
+// The reader treats tapered sweeps as straight. So a growing sweep gives a part with too little volume, and a shrinking
+// one a part with too much.
 TEST(MissingParts, with_a_wrong_volume_are_reported) {
     struct Row {
-        double from, to;  // side of the square at each end
+        double from, to;  // side of the square profile at each end
         std::string said;
         bool mapped = false;
     };
@@ -393,7 +397,7 @@ TEST(MissingParts, with_a_wrong_volume_are_reported) {
         const int up = hut.add("IFCDIRECTION((0.,0.,1.))"), from = square(row.from), to = square(row.to);
         int item = hut.add("IFCEXTRUDEDAREASOLIDTAPERED(" + Hut::ref(from) + ",#2," + Hut::ref(up) + ",3.," +
                            Hut::ref(to) + ")");
-        if (row.mapped) {  // also as a copy of another size
+        if (row.mapped) {  // the part is a copy of this shape in another size
             const int shape = hut.add("IFCSHAPEREPRESENTATION(#5,'Body','SweptSolid',(" + Hut::ref(item) + "))");
             const int map = hut.add("IFCREPRESENTATIONMAP(#2," + Hut::ref(shape) + ")");
             item = hut.add("IFCMAPPEDITEM(" + Hut::ref(map) + "," +
@@ -415,7 +419,7 @@ TEST(MissingParts, with_a_wrong_volume_are_reported) {
     }
 }
 
-// The cuts are compared with the file place by place, whatever they are made of.
+// The report compares the cuts with the file place by place, whatever kind of solid made them.
 TEST(MissingParts, are_not_reported_if_all_cuts_were_made) {
     std::mt19937 random(7);
     const auto at = [&](double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); };
@@ -438,7 +442,7 @@ TEST(MissingParts, are_not_reported_if_all_cuts_were_made) {
 }
 
 TEST(MissingParts, without_their_cuts_are_reported) {
-    Hut round;  // by a surface of a kind that is not read
+    Hut round;  // the cut is made by a surface of a kind that the reader does not support
     const int surface = round.add("IFCCYLINDRICALSURFACE(" + Hut::ref(round.placed({3.0, 0.0, 0.0})) + ",1.)");
     const int half = round.add("IFCHALFSPACESOLID(" + Hut::ref(surface) + ",.T.)");
     round.part("IFCWALL", "North", round.less(round.block(kWall.min_m, kWall.max_m), half), ",$");
@@ -446,7 +450,7 @@ TEST(MissingParts, without_their_cuts_are_reported) {
     ASSERT_EQ(honest_report(uncut).parts_missing, 1);
     EXPECT_THAT(check_words(uncut, honest_report(uncut).check[0]),
                 testing::HasSubstr("has not been cut: IFCHALFSPACESOLID could not be cut away"));
-    Hut far;  // by an outline whose corners are too far away to be accepted
+    Hut far;  // the cut is made by an outline whose corners are too far away for the reader
     std::vector<int> corners;
     for (const Vec2& p : {Vec2(-2e7, -2e7), Vec2(2e7, -2e7), Vec2(2e7, 2e7), Vec2(-2e7, 2e7), Vec2(-2e7, -2e7)})
         corners.push_back(far.point({p.x, p.y, 0.0}));
@@ -481,7 +485,7 @@ TEST(MissingParts, are_compared_with_the_volume_of_a_closed_skin) {
 }
 
 TEST(RoomsOfIfc, without_a_slab_get_a_floor_that_is_reported) {
-    for (const double high : {3.0, 0.5}) {  // a space that is too low for a room gets no start
+    for (const double high : {3.0, 0.5}) {  // a space that is too low for a room must not get a floor
         SCOPED_TRACE(high);
         Hut hut;
         hut.part("IFCSLAB", "Floor", hut.block({0.0, 0.0, -0.2}, {10.0, 5.0, 0.0}), ",$");
@@ -501,7 +505,7 @@ TEST(RoomsOfIfc, without_a_slab_get_a_floor_that_is_reported) {
     }
 }
 
-// A hut over a cellar with three inner doors, and one door out of the hut.
+// A hut stands over a cellar with three inner doors. One door leads out of the hut.
 TEST(StartsOfIfc, without_rooms_are_in_front_of_doors_to_the_open_air) {
     for (const bool out_to_south : {true, false}) {
         SCOPED_TRACE(out_to_south);
@@ -530,7 +534,8 @@ TEST(StartsOfIfc, without_rooms_are_in_front_of_doors_to_the_open_air) {
     }
 }
 
-// Two doors to the ground under a porch, a balcony above one of them, and a door from the cellar to a sunken yard.
+// Two doors lead to the ground under a porch. A balcony is above one of them. Another door leads from the cellar to a
+// sunken yard.
 TEST(StartsOfIfc, without_rooms_are_on_the_ground_even_under_a_porch_or_over_a_sunken_yard) {
     for (const bool porch : {false, true}) {
         SCOPED_TRACE(porch);
@@ -604,7 +609,7 @@ TEST(RoomsOfIfc, have_a_goal_that_can_be_reached_from_the_base) {
     ASSERT_NE(hall, graph.rooms.end());
     const std::vector<bool> reached = spans_reached(*space, space->at(placed.starts[0].feet_m));
     EXPECT_TRUE(reached[space->at(hall->middle_m)]);
-    // From the gallery, the destination is the nearest place of the room on the gallery itself.
+    // The route to this room from the gallery must end at the nearest place of the room on the gallery itself.
     const auto room = static_cast<std::uint32_t>(hall - graph.rooms.begin());
     const Result<std::shared_ptr<Navigation>> ways = Navigation::make(placed, WalkerMeasures{});
     ASSERT_TRUE(ways.has_value());
@@ -620,7 +625,7 @@ TEST(RoomsOfIfc, have_a_goal_that_can_be_reached_from_the_base) {
     EXPECT_EQ(goal_in_room(**ways, graph, room, placed.starts[0].feet_m), hall->middle_m);
 }
 
-// Some programs give parts national coordinates but leave the storeys at zero.
+// Some programs give the parts national coordinates but leave the storeys at zero.
 TEST(StoreysOfIfc, are_at_the_height_of_their_parts_on_a_national_grid) {
     for (const std::string kind : {"IFCBUILDINGELEMENTPROXY", "IFCWALL"})
         for (const double height_m : {0.0, 71.0, -3.0, 2412.5})
@@ -641,8 +646,7 @@ TEST(StoreysOfIfc, are_at_the_height_of_their_parts_on_a_national_grid) {
             }
 }
 
-// Rooms of a house with half-storeys, side by side, and a sunken part of a storey that the file does not state as a
-// storey.
+// Rooms of a house with half-storeys next to each other. The file may omit the storey of the sunken part.
 TEST(RoomsOfIfc, on_half_storeys_get_separate_storeys) {
     for (const bool stated : {true, false}) {
         SCOPED_TRACE(stated);
@@ -693,7 +697,7 @@ TEST(DoorsOfIfc, without_names_are_described_in_whole_sentences) {
         const int wall = hut.part("IFCWALL", "South", hut.block({0.0, 0.0, 0.0}, {6.0, 0.3, 3.0}), ",$");
         const int door = hut.part("IFCDOOR", name, hut.block({2.0, 0.1, 0.0}, {3.0, 0.15, 2.1}), ",2.1,1.,.DOOR.,$,$");
         hut.opening(wall, hut.block({2.0, 0.0, 0.0}, {3.0, 0.3, 2.1}), door);
-        hut.part("IFCWALL", name, hut.block({2.0, 0.1, 0.0}, {3.0, 0.2, 2.1}), ",$");  // blocks the doorway
+        hut.part("IFCWALL", name, hut.block({2.0, 0.1, 0.0}, {3.0, 0.2, 2.1}), ",$");  // this wall blocks the doorway
         const Scene scene = hut.scene();
         std::string said;
         for (const Diagnostic& warning : scene.report.warnings) said += warning.message + "\n";
@@ -710,7 +714,7 @@ TEST(DoorsOfIfc, without_names_are_described_in_whole_sentences) {
     }
 }
 
-// An open skin is compared by its faces, and faces that cannot be read are counted.
+// An open surface encloses no volume, so the report compares it by its faces. It counts the faces that cannot be read.
 TEST(MissingParts, are_reported_for_open_skins_and_lost_faces) {
     for (const bool damaged : {false, true}) {
         SCOPED_TRACE(damaged);
@@ -730,7 +734,7 @@ TEST(MissingParts, are_reported_for_open_skins_and_lost_faces) {
     }
 }
 
-// Revolved and swept solids have the volume that follows from their outlines and lengths.
+// The volume of revolved and swept solids must follow from their outlines and the lengths of their paths.
 TEST(MissingParts, are_compared_with_the_volumes_of_turned_and_swept_solids) {
     for (const double inner : {0.0, 0.1}) {
         Hut hut;

@@ -1,4 +1,4 @@
-// Furniture for which a file states kind and place but no shape.
+// Tests furniture for which a file states the kind and the place but no shape.
 #include <gmock/gmock.h>
 
 #include "tests/support/names.h"
@@ -13,7 +13,7 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// Ids begin at 1000; #13 is the building's placement, at zero.
+// Returns a placement at (x, y). The ids of the instances begin at `id`. #13 is the placement of the building, at zero.
 std::string placed(int id, double x, double y) {
     return fmt::format(
         "#{0}=IFCCARTESIANPOINT(({2},{3},0.));\n#{1}=IFCAXIS2PLACEMENT3D(#{0},$,$);\n"

@@ -1,4 +1,4 @@
-// Whole buildings: our own office, and real ones if HANDRAIL_REAL_WORLDS has them.
+// Tests whole buildings: the bundled office, and real buildings if HANDRAIL_REAL_WORLDS contains them.
 #include <gmock/gmock.h>
 
 #include <set>
@@ -37,7 +37,7 @@ TEST(Duplex, matches_the_description_of_its_authors) {
     EXPECT_EQ(stated.stairs, 2);
     EXPECT_EQ(stated.furnishings.size(), 61U);
     EXPECT_EQ(stated.storeys.size(), 4U);
-    // Counted by hand from the 265 boundaries of the file: 10 doors between two rooms, 4 to the outside.
+    // Counted by hand from the 265 space boundaries of the file: 10 doors between two rooms, 4 doors to the outside.
     std::multiset<std::string> doors;
     for (const StatedPortal& portal : stated.portals)
         if (portal.kind == StatedPortalKind::Door) {
@@ -48,7 +48,7 @@ TEST(Duplex, matches_the_description_of_its_authors) {
     EXPECT_EQ(doors, (std::multiset<std::string>{"A101", "B101", "A102", "B102", "A101 A104", "B104 B101", "A201 A202",
                                                  "A201 A203", "A201 A204", "A205 A204", "B201 B202", "B201 B203",
                                                  "B201 B204", "B205 B204"}));
-    // In open-plan flats, rooms are joined at borders that are not walls, so that each flat is connected.
+    // In open-plan flats, borders that are not walls must join rooms, so that each flat is connected.
     int openings = 0;
     for (const StatedPortal& portal : stated.portals)
         if (portal.kind == StatedPortalKind::Opening) {
@@ -58,7 +58,7 @@ TEST(Duplex, matches_the_description_of_its_authors) {
         }
     EXPECT_EQ(openings, 8);
     EXPECT_EQ(largest_connected(stated), 10);
-    // The stairs of flat B are in a space named Room.
+    // The stairs of flat B are in a space called Room.
     std::vector<std::string> odd;
     for (const Diagnostic& warning : scene->report.warnings) odd.push_back(warning.sentence());
     EXPECT_THAT(odd, Contains(HasSubstr("B105")));
@@ -120,7 +120,7 @@ TEST(RealIfc, houses_of_ifc_4_and_4x3_are_read_completely) {
     EXPECT_EQ(few->stated->schema.substr(0, 6), "IFC4X3");
     EXPECT_EQ(few->report.doors, 1);
     EXPECT_GE(few->report.brushes, 3);
-    // No room is stated, so the start may be in front of any door.
+    // The file states no room, so the start may be in front of any door.
     ASSERT_EQ(few->starts.size(), 1U);
     const auto ways = Navigation::make(*few, walk_body(*few, 0.25, 1.8, 0.25));
     ASSERT_TRUE(ways.has_value()) << ways.error().sentence();

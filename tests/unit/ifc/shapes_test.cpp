@@ -1,4 +1,4 @@
-// Outlines, cuts and shells, each compared with a test of many single points.
+// Compares outlines, cuts and shells with a test of many single points.
 #include <gmock/gmock.h>
 
 #include <random>
@@ -70,7 +70,8 @@ TEST(ConvexParts, leave_a_convex_outline_whole_and_cut_an_l_shape_in_two) {
     EXPECT_TRUE(convex_parts({{{0, 0}, {1, 0}, {2, 0}}}).empty());
 }
 
-// Corners at rising angles around a middle, alternately near and far: triangles, slivers and concave outlines.
+// Returns an outline whose corners are at rising angles about a centre, at random distances. The outlines include
+// triangles, slivers and concave ones.
 Ring outline_around(std::mt19937& random, const Vec2& middle, double least_m, double most_m, std::size_t fewest) {
     std::uniform_real_distribution<double> share(0.0, 1.0);
     std::vector<double> angles(fewest + random() % 10);
@@ -98,7 +99,8 @@ TEST(Prism, keeps_the_area_of_any_outline) {
         std::vector<Ring> rings;
         if (round % 4 == 0) rings.push_back(sliver(random));
         else rings.push_back(outline_around(random, {share(random), share(random)}, 2.5, 15.0, round % 4 == 3 ? 6 : 3));
-        if (round % 4 == 3) rings.push_back(outline_around(random, {0.5, 0.5}, 0.05, 0.4, 3));  // adds a hole
+        // This outline becomes a hole.
+        if (round % 4 == 3) rings.push_back(outline_around(random, {0.5, 0.5}, 0.05, 0.4, 3));
         if (round % 3 == 0) std::reverse(rings.front().begin(), rings.front().end());
         double right_m2 = std::abs(signed_area(rings.front()));
         if (rings.size() > 1) right_m2 -= std::abs(signed_area(rings.back()));
@@ -106,7 +108,7 @@ TEST(Prism, keeps_the_area_of_any_outline) {
         const double angle = round % 5 == 0 ? 0.0 : 2.0 * kPi * share(random);
         frame.x = {std::cos(angle), std::sin(angle), 0.0};
         frame.y = {-std::sin(angle), std::cos(angle), 0.0};
-        if (round % 7 == 0) frame.y = -frame.y;  // makes a mirror image
+        if (round % 7 == 0) frame.y = -frame.y;  // this makes the frame a mirror image
         const double high_m = round % 2 ? 0.25 : -3.0;
         double held_m3 = 0.0;
         for (const Ring& part : convex_parts(rings)) {
@@ -145,7 +147,7 @@ TEST(CutAway, removes_exactly_the_intersection_of_both_solids) {
     }
 }
 
-// The faces of an L of 3 by 3 m, 1 m thick and 2 m high.
+// Returns the faces of an L-shaped solid of 3 by 3 m. Its arms are 1 m thick and it is 2 m high.
 std::vector<FlatFace> l_shell() {
     const Ring outline{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
     std::vector<FlatFace> faces(2);

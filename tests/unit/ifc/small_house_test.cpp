@@ -1,4 +1,4 @@
-// Our own house, small enough to be worked out by hand and always available.
+// Tests a bundled house. It is small enough to be worked out by hand, and always available.
 #include <gmock/gmock.h>
 
 #include <map>
@@ -86,7 +86,8 @@ TEST(SmallHouse, is_solid_in_walls_and_free_in_door_openings) {
 TEST(SmallHouse, has_leaves_that_swing_as_ifc_defines) {
     const Scene scene = scene_of(test::small_house());
     ASSERT_EQ(scene.movers.size(), 2U);
-    // The front door's x axis points east. The door opens to the north about its west edge, so counter-clockwise.
+    // The x axis of the front door points east. The door opens to the north about its west edge, so it turns
+    // counter-clockwise.
     EXPECT_NEAR(scene.movers[0].swing_rad, 0.5 * kPi, 1e-12);
     EXPECT_NEAR(scene.movers[0].pivot_m.x, 1.005, 1e-6);
     EXPECT_EQ(scene.features[scene.movers[0].feature.value].hinge, "west");
@@ -111,8 +112,8 @@ TEST(SmallHouse, can_be_walked_through_by_the_rooms_of_its_file) {
     EXPECT_TRUE((*navigation)->reachable(scene.starts[0].feet_m, scene.stated->rooms[1].at_m));
 }
 
-// The findings in a building: rooms, what joins them, and route lengths from place to place. `shift_m`: the position of
-// its zero.
+// Describes a building for comparisons: its rooms, what joins them, and route lengths between fixed places. `shift_m`
+// is the position of the building's zero.
 struct FoundInIt {
     std::vector<std::string> rooms, joins;
     std::vector<Vec3> doors_m;
@@ -148,9 +149,9 @@ FoundInIt found_in(const Scene& scene, const Vec3& shift_m) {
     return found;
 }
 
-// The same house as another program writes it: IFC 4 in feet, a site elsewhere, and walls by their middle lines.
-// Openings are in the coordinates of their walls, a table is a mapped tessellation, and spaces are shells with
-// boundaries. Everything is in another order.
+// The same house as another program writes it. The file uses IFC 4 and feet, the site is elsewhere, and walls have
+// centre lines. Openings are in the coordinates of their walls, a table is a mapped tessellation, and spaces are shells
+// with boundaries. All instances are in another order.
 TEST(SmallHouse, exported_by_another_program_has_the_same_rooms_doors_joins_and_routes) {
     constexpr double kSame_m = 0.05;
     const Scene one = scene_of(test::small_house()),
@@ -204,7 +205,8 @@ TEST(SmallHouse, exported_by_another_program_has_the_same_rooms_doors_joins_and_
 }
 
 TEST(SmallHouse, joins_rooms_with_a_border_but_no_wall_in_the_file) {
-    // Both rooms reach to the middle of the wall between them, with or without that wall. Also a virtual border.
+    // Both rooms reach to the middle of the wall between them. The file exists with the wall, without it, and with the
+    // wall and a virtual border.
     std::string walled = test::small_house();
     for (const char* corner : {"#159=IFCCARTESIANPOINT((3.95,0.))", "#160=IFCCARTESIANPOINT((3.95,4.))",
                                "#168=IFCCARTESIANPOINT((4.05,0.))", "#171=IFCCARTESIANPOINT((4.05,4.))"})
@@ -240,7 +242,7 @@ TEST(SmallHouse, joins_rooms_with_a_border_but_no_wall_in_the_file) {
     EXPECT_TRUE(openings(scene_of(test::small_house())).empty());
 }
 
-// Many files have walls and doors but state no rooms.
+// Many files contain walls and doors but no rooms.
 TEST(SmallHouse, without_rooms_starts_in_front_of_a_door_and_without_doors_on_the_ground) {
     const auto without = [](std::string text, const std::string& kind) {
         for (std::size_t at = text.find(kind); at != std::string::npos; at = text.find(kind)) {
@@ -279,7 +281,7 @@ TEST(SmallHouse, gets_assumed_wall_materials_which_are_reported) {
 
 TEST(SmallHouse, keeps_its_place_if_its_site_is_thousands_of_kilometres_away) {
     const std::string text = test::small_house();
-    // The one placement below the site: its point becomes one near Karlsruhe in Gauss-Krueger metres.
+    // Only this placement is below the site. Its point moves to a place near Karlsruhe in Gauss-Krueger metres.
     const std::size_t line = text.find("=IFCLOCALPLACEMENT($,#");
     ASSERT_NE(line, std::string::npos);
     const std::string axis = text.substr(line + 22, text.find(')', line) - line - 22);
@@ -298,7 +300,7 @@ TEST(SmallHouse, keeps_its_place_if_its_site_is_thousands_of_kilometres_away) {
 }
 
 TEST(SmallHouse, gets_a_blocked_door_cut_open_with_a_box_and_names_door_and_obstacle) {
-    // A beam with the place and shape of the wall between the rooms, without an opening.
+    // Adds a beam with the place and shape of the wall between the rooms. The beam has no opening.
     const std::string text = test::small_house();
     const std::size_t at = text.find("'middle'");
     ASSERT_NE(at, std::string::npos);
@@ -313,13 +315,13 @@ TEST(SmallHouse, gets_a_blocked_door_cut_open_with_a_box_and_names_door_and_obst
     ASSERT_EQ(scene.report.warnings.size(), 1U);
     EXPECT_THAT(scene.report.warnings[0].sentence(), AllOf(HasSubstr("inner door"), HasSubstr("forgotten beam")));
     EXPECT_FALSE(test::in_a_solid(scene, {4.0, 1.45, 1.0}));
-    // A second wall of this kind counts as the same one.
+    // A second wall at the same place counts as the same wall, so the door is not blocked.
     const Scene twice = scene_of(test::with_instances(text, wall));
     EXPECT_FALSE(twice.stated->portals[1].opened_by_box);
     EXPECT_TRUE(twice.stated->portals[1].passable);
 }
 
-// Its own openings are cut, whichever copy comes first.
+// The reader must cut the wall's own openings, whichever copy of the wall comes first.
 TEST(SmallHouse, is_felt_once_if_its_file_contains_a_wall_many_times) {
     const std::string house = test::small_house();
     const Result<Scene> once = read_ifc(house, "once.ifc");

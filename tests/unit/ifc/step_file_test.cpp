@@ -1,4 +1,4 @@
-// The file format below IFC: strings, values, and the reports of damage.
+// Tests the file format on which IFC is based: strings, values, and reports of damage.
 #include <gmock/gmock.h>
 
 #include "tests/support/names.h"

@@ -1,4 +1,4 @@
-// Whatever a file contains, reading it gives a world or one sentence.
+// Whatever a file contains, the reader must return a world or one sentence.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -69,7 +69,7 @@ TEST(IfcTorture, shapes_that_contain_themselves_terminate) {
     EXPECT_THAT(scene->report.left_out, testing::Contains(HasSubstr("IFCBOOLEANRESULT")));
 }
 
-// The text with some bytes, numbers and lines changed.
+// Returns the text with some random changes to bytes, numbers and lines.
 std::string mutated(const std::string& text, std::mt19937& random) {
     std::string other = text;
     for (std::uint32_t edits = 1 + random() % 5; edits > 0; --edits) {
@@ -85,7 +85,7 @@ std::string mutated(const std::string& text, std::mt19937& random) {
             case 2:
                 if (line != std::string::npos && end != std::string::npos) other.erase(line, end - line);
                 break;
-            default: {  // replaces one number or reference by another
+            default: {  // replaces a number or a reference by another one
                 const std::size_t digit = other.find_first_of("0123456789", at);
                 if (digit != std::string::npos) other[digit] = static_cast<char>('0' + random() % 10);
             }

@@ -1,6 +1,6 @@
-// Compares our reading of IFC files with that of Debian's own library, a snapshot of 2019. Compares which parts and
-// rooms exist, their places and their volumes, part by part. The library leaves some openings in walls and some roofs
-// over rooms uncut, and approximates circles with fewer sides. Elsewhere both must agree.
+// Compares Handrail's reading of IFC files with that of Debian's own library, a snapshot of 2019. Compares part by part
+// which parts and rooms exist, where they are, and their volumes. The library leaves some openings in walls and some
+// roofs over rooms uncut, and approximates circles with fewer sides. Everywhere else, both readings must agree.
 #include <gmock/gmock.h>
 
 #include <set>
@@ -20,14 +20,17 @@ namespace ifc_oracle_test {
 namespace fs = std::filesystem;
 
 constexpr double kSamePlace_m = 2e-3, kSameVolume = 0.01, kLeastVolume_m3 = 1e-6;
-constexpr double kRound_m = 5e-3, kRoundVolume = 0.03;  // tolerance for circles with different numbers of sides
+// Tolerances, because both readings approximate circles with different numbers of sides.
+constexpr double kRound_m = 5e-3, kRoundVolume = 0.03;
 
 struct OurPart {
     PartRole role = PartRole::Other;
     std::string name;
-    Aabb box;  // relative to the file's own origin; empty: no geometry, or a piece of furniture in its place
+    // Bounds relative to the file's own origin; empty if the part has no geometry, or if Handrail puts a piece of
+    // furniture in its place.
+    Aabb box;
     double volume_m3 = 0.0;
-    bool solid = false;  // consists entirely of solids
+    bool solid = false;  // the part consists entirely of solids
 };
 
 Aabb moved(const Aabb& box, const Vec3& by_m) { return box.empty() ? box : Aabb{box.min_m + by_m, box.max_m + by_m}; }
@@ -69,7 +72,8 @@ double apart_m(const Aabb& a, const Aabb& b) {
     return std::max({apart.x, apart.y, apart.z});
 }
 
-// Kinds that a building for touch does not need, and rafters or studs that belong to no assembly.
+// Returns whether Handrail omits this kind: kinds that are not needed for touch, and rafters or studs that belong to no
+// assembly.
 bool is_left_out(const std::string& kind) {
     static const std::set<std::string> kinds{"IfcSite",           "IfcBuilding", "IfcBuildingStorey", "IfcAnnotation",
                                              "IfcVirtualElement", "IfcGrid",     "IfcMember",         "IfcPlate"};
@@ -138,16 +142,16 @@ struct Known {
 TEST(PackagedIfc, agrees_with_us_on_the_places_of_parts_of_real_buildings) {
     bool any = false;
     for (const Known& known :
-         {// The library leaves the openings of the corner windows upstairs uncut.
+         {// The library leaves the openings of the corner windows on the upper storey uncut.
           Known{"duplex-apartment.ifc",
                 {{"IfcSpace", 21}, {"IfcDoor", 14}, {"IfcWindow", 24}, {"IfcFurnishingElement", 61}},
                 0,
                 148,
                 2},
-          // The library gives one of two identical gables a larger volume; in our reading both are equal.
+          // Two gables are identical. The library gives one of them a larger volume; Handrail gives both the same.
           Known{"fzk-haus.ifc", {{"IfcSpace", 7}, {"IfcDoor", 5}, {"IfcWindow", 11}}, 0, 35, 1},
-          // Two round columns and a room under an arched roof differ in place. The library leaves some wall openings
-          // uncut, and not the same ones each time.
+          // In two round columns and a room under an arched roof, the places differ. The library also leaves some wall
+          // openings uncut, which are not the same in every run.
           Known{"institute.ifczip",
                 {{"IfcSpace", 82}, {"IfcDoor", 77}, {"IfcWindow", 206}, {"IfcWallStandardCase", 119}},
                 3,

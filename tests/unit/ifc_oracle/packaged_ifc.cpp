@@ -12,7 +12,8 @@
 namespace handrail::test {
 namespace {
 
-// Adds up tetrahedra from the first point, so that a wall far from the origin keeps its precision.
+// Adds up the volumes of tetrahedra from the mesh's first point, so that a wall far from the origin keeps its
+// precision.
 void add_mesh(const carve::mesh::Mesh<3>& mesh, const carve::math::Matrix& placed, PackagedPart& part) {
     using Vertex = carve::mesh::Vertex<3>;
     const auto at = [&](const Vertex* v) {
@@ -53,7 +54,7 @@ std::map<std::string, PackagedPart> parts_by_package(std::string_view file) {
         const auto product = dynamic_pointer_cast<IfcProduct>(shape->m_ifc_object_definition.lock());
         if (!product || !product->m_GlobalId) continue;
         const std::wstring& guid = product->m_GlobalId->m_value;
-        PackagedPart& part = parts[std::string(guid.begin(), guid.end())];  // GlobalId in base 64
+        PackagedPart& part = parts[std::string(guid.begin(), guid.end())];  // the key is the GlobalId in base 64
         part.kind = product->className();
         const carve::math::Matrix placed = shape->getTransform();
         for (const auto& representation : shape->m_vec_representations) {
