@@ -1,4 +1,4 @@
-// Reading archives in the Indoor Mapping Data Format.
+// Tests how the reader reads archives in the Indoor Mapping Data Format.
 #include <gmock/gmock.h>
 
 #include "tests/support/names.h"
@@ -17,7 +17,8 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::UnorderedElementsAre;
 
-constexpr double kPerMetre_lon = 1.0 / 70'197.6, kPerMetre_lat = 1.0 / 111'249.5;  // at 51 degrees north
+// Degrees per metre at 51 degrees north.
+constexpr double kPerMetre_lon = 1.0 / 70'197.6, kPerMetre_lat = 1.0 / 111'249.5;
 
 std::string point(double x_m, double y_m) {
     return fmt::format("[{:.9f},{:.9f}]", 13.0 + x_m * kPerMetre_lon, 51.0 + y_m * kPerMetre_lat);
@@ -49,8 +50,8 @@ std::string unit(const std::string& id, const std::string& where, const std::str
                    R"("level_id":")" + level + R"(","category":")" + category + R"(","name":)" + name + more);
 }
 
-// A walkway with an office (a hinged door), toilets (an opening without a door), stairs and a lift on two levels. There
-// is an unknown kind of room upstairs, and the main entrance is in the west.
+// Returns a venue with a walkway. An office has a hinged door, and toilets have an opening without a door. Stairs and a
+// lift join two levels. A room on the upper level is of an unknown kind. The main entrance is in the west.
 std::map<std::string, std::string> venue() {
     std::map<std::string, std::string> files;
     files["manifest.json"] = R"({"version":"1.0.0","language":"en"})";
@@ -123,7 +124,7 @@ TEST(ImdfVenue, turns_units_openings_and_levels_into_rooms_and_doors) {
     ASSERT_TRUE(ways.has_value());
     for (const StatedRoom& room : scene.stated->rooms)
         if (room.name == "Passports" || room.name == "Women's toilets" || room.name == "Acme brewery room") {
-            // A metre to the side, because the desk is at the room's centre.
+            // The test goes to a place one metre aside, because the desk is at the room's centre.
             EXPECT_TRUE((*ways)->reachable(scene.starts[0].feet_m, room.at_m + Vec3(1.0, 0.0, 0.0))) << room.name;
         }
 }
@@ -182,7 +183,7 @@ TEST(ImdfVenue, gives_a_room_behind_another_a_doorway_to_it) {
     EXPECT_EQ(honest_report(scene).doors, 0);
 }
 
-// A hall, and an annex that numbers its levels from a different floor.
+// Returns a venue with a hall and an annex. The annex counts its levels from a different floor.
 std::map<std::string, std::string> with_annex(int hall_ordinal, int annex_ordinal, bool joined) {
     std::map<std::string, std::string> files;
     files["building.geojson"] = collection(
@@ -256,7 +257,7 @@ TEST(ImdfVenue, that_is_damaged_gives_one_sentence) {
     std::string locked = test::zipped(venue());
     locked[locked.find("PK\x01\x02") + 8] = 1;
     EXPECT_THAT(said(locked), HasSubstr("password"));
-    std::string swollen = test::zipped(venue(), true);  // claims a larger size than it has
+    std::string swollen = test::zipped(venue(), true);  // the archive claims a larger size than it has
     for (std::size_t at = swollen.find("PK\x01\x02"); at != std::string::npos; at = swollen.find("PK\x01\x02", at + 1))
         swollen.replace(at + 24, 4, "\xff\xff\xff\x3f");
     EXPECT_THAT(said(swollen), HasSubstr("damaged"));

@@ -1,4 +1,4 @@
-// Files that a separate process reads, and the cache of the results.
+// Tests files that a separate process reads, and the cache of its results.
 #include "app/import/import_world.h"
 
 #include <gmock/gmock.h>
@@ -30,7 +30,7 @@ namespace import_world_test {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-// One of our own models, enlarged with furniture without geometry until it is large enough to be cached.
+// Returns a bundled model, enlarged with furniture without geometry until it is large enough for the cache.
 std::string large_house() {
     std::string more;
     for (int i = 0; i < 1200; ++i)
@@ -105,7 +105,7 @@ TEST(ImportedWorld, is_read_again_if_any_of_its_sources_has_changed) {
     ASSERT_TRUE(speak_language("en").has_value());
 }
 
-// A triangle whose three points are in a separate file, named `buffer`.
+// Returns a glTF file with a triangle. The triangle's three points are in a separate file with the name `buffer`.
 std::string ramp_gltf(const std::string& buffer) {
     return R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"name":"Ramp"}],
         "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
@@ -122,7 +122,7 @@ TEST(ImportedWorld, depends_on_the_files_that_it_references_too) {
     const test::TemporaryFolder folder;
     const auto write_bin = [&](float far) { folder.write("ramp.bin", ramp_bytes(far)); };
     write_bin(4.0F);
-    // Blanks make it large enough to be cached.
+    // Blanks make the file large enough for the cache.
     const fs::path path = folder.write("ramp.gltf", ramp_gltf("ramp.bin") + std::string(kLeastKept_bytes, ' '));
     const ImportHow how{Cache(folder.path() / "cache"), find_reader_program(), {}};
     for (const bool again : {false, true}) {
@@ -160,7 +160,7 @@ TEST(ImportedWorld, is_read_again_if_its_cache_entry_is_damaged) {
     }
 }
 
-// Until November 2026 the cache was next to the file, and its header named the source file.
+// Until November 2026 the program wrote the cache next to the file, and the cache's header named the source file.
 TEST(ImportedWorld, uses_no_cache_entry_of_another_world_and_none_next_to_the_file) {
     const test::TemporaryFolder folder;
     const std::string another = test::replaced(large_house(), "a chair of no shape", "a table of no shape");
@@ -190,7 +190,7 @@ TEST(ImportedWorld, uses_no_cache_entry_of_another_world_and_none_next_to_the_fi
 TEST(KeptScene, cut_at_every_byte_is_reported_as_damaged) {
     const Result<Scene> scene = read_ifc(test::small_house(), "house.ifc");
     ASSERT_TRUE(scene.has_value());
-    Scene small = *scene;  // only a few of its solids, so that the test can change each byte
+    Scene small = *scene;  // keeps only a few solids, so that the test can cut the scene at every byte
     small.solids.resize(3);
     small.surfaces.clear();
     const std::string bytes = stored::stored(small);
@@ -275,7 +275,7 @@ TEST(ReaderProcess, passes_on_the_error_of_the_reader_with_its_line) {
     EXPECT_THAT(missing.error().sentence(), HasSubstr("none.ifc"));
 }
 
-// Replaces the reader with a shell script.
+// Returns a shell script that replaces the reader.
 fs::path stand_in(const test::TemporaryFolder& folder, const std::string& script) {
     const fs::path program = folder.write("reader.sh", "#!/bin/sh\n" + script + "\n");
     fs::permissions(program, fs::perms::owner_all);
@@ -308,7 +308,7 @@ TEST(ReaderProcess, gives_one_sentence_for_every_way_to_end) {
 TEST(ReaderProcess, is_not_timed_out_while_it_works) {
     const test::TemporaryFolder folder;
     const fs::path path = folder.write("house.ifc", test::small_house());
-    // The reader works four times as long as a process may be idle.
+    // The reader works four times as long as the limit for an idle process.
     const std::string works = "end=$(($(date +%s) + 8)); while [ $(date +%s) -lt $end ]; do :; done; exit 77";
     const auto read = read_apart(path, {}, stand_in(folder, works), {2'000'000'000, 50, 2.0});
     ASSERT_FALSE(read.has_value());
@@ -330,7 +330,7 @@ TEST(ReaderProcess, has_limited_memory) {
     const auto much = read_apart(bomb, {}, find_reader_program(), {60'000'000, 60, 60.0});
     ASSERT_FALSE(much.has_value());
     EXPECT_THAT(much.error().sentence(), HasSubstr("gigabytes of memory"));
-    fs::resize_file(bomb, 80'000'000);  // the file alone exceeds the memory limit
+    fs::resize_file(bomb, 80'000'000);  // the file alone now exceeds the memory limit
     const auto larger = read_apart(bomb, {}, find_reader_program(), {60'000'000, 60, 60.0});
     ASSERT_FALSE(larger.has_value());
     EXPECT_THAT(larger.error().sentence(), HasSubstr("gigabytes of memory"));
@@ -353,7 +353,7 @@ TEST(ReaderProcess, ends_at_once_when_it_is_cancelled) {
     EXPECT_NE(::kill(process, 0), 0) << "it is gone and waited for";
 }
 
-// The shipped reader, stopped in the middle of its work.
+// Examines the real reader, which the test stops in the middle of its work.
 TEST(ReaderProcess, is_confined_and_has_no_environment) {
 #if defined(HANDRAIL_SANITIZED)
     GTEST_SKIP() << "a sanitizer keeps its options";
@@ -435,7 +435,7 @@ TEST(RequestedFiles, of_a_compromised_reader_are_opened_only_in_the_folder_of_th
     serves.join();
 }
 
-// A reader that sends requests but never takes the answers must not block the program.
+// The reader sends requests but never takes the answers. It must not block the program.
 TEST(RequestedFiles, never_block_the_program_if_a_reader_fetches_no_answer) {
     const test::TemporaryFolder folder;
     const fs::path world = folder.write("house.map", "the world");
@@ -450,8 +450,8 @@ TEST(RequestedFiles, never_block_the_program_if_a_reader_fetches_no_answer) {
     EXPECT_FALSE(goes_on);
 }
 
-// The file is not copied, so truncating it removes data that the reader has yet to read. The reader may finish before
-// the test stops it; then the test tries again.
+// The program does not copy the file. So when the test truncates the file, it removes data that the reader has yet to
+// read. If the reader finishes before the test stops it, the test tries again.
 TEST(ReaderProcess, reports_a_file_that_is_truncated_during_reading) {
     const test::TemporaryFolder folder;
     bool said = false;
@@ -476,7 +476,7 @@ TEST(ReaderProcess, reports_a_file_that_is_truncated_during_reading) {
     EXPECT_TRUE(said);
 }
 
-// True if the process is gone, or dead but not yet waited for by its parent.
+// Returns true if the process is gone, or if it has died and its parent has not yet waited for it.
 bool is_dead(pid_t process) {
     const std::string stat = test::content_of(fmt::format("/proc/{}/stat", process));
     const std::size_t after = stat.rfind(')');
@@ -491,7 +491,7 @@ TEST(ReaderProcess, dies_with_the_program_even_if_that_is_killed) {
     ASSERT_GE(program, 0);
     if (program == 0) {
         ReadOptions options;
-        // Stops the reader in the middle of its work, so that it cannot end on its own.
+        // Stops the reader in the middle of its work, so that it cannot end before the test kills the program.
         options.stage = [&](std::string_view) {
             const std::string children = test::content_of(fmt::format("/proc/self/task/{}/children", ::getpid()));
             ::kill(static_cast<pid_t>(std::stoi(children)), SIGSTOP);

@@ -1,5 +1,5 @@
-// TOML from others, which a reader process parses. The values are correct, and nothing in the text can crash or deceive
-// this process.
+// Tests TOML files from other people, which a reader process parses. The values must be correct, and no text may crash
+// or deceive the program's own process.
 #include "app/import/toml_apart.h"
 
 #include <fmt/format.h>
@@ -29,13 +29,13 @@ const std::string kMarks =
 
 class TomlApartTest : public testing::Test {
 protected:
-    // Runs a script in place of handrail-reader; descriptor 3 takes the answer.
+    // Runs `script` in place of handrail-reader. The script writes its answer to descriptor 3.
     TomlApart by(const std::string& script, ReaderLimits limits = {1'000'000'000, 5, 60.0}) {
         const fs::path program = folder_.write(fmt::format("reader{}.sh", ++count_), "#!/bin/sh\n" + script + "\n");
         fs::permissions(program, fs::perms::owner_all);
         return TomlApart(program, limits);
     }
-    // A reader that answers any text with these bytes.
+    // A reader process that answers every text with `bytes`.
     TomlApart answering(const std::string& bytes) {
         const fs::path answer = folder_.write(fmt::format("answer{}", ++count_), bytes);
         return by(fmt::format("cat {} >&3", answer.string()));
@@ -102,7 +102,7 @@ TEST_F(TomlApartTest, returns_one_sentence_for_any_end_of_the_reader) {
     EXPECT_THAT(sentence_of(large), HasSubstr("16"));
 }
 
-// A text that hijacks the reader can make it answer anything.
+// A malicious text that takes control of the reader process can make it answer anything.
 TEST_F(TomlApartTest, rejects_answers_that_toml_cannot_produce) {
     TomlValue text, moment, deep, wrong_line;
     text.value = std::string("a\xff");
@@ -220,7 +220,7 @@ TEST_F(SideFileApart, that_crashes_its_reader_and_has_no_alternative_place_is_no
     EXPECT_TRUE(file.save());
 }
 
-// Another program writes the file while this session runs.
+// Another program writes the side file while this session runs.
 TEST_F(SideFileApart, that_changed_during_the_session_and_crashes_its_reader_is_not_overwritten) {
     SideFile file = opened();
     add(file, "here");
@@ -234,7 +234,7 @@ TEST_F(SideFileApart, that_changed_during_the_session_and_crashes_its_reader_is_
     EXPECT_THAT(names_in(opened()), ElementsAre("here", "there"));
 }
 
-// A file in this program's own format needs no reader process to be saved again.
+// If a file is in this program's own format, the program must save it again without starting a reader process.
 TEST_F(SideFileApart, is_saved_without_starting_a_reader_if_nobody_else_wrote_it) {
     const fs::path count = folder_.path() / "count";
     SideFile file = opened(by(fmt::format("echo x >> {}; exit 1", count.string())));

@@ -1,5 +1,5 @@
-// Whatever a model contains, reading it gives a world or a message of one sentence, within the limits, and never breaks
-// the reader.
+// Whatever a model contains, reading it must give a world or a message of one sentence, within the limits. It must
+// never crash the reader.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
@@ -22,10 +22,12 @@ using ::testing::HasSubstr;
 
 constexpr double kLongest_s = 65.0;  // the limit of 60 s, plus a margin for a busy machine
 
-// HANDRAIL_LONG_TORTURE=1 tests all truncations and the largest files, which takes minutes.
+// Returns true if HANDRAIL_LONG_TORTURE=1 is set. Then the tests try all truncations and the largest files, which takes
+// minutes.
 bool at_length() { return std::getenv("HANDRAIL_LONG_TORTURE") != nullptr; }
 
-// Returns the error message; empty if the file gave a world. Fails if the reader crashed or took too long.
+// Reads the file. Returns the error message; empty if the file gave a world. Fails if the reader crashed or took too
+// long.
 std::string outcome(const fs::path& path) {
     const SteadyClock clock;
     const double begun_s = clock.now_s();
@@ -60,7 +62,7 @@ TEST(ImportTorture, every_way_to_corrupt_a_model_ends_in_a_world_or_an_error_sen
     EXPECT_NE(outcome(folder.write("zeros.ifc", std::string(2'000'000, '\0'))), "");
     (void)outcome(folder.write("far.ifc", test::replaced(house, "((8.2,", "((1.E308,")));
     (void)outcome(folder.write("circle.ifc", test::replaced(house, "IFCLOCALPLACEMENT($,", "IFCLOCALPLACEMENT(#13,")));
-    // A tree of unions in which each node refers to the one before twice: two to the power of 60 shapes.
+    // A tree of unions, in which each node refers twice to the previous node. It has two to the power of 60 shapes.
     std::string more;
     for (int i = 0; i < 60; ++i)
         more += fmt::format("#{}=IFCBOOLEANRESULT(.UNION.,#{},#{});\n", 5000 + i, i == 0 ? 24 : 4999 + i,
@@ -103,8 +105,8 @@ TEST(ImportTorture, models_cut_anywhere_are_reported_and_never_become_half_a_bui
 }
 
 TEST(ImportTorture, real_models_and_large_offices_are_read_within_the_limits) {
-    // Reads all available models. Doors that nobody can pass are reported with their lines: they are French windows
-    // with a railing.
+    // Reads all available models. The report must give a line for each door that nobody can pass. These doors are
+    // French windows with a railing.
     constexpr int kFrenchWindows = 20;
     int shut = 0;
     std::vector<fs::path> models;

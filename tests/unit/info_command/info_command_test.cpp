@@ -80,7 +80,7 @@ TEST(InfoCommand, prints_every_key_as_one_json_object) {
         EXPECT_TRUE(json.contains(list) && json[list].is_array()) << list;
     EXPECT_EQ(json["format"], "map");
     EXPECT_EQ(json["brushes"], 9);    // six walls, water, one empty brush, the door
-    EXPECT_EQ(json["polygons"], 48);  // eight boxes
+    EXPECT_EQ(json["polygons"], 48);  // the polygons of eight boxes
     EXPECT_EQ(json["triangles"], 96);
     EXPECT_EQ(json["liquids"], 1);
     EXPECT_EQ(json["movers"], 1);
@@ -90,9 +90,9 @@ TEST(InfoCommand, prints_every_key_as_one_json_object) {
     EXPECT_EQ(json["materials"], nlohmann::json({"brick", "wood"}));
     EXPECT_EQ(json["bounds_min_m"], nlohmann::json({-0.5, -0.5, -0.5}));
     EXPECT_EQ(json["scale_m_per_unit"], 1.0 / 32.0);
-    EXPECT_EQ(json["guessed"].size(), 3U);  // the last of them is about the rooms
-    // What the touch model contains, and what is absent and costs nothing.
-    EXPECT_EQ(json["touch_model"]["boxes"], 7);  // six walls and the door; water is no obstacle
+    EXPECT_EQ(json["guessed"].size(), 3U);  // the last guess is about the rooms
+    // What the touch model contains, and which stages are off, because the world does not need them.
+    EXPECT_EQ(json["touch_model"]["boxes"], 7);  // six walls and the door; the water is no obstacle
     EXPECT_EQ(json["touch_model"]["brushes"], 0);
     EXPECT_EQ(json["touch_model"]["triangles"], 0);
     EXPECT_EQ(json["touch_model"]["bodies"], 1);  // the door is a separate body, as in a session
@@ -106,7 +106,7 @@ TEST(InfoCommand, prints_every_key_as_one_json_object) {
     ASSERT_EQ(json["warnings"].size(), 1U);
     EXPECT_EQ(json["warnings"][0]["file"], "room.map");
     EXPECT_EQ(json["warnings"][0]["line"],
-              60);  // class and message take three lines; seven boxes of eight lines follow, from line 4
+              60);  // class and message take three lines; seven boxes of eight lines each follow from line 4
     EXPECT_EQ(json["warnings"][0]["column"], 1);
     EXPECT_GT(json["peak_memory_bytes"].get<double>(), 1e5);
     EXPECT_GT(json["all_s"].get<double>(), json["load_s"].get<double>())
@@ -131,7 +131,7 @@ TEST(InfoCommand, gives_the_same_facts_in_sentences) {
 
 TEST(InfoCommand, reports_how_exploring_changes_a_mesh) {
     const test::TemporaryFolder folder;
-    // A floor of four triangles, one of which is repeated, and a wall.
+    // A wall, and a floor of four triangles, one of which occurs twice.
     const std::filesystem::path file = folder.write(
         "hall.obj",
         "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 0\nv 0 0 2\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 1 2 5\nf 1 2 6\n");
@@ -145,8 +145,8 @@ TEST(InfoCommand, reports_how_exploring_changes_a_mesh) {
 
 TEST(InfoCommand, counts_as_moving_only_things_that_can_go_somewhere) {
     const test::TemporaryFolder folder;
-    // A door of 64 units that slides by its width less the lip, and one whose lip is as wide as itself, so it would not
-    // move.
+    // The first door is 64 units wide and slides by its width less the lip. The lip of the second door is as wide as
+    // the door, so the door cannot move.
     const std::string world =
         test::entity("worldspawn", test::key("building", "0"), test::box_brush(0, 0, -8, 512, 512, 0));
     const std::string door = test::box_brush(100, 100, 0, 164, 108, 80);
@@ -170,8 +170,8 @@ TEST(InfoCommand, counts_soft_sides) {
 
 TEST(InfoCommand, reports_which_edges_are_rounded_and_which_stay_sharp_and_why) {
     const test::TemporaryFolder folder;
-    // A block of a metre, a plate of a centimetre, and two blocks whose ends partly meet, so that neither covers the
-    // other's end.
+    // A block of a metre, a plate of a centimetre, and two blocks whose ends meet in part, so that neither end covers
+    // the other.
     const std::filesystem::path file = folder.write(
         "edges.map",
         test::entity("worldspawn", "", test::box_brush(0, 0, 0, 100, 100, 100)) +
@@ -216,8 +216,8 @@ TEST(InfoCommand, lists_what_is_too_small_to_feel_at_a_scale_on_request) {
 
 TEST(InfoCommand, reports_rooms_that_cannot_be_reached_on_foot) {
     const test::TemporaryFolder folder;
-    // Next to the room there is another one without a door, which the map names. It is first empty; then it contains a
-    // chest that a designer placed.
+    // A second room without a door is next to the first room. The map names the second room. It is empty at first; then
+    // it contains a chest that the map's author placed.
     const std::string vault = test::entity("func_group", {}, test::room_brushes(300, 0, 0, 460, 192, 96, 16)) +
                               test::entity("info_room", test::key("name", "Vault") + test::key("origin", "380 96 24"));
     const std::string chest =
@@ -262,7 +262,7 @@ TEST(InfoCommand, gives_the_same_counts_for_the_real_maps_as_an_independent_read
         EXPECT_EQ(json["triangles"], expected.triangles) << expected.file;
         EXPECT_EQ(json["doors"], expected.doors) << expected.file;
         EXPECT_EQ(json["warnings_in_all"], 0) << expected.file;
-        // Between 16 and 43 percent of a map's surface is hidden, and about a third of its polygons.
+        // On these maps, between 16 and 43 percent of the surface is hidden, and about a third of the polygons.
         EXPECT_GT(json["polygons_hidden"].get<double>(), 0.2 * expected.polygons) << expected.file;
         EXPECT_EQ(json["polygons_hidden"].get<int>() + json["polygons_kept"].get<int>(), expected.polygons)
             << expected.file;

@@ -1,4 +1,4 @@
-// Learners in a data folder: listing them, their exports, and deleting them. Also the command that does all of this.
+// Tests learners in a data folder: listing, exporting and deleting them. Also tests the command that does all of this.
 #include "app/learners/learners.h"
 
 #include <gtest/gtest.h>
@@ -235,8 +235,8 @@ TEST_F(LearnerCommand, gives_and_withdraws_consent_by_purpose) {
     EXPECT_EQ(run({}).out, "Oak Owl: is remembered. No recordings.\n") << "nothing of it was taken";
 }
 
-// The learner has some data of every kind: recordings with the learner's name, additions, settings, unchanged exports
-// and exports that were changed since.
+// The learner has data of every kind: recordings with the learner's name, additions to worlds and settings. Some
+// exports are unchanged; others were changed after the export.
 TEST_F(LearnerCommand, deletes_after_confirmation_and_a_search_then_finds_nothing) {
     ASSERT_EQ(run({.action = "new", .name = "Oak Owl"}).status, 0);
     ASSERT_EQ(run({.action = "new", .name = "Fig Finch"}).status, 0);

@@ -1,4 +1,4 @@
-// Friction and light touch under the hand's tremor, encoder steps, noise and delay, in open and closed loop.
+// Tests friction and light touch with the hand's tremor, encoder steps, noise and delay, in open and in closed loop.
 #include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/unit/loop/loop_rig.h"
@@ -6,7 +6,7 @@
 namespace handrail::test {
 namespace friction_test {
 
-constexpr double kStiffness = 1000.0;  // 1 kN/m: a millimetre is a newton
+constexpr double kStiffness = 1000.0;  // N/m: a depth of a millimetre gives a newton
 
 TouchTuning rubbing(double mu_static, double mu_kinetic) {
     TouchTuning tuning = loop_tuning(kStiffness);
@@ -16,13 +16,13 @@ TouchTuning rubbing(double mu_static, double mu_kinetic) {
 }
 
 struct Rub {
-    std::vector<double> along_n;        // force along the hand's motion
-    std::vector<double> speed_m_per_s;  // speed of the hand along it
+    std::vector<double> along_n;        // force along the direction in which the hand moves
+    std::vector<double> speed_m_per_s;  // speed of the hand in that direction
     std::vector<double> place_m;
 };
 
-// A hand of 300 N/m presses with 10 N and creeps along the wall. Returns forces from the moment at which it has
-// settled.
+// Presses a hand of 300 N/m against the wall with 10 N and moves it slowly along the wall. Returns what the hand felt
+// once it slid steadily.
 Rub creep(const TiltedWall& wall, const TouchTuning& tuning, double speed_m_per_s, double seconds, std::uint32_t seed) {
     LoopSettings settings;
     settings.hand.mass_kg = 0.4;
@@ -43,7 +43,7 @@ Rub creep(const TiltedWall& wall, const TouchTuning& tuning, double speed_m_per_
                                   Vec3(0.0)};
             },
             render);
-        // The hand sticks until its spring is stretched to the friction force.
+        // At first the hand sticks, until its spring is stretched to the friction force.
         if (i * 1e-3 < 2.0 + 4.0 / 300.0 / std::max(speed_m_per_s, 1e-4)) continue;
         rub.along_n.push_back(glm::dot(tick.commanded_n, wall.along));
         rub.speed_m_per_s.push_back(glm::dot(tick.velocity_m_per_s, wall.along));
@@ -52,7 +52,7 @@ Rub creep(const TiltedWall& wall, const TouchTuning& tuning, double speed_m_per_
     return rub;
 }
 
-TEST(Friction, a_creeping_press_of_ten_newtons_does_not_chatter) {  // closed loop
+TEST(Friction, a_creeping_press_of_ten_newtons_does_not_chatter) {  // in closed loop
     std::uint32_t seed = 0;
     for (const double speed : {0.001, 0.002, 0.005})
         for (const auto& [mu_static, mu_kinetic] : {std::pair{0.4, 0.4}, {0.3, 0.3}, {0.5, 0.4}}) {
@@ -70,7 +70,7 @@ TEST(Friction, a_creeping_press_of_ten_newtons_does_not_chatter) {  // closed lo
         }
 }
 
-TEST(Friction, of_a_trembling_guided_hand_is_steady) {  // open loop
+TEST(Friction, of_a_trembling_guided_hand_is_steady) {  // in open loop
     for (const std::uint32_t seed : {1U, 2U, 3U, 4U}) {
         const TiltedWall wall(seed);
         TouchTuning tuning = rubbing(0.4, 0.4);
@@ -97,7 +97,7 @@ TEST(Friction, of_a_trembling_guided_hand_is_steady) {  // open loop
     }
 }
 
-TEST(Friction, holds_against_a_steady_pull_with_tremor_for_a_minute) {  // drift
+TEST(Friction, holds_against_a_steady_pull_with_tremor_for_a_minute) {  // the hand may drift only a little
     for (const std::uint32_t seed : {7U, 8U}) {
         const TiltedWall wall(seed);
         const TouchTuning tuning = rubbing(0.4, 0.4);
@@ -120,7 +120,7 @@ TEST(Friction, holds_against_a_steady_pull_with_tremor_for_a_minute) {  // drift
                                                      wall.along * pull};
                 },
                 render);
-            // Averages over whole periods of the tremor.
+            // Averages the hand's place over whole periods of the tremor.
             const double place = glm::dot(tick.hand_m, wall.along) / 1000.0;
             if (i >= ticks / 2 - 1000 && i < ticks / 2) settled_m += place;
             if (i >= ticks - 1000) last_m += place;
@@ -138,19 +138,20 @@ TEST(LightTouch, responds_to_the_smallest_movement_and_does_not_amplify_noise) {
         const TiltedWall wall(seed);
         TouchTuning tuning = rubbing(mu, mu);
         TouchState state;
-        const double depth_m = 0.5e-3;  // half a newton
+        const double depth_m = 0.5e-3;  // this depth gives half a newton
         const auto force_at = [&](double deep_m, double way_m) {
             return wall.motion.back(
                 touch_tick(state, *wall.scene, tuning, wall.to_world({tuning.radius_m - deep_m, way_m, 0.0}), 1e-3)
                     .force_n);
         };
         for (int i = 0; i <= 100; ++i) force_at(depth_m * i / 100, 0.0);
-        // There is no dead band: a micrometre along the wall is a millinewton, in both directions and through zero.
-        for (int i = 0; i < 200; ++i) force_at(depth_m, 0.0);  // the speed filter comes to rest
+        // Friction has no dead band: a micrometre along the wall must give a millinewton, in both directions and
+        // through zero.
+        for (int i = 0; i < 200; ++i) force_at(depth_m, 0.0);  // waits until the speed filter is at rest
         for (const double way_m : {1e-6, 5e-6, 20e-6, 5e-6, -1e-6, -20e-6, 0.0})
             EXPECT_NEAR(force_at(depth_m, way_m).y, -kStiffness * way_m, 1e-9) << mu;
-        // While sliding, the pull is the full cone. After a stop the proxy sticks again where it is and immediately
-        // acts like a spring.
+        // While the proxy slides, the friction is at the limit of the friction cone. After a stop, the proxy must stick
+        // where it is and immediately act like a spring.
         double way_m = 0.0;
         for (; way_m < 5e-3; way_m += 10e-6) force_at(depth_m, way_m);
         for (int i = 0; i < 50; ++i) force_at(depth_m, way_m);
@@ -197,7 +198,7 @@ TEST(LightTouch, does_not_chatter_with_tremor_and_white_noise) {
                 last_true = tick.hand_m;
             }
             SCOPED_TRACE(fmt::format("seed {}, {} m/s", seed, speed));
-            // The output may contain only the sensor's noise times the stiffness, plus the damping's share of it.
+            // The output noise may contain only the sensor's noise times the stiffness, and what the damping adds.
             const double noise_out = rms_above(noise_out_n, 30.0, 1e-3),
                          noise_along = rms_above(noise_along_n, 30.0, 1e-3);
             EXPECT_LE(rms_above(along_n, 30.0, 1e-3), 1.1 * std::max(noise_out, noise_along));

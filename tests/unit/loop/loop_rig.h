@@ -1,4 +1,5 @@
-// Walls for the closed loop: half-spaces in a random orientation, touched through touch_tick as in the program.
+// Walls for the closed loop. They are half-spaces in a random orientation, which the tests touch through touch_tick as
+// the program does.
 #pragma once
 
 #include <random>
@@ -11,7 +12,7 @@
 
 namespace handrail::test {
 
-// A box with one face on the plane through the origin; the frame's x axis points out of that face.
+// A box with one face on the plane through the origin. The x axis of the wall's frame points out of that face.
 struct TiltedWall {
     Motion motion;
     std::shared_ptr<const HapticScene> scene;
@@ -27,7 +28,7 @@ struct TiltedWall {
         along = motion.turn * Vec3(0, 1, 0);
         across = motion.turn * Vec3(0, 0, 1);
     }
-    // Converts between world directions and the wall's own, whose x axis points outwards.
+    // Converts between world directions and the wall's frame, whose x axis points outwards.
     Vec3 to_world(const Vec3& own) const { return motion(own); }
     Vec3 to_own(const Vec3& world) const { return motion.back(world); }
 };
@@ -40,7 +41,7 @@ inline TouchTuning loop_tuning(double stiffness_n_per_m, double damping_ns_per_m
     return tuning;
 }
 
-// The program's renderer in the form that the loop calls; it keeps its own state.
+// Returns the program's renderer as a function that the loop calls. The function keeps its own state.
 inline ClosedLoop::Render touch_renderer(std::shared_ptr<const HapticScene> scene, const TouchTuning& tuning) {
     auto state = std::make_shared<TouchState>();
     return [=](const Vec3& measured_m, double, double since_s) {
@@ -48,7 +49,7 @@ inline ClosedLoop::Render touch_renderer(std::shared_ptr<const HapticScene> scen
     };
 }
 
-// Half the highest stiffness that is stable for a light grip, with damping by the device and the renderer.
+// Returns half the highest stiffness that is stable for a light grip if the device and the renderer damp.
 inline double safe_stiffness_n_per_m(double delay_s, double damping_ns_per_m) {
     DeviceSpec spec;
     spec.rated_stiffness_n_per_m = 1e9;

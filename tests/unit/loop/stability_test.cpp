@@ -1,5 +1,5 @@
-// Hands of every mass and grip on walls with the greatest stiffness that the rule allows, with delay, encoder steps and
-// dry friction.
+// Tests hands of every mass and grip on walls with the greatest stiffness that the stability rule allows. The loop has
+// delay, encoder steps and dry friction.
 #include "tests/support/names.h"
 #include "tests/support/scale.h"
 #include "tests/unit/loop/loop_rig.h"
@@ -12,7 +12,8 @@ TEST(Stability, a_hand_that_presses_six_newtons_comes_to_rest_at_the_recommended
     for (const double mass_kg : {0.1, 0.3, 0.5})
         for (const double grip : {1.0, 3.0, 10.0})
             for (const double delay_s : {0.0, 1e-3, 2e-3}) {
-                // The rule with and without damping by the renderer. Without it the guard must provide the rest.
+                // Applies the stability rule with and without damping by the renderer. Without damping, the passivity
+                // guard must make the loop stable.
                 for (const double damping : {5.0, 0.0}) {
                     ++seed;
                     SCOPED_TRACE(fmt::format("mass {} kg, grip {} Ns/m, delay {} s, damping {} Ns/m, seed {}", mass_kg,
@@ -92,8 +93,8 @@ TEST(PassivityGuard, lets_an_undamped_wall_be_stiffer_without_force_jumps) {
             6.0, 6.0);
     EXPECT_GE(limit[1], 1.25 * limit[0]) << limit[0] << " without, " << limit[1] << " with";
 
-    // A clean sweep in and out, with and without encoder steps. The guard's contribution changes no faster than the
-    // spring's own force.
+    // Sweeps a hand smoothly in and out, with and without encoder steps. The force that the passivity guard adds must
+    // change only gradually.
     for (const double quantum_m : {0.0, 0.06e-3}) {
         TouchState plain, guarded;
         TouchTuning tuning = loop_tuning(1500.0, 0.0);
@@ -116,7 +117,8 @@ TEST(PassivityGuard, leaves_damped_surfaces_bit_identical) {
     LoopSettings settings;
     settings.hand.damping_ns_per_m = 1.2;
     settings.hand.spring_n_per_m = 300.0;
-    TouchTuning tuning = loop_tuning(4000.0, 2.0);  // so stiff that the loop rings and the guard would have to act
+    // So stiff that the loop rings and the passivity guard would have to act.
+    TouchTuning tuning = loop_tuning(4000.0, 2.0);
     std::vector<Vec3> forces[2];
     for (const bool guard : {false, true}) {
         tuning.passivity_guard = guard;

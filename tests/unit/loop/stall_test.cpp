@@ -1,4 +1,4 @@
-// The loop stalls repeatedly while a hand presses in and out. Runs the whole servo tick with its limiter.
+// The loop stalls repeatedly while a hand presses in and out. The test runs the whole servo tick with its limiter.
 #include "haptic/servo/servo_tick.h"
 #include "tests/support/names.h"
 #include "tests/unit/loop/loop_rig.h"
@@ -13,11 +13,12 @@ struct Sweep {
     double fastest_m_per_s = 0.0;
 };
 
-// Six seconds of a 2 Hz sweep by 20 mm, half of it inside the wall, measured after the first second. silent: the device
-// does not answer and the servo continues; otherwise the servo itself stalls and the motor holds its force.
+// Moves the hand in and out by 20 mm at 2 Hz for six seconds, with half of the path inside the wall. Measures after the
+// first 1.5 s. If `silent` is true, the device stops answering while the servo continues. Otherwise the servo itself
+// stalls, and the motor keeps its force.
 Sweep sweep(const TiltedWall& wall, double stall_s, bool silent, std::uint32_t seed) {
     DeviceSpec spec = *find_device_spec("sim-f");
-    spec.peak_force_n = 1e9;  // a motor limit would hide the peaks
+    spec.peak_force_n = 1e9;  // a motor limit would hide the force peaks
     LoopSettings settings;
     settings.hand.mass_kg = 0.4;
     settings.hand.damping_ns_per_m = 3.2;

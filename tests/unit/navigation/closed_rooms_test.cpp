@@ -1,5 +1,5 @@
-// Rooms to which nothing leads are still rooms, reported as out of reach. Tops of walls, roofs and things are not
-// rooms.
+// A room to which nothing leads is still a room, which is reported as out of reach. The tops of walls, roofs and things
+// are not rooms.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -18,10 +18,10 @@ namespace closed_rooms_test {
 
 constexpr double kCell_m = 3.0, kWall_m = 0.2, kHigh_m = 2.6;
 
-// Rooms of 3 by 3 m in rows, with doorways between some of them; the base is in the first room.
+// Rooms of 3 by 3 m in rows. Some of them have doorways between them. The base is in the first room.
 struct Rows {
     int wide = 1, deep = 1;
-    std::vector<std::array<int, 2>> doorways;  // pairs of neighbouring rooms
+    std::vector<std::array<int, 2>> doorways;  // pairs of neighbouring rooms that a doorway joins
     bool ceiling = true;
     Vec3 at_m{0.0};
 
@@ -47,7 +47,7 @@ struct Rows {
                     continue;
                 const Vec3 corner((cell % wide) * kCell_m, (cell / wide) * kCell_m, 0.0);
                 const bool open = joins(cell, next);
-                // A wall from 0 to the length of a room; if it has a doorway, that is 1 m wide and in its middle.
+                // The wall extends over the length of a room. A doorway is 1 m wide and in the middle of the wall.
                 for (const auto& [from, to] : open ? std::vector{std::pair(0.0, 1.0), std::pair(2.0, kCell_m)}
                                                    : std::vector{std::pair(0.0, kCell_m)}) {
                     const bool to_the_east = step == 1 && wide > 1;
@@ -87,7 +87,7 @@ TEST(ClosedRooms, are_counted_with_or_without_a_name_or_a_ceiling) {
 
 TEST(ClosedRooms, do_not_include_roofs_tops_of_things_or_shafts) {
     test::SceneBuilder b = Rows{1, 1, {}, true, Vec3(0.0)}.build();
-    // A parapet around the roof, a high cupboard with room above it, and a shaft of a square metre.
+    // A roof with a parapet, a high cupboard with free space above it, and a shaft of a square metre.
     for (const auto& [from, to] :
          {std::pair(Vec3(-0.2, -0.2, 2.8), Vec3(3.2, 0, 3.8)), std::pair(Vec3(-0.2, 3, 2.8), Vec3(3.2, 3.2, 3.8)),
           std::pair(Vec3(-0.2, 0, 2.8), Vec3(0, 3, 3.8)), std::pair(Vec3(3, 0, 2.8), Vec3(3.2, 3, 3.8))})
@@ -103,7 +103,8 @@ TEST(ClosedRooms, do_not_include_roofs_tops_of_things_or_shafts) {
     EXPECT_TRUE(out_of_reach(*b.share()).empty());
 }
 
-// A walker can stand in every room, and can reach the rooms that doorways join with the first.
+// A walker must be able to stand in every room. It must reach exactly the rooms that doorways connect to the first
+// room.
 TEST(ClosedRooms, match_the_doorways_of_random_rows_of_rooms) {
     std::mt19937_64 random(test::seed_of_run());
     const auto chance = [&](double part) { return std::uniform_real_distribution(0.0, 1.0)(random) < part; };

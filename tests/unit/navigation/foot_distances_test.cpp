@@ -1,4 +1,4 @@
-// Walking distances from doorway to doorway, compared with all pairs by the Floyd-Warshall algorithm.
+// Tests walking distances from doorway to doorway. All pairs by the Floyd-Warshall algorithm are the reference.
 #include "worlds/navigation/foot_distances.h"
 #include "tests/support/names.h"
 
@@ -27,7 +27,8 @@ RoomGraph random_building(std::mt19937& random, int rooms, int portals) {
     return graph;
 }
 
-// Treats all places at once: both sides of every doorway, at the place where a person in the room stands before it.
+// Returns the shortest distance. Considers all places at once. Each doorway gives two of them, one for the room on each
+// side.
 double shortest_m(const RoomGraph& graph, std::uint32_t from, const Vec3& from_m, std::uint32_t to, const Vec3& to_m) {
     struct Place {
         std::uint32_t room;

@@ -88,7 +88,8 @@ bool GridTwin::flood_from(const Vec3& feet_m) {
             const TraceHit down =
                 world_->trace(over.end_m, over.end_m - Vec3(0.0, 0.0, lift + body_.step_up_m + 0.02), shape);
             if (!down.hit || down.normal.z < 0.7) continue;
-            const int there = number({aim.x, aim.y, down.end_m.z});  // may enlarge next_, so evaluate it first
+            // Number() may enlarge next_, so the code calls it first.
+            const int there = number({aim.x, aim.y, down.end_m.z});
             next_[at][way] = there;
         }
     return true;
@@ -108,7 +109,8 @@ int GridTwin::nearest(const Vec3& feet_m) const {
     return best;
 }
 
-// Course from square to square along the line, never across the corner of a square that cannot be walked.
+// Returns whether the walker can go straight from one square to another. The walker must not cross the corner of a
+// square that is not walkable.
 bool GridTwin::straight(int from, int to) const {
     const auto cell = [&](int place, int axis) {
         return std::lround(places_[static_cast<std::size_t>(place)][axis] / side_m_);
@@ -179,7 +181,8 @@ std::vector<std::optional<double>> GridTwin::lengths(const Vec3& from_m, const s
         if (goal < 0 || best[static_cast<std::size_t>(goal)] > 1e200) continue;
         std::vector<int> way;
         for (int s = goal; s >= 0; s = came[static_cast<std::size_t>(s)]) way.push_back(s);
-        // The shortest over all pairs of its squares with a straight walkable line between them.
+        // Straightens the path: computes the shortest length over all pairs of its squares that a straight walkable
+        // line joins.
         std::vector<double> short_to(way.size(), 1e300);
         short_to[0] = 0.0;
         for (std::size_t a = 0; a < way.size(); ++a)

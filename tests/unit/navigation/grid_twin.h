@@ -1,7 +1,7 @@
-// The brute-force comparison for routes. A walker is moved from square to square through the world that walking itself
-// uses (WalkerWorld), by lifting it, moving it and setting it down. Then Dijkstra's algorithm runs over the squares and
-// the lift rides, and the path is straightened over all pairs of its squares. It shares no code with worlds/navigation
-// and does not use Recast.
+// The brute-force reference for routes. It moves a walker from square to square through the world that walking itself
+// uses (WalkerWorld): it lifts the walker, moves it, and sets it down. Then Dijkstra's algorithm runs over the squares
+// and the lift rides. Finally it straightens the path over all pairs of squares. It shares no code with
+// worlds/navigation and does not use Recast.
 #pragma once
 
 #include <map>
@@ -20,16 +20,16 @@ namespace handrail::test {
 
 class GridTwin {
 public:
-    // Doors are left out of the world. `side_m`: the size of a square.
+    // Omits doors from the world. `side_m` is the size of a square.
     GridTwin(const Scene& scene, const WalkerSize& body, double side_m);
 
-    // Adds everything that can be reached on foot from there to the grid. Returns true if a walker can stand there.
+    // Adds all squares to the grid that a walker can reach from `feet_m`. Returns true if a walker can stand there.
     bool flood_from(const Vec3& feet_m);
-    // The distances in metres from one place to all of `to`; none for a place that is not reached. A lift ride counts
-    // as its height.
+    // Returns the distances in metres from `from_m` to all of `to_m`; empty for a place that the walker cannot reach. A
+    // lift ride counts as its height.
     std::vector<std::optional<double>> lengths(const Vec3& from_m, const std::vector<Vec3>& to_m) const;
     std::size_t size() const { return places_.size(); }
-    // The index of the nearest square within reach.
+    // Returns the index of the nearest square within 2 m of `feet_m`; -1 if there is none.
     int nearest(const Vec3& feet_m) const;
 
 private:
@@ -44,23 +44,24 @@ private:
     struct Ride {
         Vec3 low_m{0.0}, high_m{0.0};
     };
-    std::vector<Ride> rides_;  // the middle of each lift's top, at both ends of its travel
+    std::vector<Ride> rides_;  // the middle of each lift's platform, at both ends of its travel
     std::vector<Vec3> places_;
-    std::vector<std::array<int, 8>> next_;  // in the order east, north-east, north, ...
+    std::vector<std::array<int, 8>> next_;  // the eight neighbours of each square: east, north-east, north, ...
     std::map<std::tuple<long, long, long>, int> known_;
 };
 
-// The stride between the places from which compared routes start. They lead to each later place and back.
+// Returns the stride between the places from which the compared routes start. From each of them, routes lead to all
+// later places and back.
 inline std::size_t source_stride() { return every(4, 10); }
 
 inline std::vector<Vec3> from_on(const std::vector<Vec3>& places, std::size_t first) {
     return {places.begin() + static_cast<std::ptrdiff_t>(first), places.end()};
 }
 
-// The length of a route, with each lift ride counted as its height.
+// Returns the length of a route. A lift ride counts as its height.
 double length_with_rides_m(const Route& route);
 
-// The scene without its door leaves.
+// Returns the scene without its door leaves.
 std::shared_ptr<const Scene> without_doors(const Scene& scene);
 
 }  // namespace handrail::test

@@ -1,6 +1,7 @@
-// A walker who knows only the form of legs and never the map. It turns by notches, and walks some steps, or until
-// something stops it, or until the stairs are behind it; it also opens doors. A real body walks in the real solids,
-// from each room of our house and school to each other, with exact steps and with errors.
+// Simulates a walker who follows the legs of directions literally and never sees the map. It turns by notches. It walks
+// some steps, or until something stops it, or until the stairs are behind it. It also opens doors. A real walking body
+// moves among the real solids. It walks from each room of the bundled house and school to every other room, with exact
+// steps and with errors.
 #include <ctime>
 #include <filesystem>
 #include <random>
@@ -24,7 +25,7 @@ constexpr double kStep_m = 0.7;
 
 struct Building {
     std::vector<int> thing_of_mover;
-    std::shared_ptr<const Scene> scene;  // with its doors as separate things
+    std::shared_ptr<const Scene> scene;  // the building with its doors as separate things
     std::shared_ptr<Navigation> navigation;
     RoomGraph graph;
     std::unique_ptr<BlindGround> ground;
@@ -57,7 +58,7 @@ struct Building {
     }
 };
 
-// The body, its own abilities, and the doors, as in the program.
+// The walker's body with its abilities, and the doors, as in the program.
 class Body {
 public:
     explicit Body(const Building& in) : in_(in), size_(body_size(*in.scene, 0.25)), open_(in.ground->all_shut()) {
@@ -72,7 +73,7 @@ public:
         double walked_m = 0.0;
         bool stopped = false;
     };
-    // Walks this far, until stopped, or until `over`.
+    // Walks `most_m`, or less if something stops the walker or `over` returns true.
     Went walk(double heading_rad, double most_m, const std::function<bool(double)>& over = {}) {
         constexpr double kSpeed_m_per_s = 1.2, kTick_s = 1.0 / 60.0;
         Went went;
@@ -103,7 +104,7 @@ public:
         }
         return went;
     }
-    // Opens the nearest shut door within reach.
+    // Opens the nearest shut door that the walker can reach.
     bool open() {
         constexpr double kReach_m = 1.2;
         const std::vector<DirectionsDoor>& doors = in_.ground->doors();
@@ -152,7 +153,7 @@ private:
     bool fell_ = false;
 };
 
-// The announced content of a leg.
+// The content of a leg, as the session announces it.
 struct Told {
     int turn_notches = 0, steps = 0;
     PaceEnd end = PaceEnd::Steps;
@@ -169,7 +170,7 @@ struct Errors {
     double step_part = 0.0, turn_rad = 0.0, start_m = 0.0;
 };
 
-// Knows only the legs and its own body.
+// Follows the legs. The function knows only the legs and the body's own movements.
 void follow(Body& body, const std::vector<Told>& legs, const Errors& errors, std::mt19937_64& random) {
     std::uniform_real_distribution<double> either(-1.0, 1.0);
     int notch = 0;
@@ -205,7 +206,7 @@ struct Counted {
     std::string missed;
 };
 
-// Also checks the height, because the car of a lift may be elsewhere.
+// Returns whether a walker can stand at `at_m`. Also checks the height, because the car of a lift may be elsewhere.
 bool stands(const Building& in, const Vec3& at_m) {
     Body body(in);
     body.place(at_m);
@@ -213,7 +214,7 @@ bool stands(const Building& in, const Vec3& at_m) {
     return std::abs(body.feet_m().z - at_m.z) < 0.1;
 }
 
-// `every`: the stride between the tried pairs of rooms.
+// Walks between pairs of rooms and counts the successes. `every` is the stride between the tried pairs.
 Counted count(const Building& in, int seeds, std::uint32_t every = 1) {
     Counted counted;
     const std::vector<std::uint32_t> rooms = in.rooms();
@@ -287,7 +288,7 @@ TEST(LiteralWalker, gets_from_each_room_of_the_school_to_each_other) {
     const Counted counted = count(school, 5, test::every(97, 211));
     EXPECT_GT(counted.routes, 1);
     EXPECT_EQ(counted.without, 0);
-    // The achieved shares; the goals are 98 and 95.
+    // The shares that the directions achieve now. The goals are 98 and 95 percent.
     EXPECT_TRUE(test::enough(counted.exact, counted.routes, 98));
     EXPECT_TRUE(test::enough(counted.with_errors, counted.runs, 90));
 }

@@ -1,4 +1,4 @@
-// Checks that the generated office buildings are as described, before anything is measured in them.
+// Checks that the generated office buildings are as described, before other tests measure anything in them.
 #include <set>
 
 #include "tests/support/box_scene.h"
@@ -63,7 +63,7 @@ TEST(OfficeWorld, is_read_without_a_warning_and_each_room_can_be_entered_through
         EXPECT_TRUE(behind_doors.contains(r)) << room.name;
         EXPECT_NEAR(room.bounds_m.size_m().x, 4.9, 0.2) << room.name;
     }
-    EXPECT_GE(graph.rooms.size(), 11U);  // 8 rooms, a floor outside them on each storey, and the stairs
+    EXPECT_GE(graph.rooms.size(), 11U);  // 8 rooms, one area outside them on each storey, and the stairs
 }
 
 TEST(Rooms, are_not_searched_further_after_cancellation) {

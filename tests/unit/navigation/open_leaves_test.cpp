@@ -1,5 +1,5 @@
-// The leaves of open doors across routes: which places they cover, compared with every point of the leaf, and routes
-// around them.
+// Tests open door leaves that block routes: which places they cover, and routes around them. Checking every point of
+// the leaf is the reference for the places.
 #include "worlds/navigation/open_leaves.h"
 
 #include <random>
@@ -16,7 +16,7 @@ namespace open_leaves_test {
 
 using test::SceneBuilder;
 
-// A corridor 12 m long and of this width, starting at its corner.
+// Returns a corridor that is 12 m long and `wide_m` wide. `at_m` is its corner.
 std::shared_ptr<Navigation> corridor(double wide_m, const Vec3& at_m = Vec3(0.0)) {
     SceneBuilder b;
     const auto box = [&](const Vec3& low, const Vec3& high, FeatureKind kind) {
@@ -34,7 +34,8 @@ std::shared_ptr<Navigation> corridor(double wide_m, const Vec3& at_m = Vec3(0.0)
     return *made;
 }
 
-// A leaf 0.9 m long with its hinge there, turned by this angle from the east to the north.
+// Returns a leaf that is `long_m` long. Its hinge is at `hinge_m`, and it is turned by `turned_rad` from the east
+// towards the north.
 OpenLeaf leaf(const Vec3& hinge_m, double turned_rad, double long_m = 0.9) {
     return {{{0, -0.025, 0}, {long_m, 0.025, 2.0}}, {hinge_m, rotation_about({0, 0, 1}, turned_rad), 1.0}};
 }
@@ -51,7 +52,9 @@ TEST(OpenLeaves, occupy_exactly_the_places_where_a_body_would_overlap_them) {
             const double up_m = round == 0   ? 1.9
                                 : round == 1 ? -2.1
                                 : round == 2 ? 0.3
-                                             : 0.0;  // above the head, under the floor, above the soles, at floor level
+                                             // Above the walker's head, under the floor, above the walker's soles, at
+                                             // floor level.
+                                             : 0.0;
             std::vector<OpenLeaf> leaves{
                 leaf(at + Vec3(12.0 * part(), 4.0 * part(), up_m), 2.0 * kPi * part()),
                 leaf(at + Vec3(12.0 * part(), 4.0 * part(), up_m), 0.5 * kPi * static_cast<double>(random() % 4))};
@@ -62,7 +65,7 @@ TEST(OpenLeaves, occupy_exactly_the_places_where_a_body_would_overlap_them) {
             EXPECT_EQ(marks.empty(), !meets);
             for (std::uint32_t s = 0; s < space.spans.size() && meets; ++s) {
                 const Vec3 place = space.place_m(s);
-                double nearest_m = 1e9;  // over points on the leaves a centimetre apart
+                double nearest_m = 1e9;  // distance from points on the leaves, which are a centimetre apart
                 for (const OpenLeaf& one : leaves) {
                     const PlacedFrame frame(one.at);
                     for (int i = 0; i <= 90; ++i)
@@ -97,7 +100,7 @@ TEST(OpenLeaves, are_avoided_if_there_is_room_and_otherwise_crossed) {
             const Vec3 from = at + Vec3(1, 0.6, 0), to = at + Vec3(11, 0.6, 0);
             const Route plain = wide->plan(from, to, wish);
             ASSERT_TRUE(plain.reaches);
-            // Across the corridor from the south wall, which leaves a metre and a half in the north.
+            // The leaf reaches across the corridor from the south wall and leaves a metre and a half in the north.
             wide->know_leaves(std::vector{leaf(at + Vec3(6, 0, 0), 0.5 * kPi)});
             EXPECT_TRUE(wide->meets_leaf(plain.points_m));
             for (const bool back : {false, true}) {
@@ -107,20 +110,20 @@ TEST(OpenLeaves, are_avoided_if_there_is_room_and_otherwise_crossed) {
                 EXPECT_LT(round.length_m, plain.length_m + 1.0);
                 EXPECT_LT(glm::length(round.points_m.back() - (back ? from : to)), 0.1);
             }
-            // Nobody can pass it, but the route leads through, since the door can be shut.
+            // Nobody can pass the leaf. The route must lead through it, because a person can shut the door.
             narrow->know_leaves(std::vector{leaf(at + Vec3(6, 0, 0), 0.5 * kPi)});
             const Route through = narrow->plan(from, to, wish);
             EXPECT_TRUE(through.reaches);
             EXPECT_TRUE(narrow->meets_leaf(through.points_m));
             EXPECT_LT(through.length_m, 11.0);
-            // If a leaf covers the goal, the route ends next to it.
+            // If a leaf covers the goal, the route must end next to the leaf.
             const Route over = wide->plan(from, at + Vec3(6, 0.6, 0), wish);
             EXPECT_TRUE(over.reaches);
             EXPECT_FALSE(wide->meets_leaf(over.points_m));
             EXPECT_LT(glm::length(over.points_m.back() - (at + Vec3(6, 0.6, 0))), 0.6);
             EXPECT_EQ(*wide->nearest_place(at + Vec3(6, 0.6, 0)), over.points_m.back())
                 << "which is where one can stand";
-            // After shutting it, everything is as before.
+            // When the door is shut again, the route must be the original one.
             wide->know_leaves({});
             EXPECT_FALSE(wide->meets_leaf(plain.points_m));
             EXPECT_EQ(wide->plan(from, to, wish).points_m, plain.points_m);

@@ -29,7 +29,7 @@ struct Floor {
     std::vector<RoomOutline> outlines;
 };
 
-// Sums the trapezoids below each side.
+// Returns the area of a loop: the sum of the trapezoids below its sides.
 double area_m2(const std::vector<Vec2>& loop) {
     double sum_m2 = 0.0;
     Vec2 from = loop.back();
@@ -40,7 +40,7 @@ double area_m2(const std::vector<Vec2>& loop) {
     return sum_m2;
 }
 
-// How many loops surround a point.
+// Returns how many loops of the outline surround a point.
 int loops_around(const RoomOutline& outline, const Vec3& p) {
     int around = 0;
     for (const std::vector<Vec2>& loop : outline.loops_m) {
@@ -54,8 +54,9 @@ int loops_around(const RoomOutline& outline, const Vec3& p) {
     return around;
 }
 
-// Checks each outline against the places. Each place to stand is inside a loop of its room. Loops consist only of
-// corners, run with the room on the left, and enclose no more than its places and the things among them.
+// Checks each outline against the places where a walker can stand. Each place must be inside a loop of its room. A loop
+// must consist only of corners and run with the room on its left. It may enclose only the room's places and the things
+// among them.
 void is_sound(const Floor& floor) {
     ASSERT_EQ(floor.outlines.size(), floor.graph.rooms.size());
     std::vector<int> inside(floor.outlines.size(), 0), all(floor.outlines.size(), 0);
@@ -76,11 +77,11 @@ void is_sound(const Floor& floor) {
             for (std::size_t i = 0; i < loop.size(); ++i) {
                 const Vec2 one = loop[(i + 1) % loop.size()] - loop[i],
                            next = loop[(i + 2) % loop.size()] - loop[(i + 1) % loop.size()];
-                const bool back = one.x * next.x + one.y * next.y < 0.0;  // turns back at the end of a step
+                const bool back = one.x * next.x + one.y * next.y < 0.0;  // the loop turns back at the end of a step
                 EXPECT_TRUE(back || std::abs(one.x * next.y - one.y * next.x) > 1e-6) << "a corner that is none";
             }
         }
-        // Tiny pieces make no loop.
+        // An area below half a square metre may have no loop.
         const double cell_m2 = floor.space.cell_area_m2();
         EXPECT_GE(inside[r] + static_cast<int>(0.5 / cell_m2), all[r]);
         EXPECT_GE(inside[r], all[r] * 9 / 10) << floor.graph.rooms[r].name;
@@ -121,7 +122,7 @@ TEST(RoomOutlines, contain_each_place_of_their_room_among_random_blocks) {
         }
         b.start({between(0.5, 6.5), between(0.5, 6.5), 0.0}, 0.0);
         const auto scene = b.share();
-        if (!make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25))) continue;  // if the start is inside a block
+        if (!make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25))) continue;  // the start is inside a block
         is_sound(Floor(*scene));
     }
 }

@@ -1,4 +1,4 @@
-// Rooms, what joins them, and routes between every pair of them.
+// Tests rooms, what joins them, and routes between every pair of them.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -56,7 +56,7 @@ std::string described(const RoomGraph& graph) {
     return text;
 }
 
-// What must be true in every world.
+// Checks what must be true in every world.
 void is_sound(const World& world) {
     const RoomGraph& graph = world.graph;
     ASSERT_EQ(graph.room_of_span.size(), world.navigation->space().spans.size());
@@ -111,7 +111,7 @@ TEST(Rooms, of_our_house_are_all_found_and_named_and_every_door_joins_two) {
     joins("Guest room door", "Landing", "Guest room");
     joins("Upper bathroom door", "Landing", "Upper bathroom");
     joins("Music room door", "Landing", "Music room");
-    // The wide opening, 1.6 m.
+    // The wide opening between living room and kitchen, 1.6 m.
     const std::set<std::uint32_t> open{room("Living room"), room("Kitchen")};
     const auto opening = std::find_if(world.graph.portals.begin(), world.graph.portals.end(), [&](const Portal& p) {
         return p.kind == PassageKind::Opening && std::set<std::uint32_t>{p.rooms[0], p.rooms[1]} == open;
@@ -122,7 +122,8 @@ TEST(Rooms, of_our_house_are_all_found_and_named_and_every_door_joins_two) {
                             [](const Room& r) { return r.kind == RoomKind::Stairs; }));
 }
 
-// The same answer as a grid search for every pair of rooms, with lengths within 5 % and a square.
+// For every pair of rooms, a grid search must find a route exactly if the program does. The lengths may differ by 5 %
+// and a square.
 TEST(Rooms, are_connected_in_every_bundled_world_as_a_grid_search_finds) {
     for (const auto& entry : std::filesystem::directory_iterator(test::project_root() / "worlds" / "maps")) {
         if (entry.path().extension() != ".map") continue;
@@ -142,7 +143,7 @@ TEST(Rooms, are_connected_in_every_bundled_world_as_a_grid_search_finds) {
             const auto lengths = twin.lengths(from, others);
             for (std::size_t i = 0; i < others.size(); ++i)
                 for (const auto& [begin, end] : {std::pair(from, others[i]),
-                                                 // For the grid both directions are equal.
+                                                 // The grid search gives the same length in both directions.
                                                  std::pair(others[i], from)}) {
                     const Route route = world.navigation->plan(begin, end, RouteWish::Shortest);
                     if (route.drops) continue;  // the grid search never steps off an edge
@@ -182,8 +183,7 @@ TEST(Rooms, of_complete_maps_are_many_and_connected_through_their_doors) {
     }
 }
 
-// Two rooms of 6 by 5 m and a wall between them with a gap. In some tests a low table near a wall leaves a passage as
-// narrow as a door.
+// Returns two rooms of 6 by 5 m. The wall between them has a gap of `gap_units`. `more` adds further entities.
 std::string two_rooms(double gap_units, const std::string& more = {}) {
     using test::box_brush;
     const double low = 80.0 - 0.5 * gap_units, high = 80.0 + 0.5 * gap_units;
@@ -204,20 +204,20 @@ RoomGraph rooms_of(const std::string& map, Scene* keep = nullptr, WalkSpace* spa
 }
 
 TEST(Rooms, are_separated_by_converging_walls_but_not_by_furniture) {
-    const RoomGraph two = rooms_of(two_rooms(32.0));  // 1 m
+    const RoomGraph two = rooms_of(two_rooms(32.0));  // the gap is 1 m wide
     EXPECT_EQ(two.rooms.size(), 2U) << described(two);
     ASSERT_EQ(two.portals.size(), 1U);
     EXPECT_EQ(two.portals[0].kind, PassageKind::Opening);
     EXPECT_NEAR(two.portals[0].width_m, 1.0, 0.2);
     EXPECT_NEAR(two.portals[0].place_m.x, 6.25, 0.3);
-    EXPECT_EQ(rooms_of(two_rooms(160.0)).rooms.size(), 1U);  // without any wall
-    // A cupboard across most of an open room.
+    EXPECT_EQ(rooms_of(two_rooms(160.0)).rooms.size(), 1U);  // the gap is as wide as the room, so no wall remains
+    // A cupboard stands across most of an undivided room.
     const RoomGraph one = rooms_of(two_rooms(
         160.0, test::entity("thing", test::key("name", "Cupboard"), test::box_brush(196, 0, 0, 204, 128, 40))));
     EXPECT_EQ(one.rooms.size(), 1U) << described(one);
 }
 
-// Corridors 4 m wide without doors: a ring around a block of 20 by 20 m, and an arm of 20 m to the west.
+// Corridors without doors, 4 m wide. They form a ring around a block of 20 by 20 m, with an arm of 20 m to the west.
 TEST(Rooms, are_the_straight_stretches_of_corridors_that_turn_and_branch) {
     using test::box_brush;
     const std::string block = box_brush(128, 128, 0, 768, 768, 96);
@@ -227,9 +227,9 @@ TEST(Rooms, are_the_straight_stretches_of_corridors_that_turn_and_branch) {
                                     test::entity("info_player_start", test::key("origin", "64 64 24")));
     ASSERT_EQ(ring.rooms.size(), 5U) << described(ring);  // four sides and the arm
     for (const Room& room : ring.rooms) EXPECT_EQ(room.name.substr(0, 8), "corridor") << room.name;
-    EXPECT_EQ(ring.portals.size(), 5U) << described(ring);  // four corners and the branch
+    EXPECT_EQ(ring.portals.size(), 5U) << described(ring);  // four corners of the ring and the branch of the arm
     for (const Portal& portal : ring.portals) EXPECT_NEAR(portal.width_m, 4.0, 0.7) << described(ring);
-    // A hall of the same size is one room.
+    // A hall of the same size must be one room.
     const RoomGraph hall =
         rooms_of(test::entity("worldspawn", test::key("building", "1"), test::room_brushes(0, 0, 0, 896, 896, 96)) +
                  test::entity("info_player_start", test::key("origin", "64 64 24")));
@@ -258,13 +258,13 @@ TEST(Rooms, are_named_by_the_map_the_person_their_contents_or_size_and_place) {
         told.insert(room.name.substr(room.name.rfind(' ') + 1));
     }
     EXPECT_EQ(told, (std::set<std::string>{"east", "west"}));
-    // Two names in one open space divide it.
+    // If the map gives two names in one open space, they must divide the space into two rooms.
     const std::string both =
         names + test::entity("info_room", test::key("name", "Store") + test::key("origin", "340 80 16"));
     EXPECT_EQ(rooms_of(two_rooms(100.0, both)).rooms.size(), 2U);
 }
 
-// A hall of 20 by 10 m. Along its north wall, eight rooms of 2.5 by 2 m open onto it with gaps of 0.9 m.
+// A hall of 20 by 10 m. Eight rooms of 2.5 by 2 m are along its north wall. Each opens to the hall with a gap of 0.9 m.
 TEST(Rooms, that_look_alike_on_the_same_side_are_called_second_and_third) {
     using test::box_brush;
     std::string walls = test::room_brushes(0, 0, 0, 640, 400, 96);
@@ -344,7 +344,8 @@ TEST(Rooms, list_their_exits_clockwise) {
     const Vec3 places[] = {{0, 5, 0}, {-5, 0, 0}, {5, 0, 0}, {0, -5, 0}};
     for (std::uint32_t p = 0; p < 4; ++p)
         graph.portals.push_back({PassageKind::Opening, {0, p + 1}, places[p], 1.0, kNoFeature, false});
-    graph.portals.push_back({PassageKind::Drop, {1, 0}, {1, 1, 0}, 1.0, kNoFeature, true});  // leads only inwards
+    // This drop leads only into room 0.
+    graph.portals.push_back({PassageKind::Drop, {1, 0}, {1, 1, 0}, 1.0, kNoFeature, true});
     EXPECT_EQ(exits_of(graph, 0, {0, 0, 0}, 0.0), (std::vector<std::uint32_t>{0, 2, 3, 1}));
     EXPECT_EQ(exits_of(graph, 0, {0, 0, 0}, kPi), (std::vector<std::uint32_t>{3, 1, 0, 2}));
     EXPECT_EQ(exits_of(graph, 1, {0, 0, 0}, 0.0).size(), 2U);

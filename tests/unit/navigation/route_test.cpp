@@ -1,4 +1,4 @@
-// Routes compared with a brute-force search, and routes in unusual worlds.
+// Compares routes with a brute-force search, and tests routes in unusual worlds.
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -34,7 +34,7 @@ Scene bundled(const std::string& name) {
     return std::move(*scene);
 }
 
-// Places next to every named thing on a floor, where a walker can stand.
+// Returns places next to every named thing on a floor, where a walker can stand.
 std::vector<Vec3> places_beside_things(const Scene& scene, Navigation& navigation) {
     std::vector<Vec3> places;
     for (const Start& start : scene.starts) places.push_back(start.feet_m);
@@ -46,8 +46,8 @@ std::vector<Vec3> places_beside_things(const Scene& scene, Navigation& navigatio
     return places;
 }
 
-// One walker is a little thinner and one a little wider. Our route length must be between theirs, whatever the squares
-// of the grid happen to miss.
+// The grid search runs for a slightly thinner and a slightly wider walker. The length of the program's route must be
+// between theirs, so that the size of the grid's squares does not matter.
 constexpr double kThinner_m = 0.03;
 
 struct Twins {
@@ -80,8 +80,9 @@ void agree(const Route& route, const Vec3& to, std::optional<double> least_m, st
     ++compared;
 }
 
-// Checks whether the walker gets from the first place to each, and the length of the shortest route. `back`: also the
-// way back, which is as long in a building; but from a high box a walker gets down and not up again.
+// Checks whether a walker gets from `from` to each of `places`, and how long the shortest route is. If `back` is true,
+// also checks the way back, which is as long inside a building. It differs if a walker can get down from a high box but
+// not up.
 int agrees_with(const Twins& twins, Navigation& navigation, const Vec3& from, const std::vector<Vec3>& places,
                 bool back) {
     int compared = 0;
@@ -118,7 +119,7 @@ TEST(Routes, agree_with_a_grid_search_between_all_landmarks_of_every_bundled_wor
     }
 }
 
-// A closed field with walls that have gaps of all widths, and boxes of all heights.
+// Returns a closed field with walls that have gaps of all widths, and with boxes of all heights.
 Scene random_world(std::mt19937& random, const Vec3& at) {
     SceneBuilder builder;
     const auto draw = [&](double low, double high) {
@@ -135,14 +136,14 @@ Scene random_world(std::mt19937& random, const Vec3& at) {
     box({0, kSize, -0.2}, {kSize, kSize + 0.2, 2.5});
     for (int wall = 1; wall < 3; ++wall) {
         const double x = kSize * wall / 3.0 + draw(-0.5, 0.5), gap = draw(0.0, kSize - 1.0);
-        // Clearly wide enough or clearly too narrow for a walker half a metre wide.
+        // The gap is clearly wide enough or clearly too narrow for a walker who is half a metre wide.
         const double width = std::bernoulli_distribution(0.8)(random) ? draw(0.75, 1.2) : draw(0.1, 0.35);
         box({x, 0, 0}, {x + 0.15, gap, 2.5});
         box({x, gap + width, 0}, {x + 0.15, kSize, 2.5});
     }
     for (int i = 0; i < 6; ++i) {
         const Vec3 a{draw(0.5, 8.0), draw(0.5, 8.0), 0};
-        // Boxes to walk around or over.
+        // The walker must go around the high boxes and can step over the low ones.
         const double high = std::bernoulli_distribution(0.5)(random) ? draw(0.4, 2.0) : draw(0.05, 0.2);
         box(a, a + Vec3(draw(0.2, 1.5), draw(0.2, 1.5), high));
     }
@@ -171,7 +172,7 @@ TEST(Routes, agree_with_a_grid_search_in_random_worlds_of_boxes_and_walls) {
     }
 }
 
-// The walker's own body moves along every stretch of a route, and nothing solid is in its way.
+// Moves the walker's body along every stretch of each route. No solid may be in its way.
 TEST(Routes, can_be_walked_by_a_simulated_walker) {
     const Scene scene = bundled("house.map");
     const auto navigation = navigate(scene);
@@ -273,14 +274,14 @@ void say_where_the_way_ends(const Scene& scene) {
         EXPECT_EQ(route.reaches, navigation->reachable(scene.starts.front().feet_m, start.feet_m));
         if (route.reaches) continue;
         EXPECT_GT(route.short_of_m, 1.0);
-        // The place where it ends can really be reached.
+        // The walker must be able to reach the place where the route ends.
         EXPECT_TRUE(navigation->plan(scene.starts.front().feet_m, route.points_m.back()).reaches);
     }
     EXPECT_GT(reached, 0);
     EXPECT_GT(not_reached, 0);
 }
 
-// Two rooms of 8 by 4 m, separated by a wall without a door.
+// Two rooms of 8 by 4 m. The wall between them has no door.
 TEST(Routes, report_where_the_connection_ends_if_a_room_has_no_door) {
     using test::entity;
     using test::key;
@@ -308,8 +309,8 @@ TEST(Routes, use_lifts_in_both_directions_and_teleporters_and_drops_in_one) {
     using test::box_brush;
     using test::entity;
     using test::key;
-    // A low floor, and a high one 160 units above it, with a lift between them at x 0 to 64. A teleporter at the west
-    // end of the low floor leads to a separate cell.
+    // A low floor, and a high floor 160 units above it. A lift joins them at x 0 to 64. A teleporter at the west end of
+    // the low floor leads to a separate cell.
     const std::string text =
         entity("worldspawn", key("wad", ""),
                box_brush(-512, -256, -16, 512, 256, 0) + box_brush(64, -256, 0, 512, 256, 160) +
@@ -352,7 +353,7 @@ TEST(Routes, on_foot_use_the_stairs_even_if_a_lift_is_nearer) {
     ASSERT_TRUE(scene);
     const auto navigation = navigate(*scene);
     ASSERT_TRUE(navigation);
-    // In front of the lift's lower door, and of its upper one.
+    // Places in front of the lift's lower door and in front of its upper one.
     const Vec3 below(14.15, 10.2, 0.0), above(14.15, 10.2, 3.4);
     const auto takes = [](const Route& route, PassageKind kind) {
         return std::any_of(route.passages.begin(), route.passages.end(),
@@ -385,7 +386,7 @@ TEST(Routes, around_a_blocked_door_lead_back_from_the_door_and_never_through_it)
             if (here == kNothing) continue;
             navigation->block(boxes);
             for (const std::uint32_t room : portal.rooms) {
-                // From the middle of the room the walker can go around it.
+                // Skips rooms that a walker cannot reach around the blocked place from the middle of the room.
                 const Vec3 goal = graph.rooms[room].middle_m;
                 if (!navigation->plan(graph.rooms[here].middle_m, goal).reaches) continue;
                 const Route round = navigation->plan(start, goal);
@@ -449,7 +450,8 @@ TEST(Routes, of_worlds_without_floor_are_refused_in_one_sentence) {
     EXPECT_EQ(here.length_m, 0.0);
     const Route beyond = (*some)->plan({2, 2, 0}, {50, 2, 0});
     EXPECT_FALSE(beyond.reaches);
-    EXPECT_NEAR(beyond.points_m.back().x, 4.2, 0.15);  // the walker is supported until all of its body is over the edge
+    // The floor supports the walker until the walker's whole body is beyond the edge.
+    EXPECT_NEAR(beyond.points_m.back().x, 4.2, 0.15);
     EXPECT_NEAR(beyond.short_of_m, 45.8, 0.2);
 }
 
@@ -466,7 +468,7 @@ TEST(Routes, in_a_huge_world_use_larger_cells_and_report_it) {
     EXPECT_LT((*made)->space().spans.size(), 2'000'000U);
     EXPECT_NEAR((*made)->plan({0, 0, 0}, {30, 40, 0}).length_m, 50.0, 0.5);
 
-    // A distant block does not make a small house larger.
+    // A distant block must not make a small house count as large.
     SceneBuilder house;
     house.box({0, 0, -1}, {10, 10, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
     house.box({9e5, 9e5, 0}, {9e5 + 1, 9e5 + 1, 1}, "moon", SolidRole::Solid, {}, FeatureKind::Wall);

@@ -1,4 +1,5 @@
-// Stairs that a file states are walked where a body can walk, and taken in one go elsewhere.
+// Stairs that a file states must be walked wherever a walker's body can walk them. Elsewhere a link must join their two
+// ends.
 #include "worlds/navigation/stated_stairs.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ StatedRoom room(const std::string& name, const Vec3& least, const Vec3& most) {
     return stated;
 }
 
-// A ground of 10 by 4 m and an upper floor over its eastern end, with the stated stairs between them.
+// A ground of 10 by 4 m, and an upper floor over its eastern end. The stated stairs join the two.
 struct House {
     test::SceneBuilder b;
     StatedBuilding stated;
@@ -48,7 +49,7 @@ struct House {
         portal.rooms = {0, 1};
         stated.portals.push_back(portal);
     }
-    // A flight with this many steps, from the west up to the upper floor.
+    // Adds a flight with this many steps, which leads from the west up to the upper floor.
     FeatureId flight(int steps, double going_m) {
         FeatureId made = kNoFeature;
         for (int k = 0; k < steps; ++k) {
@@ -106,8 +107,8 @@ TEST(StatedStairs, that_can_be_walked_make_no_link) {
     EXPECT_TRUE(climbs(*space).empty());
 }
 
-// Walkable although the back of a body half a metre wide is still under the floor above when its toes are two risers
-// up.
+// A walker half a metre wide must be able to walk these stairs. When its toes are two risers up, its back is still
+// under the floor above.
 TEST(StatedStairs, of_each_form_can_be_walked_up_and_down) {
     for (const test::StairForm form : test::kStairForms) {
         const test::StairHouse house(form);
@@ -120,8 +121,9 @@ TEST(StatedStairs, of_each_form_can_be_walked_up_and_down) {
     }
 }
 
-// If no stairs are stated, the same treads carry nobody of that width and height. Architects' models have walls in
-// pieces, one on top of the other. A foot that passes the upper piece must find no ledge on the lower one.
+// If the file does not state the stairs, no walker of that width and height can walk the same treads. In architects'
+// models, walls often consist of pieces on top of each other. When a foot passes the upper piece, the lower piece must
+// not count as a ledge.
 TEST(StatedStairs, next_to_walls_in_pieces_work_like_next_to_whole_walls) {
     std::mt19937 random(20261129);
     const int rounds = test::kSanitizerScale < 1.0 ? 1 : 3;
@@ -170,7 +172,7 @@ TEST(StatedStairs, too_steep_to_walk_are_taken_in_one_go_from_bottom_to_top) {
     EXPECT_NEAR(foot.x, 7.0 - 5 * 0.3, 0.8) << "before the first step";
     EXPECT_NEAR(head.x, 7.0, 0.8) << "behind the last";
 
-    // The route to the gallery uses the link in both directions, and is never on foot.
+    // The route to the gallery and back must use the link in both directions and never walk the stairs.
     const auto scene = house.b.share();
     const auto ways = Navigation::make(*scene, space->body);
     ASSERT_TRUE(ways.has_value());
@@ -219,7 +221,7 @@ TEST(StatedStairs, that_join_nothing_or_lead_to_an_unreachable_place_make_no_lin
     House no_stairs;
     no_stairs.state(kNoFeature);
     no_stairs.stated.portals[0].kind = StatedPortalKind::Opening;
-    House part;  // one step of a flight, stated as separate stairs
+    House part;  // one step of a flight is stated as separate stairs
     (void)part.flight(6, 0.3);
     part.state(part.b.box({6.7, 3, 2.0}, {7.0, 4, 2.4}, "stairs"));
     for (House* house : {&level, &alone, &wrong, &high, &no_stairs, &part}) {
@@ -229,8 +231,8 @@ TEST(StatedStairs, that_join_nothing_or_lead_to_an_unreachable_place_make_no_lin
     }
 }
 
-// Whether a walker gets up is found by walking. There must be a link exactly where it does not, both near the origin
-// and far off.
+// The test finds out by walking whether a walker gets up. A link must exist exactly if the walker does not, both near
+// the origin and far from it.
 TEST(StatedStairs, of_any_step_size_become_a_link_exactly_if_nobody_can_walk_up) {
     std::mt19937 random(17);
     int walked = 0, taken = 0;
@@ -240,7 +242,7 @@ TEST(StatedStairs, of_any_step_size_become_a_link_exactly_if_nobody_can_walk_up)
         House house(by);
         const int steps = std::uniform_int_distribution<int>(5, 17)(random);
         house.state(house.flight(steps, std::uniform_real_distribution<double>(0.2, 0.35)(random)));
-        if (run % 4 == 3)  // too little headroom half-way up
+        if (run % 4 == 3)  // a beam leaves too little headroom half-way up
             house.b.box(by + Vec3(4, 0, 2.4), by + Vec3(6, 4, 2.5), "beam");
         const Result<WalkSpace> space = house.space();
         ASSERT_TRUE(space.has_value());

@@ -1,4 +1,4 @@
-// Routes over a mesh of several 64 m tiles: they cross between tiles as if the mesh were one.
+// Tests routes over a mesh of several 64 m tiles. They must cross between tiles as if the mesh were one piece.
 #include <gmock/gmock.h>
 
 #include "tests/support/box_scene.h"
@@ -29,7 +29,7 @@ double length_of(const std::vector<Vec3>& points) {
     return sum;
 }
 
-// A floor of 400 by 8 m with a wall every 20 m and a gap of 1.5 m at alternate ends of the walls.
+// A floor of 400 by 8 m with a wall every 20 m. Each wall has a gap of 1.5 m, alternately at one end and at the other.
 TEST(TiledMesh, finds_the_shortest_route_in_a_slalom_of_400_m) {
     for (const bool along_x : {true, false}) {
         const auto turned = [&](double along, double across, double z) {
@@ -57,7 +57,7 @@ TEST(TiledMesh, finds_the_shortest_route_in_a_slalom_of_400_m) {
     }
 }
 
-// The floor begins at 0, so tiles meet at 64 m.
+// The floor begins at 0, so two tiles meet at 64 m.
 TEST(TiledMesh, allows_a_drop_across_the_border_of_two_tiles) {
     for (double edge_m = 62.0; edge_m <= 66.0; edge_m += 0.25) {
         SceneBuilder ledge;
@@ -73,7 +73,8 @@ TEST(TiledMesh, allows_a_drop_across_the_border_of_two_tiles) {
     }
 }
 
-// A teleporter at the west end of a floor of `length_m`, which leads to an island beyond its east end.
+// Returns a floor of `length_m` with a teleporter at its west end. The teleporter leads to an island beyond the east
+// end.
 Scene with_teleporter(double length_m) {
     SceneBuilder builder;
     builder.box({0, 0, -1}, {length_m, 4, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);

@@ -1,4 +1,4 @@
-// The nearest place of a route, compared with a search of a thousand places of each leg.
+// Tests which place of a route is nearest to the walker. A search of a thousand places on each leg is the reference.
 #include "worlds/navigation/route_place.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ TEST(NearestOnWay, agrees_with_an_exhaustive_search_on_random_paths) {
         std::vector<Vec3> points;
         for (int i = 0, count = 2 + run % 12; i < count; ++i) {
             points.emplace_back(place(random), place(random), place(random));
-            if (i % 5 == 4) points.push_back(points.back());  // a leg of zero length
+            if (i % 5 == 4) points.push_back(points.back());  // adds a leg of zero length
         }
         const Vec3 from(place(random), place(random), place(random));
         const RoutePlace found = nearest_on_way(points, from), twin = by_looking_everywhere(points, from);
@@ -70,21 +70,24 @@ TEST(NearOnWay, keeps_its_place_on_a_path_that_passes_close_to_itself) {
     EXPECT_NEAR(near_on_way(std::vector<Vec3>{{1, 1, 1}}, {1, 1, 3}, 0.0).distance_m, 1.0, 1e-12);
 }
 
-// A wall is between the two long legs. The nearer leg is no short cut for a walker who cannot see it.
+// A wall separates the two long legs. The leg behind the wall is nearer, but the walker cannot see it, so it must not
+// count as a short cut.
 TEST(NearOnWay, takes_no_short_cut_through_an_opaque_wall) {
     const std::vector<Vec3> way{{0, 0, 0}, {10, 0, 0}, {10, 2, 0}, {0, 2, 0}};
     const Vec3 at(4, 0.9, 0);
     const auto before_wall = [&](const Vec3& place) { return place.y < 1.0; };
     EXPECT_NEAR(near_on_way(way, at, 18.0).along_m, 18.0, 1e-12);
     EXPECT_NEAR(near_on_way(way, at, 18.0, 1.0, before_wall).along_m, 4.0, 1e-12);
-    // If nothing is visible, the place stays the same, and the distance is measured from there.
+    // If the walker sees nothing, the walker's place on the route must stay the same, and the distance must be measured
+    // from there.
     const RoutePlace stays = near_on_way(way, at, 5.0, 1.0, [](const Vec3&) { return false; });
     EXPECT_NEAR(stays.along_m, 5.0, 1e-12);
     EXPECT_EQ(stays.leg, 0U);
     EXPECT_NEAR(stays.distance_m, glm::length(Vec3(5, 0, 0) - at), 1e-12);
     EXPECT_NEAR(near_on_way(way, at, 11.0, 1.0, [](const Vec3&) { return false; }).place_m.y, 1.0, 1e-12)
         << "on the short leg between";
-    // A visible place much farther off is not the walker's place: something thin only hides the nearest one.
+    // If only a much farther place is visible, it is not the walker's place: something thin merely hides the nearest
+    // place.
     const auto far_end = [&](const Vec3& place) { return place.x > 9.0; };
     EXPECT_NEAR(near_on_way(way, at, 5.0, 1.0, far_end).along_m, 5.0, 1e-12);
 }

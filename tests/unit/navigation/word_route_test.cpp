@@ -1,5 +1,6 @@
-// Routes for words and the body that follows them, in rooms made of a few boxes. Tests what stops a body, what it
-// slides along, and the doorway into which it slides. Also tests that routes keep off edges and know their own errors.
+// Tests routes for announced directions, and the simulated walker that follows them, in rooms made of a few boxes.
+// Tests what stops the walker, what it slides along, and the doorway into which it slides. Also tests that routes keep
+// away from edges and know their own errors.
 #include "worlds/navigation/directions_route.h"
 
 #include <random>
@@ -34,7 +35,7 @@ Room room_of(SceneBuilder& b) {
     room.ground = std::make_unique<BlindGround>(room.navigation->space(), std::vector<DirectionsDoor>{});
     return room;
 }
-// A space of 10 by 10 m with a wall across it at y = 5, which has a gap of `gap_m` metres around `gap_x`.
+// Returns a space of 10 by 10 m. A wall at y = 5 divides it and has a gap of `gap_m` metres around `gap_x`.
 SceneBuilder two_rooms(double gap_x, double gap_m = 0.9) {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {10, 10, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
@@ -49,13 +50,13 @@ SceneBuilder two_rooms(double gap_x, double gap_m = 0.9) {
 }
 BlindWalker at(const Room& room, double x, double y) { return room.ground->body_at({x, y, 0.0}); }
 
-// The spans within this distance of a place, on its floor.
+// Returns the spans within `within_m` of a place, on the same floor.
 DirectionsGoal goal_round(const WalkSpace& space, const Vec3& place_m, double within_m) {
     DirectionsGoal goal(space.spans.size(), 0);
     const std::uint32_t middle = space.nearest(place_m, 3.0, 1.5, 4.0);
     if (middle == kNothing) return goal;
     const Vec3 centre = space.place_m(middle);
-    // On foot from there, so that no other side of a wall counts.
+    // The flood fill starts at that place, so that spans on the other side of a wall do not count.
     std::vector<std::uint32_t> open{middle};
     goal[middle] = 1;
     for (std::size_t i = 0; i < open.size(); ++i)
@@ -77,13 +78,14 @@ TEST(BlindGround, stops_a_body_where_the_walker_stops_and_slides_it_where_the_wa
     const auto part = [&] { return static_cast<double>(random() % 10001) / 10000.0; };
     for (int i = 0; i < 200; ++i) {
         const double x = 0.5 + 9.0 * part(), y = 0.5 + 3.8 * part(), heading = 2.0 * kPi * part(), far = 6.0 * part();
-        // Near the angle that decides between sliding and stopping, and at a frame, the two may differ.
+        // Near the angle that decides between sliding and stopping, and near the frame of the gap, the two walkers may
+        // differ.
         const double askew = std::abs(std::remainder(heading, 0.5 * kPi));
         if (std::abs(askew - std::asin(kStoppedBelow)) < 0.15) continue;
         BlindWalker body = at(room, x, y);
         const Paced paced = room.ground->walk(body, heading, far, PaceEnd::Steps, {});
         if (body.at_m.y > 5.0 || (std::abs(body.at_m.x - 5.0) < 1.2 && body.at_m.y > 3.0))
-            continue;  // through the gap, or lined up with the gap
+            continue;  // the walker went through the gap, or lined up with it
         Walker walker(world, body_size(*scene, 0.25));
         walker.place({x, y, 0.0});
         double walked_m = 0.0;
@@ -115,8 +117,8 @@ TEST(BlindGround, slides_a_body_into_the_doorway_whose_frame_it_met_and_into_no_
                 EXPECT_LE(std::abs(*aside_m), kLineUp_m + 0.1);
                 EXPECT_LE(*aside_m * off_m, 0.0) << "away from the doorway";
             }
-            // 20 cm are free on each side of the middle. So up to this offset the body always finds the gap, and
-            // farther off never. On its way to the wall it drifts a little farther to the side.
+            // The gap leaves 20 cm free on each side of the walker. Up to an offset of 0.55 m, the walker must always
+            // find the gap; beyond 0.95 m, never. In between, it may drift on its way to the wall.
             const bool sure = std::abs(off_m) < 0.55;
             if (sure) {
                 EXPECT_TRUE(aside_m) << off_m << " " << heading;
@@ -133,13 +135,14 @@ TEST(BlindGround, slides_a_body_into_the_doorway_whose_frame_it_met_and_into_no_
             }
         }
     }
-    // A gap of three metres is no doorway: a body that meets its corner is stopped.
+    // A gap of three metres is no doorway. It must stop a walker that meets its corner.
     SceneBuilder wide = two_rooms(5.0, 3.0);
     const Room room = room_of(wide);
     EXPECT_FALSE(room.ground->line_up_m(at(room, 3.4, 4.6), 0.0, {}));
 }
 
-// A plain search for the doorway without doors: each stride checks the borders of its cell and is walked in full.
+// A plain search for the doorway, without doors. The reference walker takes each stride in full and checks the borders
+// of its cell.
 struct PlainStrides {
     const WalkSpace& space;
     double stride_m = 0.8 * space.cell_m;
@@ -196,7 +199,7 @@ TEST(BlindGround, lines_up_bit_identically_to_a_full_length_search_that_checks_e
     int there = 0, edges = 0;
     for (const double far_m : {0.0, 1e5}) {
         SceneBuilder b = two_rooms(2.0 + 6.0 * part(), 0.8 + 0.8 * part());
-        // Gives the space edges.
+        // The terrace gives the space edges.
         b.box({10, 0, -0.2}, {12, 12, 0}, "terrace", SolidRole::Solid, "stone", FeatureKind::Floor);
         b.start({11, 6, 0}, 0.0);
         for (int i = 0; i < 4; ++i) {
@@ -204,7 +207,7 @@ TEST(BlindGround, lines_up_bit_identically_to_a_full_length_search_that_checks_e
             wall(b, {x, y, 0}, {x + 0.1 + part(), y + 0.1 + part(), 2.6});
         }
         const Room room = room_of(b);
-        WalkSpace moved = room.navigation->space();  // far from the origin, values are coarser only by rounding
+        WalkSpace moved = room.navigation->space();  // far from the origin, only rounding makes the values coarser
         moved.origin_m += Vec3(far_m, -far_m, 0.0);
         const BlindGround ground(moved, {});
         const PlainStrides twin{moved};
@@ -260,7 +263,7 @@ TEST(DirectionsRoute, passes_a_doorway_with_walking_errors_in_a_few_legs) {
     }
 }
 
-// A doorway between two rooms belongs to neither outline, whichever room its floor is counted in.
+// A doorway between two rooms belongs to neither outline, although its floor counts as part of one of the rooms.
 TEST(DirectionsRoute, ends_within_the_outline_that_the_file_states_for_a_room) {
     SceneBuilder b = two_rooms(5.0);
     const Room room = room_of(b);
@@ -295,7 +298,7 @@ TEST(DirectionsRoute, ends_within_the_outline_that_the_file_states_for_a_room) {
 }
 
 TEST(DirectionsRoute, does_not_exist_to_an_unreachable_place_or_after_cancellation) {
-    SceneBuilder b = two_rooms(5.0, 0.3);  // too narrow for the body
+    SceneBuilder b = two_rooms(5.0, 0.3);  // the gap is too narrow for the walker
     b.start({2, 8, 0}, 0.0);
     const Room room = room_of(b);
     const DirectionsPlanner planner(*room.ground, kStep_m);
@@ -314,7 +317,7 @@ TEST(DirectionsRoute, does_not_exist_to_an_unreachable_place_or_after_cancellati
     EXPECT_FALSE(planner.plan({2, 4, 0}, 0.0, south, {}, {}, stop.get_token()));
 }
 
-// A platform with a drop of half a metre on two sides.
+// A platform that ends on two sides with a drop of half a metre.
 TEST(DirectionsRoute, never_leads_a_body_with_walking_errors_over_an_edge) {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {3, 12, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);

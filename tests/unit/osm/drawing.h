@@ -1,4 +1,4 @@
-// Draws stations and campuses for tests as mappers do.
+// Draws stations and campuses for tests as OpenStreetMap mappers draw them.
 #pragma once
 
 #include <cmath>
@@ -15,7 +15,7 @@
 
 namespace handrail::test {
 
-// Writes a file of nodes and ways from places in metres.
+// Writes a file of nodes and ways. Places are in metres.
 class Drawing {
 public:
     using Tags = std::vector<std::pair<std::string, std::string>>;

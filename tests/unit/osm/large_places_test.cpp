@@ -1,4 +1,5 @@
-// Places too large for fine columns can still be walked, and the parts left out are reported.
+// If a place is too large for fine columns, a walker must still be able to walk in it, and the reader must report the
+// omitted parts.
 #include <gmock/gmock.h>
 
 #include "tests/support/names.h"
@@ -44,7 +45,7 @@ TEST(OsmLargePlaces, have_a_route_between_two_stops_600_m_apart) {
     EXPECT_LE(route.length_m, 1.1 * straight_m);
 }
 
-// The number of floors with a place there on which a walker can stand.
+// Returns the number of floors at `at` on which a walker can stand.
 std::size_t floors_at(const WalkSpace& space, const Vec2& at) {
     std::size_t floors = 0;
     for (double floor_m = -10.0; floor_m <= 10.0; floor_m += 1.0)
@@ -69,10 +70,11 @@ TEST(OsmLargePlaces, omit_ground_far_from_everything_and_report_it) {
     EXPECT_LE(ways->space().cell_m, 0.2) << "too coarse for doors";
 }
 
-// 20 platforms on 640 by 550 m, and a hall with 1,300 rooms along corridors on 5 levels, joined by a lift.
+// Returns a station with 20 platforms on 640 by 550 m, and a hall with 1,300 rooms along corridors on 5 levels. A lift
+// joins the levels.
 Drawing station() {
     Drawing drawing;
-    constexpr int kRooms = 130;  // on each side of a corridor
+    constexpr int kRooms = 130;  // number of rooms on each side of a corridor
     constexpr double kRoom_m = 4.0, kSouth_m = 5.0, kNorth_m = 9.0;
     const double length_m = kRooms * kRoom_m;
     for (int level = -2; level <= 2; ++level) {
@@ -128,7 +130,7 @@ TEST(OsmLargePlaces, can_be_walked_in_a_station_of_20_platforms_and_1300_rooms) 
     EXPECT_EQ(missed, 0U);
 }
 
-// Two buildings with one room each, 1 km apart, with a footway in front of each.
+// Returns two buildings with one room each, 1 km apart. A footway is in front of each.
 Drawing two_buildings() {
     Drawing drawing;
     for (const auto& [east_m, name] : {std::pair(0.0, "Old"), std::pair(1'000.0, "New")}) {
@@ -207,7 +209,7 @@ TEST(OsmLevelsOfWays, do_not_count_a_footway_that_only_slopes_up_to_a_level_as_a
     EXPECT_EQ(scene.stated->storeys[0].rooms, 3);
 }
 
-// Stairs and a lift between corridors, each drawn separately on every level.
+// Stairs and a lift between corridors. The mapper has drawn them separately on every level.
 TEST(OsmStacks, of_stairs_or_lifts_drawn_on_each_level_join_the_levels) {
     for (const std::string kind : {"stairs", "elevator"}) {
         Drawing drawing;

@@ -1,4 +1,4 @@
-// A small building from OpenStreetMap as text, which tests change.
+// The text of a small building from OpenStreetMap, which tests change.
 #pragma once
 
 #include <string>
@@ -31,7 +31,7 @@ inline const StatedRoom* room_named(const Scene& scene, const std::string& name)
     return nullptr;
 }
 
-// An entry such as "Corridor F1, Level 0 | Library, Level 0" for each door and opening, in file order.
+// Returns an entry such as "Corridor F1, Level 0 | Library, Level 0" for each door or opening, in file order.
 inline std::vector<std::string> joins_of(const Scene& scene, StatedPortalKind kind) {
     std::vector<std::string> joins;
     for (const StatedPortal& portal : scene.stated->portals) {

@@ -1,4 +1,4 @@
-// Stations and campuses as mappers draw them: doors next to outlines, platforms, lifts, and paths without rooms.
+// Tests stations and campuses as mappers draw them: doors next to outlines, platforms, lifts, and paths without rooms.
 #include <gmock/gmock.h>
 
 #include "tests/support/names.h"
@@ -200,7 +200,7 @@ TEST(OsmLevelNames, match_the_file_everywhere) {
     std::vector<std::string> storeys;
     for (const StatedStorey& storey : scene.stated->storeys) storeys.push_back(storey.name);
     EXPECT_THAT(storeys, ElementsAre("Level -2", "Level B1", "Ground floor", "Upper floor"));
-    // A place without a name is described by the file's name of its storey.
+    // The description of a room without a name must contain the file's name of the storey.
     const auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
     ASSERT_TRUE(ways.has_value()) << ways.error().sentence();
     for (const Room& room : make_rooms(scene, (*ways)->space()).rooms)

@@ -1,4 +1,4 @@
-// The scene that a small building drawn with Simple Indoor Tagging produces.
+// Tests the scene that the reader makes of a small building drawn with Simple Indoor Tagging.
 #include <bzlib.h>
 #include <gmock/gmock.h>
 
@@ -177,11 +177,12 @@ TEST(OsmRealFiles, include_the_rooms_and_footways_of_the_university_across_store
     EXPECT_EQ(scene->name, "Andreas-Pfitzmann-Bau");
     const HonestReport report = honest_report(*scene);
     EXPECT_EQ(report.storeys, 5);
-    // 475 spaces drawn as ways, the foyer, which is a relation, and 22 footways and platforms outside.
+    // The file has 475 spaces drawn as ways, the foyer as a relation, and 22 footways and platforms outside.
     EXPECT_EQ(report.rooms, 476 + 22);
     EXPECT_GE(report.largest_connected, 466);
     EXPECT_GE(report.doors, 490);
-    EXPECT_LE(report.doors_impassable, 6);  // doors above the ground that lead nowhere, and a winding stair of 3.6 m
+    // These are doors above the ground that lead nowhere, and a winding stair of 3.6 m.
+    EXPECT_LE(report.doors_impassable, 6);
     EXPECT_EQ(report.lifts, 2);
     EXPECT_EQ(report.stairs, 8 + 2) << "two of them outside";
     EXPECT_EQ(std::count_if(scene->stated->rooms.begin(), scene->stated->rooms.end(),

@@ -1,4 +1,4 @@
-// Whatever a file contains, reading it gives a world or one sentence.
+// Whatever a file contains, the reader must return a world or one sentence.
 #include <gmock/gmock.h>
 
 #include <random>
@@ -47,7 +47,7 @@ TEST(OsmTorture, coordinates_with_any_power_of_ten_become_a_place_or_an_error_se
     EXPECT_FALSE(with("13.0001e9").has_value());
 }
 
-// The text with some bytes and numbers changed.
+// Returns the text with some random changes to bytes and numbers.
 std::string mutated(const std::string& text, std::mt19937& random) {
     std::string other = text;
     for (std::uint32_t edits = 1 + random() % 5; edits > 0; --edits) {

@@ -1,5 +1,5 @@
-// Compares the interface of the plugin that Handrail succeeds with ours, line by line of the list in
-// docs/developer/adding.md. Every row is called here.
+// Handrail succeeds a plugin. The test compares the plugin's interface with Handrail's, line by line of the list in
+// docs/developer/adding.md, and calls every row.
 #include <algorithm>
 #include <functional>
 #include <regex>
@@ -38,7 +38,7 @@ struct Demo {
         tuning.touch.radius_m = 0.12;
         tuning.touch.rated_stiffness_n_per_m = 400.0;
     }
-    // Calls in the plugin's order: build and validate, add the meshes, start.
+    // Makes the calls in the plugin's order: build and validate, add the meshes, start.
     void begin() {
         ASSERT_TRUE(loop->open());
         loop->set_scene(haptic);
@@ -61,7 +61,7 @@ struct Demo {
         }
         return loop->tool();
     }
-    // Presses the hand 3 mm deep into the wall, with force.
+    // Switches the force on and presses the hand 3 mm deep into the wall.
     const ToolState& press() {
         begin();
         put({0.0, 0.01, 0.0});
@@ -82,7 +82,7 @@ const std::vector<Row>& rows() {
          [] {
              Demo demo;
              EXPECT_TRUE(demo.loop->open());
-             // A missing device, which explains the reason in a sentence.
+             // A missing device, which gives the reason in a sentence.
              struct Absent final : HapticDevice {
                  const DeviceSpec& spec() const override { return *find_device_spec("touch"); }
                  Result<void> open() override { return fail("No device of 3D Systems answers."); }
@@ -270,7 +270,7 @@ const std::vector<Row>& rows() {
 }
 
 TEST(ParityWithTheOriginal, every_line_of_the_list_has_a_test_here_and_names_an_existing_file) {
-    // Such as "- `start()`: `ServoLoop::start` (`haptic/servo/servo_loop.h`)".
+    // A line such as "- `start()`: `ServoLoop::start` (`haptic/servo/servo_loop.h`)".
     static const std::regex kLine(R"re(- (.+?): .* \(`([^`]+)`\))re");
     std::vector<std::string> listed, called;
     for (const std::string& line : test::list_items("developer/adding.md", "## The original's interface and ours")) {

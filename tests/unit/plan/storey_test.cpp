@@ -1,4 +1,4 @@
-// The floor plan of a storey: its walls, windows, doors, rooms and objects.
+// Tests the floor plan of a storey: its walls, windows, doors, rooms and objects.
 #include "worlds/plan/storey.h"
 #include "tests/support/project_root.h"
 
@@ -19,7 +19,7 @@ struct Plans {
     Scene scene;
     RoomGraph graph;
     std::vector<Storey> storeys;
-    std::vector<Storey> uppers;  // the second plans of storeys that have one
+    std::vector<Storey> uppers;  // second plans of the storeys that have two
 };
 
 Plans plans_of(Scene scene) {
@@ -56,8 +56,8 @@ bool walled(const Storey& storey, const Vec2& at) {
                        [&](const PlanOutline& wall) { return within(wall, at); });
 }
 
-// A room of 6 by 4 m with walls of 0.2 m. It has a window of 1 m over a sill in the south wall and one that begins at
-// the floor in the north wall. A door of 1 m in the east wall leads to a second room of 3 by 4 m.
+// A room of 6 by 4 m with walls of 0.2 m. Its south wall has a window of 1 m over a sill; its north wall has a window
+// that begins at the floor. A door of 1 m in the east wall leads to a second room of 3 by 4 m.
 struct TwoRooms {
     SceneBuilder build;
     FeatureId pane, low_pane, table, ball;
@@ -106,8 +106,8 @@ TEST(StoreyPlan, closes_windows_and_leaves_doors_open) {
 
 TEST(StoreyPlan, treats_a_glass_front_without_adjoining_walls_as_closed) {
     TwoRooms world;
-    // Glass in the middle of the western room without walls next to it, a banister, which is not glass, and a rail that
-    // is too low.
+    // In the western room: a pane of glass in the middle, without walls next to it; a banister, which is not glass; and
+    // a rail that is too low.
     world.build.box({4.0, 0.5, 0.0}, {4.05, 1.5, 2.2}, "pane", SolidRole::Solid, "glass");
     world.build.box({5.0, 2.5, 0.0}, {5.05, 3.5, 2.2}, "banister");
     world.build.box({5.0, 0.5, 0.0}, {5.05, 1.5, 0.9}, "rail");
@@ -132,7 +132,7 @@ bool joins(const Storey& storey, const Portal& portal) {
     });
 }
 
-// A hall of 16 by 8 m. Across it is a deck with two rooms joined by a door, and steps lead up to it.
+// A hall of 16 by 8 m. A deck crosses it, with two rooms that a door joins. Steps lead up to the deck.
 TEST(StoreyPlan, of_floors_above_each_other_has_two_parts) {
     SceneBuilder build;
     const auto wall = [&](double x0, double y0, double x1, double y1, double z0) {
@@ -168,11 +168,11 @@ TEST(StoreyPlan, of_floors_above_each_other_has_two_parts) {
         doors += !joins(lower, portal) && std::abs(portal.place_m.y - 4.0) < 0.5 ? 1 : 0;
     }
     EXPECT_EQ(doors, 1U) << "between the two rooms of the deck";
-    // A storey without floors above each other has no second plan.
+    // If no floors of a storey are above each other, the storey must have no second plan.
     EXPECT_TRUE(plans_of(std::move(TwoRooms().build.scene())).uppers.empty());
 }
 
-// The roof comes down beyond the walkable area. A head meets it, but nothing is near at the height of a hand.
+// Beyond the walkable area, the roof comes down. A walker's head meets it there, but nothing is near at hand height.
 TEST(StoreyPlan, is_closed_where_a_roof_is_too_low_for_a_body) {
     SceneBuilder build;
     const auto wall = [&](double x0, double y0, double x1, double y1) {
@@ -202,8 +202,8 @@ TEST(StoreyPlan, contains_no_unreachable_room_on_an_outside_ledge) {
     EXPECT_EQ(floor_at(plans.storeys[0], {4.5, 4.6}), kNothing);
 }
 
-// A hall with wide steps along its middle, 0.2 m high and 1 m deep. They lead up to a gallery at 2 m with walls on
-// either side.
+// Returns a hall with wide steps along its middle, 0.2 m high and 1 m deep. They lead up to a gallery at 2 m with walls
+// on either side. `first_step_m` is the height of the first step.
 Scene hall_with_wide_steps(double first_step_m) {
     SceneBuilder build;
     const auto wall = [&](double x0, double y0, double x1, double y1) {
@@ -234,7 +234,7 @@ TEST(StoreyPlan, has_no_wall_across_wide_steps_that_rise_through_the_section_pla
     EXPECT_TRUE(wall_on_steps(plans_of(hall_with_wide_steps(1.0)))) << "nobody climbs the first of these";
 }
 
-// Every door between rooms has no wall from jamb to jamb, and no window is without wall.
+// Checks that no wall crosses a door between rooms from jamb to jamb, and that all walls are within the plan.
 void is_sound(const Plans& plans, const std::string& world) {
     for (const Storey& storey : plans.storeys) {
         EXPECT_FALSE(storey.rooms.empty());

@@ -1,5 +1,5 @@
-// The worlds that come with the program: read without warnings, with one floor under every start, and nothing that
-// overlaps a start.
+// The reader must read the bundled worlds without warnings. Under every start must be one floor, and nothing may
+// overlap a start.
 #include <filesystem>
 
 #include "tests/support/names.h"

@@ -1,4 +1,5 @@
-// Maps of Doom 3: planes instead of points, and shapes relative to the origin of their entity.
+// Tests maps of Doom 3. They contain planes instead of points, and their shapes are relative to the origin of the
+// entity.
 #include "tests/support/names.h"
 #include "tests/unit/readers/reading.h"
 
@@ -7,7 +8,7 @@ namespace doom_map_test {
 
 using test::reading_of;
 
-// A brushDef3 box, in units.
+// Returns a box as a brushDef3, in units.
 std::string box(const Vec3& least, const Vec3& most) {
     std::string text = "{\nbrushDef3\n{\n";
     for (int axis = 0; axis < 3; ++axis)
@@ -57,7 +58,8 @@ TEST(DoomMaps, lose_the_brush_whose_plane_has_no_direction) {
     EXPECT_THAT(reading.said.front(), testing::HasSubstr("no direction"));
 }
 
-// A sine with many control points is not made finer than the reader's limit, whatever the file requests.
+// Whatever fineness the file requests, the reader must not make this patch finer than its own limit. The patch is a
+// sine with many control points.
 TEST(DoomMaps, limit_how_fine_a_patch_becomes) {
     std::string patch = "{\npatchDef3\n{\n\"textures/a/b\"\n( 3 3 9999 9999 0 0 0 )\n(\n";
     for (int row = 0; row < 3; ++row) {

@@ -1,4 +1,4 @@
-// Formats that are recognised but not read, by their ending and by their content.
+// Tests formats that the program recognises by file extension and content, but does not read.
 #include "worlds/readers/foreign_formats.h"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,8 @@ std::string said_of(const std::string& name, std::string_view bytes) {
     return scene ? "read as " + scene->report.format : scene.error().message;
 }
 
-// The directory of an archive with one file of that name, after the header of its first entry.
+// Returns the directory of an archive that contains one file called `name`. It follows the header of the archive's
+// first entry.
 std::string archive_with(const std::string& name) {
     std::string list(46, '\0');
     list.replace(0, 4, "PK\x01\x02");

@@ -1,5 +1,5 @@
-// Height pictures: every kind of PNG gives the same depths, and a file that is no picture gives a sentence. The
-// pictures are written here, chunk by chunk.
+// Tests height pictures. Every kind of PNG must give the same depths, and a file that is no picture must give a
+// sentence. The test writes the pictures itself, chunk by chunk.
 #include "worlds/readers/height_picture.h"
 
 #include <functional>
@@ -30,7 +30,7 @@ void add_chunk(std::string& out, const std::string& type, const std::string& dat
     add_number(out, ~crc);
 }
 
-// A zlib stream of stored blocks, without compression.
+// Returns a zlib stream of stored blocks, without compression.
 std::string stored(const std::string& raw) {
     std::string out = "\x78\x01";
     for (std::size_t at = 0; at < raw.size() || at == 0; at += 65535) {
@@ -104,7 +104,7 @@ std::string png(int width, int height, const Kind& kind, const Samples& sample, 
     return out;
 }
 
-// The content of all pictures below: 0 to 1 in steps that every bit depth can represent.
+// All pictures below show this content: values from 0 to 1 in steps that every bit depth can represent.
 constexpr int kWidth = 13, kHeight = 9;
 double shown(int x, int y, int bits) {
     const int steps = bits == 1 ? 1 : 3;
@@ -135,7 +135,7 @@ TEST(HeightPicture, reads_grey_of_every_bit_depth_plain_and_interlaced) {
         }
 }
 
-TEST(HeightPicture, uses_the_blue_channel_of_colour_and_palette_images) {  // S81
+TEST(HeightPicture, uses_the_blue_channel_of_colour_and_palette_images) {
     for (const bool interlaced : {false, true})
         for (const int bits : {8, 16}) {
             const Samples sample = [&](int x, int y, int channel) {
@@ -145,7 +145,8 @@ TEST(HeightPicture, uses_the_blue_channel_of_colour_and_palette_images) {  // S8
             expect_shown(png(kWidth, kHeight, {2, bits, 3, interlaced}, sample), bits, "colour");
         }
     for (const int bits : {2, 4, 8}) {
-        const std::string palette("\xff\x01\x00\x02\xff\x55\x80\x80\xaa\x00\x00\xff", 12);  // blue 0, 1/3, 2/3, 1
+        // Four colours with blue 0, 1/3, 2/3, 1.
+        const std::string palette("\xff\x01\x00\x02\xff\x55\x80\x80\xaa\x00\x00\xff", 12);
         expect_shown(
             png(
                 kWidth, kHeight, {3, bits, 1, bits == 4},
@@ -159,7 +160,7 @@ TEST(HeightPicture, uses_the_opacity_of_images_with_an_alpha_channel) {
     for (const int bits : {8, 16})
         for (const int channels : {2, 4}) {
             const std::uint32_t full = (1U << bits) - 1;
-            // The value is white everywhere, and the opacity makes the picture.
+            // The colour is white everywhere, so only the opacity contains the picture.
             const Samples sample = [&](int x, int y, int channel) {
                 return channel == channels - 1 ? static_cast<std::uint32_t>(std::lround(shown(x, y, bits) * full))
                                                : full;
@@ -223,7 +224,7 @@ TEST(HeightPicture, names_the_reason_for_refusing_a_file_that_is_too_large_or_no
     EXPECT_EQ(message(png(4096, 1, {0, 1, 1, false}, black)), "read");
 }
 
-// ---- the keys of a map ----
+// ---- keys of a map for height pictures ----
 
 std::string panel(const std::string& keys) {
     return test::entity("worldspawn", {}, test::box_brush(0, 0, -8, 64, 64, 0)) +
@@ -297,7 +298,7 @@ TEST(TextureKeys, load_a_picture_next_to_the_map_and_leave_the_surface_plain_if_
     const Material& material = material_of_panel(*good);
     ASSERT_TRUE(material.picture.has_value());
     EXPECT_EQ(material.picture->depth_hand_m, 1.5 * 1e-3);
-    EXPECT_EQ(material.picture->size_m, 1.0);  // 32 units, the panel's longer side
+    EXPECT_EQ(material.picture->size_m, 1.0);  // 32 units: the longer side of the panel
     EXPECT_EQ(material.picture->box_m.min_m, Vec3(0.0));
     EXPECT_EQ(material.picture->heights->width, kWidth);
     for (const std::string name : {"missing.png", "bad.png", "p.map", "../good.png", "/etc/hostname"}) {

@@ -1,5 +1,5 @@
-// Things of a map that are free to move, by the original's class names or by the key `free`. Faults of their keys are
-// reported with file and line, and the rest loads.
+// Tests things of a map that can move freely. The map declares them by the original's class names or by the key `free`.
+// The reader must report faults of their keys with file and line, and load the rest.
 #include "tests/support/map_text.h"
 #include "tests/support/names.h"
 #include "tests/unit/readers/reading.h"
@@ -130,7 +130,7 @@ TEST(MapBodies, that_cannot_be_free_stay_in_place_and_are_reported) {
     stays(floor + entity("func_door", key("free", "1") + key("angle", "90"), kCube),
           "only a separate thing can be free to move");
     stays(floor + entity("trigger_multiple", key("free", "1"), kCube), "only a separate thing can be free to move");
-    // A patch has a density but no volume.
+    // The patch states a density but encloses no volume.
     const std::string patch =
         "{\npatchDef2\n{\nplain\n( 3 3 0 0 0 )\n(\n"
         "( ( 0 0 0 0 0 ) ( 0 32 0 0 0 ) ( 0 64 0 0 0 ) )\n"

@@ -1,5 +1,5 @@
-// Forces in space, as a map defines them: every key takes effect, impossible values are refused by name, and the rest
-// loads.
+// Tests forces in space, as a map defines them. Every key must take effect. The reader must refuse impossible values by
+// name and load the rest.
 #include "tests/support/map_text.h"
 #include "tests/support/names.h"
 #include "tests/unit/readers/reading.h"

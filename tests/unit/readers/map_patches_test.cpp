@@ -1,5 +1,5 @@
-// Curved patches and brushDef in a map are read, cut into triangles and reported. Damage costs only the patch, not the
-// map.
+// The reader must read curved patches and brushDef in a map, cut them into triangles and report them. Damage may cost
+// only the patch, not the map.
 #include "tests/support/map_text.h"
 #include "tests/support/names.h"
 #include "tests/unit/readers/reading.h"
@@ -15,7 +15,7 @@ using test::reading_of;
 
 const std::string kFloor = box_brush(0, 0, -32, 640, 640, 0);
 
-// A quarter of an arch, 64 units high and wide and 128 deep, as an editor writes it.
+// Returns a quarter of an arch, 64 units high and wide and 128 units deep, as an editor writes it.
 std::string patch(const std::string& form = "patchDef2", const std::string& size = "3 3 0 0 0",
                   const std::string& texture = "base_wall/brick2") {
     std::string text = "{\n" + form + "\n{\n" + texture + "\n( " + size + " )\n(\n";
@@ -33,7 +33,7 @@ Reading read(const std::string& brushes, const std::string& keys = {}) {
     return reading_of(read_quake_map(entity("worldspawn", keys, kFloor + brushes), "p.map"));
 }
 
-TEST(MapPatches, can_be_touched_on_the_side_that_their_entity_names) {  // S28
+TEST(MapPatches, can_be_touched_on_the_side_that_their_entity_names) {
     const auto side_of = [](const std::string& value, std::vector<std::string>* said = nullptr) {
         Reading reading =
             reading_of(read_quake_map(entity("worldspawn", {}, kFloor) +
@@ -73,9 +73,10 @@ TEST(MapPatches, become_triangles_within_a_millimetre_and_their_error_is_reporte
     EXPECT_EQ(reading.scene.material(arch.material).name, "brick");
     EXPECT_NEAR(arch.bounds_m.max_m.z, 2.0, 1e-12);
     EXPECT_NEAR(arch.bounds_m.max_m.y, 4.0, 1e-12);
-    // A parabola from (2, 0) to (0, 2) with the control point (2, 2): 3.246 m long, 4 m deep.
+    // The arch is a parabola from (2, 0) to (0, 2) with the control point (2, 2). The curve is 3.246 m long, and the
+    // arch is 4 m deep.
     EXPECT_NEAR(arch.area_m2, 4.0 * 3.2465, 0.02);
-    // Twice the accuracy, and a tenth of the error: more triangles.
+    // A smaller permitted error must give more triangles, and a greater one fewer.
     const auto count = [](const char* error) {
         return read(patch(), key("curve_error", error)).scene.triangles.size();
     };
@@ -173,7 +174,7 @@ TEST(MapPatches, in_brushDef_notation_give_the_same_brushes_as_the_plain_notatio
         EXPECT_EQ(a.scene.solids[1].shape.planes[i].offset_m, b.scene.solids[1].shape.planes[i].offset_m);
     }
     EXPECT_EQ(b.scene.material(b.scene.solids[1].face_materials[0]).name, "wood");
-    // Nothing else is lost if a brush lacks its second brace or the numbers of its texture.
+    // If a brush lacks its second brace or the numbers of its texture, only that brush may be lost.
     EXPECT_EQ(
         read("{\nbrushDef\n{\n( 0 0 0 ) ( 1 0 0 ) ( 0 1 0 ) ( ( 1 0 ) x 0 0 0\n}\n}\n" + plain).scene.solids.size(),
         2U);

@@ -1,4 +1,5 @@
-// Exact shapes in a map: cs_name of the original's maps, and the keys `shape` and `axis`.
+// Tests exact shapes in a map. A map requests them by the key cs_name, as the original's maps do, or by the keys
+// `shape` and `axis`.
 #include "tests/support/map_text.h"
 #include "tests/support/names.h"
 #include "tests/unit/readers/reading.h"
@@ -22,8 +23,8 @@ bool heard(const Reading& reading, const std::string& part) {
                        [&](const std::string& s) { return s.find(part) != std::string::npos; });
 }
 
-const std::string kCube = box_brush(64, 64, 0, 96, 96, 32);     // 1 m, from (2, 2, 0)
-const std::string kPillar = box_brush(64, 64, 0, 96, 96, 128);  // 1 by 1 by 4 m
+const std::string kCube = box_brush(64, 64, 0, 96, 96, 32);     // side 1 m, from (2, 2, 0)
+const std::string kPillar = box_brush(64, 64, 0, 96, 96, 128);  // 1 by 1 m, 4 m high
 
 TEST(MapShapes, dynamic_things_take_their_sizes_from_their_bounding_box) {
     const Reading ball = read(key("cs_name", "dynamic_sphere"), kCube, "thing");
@@ -46,7 +47,7 @@ TEST(MapShapes, dynamic_things_take_their_sizes_from_their_bounding_box) {
     const Reading box = read(key("cs_name", "dynamic_box"), kCube, "thing");
     EXPECT_TRUE(std::holds_alternative<std::monostate>(box.scene.solids.at(1).round));
     EXPECT_EQ(box.scene.solids[1].shape.planes.size(), 6U);
-    // Several brushes make one shape, also a box.
+    // Several brushes of one entity must make one shape, even if they form a box.
     const std::string two = box_brush(64, 64, 0, 96, 96, 16) + box_brush(64, 64, 16, 96, 96, 32);
     for (const char* name : {"dynamic_box", "dynamic_sphere"})
         EXPECT_EQ(read(key("cs_name", name), two, "thing").scene.solids.size(), 2U) << name;
@@ -76,7 +77,7 @@ TEST(MapShapes, the_key_shape_makes_any_entity_exact_along_any_axis) {
     EXPECT_NEAR(shape->axis.z, -1.0, 1e-12);
     EXPECT_EQ(cone.scene.solids[1].role, SolidRole::Solid);
     EXPECT_EQ(cone.scene.find(cone.scene.solids[1].feature)->name, "cone");
-    const std::string lying = box_brush(64, 64, 0, 192, 96, 32);  // 4 m along x
+    const std::string lying = box_brush(64, 64, 0, 192, 96, 32);  // 4 m long along x
     for (const auto& [axis, direction] : {std::pair{"x", 1.0}, {"-x", -1.0}}) {
         const Reading post = read(key("name", "Rail") + key("shape", "capsule") + key("axis", axis), lying);
         const auto* capsule = std::get_if<CapsuleShape>(&post.scene.solids.at(1).round);

@@ -1,5 +1,5 @@
-// Meshes without a start: the start is put on a floor where a walker has room, never on a table, inside a wall or
-// outside everything.
+// Tests meshes without a start. The reader must put a start on a floor where a walker has room, never on a table,
+// inside a wall or outside everything.
 #include "worlds/readers/mesh_start.h"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace handrail {
 namespace mesh_start_test {
 
-// Quads as in an OBJ file; all are sheets.
+// Quads as in an OBJ file. All of them are sheets.
 struct Sheets {
     std::string obj;
     int corners = 0;
@@ -92,7 +92,7 @@ TEST(MeshStart, does_not_exist_on_a_single_table_or_on_walls_without_a_floor) {
     EXPECT_FALSE(place_to_stand(Scene()));
 }
 
-// The walker's box contains no point of any sheet, tested with many points of each.
+// The walker's box at the start must contain no point of any sheet. The test tries many points of each sheet.
 TEST(MeshStart, of_random_rooms_has_room_for_a_body_near_and_far_from_the_origin) {
     std::mt19937 random(3);
     const auto real = [&](double low, double high) {

@@ -1,4 +1,4 @@
-// glTF, PLY and STL: axes, units, names, which parts are solid, and the faults of damaged files.
+// Tests glTF, PLY and STL: axes, units, names, which parts are solid, and faults of damaged files.
 #include <cstring>
 #include <random>
 
@@ -19,7 +19,8 @@ std::string seed(const std::string& path) {
 }
 
 TEST(ReadGltf, turns_y_up_into_z_up_and_places_things_as_the_file_says) {
-    // A cube of 1 m, twice as wide, moved 1 m east and 2 m along the file's z, which points south.
+    // A cube of 1 m, scaled to twice its width. It is moved 1 m east and 2 m along the file's z axis, which points
+    // south.
     const Result<Scene> scene = read_gltf(seed("gltf/seeds/table.glb"), "table.glb");
     ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
     EXPECT_EQ(scene->report.format, "gltf");
@@ -70,7 +71,8 @@ std::string base64(const std::string& bytes) {
     return text;
 }
 
-// One triangle of 0 0 0, 2 0 0 and 0 2 0 units with numbers of the given type, and more text in the node and the file.
+// Returns a glTF file with one triangle: 0 0 0, 2 0 0 and 0 2 0, as numbers of type T times `unit`. The other arguments
+// add text to the node and to the file.
 template <class T>
 std::string triangle_gltf(int type, T unit, bool normalized, const std::string& in_node, const std::string& required,
                           const std::string& more_bytes = {}, const std::string& more_accessors = {}) {
@@ -146,7 +148,7 @@ TEST(ReadStl, accepts_keywords_in_any_letter_case) {
     }
 }
 
-// A part of a text STL: a block of these sides.
+// Returns a part of a text STL: a cube from `low` to `high`.
 std::string block(const std::string& name, double low, double high) {
     std::string text = "solid " + name + "\n";
     const auto at = [&](int corner, int axis) { return corner >> axis & 1 ? high : low; };
@@ -192,7 +194,8 @@ bool in_a_solid(const Scene& scene, const Vec3& at_m, double grow_m = 0.0) {
                        [&](const Solid& solid) { return contains(solid.shape, at_m, grow_m); });
 }
 
-// A table, a horseshoe of counters and a hollow chest, each turned differently, in a room that is seen from inside.
+// A table, a horseshoe of counters and a hollow chest, each turned by another angle. They are in a room that is seen
+// from inside.
 struct Furnished {
     std::vector<std::pair<std::string, test::BlockMesh>> things;
 
@@ -251,7 +254,7 @@ TEST(Meshes, that_are_closed_are_solid_exactly_at_points_that_ray_casts_call_ins
             ASSERT_EQ(in_a_solid(*scene, at), inside == 1) << at.x << " " << at.y << " " << at.z;
         }
         for (std::size_t t = 1; t < 4; ++t) EXPECT_GT(met[t], 20) << furnished.things[t].first;
-        // The visible area of each thing is that of its skin: no inner cut is a surface.
+        // The visible area of each thing must be the area of its outer surface. Cuts inside a thing are not surfaces.
         for (std::size_t t = 1; t < 4; ++t) {
             const test::BlockMesh& mesh = furnished.things[t].second;
             double area_m2 = 0.0;
@@ -272,7 +275,8 @@ TEST(Meshes, that_are_closed_are_solid_exactly_at_points_that_ray_casts_call_ins
 }
 
 TEST(ReadStl, separates_the_things_in_one_mesh_and_finds_a_start_between_thick_walls) {
-    // Walls 0.5 m thick around 6 by 4 m, with an exit, as one closed mesh: the start is between them, not inside one.
+    // One closed mesh: walls 0.5 m thick around 6 by 4 m, with an exit. The start must be between the walls, not inside
+    // one.
     std::set<test::Block> blocks;
     for (int x = 0; x < 14; ++x)
         for (int y = 0; y < 10; ++y) {

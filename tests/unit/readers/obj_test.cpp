@@ -36,7 +36,7 @@ TEST(ReadObj, splits_polygons_keeps_coordinates_and_counts_faces) {
     EXPECT_EQ(reading.scene.features.at(0).name, "test") << "without names the file's";
 }
 
-TEST(ReadObj, reads_the_touchable_side_of_faces_from_a_comment) {  // S28
+TEST(ReadObj, reads_the_touchable_side_of_faces_from_a_comment) {
     const Reading reading = read(kSquare +
                                  "f 1 2 3\n#touch_side front\nf 1 3 4\n# touch_side back\nf 1 2 4\n#touch_side "
                                  "back\r\nf 2 3 4\n#touch_side BOTH\nf 1 2 3 4\n#touch_side up\n");
@@ -49,7 +49,7 @@ TEST(ReadObj, reads_the_touchable_side_of_faces_from_a_comment) {  // S28
 }
 
 TEST(ReadObj, cuts_concave_polygons_into_triangles_by_ear_clipping) {
-    // An arrow head with an area of 3 units; no triangle may cover the notch around (1, 0.5).
+    // An arrow head with an area of 3 units. No triangle may cover the notch around (1, 0.5).
     const Reading reading = read("v 0 0 0\nv 1 1 0\nv 2 0 0\nv 1 4 0\nf 1 2 3 4\n");
     EXPECT_EQ(reading.scene.triangles.size(), 2U);
     EXPECT_DOUBLE_EQ(area(reading.scene), 3.0);
@@ -135,7 +135,7 @@ TEST(ReadObj, names_features_by_object_and_group_and_surfaces_by_material) {
     EXPECT_EQ(read(kSquare + "usemtl t_brick_2\nf 1 2 3\n", plain).scene.materials.size(), 1U);
 }
 
-// The result must be valid: a valid Scene, or a sentence.
+// Expects a valid Scene, or an error with a sentence.
 void expect_whole(const Result<Scene>& scene) {
     EXPECT_TRUE(scene ? validate(*scene).has_value() : !scene.error().message.empty());
 }

@@ -1,4 +1,5 @@
-// Furniture placed by one key: it is at the stated place, faces the stated way, and has its own name and touch.
+// Tests furniture that one key places. It must be at the stated place, face the stated direction, and have its own name
+// and materials.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -52,7 +53,7 @@ TEST(Prefabs, are_placed_and_turned_as_written_with_each_part_in_its_material) {
             const std::vector<Solid> solids = solids_of(scene, *feature);
             ASSERT_EQ(solids.size(), prefab.parts.size());
             EXPECT_EQ(scene.report.warnings.size(), 0U);
-            // The map's angle is counter-clockwise from east; the front of the piece is its +y.
+            // The map's angle is counter-clockwise from east. The front of a piece of furniture is its +y side.
             const double turn = radians_from_degrees(angle_deg - 90.0);
             const auto placed = [&](const Vec3& p) {
                 return Vec3(1.0 + p.x * std::cos(turn) - p.y * std::sin(turn),
@@ -62,7 +63,7 @@ TEST(Prefabs, are_placed_and_turned_as_written_with_each_part_in_its_material) {
                 const Aabb& box = prefab.parts[i].box_m;
                 const Vec3 size = box.size_m();
                 EXPECT_NEAR(solids[i].shape.bounds_m.size_m().z, size.z, 1e-6);
-                // Just inside and just outside at each side.
+                // Tests points just inside and just outside each side.
                 for (const Vec3& side :
                      {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
                     EXPECT_TRUE(contains(solids[i].shape, placed(box.centre_m() + side * (0.5 * size - 1e-4))));

@@ -49,7 +49,8 @@ TEST(ReadWorld, recognises_files_of_other_kinds_and_gives_advice) {
     EXPECT_EQ(sentence_for("a.map", ""), "a.map: This file is empty.");
 }
 
-// Faces with the greatest number of corners that is read, so that cutting them into triangles takes half a minute.
+// Returns faces with the greatest number of corners that the reader accepts. Cutting them into triangles takes half a
+// minute.
 std::string endless_faces() {
     constexpr int kCorners = 4096, kFaces = 1000;
     std::string text, face = "f";
@@ -89,7 +90,7 @@ TEST(ReadWorld, can_be_cancelled_at_each_step_of_a_map) {
     options.progress = [&](double fraction) { steps.insert(fraction); };
     ASSERT_TRUE(read_quake_map(map, "a.map", options));
     steps.erase(1.0);
-    steps.erase(0.9);  // the remaining work is short, and the Scene is complete
+    steps.erase(0.9);  // at this step the Scene is complete, and the remaining work is short
     ASSERT_GE(steps.size(), 2U);
     for (const double step : steps) {
         std::stop_source stop;

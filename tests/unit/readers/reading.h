@@ -1,4 +1,4 @@
-// A Scene as the readers' tests check it, with its warnings as they are spoken.
+// A Scene as the readers' tests check it, with its warnings as the session announces them.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct Reading {
     std::vector<std::string> said;
 };
 
-// Expects a valid Scene; returns an empty one if reading failed.
+// Expects a valid Scene. Returns an empty one if the reader failed.
 inline Reading reading_of(Result<Scene> scene) {
     EXPECT_TRUE(scene.has_value()) << (scene ? "" : scene.error().sentence());
     if (!scene) return {};

@@ -1,4 +1,4 @@
-// Files that no editor writes: the reader must end in time, with a valid Scene or with a sentence.
+// Tests files that no editor writes. The reader must end in time, with a valid Scene or with a sentence.
 #include <atomic>
 #include <cstdlib>
 #include <random>
@@ -18,7 +18,7 @@ namespace torture_test {
 using test::box_brush;
 using test::entity;
 
-// Reads the file and checks the result. Returns the number of solids.
+// Reads the bytes as a map and checks the result. Returns the number of solids.
 std::size_t survive(std::string_view bytes) {
     const Result<Scene> scene = read_quake_map(bytes, "torture.map");
     if (!scene) {
@@ -49,8 +49,8 @@ TEST(Torture, a_map_cut_at_every_byte_is_survived) {
 }
 
 TEST(Torture, complete_maps_cut_at_every_97th_byte_are_survived) {
-    // Cuts the small map at every place, and the larger ones at places spread over the file. Cutting at every place
-    // takes minutes of processor time, shared among the processors; HANDRAIL_EVERY_CUT=1 requests that.
+    // Cuts the small map at every place, and the larger maps at some places all over the file. If HANDRAIL_EVERY_CUT=1
+    // is set, cuts every map at every place, which takes minutes of processor time on all processors together.
     const bool every = std::getenv("HANDRAIL_EVERY_CUT") != nullptr;
     const auto maps = test::project_root() / "worlds/maps";
     for (const auto& path :
@@ -135,7 +135,8 @@ TEST(Torture, random_bytes_and_random_tokens_are_survived) {
 }
 
 TEST(Torture, random_planes_through_a_small_grid_are_survived) {
-    // Thousands of needles, wedges, repeated and opposite planes, and empty and open brushes, on top of each other.
+    // Thousands of needles and wedges, brushes with repeated and opposite planes, and empty and open brushes, all on
+    // top of each other.
     std::mt19937 random(2);
     for (int round = 0; round < test::scaled(60); ++round) {
         std::string brushes = box_brush(0, 0, 0, 8, 8, 8);

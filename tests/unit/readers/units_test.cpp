@@ -1,4 +1,4 @@
-// The length of a unit if the file does not state it.
+// Tests which length of a unit the reader assumes if the file does not state it.
 #include "worlds/readers/units.h"
 
 #include <gmock/gmock.h>
@@ -12,7 +12,7 @@ namespace units_test {
 
 using testing::HasSubstr;
 
-// A single floor with these sizes in units.
+// Returns a single floor of `wide` by `deep` units.
 std::string floor_of(double wide, double deep) {
     return fmt::format("v 0 0 0\nv {0} 0 0\nv {0} {1} 0\nv 0 {1} 0\nf 1 2 3 4\n", wide, deep);
 }
@@ -45,7 +45,7 @@ TEST(Units, get_a_warning_if_the_world_would_be_wider_than_2_km_or_narrower_than
     EXPECT_EQ(first_warning(60'000, 40'000, known), "");
 }
 
-// A closed box with these corners in units, as `g name`.
+// Returns a closed box with these corners in units, as `g name`.
 std::string box_of(const std::string& name, const Vec3& min, const Vec3& max) {
     std::string text = "g " + name + "\n";
     for (int i = 0; i < 8; ++i)
@@ -53,7 +53,7 @@ std::string box_of(const std::string& name, const Vec3& min, const Vec3& max) {
     return text + "f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\nf -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 -3\n";
 }
 
-// A room of 9 by 6 and 2.5 metres whose y axis points up.
+// Returns a room of 9 by 6 metres that is 2.5 metres high. Its y axis points up.
 std::string room_with_y_up(const std::string& floor, double units_per_m, bool walls) {
     const auto box = [&](const std::string& name, const Vec3& min, const Vec3& max) {
         return box_of(name, min * units_per_m, max * units_per_m);

@@ -9,7 +9,7 @@
 namespace handrail::test {
 namespace {
 
-std::atomic<long> left{-1};  // writes that still succeed; -1: no limit
+std::atomic<long> left{-1};  // number of writes until the first failure; -1: no limit
 std::atomic<bool> hit{false};
 
 }  // namespace

@@ -3,8 +3,8 @@
 
 namespace handrail::test {
 
-// From the n-th write to a file on, by any thread, all writes fail with ENOSPC until this object is destroyed. The
-// write before that is only half done.
+// Makes writes to files fail with ENOSPC from any thread, until this object is destroyed. Of the write number
+// `from_write`, counted from 1, only half succeeds; all later writes fail. If `from_write` is 0, all writes fail.
 class FullDisk {
 public:
     explicit FullDisk(long from_write);

@@ -1,4 +1,5 @@
-// Playing back a recording: times, speed, stopping, moving to and fro, and a voice that needs longer.
+// Tests the playback of a recording: times, speed, stopping, moving back and forth, and a voice that needs more time
+// than the recorded one.
 #include <gtest/gtest.h>
 
 #include "app/record/hearing.h"
@@ -23,7 +24,8 @@ std::string said(int t_ms, const std::string& text, bool voiced = true) {
            (voiced ? "true" : "false") + "}\n";
 }
 
-// What is heard and at which hundredth of a second, with a voice that needs `voice_s` for each line.
+// Plays for `for_s`, with a voice that needs `voice_s` for each line. Returns the lines, each with the hundredth of a
+// second at which it begins.
 std::vector<std::string> heard(Hearing& hearing, double for_s, double voice_s) {
     std::vector<std::string> all;
     double silent_at_s = -1.0;
