@@ -234,7 +234,8 @@ TEST(StoreyPlan, has_no_wall_across_wide_steps_that_rise_through_the_section_pla
     EXPECT_TRUE(wall_on_steps(plans_of(hall_with_wide_steps(1.0)))) << "nobody climbs the first of these";
 }
 
-// Checks that no wall crosses a door between rooms from jamb to jamb, and that all walls are within the plan.
+// Checks that no wall stands anywhere between the jambs of a door, that all walls are within the plan, and that the
+// middle of a room is in no other room.
 void is_sound(const Plans& plans, const std::string& world) {
     for (const Storey& storey : plans.storeys) {
         EXPECT_FALSE(storey.rooms.empty());

@@ -1,5 +1,6 @@
-// A recording of the engine of free bodies suffices to recompute it and the hands bit for bit. This also holds if the
-// engine stalled so long that pushes and orders found no room, and if its time was skipped.
+// From a recording of the engine of movable bodies, the program must recompute the engine and the hands bit for bit. It
+// must do so even if the engine stalled so long that its queues for pushes and orders were full, and if the engine
+// skipped time.
 #include "app/record/played_bodies.h"
 
 #include <random>
@@ -25,7 +26,7 @@ World crates() {
     return {maker.felt(), maker.moves()};
 }
 
-// One hand with its servo; its target depends only on the time.
+// One hand with its servo. The hand's target depends only on the time.
 class OneHand {
 public:
     OneHand(const World& world, std::shared_ptr<HandChannel> channel, unsigned which)
@@ -67,7 +68,8 @@ private:
     WorkspacePose pose_;
 };
 
-// The session's orders in a frame: a walker, things that are shoved, and now and then far too many orders.
+// Gives the engine the session's orders in a frame: it places a walker and shoves things. Every fifty frames it gives
+// far more orders than fit.
 void ask(BodyEngine& engine, int frame, std::vector<char>& answers) {
     BodyEngine::Order walker;
     walker.kind = BodyEngine::Order::Kind::Walker;
@@ -86,7 +88,7 @@ void ask(BodyEngine& engine, int frame, std::vector<char>& answers) {
     if (frame == 150) answers.push_back(engine.order({.kind = BodyEngine::Order::Kind::Restart}));
 }
 
-// What all sides saw.
+// What the hands and the session received from the engine.
 struct Seen {
     std::vector<Vec3> forces_n[2];
     std::vector<char> answers;
@@ -121,7 +123,7 @@ Seen recorded(const World& world, Recording& recording) {
             row.bodies = {side.channel().engine, side.channel().frame.read().number, side.take_refused()};
             recording.hands[which].push_back(row);
             seen.forces_n[which].push_back(row.force_n);
-            // Also steps between the ticks of both hands.
+            // The engine may also step between the ticks of the two hands.
             if (tick >= stalls_until && draw() % 4 == 0) engine.step_until(now_s);
         }
         if (draw() % 150 == 0) stalls_until = tick + static_cast<int>(draw() % 200);
@@ -191,7 +193,7 @@ TEST(PlayedBodies, repeat_bit_identically_the_recording_of_a_stalling_engine) {
     EXPECT_GT(pushed, 500U);
     EXPECT_GT(hits, 20U) << "things have met";
     EXPECT_NE(std::count(was.answers.begin(), was.answers.end(), 0), 0) << "orders found no room";
-    // As it is after writing and reading.
+    // Rounds the rows to the numbers that a file contains.
     for (auto& hand : recording.hands)
         for (HandRow& row : hand) row.bodies = row_of(numbers_of(row)).bodies;
     for (EngineRow& row : recording.bodies) row = row_of(numbers_of(row));
@@ -232,7 +234,7 @@ TEST(PlayedBodies, with_a_missing_step_or_tick_fail_and_never_hang) {
     failed = false;
     (void)computed(world, lacks, failed);
     EXPECT_TRUE(failed) << "the end";
-    // Random numbers that no program wrote: whatever results, the computation ends.
+    // These rows contain random numbers that no program wrote. Whatever the results are, the computation must end.
     std::mt19937_64 draw(3);
     for (int round = 0; round < 8; ++round) {
         lacks = whole;

@@ -1,4 +1,5 @@
-// What a servo gives to a recording: what each tick saw, and the same ticks recomputed from it.
+// Tests what a servo gives to a recording: what each tick read. From it, the test must be able to recompute the same
+// ticks.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -12,8 +13,8 @@
 namespace handrail {
 namespace recorded_servo_test {
 
-// This many milliseconds of a hand that follows a target to and fro in empty space. With a null ring nothing is
-// recorded.
+// Runs a hand for `ticks` milliseconds, which follows a target back and forth in empty space. If `ring` is null,
+// nothing is recorded.
 std::vector<ToolState> stepped(int ticks, HandRing* ring, std::vector<HandRow>* rows) {
     VirtualClock clock;
     clock.advance_s(100.0);
@@ -60,8 +61,8 @@ TEST(RecordedServo, stores_each_tick_so_that_it_can_be_recomputed_bit_identicall
 
 TEST(RecordedServo, without_a_recording_passes_its_device_through_unchanged) {
     const std::vector<ToolState> states = stepped(3000, nullptr, nullptr);
-    // Encoder steps of 55 micrometres are not whole micrometres in binary. Without rounding they remain the device's
-    // own values.
+    // A recording rounds times to whole microseconds and places to whole micrometres. Without a recording, the servo
+    // must use the device's own values.
     ASSERT_EQ(states.size(), 3000U);
     EXPECT_NE(states.back().time_s, in_whole_microseconds(states.back().time_s));
 }

@@ -1,4 +1,4 @@
-// What a recording writes, and what is read from it, whole or damaged.
+// Tests what a recording writes, and what can be read from it if it is whole or damaged.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -64,7 +64,8 @@ void expect_same(const HandRow& a, const HandRow& b) {
     EXPECT_EQ(a.bodies, b.bodies);
 }
 
-// A recording of a second and a half with a hand, frames, steps and lines, and the data that went into it.
+// A recording of a second and a half with a hand, frames, steps and lines. Also contains the data that the test
+// recorded.
 struct Made {
     fs::path folder;
     std::vector<HandRow> hand;
@@ -166,7 +167,7 @@ TEST(Recording, cut_at_every_byte_is_read_up_to_its_last_complete_line) {
             ASSERT_EQ(read->problems[0].line, static_cast<int>(ends) + 1);
         }
     }
-    // The packed tables give at least the rows of the undamaged pieces, and never a wrong row.
+    // A cut packed table must give at least the rows of its undamaged pieces, and never a wrong row.
     const std::string packed = *read_whole_file(made.folder / "hand.csv.gz");
     std::size_t rows = 0;
     for (std::size_t cut = 0; cut < packed.size(); cut += 41) {
@@ -217,7 +218,8 @@ TEST(Recording, of_another_kind_or_a_newer_version_is_refused_with_file_and_line
                   "events.jsonl, line 1: This file does not begin like a recording. A recording begins with a line "
                   "that says what it is.");
     }
-    // Converting a number that fits in no integer is undefined behaviour, so such numbers are refused first.
+    // If a number fits in no integer, its conversion is undefined behaviour. So the reader must refuse such numbers
+    // before it converts them.
     std::string head = test::content_of(test::project_root() / "tests/fuzz/inputs/recording/seeds/events.jsonl");
     ASSERT_TRUE(read_events(head, "events.jsonl"));
     for (const char* form : {"19223372036854775807", "-19223372036854775807", "4294967297", "1e300", "1.5"}) {
@@ -243,12 +245,13 @@ TEST(RecordingRows, that_are_invalid_are_reported_with_file_and_line) {
     };
     const std::string no_row = "This row must have one whole number for each column.";
     EXPECT_EQ(problem("=1,2\n,,3\n"), "");
-    EXPECT_EQ(problem("1,2\n"), "cues.csv.gz, line 2: " + no_row);  // there is no earlier row for the difference
+    // The numbers are differences from the previous row, but there is none.
+    EXPECT_EQ(problem("1,2\n"), "cues.csv.gz, line 2: " + no_row);
     EXPECT_EQ(problem("=1,2\n1.5\n"), "cues.csv.gz, line 3: " + no_row);
     EXPECT_EQ(problem("=1,2,3,4,5,6\n"), "cues.csv.gz, line 2: " + no_row);
     EXPECT_EQ(problem("=9223372036854775807\n1\n"), "cues.csv.gz, line 3: " + no_row);
     EXPECT_EQ(problem("=1,2"), "cues.csv.gz, line 2: The last line is not complete.");
-    // An older recording has fewer columns.
+    // Older recordings have fewer columns.
     const auto older = read_rows<kFrameColumns>("t_us,tick,left_tick,x_mm,y_mm,z_mm,heading_cdeg\n=5,6\n1\n",
                                                 frame_header(), "frames.csv.gz");
     EXPECT_FALSE(older.problem);
@@ -330,8 +333,8 @@ TEST(RecordedInput, of_every_kind_is_read_back_unchanged) {
     EXPECT_TRUE(taken.for_want_of_one);
 }
 
-// A hand that strokes, trembles and feels, with a loop that is some microseconds off. Returns ten times the size of a
-// minute and a half.
+// Returns the size of a recording of fifteen minutes: ten times the size of a minute and a half. The hand strokes a
+// wall and trembles. The ticks of the loop are some microseconds early or late.
 std::size_t bytes_of_fifteen_minutes(bool among_free_bodies) {
     std::mt19937_64 draw(9);
     std::normal_distribution<double> jitter(0.0, 8e-6);
@@ -349,7 +352,7 @@ std::size_t bytes_of_fifteen_minutes(bool among_free_bodies) {
         row.time_s = in_whole_microseconds(now_s);
         row.sample.position_m = {on_grid(0.06 * part + tremor), on_grid(0.02 * part - tremor), on_grid(tremor)};
         round_to_whole_steps(row.sample);
-        // A wall of 400 N/m with the default damping; the force follows the encoder values.
+        // The wall has 400 N/m and the default damping. The force follows the encoder values.
         const double deep_m = row.sample.position_m.x - 0.055, moved_m = row.sample.position_m.x - last_m;
         last_m = row.sample.position_m.x;
         speed += 0.27 * (moved_m / 1e-3 - speed);

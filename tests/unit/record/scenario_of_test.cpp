@@ -1,4 +1,4 @@
-// A recording converted to a scenario: which of its lines become expectations.
+// Tests how a recording is converted to a scenario, and which of its lines become expectations.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -78,7 +78,8 @@ TEST(ScenarioOfRecording, uses_the_same_input_mode_as_the_session) {
     EXPECT_THAT(scenario_with(""), HasSubstr("acts_by = \"window-keys\"\n"));
 }
 
-// What the scenario cannot do or says differently is left out and counted; the remaining expectations are met.
+// The conversion must omit and count actions that the scenario cannot perform and lines that the scenario announces
+// differently. The remaining expectations must be met.
 TEST(ScenarioOfRecording, omits_lines_and_expectations_that_fail_in_a_trial_run) {
     ScenarioText text;
     text.toml =

@@ -1,5 +1,5 @@
-// Every kind of obstacle in one scene: the nearest point, the surface hit, and the number of contacts, near the world's
-// origin and far from it.
+// Tests one scene with every kind of obstacle: the nearest point, the surface there, and the number of contacts. The
+// scene is near the world's origin or far from it.
 #include "haptic/render/haptic_scene.h"
 
 #include "haptic/render/proxy_solver.h"
@@ -12,7 +12,7 @@ namespace haptic_scene_test {
 
 SurfaceLabel label(std::uint32_t feature) { return {FeatureId{feature}, 0, false}; }
 
-// One obstacle of every kind along x, ten metres apart, each 2 m wide and 2 m high and standing on z = 0.
+// Returns one obstacle of every kind, ten metres apart along x. Each is 2 m wide and 2 m high and stands on z = 0.
 std::shared_ptr<const HapticScene> one_of_each(const Vec3& at) {
     HapticSceneBuilder builder;
     const auto x = [&](int i) { return at + Vec3(10.0 * i, 0.0, 0.0); };
@@ -59,7 +59,7 @@ TEST(HapticScene, gives_place_and_surface_of_every_kind_of_obstacle_near_and_far
             std::uint32_t feature;
         };
         const double rounding = at == Vec3(0.0) ? 1e-12 : 1e-9;
-        // Points 1 m outside each sloping side, along the normal from a point on that side.
+        // For each sloping side, the query point is 1 m outside, along the normal.
         const Vec3 slope = glm::normalize(Vec3(1, 0, 1)), slant = glm::normalize(Vec3(2, 0, 1));
         for (const Row& row : {Row{0, {0, -3, 1}, 3, 10},
                                {0, {0, 3, 1}, 3, 10},
@@ -101,7 +101,8 @@ TEST(HapticScene, stops_a_ball_at_every_kind_of_obstacle_with_the_label_of_the_f
     }
 }
 
-// Sliding over round solids takes one or two rounds, not dozens, even if the hand is deeper than the proxy's radius.
+// The solver must need at most three rounds to slide over a round solid, not dozens, even if the hand is deeper than
+// the proxy's radius.
 TEST(HapticScene, slides_over_round_solids_in_few_solver_rounds) {
     TouchWorld sphere, capsule, cylinder, cone;
     sphere.sphere({0, 0, 0}, .05);
@@ -117,7 +118,7 @@ TEST(HapticScene, slides_over_round_solids_in_few_solver_rounds) {
             double rounds = 0, ticks = 0;
             for (double lift = 0.03; lift > -depth; lift -= 1e-4)
                 touch_tick(state, *scene, tuning, {0, 0, 0.055 + lift}, 1e-3);
-            // Holds still until the proxy has come down to its place, then circles at 0.1 m/s.
+            // The hand rests until the proxy has reached its place. Then it circles at 0.1 m/s.
             for (int i = 0; i < 300; ++i) touch_tick(state, *scene, tuning, {0, 0, 0.055 - depth}, 1e-3);
             for (double turn = 0.0; turn < 2 * kPi; turn += 1e-4 / (0.055 - depth)) {
                 const Vec3 goal = (0.055 - depth) * Vec3(std::sin(turn), 0, std::cos(turn));

@@ -1,4 +1,5 @@
-// touch_tick neither allocates nor frees. The test counts every call of operator new and delete in this program.
+// touch_tick must neither allocate nor free memory. The test counts every call of operator new and delete in this
+// program.
 #include "haptic/render/touch.h"
 #include "tests/support/count_allocations.h"
 #include "tests/support/names.h"
@@ -28,7 +29,7 @@ TEST(TouchTick, never_allocates_or_frees) {
         touch_tick(state, *scene, tuning, c.goals_m.front(), 1e-3);
         during += allocations - before;
     }
-    // Moves through a pool and effects of every kind.
+    // The hand moves through a pool and through effects of every kind.
     const Aabb cube{Vec3(-0.05), Vec3(0.05)};
     HapticSceneBuilder builder;
     LiquidVolume liquid;

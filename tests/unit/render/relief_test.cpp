@@ -1,4 +1,4 @@
-// Height and friction textures: their depth, slope and borders, and how they change the force.
+// Tests height and friction textures: their depth, slope and borders, and how they change the force.
 #include "haptic/render/relief.h"
 
 #include <random>
@@ -17,7 +17,8 @@ std::shared_ptr<const HeightField> random_field(std::mt19937& random, int width,
     return std::make_shared<const HeightField>(width, height, depths);
 }
 
-// Black on the left and white on the right, three quarters of the width. At the right border it returns to black.
+// Returns a picture whose left half is black and whose right half is white. Beyond the right border, the picture
+// repeats with black.
 std::shared_ptr<const HeightField> half_white() {
     constexpr int kWidth = 64, kHeight = 32;
     std::vector<float> depths(kWidth * kHeight);
@@ -53,9 +54,11 @@ TEST(Relief, is_never_steeper_or_more_curved_than_a_hand_can_follow) {
             const Vec3 at(place(random), place(random), 0.0);
             const ReliefValue here = relief_at(relief, axes, at, 1.0, kStiffness, 1.0);
             EXPECT_GE(here.depth_m, -1e-15);
-            EXPECT_LE(here.depth_m, relief.depth_hand_m * (1.0 + 1e-6));  // pictures are stored in single precision
+            // The tolerance is needed because pictures are stored in single precision.
+            EXPECT_LE(here.depth_m, relief.depth_hand_m * (1.0 + 1e-6));
             EXPECT_LE(glm::length(here.gradient), 0.3 + 1e-9);
-            // Compares the slope with differences of the depth, and the bend with differences of the slope.
+            // Compares the slope with differences of the depth. Checks that the differences of the slope stay below the
+            // limit for the curvature.
             constexpr double kStep = 1e-6;
             for (const Vec3& way : {Vec3(kStep, 0, 0), Vec3(0, kStep, 0)}) {
                 const ReliefValue ahead = relief_at(relief, axes, at + way, 1.0, kStiffness, 1.0),
@@ -69,7 +72,7 @@ TEST(Relief, is_never_steeper_or_more_curved_than_a_hand_can_follow) {
 }
 
 TEST(Relief, has_axes_pointing_right_and_up_for_a_person_facing_the_wall) {
-    EXPECT_EQ(relief_axes({0, -1, 0}).u, Vec3(1, 0, 0));  // for a wall that faces south, right is east
+    EXPECT_EQ(relief_axes({0, -1, 0}).u, Vec3(1, 0, 0));  // on a wall that faces south, a person's right is east
     EXPECT_EQ(relief_axes({0, -1, 0}).v, Vec3(0, 0, 1));
     EXPECT_EQ(relief_axes({1, 0, 0}).u, Vec3(0, 1, 0));
     EXPECT_EQ(relief_axes({0, 0, 1}).u, Vec3(1, 0, 0));
@@ -86,7 +89,7 @@ TEST(Relief, has_axes_pointing_right_and_up_for_a_person_facing_the_wall) {
 }
 
 TEST(Relief, keeps_the_row_order_and_width_of_a_picture_when_coarsened) {
-    // One picture with a white row at the top, the other with a white column on the left.
+    // The first picture has white rows at the top, the second has white columns on the left.
     std::vector<float> rows(64 * 48, 0.0F), columns(64 * 48, 0.0F);
     for (std::size_t x = 0; x < 64; ++x)
         for (std::size_t y = 0; y < 12; ++y) rows[y * 64 + x] = 1.0F;
@@ -100,13 +103,13 @@ TEST(Relief, keeps_the_row_order_and_width_of_a_picture_when_coarsened) {
         EXPECT_NEAR(left.at(left.levels()[k], 0.12, 0.3).depth, 1.0, 0.15) << k;
         EXPECT_NEAR(left.at(left.levels()[k], 0.6, 0.3).depth, 0.0, 0.05) << k;
     }
-    // The coarsest level contains only the mean.
+    // The coarsest level must contain only the mean.
     EXPECT_NEAR(left.at(left.levels().back(), 0.7, 0.1).depth, 0.25, 1e-6);
     const std::vector<float> one{0.5F};
     EXPECT_NEAR(HeightField(1, 1, one).at(HeightField(1, 1, one).levels()[0], 12.3, -4.5).depth, 0.5, 1e-6);
 }
 
-// A floor z <= 0 from -reach_m to reach_m in x, with a material that has this relief.
+// Returns a floor z <= 0 that extends from -reach_m to reach_m. Its material has this relief.
 std::shared_ptr<const HapticScene> floor_with(const Relief& relief, double reach_m = 1.0, double friction = 0.0) {
     HapticMaterial material;
     material.relief = 0;
@@ -141,7 +144,8 @@ TEST(Relief, lets_the_hand_sink_to_white_and_changes_nothing_over_black) {
         TouchTuning tuning;
         tuning.world_m_per_hand_m = scale;
         TouchState state;
-        // Over black the force is as without texture. Over white the hand is 2 mm deeper at the same force.
+        // Over black, the force must be that of a floor without texture. Over white, the hand must be 2 mm deeper for
+        // the same force.
         const TouchResult black = press(state, *scene, tuning, -0.1 * scale, 0.002);
         EXPECT_NEAR(black.force_n.z, 0.002 * 800.0, 1e-9);
         EXPECT_NEAR(black.proxy_m.z, tuning.radius_m, 1e-9);
@@ -149,12 +153,12 @@ TEST(Relief, lets_the_hand_sink_to_white_and_changes_nothing_over_black) {
         EXPECT_NEAR(white.force_n.z, 0.002 * 800.0, 1e-6);
         EXPECT_NEAR(white.proxy_m.z, tuning.radius_m - 0.002 * scale, 1e-6 * scale);
         EXPECT_NEAR(glm::length(Vec2(white.force_n)), 0.0, 1e-6);
-        // In the hollow, above its bottom, the hand touches nothing.
+        // If the hand is in the hollow but above its bottom, it must touch nothing.
         const TouchResult hover = press(state, *scene, tuning, 0.1 * scale, 0.001);
         EXPECT_EQ(hover.force_n, Vec3(0.0));
         EXPECT_EQ(hover.contacts.count, 0);
-        // The border is a ramp with a slope of at most 0.3. It pulls into the hollow, and the hand must climb it on the
-        // way out.
+        // The border between black and white is a ramp with a slope of at most 0.3. It pulls the hand into the hollow,
+        // and the hand must climb it on the way out.
         double steepest = 0.0;
         for (double x = -0.03; x <= 0.03; x += 1e-3) {
             const TouchResult r = press(state, *scene, tuning, x * scale, 0.004);
@@ -177,7 +181,7 @@ TEST(Relief, fades_out_towards_open_edges_and_continues_under_covered_ones) {
     material.relief = 0;
     HapticSceneBuilder builder({material});
     std::array<SurfaceLabel, 6> labels;
-    labels[1].hidden = true;  // hides the face at +x
+    labels[1].hidden = true;  // hides the face at +x, as if another solid covered it
     builder.add_box({{-0.1, -0.5, -1}, {0.1, 0.5, 0}}, labels);
     builder.set_reliefs({relief});
     const auto scene = builder.build();
@@ -185,7 +189,7 @@ TEST(Relief, fades_out_towards_open_edges_and_continues_under_covered_ones) {
     TouchTuning tuning;
     EXPECT_NEAR(press(state, *scene, tuning, 0.0, 0.004).force_n.z, 0.002 * 800.0, 1e-2);
     EXPECT_NEAR(press(state, *scene, tuning, 0.099, 0.004).force_n.z, 0.002 * 800.0,
-                1e-2);  // another solid continues there
+                1e-2);  // the relief continues under the covering solid
     double last = 0.0;
     for (double x = -0.08; x > -0.1; x -= 1e-3) {
         const double force = press(state, *scene, tuning, x, 0.004).force_n.z;
@@ -206,7 +210,7 @@ TEST(Relief, is_felt_at_every_scale_as_ridges_with_its_period_in_hand_space) {
         tuning.world_m_per_hand_m = scale;
         TouchState state;
         press(state, *scene, tuning, 0.0, 0.003);
-        // 5 cm/s for 1 s passes 5 ridges. The test counts the crests of the normal force.
+        // The hand moves at 5 cm/s for 1 s, so it passes 5 ridges. The test counts the peaks of the normal force.
         int crests = 0;
         double before = 0.0, last = 0.0;
         for (int i = 0; i < 1000; ++i) {
@@ -244,7 +248,7 @@ TEST(Relief, fades_while_the_hand_is_too_fast_for_its_waves_and_returns) {
     };
     const double slow = swing_at(0.05, 1000);
     EXPECT_GT(slow, 0.02);
-    EXPECT_LT(swing_at(1.2, 400), 0.02 * slow);  // v > l / (4 T) = 1 m/s
+    EXPECT_LT(swing_at(1.2, 400), 0.02 * slow);  // faster than the limit l / (4 T) = 1 m/s
     EXPECT_NEAR(swing_at(0.05, 1000), slow, 0.05 * slow);
 }
 

@@ -1,5 +1,5 @@
-// The tick is compiled with and without optional features. Checks which scenes use which version, and that omitting
-// unused features changes nothing.
+// The compiler builds the tick with and without optional features. The tests check which scenes use which version, and
+// that omitting unused features changes nothing.
 #include "haptic/render/tick_features.h"
 
 #include <cstring>
@@ -45,7 +45,7 @@ TEST(TickFeatures, skipping_absent_features_changes_no_bit) {
     }
 }
 
-// With damping at which the guard is idle (the default), at its limit, and active.
+// At the three damping values, the guard is active, at its limit, and idle (the default).
 TEST(TickFeatures, the_passivity_guard_runs_on_the_plain_path_too_and_changes_no_bit) {
     for (const TouchCase& c : hard_cases()) {
         const auto scene = c.world.scene();
@@ -61,8 +61,8 @@ TEST(TickFeatures, the_passivity_guard_runs_on_the_plain_path_too_and_changes_no
 }
 
 TEST(TickFeatures, liquids_drag_the_same_wherever_the_hand_comes_from) {
-    // Two pools, one above a floor. The hand passes far from both, past the first, into it, along its floor, out, and
-    // into the second.
+    // One pool is on the floor at x = 0, the other at x = 1. The hand starts far from both pools and passes above the
+    // first one. Then it moves into the first pool, along its floor, out again, and into the second pool.
     HapticSceneBuilder builder;
     const auto box = [](const Vec3& low, const Vec3& high) {
         return std::vector<Plane>{{{-1, 0, 0}, -low.x}, {{1, 0, 0}, high.x},  {{0, -1, 0}, -low.y},

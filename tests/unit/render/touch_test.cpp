@@ -1,4 +1,4 @@
-// What a single tick of touch guarantees, in worlds small enough to calculate by hand.
+// Tests what a single tick of touch guarantees, in worlds that are small enough to calculate by hand.
 #include "haptic/render/touch.h"
 
 #include <limits>
@@ -14,7 +14,7 @@ namespace touch_test {
 constexpr double kTick_s = 1e-3;
 const FeatureId kFloor{7}, kWall{8}, kPool{9};
 
-// A floor z <= 0 and a wall x >= 0.1, both boxes.
+// Returns a floor z <= 0 and a wall x >= 0.1, both as boxes.
 std::shared_ptr<const HapticScene> floor_and_wall(std::vector<HapticMaterial> materials = {}) {
     HapticSceneBuilder builder(std::move(materials));
     builder.add_box({{-1, -1, -1}, {1, 1, 0}}, SurfaceLabel{kFloor, 0, false});
@@ -28,7 +28,7 @@ TouchResult hold(TouchState& state, const HapticScene& scene, const TouchTuning&
     return result;
 }
 
-// Moves straight down onto the floor at 0.1 m/s, then holds.
+// Moves the hand straight down onto the floor at 0.1 m/s and then holds it.
 TouchResult press_floor(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, double depth_m) {
     TouchResult result;
     for (double z = 0.02; z > -depth_m; z -= 1e-4) result = touch_tick(state, scene, tuning, {0, 0, z}, kTick_s);
@@ -42,8 +42,8 @@ TEST(TouchTick, gives_stiffness_times_depth_per_metre_of_hand_movement) {
         tuning.world_m_per_hand_m = scale;
         TouchState state;
         for (double z = 0.03; z > 0.0; z -= 1e-4 * scale) touch_tick(state, *scene, tuning, {0, 0, z}, kTick_s);
-        // The proxy's centre rests 5 mm of the world above the floor, and the hand is 3 mm of its travel below that;
-        // 800 N/m.
+        // The proxy's centre rests 5 mm above the floor, measured in the world. The hand is 3 mm of its own travel
+        // below that, at 800 N/m.
         const TouchResult r = hold(state, *scene, tuning, {0, 0, 0.005 - 0.003 * scale}, 400);
         EXPECT_NEAR(r.force_n.z, 2.4, 1e-9) << scale;
         EXPECT_EQ(r.force_n.x, 0.0);
@@ -84,8 +84,8 @@ TEST(TouchTick, blends_materials_by_how_hard_they_are_pressed) {
     TouchState state;
     TouchTuning tuning;
     hold(state, *scene, tuning, {0.08, 0, 0.02}, 1);
-    // Moves into the corner, 2 mm below the resting place on the floor and 2 mm beyond that at the wall. Both have
-    // equal shares, K = 750 N/m.
+    // The hand moves into the corner. It stops 2 mm below the proxy's resting place on the floor, and 2 mm beyond that
+    // place towards the wall. Floor and wall have equal shares, so K = 750 N/m.
     for (int i = 0; i <= 100; ++i)
         touch_tick(state, *scene, tuning,
                    Vec3(0.08, 0, 0.02) + (Vec3(0.097, 0, 0.003) - Vec3(0.08, 0, 0.02)) * (i / 100.0), kTick_s);
@@ -104,14 +104,15 @@ TEST(TouchTick, applies_overrides_before_materials_and_materials_before_defaults
     EXPECT_NEAR(hold(state, *scene, tuning, {0, 0, 0}, 1).force_n.z, 0.005 * 1234.0, 1e-9);
 }
 
-TEST(TouchTick, sticks_inside_the_friction_cone_and_slides_on_it) {  // I12 (tests/property/invariants_test.cpp)
+// Invariant I12 of tests/property/invariants_test.cpp.
+TEST(TouchTick, sticks_inside_the_friction_cone_and_slides_on_it) {
     const auto scene = floor_and_wall();
     for (const double mu : {0.2, 0.4, 1.5}) {
         TouchState state;
         TouchTuning tuning;
         tuning.override_friction_static = tuning.override_friction_kinetic = mu;
-        press_floor(state, *scene, tuning, 0.0);  // pressed 5 mm deep
-        // Stick: a sideways pull of less than mu * press, with tremor, for 10 s.
+        press_floor(state, *scene, tuning, 0.0);  // the hand presses 5 mm deep
+        // Stick: a sideways pull of less than mu times the pressing force, with tremor, for 10 s.
         double drift = 0.0;
         const Vec3 rest = hold(state, *scene, tuning, {0, 0, 0}, 1).proxy_m;
         for (int i = 0; i < 10000; ++i) {
@@ -120,7 +121,7 @@ TEST(TouchTick, sticks_inside_the_friction_cone_and_slides_on_it) {  // I12 (tes
             drift = std::max(drift, glm::length(Vec2(touch_tick(state, *scene, tuning, goal, kTick_s).proxy_m - rest)));
         }
         EXPECT_EQ(drift, 0.0) << mu;
-        // Slide: the tangential force is exactly mu times the normal force.
+        // Slide: the tangential force must be exactly mu times the normal force.
         for (int i = 0; i < 300; ++i) {
             const TouchResult r = touch_tick(state, *scene, tuning, {-2e-4 * i, 1e-4 * i, 0.0}, kTick_s);
             const double tangential = glm::length(Vec2(r.force_n));
@@ -153,7 +154,8 @@ TEST(TouchTick, weakens_static_friction_with_the_slid_distance_and_restores_it_a
     EXPECT_NEAR(last, 0.4, 0.001);
     EXPECT_LT(largest_drop, 0.02);
     const Vec3 rest = r.proxy_m;
-    hold(state, *scene, tuning, rest - Vec3(0, 0, 0.005), 2000);  // after 2 s of rest it has recovered
+    // After 2 s of rest, static friction is complete again.
+    hold(state, *scene, tuning, rest - Vec3(0, 0, 0.005), 2000);
     largest = 0.0;
     for (int i = 0; i < 600; ++i) {
         r = touch_tick(state, *scene, tuning, rest + Vec3(1e-5 * i, 0, -0.005), kTick_s);
@@ -171,8 +173,8 @@ TEST(TouchTick, damps_only_along_the_normal_and_never_pulls) {
     double z = 0.0;
     TouchResult r;
     for (int i = 0; i < 100; ++i) r = touch_tick(state, *scene, tuning, {2e-4 * i, 0, z -= 5e-5}, kTick_s);
-    // Moves in at 0.05 m/s for 0.1 s, much longer than the time constant of the 50 Hz filter. The damping adds 5 Ns/m
-    // to the spring.
+    // The hand moves in at 0.05 m/s for 0.1 s, which is much longer than the time constant of the 50 Hz filter. The
+    // damping of 5 Ns/m adds to the spring force.
     EXPECT_NEAR(r.force_n.z, 800.0 * (0.005 - z) + 5.0 * 0.05, 1e-6);
     EXPECT_NEAR(r.force_n.x, 0.0, 1e-12);
     for (int i = 0; i < 400; ++i) {
@@ -188,7 +190,7 @@ TEST(TouchTick, limits_sliding_speed_but_not_a_fast_hand_in_the_air) {
     TouchTuning tuning;
     hold(state, *scene, tuning, {0, 0, 0.5}, 1);
     for (int i = 1; i <= 40; ++i) {
-        const Vec3 goal(0, 0.01 * i, 0.5);  // 10 m/s
+        const Vec3 goal(0, 0.01 * i, 0.5);  // the hand moves at 10 m/s
         EXPECT_EQ(touch_tick(state, *scene, tuning, goal, kTick_s).proxy_m, goal);
     }
 }
@@ -200,7 +202,7 @@ TEST(TouchTick, ignores_all_solids_around_the_start_until_the_hand_has_left_them
     const auto scene = builder.build();
     TouchState state;
     TouchTuning tuning;
-    TouchResult r = hold(state, *scene, tuning, {0, 0, -0.1}, 10);  // starts inside both solids
+    TouchResult r = hold(state, *scene, tuning, {0, 0, -0.1}, 10);  // the hand starts inside both solids
     EXPECT_TRUE(r.contacts.ghosted);
     EXPECT_EQ(r.force_n, Vec3(0.0));
     for (double z = -0.1; z < 0.3048; z += 5e-4) {
@@ -216,7 +218,7 @@ TEST(TouchTick, ignores_all_solids_around_the_start_until_the_hand_has_left_them
     EXPECT_EQ(r.contacts.contacts[0].feature, kWall);
 }
 
-// Formerly a solid in which the hand had started let it back in while the hand was out by less than 1 mm.
+// Formerly, if the hand had started inside a solid, the solid let it in again while the hand was out by less than 1 mm.
 TEST(TouchTick, never_reenters_a_solid_that_the_whole_ball_has_left) {
     HapticSceneBuilder builder;
     builder.add_box({{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.3}}, SurfaceLabel{kWall});
@@ -232,7 +234,7 @@ TEST(TouchTick, never_reenters_a_solid_that_the_whole_ball_has_left) {
     for (double z = out; z > 0.2; z -= 5e-5) {
         r = touch_tick(state, *scene, tuning, {0, 0, z}, kTick_s);
         ASSERT_GE(r.proxy_m.z, 0.3 + tuning.radius_m - 1e-9) << z;
-        ASSERT_LE(r.force_n.z - before_n, 0.0401) << z;  // 50 um at 0.8 kN/m: contact begins without a step
+        ASSERT_LE(r.force_n.z - before_n, 0.0401) << z;  // 50 um at 0.8 kN/m, so the contact must begin without a step
         before_n = r.force_n.z;
     }
     EXPECT_EQ(r.contacts.contacts[0].feature, kWall);
@@ -254,7 +256,8 @@ TEST(TouchTick, never_reenters_a_solid_that_the_ball_but_not_the_hand_has_left) 
     for (int i = 0; i < 1200; ++i) {
         const double x = 0.03 - 1e-4 * (i < 600 ? i : 1200 - i);
         r = touch_tick(state, *scene, tuning, {x, 0, 0.297}, kTick_s);
-        ASSERT_LE(glm::length(r.force_n - before_n), 0.17) << i;  // 0.1 mm at 0.8 kN/m, in a wedge of 45 degrees
+        // A movement of 0.1 mm at 0.8 kN/m, in a wedge of 45 degrees.
+        ASSERT_LE(glm::length(r.force_n - before_n), 0.17) << i;
         before_n = r.force_n;
         out = out || r.proxy_m.z > 0.3 + tuning.radius_m;
         if (out) {
@@ -266,7 +269,7 @@ TEST(TouchTick, never_reenters_a_solid_that_the_ball_but_not_the_hand_has_left) 
     EXPECT_EQ(r.contacts.contacts[0].feature, kFloor);
 }
 
-// Case T20, as in tests/property/bodies_test.cpp.
+// This is case T20 of tests/property/bodies_test.cpp.
 TEST(TouchTick, starts_with_a_small_ball_in_a_tight_place_and_grows_it_smoothly) {
     const auto scene = floor_and_wall();
     TouchState state;
@@ -277,7 +280,7 @@ TEST(TouchTick, starts_with_a_small_ball_in_a_tight_place_and_grows_it_smoothly)
     double last = r.force_n.z;
     for (int i = 0; i < 400; ++i) {
         r = touch_tick(state, *scene, tuning, {0, 0, 0.002}, kTick_s);
-        EXPECT_LE(std::abs(r.force_n.z - last), 0.0201);  // 20 mm/s at 1 kN/m
+        EXPECT_LE(std::abs(r.force_n.z - last), 0.0201);  // the proxy may move at 20 mm/s, at 1 kN/m
         EXPECT_GE(r.proxy_m.z, r.radius_m - 1e-9);
         last = r.force_n.z;
     }
@@ -297,7 +300,7 @@ TEST(TouchTick, treats_a_radius_of_zero_as_a_hundredth_of_a_millimetre) {
 TEST(TouchTick, keeps_the_old_proxy_when_a_new_scene_arrives) {
     const auto scene = floor_and_wall();
     HapticSceneBuilder builder;
-    builder.add_box({{-1, -1, -1}, {1, 1, 0.004}});  // the floor rises 4 mm
+    builder.add_box({{-1, -1, -1}, {1, 1, 0.004}});  // in the new scene the floor is 4 mm higher
     const auto risen = builder.build();
     TouchState state;
     TouchTuning tuning;
@@ -322,7 +325,7 @@ TEST(TouchTick, keeps_its_contact_if_only_filters_are_reset) {
     EXPECT_EQ(touch_tick(state, *scene, tuning, {0, 0, -0.003}, kTick_s).force_n, Vec3(0.0));
 }
 
-// A pool from z = -1 to 0 in two halves that share the face x = 0.
+// Returns a pool from z = -1 to 0. It consists of two halves that share the face x = 0.
 std::shared_ptr<const HapticScene> pool(double viscosity) {
     HapticSceneBuilder builder;
     for (const double side : {-1.0, 0.0}) {
@@ -350,7 +353,7 @@ TEST(TouchTick, drags_in_a_liquid_as_viscosity_times_hand_speed_and_up_to_four_n
         TouchResult r;
         for (int i = 0; i < 1500; ++i) {
             r = touch_tick(state, *scene, tuning, {-0.3 + 2e-4 * i, 0, -0.5},
-                           kTick_s);  // 0.2 m/s, ending on the shared face
+                           kTick_s);  // the hand moves at 0.2 m/s and ends on the shared face
             if (i > 300) {
                 EXPECT_NEAR(r.force_n.x, -viscosity * 0.2, 1e-3 * viscosity) << i;
             }
@@ -386,7 +389,7 @@ TEST(TouchTick, never_gives_energy_in_a_liquid) {
     TouchTuning tuning;
     double energy = 0.0;
     Vec3 last_goal(0.0), last_force(0.0);
-    for (int i = 0; i <= 4000; ++i) {  // a closed loop across the surface
+    for (int i = 0; i <= 4000; ++i) {  // the hand follows a closed loop across the pool's surface
         const double t = 2 * kPi * i / 2000.0;
         const Vec3 goal(0.1 * std::sin(t), 0.05 * std::sin(2 * t), -0.03 + 0.05 * std::cos(3 * t));
         const TouchResult r = touch_tick(state, *scene, tuning, goal, kTick_s);
@@ -398,7 +401,8 @@ TEST(TouchTick, never_gives_energy_in_a_liquid) {
 }
 
 TEST(TouchTick, keeps_the_nearest_if_there_are_too_many_candidates) {
-    // 3000 sheets in one place: the proxy passes none of them, and the result reports that there were too many.
+    // 3000 sheets are in one place. The proxy must pass none of them, and the result must report that there were too
+    // many.
     HapticSceneBuilder builder;
     for (int i = 0; i < 3000; ++i) builder.add_triangle({-1, -1, -1e-7 * i}, {1, -1, -1e-7 * i}, {0, 2, -1e-7 * i});
     const auto scene = builder.build();
@@ -416,7 +420,7 @@ TEST(TouchTick, keeps_the_nearest_if_there_are_too_many_candidates) {
         << "and the hand is free again above them";
 }
 
-TEST(TouchTick, survives_every_finite_input) {  // I1 (tests/property/invariants_test.cpp)
+TEST(TouchTick, survives_every_finite_input) {  // invariant I1 of tests/property/invariants_test.cpp
     const auto scene = floor_and_wall();
     TouchState state;
     TouchTuning tuning;
@@ -431,8 +435,8 @@ TEST(TouchTick, survives_every_finite_input) {  // I1 (tests/property/invariants
 }
 
 TEST(TouchTick, examines_a_limited_number_of_triangles_at_a_start_among_thousands) {
-    // A spherical room of 20,480 triangles that is smaller than the proxy. From its centre all of them are equally
-    // near.
+    // A spherical room of 20,480 triangles, which is smaller than the proxy. All triangles are equally near to its
+    // centre.
     HapticSceneBuilder builder;
     builder.add_mesh(sphere_mesh(32, 0.004));
     const auto scene = builder.build();

@@ -1,4 +1,4 @@
-// The report on a learner over several sessions.
+// Tests the report on a learner over several sessions.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// Three sessions with a route to the library that gets better each time. The second also has a route to the gym.
+// Returns three sessions with a route to the library, on which the learner improves each time. The second session also
+// has a route to the gym.
 std::vector<SessionReport> three_sessions() {
     const auto session = [](const char* started, double seconds, double ratio, double missed, double help) {
         SessionReport report;

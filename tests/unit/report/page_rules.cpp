@@ -15,9 +15,9 @@ namespace handrail::test {
 namespace page_rules {
 
 struct Element {
-    std::string name, text;  // text: its own text, up to the next tag
+    std::string name, text;  // text: the element's own text, up to the next tag
     std::map<std::string, std::string> attributes;
-    std::vector<std::size_t> inside;  // indices of its ancestors, outermost first
+    std::vector<std::size_t> inside;  // indices of the element's ancestors, outermost first
     bool has(const std::string& key) const { return attributes.contains(key); }
     std::string get(const std::string& key) const { return has(key) ? attributes.at(key) : std::string(); }
 };
@@ -61,7 +61,7 @@ Page parsed(std::string_view html) {
             element.attributes[(*it)[1]] = (*it)[2];
         page.elements.push_back(element);
         if (!closed && !kVoid.contains(element.name)) open.push_back(page.elements.size() - 1);
-        if (element.name == "style") {  // its content has no tags
+        if (element.name == "style") {  // the content of this element has no tags
             const std::size_t stop = html.find("</style>", at);
             page.elements.back().text = std::string(html.substr(at, stop - at));
             at = std::min(stop, html.size());
@@ -84,7 +84,7 @@ std::string trimmed_text(std::string text) {
     return out;
 }
 
-// Relative luminance and contrast as in WCAG 2.
+// Relative luminance of a colour, as WCAG 2 defines it.
 double luminance(const std::string& hex) {
     const bool small = hex.size() == 4;
     double sum = 0.0;

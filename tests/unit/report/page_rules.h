@@ -1,5 +1,5 @@
-// Accessibility rules for pages that can be checked without a browser, with a small HTML parser. It is only for pages
-// that the program makes. It knows the HTML that they use and treats everything else as a fault.
+// Accessibility rules that can be checked without a browser, with a small HTML parser. The parser is only for pages
+// that the program makes. It knows the HTML that these pages use and treats everything else as a fault.
 #pragma once
 
 #include <string>
@@ -10,14 +10,16 @@
 
 namespace handrail::test {
 
-// Returns each fault in a few words, such as "no language" or "heading h4 after h2". Empty: the page obeys all rules.
+// Returns each fault of the page in a few words, such as "no language" or "heading h4 after h2"; empty if the page
+// obeys all rules.
 std::vector<std::string> page_faults(std::string_view html);
 
-// The page's text as a screen reader presents it, one element a line, without elements that are hidden from it.
+// Returns the page's text as a screen reader presents it, with one element a line. Omits elements that are hidden from
+// screen readers.
 std::string spoken_text(std::string_view html);
 
-// Läsbarhetsindex, Björnsson 1968: words per sentence plus the percentage of words with more than six letters. Below 40
-// a text is easy to read.
+// Returns the Läsbarhetsindex (Björnsson 1968): words per sentence plus the percentage of words with more than six
+// letters. A text below 40 is easy to read.
 double lix_of(const std::string& text);
 
 }  // namespace handrail::test

@@ -1,4 +1,4 @@
-// The report of a session: easy words, an accessible page, and tables that read back unchanged.
+// Tests the report of a session: easy words, an accessible page, and tables that read back unchanged.
 #include "app/report/report_page.h"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@
 namespace handrail::test {
 namespace report_page_test {
 
-// Two rooms of 6 by 4 and 3 by 4 m next to each other, with a door between them.
+// Returns two rooms of 6 by 4 and 3 by 4 m next to each other. A door joins them.
 Storey two_rooms() {
     Storey storey;
     storey.world = "School";
@@ -143,7 +143,8 @@ TEST(ReportWords, describe_the_route_through_the_rooms) {
     EXPECT_TRUE(plan_words(still).empty());
 }
 
-// Small rooms next to each other and above each other, with long names, and objects that were touched at one place.
+// Small rooms with long names are next to each other and above each other. The hand touched several objects at one
+// place.
 TEST(ReportPage, does_not_overlap_names_on_the_plan) {
     SessionReport report = sample();
     for (int i = 0; i < 30; ++i) {
@@ -266,7 +267,8 @@ TEST(PageRules, detect_each_fault_that_is_planted_into_a_page) {
     EXPECT_THAT(broken("h1{", "@import url(x.css);h1{"), Contains("a request from the style"));
     EXPECT_THAT(broken("</ul>", ""), testing::Not(testing::IsEmpty()));
     EXPECT_THAT(broken("default-src 'none'", "default-src *"), Contains("no policy against requests"));
-    // All faults at once, as for the checkers in a browser. At least six must be found.
+    // This page has all faults at once, like the page for accessibility checkers in browsers. The rules must find at
+    // least six.
     std::string worst = page;
     for (const auto& [what, by] :
          std::vector<std::pair<std::string, std::string>>{{" lang=\"en\"", ""},

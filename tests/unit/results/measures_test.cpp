@@ -15,7 +15,7 @@ namespace measures_test {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-// Walks at 1 m/s along straight lines, with ten positions a second.
+// Returns a walk at 1 m/s along straight lines, with ten positions a second.
 std::vector<WayPoint> walk_along(const std::vector<Vec3>& corners) {
     std::vector<WayPoint> walk{{0.0, corners.front()}};
     for (std::size_t i = 1; i < corners.size(); ++i) {
@@ -84,7 +84,8 @@ TEST(Pointing, uses_circular_statistics_and_reports_a_bias_only_for_consistent_e
     EXPECT_NEAR(pointing_error_rad(10 * kDegree, 350 * kDegree), 20 * kDegree, 1e-12);
     EXPECT_NEAR(pointing_error_rad(180 * kDegree, 0.0), 180 * kDegree, 1e-12);
     EXPECT_NEAR(pointing_error_rad(-180 * kDegree, 0.0), 180 * kDegree, 1e-12);
-    // Across the seam: the mean of 170, 180 and -170 degrees is 180, whereas a plain mean gives 60.
+    // The angles are on both sides of 180 degrees. The circular mean of 170, 180 and -170 degrees is 180, whereas the
+    // plain mean is 60.
     const std::vector<double> seam = {170 * kDegree, 180 * kDegree, -170 * kDegree};
     const auto across = pointing(seam);
     EXPECT_NEAR(std::abs(across->signed_rad), 180 * kDegree, 1e-9);
@@ -114,7 +115,7 @@ TEST(OrderTau, is_one_for_the_right_order_and_falls_with_the_swaps_that_would_co
     EXPECT_DOUBLE_EQ(*order_tau(std::vector<std::size_t>{3, 2, 1, 0}), -1.0);
     EXPECT_DOUBLE_EQ(*order_tau(std::vector<std::size_t>{0, 2, 1, 3}), 1.0 - 2.0 / 6.0);
     EXPECT_FALSE(order_tau(std::vector<std::size_t>{0}));
-    // Each swap of neighbours corrects one of n(n-1)/2 pairs. The test counts the swaps by sorting.
+    // Each swap of two neighbours corrects one of n(n-1)/2 pairs. The test counts the swaps that sorting needs.
     std::mt19937 draw(5);
     for (int round = 0; round < 200; ++round) {
         std::vector<std::size_t> order(2 + draw() % 7);
@@ -139,7 +140,7 @@ TEST(TurnsMet, of_a_walk_along_the_route_are_all_counted_as_taken) {
     EXPECT_EQ(met.turns, 2);
     EXPECT_EQ(met.missed, 0);
     EXPECT_EQ(met.early, 0);
-    // The walk cuts corners by half a metre; then a route without turns.
+    // The first walk cuts corners by half a metre. The second comparison uses a route without turns.
     EXPECT_EQ(
         turns_met(kRoute, walk_along({{0, 0, 0}, {0.2, 9.5, 0}, {0.5, 10, 0}, {7.5, 10, 0}, {8, 10.5, 0}, {8, 20, 0}}))
             .missed,

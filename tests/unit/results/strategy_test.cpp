@@ -1,4 +1,5 @@
-// Detects the strategies of generated walks that follow one, with the sway, pauses and wrong turns of people.
+// Generates walks that each follow one strategy, with the sway, pauses and wrong turns of people. The program must
+// detect the strategy.
 #include "app/results/strategy.h"
 
 #include <gtest/gtest.h>
@@ -24,8 +25,8 @@ const std::vector<Hall> kHalls = {
     {16.0, 10.0, {{2.0, 8.0, 0}, {8.0, 5.0, 0}, {14.0, 2.0, 0}, {3.0, 3.0, 0}, {12.0, 8.0, 0}, {8.0, 9.0, 0}}},
 };
 
-// A person with a sway of 5 cm and legs that are 3 degrees off. A pause follows one leg in five, and a detour one in
-// twenty.
+// Simulates a person who sways by 5 cm and whose direction is wrong by about 3 degrees on each leg. One leg in five
+// ends with a pause, and one in twenty begins with a detour.
 class Person {
 public:
     Person(const Hall& hall, std::uint64_t seed, const Vec3& at) : hall_(hall), draw_(seed), at_(at) {}

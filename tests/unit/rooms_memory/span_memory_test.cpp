@@ -1,4 +1,5 @@
-// Peak memory of finding walkable places, routes and rooms. Every allocation of this program is counted.
+// Measures the peak memory while the program finds walkable places, routes and rooms. The test counts every allocation
+// of this program.
 #include <malloc.h>
 
 #include <array>
@@ -20,7 +21,8 @@
 
 namespace {
 
-std::atomic<std::size_t> held{0}, most_held{0}, room_for{~std::size_t{0}};  // room_for: allocations beyond it fail
+// Bytes that are allocated now, their maximum, and a limit above which allocations fail.
+std::atomic<std::size_t> held{0}, most_held{0}, room_for{~std::size_t{0}};
 
 void* counted(std::size_t bytes, const std::nothrow_t&) noexcept {
     void* made = held + bytes > room_for ? nullptr : std::malloc(bytes);
@@ -46,7 +48,7 @@ void* operator new(std::size_t bytes) { return counted(bytes); }
 void* operator new[](std::size_t bytes) { return counted(bytes); }
 void* operator new(std::size_t bytes, const std::nothrow_t& tag) noexcept {
     return counted(bytes, tag);
-}  // needed by the buffer of std::stable_sort
+}  // std::stable_sort needs this operator for its buffer
 void* operator new[](std::size_t bytes, const std::nothrow_t& tag) noexcept { return counted(bytes, tag); }
 void operator delete(void* made) noexcept { given_back(made); }
 void operator delete[](void* made) noexcept { given_back(made); }
@@ -56,8 +58,8 @@ void operator delete[](void* made, std::size_t) noexcept { given_back(made); }
 namespace handrail {
 namespace {
 
-// A sanitizer gets an office that it can process in seconds. There the fixed memory of a world weighs more (238 bytes
-// per place).
+// Under a sanitizer, the office is small enough to process in seconds. There the fixed memory of a world matters more:
+// 238 bytes per place.
 constexpr bool kSmall = test::kSanitizerScale < 1.0;
 constexpr int kBrushes = kSmall ? 500 : 2'000;
 constexpr double kMost_bytes = kSmall ? 300.0 : 150.0;
@@ -82,10 +84,10 @@ TEST(SpanMemory, peaks_at_150_bytes_or_less_for_each_place_to_stand) {
     RecordProperty("bytes_for_each_place", std::to_string(bytes_each(spans)));
 }
 
-// A flat exported in millimetres and read in metres: 60 by 40 km of floor.
+// The file of a flat is in millimetres, but the reader takes them for metres. So the floor is 60 by 40 km.
 TEST(SpanMemory, is_limited_in_a_world_too_large_to_be_examined_completely) {
     if (kSmall) GTEST_SKIP() << "too large for a sanitizer";
-    (void)phrase("direction.ahead");  // loads the texts of the language before counting begins
+    (void)phrase("direction.ahead");  // loads the texts of the language before the test counts memory
     std::string mesh;
     auto box = [&, points = 0](double x0, double y0, double x1, double y1, double z1) mutable {
         for (const double z : {0.0, z1})

@@ -1,5 +1,6 @@
-// Exported files when the disk fails at any step. Each file is either the old one or complete, and exactly the reported
-// files are written. Nothing leaves a learner's data without being noted there.
+// Tests exports with a disk that fails at any step. Each file must be either the old one or complete. The command must
+// write exactly the files that it reports. A learner's data must not leave without a note of it in the learner's
+// folder.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -52,7 +53,7 @@ TEST(ExportFaults, each_file_of_a_world_is_the_old_one_or_complete_and_only_comp
     std::map<std::string, std::string> whole;
     for (const char* name : kFiles) whole[name] = test::content_of(home.path() / name);
 
-    // A sanitizer gets only a few of the steps, because all run the same code.
+    // Under a sanitizer, the test tries only a few of the steps, because all of them run the same code.
     const long stride = test::kSanitizerScale < 1.0 ? 5 : 1;
     for (const WriteFault fault : {WriteFault::Error, WriteFault::ShortThenError}) {
         int failures = 0;

@@ -30,7 +30,7 @@ Function next(const char* name) {
     return reinterpret_cast<Function>(::dlsym(RTLD_NEXT, name));
 }
 
-// Returns whether this call is the one that must fail.
+// Counts this call and returns whether it must fail.
 bool fails() {
     if (!disk.armed) return false;
     const bool now = disk.calls++ == disk.at;

@@ -1,31 +1,32 @@
-// Replaces the system's calls for writing files, and the allocator, in this test program. When armed, the n-th call on
-// this thread fails or does less than requested.
+// Replaces the system's calls for writing files, and the allocator, in this test program. While armed, the n-th call on
+// the arming thread fails or does less than requested.
 #pragma once
 
 #include <new>
 
 namespace handrail::test {
 
-// What a call for writing does instead.
+// How a call for writing fails.
 enum class WriteFault {
     None,
     Error,           // the call fails with `error`
     Short,           // a write stores one byte less than half; other calls work
-    ShortThenError,  // as Short, and every later write fails with `error`, like a disk that becomes full
+    ShortThenError,  // like Short, but every later write fails with `error`, as on a disk that becomes full
 };
 
-// Active during its lifetime, on this thread.
+// While this object exists, call number `at_call` of this thread fails.
 class BrokenDisk {
 public:
     BrokenDisk(WriteFault fault, long at_call, int error);
     ~BrokenDisk();
     BrokenDisk(const BrokenDisk&) = delete;
     BrokenDisk& operator=(const BrokenDisk&) = delete;
-    static bool struck();  // true once the failing call has happened
-    static long calls();   // number of calls since the last arming
+    static bool struck();  // true if the failing call has happened
+    static long calls();   // number of calls since the last object was created
 };
 
-// The n-th allocation of this thread throws std::bad_alloc; with `all_after`, so does every later one.
+// While this object exists, allocation number `at_allocation` of this thread throws std::bad_alloc. If `all_after` is
+// true, all later ones throw, too.
 class NoMemory {
 public:
     NoMemory(long at_allocation, bool all_after);

@@ -1,6 +1,6 @@
-// Saving and loading when the disk or the memory fails at any step. The result is a message or std::bad_alloc, and
-// every file is either entirely old or entirely new. toml++ 3.3 ends the program if it has no memory for its own error.
-// Files are intact then too, which a child process shows.
+// Tests saving and loading while the disk or the memory fails at any step. The result must be a message or
+// std::bad_alloc, and every file must be entirely old or entirely new. toml++ 3.3 ends the program if it has no memory
+// for its own error. A child process shows that the files are intact in that case, too.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -41,13 +41,14 @@ SideEntry mark(const std::string& name, double x) {
     return {{"name", name}, {"place_m", std::vector<double>{x, 0.1, -3.25}}};
 }
 
-// Some data of the user that is saved as one file.
+// Data of the user that is saved as one file.
 struct Kept {
     std::string name;
-    std::string file;  // relative to the folder
-    // Prepares the data and returns a function that saves it. That function returns false if it reported a failure.
+    std::string file;  // path relative to the folder
+    // Prepares the data and returns a function that saves it. The returned function returns false if it reported a
+    // failure.
     std::function<std::function<bool()>(const fs::path& folder)> change;
-    bool tells;  // whether it reports a failure
+    bool tells;  // true if saving reports a failure
 };
 
 std::vector<Kept> all_kept() {
@@ -90,7 +91,7 @@ std::vector<Kept> all_kept() {
     };
 }
 
-// A user's folder with a file of each kind.
+// A user's folder that contains a file of each kind.
 struct Home {
     Home() {
         folder.write("a.map", "x");
@@ -109,10 +110,10 @@ struct Home {
     TemporaryFolder folder;
 };
 
-// The file's text after a successful save.
+// Returns the file's text after a successful save.
 std::string saved(const Kept& kept) {
     const Home home;
-    // Stored paths include the folder, so the folder is replaced by a fixed word in every text.
+    // Stored paths include the temporary folder. So the text has a fixed word in place of the folder.
     EXPECT_TRUE(kept.change(home.folder.path())()) << kept.name;
     std::string text = test::content_of(home.folder.path() / kept.file);
     for (std::size_t at; (at = text.find(home.folder.path().string())) != std::string::npos;)
@@ -120,7 +121,8 @@ std::string saved(const Kept& kept) {
     return text;
 }
 
-// If memory is short, comments may be lost and numbers may get more zeros; nothing else may change.
+// Returns the content that must survive if memory is short. Comments may be lost and numbers may get more zeros;
+// nothing else may change.
 std::vector<std::string> meaning(const Kept& kept, const std::string& text) {
     const TemporaryFolder folder;
     folder.write("a.map", "x");
@@ -148,8 +150,8 @@ bool same_meaning(const Kept& kept, const std::string& text, const std::string& 
     return text == after || (!after.empty() && meaning(kept, text) == meaning(kept, after));
 }
 
-// Checks that the file is entirely old or entirely new, that nothing else changed, and that no other file remains.
-// Returns true if it is new.
+// Checks that the file is entirely old or entirely new, that all other files are unchanged, and that no file was added.
+// Returns true if the file is new.
 bool expect_whole(const Kept& kept, const Home& home, const std::map<std::string, std::string>& before,
                   const std::string& after) {
     std::map<std::string, std::string> now = home.all();
@@ -215,7 +217,7 @@ TEST(SaveFaults, partial_or_interrupted_writes_are_continued) {
             const auto before = home.all();
             const auto save = kept.change(home.folder.path());
             {
-                const BrokenDisk broken(fault, 1, error);  // the first write after the file was created
+                const BrokenDisk broken(fault, 1, error);  // call 1 is the first write after the creation of the file
                 EXPECT_TRUE(save());
                 EXPECT_TRUE(BrokenDisk::struck());
             }
@@ -238,18 +240,18 @@ TEST(SaveFaults, a_disk_that_fills_up_during_a_write_leaves_the_old_file) {
     }
 }
 
-// Visits every allocation up to a few hundred, then fewer and fewer of them.
+// Returns the next allocation to try: every one up to a few hundred, then fewer and fewer.
 long next_step(long step) { return step + 1 + step / (test::kSanitizerScale < 1.0 ? 10 : 60); }
 
 enum class End { Worked, Told, NoMemory, Died };
 
-// Runs `act` in a child process that has no memory from the n-th allocation on. Returns how it ended; `struck` is set
-// if it reached that allocation.
+// Runs `act` in a child process in which allocation `step` fails, and all later ones if `all_after` is true. Returns
+// how the child process ended. Sets `struck` to whether it reached that allocation.
 End in_child(const std::function<bool()>& act, long step, bool all_after, bool& struck) {
     const pid_t child = ::fork();
     if (child == 0) {
         if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0)
-            ::dup2(nowhere, STDERR_FILENO);  // discards the message of terminate()
+            ::dup2(nowhere, STDERR_FILENO);  // discards the message that terminate() prints
         int end = 0;
         {
             const NoMemory none(step, all_after);
@@ -312,7 +314,7 @@ TEST(SaveFaults, changes_that_failed_for_lack_of_memory_are_saved_the_next_time)
     EXPECT_TRUE(expect_whole(kept, home, before, after));
 }
 
-// Existing folders of learners or of recordings, including empty ones.
+// Returns the existing folders of learners or of recordings, including empty ones.
 std::vector<std::string> folders_in(const fs::path& folder) {
     std::vector<std::string> names;
     std::error_code ec;
@@ -329,10 +331,10 @@ bool begins_recording(const fs::path& folder) {
     return begun.has_value();
 }
 
-// Data that begins in its own folder: that folder is complete or does not exist.
+// Data that begins with its own folder. The folder must be complete or not exist.
 struct Begun {
     const char* name;
-    const char* folders;  // parent of those folders
+    const char* folders;  // parent folder of the data's folders
     bool (*begin)(const fs::path& folder);
 };
 constexpr std::array kAllBegun{Begun{"a learner", "learners", makes_learner},
@@ -368,7 +370,7 @@ TEST(SaveFaults, no_empty_folder_remains_after_a_failed_allocation) {
             const TemporaryFolder folder;
             const End end = in_child([&] { return one.begin(folder.path()); }, step, false, struck);
             ++ends[static_cast<int>(end)];
-            // A child that died could not clean up.
+            // A child process that died could not clean up.
             if (end != End::Died) {
                 EXPECT_EQ(folders_in(folder.path() / one.folders).size(), end == End::Worked ? 1U : 0U)
                     << one.name << ", allocation " << step;
@@ -380,7 +382,7 @@ TEST(SaveFaults, no_empty_folder_remains_after_a_failed_allocation) {
     }
 }
 
-// A consent that was given or withdrawn is in the file, or the caller gets an error.
+// If a consent was given or withdrawn, either the file contains the change or the caller gets an error.
 TEST(SaveFaults, a_changed_learner_file_is_the_old_or_the_new_one) {
     const TemporaryFolder folder;
     const Learners learners(folder.path());
@@ -410,7 +412,7 @@ TEST(SaveFaults, a_changed_learner_file_is_the_old_or_the_new_one) {
     }
 }
 
-// Some data that is read and summarised as text, which is the same after every successful read.
+// Data that is read and summarised as text. Every successful read must give the same text.
 struct Read {
     std::string name;
     std::function<std::string(const fs::path& folder)> read;

@@ -1,4 +1,4 @@
-// The report on a building whose file states rooms: counts, and what the user should check first.
+// Tests the report on a building whose file states rooms: its counts, and what the user should check first.
 #include "worlds/scene/honest_report.h"
 #include "tests/support/names.h"
 
@@ -29,7 +29,7 @@ StatedPortal door(const std::string& name, std::vector<std::uint32_t> rooms, int
     return portal;
 }
 
-// Hall, kitchen and stairwell, joined in a row; the hall also leads outside.
+// Returns a hall, a kitchen and a stairwell, which portals join in a row. The hall also leads outside.
 StatedBuilding three_rooms() {
     StatedBuilding stated;
     stated.schema = "IFC4";
@@ -113,7 +113,7 @@ TEST(HonestReport, finds_each_kind_of_planted_fault_at_its_place) {
 
 TEST(HonestReport, names_the_gravest_fault_first_and_the_number_of_further_ones) {
     StatedBuilding stated = three_rooms();
-    stated.rooms.push_back(room("Attic", "4", 50));  // no portal leads to it
+    stated.rooms.push_back(room("Attic", "4", 50));  // no portal leads to the attic
     stated.rooms[2].name = "Room";
     stated.portals[1].passable = false;
     const Scene scene = scene_of(std::move(stated));

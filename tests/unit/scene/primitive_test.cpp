@@ -1,4 +1,4 @@
-// Exact shapes as part of a scene: which values they refuse, and that the flat faces around them fit closely.
+// Tests exact shapes in a scene: which values they refuse, and how closely the flat faces around them fit.
 #include "worlds/scene/primitive.h"
 
 #include <random>
@@ -58,7 +58,7 @@ TEST(Primitive, is_inside_its_drawn_flat_faces_and_fills_them) {
         for (std::size_t face = 0; face < solid->shape.planes.size(); ++face) {
             const Plane& plane = solid->shape.planes[face];
             EXPECT_NEAR(glm::length(plane.normal), 1.0, 1e-12);
-            // Seen from far away along a face's normal, the exact shape begins at that face.
+            // Seen from far away along the normal of a face, the exact shape must begin at that face.
             const Vec3 far = solid->shape.bounds_m.centre_m() + plane.normal * 1e3;
             const ClosestPoint q = std::visit(
                 [&](const auto& shape) {

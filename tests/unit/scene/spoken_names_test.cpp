@@ -1,4 +1,5 @@
-// Names are stored in English and announced in the user's language. A name that the map gives is announced unchanged.
+// The program stores names in English and announces them in the user's language. It announces a name that the map gives
+// unchanged.
 #include <filesystem>
 #include <set>
 

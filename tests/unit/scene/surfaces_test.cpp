@@ -43,7 +43,7 @@ const Feature& feature(const Scene& scene, const std::string& name) {
     return kNone;
 }
 
-// The name of the first face that a hand meets on the way from `from_m` to `to_m`.
+// Returns the name of the first face that a hand meets between `from_m` and `to_m`.
 std::string met(const Scene& scene, const Vec3& from_m, const Vec3& to_m) {
     double nearest = 2.0;
     std::string name = "nothing";
@@ -65,7 +65,7 @@ std::string met(const Scene& scene, const Vec3& from_m, const Vec3& to_m) {
     return name;
 }
 
-const std::string kRoom = test::room_brushes(0, 0, 0, 256, 192, 96);  // 8 x 6 x 3 m
+const std::string kRoom = test::room_brushes(0, 0, 0, 256, 192, 96);  // a room of 8 x 6 x 3 m
 
 TEST(Surfaces, of_a_closed_room_are_four_walls_floor_and_ceiling_inside_and_outside) {
     const Scene scene = building(kRoom);
@@ -83,7 +83,7 @@ TEST(Surfaces, of_a_closed_room_are_four_walls_floor_and_ceiling_inside_and_outs
     EXPECT_EQ(met(scene, {4, 3, 9}, middle), "ceiling");
 }
 
-// An L-shaped room has six walls, a floor and a ceiling.
+// An L-shaped room must have six walls, a floor and a ceiling.
 TEST(Surfaces, of_an_l_shaped_room_include_six_walls) {
     const Scene scene = building(box_brush(-16, -16, -16, 272, 272, 0) + box_brush(-16, -16, 96, 272, 272, 112) +
                                  box_brush(-16, -16, 0, 0, 272, 96) + box_brush(0, -16, 0, 272, 0, 96) +
@@ -98,7 +98,7 @@ TEST(Surfaces, of_an_l_shaped_room_include_six_walls) {
 TEST(Surfaces, of_a_wall_made_of_five_brushes_form_one_wall) {
     std::string pieces;
     for (int i = 0; i < 4; ++i) pieces += box_brush(64 * i, 192, 0, 64 * i + 64, 208, i == 1 ? 32 : 96);
-    pieces += box_brush(64, 192, 32, 128, 208, 96);  // meets the other pieces in T-junctions
+    pieces += box_brush(64, 192, 32, 128, 208, 96);  // this piece meets the others in T-junctions
     const Scene scene = building(box_brush(-16, -16, -16, 272, 208, 0) + box_brush(-16, -16, 96, 272, 208, 112) +
                                  box_brush(-16, -16, 0, 0, 208, 96) + box_brush(256, -16, 0, 272, 208, 96) +
                                  box_brush(0, -16, 0, 256, 0, 96) + pieces);
@@ -129,8 +129,8 @@ TEST(Surfaces, of_small_free_standing_brushes_form_a_thing) {
         << "four sides and the top; it stands on its bottom";
 }
 
-// A wall across the room with a doorway next to its end. The short rest of the wall and the piece above the doorway
-// show three sides.
+// A wall crosses the room and has a doorway near its end. The short rest of the wall and the piece above the doorway
+// each show three sides.
 TEST(Surfaces, of_short_pieces_next_to_a_doorway_belong_to_their_wall) {
     const std::string wall = box_brush(128, 64, 0, 136, 192, 96) + box_brush(128, 32, 70, 136, 64, 96);
     for (const std::string& piece : {std::string(), box_brush(128, 20, 0, 136, 32, 96)}) {
@@ -144,7 +144,7 @@ TEST(Surfaces, of_short_pieces_next_to_a_doorway_belong_to_their_wall) {
 TEST(Surfaces, of_treads_and_risers_are_called_steps) {
     std::string stairs;
     for (int i = 0; i < 3; ++i)
-        // 0.3 m deep, 0.19 m high; the last step is a platform.
+        // Each step is 0.3 m deep and 0.19 m high. The last step is a platform.
         stairs += box_brush(64 + 10 * i, 0, 0, 256, 192, 6 * (i + 1));
     const Scene scene = building(kRoom + stairs);
     const std::vector<std::string> all = names(scene);
@@ -154,7 +154,7 @@ TEST(Surfaces, of_treads_and_risers_are_called_steps) {
 }
 
 TEST(Surfaces, of_slanted_walls_and_slopes_are_named_by_their_side) {
-    // A wall across the north-east corner, and a ramp that rises to the north.
+    // A wall runs across the north-east corner, and a ramp rises to the north.
     const std::string corner =
         "{\n( 256 128 0 ) ( 192 192 0 ) ( 256 128 96 ) plain 0 0 0 1 1\n( 256 0 0 ) ( 256 0 96 ) ( 256 192 0 ) plain 0 "
         "0 0 1 1\n( 0 192 0 ) ( 256 192 0 ) ( 0 "
@@ -203,7 +203,8 @@ TEST(Surfaces, of_touching_liquid_brushes_form_one_pool) {
 }
 
 TEST(Surfaces, in_seams_and_hidden_faces_have_the_name_of_what_covers_them) {
-    const Scene scene = building(kRoom + box_brush(0, 192, 0, 64, 208, 96));  // duplicates part of the north wall
+    // This brush duplicates part of the north wall.
+    const Scene scene = building(kRoom + box_brush(0, 192, 0, 64, 208, 96));
     EXPECT_EQ(scene.features.size(), 6U);
     for (const Solid& solid : scene.solids)
         for (const FeatureId id : solid.face_features) EXPECT_TRUE(static_cast<bool>(id));
@@ -236,7 +237,7 @@ TEST(Surfaces, do_not_depend_on_the_order_of_brushes_and_faces) {
     std::mt19937 random(5);
     for (int round = 0; round < 20; ++round) {
         std::shuffle(brushes.begin(), brushes.end(), random);
-        for (std::string& brush : brushes) {  // rotates the order of the faces by one
+        for (std::string& brush : brushes) {  // rotates the order of each brush's faces by one
             const std::size_t first = brush.find('(', 0), second = brush.find('\n', first) + 1, end = brush.rfind('}');
             brush = "{\n" + brush.substr(second, end - second) + brush.substr(first, second - first) + "}\n";
         }

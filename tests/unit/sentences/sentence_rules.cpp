@@ -15,7 +15,7 @@ namespace {
 
 struct Rule {
     const char* name;
-    const char* pattern;  // matches what must not be there
+    const char* pattern;  // a regular expression for text that must not occur
 };
 
 constexpr std::array kEverywhere{
@@ -70,7 +70,7 @@ std::string repeated_word(const std::string& text) {
     return {};
 }
 
-// The patterns are compiled once, as that takes longer than searching.
+// The patterns are compiled only once, because compiling takes longer than searching.
 template <std::size_t N>
 std::vector<std::pair<std::string, std::regex>> made(const std::array<Rule, N>& rules) {
     std::vector<std::pair<std::string, std::regex>> all;

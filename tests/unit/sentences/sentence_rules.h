@@ -1,5 +1,5 @@
-// Rules for everything spoken, whatever part made it. They find faults that a reader overlooks but that disturb a
-// listener.
+// Rules for everything that the program announces, whatever part of the program made it. They find faults that readers
+// overlook but that disturb listeners.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace handrail::test {
 
-// The faults of a text that is spoken in a language ("en", "de"), in a few words each; empty if there are none.
+// Returns the faults of an announced text in a few words each; empty if it has none. `language` is "en" or "de".
 std::vector<std::string> faults_of(const std::string& text, const std::string& language);
 
-// Splits a text into sentences, at stops that blanks follow.
+// Splits a text into sentences. A sentence ends at a stop that a blank follows.
 std::vector<std::string> sentences_of(const std::string& text);
 
 inline constexpr std::size_t kLongestSentence_words = 45;
