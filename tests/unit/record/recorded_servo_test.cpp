@@ -62,7 +62,8 @@ TEST(RecordedServo, stores_each_tick_so_that_it_can_be_recomputed_bit_identicall
 TEST(RecordedServo, without_a_recording_passes_its_device_through_unchanged) {
     const std::vector<ToolState> states = stepped(3000, nullptr, nullptr);
     // A recording rounds times to whole microseconds and places to whole micrometres. Without a recording, the servo
-    // must use the device's own values.
+    // must use the device's own values. Encoder steps of 55 micrometres, for example, are not whole micrometres in
+    // binary.
     ASSERT_EQ(states.size(), 3000U);
     EXPECT_NE(states.back().time_s, in_whole_microseconds(states.back().time_s));
 }

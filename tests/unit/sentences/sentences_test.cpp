@@ -40,7 +40,8 @@ TEST(SentenceRules, detect_each_fault_and_accept_correct_sentences) {
     EXPECT_FALSE(fails("Tür zum Flur: 1 Schritt, halb links.", "de"));
 }
 
-// Commands after which the world cannot be queried any more, or whose lists change the spoken language.
+// Returns true for commands after which the test cannot query the world any more, or whose lists change the language of
+// the announcements.
 bool stays_out(Command command) {
     return command == Command::Leave || command == Command::Calibrate || command == Command::Language ||
            command == Command::FirstMinutes || command == Command::Learners;
@@ -62,10 +63,10 @@ public:
                 s_.app.apply(CommandDown{row.command}, s_.now);
                 s_.run(0.25);
                 s_.app.apply(CommandUp{row.command}, s_.now);
-                // Waits only this long for what it began; that ends or goes on meanwhile.
+                // The command may have begun something that continues, so the test waits only for a limited time.
                 for (int i = 0; i < 8 && !s_.app.idle(); ++i) s_.run(0.25);
                 look(std::string(row.word));
-                // From here on keys would be explained instead of carried out.
+                // The second request switches input help off; otherwise keys would be explained instead of carried out.
                 if (row.command == Command::InputHelp) s_.ask(row.command);
                 go_through_list(std::string(row.word), round);
                 s_.app.requests() = {};
@@ -74,7 +75,8 @@ public:
         }
     }
     std::size_t sentences() const { return sentences_; }
-    const std::map<std::string, std::string>& faulty() const { return faulty_; }  // maps each faulty text to its faults
+    // Maps each faulty text to a description of its faults.
+    const std::map<std::string, std::string>& faulty() const { return faulty_; }
 
 private:
     void look(const std::string& after) {
@@ -84,8 +86,7 @@ private:
             if (!faults.empty()) faulty_.emplace(text, after + ": " + fmt::format("{}", fmt::join(faults, "; ")));
         }
     }
-    // Course down and up the list, chooses one entry, and leaves again. The limits are needed because an entry may open
-    // the next list.
+    // Goes down the list, chooses one entry, and leaves. The loops are limited, because an entry may open another list.
     void go_through_list(const std::string& word, int round) {
         constexpr int kMostItems = 12, kMostLists = 6;
         for (int i = 0; i < kMostItems && s_.app.dialogue().is_open(); ++i) {
@@ -104,7 +105,7 @@ private:
         }
         EXPECT_FALSE(s_.app.dialogue().is_open()) << word;
     }
-    // Avoids lines that end the session, change the language or read another world.
+    // Returns true if choosing an entry of this list could end the session, change the language or read another world.
     bool leaves_here() const {
         const std::string title = s_.app.dialogue().view().title;
         return title == phrase("menu.worlds") || title == phrase("language.menu") || title == phrase("menu.title");
@@ -114,7 +115,7 @@ private:
         s_.app.apply(KeyTapped{name}, s_.now);
         s_.run(0.05);
     }
-    // Course to the middle of another room.
+    // Puts the walker in the middle of another room.
     void to_room(int which) {
         s_.ask(Command::PlanView);
         s_.run(0.1);
@@ -146,7 +147,8 @@ TEST_P(Sentences, of_every_command_keep_the_rules_in_every_language) {
     if (test::kSanitizerScale < 1.0 && name != "house.map") GTEST_SKIP() << "words are the same under a sanitizer";
     for (const LanguageName& language : bundled_languages())
         for (const ActsBy who : {ActsBy::WindowKeys, ActsBy::Lines}) {
-            // The named keys and words do not depend on the world, so once is enough in large ones.
+            // The keys and words in the texts do not depend on the world. So the large worlds do not repeat the test
+            // for typed lines.
             if (name != "house.map" && name != "small_house.ifc" && who == ActsBy::Lines) continue;
             const test::InLanguage spoken(language.code);
             speak_to(who);

@@ -1,6 +1,6 @@
-// How long each text of the languages takes to say at 180 words a minute, and its limit. A word in passing must end
-// before the next step, an alarm must first say what is wrong, and the beginning of an answer must still be remembered
-// at its end.
+// Estimates how long each text of the languages takes to say at 180 words a minute, and compares it with a limit. A
+// word in passing must end before the walker's next step. An alarm must first say what is wrong. At the end of an
+// answer, a person must still remember its beginning.
 #include <espeak-ng/speak_lib.h>
 #include <gtest/gtest.h>
 
@@ -21,9 +21,9 @@ namespace spoken_length_test {
 
 constexpr int kWordsPerMinute = 180;
 
-// ---- a pattern as spoken: each value is a word or a number, each choice the longest ----
+// ---- a pattern as it is spoken: each value becomes a word or a number, and each choice its longest branch ----
 
-// The position after the brace that closes the one at `open`.
+// Returns the position after the brace that closes the one at `open`.
 std::size_t behind_brace(std::string_view text, std::size_t open) {
     int depth = 0;
     for (std::size_t i = open; i < text.size(); ++i) {
@@ -35,8 +35,8 @@ std::size_t behind_brace(std::string_view text, std::size_t open) {
 
 std::string said(std::string_view pattern);
 
-// The spoken form of "name", "name, number, ::.0" or "name, plural, one {...} other {...}", given without its own
-// braces.
+// Returns the spoken form of a value such as "name", "name, number, ::.0" or "name, plural, one {...} other {...}".
+// `value` comes without its own braces.
 std::string value_said(std::string_view value) {
     const std::size_t comma = value.find(',');
     if (comma == std::string_view::npos) return "Kitchen";
@@ -67,9 +67,10 @@ std::string said(std::string_view pattern) {
     return text;
 }
 
-// ---- seconds ----
+// ---- duration in seconds ----
 
-// Only letters; those with an umlaut or accent become one ASCII letter: 'e' for German vowels, 'x' for the sharp s.
+// Returns the text in lower case with plain ASCII letters. A letter with an umlaut or accent becomes one vowel, 'e' or
+// 'y'; the sharp s becomes 'x'.
 std::string plain_letters(std::string_view text) {
     std::string letters;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -91,7 +92,7 @@ int syllables(const std::string& word, bool german) {
     for (std::size_t i = 0; i < word.size(); ++i) {
         if (!is_vowel(word[i])) continue;
         ++count;
-        if (german) {  // two letters that make one sound
+        if (german) {  // two letters can make one sound
             const std::string_view two = std::string_view(word).substr(i, 2);
             for (const std::string_view one : {"au", "ei", "ie", "eu", "ai", "yu", "aa", "ee", "oo"})
                 if (two == one) {
@@ -102,7 +103,7 @@ int syllables(const std::string& word, bool german) {
             while (i + 1 < word.size() && is_vowel(word[i + 1])) ++i;
         }
     }
-    // A silent e: "gate", "times", "placed".
+    // The e of these endings is silent, as in "gate", "times" and "placed".
     if (!german && count > 1) {
         const auto ends = [&](std::string_view end) { return word.ends_with(end); };
         const bool spoken_s = ends("ses") || ends("ces") || ends("xes") || ends("zes") || ends("shes") ||
@@ -118,7 +119,8 @@ int syllables(const std::string& word, bool german) {
     return std::max(count, 1);
 }
 
-// Uses the mean duration of a syllable, plus pauses; both were measured with the voice (see the last test).
+// Estimates the duration of a text: a mean duration for each syllable, plus pauses. Both were measured with the voice;
+// the last test checks them.
 double spoken_s(const std::string& text, const std::string& language) {
     const bool german = language == "de";
     const double syllable_s = german ? 0.195 : 0.21;
@@ -145,20 +147,21 @@ double spoken_s(const std::string& text, const std::string& language) {
 
 struct Bound {
     const char* what;
-    double whole_s;     // for the text
-    double sentence_s;  // for each sentence
-    double first_s;     // for the first sentence
+    double whole_s;     // limit for the whole text
+    double sentence_s;  // limit for each sentence
+    double first_s;     // limit for the first sentence
 };
 constexpr double kAny = 1e9;
-// Words in passing: a step takes half a second, a turn somewhat longer.
+// Words in passing are short, because a step takes half a second and a turn somewhat longer.
 constexpr Bound kPassing{"a word in passing or a heading", 2.5, kAny, kAny};
-// An alarm first says what is wrong, then what to do.
+// An alarm first says what is wrong, and then what to do.
 constexpr Bound kAlarm{"an alarm", 8.0, kAny, 4.0};
 constexpr Bound kAnswer{"an answer", 8.0, kAny, kAny};
 // A line about a command or setting, in a list that a person goes through.
 constexpr Bound kLine{"a line of help", 7.0, kAny, kAny};
 constexpr Bound kHelp{"help that was asked for, a task", 12.0, kAny, kAny};
-// Problems of files, reports and printed texts: limited for each sentence, because a screen reader moves by sentences.
+// Problems of files, reports and printed texts. The limit is for each sentence, because a screen reader moves by
+// sentences.
 constexpr Bound kTold{"what is told of files or printed", 15.0, 8.0, kAny};
 
 constexpr std::array kPassingParts{
@@ -197,7 +200,7 @@ const Bound& bound_of(const std::string& key) {
 }
 
 std::vector<std::string> too_long(const std::string& key, const std::string& pattern, const std::string& language) {
-    // Words from which names are chosen, and words that may be typed, are never spoken.
+    // The program never speaks these texts: words from which it chooses names, and words that a person may type.
     if (key == "learner.trees" || key == "learner.birds" || key.starts_with("typed_sentence.")) return {};
     const Bound& bound = bound_of(key);
     const std::string text = said(pattern);
@@ -255,7 +258,7 @@ TEST(SpokenLength, uses_the_longest_spoken_form_of_a_pattern) {
     EXPECT_EQ(count("Treppe", true), 2);
 }
 
-// ---- with the voice itself ----
+// ---- comparison with the real voice ----
 
 std::int64_t samples_made = 0;
 int count_samples(short*, int count, espeak_EVENT*) {
@@ -263,8 +266,8 @@ int count_samples(short*, int count, espeak_EVENT*) {
     return 0;
 }
 
-// The model must be right on average over all texts, though not for each. Checked on an eighth of them, spoken by
-// espeak-ng.
+// The estimate must be right on average, though not for each text. espeak-ng speaks an eighth of the texts for
+// comparison.
 TEST(SpokenLength, matches_the_duration_of_the_built_in_voice) {
     const int rate = espeak_Initialize(AUDIO_OUTPUT_SYNCHRONOUS, 0, nullptr, espeakINITIALIZE_DONT_EXIT);
     if (rate <= 0) GTEST_SKIP() << "espeak-ng has no voices here";

@@ -8,8 +8,8 @@
 namespace handrail::test {
 namespace {
 
-constexpr double kQuiet_s = 0.4;       // quiet means that nothing happens for this long
-constexpr double kLongestWalk_s = 60;  // by then every walk is over
+constexpr double kQuiet_s = 0.4;       // the session counts as quiet if nothing happens for this long
+constexpr double kLongestWalk_s = 60;  // every walk ends within this time
 
 Settings text_settings() {
     Settings settings;

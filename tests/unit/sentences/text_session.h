@@ -1,5 +1,6 @@
-// A person who only types lines and reads what is said: the whole session in virtual time, without a device and without
-// sound. Each line is carried out when what the previous one began is over, as in a line-based terminal.
+// Simulates a person who only types lines and reads the announcements. Runs the whole session in virtual time, without
+// a device and without sound. Each line waits until everything that the previous line began has ended, as in a
+// line-based terminal.
 #pragma once
 
 #include <memory>
@@ -14,14 +15,14 @@ namespace handrail::test {
 
 class TextSession {
 public:
-    // first_start: the person is led through the first minutes before the world's greeting.
+    // If `first_start` is true, the session leads the person through the first minutes before it greets with the world.
     explicit TextSession(std::shared_ptr<const Scene> world, bool first_start = false);
     ~TextSession();
     TextSession(const TextSession&) = delete;
     TextSession& operator=(const TextSession&) = delete;
 
-    // Returns what is said about a line until all is quiet; greeting() is what was said before the first line. A word
-    // that is no command is answered as the terminal answers it.
+    // Types a line. Returns the announcements until the session is quiet. A word that is no command gets the answer
+    // that the terminal would give. greeting() returns the announcements before the first line.
     std::vector<std::string> type(const std::string& line);
     const std::vector<std::string>& greeting() const { return greeting_; }
     const Session& app() { return session_.app(); }

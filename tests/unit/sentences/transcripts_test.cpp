@@ -1,5 +1,5 @@
-// Six typical sessions by text alone, as docs/transcripts.md shows them. The test plays them again and compares them
-// with the page. With HANDRAIL_WRITE_TRANSCRIPTS set, it writes the page instead.
+// docs/transcripts.md shows six typical sessions by text alone. The test plays them and compares them with the page. If
+// HANDRAIL_WRITE_TRANSCRIPTS is set, the test writes the page instead.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -72,7 +72,7 @@ const std::vector<Script>& scripts() {
     return kScripts;
 }
 
-// A typed line and what was said then. The first turn of a session is its greeting and has no line.
+// A typed line and the announcements after it. The first turn of a session is its greeting and has no line.
 struct Turn {
     const char* line = nullptr;
     std::vector<std::string> said;
@@ -105,7 +105,7 @@ std::string document() {
         text += std::string("\n## ") + script.title + "\n\n" + script.about + " World: `" + script.world + "`.\n\n";
         for (const Turn& turn : play(script)) {
             const std::string lines = shown(turn);
-            // The same world always greets in the same words, so each greeting is shown once.
+            // A world always greets in the same words, so the page shows each greeting only once.
             if (turn.line != nullptr || greetings.insert(lines).second) text += lines;
         }
     }

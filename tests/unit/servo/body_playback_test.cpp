@@ -1,4 +1,5 @@
-// Bodies that the app moves sixty times a second are felt a thousand times a second.
+// The app moves bodies sixty times a second. The servo must play their movement so smoothly that the hand feels it a
+// thousand times a second.
 #include "haptic/servo/body_playback.h"
 
 #include "tests/support/names.h"
@@ -43,8 +44,8 @@ TEST(BodyPlayback, a_crate_pushed_sixty_times_a_second_moves_smoothly_against_th
         largest = std::max(largest, std::abs(force - before));
         before = force;
     }
-    // 800 N/m at 0.1 m/s is 0.08 N a tick, and the playback runs at most a tenth faster than real time. Without
-    // playback the force would step by 1.3 N.
+    // At 800 N/m and 0.1 m/s, the force changes by 0.08 N a tick. The playback runs at most a tenth faster than real
+    // time. Without the playback, the force would change in steps of 1.3 N.
     EXPECT_LE(largest, 0.08 * 1.11);
     EXPECT_GT(before, 2.0);
     EXPECT_EQ(rig.tool().contacts.contacts[0].feature, FeatureId{4});
@@ -131,7 +132,7 @@ TEST(BodyPlayback, editing_the_world_keeps_the_force) {
     rig.scene = edited.build(rig.scene->world);
     rig.tick({0.0, 0.03, 0.0});
     EXPECT_NEAR(glm::length(rig.last.force_n), pressed, 1e-9);
-    rig.scene = wall_scene(ServoRig::kWallY, ServoRig::kWall);  // changes to another world
+    rig.scene = wall_scene(ServoRig::kWallY, ServoRig::kWall);  // the scene changes to that of another world
     rig.tick({0.0, 0.03, 0.0});
     EXPECT_LT(glm::length(rig.last.force_n), 0.1 * pressed);
 }

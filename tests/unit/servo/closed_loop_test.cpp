@@ -1,4 +1,4 @@
-// The servo with a simulated hand at its grip: how a wall feels to a person who leans on it.
+// Tests the servo with a simulated hand at the grip: how a wall feels to a person who leans on it.
 #include "haptic/device/simulated_device.h"
 #include "haptic/servo/servo_loop.h"
 #include "tests/support/names.h"
@@ -17,20 +17,20 @@ struct ClosedLoop {
     ServoTuning tuning;
     double scale;
 
-    // A plaster wall, 20 mm of hand travel north of the middle, felt with a proxy of 4 mm.
+    // Makes a plaster wall that is 20 mm of hand travel north of the middle. The proxy is 4 mm wide in hand travel.
     ClosedLoop(const char* device, double world_m_per_hand_m)
         : loop(std::make_unique<SimulatedDevice>(*find_device_spec(device), hand), clock), scale(world_m_per_hand_m) {
         EXPECT_TRUE(loop.open());
         tuning.touch.world_m_per_hand_m = scale;
         tuning.touch.radius_m = 0.002 * scale;
-        tuning.touch.rated_stiffness_n_per_m = 1e9;  // as stiff as the device can hold
+        tuning.touch.rated_stiffness_n_per_m = 1e9;  // no limit here: walls are as stiff as the device can render
         tuning.touch.default_stiffness_fraction = 0.75;
         tuning.touch.damping_ns_per_m = 5.0;
         tuning.force_ceiling_n = 100.0;
         loop.set_tuning(tuning);
         loop.set_pose({});
         loop.set_scene(test::wall_scene(0.022 * scale));
-        // The first movement, then the ramp.
+        // The servo first needs a movement of the hand; then its force ramps up.
         move(Vec3(0, 0, 0.005));
         move(Vec3(0.0));
         run(1.1);
@@ -55,7 +55,7 @@ TEST(ClosedLoop, pressing_3_mm_into_plaster_on_the_simulated_touch_gives_0_9_new
     double peak = 0.0;
     for (int i = 0; i < 1300; ++i) peak = std::max(peak, -bench.tick().force_n.y);
     EXPECT_NEAR(-bench.loop.tool().force_n.y, 0.9, 1e-9);
-    EXPECT_LE(peak, 0.9 * 1.2 + 0.5);  // plus the damping of 5 Ns/m at 0.1 m/s while the hand still moves
+    EXPECT_LE(peak, 0.9 * 1.2 + 0.5);  // the second part is the damping of 5 Ns/m at 0.1 m/s while the hand still moves
     bench.hand->command.publish({HandMode::Move, Vec3(0, 0.015, 0), 0.1, Vec3(0.0), 0});
     double left_s = -1.0;
     for (int i = 0; i < 200; ++i) {
@@ -84,7 +84,8 @@ TEST(ClosedLoop, a_hand_leaning_on_the_stiffest_wall_comes_to_rest) {
                     mean += -tool.force_n.y / 500;
                 }
                 EXPECT_LT(high - low, 0.3e-3);
-                EXPECT_NEAR(mean, 2.0, 0.2);  // minus dry friction, the encoder's step and the resting spring
+                // The tolerance covers dry friction, the encoder's step and the spring of the resting hand.
+                EXPECT_NEAR(mean, 2.0, 0.2);
             }
 }
 
@@ -92,7 +93,7 @@ TEST(ClosedLoop, follows_the_mouse_to_the_wall_and_stays_in_front_of_it) {
     ClosedLoop bench("sim-t", 60.0);
     bench.hand->command.publish({HandMode::Follow, Vec3(0, 0.03, 0), 0.0, Vec3(0.0), 0});
     bench.run(2.0);
-    // Two springs of 300 N/m each share the 10 mm beyond the wall.
+    // The wall and the simulated hand are springs of 300 N/m each, so each takes half of the 10 mm beyond the wall.
     EXPECT_NEAR(bench.loop.tool().hand_m.y, 0.025, 3e-4);
     EXPECT_NEAR(bench.loop.tool().proxy_m.y, 0.02 * 60.0, 1e-9);
 }

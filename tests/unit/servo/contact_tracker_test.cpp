@@ -68,7 +68,8 @@ TEST(ContactTracker, reports_trembling_at_a_surface_as_one_contact) {
 TEST(ContactTracker, reports_sliding_every_10_ms_with_hand_speed_and_its_end_once) {
     Bench bench;
     const double scale = 60.0;
-    // The hand's 5 cm/s are 3 m/s in the world, so 3 mm per tick. Motion along the normal is not sliding.
+    // At scale 60, the hand's 5 cm/s are 3 m/s in the world, which is 3 mm per tick. The motion along the normal must
+    // not count as sliding.
     for (int i = 0; i < 1000; ++i) bench.tick(touching({kWall}, Vec3(3e-3, 0, 5e-3)), Vec3(0.0), scale);
     EXPECT_NEAR(bench.count(ContactEventKind::Slide, kWall), 100, 2);
     EXPECT_NEAR(bench.seen.back().speed_m_per_s, 0.05, 1e-4);
@@ -121,7 +122,8 @@ TEST(ContactTracker, treats_yielding_surfaces_like_rigid_ones) {
     EXPECT_EQ(bench.count(ContactEventKind::Begin, kFloor), 1);
     EXPECT_NEAR(bench.seen.at(0).force_n, 0.2, 1e-12);
     EXPECT_NEAR(bench.seen.at(0).speed_m_per_s, 0.1, 1e-12);
-    TouchResult through = touching({kFloor});  // pressed down to the hard floor below it, but still the same thing
+    // The hand presses down to the hard floor under the soft one, but that is the same feature.
+    TouchResult through = touching({kFloor});
     through.soft = soft.soft;
     through.soft_force_n = soft.soft_force_n;
     for (int i = 0; i < 30; ++i) bench.tick(through);

@@ -27,7 +27,7 @@ TEST(ForceLimiter, turns_nan_into_zero_force_and_reports_a_fault) {
             force[axis] = bad;
             EXPECT_EQ(limiter.limit(force, 2.5, ForceFlow::Run, kTick), Vec3(0.0));
             EXPECT_TRUE(limiter.broken());
-            // The force comes back only with the ramp.
+            // After the fault, the force must come back only with the ramp.
             EXPECT_NEAR(glm::length(limiter.limit(Vec3(1, 0, 0), 2.5, ForceFlow::Run, kTick)), 1e-3, 1e-12);
             EXPECT_FALSE(limiter.broken());
         }
@@ -51,7 +51,7 @@ TEST(ForceLimiter, scales_the_vector_to_the_ceiling_and_keeps_its_direction) {
         ASSERT_LE(glm::length(force), 2.5 * (1 + 1e-12));
         ASSERT_NEAR(glm::dot(glm::normalize(force), direction), 1.0, 1e-12) << i;
     }
-    // The largest finite force, with and without a ceiling.
+    // Tests the largest finite force, with and without a ceiling.
     const Vec3 huge(std::numeric_limits<double>::max());
     EXPECT_NEAR(glm::length(limiter.limit(huge, 2.5, ForceFlow::Run, kTick)), 2.5, 1e-9);
     EXPECT_TRUE(is_finite(limiter.limit(huge, kInf, ForceFlow::Run, kTick)));
@@ -73,7 +73,7 @@ TEST(ForceLimiter, ramps_in_over_one_second_and_never_early) {
         ASSERT_GE(force, last);
         last = force;
     }
-    // With longer ticks the ramp takes the same time in seconds.
+    // With longer ticks, the ramp must take the same time in seconds.
     limiter.restart();
     EXPECT_NEAR(glm::length(limiter.limit(Vec3(0, 2, 0), 2.5, ForceFlow::Run, 0.01)), 0.02, 1e-12);
 }
@@ -106,7 +106,7 @@ TEST(ForceLimiter, resumes_after_a_gap_from_the_held_force_and_never_adds) {
     ForceLimiter limiter = ramped_in();
     EXPECT_EQ(limiter.limit(Vec3(0.5, 0, 0), 2.5, ForceFlow::Run, kTick).x, 0.5);
     limiter.resume_after_gap();
-    // The hand went on pressing during the gap: 2 N is requested, 0.5 N was held.
+    // The hand pressed deeper during the gap. The renderer now requests 2 N, while the limiter held 0.5 N.
     EXPECT_NEAR(limiter.limit(Vec3(2, 0, 0), 2.5, ForceFlow::Run, 0.02).x, 0.5, 1e-12);
     double offset = 1.5;
     for (int i = 0; i < 400; ++i) {
@@ -115,15 +115,16 @@ TEST(ForceLimiter, resumes_after_a_gap_from_the_held_force_and_never_adds) {
         ASSERT_LT(2.0 - force, offset);
         offset = 2.0 - force;
         if (i == 79) {
-            EXPECT_NEAR(offset, 1.5 * std::exp(-1.0), 0.02);  // one time constant of 80 ms
+            EXPECT_NEAR(offset, 1.5 * std::exp(-1.0), 0.02);  // after one time constant of 80 ms
         }
     }
-    // A weaker force after the gap passes unchanged, because holding back more would add force.
+    // If the renderer requests less than the held force, the limiter must pass it unchanged, because holding more would
+    // add force.
     limiter = ramped_in();
     limiter.limit(Vec3(2, 0, 0), 2.5, ForceFlow::Run, kTick);
     limiter.resume_after_gap();
     EXPECT_EQ(limiter.limit(Vec3(1, 0, 0), 2.5, ForceFlow::Run, 0.02).x, 1.0);
-    // A wall on the opposite side starts from zero.
+    // If the requested force has the opposite direction, it must start from zero.
     limiter = ramped_in();
     limiter.limit(Vec3(2, 0, 0), 2.5, ForceFlow::Run, kTick);
     limiter.resume_after_gap();

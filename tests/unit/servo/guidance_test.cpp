@@ -1,4 +1,4 @@
-// The pull along a path and the lines through a thing, tick by tick, without a device.
+// Tests guidance tick by tick, without a device: the pull along a path, and the lines that cross at a thing.
 #include "haptic/servo/guidance.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ struct Led {
     explicit Led(const GuidancePath& p = {}) : path(p) {}
     Guidance guidance;
     GuidancePath path;
-    Vec3 hand_m{0.0};  // scale 1
+    Vec3 hand_m{0.0};  // hand place at scale 1
     Vec3 force_n{0.0};
     bool allowed = true;
     void tick() { force_n = guidance.tick(path, hand_m, 1.0, kPeak_n, allowed, kTick_s); }
@@ -47,7 +47,8 @@ TEST(Guidance, ramps_in_from_zero_over_half_a_second) {
         ASSERT_LE(glm::length(led.force_n), kMost_n * i * kTick_s / Guidance::kRamp_s + 1e-12) << i;
     }
     led.run(0.1);
-    // The spring of 300 N/m pulls a resting hand over the lead of 2.5 mm. This does not count as resistance.
+    // The spring of 300 N/m pulls a resting hand over the lead of 2.5 mm. A resting hand must not count as one that
+    // resists.
     EXPECT_NEAR(led.force_n.x, 0.75, 0.02);
     led.run(5.0);
     EXPECT_EQ(led.phase(), GuidancePhase::Acts);
@@ -85,7 +86,7 @@ TEST(Guidance, releases_a_hand_that_resists_with_more_than_12_n_for_03_s_and_no_
     gone.run(5.0);
     EXPECT_EQ(gone.phase(), GuidancePhase::LetGo) << "only another number begins again";
     EXPECT_EQ(held_at(0.0038, 5.0).phase(), GuidancePhase::Acts);
-    // Short pulls do not add up to a long one.
+    // Several short resistances must not add up to a long one.
     Led led = held_at(0.0045, 0.2);
     led.hand_m.x += 0.002;
     led.run(0.05);
@@ -98,7 +99,7 @@ TEST(Guidance, never_holds_back_a_hand_that_moves_ahead_on_the_path) {
     Led led(pull_to({0.1, 0.0, 0.0}));
     led.run(1.0);
     for (int i = 0; i < 300; ++i) {
-        led.hand_m.x += 0.3e-3;  // 0.3 m/s
+        led.hand_m.x += 0.3e-3;  // the hand moves at 0.3 m/s
         led.tick();
         ASSERT_GE(led.force_n.x, -1e-9);
     }
@@ -148,7 +149,7 @@ TEST(Guidance, rejects_invalid_paths) {
         EXPECT_EQ(led.force_n, Vec3(0.0));
     }
     Led points(pull_to({0.0, 0.0, 0.0}));
-    points.path.count = GuidancePath::kMostPoints;  // all at one place
+    points.path.count = GuidancePath::kMostPoints;  // all points are at one place
     points.run(0.2);
     EXPECT_EQ(points.phase(), GuidancePhase::Arrived);
 }
@@ -158,7 +159,7 @@ TEST(Guidance, follows_a_path_with_corners) {
     led.path.number = 1;
     for (const Vec3& p : {Vec3(0.02, 0, 0), Vec3(0.02, 0.03, 0), Vec3(0.02, 0.03, 0), Vec3(-0.01, 0.03, 0.02)})
         led.path.points_m[led.path.count++] = p;
-    // A hand without mass in thick syrup moves where it is pulled.
+    // The simulated hand has no mass and much damping, so it moves exactly where the force pulls it.
     double farthest_m = 0.0;
     int ticks = 0;
     for (; ticks < 10000 && led.phase() != GuidancePhase::Arrived; ++ticks) {
@@ -178,7 +179,7 @@ TEST(Guidance, follows_a_path_with_corners) {
     }
     EXPECT_EQ(led.phase(), GuidancePhase::Arrived);
     EXPECT_LT(farthest_m, 0.0025);
-    EXPECT_LT(ticks, 4000);  // 91 mm at 40 mm/s takes a little less
+    EXPECT_LT(ticks, 4000);  // the path of 91 mm at 40 mm/s takes a little less
 }
 
 TEST(CrossLines, equal_the_slope_of_a_potential_and_never_exceed_their_limits) {
@@ -202,7 +203,8 @@ TEST(CrossLines, equal_the_slope_of_a_potential_and_never_exceed_their_limits) {
             else EXPECT_LE(f[axis] * p[axis], 0.0) << "towards the line";
         }
     }
-    // Closed loops give no energy: sums force times distance around a random polygon in fine steps.
+    // On a closed loop, the lines must give no energy. The test adds up force times distance around a random polygon in
+    // fine steps.
     for (int loop = 0; loop < 20; ++loop) {
         std::vector<Vec3> corners;
         for (int i = 0; i < 5; ++i) corners.emplace_back(place(random), place(random), place(random));
@@ -219,8 +221,8 @@ TEST(CrossLines, equal_the_slope_of_a_potential_and_never_exceed_their_limits) {
     }
 }
 
-// A path with a corner, stairs, a doorway next to it and a leg that returns, so that legs meet, cross and run side by
-// side.
+// Returns a path with a corner, stairs, a doorway next to it and a leg that runs back. So its legs meet, cross and run
+// side by side.
 GuidancePath grooves() {
     GuidancePath path;
     path.number = 1;
@@ -242,8 +244,8 @@ struct Felt {
     Vec3 at(const Vec3& p) { return guidance.tick(path, p, 1.0, kPeak_n, true, kTick_s); }
 };
 
-// Finds the nearest place of each trench by trying many places along its leg. The slope of the potential comes from
-// neighbouring values.
+// The reference potential. It finds the nearest place of each groove by trying many places along the leg. The test
+// derives the slope from neighbouring values.
 double potential_by_looking(const GuidancePath& path, const Vec3& p) {
     const double w = Guidance::kGrooveHalfWidth_m;
     double left = 1.0;
@@ -363,7 +365,7 @@ TEST(Grooves, give_no_energy_on_closed_paths_and_appear_and_vanish_without_a_jum
             }
         EXPECT_NEAR(work_j, 0.0, 2e-7);
     }
-    // Starts and ends under a hand that rests on the slope.
+    // Guidance starts and ends while the hand rests on the slope of a groove.
     Guidance guidance;
     GuidancePath path = grooves();
     const Vec3 slope(-0.015, -0.003, 0.0);

@@ -22,7 +22,7 @@ TEST(HeatBudget, is_never_used_up_by_a_force_that_the_motors_can_sustain) {
     EXPECT_EQ(seconds_until_warm(100.0, std::numeric_limits<double>::infinity(), 60.0), 60.0);
 }
 
-// The mean square reaches the limit after -T ln(1 - (sustained / force)^2).
+// The mean square of the force must reach the limit after -T ln(1 - (sustained / force)^2).
 TEST(HeatBudget, lasts_shorter_with_the_square_of_the_force) {
     EXPECT_NEAR(seconds_until_warm(3.3, 2.64, 600.0), -10.0 * std::log(1.0 - 0.64), 0.01);
     EXPECT_NEAR(seconds_until_warm(5.28, 2.64, 600.0), -10.0 * std::log(1.0 - 0.25), 0.01);

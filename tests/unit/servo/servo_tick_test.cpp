@@ -17,13 +17,13 @@ using test::ServoRig;
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// Pressed 2 mm into the wall of 800 N/m, which gives 1.6 N.
+// Hand place that presses 2 mm into the wall of 800 N/m, which gives 1.6 N.
 const Vec3 kPressed(0.0, ServoRig::kWallY - 0.005 + 0.002, 0.0);
 constexpr double kPressN = 1.6;
 
 TEST(ServoTick, gives_no_force_before_the_hand_has_moved) {
     ServoRig rig;
-    const Vec3 start = kPressed - Vec3(0, 0.006, 0);  // 4 mm before contact
+    const Vec3 start = kPressed - Vec3(0, 0.006, 0);  // the hand is 4 mm before the contact
     for (int i = 0; i < 3000; ++i)
         ASSERT_EQ(rig.tick(start + Vec3(0, 0, 0.0029 * std::sin(0.01 * i))).force_n, Vec3(0.0));
     EXPECT_TRUE(rig.tool().waiting_for_hand);
@@ -101,7 +101,7 @@ TEST(ServoTick, a_tool_position_that_jumps_and_stays_is_a_jump_fault) {
     const Vec3 elsewhere = kPressed + Vec3(0.05, 0, 0);
     for (int i = 0; i < 100; ++i) ASSERT_EQ(rig.tick(elsewhere).force_n, Vec3(0.0));
     EXPECT_EQ(rig.tool().fault, Fault::Jump);
-    EXPECT_EQ(rig.state.counters().bad_samples, 3u);  // from then on it is checked relative to its new place
+    EXPECT_EQ(rig.state.counters().bad_samples, 3u);  // after 3 bad samples, the servo compares with the new place
 }
 
 TEST(ServoTick, a_fast_hand_does_not_count_as_a_jump) {
@@ -115,7 +115,8 @@ TEST(ServoTick, holds_the_force_while_the_device_is_silent_and_resumes_without_a
     ServoRig rig;
     rig.press(kPressed);
     for (int i = 0; i < 20; ++i) ASSERT_NEAR(rig.silent_tick().force_n.y, -kPressN, 1e-9);
-    // Meanwhile the hand went 1 mm deeper: 0.8 N more is requested, and comes in with a time constant of 80 ms.
+    // Meanwhile the hand has moved 1 mm deeper, which requests 0.8 N more. The additional force must come in with a
+    // time constant of 80 ms.
     const Vec3 deeper = kPressed + Vec3(0, 0.001, 0);
     EXPECT_NEAR(rig.tick(deeper).force_n.y, -kPressN, 1e-6);
     double last = -kPressN;
@@ -256,10 +257,10 @@ TEST(ServoTick, unplugging_gives_zero_on_that_tick_and_the_force_returns_only_by
     EXPECT_EQ(rig.count(ContactEventKind::FaultRaised), 1);
     EXPECT_EQ(rig.count(ContactEventKind::End), 1);
     EXPECT_EQ(rig.tool().proxy_m, proxy);
-    ++rig.tuning.confirm;  // no effect: it is still disconnected
+    ++rig.tuning.confirm;  // must have no effect, because the device is still disconnected
     for (int i = 0; i < 100; ++i) ASSERT_EQ(rig.unplugged_tick().force_n, Vec3(0.0));
     EXPECT_EQ(rig.tool().fault, Fault::Unplugged);
-    // Connected again, at any place: nothing is felt, not even after moving.
+    // The device is connected again, with the hand at any place. The hand must feel nothing, not even after moving.
     for (int i = 0; i < 500; ++i) ASSERT_EQ(rig.tick(Vec3(0.05, 0.0001 * (i % 100), 0)).force_n, Vec3(0.0));
     ++rig.tuning.confirm;
     rig.tick(Vec3(0.05, 0, 0));
@@ -277,7 +278,7 @@ TEST(ServoTick, panic_gives_zero_on_the_same_tick_and_the_force_returns_with_the
     EXPECT_NEAR(rig.tick(kPressed).force_n.y, -kPressN * 1e-3, 1e-9);
 }
 
-// Requires that the force fades and ends after at most this many ticks, and never exceeds its earlier value.
+// Checks that the force fades to zero within 76 ticks and never rises while it fades.
 void expect_fade_to_zero(ServoRig& rig, double from_n) {
     double last = from_n;
     for (int i = 0; i < 76; ++i) {
@@ -296,7 +297,7 @@ TEST(ServoTick, motors_that_report_heat_lose_their_force_within_100_ms_and_need_
     EXPECT_EQ(rig.tool().fault, Fault::TooHot);
     EXPECT_TRUE(rig.tool().fault_latched && rig.tool().fault_lasts);
     EXPECT_EQ(rig.count(ContactEventKind::FaultRaised), 1);
-    ++rig.tuning.confirm;  // no effect: it is still hot
+    ++rig.tuning.confirm;  // must have no effect, because the motors are still hot
     for (int i = 0; i < 50; ++i) ASSERT_EQ(rig.tick(kPressed).force_n, Vec3(0.0));
     rig.sample.hot = false;
     for (int i = 0; i < 50; ++i) ASSERT_EQ(rig.tick(kPressed).force_n, Vec3(0.0)) << "cool, and not confirmed";
@@ -307,7 +308,7 @@ TEST(ServoTick, motors_that_report_heat_lose_their_force_within_100_ms_and_need_
 }
 
 TEST(ServoTick, motors_without_heat_reports_are_protected_by_the_heat_budget) {
-    ServoRig rig;  // the peak is 3.3 N, of which 80 % may be held
+    ServoRig rig;  // the peak force is 3.3 N, of which the motors can sustain 80 %
     rig.tuning.force_ceiling_n = 100.0;
     rig.press(kPressed);
     const Vec3 hard = kPressed + Vec3(0, 0.005, 0);
@@ -361,7 +362,7 @@ TEST(ServoTick, in_dead_man_mode_force_needs_a_held_button_and_ends_100_ms_after
     rig.press(kPressed);
     EXPECT_EQ(rig.last.force_n, Vec3(0.0));
     EXPECT_EQ(rig.count(ContactEventKind::FaultRaised), 0) << "nothing was taken away yet";
-    rig.sample.buttons = 2;  // any button will do
+    rig.sample.buttons = 2;  // any button counts
     for (int i = 0; i < 1000; ++i) rig.tick(kPressed);
     EXPECT_NEAR(rig.last.force_n.y, -kPressN, 1e-6);
     rig.sample.buttons = 0;
@@ -394,7 +395,7 @@ TEST(ServoSwitches, only_remove_force_and_respect_a_stop_that_follows_a_released
     EXPECT_TRUE(with_switches(tuning, switches).panic);
     tuning.stops_let_go = 1;
     EXPECT_FALSE(with_switches(tuning, switches).panic);
-    switches.stop();  // pressed again while the app released the first press
+    switches.stop();  // the person presses the stop key again while the app releases the first press
     EXPECT_TRUE(with_switches(tuning, switches).panic);
     tuning.stops_let_go = 2;
     tuning.panic = true;
@@ -413,7 +414,8 @@ TEST(ServoTick, switching_forces_off_fades_over_75_ms_and_on_ramps_over_a_second
     for (int i = 1; i <= 74; ++i) ASSERT_NEAR(rig.tick(kPressed).force_n.y, -kPressN * (1.0 - i / 75.0), 1e-9);
     rig.tick(kPressed);
     EXPECT_NEAR(rig.tick(kPressed).force_n.y, 0.0, 1e-12);
-    EXPECT_EQ(rig.tool().contacts.count, 1);  // the contact with the wall is still reported and heard
+    // The servo must still report the contact with the wall, so that it is heard.
+    EXPECT_EQ(rig.tool().contacts.count, 1);
     rig.tuning.forces_on = true;
     for (int i = 1; i <= 1000; ++i) ASSERT_NEAR(rig.tick(kPressed).force_n.y, -kPressN * std::min(1.0, i * 1e-3), 1e-6);
 }
@@ -475,7 +477,7 @@ TEST(ServoTick, softens_walls_to_the_stiffness_that_the_device_supports_at_the_m
 
 TEST(ServoTick, in_walk_frame_the_wall_pushes_along_the_hands_own_axes) {
     ServoRig rig;
-    rig.pose.heading_rad = kPi / 2;  // facing east, so the wall in the north is on the left
+    rig.pose.heading_rad = kPi / 2;  // the walker faces east, so the wall in the north is on the left
     const Vec3 pressed(-kPressed.y, 0, 0);
     rig.press(pressed);
     EXPECT_NEAR(rig.last.force_n.x, kPressN, 1e-9);
@@ -489,7 +491,7 @@ TEST(ServoTick, reports_touch_slide_and_end_with_feature_and_time) {
     rig.press(kPressed);
     ASSERT_EQ(rig.count(ContactEventKind::Begin), 1);
     EXPECT_EQ(rig.first(ContactEventKind::Begin).feature, ServoRig::kWall);
-    for (int i = 0; i < 200; ++i) rig.tick(kPressed + Vec3(5e-5 * i, 0, 0));  // 5 cm/s
+    for (int i = 0; i < 200; ++i) rig.tick(kPressed + Vec3(5e-5 * i, 0, 0));  // the hand slides at 5 cm/s
     EXPECT_GE(rig.count(ContactEventKind::Slide), 15);
     EXPECT_NEAR(rig.events.back().speed_m_per_s, 0.05, 0.002);
     rig.go(kPressed + Vec3(0.01, -0.01, 0));
@@ -511,7 +513,7 @@ TEST(ServoTick, counts_contact_time_rate_and_buttons) {
     EXPECT_EQ(rig.state.counters().periods.quantile_s(0.99), 0.0011);
 }
 
-// Whatever a device sends, the output is finite and below the ceiling, and the tool stays where a hand can be.
+// Whatever a device sends, the force must be finite and below the ceiling, and the tool must stay where a hand can be.
 TEST(ServoTick, is_finite_and_bounded_for_every_input) {
     const std::uint64_t seed = test::seed_of_run();
     SCOPED_TRACE(fmt::format("seed {}", seed));

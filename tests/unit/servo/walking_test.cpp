@@ -18,17 +18,17 @@ DeviceSpec unlimited() {
     return spec;
 }
 
-// A frame that drifts into a wall and is reported at 60 Hz must not be felt as steps. Applied as it arrives, it would
-// step by 0.333 N per frame.
+// The workspace drifts into a wall, and the app reports its place at 60 Hz. The hand must not feel steps. If the servo
+// applied each report as it arrives, the force would change by 0.333 N at a time.
 TEST(Walking, a_frame_that_drifts_into_a_wall_is_felt_in_steps_of_at_most_25_mn) {
     for (const double heading_deg : {0.0, 37.0, 180.0}) {
         ServoRig rig(unlimited());
-        rig.tuning.touch.default_stiffness_fraction = 1.0;  // 1000 N/m
+        rig.tuning.touch.default_stiffness_fraction = 1.0;  // the wall has 1000 N/m
         rig.tuning.force_ceiling_n = 1e3;
         rig.pose.heading_rad = radians_from_degrees(heading_deg);
         const WorkspaceFrame frame = frame_of(Vec3(0.0), rig.pose.heading_rad);
         rig.arm();
-        const Vec3 pressed = frame.turn_to_device(Vec3(0, ServoRig::kWallY, 0));  // 5 mm pressed
+        const Vec3 pressed = frame.turn_to_device(Vec3(0, ServoRig::kWallY, 0));  // the hand presses 5 mm deep
         rig.go(pressed);
         for (int i = 0; i < 1100; ++i) rig.tick(pressed);
         ASSERT_NEAR(glm::length(rig.last.force_n), 5.0, 1e-6);
@@ -50,12 +50,13 @@ TEST(Walking, a_frame_that_drifts_into_a_wall_is_felt_in_steps_of_at_most_25_mn)
             largest = std::max(largest, std::abs(force - last));
             last = force;
         }
-        EXPECT_GT(last, 20.0) << heading_deg;  // it is 20 mm deeper, with a delay of about a frame
+        EXPECT_GT(last, 20.0) << heading_deg;  // the hand is 20 mm deeper, with a delay of about one report
         EXPECT_LE(largest, 0.025) << heading_deg;
     }
 }
 
-// The amplitude of one frequency in evenly spaced values. Their straight trend is removed, and a Hann window applied.
+// Returns the amplitude of one frequency in evenly spaced values. First removes their linear trend and applies a Hann
+// window.
 double amplitude_at(const std::vector<double>& values, double frequency_hz, double step_s) {
     const auto n = static_cast<double>(values.size());
     const double slope = (values.back() - values.front()) / (n - 1);
@@ -75,11 +76,11 @@ struct Walk {
     double largest_step_n = 0.0;
     double at_60_hz_n = 0.0;
     double end_n = 0.0;
-    bool falls = false;  // before the walker stood still
+    bool falls = false;  // true if the force fell before the walker stood still
 };
 
-// A room with its north wall at y = 4 m and a walker who goes at 1 m/s to y = 3.75. The hand is 0.6 m ahead; the scale
-// is 60, the device a Touch.
+// Simulates a room with its north wall at y = 4 m. A walker moves at 1 m/s to y = 3.75, with the hand 0.6 m ahead. The
+// scale is 60, and the device is a Touch.
 Walk walk_into_wall(bool jitter) {
     constexpr double kScale = 60.0, kWall = 4.0, kStop = 3.75;
     ServoRig rig(*find_device_spec("sim-t"));
@@ -124,7 +125,7 @@ Walk walk_into_wall(bool jitter) {
 TEST(Walking, the_measure_of_a_60_hz_line_detects_a_staircase) {
     std::vector<double> staircase, slope;
     for (int i = 0; i < 300; ++i) {
-        // 5 N/s in steps of 83 mN, so the amplitude is 0.083 / pi.
+        // The force rises by 5 N/s in steps of 83 mN, so the amplitude at 60 Hz is 0.083 / pi.
         staircase.push_back(5.0 * std::floor(i * kTick * 60.0) / 60.0);
         slope.push_back(5.0 * i * kTick);
     }
@@ -135,7 +136,8 @@ TEST(Walking, the_measure_of_a_60_hz_line_detects_a_staircase) {
 TEST(Walking, into_a_wall_with_the_hand_ahead_raises_the_force_evenly_without_a_60_hz_staircase) {
     for (const bool jitter : {false, true}) {
         const Walk walk = walk_into_wall(jitter);
-        // 3.75 + 0.6 - 4 + 0.12 m of proxy radius = 0.47 m, divided by 60 and times 300 N/m.
+        // The depth is 3.75 + 0.6 - 4 + 0.12 m of proxy radius = 0.47 m, divided by 60 for the hand. Times 300 N/m, it
+        // gives 2.35 N.
         EXPECT_NEAR(walk.end_n, 2.35, 0.01);
         EXPECT_LE(walk.largest_step_n, 0.03);
         EXPECT_LT(walk.at_60_hz_n, 0.02);

@@ -35,7 +35,7 @@ TEST(WorkspaceFrame, maps_device_forward_to_the_heading_and_scales_lengths_but_n
     const WorkspaceFrame north = frame_of(Vec3(1, 2, 3), 0.0);
     EXPECT_EQ(north.to_world(Vec3(0.01, 0.02, 0.03), 60.0), Vec3(1.6, 3.2, 4.8));
     const WorkspaceFrame east = frame_of(Vec3(0.0), kPi / 2);
-    // Facing east, forward is +x and right is -y.
+    // If the person faces east, forward is +x and right is -y.
     EXPECT_NEAR(glm::length(east.to_world(Vec3(0, 1, 0), 2.0) - Vec3(2, 0, 0)), 0.0, 1e-15);
     EXPECT_NEAR(glm::length(east.to_world(Vec3(1, 0, 0), 2.0) - Vec3(0, -2, 0)), 0.0, 1e-15);
     const WorkspaceFrame odd = frame_of(Vec3(0.0), 1.234);
@@ -48,11 +48,11 @@ TEST(WorkspaceFrame, maps_device_forward_to_the_heading_and_scales_lengths_but_n
 struct Step {
     double largest_m = 0.0;
     double smallest_m = 1e9;
-    double end_lag_m = 0.0;  // how far it is behind the walker at the end
+    double end_lag_m = 0.0;  // distance by which the workspace is behind the walker at the end
 };
 
-// A walker goes north at 1 m/s. The servo receives frame i `late(i)` after its time. Returns the steps of the last two
-// thirds.
+// A walker moves north at 1 m/s. Frame i reaches the servo `late(i)` seconds after its own time. Returns the steps of
+// the workspace in the last two thirds of the walk.
 template <class FrameTimes, class Late>
 Step walk(double seconds, const FrameTimes& frame_time, const Late& late) {
     PosePlayback playback;
@@ -119,7 +119,7 @@ TEST(PosePlayback, lets_a_resting_body_set_off_without_a_jump) {
     EXPECT_TRUE(playback.give(pose, 1.0));
     double now = 1.0, last = 0.0;
     for (; now < 6.0; now += kTick) {
-        EXPECT_FALSE(playback.give(pose, now));  // gives the same pose again, tick after tick
+        EXPECT_FALSE(playback.give(pose, now));  // the app passes the same pose again on every tick
         EXPECT_EQ(playback.at(now, kTick).origin_m, Vec3(0.0));
     }
     for (int frame = 1; frame <= 60; ++frame) {

@@ -1,4 +1,4 @@
-// The hand moves its own workspace by rim, grab and keys, through the whole servo tick.
+// Tests how the hand moves its own workspace through the whole servo tick: at the rim, by grabbing, and by keys.
 #include "haptic/servo/workspace_mover.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace handrail::test {
 namespace workspace_mover_test {
 
-constexpr double kReach = 0.075;  // of the simulated Touch
+constexpr double kReach = 0.075;  // workspace radius of the simulated Touch
 
 ServoRig rig_with_rim() {
     ServoRig rig;
@@ -101,7 +101,8 @@ TEST(WorkspaceMover, never_exceeds_its_limits_and_reports_reaching_them) {
     for (int i = 0; i < 3000; ++i) rig.tick({0.99 * kReach, 0.0, 0.0});
     EXPECT_EQ(rig.tool().workspace_shift_m.x, 0.05);
     EXPECT_TRUE(rig.tool().workspace_at_limit);
-    // A walker outside the bounds keeps the workspace, which moves no farther out but can move back in.
+    // If the walker is outside the bounds, the workspace must stay there. The hand must not move it farther out, but
+    // may move it back in.
     rig.pose.origin_m = Vec3(1.0, 0.0, 0.0);
     ++rig.pose.jump;
     rig.go({0.0, 0.0, 0.0});
@@ -124,7 +125,7 @@ TEST(WorkspaceMover, a_grabbed_world_moves_exactly_with_the_hand) {
     EXPECT_EQ(rig.count(ContactEventKind::Grabbed), 1);
     EXPECT_EQ(rig.last.force_n, Vec3(0.0));
     rig.sample.buttons = 0;
-    rig.go({0.01, 0.02, 0.0});  // with the clutch the hand moves back alone
+    rig.go({0.01, 0.02, 0.0});  // when the button is released, the hand moves without the world
     EXPECT_EQ(rig.count(ContactEventKind::LetGo), 1);
     EXPECT_NEAR(glm::length(rig.tool().hip_m - place - Vec3(0.04, 0.04, -0.01)), 0.0, 1e-12);
 }
@@ -132,7 +133,7 @@ TEST(WorkspaceMover, a_grabbed_world_moves_exactly_with_the_hand) {
 TEST(WorkspaceMover, a_pressed_wall_fades_within_75_ms_before_the_world_moves_and_is_as_hard_as_before) {
     ServoRig rig;
     rig.tuning.workspace.grab_buttons = 2;
-    rig.press({0.0, 0.0275, 0.0});  // 2.5 mm deep, which gives 2 N
+    rig.press({0.0, 0.0275, 0.0});  // the hand presses 2.5 mm deep, which gives 2 N
     ASSERT_NEAR(rig.last.force_n.y, -2.0, 0.01);
     rig.sample.buttons = 2;
     double last = 2.0;

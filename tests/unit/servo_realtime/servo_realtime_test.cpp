@@ -1,4 +1,4 @@
-// A separate program, because it replaces malloc and the locks of the whole program to count their calls.
+// This test is a separate program, because it replaces malloc and the locks of the whole program to count their calls.
 #include <dlfcn.h>
 #include <pthread.h>
 #include <semaphore.h>
@@ -19,7 +19,7 @@
 
 namespace {
 
-// Counts only on the thread, and during the time, in which `counting` is set.
+// The replacements count only on the thread that has set `counting`, and only while it is set.
 thread_local bool counting = false;
 thread_local int allocations = 0, locks = 0, clocks = 0;
 
@@ -56,7 +56,7 @@ void free(void* old) {
     __libc_free(old);
 }
 
-// The next definition of a library function. It is looked up once, outside the counted section.
+// Looks up the real library function behind a replacement. Each lookup happens once, before any counting.
 #define HANDRAIL_NEXT(name) reinterpret_cast<decltype(&name)>(dlsym(RTLD_NEXT, #name))
 
 int pthread_mutex_lock(pthread_mutex_t* mutex) noexcept {
@@ -129,7 +129,7 @@ TEST_F(ServoRealtime, the_counters_detect_allocations_locks_and_clocks) {
     EXPECT_GE(counts.clocks, 1);
 }
 
-// A crowded room with random boxes and triangles around the hand, so that candidates change often.
+// Returns a crowded room with random boxes and triangles around the hand, so that the solver's candidates change often.
 std::shared_ptr<const HapticScene> crowded_scene(unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> place(-0.1, 0.1), size(0.003, 0.02);
@@ -205,7 +205,7 @@ TEST_F(ServoRealtime, the_surrounding_loop_never_allocates_or_frees) {
     hand->command.publish({HandMode::Follow, Vec3(0, 0.03, 0), 0.0, Vec3(0.0), 0});
     Counts sum;
     for (int swap = 0; swap < 20; ++swap) {
-        loop.set_scene(test::wall_scene(0.02));  // this thread frees the scene before it
+        loop.set_scene(test::wall_scene(0.02));  // set_scene() frees the previous scene on this thread
         const Counts counts = count([&] {
             for (int i = 0; i < 200; ++i) {
                 loop.step();
@@ -219,7 +219,7 @@ TEST_F(ServoRealtime, the_surrounding_loop_never_allocates_or_frees) {
     EXPECT_EQ(sum.locks, 0);
 }
 
-// A guarded device, which the servo uses in place of a real one. A separate guard process is at the other end.
+// A guarded device, which the servo uses like a real one. A separate guard process is at its other end.
 TEST_F(ServoRealtime, a_guarded_device_is_exchanged_without_allocation_lock_or_clock) {
     GuardedDevice device(*find_device_spec("falcon"), test::built_program("standin_guard"), {"echo"});
     const auto opened = device.open();

@@ -1,4 +1,4 @@
-// Every setting has texts in every language, and no texts remain for settings that no longer exist.
+// Every setting must have texts in every language. No texts may remain for settings that no longer exist.
 #include <gmock/gmock.h>
 
 #include <set>
@@ -12,7 +12,7 @@ namespace handrail {
 namespace setting_texts_test {
 using testing::HasSubstr;
 
-// The keys of all texts that are composed of names in the tables.
+// Returns the keys of all texts that the program composes from names in tables.
 std::set<std::string> made_keys() {
     std::set<std::string> keys{"setting.keys"};
     const auto add_unit = [&](std::string_view unit) {

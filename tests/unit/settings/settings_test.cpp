@@ -35,7 +35,7 @@ std::vector<std::string> sentences(const std::vector<Diagnostic>& problems) {
     return all;
 }
 
-// Everything that explain() shows, for the comparison of two stores.
+// Returns everything that explain() shows, to compare two stores.
 std::string shown(const SettingsStore& store) {
     std::string text;
     for (const SettingRow& row : store.explain()) text += row.key + "=" + row.value + "\n";
@@ -97,7 +97,8 @@ TEST(Settings, suggest_the_nearest_key_for_an_unknown_one_and_apply_the_rest) {
 TEST(Settings, suggest_the_nearest_key_of_the_same_table_before_nearer_ones_elsewhere) {
     const TemporaryFolder folder;
     SettingsStore store;
-    // "walk.scale" is nearest to the workspace's key; "speech.speed_m_per_s" exists word for word in another table.
+    // The wrong key in [workspace] is most similar to a key of another table. The wrong key in [speech] is spelled
+    // exactly like a key of another table.
     const auto problems = store.load_file(
         folder.write("settings.toml",
                      "[speech]\nspeed_m_per_s = 30\n[workspace]\nbody_radius_m = 2\n[spaech]\nverbosity = 1\n"),
@@ -195,7 +196,7 @@ TEST(Settings, store_overrides_by_device_name_and_keys_by_command) {
     EXPECT_FALSE(store.set("workspace.device.falcon.scale", "5000", SettingSource::Live));
 }
 
-// Formerly such a command had no key at all, without any message.
+// Formerly such a command got no key at all, and no message said so.
 TEST(Settings, refuse_key_names_that_nobody_can_press_and_report_their_line) {
     const TemporaryFolder folder;
     SettingsStore store({"where", "home", "look", "use", "again", "quit"});
@@ -245,7 +246,7 @@ TEST(Profiles, are_saved_by_device_and_serial_number_with_their_origin) {
         << "what is not understood is kept";
 }
 
-// A labyrinth that fixes its scale has that scale on every device, including devices with their own scale.
+// If a labyrinth fixes its scale, that scale must apply to every device, including devices with a scale of their own.
 TEST(SettingsStore, lets_a_world_override_devices_with_individual_values) {
     const test::TemporaryFolder folder;
     SettingsStore store;
@@ -316,7 +317,7 @@ TEST(SaveSettings, keeps_the_meaning_of_a_file_with_unusual_syntax) {
     ASSERT_TRUE(store.set("haptic.friction_mu", "0.1", SettingSource::Live));
     ASSERT_TRUE(store.save_user_file());
     SettingsStore again;
-    // The unknown entry speech.other.
+    // The only problem is the unknown entry speech.other.
     EXPECT_THAT(again.load_file(file, SettingSource::UserFile), SizeIs(1)) << content_of(file);
     EXPECT_EQ(shown(again), shown(store));
     EXPECT_THAT(content_of(file), HasSubstr("other"));
@@ -355,7 +356,7 @@ TEST(SaveSettings, never_replaces_a_damaged_file_and_reports_it) {
 TEST(SaveSettings, never_replaces_an_unreadable_file) {
     const TemporaryFolder folder;
     SettingsStore store;
-    const auto problems = store.load_file(folder.path(), SettingSource::UserFile);  // a folder instead of a file
+    const auto problems = store.load_file(folder.path(), SettingSource::UserFile);  // a folder in place of the file
     ASSERT_THAT(problems, SizeIs(1));
     EXPECT_THAT(problems[0].sentence(), HasSubstr("folder"));
     ASSERT_TRUE(store.set("workspace.scale", "42", SettingSource::Live));
@@ -368,7 +369,7 @@ TEST(SaveSettings, never_replaces_an_unreadable_file) {
     EXPECT_FALSE(store.save_user_file());
 }
 
-// The file size limit of the process simulates a full disk: writing stops half way with an error.
+// The process's limit for the size of files simulates a full disk: writing stops half way with an error.
 TEST(SaveSettings, leaves_the_old_file_complete_if_the_disk_is_full) {
     const TemporaryFolder folder;
     const std::string old = "[workspace]\nscale = 30\n# " + std::string(5000, 'x') + "\n";
@@ -416,7 +417,8 @@ TEST(LoadSettings, survives_files_cut_at_every_byte_or_with_every_byte_replaced)
         }
 }
 
-// Any legal changes during a session, saved over any earlier file of the same kind, read back exactly.
+// Makes any legal changes during a session and saves them over any earlier file of the same kind. They must read back
+// exactly.
 RC_GTEST_PROP(SaveSettings, reads_back_what_it_saved, ()) {
     const TemporaryFolder folder;
     const fs::path file = folder.path() / "settings.toml";

@@ -1,4 +1,5 @@
-// TOML files as plain values: they equal the values that toml++ reads, and read back unchanged after writing.
+// Tests TOML files as plain values. The values must equal those that toml++ reads, and must read back unchanged after
+// writing.
 #include "settings/toml_value.h"
 #include "tests/support/names.h"
 

@@ -45,7 +45,7 @@ std::vector<std::string> texts(const std::vector<SpokenLine>& lines) {
     return all;
 }
 
-// The loop in virtual time, stepped by the test.
+// The loop of the audio thread in virtual time. The test steps it.
 struct Ears {
     explicit Ears(double words_per_minute = 0.0) {
         auto a = std::make_unique<RecordingAudio>();
@@ -120,7 +120,7 @@ TEST(AudioThread, stopping_lets_the_voice_finish_on_request) {
 }
 
 TEST(AudioThread, runs_in_parallel_with_servo_and_app_and_joins) {
-    // Uses real threads, and real sinks if the machine has them; the thread sanitizer then shows a race.
+    // Uses real threads, and real sinks if the machine has them, so that the thread sanitizer can find races.
     SteadyClock clock;
     AudioThread::ContactRing ring;
     const auto channel = std::make_shared<VoiceChannel>();

@@ -63,7 +63,8 @@ TEST(BrailleLine, of_a_list_shows_the_item_with_its_position_and_pans_to_its_nei
     EXPECT_FALSE(line.pan_right());
     line.pan_home();
     EXPECT_EQ(narrow(line.cells()), "N  Menu. Worlds 2/3 ");
-    // When moving left to an item longer than the display, its end is shown first.
+    // If the person pans left to an item that is longer than the display, the display must first show the end of the
+    // item.
     EXPECT_TRUE(line.pan_left());
     EXPECT_EQ(narrow(line.cells()), "N  1/3              ");
     EXPECT_TRUE(line.pan_left());
@@ -92,7 +93,7 @@ TEST(BrailleLine, has_no_cells_without_a_display) {
     EXPECT_FALSE(line.pan_left());
 }
 
-// Panning right to the end reads every letter once and in order; panning left goes back over the same pieces.
+// Panning right to the end must show every letter once and in order. Panning left must show the same pieces in reverse.
 TEST(BrailleLine, panning_loses_and_repeats_nothing) {
     std::mt19937 random(5);
     for (int run = 0; run < 500; ++run) {

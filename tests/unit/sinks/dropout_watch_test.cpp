@@ -9,8 +9,9 @@
 namespace handrail {
 namespace dropout_watch_test {
 
-// A device that mixes 256 samples at a time, with a clock that drifts by 200 parts in a million. The loop that watches
-// it is up to 20 ms late. Every `stops_every_s` the device starts again, one period behind.
+// Simulates a device that mixes 256 samples at a time. Its clock drifts by 200 parts in a million. The loop that
+// watches it is up to 20 ms late. Every `stops_every_s`, the device loses one period. Returns whether the watch reports
+// dropouts within `seconds`.
 bool dropped(double seconds, double stops_every_s) {
     constexpr double kPeriod_s = 256.0 / 48000.0;
     std::minstd_rand random(3);

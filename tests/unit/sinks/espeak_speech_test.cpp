@@ -13,14 +13,14 @@
 namespace handrail {
 namespace espeak_speech_test {
 
-// Replaces the sound sink: takes the speech and plays it in no time.
+// Replaces the sound sink: takes the samples and treats them as played immediately.
 struct Listening {
     std::vector<std::int16_t> samples;
     int rate_hz = 0;
     double length_s() const { return rate_hz > 0 ? static_cast<double>(samples.size()) / rate_hz : 0.0; }
 };
 
-// Waits for the real synthesis thread.
+// Takes the samples until the real synthesis thread has ended the text.
 Listening listen_to_the_end(VoiceChannel& channel) {
     Listening heard;
     EXPECT_TRUE(test::eventually([&] {
@@ -126,7 +126,7 @@ TEST_F(EspeakSpeechTest, empty_and_odd_texts_finish) {
 }
 
 TEST_F(EspeakSpeechTest, is_heard_through_the_sound_sink_within_50_ms_of_stream_time) {
-    // Synthesis runs in real time and the stream in virtual time, so synthesis is finished first.
+    // Synthesis runs in real time, while the stream runs in virtual time. So the test waits for the synthesis first.
     const Listening spoken = hear("North wall, plaster");
     const auto stream = std::make_shared<VoiceChannel>();
     auto opened = OpenALSink::open(stream, {.output = OpenALSink::Output::OnDemand});
@@ -152,7 +152,7 @@ TEST_F(EspeakSpeechTest, is_heard_through_the_sound_sink_within_50_ms_of_stream_
 
 TEST_F(EspeakSpeechTest, without_a_voice_it_beeps_and_gives_the_reason) {
     const auto other = std::make_shared<VoiceChannel>();
-    const auto fallback = open_voice(other, {});  // the only voice is in use
+    const auto fallback = open_voice(other, {});  // cannot open a voice, because the only one is in use
     EXPECT_EQ(fallback->news(), "The built-in voice is already in use. Beeps mean that there is text to read.");
     fallback->say({.text = "Door"});
     EXPECT_TRUE(fallback->speaking());

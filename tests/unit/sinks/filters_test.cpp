@@ -1,4 +1,4 @@
-// Which filters for the ears are used, and where the voice comes from.
+// Tests which filters for headphones the sink uses, and from which direction the voice comes.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -1,5 +1,5 @@
-// How loud each sound is, measured by libebur128: the order of ranks, the table in docs, true peaks of mixes, and what
-// the beacon tells by both ears.
+// Measures with libebur128 how loud each sound is. Checks the order of the ranks, the table in docs, the true peaks of
+// mixes, and how the beacon differs between the ears.
 #include "audio-cues/sinks/loudness.h"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ namespace loudness_test {
 using test::Measured;
 using test::measured;
 
-// At the volumes of a new settings file.
+// Returns the loudness of a sound in LUFS, at the volume of a new settings file.
 double lufs_of(SoundKind kind, SoundClass material) {
     std::vector<float> samples = levelled_sound(kind, material);
     const double volume = Settings::Sound{}.*info(kind).volume;
@@ -97,13 +97,14 @@ TEST(Loudness, of_every_sound_is_in_the_results) {
     EXPECT_EQ(shown, now) << "HANDRAIL_WRITE_TRANSCRIPTS=1 writes it anew; read what has changed";
 }
 
-// What both ears hear of these sounds, all at once, left and right in turn.
+// Plays all these sounds at once, together with a voice if `voice_hz` is not zero. Returns what both ears hear, left
+// and right samples in turn.
 std::vector<float> heard(const std::vector<SoundCue>& cues, double seconds = 0.6, int voice_hz = 0) {
     auto voice = std::make_shared<VoiceChannel>();
     auto sink = OpenALSink::open(voice, {.output = OpenALSink::Output::OnDemand});
     if (!sink) throw std::runtime_error(sink.error().sentence());
     if (voice_hz > 0) {
-        // As loud as a voice gets: full scale.
+        // This voice is at full scale, as loud as a voice can be.
         std::vector<std::int16_t> speech(22050);
         for (std::size_t i = 0; i < speech.size(); ++i)
             speech[i] =
@@ -144,7 +145,7 @@ TEST(Loudness, true_peak_of_the_worst_mixes_stays_3_db_below_full_scale) {
         }
 }
 
-// Energy of each ear between two pitches.
+// Returns the energy at each ear between two frequencies.
 std::array<double, 2> energies(const std::vector<float>& both, double from_hz, double to_hz) {
     std::array<double, 2> sums{};
     for (std::size_t ear = 0; ear < 2; ++ear)

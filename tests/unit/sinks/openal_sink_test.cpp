@@ -20,10 +20,12 @@ namespace openal_sink_test {
 constexpr int kPeriod = 256;
 constexpr double kPeriod_s = static_cast<double>(kPeriod) / kSampleRate_hz;
 
-// OpenAL reads its configuration once per process. The null back end is a playback device that needs no sound card.
+// This must happen before the first use of OpenAL, which reads its configuration once per process. The null back end is
+// a playback device that needs no sound card.
 const int null_back_end = ::setenv("ALSOFT_DRIVERS", "null", 1);
 
-// The sink on a loopback device, ticked and rendered period by period in virtual time. Keeps everything that was heard.
+// The sink on a loopback device. The tests tick and render it period by period in virtual time. Keeps everything that
+// both ears heard.
 class OpenALSinkTest : public ::testing::Test {
 protected:
     OpenALSinkTest() {
@@ -61,7 +63,8 @@ protected:
         for (const float s : x) e += static_cast<double>(s) * static_cast<double>(s);
         return std::sqrt(e / static_cast<double>(std::max<std::size_t>(1, x.size())));
     }
-    // Seconds by which the right ear hears it before the left one, from the cross-correlation; negative if later.
+    // Returns by how many seconds the right ear hears the sound before the left one; negative if later. Uses the
+    // cross-correlation.
     double right_leads_s() const {
         const int reach = kSampleRate_hz / 1000;
         const int n = static_cast<int>(left.size());
@@ -98,8 +101,8 @@ TEST_F(OpenALSinkTest, no_cue_gives_no_sound) {
 }
 
 TEST_F(OpenALSinkTest, the_first_sample_of_a_contact_comes_within_15_ms_of_the_touch_in_stream_time) {
-    // The whole chain: 200 audio ticks and 187.5 mixing periods a second, each at its own time, with touches at
-    // unrelated times.
+    // Tests the whole chain. The 200 audio ticks and 187.5 mixing periods a second each have their own clock, and the
+    // touches happen at unrelated times.
     CuePlanner planner{Settings{}};
     RecordingSpeech speech;
     double tick_s = now_s, mix_s = now_s, worst_s = 0.0;
@@ -129,7 +132,7 @@ TEST_F(OpenALSinkTest, the_first_sample_of_a_contact_comes_within_15_ms_of_the_t
         const double latency_s = stream_s + static_cast<double>(onset) / kSampleRate_hz - touch_s;
         EXPECT_GE(latency_s, 0.0);
         worst_s = std::max(worst_s, latency_s);
-        for (int i = 0; i < 60; ++i) {  // until the sound has died away
+        for (int i = 0; i < 60; ++i) {  // waits until the sound has died away
             planner.tick({.now_s = tick_s, .contacts = {}, .requests = {}, .listener = {}}, *sink, speech);
             tick_s += kPeriod_s;
             hear();
@@ -202,7 +205,7 @@ TEST_F(OpenALSinkTest, stop_all_fades_without_a_click_and_is_silent_within_25_ms
     sink->set_loop(cue(SoundKind::WallTone, {0.5, 1.0, 0.0}));
     sink->play(cue(SoundKind::Beep, {}));
     const std::vector<float> before = listen(0.08);
-    // A click shows as curvature that the sound itself does not have.
+    // A click would show as a curvature that the sound itself does not have.
     const auto sharpest = [](std::span<const float> x) {
         float most = 0.0F;
         for (std::size_t i = 2; i < x.size(); ++i) most = std::max(most, std::abs(x[i] - 2.0F * x[i - 1] + x[i - 2]));
@@ -214,13 +217,13 @@ TEST_F(OpenALSinkTest, stop_all_fades_without_a_click_and_is_silent_within_25_ms
     run(0.06);
     const std::vector<float> across{left.begin() + static_cast<std::ptrdiff_t>(cut) - 4, left.end()};
     EXPECT_LE(sharpest(across), sharpest(before));
-    const std::span<const float> rest = std::span(left).subspan(cut + 1200);  // 25 ms
+    const std::span<const float> rest = std::span(left).subspan(cut + 1200);  // from 25 ms after the stop
     EXPECT_LT(rms(rest), 1e-5);
     EXPECT_EQ(sink->sounds_playing(), 0);
 }
 
 TEST_F(OpenALSinkTest, an_abrupt_stop_would_click) {
-    // Shows that the test above can fail: the same sound, cut between two samples, has far more curvature.
+    // Shows that the previous test can fail: the same sound has far more curvature if it is cut between two samples.
     sink->set_loop(cue(SoundKind::WallTone, {0.5, 1.0, 0.0}));
     std::vector<float> x = listen(0.1);
     float most = 0.0F, cut = 0.0F;
@@ -242,7 +245,7 @@ TEST_F(OpenALSinkTest, plays_at_most_three_sounds_and_drops_the_least_important)
     sink->play(cue(SoundKind::Alarm, {}));
     period();
     EXPECT_EQ(sink->sounds_playing(), 3);
-    // 10 one-shots at once are more than there are sources.
+    // Plays 10 sounds at once, which are more than the sink has sources.
     for (int i = 0; i < 10; ++i) sink->play(cue(SoundKind::Contact, {0.0, 1.0, 0.0}, SoundClass::Metal));
     period();
     EXPECT_EQ(sink->sounds_playing(), 3);
@@ -263,8 +266,8 @@ TEST_F(OpenALSinkTest, a_loop_that_had_to_give_way_comes_back) {
     EXPECT_NEAR(rms(listen(0.1)), alone, 0.2 * alone);
 }
 
-// The energy of a signal between two frequencies in dB, with an arbitrary reference. Uses Goertzel's algorithm on
-// frames of 20 ms.
+// Returns the energy of a signal between two frequencies in dB, relative to an arbitrary reference. Uses Goertzel's
+// algorithm on frames of 20 ms.
 double band_db(std::span<const float> x, double from_hz, double to_hz) {
     constexpr std::size_t kFrame = 960;
     double sum = 0.0;
@@ -285,7 +288,7 @@ double band_db(std::span<const float> x, double from_hz, double to_hz) {
 }
 
 TEST_F(OpenALSinkTest, a_closed_door_takes_at_least_12_db_and_more_of_the_high_tones) {
-    SoundCue rain = cue(SoundKind::Rain, {0.0, 3.0, 0.0});  // broadband, and steady over seconds
+    SoundCue rain = cue(SoundKind::Rain, {0.0, 3.0, 0.0});  // rain is broadband, and steady over seconds
     sink->set_loop(rain);
     run(1.0);
     const std::vector<float> open = listen(4.0);
@@ -315,7 +318,8 @@ TEST_F(OpenALSinkTest, world_sounds_give_way_to_the_walkers_own_sounds_without_p
     }
     run(0.5);
     EXPECT_EQ(sink->sounds_playing(), 3);
-    // Steps come every 0.6 s. The quietest lamp gives way at the first step and does not come back between them.
+    // A step sounds every 0.6 s. At the first step, the quietest lamp must fall silent, and it must not come back
+    // between the steps.
     int changes = 0, before = -1;
     for (int step = 0; step < 8; ++step) {
         sink->play(cue(SoundKind::Footstep, {0.0, 0.0, -1.6}));
@@ -323,7 +327,7 @@ TEST_F(OpenALSinkTest, world_sounds_give_way_to_the_walkers_own_sounds_without_p
             period();
             EXPECT_LE(sink->sounds_playing(), 3);
         }
-        const int now = sink->sounds_playing();  // the step has died away
+        const int now = sink->sounds_playing();  // by now, the sound of the step has died away
         if (now != before) ++changes;
         before = now;
     }
@@ -348,7 +352,7 @@ TEST_F(OpenALSinkTest, world_sounds_that_are_left_fade_and_make_room_for_others)
     EXPECT_LT(rms(listen(0.1)), 1e-6);
 }
 
-// Low-pass below `edge_hz` with twelve decibels an octave, the same for both ears.
+// A low-pass filter at `edge_hz` with twelve decibels an octave. It is the same for both ears.
 std::vector<double> low_passed(std::span<const float> x, double edge_hz) {
     const double a = 1.0 - std::exp(-2.0 * kPi * edge_hz / kSampleRate_hz);
     std::vector<double> y(x.size());
@@ -357,8 +361,8 @@ std::vector<double> low_passed(std::span<const float> x, double edge_hz) {
     return y;
 }
 
-// Seconds by which the right ear hears it first, below 1.5 kHz. A parabola through the peak of the cross-correlation
-// gives values between samples.
+// Returns by how many seconds the right ear hears the sound before the left one, below 1.5 kHz. A parabola through the
+// peak of the cross-correlation gives values between samples.
 double interaural_s(std::span<const float> left, std::span<const float> right) {
     const std::vector<double> l = low_passed(left, 1500.0), r = low_passed(right, 1500.0);
     constexpr int kReach = 56;
@@ -375,7 +379,7 @@ double interaural_s(std::span<const float> left, std::span<const float> right) {
            kSampleRate_hz;
 }
 
-// OpenAL's name of the data set that it renders with.
+// Returns OpenAL's name of the HRTF data set with which it renders.
 std::string hrtf_name() {
     const ALCchar* name = alcGetString(alcGetContextsDevice(alcGetCurrentContext()), ALC_HRTF_SPECIFIER_SOFT);
     return name != nullptr ? name : "";
@@ -383,11 +387,12 @@ std::string hrtf_name() {
 
 TEST_F(OpenALSinkTest, the_time_difference_between_the_ears_matches_a_sphere_and_is_mirrored) {
     // The data set of OpenAL Soft 1.19 (default-48000) follows a sphere. Version 1.24 has a different one (Default
-    // HRTF), whose delays jump between directions 5 degrees apart: by 172 us at 35 degrees, 224 us at 80, 282 us at
-    // 135.
+    // HRTF). Its delays jump between directions that are 5 degrees apart: by 172 us at 35 degrees, 224 us at 80, and
+    // 282 us at 135.
     const bool jumps = hrtf_name().find("Default HRTF") != std::string::npos;
     const double most_s = jumps ? 240e-6 : 100e-6, most_mirror_s = jumps ? 30e-6 : 10e-6;
-    // Woodworth's formula: a sphere of 8.75 cm, sound at 343 m/s; the same behind as ahead.
+    // Woodworth's formula for a head that is a sphere of 8.75 cm radius, with sound at 343 m/s. A sound behind gives
+    // the same result as one ahead.
     const auto sphere_s = [](double azimuth_rad) {
         const double side = std::asin(std::sin(azimuth_rad));
         return 0.0875 / 343.0 * (side + std::sin(side));
@@ -418,13 +423,13 @@ TEST_F(OpenALSinkTest, the_reverberation_time_of_a_room_is_correct_within_10_per
     for (const double wanted_s : {0.3, 0.6, 1.0, 2.0, 4.0}) {
         sink->set_listener({.ears_m = {0.0, 0.0, 0.0}, .heading_rad = 0.0, .reverberation_s = wanted_s});
         run(wanted_s + 1.0);  // waits until the room has changed and older sounds in it have died away
-        // Schroeder's method: the remaining energy falls along a line. Its slope is fitted between -5 and -25 dB by
-        // least squares. Three knocks of different colour at both ears are combined, as in measuring a hall, since each
-        // alone excites only few of the room's modes.
+        // Schroeder's method: the remaining energy in dB falls along a line. A least-squares fit between -5 and -25 dB
+        // gives its slope. Three knocks of different colour at both ears are combined, as in measurements of halls,
+        // because each knock excites only a few of the room's modes.
         std::vector<double> to_come(static_cast<std::size_t>((0.7 * wanted_s + 0.2) * kSampleRate_hz));
         for (const SoundClass knock : {SoundClass::Brick, SoundClass::Concrete, SoundClass::Stone}) {
             sink->play(cue(SoundKind::Contact, {0.0, 1.0, 0.0}, knock));
-            run(0.13);  // the longest of them rings for 105 ms
+            run(0.13);  // the longest knock sounds for 105 ms
             forget();
             run(0.7 * wanted_s + 0.2);
             double energy = 0.0;
@@ -471,7 +476,7 @@ TEST_F(OpenALSinkTest, reverberation_is_weak_leaves_earcons_dry_and_stops_with_e
     EXPECT_LT(rms(listen(0.2)), 1e-5) << "F12 ends the echo too";
 }
 
-// The largest step from one sample to the next.
+// Returns the largest difference between two neighbouring samples.
 float largest_step(std::span<const float> x) {
     float most = 0.0F;
     for (std::size_t i = 1; i < x.size(); ++i) most = std::max(most, std::abs(x[i] - x[i - 1]));
@@ -480,7 +485,7 @@ float largest_step(std::span<const float> x) {
 
 TEST_F(OpenALSinkTest, cutting_any_sound_short_makes_no_step_above_a_hundredth_of_full_scale) {
     constexpr float kNoClick =
-        0.002F;  // more than the sound's own largest step; a cut at a sample gives up to 0.15 here
+        0.002F;  // more than the largest step within the sounds; cutting a sound at a sample gives up to 0.15 here
     const auto quiet_after = [&](const char* what, auto begin, auto cut) {
         for (int phase = 0; phase < 7; ++phase) {
             begin();
@@ -531,7 +536,8 @@ TEST_F(OpenALSinkTest, cutting_any_sound_short_makes_no_step_above_a_hundredth_o
 }
 
 TEST_F(OpenALSinkTest, a_sound_behind_flutters_but_not_one_ahead_or_with_the_option_off) {
-    // The depth of the 9 Hz variation of the loudness in frames of 10 ms, relative to its mean.
+    // Returns how strongly the loudness varies at 9 Hz, relative to its mean. The loudness is measured in frames of 10
+    // ms.
     const auto flutter = [&](double y_m, bool on) {
         sink->set_sound({.reverberation = 0.0, .behind = on, .height = on});
         sink->set_loop(cue(SoundKind::Rain, {0.0, y_m, 0.0}));
@@ -556,7 +562,8 @@ TEST_F(OpenALSinkTest, a_sound_behind_flutters_but_not_one_ahead_or_with_the_opt
 TEST_F(OpenALSinkTest, in_mono_both_ears_hear_the_same_and_the_wall_tone_gives_distance_by_rhythm) {
     sink->set_sound({.mono = true});
     SoundCue tone = cue(SoundKind::WallTone, {2.0, 0.0, 0.0});
-    // The number of swells in two seconds: how often the loudness, in frames of 10 ms, rises through its middle.
+    // Returns the number of swells in two seconds: how often the loudness rises through its middle value. The loudness
+    // is measured in frames of 10 ms.
     const auto swells = [&](double pulses_per_s) {
         tone.pulses_per_s = pulses_per_s;
         sink->set_loop(tone);
@@ -747,7 +754,7 @@ TEST(OpenALSinkDevice, is_requested_again_every_5_s_if_it_does_not_return) {
     ASSERT_TRUE(sink.has_device());
     sink.tick(1.0);
     plugged = false;
-    sink.tick(2.0);  // lost, then the same one is opened again; it is still reported as lost
+    sink.tick(2.0);  // the sink loses the device and opens the same one again, which still reports that it is lost
     for (double now_s = 2.0; now_s < 30.0; now_s += 0.25) sink.tick(now_s);
     EXPECT_TRUE(sink.news());
     plugged = true;
