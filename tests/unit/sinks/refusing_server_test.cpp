@@ -1,4 +1,5 @@
-// A speech server that knows the protocol but refuses single commands, as one without a voice for a language does.
+// Tests a speech server that knows the protocol but refuses single commands. A server without a voice for a language
+// behaves like this.
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -92,13 +93,13 @@ private:
     std::atomic<bool> ends_{false};
     std::atomic<int> clients_{0};
     std::mutex mutex_;
-    std::string spoken_;  // guarded by mutex_
+    std::string spoken_;  // `mutex_` guards this text
     std::thread thread_;
 };
 
 double steady_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-// Earlier, such a server counted as gone: three attempts, then silence, and nobody knew why.
+// Earlier, the program treated such a server as gone. After three attempts it fell silent without a message.
 TEST(SpeechServerThatRefuses, a_language_still_speaks_with_the_current_voice) {
     const test::TemporaryFolder folder;
     RefusingServer server(folder.path() / "speech.sock", "LANGUAGE");

@@ -12,10 +12,10 @@
 namespace handrail {
 namespace synth_test {
 
-// The properties by which an ear distinguishes sounds, each computed from its definition.
+// The properties by which a listener distinguishes sounds. Each is computed from its definition.
 struct Character {
     double centroid_hz = 0.0;  // centre of mass of the power spectrum between 60 Hz and 16 kHz
-    double decay_s = 0.0;      // time until 99 % of the sound's energy has arrived
+    double decay_s = 0.0;      // time until 99 % of the sound's energy has passed
 };
 
 double band_power(std::span<const float> x, double hz) {
@@ -32,7 +32,7 @@ Character character_of(std::span<const float> x) {
     Character c;
     double weighted = 0.0, power = 0.0;
     for (double hz = 60.0; hz < 16000.0; hz *= 1.02) {
-        // Bands have a constant ratio, so their width is proportional to their pitch.
+        // The bands have a constant frequency ratio, so their width is proportional to their frequency.
         const double p = band_power(x, hz) * hz;
         weighted += p * std::log(hz);
         power += p;
@@ -67,8 +67,8 @@ TEST(Synth, any_two_materials_differ_when_struck) { expect_all_pairs_differ(Soun
 TEST(Synth, any_two_materials_differ_when_stepped_on) { expect_all_pairs_differ(SoundKind::Footstep, 1.15); }
 
 TEST(Synth, any_two_materials_differ_when_stroked) {
-    // Loops do not ring. Besides brightness they differ in roughness: how much the loudness varies between successive
-    // 10 ms.
+    // Loops do not ring, so their decay is meaningless. Besides brightness, they differ in roughness: how much the
+    // loudness varies between successive intervals of 10 ms.
     struct Stroke {
         double centroid_hz, roughness;
     };
@@ -117,7 +117,8 @@ TEST_P(EverySound, is_loud_within_3_ms_and_starts_and_ends_without_a_click) {
     const auto kind = static_cast<SoundKind>(GetParam());
     const std::vector<float> x = synthesise(kind, SoundClass::Plaster);
     if (is_loop(kind)) {
-        // The step at the seam is no larger than those inside.
+        // At the seam between the loop's end and its beginning, the step must be no larger than the steps inside the
+        // loop.
         float largest = 0.0F;
         for (std::size_t i = 1; i < x.size(); ++i) largest = std::max(largest, std::abs(x[i] - x[i - 1]));
         EXPECT_LE(std::abs(x.front() - x.back()), largest);

@@ -14,7 +14,7 @@
 namespace handrail {
 namespace text_speech_test {
 
-// A pipe whose ends are closed however the test ends.
+// A pipe that closes its ends however the test ends.
 struct Pipe {
     Pipe() { EXPECT_EQ(::pipe2(ends.data(), O_CLOEXEC), 0); }
     ~Pipe() {
@@ -27,7 +27,7 @@ struct Pipe {
         if (ends[0] >= 0) ::close(ends[0]);
         ends[0] = -1;
     }
-    // Reads what is available, without waiting for more.
+    // Returns what is in the pipe, without waiting for more.
     std::string read() const {
         ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
         std::string text;
@@ -52,7 +52,7 @@ TEST(TextSpeech, writes_one_line_per_announcement_at_once_with_its_class) {
 }
 
 TEST(TextSpeech, stops_quietly_without_sigpipe_when_its_reader_is_gone) {
-    // SIGPIPE has its default action here, so it would end the test program.
+    // Here SIGPIPE has its default action, so it would end the test program.
     ASSERT_EQ(::signal(SIGPIPE, SIG_DFL), SIG_DFL);
     Pipe pipe;
     TextSpeech speech(pipe.ends[1]);
@@ -82,7 +82,8 @@ TEST(TextSpeech, never_waits_for_a_slow_reader_and_delivers_the_rest_later) {
     const Pipe pipe;
     TextSpeech speech(pipe.ends[1]);
     const std::string word(1000, 'x');
-    constexpr int kLines = 100;  // 100 kB: more than the 64 kB of a pipe, less than pipe and backlog together
+    // 100 kB: more than the 64 kB of a pipe, but less than the pipe and the backlog can hold together.
+    constexpr int kLines = 100;
     for (int i = 0; i < kLines; ++i) speech.say({.text = word});
     std::string all = pipe.read();
     EXPECT_LT(all.size(), 100U * (word.size() + 6)) << "the pipe was not full, so this test shows nothing";
@@ -90,7 +91,7 @@ TEST(TextSpeech, never_waits_for_a_slow_reader_and_delivers_the_rest_later) {
         speech.tick(0.0);
         all += pipe.read();
     }
-    EXPECT_EQ(all.size(), kLines * (word.size() + 6));  // plus "say: " and the line end
+    EXPECT_EQ(all.size(), kLines * (word.size() + 6));  // each line has "say: " and a line end in addition
 }
 
 TEST(TextSpeech, keeps_a_limited_backlog_of_whole_lines) {
@@ -107,11 +108,11 @@ TEST(TextSpeech, keeps_a_limited_backlog_of_whole_lines) {
     }
     all += pipe.read();
     EXPECT_LT(all.size(), 200'000U);
-    EXPECT_EQ(all.size() % 1006, 16U);  // whole lines, and then "say: still here"
+    EXPECT_EQ(all.size() % 1006, 16U);  // some whole lines, followed by "say: still here"
     EXPECT_TRUE(all.ends_with("x\nsay: still here\n"));
 }
 
-// A sink that speaks, counts its ticks and has news once.
+// A sink that speaks and has one piece of news.
 class ChattySpeech final : public SpeechSink {
 public:
     void say(const Utterance&) override { speaking_ = true; }

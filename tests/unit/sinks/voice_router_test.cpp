@@ -13,7 +13,7 @@ namespace voice_router_test {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-// A voice controlled by the test, with a log of what it received.
+// A voice that the test controls. Logs what it received.
 class PlayedVoice final : public Voice {
 public:
     explicit PlayedVoice(SpeechThrough through) : through_(through) {}

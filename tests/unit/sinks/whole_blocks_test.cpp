@@ -23,7 +23,7 @@ TEST(WholeBlocks, delivers_every_frame_once_in_order_and_requests_only_multiples
     for (int i = 0; i < 2000; ++i) {
         const int frames = std::uniform_int_distribution(0, i % 10 == 0 ? 3000 : 200)(random);
         std::vector<float> stereo(2 * static_cast<std::size_t>(frames) + 2,
-                                  -1.0F);  // an additional frame that must stay unchanged
+                                  -1.0F);  // one more frame, which must stay unchanged
         blocks.take(stereo.data(), frames, [&](float* to, int count) {
             ASSERT_GT(count, 0);
             ASSERT_EQ(count % 64, 0);
@@ -41,7 +41,8 @@ TEST(WholeBlocks, delivers_every_frame_once_in_order_and_requests_only_multiples
     }
 }
 
-// A person who goes from room to room: the effect is reloaded twice a second while steps and a tone sound in it.
+// Simulates a person who goes from room to room. The sink reloads the reverberation about twice a second while
+// footsteps sound in it.
 class FromRoomToRoom {
 public:
     FromRoomToRoom(const OpenALSink::Options& options, std::uint32_t seed) : random_(seed) {
@@ -74,8 +75,8 @@ private:
     double now_s_ = 5.0, next_room_s_ = 5.0;
 };
 
-// The library itself is not instrumented. A write past its buffer shows as a damaged heap or a fault, and the sizes of
-// the requests show what leads to it.
+// Sanitizers cannot check inside OpenAL's library. If it wrote past its buffer, the heap would be damaged or the
+// program would crash. So the test checks the sizes of the requests that cause such a write.
 TEST(OpenALSinkLoopback, requests_only_whole_blocks_in_a_million_random_ticks_with_a_changing_room) {
     const std::uint32_t seed = test::seed_of_run();
     SCOPED_TRACE(::testing::Message() << "seed " << seed);

@@ -1,4 +1,4 @@
-// The walkable area and the rooms found in it, stored for the next start.
+// Tests the walkable area and the rooms found in it, which the program stores for its next start.
 #include "worlds/stored/stored_ways.h"
 #include "tests/support/project_root.h"
 
@@ -86,7 +86,8 @@ TEST(StoredWays, have_a_key_that_is_equal_only_for_the_same_scene_and_body) {
     const std::string key = ways_key(world.scene, world.body);
     EXPECT_EQ(key.size(), 64U);
     EXPECT_EQ(ways_key(Scene(world.scene), world.body), key);
-    // The key changes with one more door or a different name. Warnings from reading the file do not count.
+    // The key must change if the scene has one more door or a different name. It must not depend on warnings from
+    // reading the file.
     Scene other = with_made_doors(world.scene, std::vector{MadeDoor{{4.0, 3.0, 0.0}, 0.5 * kPi, 0.9, 0.3, "between"}});
     EXPECT_NE(ways_key(other, world.body), key);
     other = world.scene;
@@ -121,7 +122,7 @@ TEST(StoredWays, are_named_in_the_currently_spoken_language) {
     EXPECT_NE(meant.rooms[0].name, world.graph.rooms[0].name);
 }
 
-// The cache's digest detects changes (unit_cache). Truncation is also detected here.
+// The digest of the cache detects changes (see unit_cache). The reader of stored routes must detect truncation itself.
 TEST(StoredWays, cut_anywhere_are_rejected) {
     const World world("tests/unit/ifc/worlds/small_house.ifc");
     const std::string whole = world.bytes(), plain = unpacked_ways(whole);
@@ -140,11 +141,11 @@ TEST(StoredWays, that_claim_an_impossible_size_allocate_no_memory) {
     EXPECT_EQ(unpacked_ways(bytes), "");
 }
 
-// Simulates an attacker who knows the format: changed values, correctly compressed.
+// Simulates an attacker who knows the format. The attacker changes values and compresses them correctly.
 TEST(StoredWays, that_were_forged_are_consistent_or_rejected) {
     const World world("worlds/maps/first_room.map");
     const std::string values = unpacked_ways(world.bytes());
-    // The size before compression, then the compressed bytes.
+    // Returns a file with the size before compression, followed by the compressed bytes.
     const auto file_of = [&](const std::string& changed) {
         std::string packed(::compressBound(static_cast<uLong>(changed.size())), '\0');
         auto made = static_cast<uLongf>(packed.size());
@@ -163,12 +164,12 @@ TEST(StoredWays, that_were_forged_are_consistent_or_rejected) {
     for (int round = 0; round < 200; ++round) {
         std::string changed = values;
         for (std::uint32_t edits = 1 + random() % 3; edits > 0; --edits) {
-            // Half of the edits are at the two ends, where the counts and the rooms are.
+            // Half of the edits are near the two ends of the data, which contain the counts and the rooms.
             const std::size_t reach = random() % 2 ? changed.size() : std::min<std::size_t>(changed.size(), 600);
             const std::size_t at = random() % reach;
             changed[random() % 4 ? at : changed.size() - 1 - at] = static_cast<char>(random() % 3 ? random() : 0xff);
         }
-        // Data that goes directly to the program is checked in the same way, whatever the reader process made of it.
+        // The result must be the same whether the data comes through the reader process or directly.
         EXPECT_EQ(ways_from(changed, world.body, world.scene).has_value(), world.from(file_of(changed)).has_value());
         const std::optional<FoundWays> made = ways_from(changed, world.body, world.scene);
         if (!made) {

@@ -1,5 +1,5 @@
-// Each name of a constant stands for one number within a folder. For measures of people this applies to the whole
-// program.
+// In each folder, the name of a constant may stand for only one number. For measures of people, this applies to the
+// whole program.
 #include <map>
 #include <regex>
 #include <set>
@@ -18,8 +18,8 @@ std::string without_comments(const std::string& text) {
     return std::regex_replace(text, comment, "");
 }
 
-// Names that a text declares as constants. of_namespaces: only constants outside classes and functions, which
-// clang-format does not indent.
+// Returns the names that a text declares as constants. If `of_namespaces` is true, returns only constants outside
+// classes and functions, which clang-format does not indent.
 std::set<std::string> constants_of(const std::string& text, bool of_namespaces) {
     static const std::regex free("(?:^|\n)(?:inline |static )*constexpr [^;({]*?\\bk[A-Z]\\w*[^;]*;"),
         any("\\bconstexpr [^;({]*?\\bk[A-Z]\\w*[^;]*;"), name("\\b(k[A-Z]\\w*)(?:\\[\\w*\\])? ?[={]");

@@ -1,4 +1,5 @@
-// All texts that Handrail speaks or prints are in settings/languages only, and each bundled language is complete.
+// All texts that Handrail announces or prints must be in settings/languages only. Each bundled language must be
+// complete.
 #include <algorithm>
 #include <map>
 #include <regex>
@@ -25,10 +26,10 @@ std::map<std::string, std::string> texts_of(const std::string& code) {
 
 struct Literal {
     int line = 0;
-    std::string content;  // as in the source, with escapes
+    std::string content;  // as it is written in the source, with escapes
 };
 
-// The string literals of a C++ source. Leaves out comments, #include lines and contract_pre, whose texts only
+// Returns the string literals of a C++ source. Omits comments, #include lines and contract_pre, whose texts only
 // developers see.
 std::vector<Literal> literals_of(const std::string& source) {
     std::vector<Literal> found;
@@ -63,57 +64,59 @@ std::vector<Literal> literals_of(const std::string& source) {
                 if (source[i] == '\\') ++i;
             found.push_back({line, source.substr(from, i - from)});
         } else if (std::isdigit(static_cast<unsigned char>(c)) && i + 1 < source.size() && source[i + 1] == '\'')
-            ++i;  // digit separator, as in 1'000
+            ++i;  // the apostrophe is a digit separator, as in 1'000
     }
     return found;
 }
 
-// Two adjacent words, or the end of a sentence, look like text for people. Keys, formats, file names and shader code
-// have neither.
+// Returns true if a literal looks like text for people: it has two adjacent words or the end of a sentence. Keys,
+// formats, file names and shader code have neither.
 bool reads_like_words(const std::string& literal) {
     static const std::regex kWords(R"([A-Za-z]{2,}[,;:.]? [a-z]{2,}|^[A-Z][a-z]+[.!?]$)");
     return std::regex_search(literal, kWords);
 }
 
-// Literals that look like text but that no user hears, by file: file formats and protocols.
+// Returns literals, by file, that look like text but that no user hears, such as parts of file formats and protocols.
 const std::map<std::string, std::vector<std::string>>& not_said() {
     static const std::map<std::string, std::vector<std::string>> kNotSaid{
         {"worlds/base/contract.cpp",
-         {"Handrail has a fault of its own"}},  // printed while the program crashes, when it must not allocate any more
-        // Only developers see these, in the preset debug and in tests.
+         // Printed when the program crashes, because it must not allocate memory then.
+         {"Handrail has a fault of its own"}},
+        // Only developers see these texts, in the preset debug and in tests.
         {"haptic/render/validate_scene.cpp", {"a ", "an ", "no ", "HapticScene has"}},
         {"worlds/navigation/validate_ways.cpp",
          {"a ", "an ", "another ", "spans ", "columns ", "floors ", "WalkSpace has", "RoomGraph has"}},
-        // Names by which files refer to things. They are announced as phrase("kind." + name) and phrase("material." +
-        // name).
+        // Files use these names to refer to things. The program announces them as phrase("kind." + name) and
+        // phrase("material." + name).
         {"worlds/scene/surfaces.cpp", {"sloping ceiling", "slope rising", "low block", "large block"}},
         {"worlds/scene/material.cpp", {"steel grille"}},
         {"worlds/scene/outer_ground.h", {"ground outside"}},
         {"worlds/floorplan/plan_scene.cpp", {"about this place"}},
         {"worlds/osm/osm_things.cpp", {"tactile paving"}},
-        {"app/report/report_page.cpp", {"<", "content=", "initial-scale", "class=", "{"}},  // HTML and its style
+        {"app/report/report_page.cpp", {"<", "content=", "initial-scale", "class=", "{"}},  // HTML and CSS
         {"app/report/plan_part.cpp", {"<", "class=", "{"}},
         {"app/report/page_parts.cpp", {"<", "content=", "initial-scale", "class=", "{", ":root"}},
         {"worlds/exports/sheet.cpp",
          {"svg", "aria-", "<title", "<rect", "<circle", "<<", "0 R", " n\\n", " f\\n"}},  // SVG and PDF
-        {"app/core/kept/side_file.cpp", {"# What was added to this world"}},              // first line of such a file
+        {"app/core/kept/side_file.cpp", {"# What was added to this world"}},              // first line of a side file
         {"app/main/scenario_command.cpp", {"<testsuite", "<testcase", "<failure"}},       // XML in JUnit's format
         {"worlds/readers/map_words.cpp",
          {"moving platform", "turning part", "secret place", "marked place"}},  // names by which files refer to things
-        {"worlds/readers/quake_map.cpp", {"marked place", "sliding floor", "curved surface"}},  // also names in files
-        // Names by which scenario files refer to sounds; announced as phrase("sound." + name).
+        // Some of these names are also in files.
+        {"worlds/readers/quake_map.cpp", {"marked place", "sliding floor", "curved surface"}},
+        // Scenario files use these names to refer to sounds. The program announces them as phrase("sound." + name).
         {"audio-cues/plan/sound_table.cpp",
          {"wall tone", "door moves", "door shuts", "stairs up", "stairs down", "door near", "beacon ahead",
           "beacon behind", "forces on", "forces off", "frame switch", "hidden clock", "rim back", "let go",
           "guide start", "guide stop"}},
-        {"worlds/ifc/step_file.cpp", {"version https://git-lfs"}},            // first line of such a file
-        {"worlds/readers/foreign_formats.cpp", {"version https://git-lfs"}},  // how such a file begins
+        {"worlds/ifc/step_file.cpp", {"version https://git-lfs"}},            // first line of a file of this kind
+        {"worlds/readers/foreign_formats.cpp", {"version https://git-lfs"}},  // beginning of a file of this kind
         {"worlds/exports/as_words.cpp", {" "}},                // the words of room descriptions, as they are written
-        {"worlds/exports/found_house.cpp", {" "}},             // also room descriptions
-        {"worlds/exports/house_things.cpp", {" "}},            // also room descriptions
-        {"worlds/exports/stated_house.cpp", {" "}},            // also room descriptions
-        {"worlds/words/word_patterns.cpp", {" "}},             // words for reading texts of both languages
-        {"worlds/readers/height_picture.cpp", {"cut short"}},  // message to libpng, which does not print it
+        {"worlds/exports/found_house.cpp", {" "}},             // also for room descriptions
+        {"worlds/exports/house_things.cpp", {" "}},            // also for room descriptions
+        {"worlds/exports/stated_house.cpp", {" "}},            // also for room descriptions
+        {"worlds/words/word_patterns.cpp", {" "}},             // patterns for reading texts in both languages
+        {"worlds/readers/height_picture.cpp", {"cut short"}},  // a message for libpng, which does not print it
         {"haptic/compile/touch_model.cpp",
          {"sheets of one side", "liquid surfaces", "textures and shading"}},               // keys of info --json
         {"haptic/drivers/found_device.cpp", {"needs calibration", "cannot be used yet"}},  // values of devices --json
@@ -143,55 +146,56 @@ TEST(LanguageFiles, are_complete_and_use_the_same_placeholders) {
     }
 }
 
-// Sections whose keys are composed with a name, as in phrase("material." + name). No literal contains these keys in
-// full.
+// Sections whose keys the code composes with a name, as in phrase("material." + name). No literal contains such a key
+// in full.
 const std::vector<std::string> kMadeOfNames{
     "kind.",
     "material.",
     "effect.",
-    // Values of OpenStreetMap's tags and of IMDF's categories.
+    // The names are values of OpenStreetMap's tags and of IMDF's categories.
     "osm_kind.",
     "osm_fact.",
     "imdf_kind.",
     "imdf_fact.",
-    // The following sections are checked next to their tables, in tests/unit/core/command_texts_test.cpp,
+    // Other tests check the keys of the following sections, each next to the table with the names. The test of the next
+    // two is tests/unit/core/command_texts_test.cpp.
     "command.",
     "key_name.",
-    // tests/unit/terminal/command_words_test.cpp,
+    // Test: tests/unit/terminal/command_words_test.cpp
     "command_word.",
     "list_word.",
     "wizard_word.",
     "replay_word.",
-    // tests/unit/terminal/typed_sentences_test.cpp,
+    // Test: tests/unit/terminal/typed_sentences_test.cpp
     "typed_sentence.",
-    // tests/unit/settings/setting_texts_test.cpp,
+    // Test: tests/unit/settings/setting_texts_test.cpp
     "setting.",
     "setting_name.",
     "setting_topic.",
     "setting_choice.",
     "setting_range.",
     "unit.",
-    // tests/unit/cue_plan/sound_texts_test.cpp,
+    // Test: tests/unit/cue_plan/sound_texts_test.cpp
     "sound.",
     "sound_contact.",
-    // tests/unit/device/device_spec_test.cpp, tests/unit/readers/german_test.cpp,
-    // tests/unit/compile/touch_model_test.cpp,
+    // Tests: tests/unit/device/device_spec_test.cpp, tests/unit/readers/german_test.cpp,
+    // tests/unit/compile/touch_model_test.cpp
     "device_name.",
     "effect_name.",
     "touch_part.",
     "touch_stage.",
-    // tests/unit/wizard/wizard_test.cpp,
+    // Test: tests/unit/wizard/wizard_test.cpp
     "wizard_part.",
-    // tests/unit/check/planted_faults_test.cpp,
+    // Test: tests/unit/check/planted_faults_test.cpp
     "world_fault.",
     "world_fault_do.",
-    // tests/unit/report/report_page_test.cpp
+    // Test: tests/unit/report/report_page_test.cpp
     "report.measure_",
     "report.means_",
     "report.strategy_",
     "report.mostly_",
     "report.csv_",
-    // and below in this file.
+    // Test: below in this file
     "side.",
 };
 
@@ -213,7 +217,8 @@ TEST(LanguageFiles, contain_every_key_that_the_code_uses_and_no_other) {
         const bool made =
             std::any_of(kMadeOfNames.begin(), kMadeOfNames.end(),
                         [&, &name = key](const std::string& section) { return name.starts_with(section); });
-        // Texts for users who type words are stored next to the texts for users who press keys (typist.h).
+        // A text for users who type words is stored next to the text for users who press keys, with "_typed" after its
+        // key (typist.h).
         const std::string for_keys = key.ends_with("_typed") ? key.substr(0, key.size() - 6) : key;
         const std::string& said = english.contains(for_keys) ? for_keys : key;
         EXPECT_TRUE(made || named.contains(said)) << "nothing says " << key << "; take it out of settings/languages";

@@ -14,8 +14,8 @@
 namespace handrail {
 namespace names_test {
 
-// Type names with their namespaces. Leaves out unnamed namespaces, because their types belong to one file only. Relies
-// on the line layout of clang-format.
+// Returns the type names of a text with their namespaces. Omits unnamed namespaces, because their types belong to one
+// file only. Relies on the line layout of clang-format.
 std::vector<std::string> types_of(const std::string& text) {
     static const std::regex opens("(?:inline )?namespace(?: ([A-Za-z0-9_:]+))? \\{"), closes("\\}  // namespace.*"),
         type("(?:template <.*> )?(?:struct|class|union|enum class|enum) (\\w+)(?: final)?(?: : [^;]*)? ?\\{.*");
@@ -48,7 +48,7 @@ TEST(Types, with_the_same_full_name_are_in_only_one_file) {
     std::map<std::string, std::string> first;
     for (const std::string& file : test::project_files()) {
         if (!file.ends_with(".h") && !file.ends_with(".cpp")) continue;
-        // Test programs are linked separately from each other.
+        // Each folder of tests is a separate program, so its types cannot meet those of other tests.
         const std::string program =
             file.starts_with("tests/") && !file.starts_with("tests/support/") ? file.substr(0, file.rfind('/')) : "";
         for (const std::string& name : types_of(test::content_of(test::project_root() / file))) {

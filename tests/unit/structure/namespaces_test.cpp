@@ -1,4 +1,4 @@
-// The code of each folder is in the namespace of that folder, as docs/architecture/folders.md says.
+// The code of each folder must be in the namespace of that folder, as docs/architecture/folders.md says.
 #include <map>
 #include <regex>
 #include <sstream>
@@ -11,8 +11,8 @@
 namespace handrail {
 namespace namespaces_test {
 
-// The namespace below handrail for a file of the program: "ifc" for worlds/ifc/openings.h, "" for what all folders
-// share.
+// Returns the namespace below handrail for a file of the program. For worlds/ifc/openings.h it is "ifc"; for folders
+// that all others share it is "".
 std::string namespace_for(const std::string& file) {
     static const std::map<std::string, std::string> kOther = {
         {"worlds/base", ""},         {"worlds/geometry", ""},     {"worlds/scene", ""},    {"haptic/c", ""},
@@ -24,12 +24,13 @@ std::string namespace_for(const std::string& file) {
     return folder.substr(folder.rfind('/') + 1);
 }
 
-// What stands in a namespace of handrail that is not the file's own, but for declarations in advance ("class Servo;").
-// By lines, as clang-format leaves them.
+// Returns the lines that add something to a namespace of handrail other than the file's own. Forward declarations such
+// as "class Servo;" are allowed. Relies on the line layout of clang-format.
 std::vector<std::string> strangers_of(const std::string& file, const std::string& text) {
     static const std::regex opens("namespace (handrail[A-Za-z0-9_:]*) \\{"),
         declared("(struct|class|enum class|enum) .*;.*|//.*|");
-    // The archive's functions for types of other folders: it finds them in its own namespace.
+    // This file defines the archive's functions for types of other folders. They must be in the archive's namespace,
+    // because the archive looks for them there.
     const bool for_archive = file == "app/import/reader_answer.h";
     const std::string own = "handrail" + (namespace_for(file).empty() ? "" : "::" + namespace_for(file));
     std::vector<std::string> found;

@@ -1,4 +1,4 @@
-// Limits for the size of a class and a file.
+// Limits the size of classes and files.
 #include <fstream>
 #include <map>
 #include <regex>
@@ -21,7 +21,7 @@ struct ClassSize {
 
 using ClassSizes = std::map<std::string, ClassSize>;
 
-// The text without comments, literals and preprocessor lines. Their contents are removed; line ends stay.
+// Returns the text without the contents of comments, literals and preprocessor lines. Line ends stay.
 std::string bare(const std::string& text) {
     std::string out;
     bool at_line_start = true;
@@ -64,7 +64,7 @@ bool begins_with_word(const std::string& text, std::string_view word) {
            (text.size() == word.size() || std::isalnum(static_cast<unsigned char>(text[word.size()])) == 0);
 }
 
-// Adds one declaration of a class to its size. Bodies and initialisers in braces have been reduced to {}.
+// Adds one declaration to the size of its class. The caller has reduced bodies and initialisers in braces to {}.
 void count(std::string declaration, bool is_public, ClassSize& size) {
     for (const char* word : {"using", "friend", "enum", "static_assert", "typedef", "static", "class", "struct"})
         if (begins_with_word(declaration, word) &&
@@ -99,7 +99,7 @@ void read_class(const std::string& text, std::size_t begin, std::size_t end, con
         if (c == '{') {
             const std::size_t behind = std::min(behind_braces(text, i), end);
             const std::size_t next = text.find_first_not_of(" \t\n", behind);
-            // A nested type is a class itself, and also declares a member if a name follows.
+            // A nested type counts as a class. If a name follows its braces, it also declares a member.
             if (begins_with_word(declaration, "class") || begins_with_word(declaration, "struct")) {
                 read_classes(text, i - declaration.size(), behind, name, found);
                 declaration = next < end && text[next] != ';' ? "type " : "";
@@ -108,7 +108,7 @@ void read_class(const std::string& text, std::size_t begin, std::size_t end, con
             }
             declaration += "{}";
             i = behind - 1;
-            // The body of a function ends without a semicolon.
+            // After the body of a function, no semicolon follows.
             const bool body =
                 declaration.find('(') != std::string::npos && (next >= end || (text[next] != ';' && text[next] != ','));
             if (!body) continue;
@@ -126,7 +126,7 @@ void read_class(const std::string& text, std::size_t begin, std::size_t end, con
     }
 }
 
-// Finds every class and struct with a body. Nested ones are named "Outer::Inner".
+// Finds every class and struct with a body. Names nested ones "Outer::Inner".
 void read_classes(const std::string& text, std::size_t begin, std::size_t end, const std::string& within,
                   ClassSizes& found) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -134,7 +134,8 @@ void read_classes(const std::string& text, std::size_t begin, std::size_t end, c
         const std::string rest = text.substr(i, 7);
         const bool is_class = begins_with_word(rest, "class"), is_struct = begins_with_word(rest, "struct");
         if (!is_class && !is_struct) continue;
-        // If a character of the second half comes first, this is a parameter of a template or function.
+        // If another of these characters comes before the brace, this is a declaration, or a parameter of a template or
+        // function.
         const std::size_t stop = text.find_first_of("{;()=>,", i);
         if (stop == std::string::npos || stop >= end || text[stop] != '{') continue;
         if (i >= 5 && text.compare(i - 5, 5, "enum ") == 0) continue;
@@ -237,8 +238,8 @@ TEST(Lines, of_sources_have_at_most_120_columns) {
     }
 }
 
-// Uses pmccabe: McCabe's cyclomatic number, in which a switch counts once. pmccabe does not understand a namespace of
-// several names, so it reads copies with one name.
+// pmccabe computes McCabe's cyclomatic number, in which a switch counts once. It does not understand nested namespace
+// names such as a::b, so it reads copies of the files with simple names.
 TEST(Functions, have_few_branches) {
     if (std::system("command -v pmccabe >/dev/null") != 0) GTEST_SKIP() << "pmccabe is not installed";
     const test::TemporaryFolder copies;

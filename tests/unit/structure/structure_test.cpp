@@ -1,5 +1,5 @@
-// The structure of the project, checked in its own files: which folder may include which, what is at the top level, and
-// what no file may name.
+// Checks the structure of the project in its own files: which folder may include which, what is at the top level, and
+// what no file may contain.
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -23,8 +23,8 @@ constexpr const char* kProgram[] = {"app/", "audio-cues/", "haptic/", "settings/
 
 bool is_source(const std::string& file) { return file.ends_with(".h") || file.ends_with(".cpp"); }
 
-// What each folder may include in addition to itself, including the dependencies of everything it links. The list in
-// docs/architecture/folders.md is the same.
+// The folders that each folder may include in addition to itself. They include the dependencies of everything that the
+// folder links. docs/architecture/folders.md has the same list.
 const std::map<std::string, std::vector<std::string>> kMayLink{
     {"worlds/base", {}},
     {"worlds/confine", {"worlds/base"}},
@@ -100,7 +100,7 @@ void reach(const std::string& folder, std::set<std::string>& reached) {
 // Returns "worlds/base" for "worlds/base/text.h" and "settings" for "settings/table.h".
 std::string folder_of(const std::string& path) { return fs::path(path).parent_path().string(); }
 
-// The quoted includes in a source text.
+// Returns the quoted includes in a source text.
 std::vector<std::string> includes_of(const std::string& text) {
     static const std::regex kInclude(R"re(^[ \t]*#[ \t]*include[ \t]*"([^"]+)")re", std::regex::multiline);
     std::vector<std::string> found;
@@ -109,10 +109,10 @@ std::vector<std::string> includes_of(const std::string& text) {
     return found;
 }
 
-// True for files of the program itself, in any folder.
+// Returns true for files of the program itself, which are those outside tests.
 bool is_program(const std::string& file) { return !file.starts_with("tests/"); }
 
-// Returns why this file may not include that one; empty if it may.
+// Returns why `file` may not include `included`; empty if it may.
 std::string refusal(const std::string& file, const std::string& included) {
     const std::string from = folder_of(file), to = folder_of(included);
     if (!kMayLink.contains(from)) return file + " lies in a folder that the table does not list: " + from;
@@ -129,7 +129,7 @@ TEST(IncludeDirection, is_respected_by_every_source_file_of_the_program) {
     for (const std::string& file : test::project_files()) {
         if (!is_source(file) || !is_program(file)) continue;
         const std::string text = test::content_of(kRoot / file);
-        if (text.empty()) continue;  // deleted, but not committed yet
+        if (text.empty()) continue;  // the file was deleted, but the deletion is not committed yet
         ++looked_at;
         EXPECT_TRUE(kMayLink.contains(folder_of(file))) << file << " lies in a folder that the table does not list";
         for (const std::string& included : includes_of(text)) EXPECT_EQ(refusal(file, included), "");
@@ -152,8 +152,8 @@ TEST(IncludeDirection, violations_are_detected_by_this_test) {
     EXPECT_EQ(refusal("app/core/session/core.cpp", "worlds/base/text.h"), "");
 }
 
-// Checks handrail_library(NAME FOLDER LINK ... PRIVATE ...) in the CMake lists: no folder links a library of a folder
-// that it must not know.
+// Checks the calls of handrail_library(NAME FOLDER LINK ... PRIVATE ...) in the CMake lists. No folder may link a
+// library of a folder that it may not include.
 TEST(IncludeDirection, is_respected_by_the_link_lines_too) {
     static const std::regex kLibrary(R"(handrail_library\(\s*(handrail_\w+)\s+([\w/-]+)([^)]*)\))");
     std::map<std::string, std::string> folder_by_library;
@@ -191,7 +191,7 @@ TEST(IncludeDirection, is_listed_correctly_in_the_architecture_document) {
     }
 }
 
-// `docs/architecture_picture.py` makes the picture from the include lines alone.
+// `docs/architecture_picture.py` draws the picture from the include lines alone.
 TEST(IncludeDirection, is_drawn_correctly_in_the_architecture_document) {
     if (std::system("command -v python3 >/dev/null 2>&1") != 0) GTEST_SKIP() << "python3 is not installed";
     EXPECT_EQ(std::system(("python3 '" + (kRoot / "docs" / "architecture_picture.py").string() + "' --check").c_str()),
@@ -224,8 +224,8 @@ TEST(TopLevel, contains_only_the_names_that_belong_there) {
         EXPECT_TRUE(allowed.contains(file.substr(0, file.find('/')))) << file;
 }
 
-// Paths of a developer's machine are private and break on every other machine. System folders that Debian guarantees
-// are allowed.
+// A path of a developer's machine is private, and does not exist on other machines. System folders that Debian
+// guarantees are allowed.
 const std::regex& machine_path() {
     static const std::regex kPath(R"((^|[\s"'=(:`])/(home|root|work|mnt|media|Users|workspace)/[A-Za-z0-9_.-])",
                                   std::regex::multiline);
@@ -251,7 +251,7 @@ TEST(Files, mention_no_absolute_folder_of_a_single_machine) {
     EXPECT_FALSE(std::regex_search(std::string("/usr/share/fonts and worlds/maps"), machine_path()));
 }
 
-// A path from the user may be a pipe, a device or a folder. Only worlds/base/files knows how to open those.
+// A path from a user may name a pipe, a device or a folder. Only worlds/base/files knows how to open those safely.
 TEST(Files, that_a_person_names_are_opened_in_only_one_place) {
     const std::regex by_itself(R"(\b(std::ifstream|std::fstream|fopen|parse_file)\b)");
     for (const std::string& file : test::project_files()) {
@@ -264,7 +264,7 @@ TEST(Files, that_a_person_names_are_opened_in_only_one_place) {
     EXPECT_TRUE(std::regex_search(std::string("std::ifstream in(path);"), by_itself));
 }
 
-// A world may come from somebody else, so every command parses it in a confined process.
+// A world may come from somebody else, so every command must parse it in a confined process.
 TEST(Files, of_worlds_are_read_only_by_the_confined_process) {
     const std::regex in_this_process(R"(\b(read_world|read_world_bytes)\(|\bread_requested\b)");
     for (const std::string& file : test::project_files()) {
@@ -277,7 +277,7 @@ TEST(Files, of_worlds_are_read_only_by_the_confined_process) {
     EXPECT_TRUE(std::regex_search(std::string("auto scene = read_world(file);"), in_this_process));
 }
 
-// gtest's macros contain an if, so without braces g++ warns of an ambiguous else.
+// The macros of gtest contain an if. Without braces, g++ therefore warns of an ambiguous else.
 TEST(Sources, use_braces_around_a_check_under_an_if_without_else) {
     const std::regex bare(R"(\n *if \([^\n]*\)\s+(EXPECT|ASSERT)_[^;]*;[^\n]*\n(?! *else\b))");
     for (const std::string& file : test::project_files()) {
@@ -290,7 +290,8 @@ TEST(Sources, use_braces_around_a_check_under_an_if_without_else) {
     EXPECT_FALSE(std::regex_search(std::string("{\n    if (a) EXPECT_TRUE(b);\n    else EXPECT_TRUE(c);\n}\n"), bare));
 }
 
-// The precompiled header includes fmt, but a build without precompiled headers does not have that.
+// The precompiled header includes fmt, but some builds have no precompiled headers. So each file that uses fmt must
+// include it.
 TEST(Sources, include_fmt_if_they_use_it) {
     const auto lacks_it = [](const std::string& text) {
         return text.find("fmt::") != std::string::npos && text.find("#include <fmt/") == std::string::npos;

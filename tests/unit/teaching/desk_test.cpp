@@ -1,4 +1,4 @@
-// The instructor's desk: a socket for one person, commands to the lesson, and reports about it.
+// Tests the instructor's desk: a socket for one person, commands to the lesson, and reports about the lesson.
 #include "app/teaching/desk.h"
 #include "tests/support/child_process.h"
 
@@ -70,7 +70,7 @@ TEST(Desk, replaces_a_stale_desk_socket_and_is_private) {
     EXPECT_FALSE(err.str().empty());
 }
 
-// A desk of another process: a socket in the folder that sends its title and records what it receives.
+// Stands for the desk of another process: a socket in the folder. It sends its title and records what it receives.
 class OtherDesk {
 public:
     OtherDesk(const std::filesystem::path& file, const std::string& title)
@@ -86,7 +86,7 @@ public:
         if (serving_.joinable()) serving_.join();
         ::close(listening_);
     }
-    // Everything that was received. Waits until the other side has disconnected; call it once.
+    // Waits until the other side has disconnected, and returns everything that it sent. Call this only once.
     const std::string& told() {
         serving_.join();
         return told_;

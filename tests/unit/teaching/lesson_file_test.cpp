@@ -1,4 +1,4 @@
-// Lesson files: all their contents are read, and each mistake gives one sentence with its line.
+// Tests lesson files. The reader must read all their contents, and report each mistake in one sentence with its line.
 #include "app/teaching/lesson_file.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace lesson_file_test {
 
 const std::filesystem::path kSeed = test::project_root() / "tests/fuzz/inputs/lesson/seeds/everything.lesson.toml";
 
-// The sample lesson, with a world next to it.
+// The sample lesson, in a folder with its world.
 class Given {
 public:
     Given() { folder_.write("box.map", "{\n\"classname\" \"worldspawn\"\n}\n"); }
@@ -23,7 +23,7 @@ public:
         return read_lesson_text(text, folder_.path() / "a.lesson.toml", {});
     }
     std::string seed() const { return *read_whole_file(kSeed, 1 << 20); }
-    // Replaces one text in the sample and returns the message that it causes.
+    // Replaces a text in the sample lesson. Returns the message of the reader.
     std::string refused(const std::string& what, const std::string& by) const {
         std::string text = seed();
         const std::size_t at = text.find(what);
@@ -121,7 +121,7 @@ TEST(LessonFileRead, is_complete_or_refused_in_one_sentence_if_cut_anywhere) {
         if (lesson) ++taken;
         else EXPECT_NE(lesson.error().sentence().find("a.lesson.toml"), std::string::npos) << at;
     }
-    EXPECT_GT(taken, 0U);  // cut between two of its sessions, it is still a lesson
+    EXPECT_GT(taken, 0U);  // a file that is cut between two sessions is still a lesson
     EXPECT_LT(taken, text.size() / 2);
 }
 
@@ -138,7 +138,8 @@ TEST(LessonFileRead, finds_its_world_by_name_or_next_to_it_after_both_were_moved
     EXPECT_NE(given.refused("world = \"box.map\"", "world = \"bax\"").find("bax"), std::string::npos);
 }
 
-// A lesson that the program saves refers to its world relative to its own folder, so both can be moved together.
+// A lesson that the program saves must refer to its world relative to its own folder, so that a user can move both
+// together.
 TEST(LessonFileRead, created_by_the_program_names_its_world_relative_to_its_own_folder) {
     const test::TemporaryFolder home;
     const auto lessons = home.path() / "data/lessons", worlds = home.path() / "worlds";

@@ -1,5 +1,5 @@
-// Lessons in a headless session of our school: scripted learners, a learner who walks the route, a blocked door, and a
-// second run that must give the same announcements.
+// Runs lessons in a headless session of the bundled school. There are scripted learners, a learner who walks the route,
+// a blocked door, and a second run that must give the same announcements.
 #include "app/teaching/lesson_check.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ const std::shared_ptr<TaughtWorld>& school() {
     return kWorld;
 }
 
-// A learner who walks to places by stick, opens closed doors, and hears announcements.
+// Simulates a learner who walks with a stick, opens closed doors, and hears the announcements.
 class Walker20 {
 public:
     Walker20(const std::shared_ptr<TaughtWorld>& world, std::size_t session, const HandFacts& hand = {},
@@ -41,7 +41,7 @@ public:
             WorldEntered{make_ready_at(world->scene(), world->base().stand_m, world->base_heading_rad())}, 0.0);
         run_.emplace(begin_lesson(world, session, {}, headless_.app()));
         for (int i = 0; hand.present && hand_is_known && i < 50; ++i)
-            headless_.advance();  // until the session knows where the hand is
+            headless_.advance();  // waits until the session knows where the hand is
     }
     TeachingRun& run() { return *run_; }
     HeadlessSession& headless() { return headless_; }
@@ -51,7 +51,8 @@ public:
             headless_.advance();
         }
     }
-    // Walks until the lesson moves the walker elsewhere, or the last place is reached.
+    // Walks to the places in turn. Returns true when the learner has reached the last place, or when the lesson has put
+    // the walker elsewhere.
     bool walk(const std::vector<Vec3>& places, double at_most_s = 120.0) {
         std::size_t next = 0;
         double stuck_s = 0.0;
@@ -82,7 +83,7 @@ public:
         headless_.app().apply(Steered{}, headless_.now_s());
         return next == places.size();
     }
-    // Turns to a heading, in degrees from north, and says "I am done".
+    // Turns to a heading in degrees from north, and answers "I am done".
     void answer_facing(double heading_deg) {
         headless_.app().apply(Placed{headless_.app().feet_m(), radians_from_degrees(heading_deg)}, headless_.now_s());
         live(0.3);
@@ -93,7 +94,7 @@ public:
         headless_.app().apply(CommandUp{Command::TaskDone}, headless_.now_s());
         live(0.3);
     }
-    // Moves the device's hand to a place in the device's frame, where it stays.
+    // Moves the device's hand to `to_m` in the device's frame. The hand stays there.
     void move_hand(const Vec3& to_m) {
         HandCommand command;
         command.mode = HandMode::Move;
@@ -102,7 +103,7 @@ public:
         headless_.hand().command.publish(command);
         live(1.0);
     }
-    // Horizontal distance covered by walk(), counting every step.
+    // Returns the horizontal distance that walk() has covered, as the sum of all its steps.
     double gone_m() const { return gone_m_; }
     bool heard(const std::string& words) const {
         return std::any_of(speech_.lines().begin(), speech_.lines().end(),
@@ -187,14 +188,15 @@ TEST(LessonTaught, blocks_a_door_and_detects_that_the_learner_took_another_route
     EXPECT_EQ(lap.measures.at("reached"), 1.0);
     EXPECT_EQ(lap.measures.at("detour"), 1.0);
     EXPECT_GT(lap.measures.at("detour_time"), 0.0);
-    // The lap goes to the lift and from there along the shortest detour that was planned. It ends a metre and a half
-    // before the stop.
+    // The learner walks to the lift and then along the shortest planned detour. The lap ends a metre and a half before
+    // the stop.
     constexpr double kArrived_m = 1.5;
     const double shortest_m = level_way_m(shortest.points_m) - kArrived_m;
     const double to_lift_m = level_way_m(to_lift.points_m), round_m = level_way_m(round.points_m) - kArrived_m;
     EXPECT_GT((to_lift_m + round_m) / shortest_m, 1.1) << "that was no way round";
     EXPECT_NEAR(lap.measures.at("path_ratio"), (to_lift_m + round_m) / shortest_m, 0.07);
-    // Measured between places a quarter metre apart, a path is up to a thirtieth shorter than the sum of all steps.
+    // The lesson measures the path between places that are a quarter metre apart. So its length is up to a thirtieth
+    // shorter than the sum of all steps.
     EXPECT_NEAR(lap.measures.at("path_ratio"), gone_m / shortest_m, 0.035);
     pupil.run().end(pupil.headless().now_s());
     pupil.live(1.0);
@@ -202,7 +204,7 @@ TEST(LessonTaught, blocks_a_door_and_detects_that_the_learner_took_another_route
     EXPECT_NE(pupil.run().summary().find("contact"), std::string::npos) << pupil.run().summary();
 }
 
-// A lesson of one session in our school: pointing from the base.
+// Returns a lesson of one session in the bundled school: pointing from the base.
 std::shared_ptr<TaughtWorld> pointing_lesson() {
     LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
     TaughtStep point;
@@ -263,7 +265,7 @@ TEST(Pointing, uses_the_device_hand_if_it_moved_and_otherwise_the_heading) {
     pupil.move_hand({0.03 * std::sin(right_rad), 0.03 * std::cos(right_rad), 0.0});
     pupil.answer();
     EXPECT_TRUE(pupil.heard("That is the right direction.")) << pupil.all();
-    // The hand stays still, so the learner points by facing.
+    // The hand no longer moves, so the learner's heading is the answer.
     pupil.answer_facing(bearing_deg(*world, "Drinking fountain") + 12.0);
     EXPECT_TRUE(pupil.heard("You pointed 12 degrees too far right. Your answer counts.")) << pupil.all();
     ASSERT_EQ(pupil.run().results().size(), 1U) << pupil.all();
@@ -284,7 +286,7 @@ TEST(Pointing, is_judged_from_the_place_where_the_question_was_asked) {
     pupil.answer();
     pupil.live(1.0);
     ASSERT_TRUE(pupil.heard("Face Trophy case")) << pupil.all();
-    // The hand has not moved, so the answer is the direction faced: north, as at the base.
+    // The hand has not moved, so the learner's heading is the answer: north, as at the base.
     pupil.answer();
     const double off_deg = std::remainder(-bearing_deg(*world, "Trophy case"), 360.0);
     EXPECT_TRUE(
@@ -306,7 +308,7 @@ TEST(Pointing, also_works_with_a_hand_that_connects_after_the_question) {
     EXPECT_TRUE(pupil.heard("That is the right direction.")) << pupil.all();
 }
 
-// A lesson of one session in our school: getting to know the hall.
+// A lesson of one session in the bundled school, in which the learner gets to know the hall.
 TEST(Learning, that_ends_at_once_reports_no_progress_and_otherwise_the_progress_in_the_room) {
     LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
     TaughtStep learn;
@@ -321,7 +323,7 @@ TEST(Learning, that_ends_at_once_reports_no_progress_and_otherwise_the_progress_
     pupil.run().tick(pupil.headless().now_s(), elsewhere);
     pupil.run().next(pupil.headless().now_s());
     pupil.live(0.5);
-    // Trails along the wall, out of the hall.
+    // The learner trails the wall and thereby leaves the hall.
     pupil.headless().press(Command::TrailRight);
     pupil.live(8.0);
     pupil.headless().app().apply(CommandUp{Command::TrailRight}, pupil.headless().now_s());
@@ -334,7 +336,8 @@ TEST(Learning, that_ends_at_once_reports_no_progress_and_otherwise_the_progress_
     EXPECT_TRUE(pupil.run().results()[1].measures.contains("exits_percent"));
 }
 
-// Base, landmarks, a route with less help in each lap, pointing and a distance, in a house by real architects.
+// A lesson with a base, landmarks, a route with less help in each lap, pointing and a distance. Architects designed the
+// house for real use.
 TEST(LessonTaught, in_a_real_building_is_walked_measured_and_finished) {
     const auto file = test::real_world("duplex-apartment.ifc");
     if (!file) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
@@ -399,7 +402,7 @@ to = ["Stove"]
     EXPECT_GT(pupil.run().results()[3].measures.at("distance_judged"), 0.3);
 }
 
-// A route with one stop, as "Prepare a lesson" writes it. The hand is near the stop from the start.
+// A route with one stop, as "Prepare a lesson" writes it. From the start, the stop is near the hand or the feet.
 TEST(LessonTaught, leads_to_a_stop_that_is_near_the_hand_or_feet_from_the_start) {
     LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
     const Vec3 base_m = school()->base().stand_m;
@@ -528,7 +531,7 @@ TEST(LessonInItsWorld, is_refused_if_it_names_things_that_do_not_exist) {
 
 TEST(LessonInItsWorld, may_ask_for_any_thing_of_the_world_except_under_the_learners_feet) {
     LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
-    lesson.sessions[0].steps[1].to = {"Lift door"};  // which is neither a landmark nor a stop
+    lesson.sessions[0].steps[1].to = {"Lift door"};  // the lift door is neither a landmark nor a stop
     const auto world = taught(lesson, school()->scene());
     ASSERT_TRUE(world) << world.error().sentence();
     ASSERT_TRUE((*world)->place("lift door"));
@@ -547,7 +550,8 @@ TEST(LessonInItsWorld, may_ask_for_any_thing_of_the_world_except_under_the_learn
     EXPECT_FALSE(taught(lesson, school()->scene())) << "nobody comes to it on the route";
 }
 
-// The reader of a building adds ground around it. A base on that ground begins no session about walls.
+// The reader of a building adds ground around the building. If the base is on that ground, the lesson must not ask for
+// a percentage of walls there.
 TEST(LessonInItsWorld, has_no_wall_percentage_outdoors_and_prepares_no_learning_step_there) {
     const auto file = test::project_root() / "tests/fuzz/inputs/ifc/seeds/small_house.ifc";
     const auto scene = test::world_once(file);

@@ -1,4 +1,4 @@
-// A lesson that is prepared in the program, key by key, and then taught.
+// An instructor prepares a lesson in the program, key by key. Then the program teaches the lesson.
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -56,7 +56,7 @@ private:
 TEST(PreparingALesson, takes_under_60_keys_and_5_minutes_in_our_school_and_gives_a_teachable_file) {
     const auto scene = test::world_once(kSchool);
     Instructor instructor(scene);
-    // Plans a route: to the lower corridor, and from there to the library.
+    // Plans a route to the lower corridor, and from there to the library.
     instructor.key("Shift+4");
     instructor.type("lower c");
     instructor.key("Enter");
@@ -106,7 +106,7 @@ TEST(PreparingALesson, saves_no_lesson_without_a_landmark_or_a_route) {
     instructor.key("Enter");
     EXPECT_FALSE(instructor.headless().app().requests().take_lesson_draft());
     EXPECT_FALSE(instructor.headless().app().dialogue().typing());
-    // The list stays open, so the next keys operate it and do not move the walker.
+    // The list must stay open, so that the next keys operate it and do not move the walker.
     const Vec3 stood = instructor.headless().app().feet_m();
     EXPECT_NE(instructor.at().find("Save"), std::string::npos) << instructor.at();
     instructor.key("Up");
@@ -116,8 +116,8 @@ TEST(PreparingALesson, saves_no_lesson_without_a_landmark_or_a_route) {
     EXPECT_EQ(instructor.headless().app().feet_m(), stood);
 }
 
-// The question uses the order of the route, whatever the order in which landmarks were chosen. It never includes the
-// landmark at the learner's feet.
+// The question must list the landmarks in the order of the route, in whatever order the instructor chose them. It must
+// never include the landmark at the learner's feet.
 TEST(PreparingALesson, asks_for_the_landmarks_in_the_order_of_the_route) {
     const auto scene = test::world_once(kSchool);
     const auto order_after = [&](const std::vector<const char*>& landmarks) {

@@ -45,7 +45,7 @@ TEST(CommandWords, exist_for_every_command_in_every_language_and_are_unique) {
             }
         }
         EXPECT_EQ(found, wanted) << language.code;
-        // The words of the table are understood in every language, and each command's own name is understood.
+        // In every language, the program must understand the words of the command table and each command's own name.
         for (const CommandInfo& row : command_table()) {
             EXPECT_EQ(command_of_word(row.word), row.command) << row.word;
             EXPECT_EQ(command_of_word(spoken_word(row.command)), row.command) << spoken_word(row.command);
@@ -79,12 +79,12 @@ TEST(CommandWords, are_german_in_a_german_session_with_umlauts_written_out_or_no
     speak_to(ActsBy::WindowKeys);
 }
 
-// The words that texts tell a person to type are understood.
+// The program must understand the words that its texts tell a person to type.
 TEST(CommandWords, that_german_texts_mention_are_understood) {
     const test::InLanguage german("de");
     std::size_t seen = 0;
     for (const auto& [key, text] : bundled_texts("de")) {
-        // The set-up by voice has its own answers.
+        // The set-up by voice has other answers.
         if (!key.ends_with("_typed") || key.starts_with("wizard")) continue;
         for (std::size_t at = text.find("„"); at != std::string::npos; at = text.find("„", at + 1)) {
             const std::size_t begin = at + std::string_view("„").size();

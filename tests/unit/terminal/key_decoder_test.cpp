@@ -34,7 +34,7 @@ struct Sequence {
     std::string name;
 };
 
-// Every key of a PC keyboard with every modifier, as xterm and its relatives send them.
+// Every key of a PC keyboard with every modifier, as xterm and similar terminals send them.
 std::vector<Sequence> xterm_sequences() {
     std::vector<Sequence> all;
     const char* kHeld[] = {"",         "Shift+",         "Alt+",         "Alt+Shift+",
@@ -61,7 +61,7 @@ std::vector<Sequence> xterm_sequences() {
 }
 
 std::vector<Sequence> other_sequences() {
-    return {// VT220 and the Linux console.
+    return {// sequences of the VT220 and the Linux console
             {"\x1b[1~", "Home"},
             {"\x1b[4~", "End"},
             {"\x1b[11~", "F1"},
@@ -83,7 +83,7 @@ std::vector<Sequence> other_sequences() {
             {"\x1b[34~", "Shift+F8"},
             {"\x1b[G", "Keypad5"},
             {"\x1b[E", "Keypad5"},
-            // rxvt.
+            // Sequences of rxvt.
             {"\x1b[7~", "Home"},
             {"\x1b[8~", "End"},
             {"\x1b[a", "Shift+Up"},
@@ -103,7 +103,7 @@ std::vector<Sequence> other_sequences() {
             {"\x1b\x1b[A", "Alt+Up"},
             {"\x1b\x1b[D", "Alt+Left"},
             {"\x1b\x1bOa", "Control+Alt+Up"},
-            // Older sequences with only the modifiers, and a keypad in application mode.
+            // Older sequences that contain only the modifier, and the keypad in application mode.
             {"\x1b[5A", "Control+Up"},
             {"\x1bO2D", "Shift+Left"},
             {"\x1bOM", "KeypadEnter"},
@@ -111,7 +111,7 @@ std::vector<Sequence> other_sequences() {
             {"\x1bOy", "Keypad9"},
             {"\x1bOn", "KeypadDecimal"},
             {"\x1bOj", "KeypadMultiply"},
-            // xterm's modifyOtherKeys, and the kitty protocol with its releases and lone modifiers.
+            // xterm's modifyOtherKeys, and the kitty protocol with key releases and single modifiers.
             {"\x1b[27;5;56~", "Control+8"},
             {"\x1b[56;5u", "Control+8"},
             {"\x1b[27u", "Escape"},
@@ -122,7 +122,7 @@ std::vector<Sequence> other_sequences() {
             {"\x1b[1;5:2A", "Control+Up"},
             {"\x1b[32;5u", "Control+Space"},
             {"\x1b[110;6u", "Control+Shift+N"},
-            // Control characters, and Alt with a key.
+            // Control characters, and keys with Alt.
             {"\t", "Tab"},
             {"\r", "Enter"},
             {"\n", "Enter"},
@@ -146,7 +146,7 @@ TEST(KeyDecoder, recognises_every_sequence_under_the_key_name_of_the_window) {
     EXPECT_THAT(decoded(std::string(1, '\0')), ElementsAre(key("Control+Space")));
 }
 
-// However the bytes are split on their way, as long as nothing times out.
+// The decoder must give the same result however the bytes are split on their way, unless a timeout passes between them.
 TEST(KeyDecoder, gives_the_same_result_for_bytes_cut_anywhere) {
     std::string all;
     std::vector<TerminalInput> expected;
@@ -191,7 +191,7 @@ TEST(KeyDecoder, skips_unknown_sequences_and_continues_after_them) {
         EXPECT_EQ(inputs.back(), key("K", "k")) << testing::PrintToString(unknown);
         for (const TerminalInput& input : inputs) EXPECT_NE(input.key, "Escape") << testing::PrintToString(unknown);
     }
-    // A sequence that never ends, and one that was cut off for good.
+    // The first sequence never ends. The second one is cut off, and its end never arrives.
     EXPECT_EQ(decoded("\x1b[" + std::string(1000, '1') + "~k").back(), key("K", "k"));
     EXPECT_THAT(decoded("\x1b[1;"), IsEmpty());
 }
@@ -233,11 +233,11 @@ TEST(KeyDecoder, passes_pasted_text_on_as_text_rather_than_keys) {
         EXPECT_EQ(text, "forward 3\rtür") << cut;
         EXPECT_THAT(keys, ElementsAre(key("K", "k"))) << cut;
     }
-    // A paste whose end was lost ends with the next key.
+    // If the end of a paste is lost, the paste must end at the next key.
     EXPECT_THAT(decoded("\x1b[200~abc\x1b[Bk"), ElementsAre(pasted("abc"), key("Down"), key("K", "k")));
 }
 
-// The keys that help names at a terminal are exactly those that some bytes stand for.
+// At a terminal, help must name exactly those keys for which an escape sequence exists.
 TEST(TerminalSends, exactly_the_keys_that_have_an_escape_sequence) {
     std::set<std::string> sent;
     const auto note = [&](const std::string& bytes) {
@@ -245,7 +245,7 @@ TEST(TerminalSends, exactly_the_keys_that_have_an_escape_sequence) {
         if (inputs.size() == 1) sent.insert(inputs.front().key);
     };
     for (int byte = 0; byte < 128; ++byte) {
-        // These are signals, or Backspace on some terminals.
+        // These bytes are signals, or Backspace on some terminals.
         if (byte == 3 || byte == 8 || byte == 26 || byte == 28) continue;
         note(std::string(1, static_cast<char>(byte)));
         note(std::string("\x1b") + static_cast<char>(byte));
@@ -269,7 +269,8 @@ TEST(TerminalSends, exactly_the_keys_that_have_an_escape_sequence) {
     EXPECT_TRUE(terminal_sends("alt+w"));
 }
 
-// Keys that Handrail suggests at a terminal can be pressed there. If no key can, it suggests the word.
+// The keys that Handrail suggests at a terminal must exist there. If a command has no such key, Handrail must suggest
+// its word.
 TEST(KeyMap, names_keys_that_a_terminal_can_send_and_otherwise_the_typed_command) {
     const std::map<std::string, std::string> changes{{"where", "Keypad5 F2"}};
     const KeyMap keys(changes);

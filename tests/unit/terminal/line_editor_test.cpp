@@ -9,7 +9,7 @@ namespace line_editor_test {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-// The terminal's line after this output, from its last line end on.
+// Returns the terminal's last line after this output.
 std::string shown(const std::string& written) {
     std::string line;
     for (std::size_t i = 0; i < written.size(); ++i) {
@@ -18,7 +18,7 @@ std::string shown(const std::string& written) {
         } else if (written[i] == '\b') {
             while (!line.empty() && (static_cast<unsigned char>(line.back()) & 0xC0U) == 0x80U) line.pop_back();
             if (!line.empty()) line.pop_back();
-            i += 2;  // skips the blank over it and the second step back
+            i += 2;  // the editor also writes a blank over the character and a second step back
         } else {
             line += written[i];
         }

@@ -66,7 +66,7 @@ TEST(LineInput, never_blocks_and_keeps_a_last_line_without_a_line_break) {
     ::close(ends[0]);
 }
 
-// The watch's own thread sees a line that must not wait, although nobody takes lines.
+// The watch's own thread must see an urgent line, although nobody calls take().
 TEST(LineWatch, recognises_an_urgent_line_at_once_and_drops_the_lines_before_it) {
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
@@ -97,7 +97,7 @@ TEST(LineWatch, recognises_an_urgent_line_at_once_and_drops_the_lines_before_it)
     ::close(ends[0]);
 }
 
-// Writes as many lines as a pipe will accept, while nobody takes them.
+// Writes as many lines as the pipe accepts while nobody calls take(). Returns the number of bytes.
 std::size_t bytes_taken(int end) {
     const std::string lines = [] {
         std::string text;

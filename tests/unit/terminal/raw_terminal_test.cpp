@@ -1,6 +1,6 @@
-// A person's terminal is restored however the program ends. Each case runs in a separate terminal whose modes are read
-// afterwards. Not under the thread sanitizer, which delays signals; there tests/program ends and stops the whole
-// program.
+// A person's terminal must be restored however the program ends. Each case runs in a separate terminal, and the test
+// then reads the terminal's modes. These tests do not run under the thread sanitizer, which delays signals. There,
+// tests/program ends and stops the whole program instead.
 #if !defined(HANDRAIL_SANITIZED_THREAD)
 #include "app/terminal/raw_terminal.h"
 
@@ -23,7 +23,7 @@ namespace raw_terminal_test {
 
 using test::PtyJob;
 
-// A job that takes its terminal, reports that, waits for a line end and then does `then`.
+// Starts a job that takes its terminal, reports that, waits for a line end and then calls `then`.
 std::unique_ptr<PtyJob> job_that(const std::function<void()>& then) {
     auto job = PtyJob::start([then] {
         const auto terminal = RawTerminal::take(STDIN_FILENO, STDOUT_FILENO);
@@ -80,7 +80,7 @@ TEST(RawTerminal, is_restored_by_each_fatal_signal_which_still_ends_the_program)
     }
 }
 
-// Volatile, so that the compiler cannot see where the recursion ends.
+// `depth` is volatile, so that the compiler cannot see where the recursion ends.
 int deeper(volatile int* depth) {
     volatile char room[4096];
     room[0] = static_cast<char>(*depth);
@@ -131,7 +131,7 @@ TEST(RawTerminal, of_a_background_job_is_left_to_the_shell) {
     job->type("\x1a");
     ASSERT_TRUE(job->stops());
     job->send(SIGCONT);
-    // It reads, which stops it again.
+    // The job reads from its terminal in the background, which stops it again.
     ASSERT_TRUE(job->stops());
     EXPECT_TRUE(job->as_before());
     job->send(SIGTERM);
@@ -145,7 +145,7 @@ TEST(RawTerminal, passes_no_pending_keys_on_to_the_shell) {
     job->type("\r");
     job->type("\x1b[A\r");
     EXPECT_EQ(job->ends(), 0);
-    // What the shell would read now: no bytes are waiting.
+    // The shell must find the terminal in line mode, with no bytes waiting.
     termios now = job->modes();
     EXPECT_NE(now.c_lflag & ICANON, 0U);
     EXPECT_EQ(job->waiting_bytes(), 0);
