@@ -1,4 +1,4 @@
-// The program with a braille display, while everything is taken away that can fail for a person who explores.
+// Runs the program with a braille display. The tests take away everything that can fail while a person explores.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,8 +20,8 @@ using testing::Not;
 
 class Brailled : public testing::Test {
 protected:
-    // The program explores the first room with a window that has the keyboard, a speech server, a braille display and a
-    // sound card.
+    // Starts the program in the first room. It has a window with the keyboard focus, a speech server, a braille display
+    // and a sound card.
     void explore(const std::vector<std::string>& more = {}) {
         if (const std::string why = BrailleServer::why_not(); !why.empty()) GTEST_SKIP() << why;
         if (!installed("speech-dispatcher")) GTEST_SKIP() << "speech-dispatcher is not installed";
@@ -79,11 +79,12 @@ TEST_F(Brailled, session_shows_the_heading_and_the_spoken_text) {
 TEST_F(Brailled, session_pans_with_the_display_keys_and_says_more_on_a_routing_key) {
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;
-    // Repeats the query until the room is known, because a background task finds the rooms.
+    // Repeats the query until the session knows the room, because a background task finds the rooms.
     const auto told = [&] { return program->said().find("say: Room with") != std::string::npos; };
     ASSERT_TRUE(eventually([&] { return press("F2") && eventually(told, 2.0); })) << everything();
     ASSERT_TRUE(braille->shows("N  Room with")) << everything();
-    // Each piece consists of words of the message, after the heading. The keys go on, back, on, and to the beginning.
+    // Each displayed piece must consist of words of the message, after the heading. The keys pan forward, back,
+    // forward, and to the beginning.
     const std::string first = braille->shown();
     const auto other = [&] { return braille->shown() != first; };
     const auto same = [&] { return braille->shown() == first; };
@@ -125,8 +126,8 @@ TEST_F(Brailled, session_accepts_another_display_of_the_same_server) {
     leave();
 }
 
-// Takes away, one after the other, everything that tells a person where they are. Whatever is left announces each loss,
-// and exploring continues.
+// Takes away, one after the other, everything that tells a person where they are. Whatever remains must announce each
+// loss, and the session must continue.
 TEST_F(Brailled, session_goes_on_when_braille_sound_and_speech_are_taken_away_in_turn) {
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;

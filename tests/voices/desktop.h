@@ -1,5 +1,5 @@
 // A private desktop of a blind person for the test, isolated from that of the machine. It has a session bus, an X
-// server, a speech server that records what it is sent, and the screen reader Orca, which speaks through that server.
+// server, a speech server that records what it receives, and the screen reader Orca, which speaks through that server.
 #pragma once
 
 #include <filesystem>
@@ -15,33 +15,34 @@ namespace handrail::test {
 
 class Desktop {
 public:
-    // Why this cannot run here; empty: it can. Either a package is missing, or a sanitizer is active, under which time
-    // and memory of foreign libraries are not judged.
+    // Returns why the desktop cannot run here; empty if it can. Either a package is missing, or a sanitizer is active,
+    // under which the tests do not judge time and memory of foreign libraries.
     static std::string why_not();
-    // Runs in `folder`, without Orca. running() is false if a part does not start.
+    // Starts everything except Orca in `folder`. If a part does not start, running() returns false.
     explicit Desktop(const std::filesystem::path& folder, int word_ms = 1);
     ~Desktop();
     Desktop(const Desktop&) = delete;
     Desktop& operator=(const Desktop&) = delete;
 
     bool running() const { return display && speech && speech->running(); }
-    // Waits until Orca says that it is on. `braille` is the environment of a display that it uses.
+    // Starts Orca and waits until it says that it is on. `braille` is the environment of a display that Orca uses.
     bool start_orca(const Environment& braille = {});
     void kill_orca() { orca_->kill(); }
     void end_session() { bus_->kill(); }  // ends the bus and everything that was started through it
 
-    // Variables that connect a program to this desktop; without `speech_server` it finds no speech server.
+    // Returns variables that connect a program to this desktop. If `speech_server` is false, the program finds no
+    // speech server.
     Environment environment(bool speech_server) const;
-    // Gives the program's window the keyboard as soon as the window exists.
+    // Gives the program's window the keyboard focus as soon as the window exists.
     bool focus_window() const;
     bool press(const std::string& keys) const { return display->xdotool("key " + keys); }
-    // The program's accessible objects as any screen reader finds them, one on each line. Children are indented by two
-    // more blanks: `list item "North wall" selected focused`.
+    // Returns the program's accessible objects as any screen reader finds them, one on each line, such as `list item
+    // "North wall" selected focused`. Two more blanks indent the children of an object.
     std::string objects() const;
     // Runs a Python program with pyatspi, which walks the program's objects as any screen reader does. Returns what it
     // prints.
     std::string ask_objects(const std::string& python) const;
-    std::string everything() const;  // for messages of failing tests
+    std::string everything() const;  // text for messages of failing tests
 
     std::unique_ptr<VirtualDisplay> display;
     std::unique_ptr<SpeechServer> speech;

@@ -1,4 +1,4 @@
-// The program with its own home folder. The test types into it or, if it has a window, presses keys.
+// The program with its own home folder. The test types into it or, if the program has a window, presses keys.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@ namespace handrail::test {
 
 class Exploring {
 public:
-    // The program gets only `environment` in addition to a bare machine. first_start: nobody has started the program
-    // before.
+    // The program gets `environment` in addition to a bare environment. If `first_start` is true, nobody has started
+    // the program before.
     Exploring(const TemporaryFolder& folder, Environment environment,
               const std::vector<std::string>& arguments = {"--no-window", "--device", "none"}, bool first_start = false)
         : said_(folder.path() / "said") {
@@ -23,8 +23,8 @@ public:
         if (first_start) std::filesystem::remove(folder.path() / ".config" / "handrail" / "settings.toml");
         std::vector<std::string> words{test::built_program("handrail")};
         words.insert(words.end(), arguments.begin(), arguments.end());
-        // On a busy machine the sound device runs out of data. With fewer periods the program would report this in the
-        // middle of other messages.
+        // On a busy machine, the sound device runs out of data. With fewer periods, the program would report this in
+        // the middle of other messages.
         for (const char* steady : {"--set", "sound.periods=3"}) words.emplace_back(steady);
         process_ = ChildProcess::start(words, environment, said_);
     }

@@ -1,4 +1,4 @@
-// The whole program with the voices of a desktop, which are taken away in turn while somebody explores.
+// Runs the whole program with the voices of a desktop. The tests take the voices away in turn while a person explores.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -17,7 +17,7 @@ using testing::Not;
 
 class ProgramSpeaking : public testing::Test {
 protected:
-    // Starts the program with a speech server and waits until it has said where the person is.
+    // Starts the program with a speech server, and waits until it has announced where the person is.
     void explore() {
         if (!installed("speech-dispatcher")) GTEST_SKIP() << "speech-dispatcher is not installed";
         server = SpeechServer::start(folder.path(), 1);
@@ -43,7 +43,8 @@ TEST_F(ProgramSpeaking, through_the_speech_server_speaks_each_line_of_text_there
     ASSERT_TRUE(eventually([&] { return server->spoke("Ahead: north wall"); }))
         << program->said() << server->everything();
     leave();
-    // Every spoken text was also written. An answer that the next key interrupted may exist only as text.
+    // Every spoken text must also have been written. If the next key interrupted an answer, the answer may exist only
+    // as text.
     for (const Recorded& entry : server->recorded()) {
         if (entry.event != "speak") continue;
         EXPECT_THAT(program->said(), HasSubstr(": " + entry.words + "\n"));
@@ -53,8 +54,8 @@ TEST_F(ProgramSpeaking, through_the_speech_server_speaks_each_line_of_text_there
 }
 
 TEST_F(ProgramSpeaking, continues_when_the_speech_server_is_killed_and_uses_it_again_when_it_returns) {
-    // libspeechd cancels its thread. While g++ 12's sanitizer looks up names for its suppressions there, that thread
-    // never ends and blocks all others.
+    // libspeechd cancels its thread. If g++ 12's sanitizer looks up names for its suppressions at that moment, the
+    // thread never ends and blocks all others.
     if (test::kThreadSanitizer) GTEST_SKIP() << "SpeechdVoice.notices_a_killed_server_* runs the same threads";
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;

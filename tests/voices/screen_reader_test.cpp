@@ -19,14 +19,14 @@ namespace screen_reader_test {
 using testing::HasSubstr;
 using testing::Not;
 
-// The program appends a blank to a name that repeats the last one, because Orca reads only changes. Orca 48 ends its
-// utterances with a full stop, Orca 43 does not.
+// Removes blanks and a full stop at the end. The program appends a blank to a name that repeats the last one, because
+// Orca reads only changes. Orca 48 ends its utterances with a full stop, but Orca 43 does not.
 std::string without_end(std::string text) {
     text.erase(text.find_last_not_of(" .") + 1);
     return text;
 }
 
-// Number of processes with this name that have `folder` in their environment.
+// Returns the number of processes with this name that have `folder` in their environment.
 int processes_called(const std::string& name, const std::filesystem::path& folder) {
     int count = 0;
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
@@ -39,7 +39,8 @@ int processes_called(const std::string& name, const std::filesystem::path& folde
 
 class ReadByOrca : public testing::Test {
 protected:
-    // Starts Orca. With `explore`, also lets the program explore the first room while Orca reads it.
+    // Starts Orca and the program, and gives the program's window the keyboard focus. If `speech_server` is true, the
+    // program can also find the speech server.
     void begin(bool speech_server) {
         if (const std::string why = Desktop::why_not(); !why.empty()) GTEST_SKIP() << why;
         desktop = std::make_unique<Desktop>(folder.path());
@@ -49,7 +50,7 @@ protected:
                                               std::vector<std::string>{"--device", "none"});
         ASSERT_TRUE(desktop->focus_window()) << everything();
     }
-    // The recorded speech and the text that the program wrote.
+    // Returns the recorded speech and the text that the program wrote.
     std::string everything() const { return "said:\n" + program->said() + desktop->everything(); }
     int times_spoken(const std::string& words) const {
         const auto all = desktop->speech->recorded();
@@ -70,8 +71,8 @@ protected:
         ASSERT_TRUE(eventually([&] { return desktop->objects().find("list \"Your desk") != std::string::npos; }))
             << desktop->objects();
     }
-    // Runs a Python program that finds the desk's list in the variable `desk`. Returns what it prints: lines with this
-    // many cells, separated by |.
+    // Runs a Python program, in which the variable `desk` is the desk's list. Returns the lines that it prints, each
+    // with `cells` cells that | separates.
     std::vector<std::vector<std::string>> work_at_desk(const std::string& python, std::size_t cells) const {
         const std::string find = "import os, pyatspi, time\nsaid = '" + (folder.path() / "said").string() + "'" + R"(
 def told(): return os.path.getsize(said)
@@ -126,7 +127,7 @@ TEST_F(ReadByOrca, speaks_through_orca_from_the_first_word_and_without_its_own_v
     EXPECT_TRUE(spoken("North-north-east")) << everything();
     ASSERT_TRUE(desktop->press("c"));
     EXPECT_TRUE(speaks_of("Facing north-north-east, 22 degrees")) << everything();
-    // Orca says it once, and the program does not send it to the speech server as well.
+    // Orca must say the text once. The program must not send it to the speech server as well.
     EXPECT_EQ(times_spoken("North-north-east"), 1) << everything();
     EXPECT_TRUE(desktop->speech->spoke("Handrail.")) << everything();
     EXPECT_THAT(program->said(), Not(HasSubstr("built-in voice"))) << everything();
@@ -150,8 +151,8 @@ TEST_F(ReadByOrca, gives_orca_each_key_first_except_the_stop_key) {
     ASSERT_NO_FATAL_FAILURE(begin(false));
     if (!program) return;
     ASSERT_TRUE(speaks_of("facing north")) << everything();
-    // Insert with F is Orca's question about letters; F alone is our force key. If a busy machine makes Orca late, the
-    // key goes to the program (KeyGate), so Orca gets more than one try.
+    // Insert with F makes Orca describe the font; F alone is Handrail's force key. If a busy machine delays Orca's
+    // answer, the key goes to the program (KeyGate). So the test tries several times.
     const auto ours = [&] { return times_in(program->said(), "There is no touch device"); };
     bool used_by_orca = false;
     for (std::size_t asked = 1; asked <= 20 && !used_by_orca; ++asked) {
@@ -164,8 +165,8 @@ TEST_F(ReadByOrca, gives_orca_each_key_first_except_the_stop_key) {
     }
     EXPECT_TRUE(used_by_orca) << everything();
     const std::size_t before = ours();
-    // On a busy machine Orca 48 also takes the first key after Insert is released, and ignores it. So the test presses
-    // again.
+    // On a busy machine, Orca 48 also takes the first key after Insert is released, and ignores it. So the test presses
+    // the key again.
     EXPECT_TRUE(eventually([&] { return desktop->press("f") && eventually([&] { return ours() > before; }, 2.0); }))
         << everything();
     EXPECT_TRUE(speaks_of("There is no touch device")) << everything();
@@ -187,7 +188,7 @@ TEST_F(ReadByOrca, speaks_lists_and_exposes_their_items_as_objects) {
     };
     EXPECT_TRUE(finds("  list \"Menu")) << objects;
     EXPECT_TRUE(finds("selected")) << objects;
-    // Down moves to the second item: the selection moves there, and Orca speaks it.
+    // Down must move the selection to the second item, and Orca must speak that item.
     std::istringstream lines(objects);
     std::string first, second;
     for (std::string line; std::getline(lines, line) && second.empty();)
@@ -204,14 +205,14 @@ TEST_F(ReadByOrca, speaks_lists_and_exposes_their_items_as_objects) {
     leave();
 }
 
-// Changes each control of the desk by the actions of its accessible object and through the program's own interface.
-// Both must end with the same text.
+// Changes each control of the desk by the actions of its accessible object, and again through the program's own
+// interface. The texts of the controls must be the same afterwards.
 TEST_F(ReadByOrca, changes_every_control_of_the_desk_through_its_accessible_actions) {
     ASSERT_NO_FATAL_FAILURE(begin(false));
     if (!program) return;
     ASSERT_NO_FATAL_FAILURE(open_desk());
-    // For each item: its name, its actions, and its name afterwards. The actions tried are decrease, then increase if
-    // that changed nothing, or else press.
+    // Prints for each item its name, its actions, and its name afterwards. Tries the action decrease, and then increase
+    // if decrease changed nothing. If an item has no decrease, tries press.
     static constexpr const char* kWork = R"(
 def name(i): return desk.getChildAtIndex(i).name
 last = [i for i in range(desk.childCount) if name(i) == 'Go to that world']  # the desk goes with this world
@@ -245,8 +246,8 @@ for i in [i for i in range(desk.childCount) if i not in last] + last:
         const DeskControl& control = app.desk_visit().desk().controls()[i];
         EXPECT_EQ(parts[0].rfind(control.name, 0), 0U);
         EXPECT_EQ(parts[1], control.adjustable() ? " press increase decrease " : " press ");
-        if (!control.adjustable() || control.many) continue;  // worlds and marks differ in the other session
-        // Earlier changes may show here, as on the knob, so the same changes are repeated in this session.
+        if (!control.adjustable() || control.many) continue;  // worlds and marks differ between the two sessions
+        // Earlier changes may show in this text, as on the knob. So this session repeats the same changes.
         if (control.kind == DeskKind::Assign) {
             EXPECT_EQ(parts[0], app.desk_visit().desk().words(i) + " ");
         }
@@ -262,14 +263,14 @@ for i in [i for i in range(desk.childCount) if i not in last] + last:
     EXPECT_TRUE(program->says("say: Going to ")) << everything();
 }
 
-// Sets each slider, volume and knob of the desk as a value of its accessible object, and through the program's own
-// interface. Both must end with the same text and number.
+// Sets each slider, volume and knob of the desk through the value of its accessible object, and again through the
+// program's own interface. Text and number must be the same afterwards.
 TEST_F(ReadByOrca, exposes_each_quantity_of_the_desk_as_a_settable_value) {
     ASSERT_NO_FATAL_FAILURE(begin(false));
     if (!program) return;
     ASSERT_NO_FATAL_FAILURE(open_desk());
-    // For each item with a value: its index, minimum, maximum, step and number. Then, after setting a third of the
-    // range, its name and number. The knob has no control assigned.
+    // Prints for each item with a value: its index, minimum, maximum, step and number. Then sets the value to about a
+    // third of the range, and prints the item's name and number. The knob has no control assigned.
     static constexpr const char* kWork = R"(
 for i in range(desk.childCount):
     item = desk.getChildAtIndex(i)
@@ -319,7 +320,7 @@ TEST_F(ReadByOrca, speaks_each_item_once_and_messages_about_it_too) {
     ASSERT_TRUE(speaks_of("Sound volume")) << everything();
     ASSERT_TRUE(desktop->press("Down"));
     ASSERT_TRUE(speaks_of("Speech volume")) << everything();
-    ASSERT_TRUE(desktop->press("F1"));  // explains lists, which is not an item
+    ASSERT_TRUE(desktop->press("F1"));  // F1 explains lists; the explanation is not an item
     EXPECT_TRUE(speaks_of("Up and Down move through the list")) << everything();
     ASSERT_TRUE(desktop->press("Left"));
     EXPECT_TRUE(speaks_of("90 percent")) << everything();
@@ -332,7 +333,7 @@ TEST_F(ReadByOrca, speaks_each_item_once_and_messages_about_it_too) {
     for (const Recorded& entry : desktop->speech->recorded())
         items += entry.event == "speak" && entry.words.find("Speech volume, 100 percent") != std::string::npos;
     EXPECT_EQ(items, 1) << everything();
-    // When the list closes, Orca reads only the name of the object that regains the keyboard, not its kind.
+    // When the list closes, the window's object regains the keyboard focus. Orca must read only its name, not its kind.
     for (const char* kind : {"drawing area", "unknown"}) EXPECT_FALSE(desktop->speech->spoke(kind)) << everything();
     leave();
 }

@@ -1,6 +1,6 @@
-// Scenario 1, "silent machine never". From the first second of the first start, something is spoken, or a key announces
-// where the person is. Tested with only the program's own voice, with a speech server, and with a screen reader that
-// also drives a braille display. Wall-clock times are reported; their order is asserted.
+// Scenario 1 of the design, "silent machine never". From the first second of the first start, the program must speak,
+// or a key must announce where the person is. The tests use only the program's own voice, a speech server, and a screen
+// reader that also drives a braille display. They print wall-clock times but judge only their order.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -27,8 +27,8 @@ constexpr const char* kThreeKeys = "Press Enter to begin, Space to hear this aga
 
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-// The first start, with a window that has the keyboard. The sound card records when the program's own voice begins and
-// is interrupted.
+// The first start, with a window that has the keyboard focus. The stand-in for the sound card records when the
+// program's own voice begins and is interrupted.
 class SilentMachineNever : public testing::Test {
 protected:
     void launch(Environment environment) {
@@ -40,7 +40,7 @@ protected:
     }
     std::string own_voice() const { return content_of(folder.path() / "voice"); }
     std::string said() const { return program->said(); }
-    // The whole first line that contains these words.
+    // Returns the whole first line that contains these words.
     std::string line_with(const std::string& words) const {
         std::istringstream lines(said());
         for (std::string line; std::getline(lines, line);)
@@ -50,13 +50,14 @@ protected:
     bool says_times(const std::string& words, std::size_t times) const {
         return eventually([&] { return times_in(said(), words) == times; });
     }
-    // Space repeats the welcome, nothing expires, and Enter continues. Space then repeats what Enter announced.
+    // Checks that Space repeats the welcome, that nothing expires, and that Enter continues. Space must then repeat
+    // what Enter announced.
     void go_on(VirtualDisplay& display, const std::string& everything) {
         const std::string welcome = line_with(kThreeKeys);
         ASSERT_THAT(welcome, HasSubstr("Welcome. Handrail is speaking with ")) << everything;
         ASSERT_TRUE(says_times("No touch device", 1)) << said();
         const std::string before = said();
-        ::usleep(4000000);  // real time, like a person who hesitates
+        ::usleep(4000000);  // waits in real time, like a person who hesitates
         EXPECT_EQ(said(), before) << "the prompt stays, and nothing more is said";
         ASSERT_TRUE(display.xdotool("key space"));
         EXPECT_TRUE(says_times(welcome + "\n", 2)) << "word for word\n" << said();
@@ -86,7 +87,7 @@ TEST_F(SilentMachineNever, speaks_with_the_built_in_voice_if_there_is_nothing_el
     ASSERT_TRUE(eventually([&] {
         return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1");
     }));
-    // A key interrupts the welcome.
+    // A key must interrupt the welcome.
     const double pressed_s = now_s();
     ASSERT_TRUE(display->xdotool("key Control_L"));
     ASSERT_TRUE(eventually([&] { return own_voice().find("hush") != std::string::npos; })) << own_voice() << said();
@@ -135,7 +136,7 @@ TEST_F(SilentMachineNever, speaks_through_the_speech_server_if_one_runs_and_mute
     }
     EXPECT_EQ(own_voice(), "") << "two voices";
     if (!braille) return;
-    // Panning shows the whole question on the display, from its first word to its last.
+    // Panning must show the whole question on the display, from its first word to its last.
     const std::string question = line_with("bell on your left").substr(std::string("say: ").size());
     std::string read;
     ASSERT_TRUE(eventually([&] {

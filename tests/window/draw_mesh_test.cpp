@@ -34,7 +34,7 @@ TEST(DrawMesh, makes_each_polygon_a_fan) {
 }
 
 TEST(DrawMesh, outlines_a_wall_of_several_pieces_as_one_wall) {
-    // 4 m by 2 m in three pieces that meet in a T; the outline is 12 m.
+    // A wall of 4 m by 2 m consists of three pieces that meet in a T. Its outline is 12 m long.
     Scene scene;
     add_wall_piece(scene, upright(0.0, 2.0, 0.0, 2.0), 0);
     add_wall_piece(scene, upright(2.0, 4.0, 0.0, 0.7), 0);
@@ -43,14 +43,15 @@ TEST(DrawMesh, outlines_a_wall_of_several_pieces_as_one_wall) {
 }
 
 TEST(DrawMesh, outlines_two_features_in_one_plane_separately) {
-    Scene scene;  // two squares of 2 m: 8 m each, because the shared side counts twice
+    Scene scene;  // two squares of 2 m, each with an outline of 8 m, because the shared side counts twice
     add_wall_piece(scene, upright(0.0, 2.0, 0.0, 2.0), 0);
     add_wall_piece(scene, upright(2.0, 4.0, 0.0, 2.0), 1);
     EXPECT_NEAR(length_m(build_draw_mesh(scene)), 16.0, 1e-4);
 }
 
 TEST(DrawMesh, joins_slanted_pieces_at_any_angle) {
-    // A square of side 2 m, cut along its diagonal and turned in its plane in steps of 7 degrees: 8 m of outline.
+    // A square with sides of 2 m is cut along its diagonal and turned in its plane in steps of 7 degrees. Its outline
+    // is 8 m long.
     for (int degrees = 0; degrees < 360; degrees += 7) {
         const double c = std::cos(radians_from_degrees(degrees)), s = std::sin(radians_from_degrees(degrees));
         const auto turned = [&](double x, double z) { return Vec3(c * x - s * z + 30.0, 5.0, s * x + c * z - 70.0); };

@@ -1,4 +1,4 @@
-// Finds letter keys by their labels on every keyboard layout with Latin letters that this system has.
+// Every keyboard layout with Latin letters on this system must give letter keys by their labels.
 #include "app/window/key_labels.h"
 #include "tests/support/names.h"
 
@@ -18,7 +18,8 @@ namespace key_labels_test {
 
 constexpr const char* kLayouts = "/usr/share/X11/xkb/rules/evdev.lst";
 
-// Where each key is: X's code of the first key of a row, and GLFW's key tokens along the row.
+// Returns X's key code for each GLFW key. The tables contain the code of the first key of a row, and the row's GLFW
+// keys in order.
 const std::map<int, int>& codes() {
     static const std::map<int, int> all = [] {
         std::map<int, int> codes{{GLFW_KEY_GRAVE_ACCENT, 49},
@@ -42,7 +43,7 @@ KeyLabels american() {
     return labels;
 }
 
-// Pairs of layout and variant such as "fr", "fr bepo", as the system lists them.
+// Returns pairs of layout and variant, such as "fr" and "bepo", as the system lists them.
 std::vector<std::pair<std::string, std::string>> layouts() {
     std::vector<std::pair<std::string, std::string>> all;
     std::ifstream in(kLayouts);
@@ -76,7 +77,7 @@ KeyLabels labels_of(xkb_context* context, const std::string& layout, const std::
 
 bool is_small_letter(const std::string& label) { return label.size() == 1 && label[0] >= 'a' && label[0] <= 'z'; }
 
-// Each letter that is printed on some key names that key, and every name belongs to exactly one key.
+// Checks that each letter that is printed on a key names that key, and that every name belongs to exactly one key.
 void expect_right(const KeyLabels& labels) {
     const std::map<int, int> named = keys_by_label(labels);
     std::set<int> names;

@@ -99,7 +99,7 @@ TEST(KeyTracker, releases_all_keys_when_the_keyboard_is_lost) {
         << "leaving by Control+Alt+arrow must not silence speech";
 }
 
-// Checks every default key, so that each command can be reached from the window.
+// Every default key must have a name, so that a person can reach each command from the window.
 TEST(KeyNames, include_every_key_of_the_command_table) {
     ASSERT_FALSE(command_table().empty());
     for (const CommandInfo& row : command_table()) {
@@ -108,7 +108,7 @@ TEST(KeyNames, include_every_key_of_the_command_table) {
             const std::size_t end = std::min(keys.find(' '), keys.size());
             const std::string_view key = keys.substr(0, end);
             keys.remove_prefix(std::min(end + 1, keys.size()));
-            const std::string_view plain = key.substr(key.rfind('+') + 1);  // without "Shift+"
+            const std::string_view plain = key.substr(key.rfind('+') + 1);  // the key's name without "Shift+"
             EXPECT_NE(std::find(key_names().begin(), key_names().end(), plain), key_names().end())
                 << key << " of " << row.word;
         }

@@ -1,5 +1,5 @@
-// An OpenGL context without any display, and a framebuffer to draw into. With it, tests can check pictures on a machine
-// without a screen.
+// An OpenGL context that needs no display, with a framebuffer to draw into. With it, tests can check pictures on a
+// machine without a screen.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace handrail::test {
 
 class OffscreenGl {
 public:
-    // Returns null if the driver cannot do this; the test then skips.
+    // Returns null if the driver cannot draw without a display; the test then skips.
     static std::unique_ptr<OffscreenGl> open(PixelSize size);
     ~OffscreenGl();
     OffscreenGl(const OffscreenGl&) = delete;

@@ -28,7 +28,8 @@ TEST(SectionAt, of_a_box_is_its_footprint_counter_clockwise_and_empty_above_the_
 }
 
 TEST(SectionAt, of_a_pyramid_shrinks_with_height) {
-    // A pyramid with a square base of side 4 m at z = 0 and its tip at z = 4 m: at height h the side is 4 - h.
+    // A pyramid whose base is a square with sides of 4 m at z = 0 and whose tip is at z = 4 m. At height h, its section
+    // has sides of 4 - h.
     const Vec3 tip(2.0, 2.0, 4.0);
     const std::vector<Vec3> base{{0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, {4.0, 4.0, 0.0}, {0.0, 4.0, 0.0}};
     ConvexSolid pyramid;
@@ -39,8 +40,8 @@ TEST(SectionAt, of_a_pyramid_shrinks_with_height) {
 }
 
 TEST(CutPlan, shows_things_at_hand_height_and_things_below_it) {
-    // The room has a door and four walls, which are cut; the table is low, the water is a liquid, and the floor is a
-    // floor. The ceiling is not shown.
+    // The plan shows the four walls and the door as cut, the table as low, the water as liquid, and the floor as floor.
+    // It does not show the ceiling.
     const PlanCut cut = cut_plan(*small_room(), 0.0);
     std::map<PlanKind, int> count;
     for (const PlanShape& shape : cut.shapes) {
@@ -60,8 +61,8 @@ TEST(CutPlan, of_another_storey_shows_that_storey) {
     Scene scene = *small_room();
     add_box(scene, {1.0, 1.0, 2.7}, {2.0, 2.0, 5.0}, FeatureKind::Object);
     const PlanCut cut = cut_plan(scene, 2.7);
-    // The ceiling, the four walls and the door end below the feet, so all of them are floor on this storey. Table and
-    // water are too deep.
+    // The ceiling, the four walls and the door end below the feet, so all of them count as floor on this storey. The
+    // table and the water are too far below.
     ASSERT_EQ(cut.shapes.size(), 7U);
     for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(cut.shapes[i].kind, PlanKind::Floor);
     EXPECT_EQ(cut.shapes[6].kind, PlanKind::Object);
@@ -92,7 +93,7 @@ TEST(CutPlan, cuts_sheets_into_lines) {
     scene.triangles.push_back({{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 0.0, 2.0}, kNoFeature, kDefaultMaterial});
     scene.triangles.push_back({{0.0, 0.0, 5.0}, {2.0, 0.0, 5.0}, {0.0, 2.0, 5.0}, kNoFeature, kDefaultMaterial});
     const PlanCut cut = cut_plan(scene, 0.0);
-    ASSERT_EQ(cut.sheets_m.size(), 1U);  // half way up, the first triangle is 1 m wide
+    ASSERT_EQ(cut.sheets_m.size(), 1U);  // only the first triangle is cut, half way up, where it is 1 m wide
     EXPECT_NEAR(glm::distance(cut.sheets_m[0][0], cut.sheets_m[0][1]), 1.0, 1e-12);
 }
 

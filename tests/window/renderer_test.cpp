@@ -21,7 +21,8 @@ namespace handrail::test {
 namespace renderer_test {
 
 constexpr PixelSize kSize{960, 720};
-constexpr double kPictureHeight_px = 580.0;  // 720 minus two lines of 60 and margins of 10 above and below
+// The window's 720 minus two text lines of 60, and margins of 10 above and below them.
+constexpr double kPictureHeight_px = 580.0;
 constexpr double kBandTop_px = kPictureHeight_px;
 
 using Rgb = std::array<std::uint8_t, 3>;
@@ -84,7 +85,8 @@ protected:
         if (save_png(last_, path)) std::cout << "last picture: " << path << "\n";
     }
 
-    // Where the picture shows a point of the world. A pinhole camera, computed independently of the code under test.
+    // Returns the pixel at which the picture shows a point of the world. Uses a pinhole camera, computed independently
+    // of the code under test.
     static Vec2 pixel_of(const ViewState& view, const Vec3& world_m) {
         const Vec3 to = world_m - view.eyes_m;
         const double ahead = glm::dot(to, forward_of_heading(view.heading_rad)),
@@ -231,7 +233,8 @@ TEST_F(RendererTest, a_building_a_thousand_kilometres_from_the_origin_looks_the_
     EXPECT_LT(different, a.width * a.height / 500);
 }
 
-// A hall with a crate whose centre is at this place, turned by this angle about the vertical.
+// Returns a hall with a crate. The crate's centre is at `at_m`, and the crate is turned by `turned_rad` about the
+// vertical.
 std::shared_ptr<const Scene> hall_with_crate(const Vec3& at_m, double turned_rad) {
     auto scene = read_quake_map(
         entity("worldspawn", key("building", "1"), room_brushes(0, 0, 0, 256, 256, 128)) +
@@ -287,7 +290,7 @@ TEST_F(RendererTest, a_new_scene_replaces_the_old_one) {
     EXPECT_GT(std::abs(luminance(at(draw(view), {480.5, 290.5})) - wall), 20.0);
 }
 
-// The first and last row of the band that contain anything white.
+// Returns the first and the last row below `top_px` that contain a white pixel.
 std::pair<int, int> text_rows(const Picture& picture, double top_px) {
     int first = -1, last = -1;
     for (int y = static_cast<int>(top_px); y < picture.height; ++y)
@@ -307,8 +310,8 @@ TEST_F(RendererTest, the_last_spoken_line_is_on_black_in_letters_of_a_twelfth_of
     view.last_spoken = "High wall";
     const auto [first, last] = text_rows(draw(view), kBandTop_px);
     ASSERT_GE(first, 0);
-    // From the top of H to the bottom of g: capital height and descender of DejaVu Sans are 0.73 + 0.24 of 1.16 line
-    // heights.
+    // The rows reach from the top of H to the bottom of g. In DejaVu Sans, capital height and descender are 0.73 + 0.24
+    // of 1.16 line heights.
     EXPECT_GT(last - first, 0.75 * kTextLinePart * kSize.height);
     EXPECT_LT(last - first, 1.0 * kTextLinePart * kSize.height);
 }
@@ -323,7 +326,7 @@ TEST_F(RendererTest, different_texts_look_different_even_with_accents_and_other_
     }
     for (std::size_t i = 0; i < pictures.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
-            if (i == 6 && j == 5) continue;  // an unknown letter may be shown as a question mark
+            if (i == 6 && j == 5) continue;  // the font may show an unknown letter as a question mark
             EXPECT_NE(pictures[i].rgb, pictures[j].rgb) << i << " looks like " << j;
         }
 }
@@ -335,8 +338,7 @@ TEST_F(RendererTest, a_long_line_wraps_and_a_very_long_one_leaves_a_quarter_of_t
         for (int i = 0; i < words; ++i) view.last_spoken += "corridor ";
         return text_rows(draw(view), 0.25 * kSize.height).first;
     };
-    // Outlines of the room are white too, so the test looks at what changes: the first row that is black from side to
-    // side.
+    // Outlines of the room are white, too. So the test counts the rows that are black at both sides of the picture.
     const auto black_rows = [&](int words) {
         band_top(words);
         int rows = 0;
@@ -374,7 +376,8 @@ ViewState with_list(std::size_t items, std::size_t at) {
     return view;
 }
 
-// Rows of the bar behind the chosen item: those that are white in a column right of its text and left of the arrows.
+// Returns the rows of the bar behind the chosen item. They are white in a column to the right of the text and to the
+// left of the arrows.
 std::pair<int, int> bar_rows(const Picture& picture) {
     int first = -1, last = -1;
     for (int y = 95; y < static_cast<int>(kPictureHeight_px); ++y)
@@ -390,7 +393,7 @@ TEST_F(RendererTest, an_open_list_is_in_large_letters_with_the_chosen_item_inver
     const auto [first, last] = bar_rows(picture);
     ASSERT_GE(first, 0);
     EXPECT_EQ(last - first + 1, static_cast<int>(kTextLinePart * kSize.height));
-    // Nothing of the room is visible: only black, white, and the greys at the borders of letters.
+    // Nothing of the room may be visible: only black, white, and the greys at the borders of letters.
     EXPECT_EQ(count(picture, [](const Rgb& c) { return c[0] != c[1] || c[1] != c[2]; }).count, 0);
     const auto next = bar_rows(draw(with_list(4, 1)));
     EXPECT_EQ(next.first, first + static_cast<int>(kTextLinePart * kSize.height));
@@ -446,7 +449,7 @@ TEST_F(RendererTest, a_question_shows_the_typed_text_with_a_cursor_bar) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
     view.dialogue.kind = DialogueView::Kind::Text;
     view.dialogue.title = "What is its name?";
-    // The rightmost white pixel inside the frame is the cursor bar behind the last letter.
+    // The rightmost white pixel inside the frame is the cursor bar after the last letter.
     const auto bar = [&](const std::string& text) {
         view.dialogue.text = text;
         const Picture picture = draw(view);
@@ -513,7 +516,7 @@ TEST_F(RendererTest, the_plan_shows_an_arrow_that_turns_with_the_heading) {
     ViewState view = view_in(small_room(), 3.0, 2.0, 0.0);
     view.plan_view = true;
     view.feet_m = view.eyes_m = {3.0, 2.0, 0.0};
-    // The room is 6.4 by 4.4 m. The feet are in the middle of the room and of the picture.
+    // The room measures 6.4 by 4.4 m. The feet are in the middle of the room, which is in the middle of the picture.
     const Vec2 feet_px(480.0, 290.0);
     const auto tip = [&](double heading_degrees) {
         view.heading_rad = radians_from_degrees(heading_degrees);
@@ -536,7 +539,7 @@ TEST_F(RendererTest, the_plan_shows_an_arrow_that_turns_with_the_heading) {
     EXPECT_GT(east.x, 15.0);
     EXPECT_NEAR(east.y, 0.0, 3.0);
     EXPECT_GT(south.y, 15.0);
-    view.north_up = false;  // In walk mode the world turns and the arrow stays
+    view.north_up = false;  // in walk mode, the world turns and the arrow does not
     EXPECT_LT(tip(90.0).y, -15.0);
     EXPECT_LT(tip(200.0).y, -15.0);
 }
@@ -545,7 +548,7 @@ TEST_F(RendererTest, the_plan_shows_solid_walls_open_doors_and_the_walked_trail)
     ViewState view = view_in(small_room(), 3.0, 2.0, 0.0);
     view.plan_view = true;
     const Picture before = draw(view);
-    // The plan would fit at 0.94 * 580 px for 4.4 m, but the zoom stops at 100 px per metre.
+    // The room's 4.4 m would fit into 0.94 * 580 px, but the zoom stops at 100 px per metre.
     const auto px = [](double x_m, double y_m) {
         return Vec2(480.0 + 100.0 * (x_m - 3.0), 290.0 - 100.0 * (y_m - 2.0));
     };
@@ -565,7 +568,7 @@ TEST_F(RendererTest, the_plan_shows_solid_walls_open_doors_and_the_walked_trail)
 TEST_F(RendererTest, the_plan_shows_outlines_and_names_of_rooms_and_highlights_the_current_one) {
     ViewState view = two_rooms_on_the_plan();
     const Picture with = draw(view);
-    // 100 px per metre, with the middle of the world in the middle of the picture, as above.
+    // The scale is 100 px per metre, with the middle of the world in the middle of the picture.
     const auto px = [](double x_m, double y_m) {
         return Vec2(480.0 + 100.0 * (x_m - 3.0), 290.0 - 100.0 * (y_m - 2.0));
     };
@@ -587,8 +590,8 @@ TEST_F(RendererTest, the_plan_shows_outlines_and_names_of_rooms_and_highlights_t
         EXPECT_TRUE(black(at(with, px(0.25, y_m) - Vec2(5.0, 0.0))) || black(at(with, px(0.25, y_m) + Vec2(5.0, 0.0))))
             << "and is told from a pale floor";
     }
-    // Room names are black on white in the current room and white on black elsewhere. Letters are a twentieth of the
-    // picture.
+    // The room's name must be black on white in the current room, and white on black elsewhere. The letters are a
+    // twentieth of the picture's height.
     const auto colours = [&](const Picture& picture, const Vec2& middle) {
         int whites = 0, blacks = 0;
         for (int y = static_cast<int>(middle.y) - 14; y <= static_cast<int>(middle.y) + 14; ++y)
@@ -604,17 +607,17 @@ TEST_F(RendererTest, the_plan_shows_outlines_and_names_of_rooms_and_highlights_t
     EXPECT_GT(here_black, 150) << "letters";
     EXPECT_GT(there_black, there_white);
     EXPECT_GT(there_white, 150) << "letters";
-    // The walker is in the other room now; nothing else has changed.
+    // The walker is now in the other room, and nothing else has changed.
     view.room = 1;
     const Picture other = draw(view);
     EXPECT_GT(whites_across(other, 5.75, 0.6), whites_across(other, 0.25, 0.6));
     const auto [now_white, now_black] = colours(other, px(4.5, 2.0));
     EXPECT_GT(now_white, now_black);
-    // A room of another storey is not drawn: without it the picture is the same.
+    // The plan must not show a room of another storey: without that room, the picture must be the same.
     std::vector<DrawnRoom> storey{(*view.rooms)[0], (*view.rooms)[1]};
     view.rooms = std::make_shared<const std::vector<DrawnRoom>>(std::move(storey));
     EXPECT_EQ(draw(view).rgb, other.rgb);
-    // While no rooms are known, the plan has no room outlines.
+    // If the session knows no rooms yet, the plan must have no room outlines.
     view.rooms.reset();
     EXPECT_EQ(whites_across(draw(view), 0.25, 0.6), 0);
 }
@@ -627,17 +630,17 @@ TEST_F(RendererTest, the_plan_separates_room_names_and_always_shows_that_of_the_
         crowd.back().area_m2 = 1.0 + i;
     }
     view.rooms = std::make_shared<const std::vector<DrawnRoom>>(crowd);
-    view.room = 3;  // among the smallest rooms
+    view.room = 3;  // one of the smallest rooms
     const Picture many = draw(view);
     view.rooms = std::make_shared<const std::vector<DrawnRoom>>(1, crowd[3]);
     view.room = 0;
     const Picture one = draw(view);
-    // Its name is at the same place in the same letters.
+    // The room's name must be at the same place in the same letters.
     for (int y = 278; y <= 302; ++y)
         for (int x = 300; x <= 360; ++x) EXPECT_EQ(many.at(x, y), one.at(x, y)) << x << ", " << y;
 }
 
-// Reports the cost and never asserts it, because it depends on the machine.
+// Prints the cost but does not assert it, because it depends on the machine.
 TEST_F(RendererTest, a_whole_map_is_drawn_without_holes_and_its_cost_reported) {
     const auto maps = with_real_worlds({project_root() / "worlds/maps/school.map"}, {"quake-e1m1.map"});
     const auto path = maps.back();
@@ -671,8 +674,8 @@ TEST_F(RendererTest, a_whole_map_is_drawn_without_holes_and_its_cost_reported) {
             view.proxy_m = view.eyes_m + 0.5 * forward_of_heading(view.heading_rad);
             (plan ? plan_s : first_person_s) += seconds([&] { draw(view); });
             if (plan) continue;
-            // The map is closed: in every direction from the start there is a surface or an outline, and black only
-            // next to the white.
+            // The map is closed. So each direction from the start must show a surface or an outline, and black pixels
+            // only next to white ones.
             const int holes = count(last_, black).count;
             EXPECT_LT(holes, 0.25 * kSize.width * kPictureHeight_px) << "looking in direction " << i;
         }

@@ -19,11 +19,11 @@ void add_box(Scene& scene, const Vec3& min_m, const Vec3& max_m, FeatureKind kin
 
 std::shared_ptr<const Scene> small_room(const Vec3& at_m = Vec3(0.0));
 
-// The view of a person at x, y in the room.
+// Returns the view of a person at x, y in the room.
 ViewState view_in(std::shared_ptr<const Scene> scene, double x_m, double y_m, double heading_degrees);
 
-// The plan of the small room as if it were two rooms of three metres next to each other. The feet are in the western
-// one, and there is an attic above the eastern one.
+// Returns the plan of the small room, drawn as if it were two rooms of three metres next to each other. The feet are in
+// the western room. An attic is above the eastern room.
 ViewState two_rooms_on_the_plan();
 
 }  // namespace handrail::test

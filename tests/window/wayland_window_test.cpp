@@ -1,4 +1,4 @@
-// The window on Wayland, without any X display.
+// Tests the window on Wayland, without any X display.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -40,14 +40,14 @@ protected:
             return condition();
         });
     }
-    // The latest focus event; empty if there was none.
+    // Returns the latest focus event; empty if there was none.
     std::optional<bool> has_focus() const {
         std::optional<bool> focused;
         for (const WindowEvent& event : events_)
             if (const auto* change = std::get_if<FocusChange>(&event)) focused = change->focused;
         return focused;
     }
-    // Names of keys that were pressed, with a minus for released ones.
+    // Returns the names of pressed keys, and those of released keys with a minus in front.
     std::vector<std::string> keys() const {
         std::vector<std::string> names;
         for (const WindowEvent& event : events_)
@@ -92,7 +92,7 @@ TEST_F(WaylandWindow, releases_held_keys_when_the_keyboard_is_lost_and_reports_i
     EXPECT_TRUE(wait_for([&] { return has_focus() == true; }));
 }
 
-// Nothing polls the window in this test.
+// Nothing polls the window in this test, but the events must still arrive.
 TEST_F(WaylandWindow, reports_a_watched_key_and_the_loss_of_the_keyboard_without_polling) {
     std::atomic<int> stops{0}, others{0};
     std::atomic<bool> focused{true};
@@ -108,7 +108,7 @@ TEST_F(WaylandWindow, reports_a_watched_key_and_the_loss_of_the_keyboard_without
     EXPECT_TRUE(eventually([&] { return !focused; }));
     ASSERT_TRUE(session_->give_keyboard());
     EXPECT_TRUE(eventually([&] { return focused.load(); }));
-    // The window's own events are still complete.
+    // The window must still deliver its own events completely.
     EXPECT_TRUE(wait_for([&] { return has_focus() == true && keys().size() >= 8; }));
     const auto all = keys();
     EXPECT_EQ(std::count(all.begin(), all.end(), "F12"), 1);

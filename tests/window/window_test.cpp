@@ -53,7 +53,7 @@ protected:
         auto opened = Window::open();
         ASSERT_TRUE(opened.has_value()) << opened.error().sentence();
         window_ = std::move(*opened);
-        // There is no window manager, so nothing else gives the window the keyboard.
+        // There is no window manager, so the test must give the window the keyboard focus.
         ASSERT_TRUE(display_->xdotool("search --sync --onlyvisible --name '^Handrail$' windowfocus --sync"));
         window_->poll();
     }
@@ -94,7 +94,7 @@ protected:
     std::vector<WindowEvent> events_;
 };
 
-// A second client of the X server, which sees and does what a desktop sees and does.
+// A second client of the X server, which sees the screen and acts like a desktop.
 class Desktop {
 public:
     Desktop() : display_(XOpenDisplay(nullptr)) {
@@ -230,7 +230,7 @@ TEST_F(WindowTest, releases_held_keys_when_the_focus_is_lost_and_reports_its_ret
     ASSERT_TRUE(wait_for([&] { return count<FocusChange>() == 2; }));
 }
 
-// Nothing polls the window here; urgent events must still arrive.
+// Nothing polls the window in this test. Urgent events must still arrive.
 TEST_F(WindowTest, reports_a_watched_key_and_the_loss_of_the_keyboard_without_polling) {
     std::atomic<int> stops{0}, others{0};
     std::atomic<bool> focused{true};
@@ -246,7 +246,7 @@ TEST_F(WindowTest, reports_a_watched_key_and_the_loss_of_the_keyboard_without_po
     EXPECT_TRUE(eventually([&] { return !focused; }));
     ASSERT_TRUE(display_->xdotool("search --name '^Handrail$' windowfocus --sync"));
     EXPECT_TRUE(eventually([&] { return focused.load(); }));
-    // The window's own events are still complete.
+    // The window must still deliver its own events completely.
     EXPECT_TRUE(wait_for([&] { return count<FocusChange>() == 2; }));
     const auto all = keys();
     EXPECT_EQ(std::count(all.begin(), all.end(), press("F12")), 1);
@@ -309,7 +309,7 @@ TEST_F(WindowTest, shows_an_open_list_in_black_and_white) {
     };
     EXPECT_TRUE(shown());
     const Picture first = screen;
-    // The bar of the chosen item, right of its text, is as high as a line of letters.
+    // To the right of the text, the bar of the chosen item must be as high as a line of text.
     int bar = 0;
     for (int y = 95; y < 580; ++y) bar += screen.at(850, y)[0] > 250;
     EXPECT_EQ(bar, 60);
@@ -318,7 +318,7 @@ TEST_F(WindowTest, shows_an_open_list_in_black_and_white) {
     EXPECT_NE(screen.rgb, first.rgb);
     view.dialogue = {};
     EXPECT_TRUE(shown());
-    bool grey = false;  // the room is visible again
+    bool grey = false;  // true if the room is visible again
     for (int y = 95; y < 580; ++y) grey |= screen.at(850, y)[0] > 40 && screen.at(850, y)[0] < 215;
     EXPECT_TRUE(grey);
 }
@@ -343,7 +343,7 @@ protected:
     std::string layout() const override { return GetParam(); }
 };
 
-// Letter keys once acted by their place on an American keyboard, while help and documents name letters.
+// Letter keys once acted by their place on an American keyboard, while help and documents name them by their letters.
 TEST_P(WindowOnALayout, reads_letters_by_their_key_labels_and_digits_by_their_place) {
     ASSERT_TRUE(display_->xdotool("key a q z y w m s F2"));
     ASSERT_TRUE(wait_for([&] { return keys().size() >= 16; }));
@@ -352,7 +352,7 @@ TEST_P(WindowOnALayout, reads_letters_by_their_key_labels_and_digits_by_their_pl
         for (const KeyEvent& event : {press(key), release(key)}) wanted.push_back(event);
     EXPECT_EQ(keys(), wanted);
     events_.clear();
-    ASSERT_TRUE(display_->run("xdotool key 10"));  // the code of the key left of the 2, whatever its label
+    ASSERT_TRUE(display_->run("xdotool key 10"));  // the code of the key to the left of the 2, whatever its label is
     ASSERT_TRUE(wait_for([&] { return keys().size() >= 2; }));
     EXPECT_EQ(keys().front(), press("1"));
 }

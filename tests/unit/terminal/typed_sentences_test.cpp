@@ -1,4 +1,4 @@
-// Whole sentences, as typed by people who do not know the words of commands.
+// Tests whole sentences, as people type them who do not know the words of commands.
 #include "app/core/dialogue/typed_sentences.h"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@ namespace typed_sentences_test {
 
 using testing::HasSubstr;
 
-// The pattern as a person might type it, with a count and a name filled in.
+// Returns the pattern as a person might type it, with a count and a name filled in.
 std::string said(std::string pattern) {
     for (const auto& [slot, with] : {std::pair<std::string, std::string>{"<count>", "3"}, {"<name>", "Blue Room"}})
         if (const std::size_t at = pattern.find(slot); at != std::string::npos) pattern.replace(at, slot.size(), with);

@@ -1,4 +1,4 @@
-// The contract of `handrail touch`: its input, its output and what it refuses.
+// Tests the contract of `handrail touch`: its input, its output and what it refuses.
 #include <sstream>
 
 #include "app/main/commands.h"
@@ -22,7 +22,7 @@ struct Row {
     const std::string& fault() const { return cells.at(12); }
 };
 
-// RFC 4180 with one line per row, because no name in the tests contains a line break.
+// Parses CSV as RFC 4180 defines it, but with one line per row, because no name in the tests contains a line break.
 std::vector<Row> rows_of(const std::string& csv) {
     std::vector<Row> rows;
     std::istringstream lines(csv);
@@ -51,7 +51,7 @@ std::vector<Row> rows_of(const std::string& csv) {
     return rows;
 }
 
-// The table's top is at z = 0. It has 128 x 128 x 32 units and is 4 m wide at 1/32 m per unit.
+// The table's top is at z = 0. The table measures 128 x 128 x 32 units, so it is 4 m wide at 1/32 m per unit.
 class TouchCommand : public testing::Test {
 protected:
     TemporaryFolder folder_;
@@ -77,7 +77,7 @@ protected:
         EXPECT_EQ(run(csv), 0) << error_;
         return rows_of(content_of(arguments_.out_csv));
     }
-    // Moves down at 0.1 m/s to `depth` below the table's top, then holds.
+    // Returns a path that moves down at 0.1 m/s to `depth` below the table's top and then stays there for `hold` rows.
     static std::string press(double depth, int hold = 50) {
         std::string csv = "t,x,y,z\n";
         int i = 0;
@@ -111,7 +111,8 @@ TEST_F(TouchCommand, presses_back_with_800_newtons_per_metre_and_names_the_touch
     EXPECT_EQ(last.fault(), "");
 }
 
-// A crate of 1 kg, half a metre wide, on a floor. The hand moves 20 cm beyond the original place of its side.
+// A crate of 1 kg, half a metre wide, stands on a floor. The hand pushes one of its sides and moves on to 20 cm beyond
+// where that side was.
 TEST_F(TouchCommand, pushes_free_bodies_in_virtual_time_with_bit_identical_results) {
     const auto world = [](const std::string& free) {
         return entity("worldspawn", "", room_brushes(-128, -128, 0, 128, 128, 96)) +
@@ -124,12 +125,12 @@ TEST_F(TouchCommand, pushes_free_bodies_in_virtual_time_with_bit_identical_resul
     const auto pushed = [&](const std::string& free) {
         arguments_.world = folder_.write("crate.map", world(free));
         std::vector<Row> out = rows(push);
-        for (Row& row : out) row.cells.pop_back();  // removes the duration of the tick
+        for (Row& row : out) row.cells.pop_back();  // removes the column with the duration of the tick
         return out;
     };
     const std::vector<Row> fixed = pushed(""), first = pushed(key("free", "1") + key("mass", "1"));
     ASSERT_EQ(fixed.size(), first.size());
-    // A fixed crate holds the proxy at its side. A free crate moves along, and the hand feels its friction.
+    // A fixed crate must stop the proxy at its side. A free crate must move along, and the hand must feel its friction.
     const double side_m = fixed.back().proxy().x;
     EXPECT_NEAR(side_m, -0.25 - 0.005, 0.01);
     EXPECT_GT(first.back().proxy().x, side_m + 0.15);
@@ -139,7 +140,7 @@ TEST_F(TouchCommand, pushes_free_bodies_in_virtual_time_with_bit_identical_resul
     for (std::size_t i = 0; i < first.size(); ++i) ASSERT_EQ(again[i].cells, first[i].cells) << "row " << i;
 }
 
-// Rows far apart in time do not run for ever, and a pushed body has come to rest by then.
+// If rows are far apart in time, the command must still end. By the later row, the pushed body must have come to rest.
 TEST_F(TouchCommand, terminates_for_rows_a_year_apart_with_moving_bodies) {
     arguments_.world =
         folder_.write("crate.map", entity("worldspawn", "", room_brushes(-128, -128, 0, 128, 128, 96)) +
@@ -159,12 +160,12 @@ TEST_F(TouchCommand, accepts_radius_stiffness_scale_and_map_scale) {
     arguments_.scale_world_m_per_hand_m = 1.0;
     arguments_.radius_m = 0.005;
     arguments_.common.map_scale_m_per_unit = 1.0 / 64.0;
-    // The table now reaches 1 m from its middle to its edge; there is nothing outside it.
+    // At this scale, the table reaches 1 m from its middle to its edge. Beyond the edge is nothing.
     EXPECT_EQ(rows("t,x,y,z\n0,1.5,0,0.01\n0.001,1.5,0,0.009\n0.002,1.5,0,-0.1\n").back().force(), Vec3(0.0));
 }
 
 TEST_F(TouchCommand, rubs_with_the_given_friction_and_damping) {
-    arguments_.friction_kinetic = 0.4;  // sets static friction too
+    arguments_.friction_kinetic = 0.4;  // also sets the static friction
     std::string csv = press(0.0);
     for (int i = 1; i <= 400; ++i) csv += fmt::format("{},{},0,0\n", 1.0 + i * 1e-3, i * 1e-4);
     Row last = rows(csv).back();
@@ -219,7 +220,7 @@ TEST_F(TouchCommand, applies_stiffness_rating_peak_force_and_jump_check_of_a_dev
     EXPECT_NEAR(last.force().z, std::min(0.8 * spec->rated_stiffness_n_per_m * 0.006, spec->peak_force_n), 1e-9);
     last = rows(press(0.1)).back();
     EXPECT_NEAR(last.force().z, spec->peak_force_n, 1e-12);
-    // A spike gives one bad row. So does a real jump, after which the new place is accepted.
+    // A spike in the path gives one bad row. A real jump also gives one; after it, the new place is accepted.
     const std::vector<Row> spike = rows("t,x,y,z\n0,0,0,1\n1,0,0,1.06\n2,0,0,1.001\n3,0.03,0,1\n4,0.031,0,1\n");
     EXPECT_EQ(spike[1].fault(), "jump");
     EXPECT_EQ(spike[1].proxy(), Vec3(0, 0, 1));

@@ -1,4 +1,4 @@
-// Transcripts of scenarios: the command that writes them. Different events must never give the same text.
+// Tests the command that writes transcripts of scenarios. Different events must never give the same text.
 #include "app/main/transcript.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// The validators find inconsistencies, and find none in what the program generates. Violating a caller's contract ends
-// the program and names the place.
+// The validators must find inconsistencies, and must find none in what the program generates. If a caller violates a
+// contract, the program must end and name the place in the code.
 #include <functional>
 
 #include "app/core/desk/desk.h"
@@ -39,7 +39,7 @@ TEST(Validate, finds_no_fault_in_scenes_made_from_worlds) {
         }
         const WalkerSize size = body_size(scene, 0.25);
         const auto made = Navigation::make(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
-        if (!made) continue;  // nothing to walk on in this world
+        if (!made) continue;  // this world has no walkable area
         const auto space = validate((*made)->space());
         EXPECT_TRUE(space) << space.error().message;
         const auto rooms = validate(make_rooms(scene, (*made)->space()), (*made)->space());

@@ -1,5 +1,5 @@
-// Environment for lessons in tests: a private home folder, a learner who consents to everything, the lesson as the
-// command line begins it, and the instructor's desk.
+// What tests of lessons need: a private home folder, a learner who consents to everything, the lesson as the command
+// line begins it, and the instructor's desk.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -37,7 +37,8 @@ public:
     DeskLine(const DeskLine&) = delete;
     DeskLine& operator=(const DeskLine&) = delete;
     bool connected() const { return connected_; }
-    // Returns what the desk has sent since the last time, including the answer to this command.
+    // Sends a command to the desk. Returns what the desk has sent since the last call, including the answer to this
+    // command.
     std::string order(Sitting& sitting, const std::string& words) const {
         const std::string line = words + "\n";
         if (::send(socket_, line.data(), line.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(line.size())) return {};
@@ -60,7 +61,7 @@ protected:
             std::filesystem::create_directories(home_.path() / name);
         std::filesystem::permissions(home_.path() / "run", std::filesystem::perms::owner_all);
     }
-    // Makes the learner, who consents to these purposes.
+    // Makes the learner, with consent to the purposes in `agreed`.
     static Learner pupil(std::span<const Purpose> agreed = kPurposes) {
         Learners learners(user_data_folder());
         const auto made = learners.make(kPupil, {});
@@ -72,7 +73,7 @@ protected:
         return *made;
     }
 
-    // The arguments of `handrail lesson FILE --learner NAME --session N`.
+    // Returns the arguments of `handrail lesson FILE --learner NAME --session N`.
     static ExploreArguments taught(const std::filesystem::path& file, std::size_t session) {
         LessonCall call;
         call.arguments.file = file;

@@ -1,6 +1,7 @@
-// Ten lessons whose learners walk, stop, query and answer at random. The test calculates all measures again, by plain
-// sums over the lines and tables of their recordings. Some measures depend on when a sample was taken: ten times a
-// second in the lesson, sixty times in the tables. For these the sums give the smallest and largest permissible value.
+// Runs ten lessons whose learners walk, stop, query and answer at random. The test calculates all measures a second
+// time, by plain sums over the lines and tables of the recordings. Some measures depend on when a sample was taken: the
+// lesson samples ten times a second, the tables sixty times. For these, the sums give the smallest and the largest
+// permissible value.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace measured_again_test {
 
 namespace fs = std::filesystem;
 
-// Plain rooms, so that the walls are four lines.
+// Rectangular rooms, so that the walls are four lines.
 constexpr const char* kLibrary =
     "Building: Town library.\n"
     "Walls: 0.2 metres thick.\n\n"
@@ -106,14 +107,14 @@ private:
     int chance(int of) { return static_cast<int>(draw_() % static_cast<std::uint64_t>(of)); }
     double between(double least, double most) { return least + (most - least) * chance(1001) / 1000.0; }
 
-    // Random actions that anybody does now and then.
+    // Does something that any learner does now and then, chosen at random.
     void dawdles() {
         switch (chance(7)) {
             case 0:
                 return sitting_.live(between(3.0, 5.0));
             case 1:
                 return sitting_.live(0.7);
-            case 2:  // looks through a list of rooms and leaves it
+            case 2:  // looks through the list of rooms and leaves it
                 sitting_.key("Shift+4");
                 for (int down = chance(4); down > 0; --down) sitting_.key("Down");
                 sitting_.live(between(0.0, 4.0));
@@ -183,14 +184,15 @@ private:
     std::mt19937_64 draw_;
 };
 
-// ---- the measures calculated again ----
+// ---- the second calculation of the measures ----
 
 struct Range {
     double least = 0.0, most = 0.0;
 };
 using Ranges = std::map<std::string, Range>;
 
-constexpr double kLooks_s = 0.15;  // a lesson samples ten times a second, and acts a frame later
+// Time by which the lesson may be late: it samples ten times a second and acts a frame later.
+constexpr double kLooks_s = 0.15;
 
 class Sums {
 public:
@@ -209,7 +211,7 @@ public:
         span(busy_, open_s, false, end_s), span(busy_, speaks_s, false, end_s), span(led_, led_s, false, end_s);
     }
 
-    // The measures of each measured task, in order.
+    // Returns the measures of each measured task, in order.
     std::vector<std::pair<std::string, Ranges>> tasks() {
         std::vector<std::pair<std::string, Ranges>> tasks;
         double from_s = 0.0;
@@ -228,7 +230,7 @@ public:
         std::optional<Vec3> last_m;
         Vec3 before_m{0.0};
         for (const FrameRow& frame : frames(from_s, to_s)) {
-            // Nobody walks this far between two samples, so the walker was moved.
+            // Nobody walks this far between two samples, so something placed the walker elsewhere.
             if (last_m && flat(frame.feet_m, before_m) > 0.5) last_m.reset();
             before_m = frame.feet_m;
             if (!last_m) last_m = frame.feet_m;
@@ -239,8 +241,8 @@ public:
         }
         return {0.97 * way_m - 0.3, 1.03 * way_m + 0.3};
     }
-    // The rooms that the walker was in, in order. A position counts for a room if it is at least in_m inside the
-    // outline.
+    // Returns the rooms that the walker visited, in order. A position counts for a room if it is at least `in_m` inside
+    // the room's outline.
     std::vector<std::string> rooms(double from_s, double to_s, double in_m) const {
         std::vector<std::string> rooms;
         for (const FrameRow& frame : frames(from_s, to_s))
@@ -276,9 +278,11 @@ private:
         const auto begin = at(from_s + 1e-3), end = at(to_s + 1e-3);
         return {begin, end};
     }
-    // In the frame of a line the walker may have been moved already.
+    // Returns the frame before a line. In the frame of the line itself, the lesson may already have placed the walker
+    // elsewhere.
     const FrameRow& frame_before(double t_s) const { return frames(-1.0, t_s - 0.01).back(); }
-    // Number of lines of that kind: least without those near the ends, most with them.
+    // Counts the recorded lines that satisfy `is`. `least` omits lines close to either end of the period; `most`
+    // includes those just outside it.
     Range count(const std::function<bool(const Json&)>& is, double from_s, double to_s) const {
         Range range;
         for (const auto& [t_s, json] : lines_) {
@@ -297,7 +301,8 @@ private:
                           : 0.0;
         return busy_s;
     }
-    // Number and total duration of the stays within 0.15 m that last longer than `longer_s`.
+    // Returns the number and the total duration of the learner's pauses. A pause is a stay within 0.15 m that lasts
+    // longer than `longer_s`.
     std::pair<int, double> stays(double from_s, double to_s, double longer_s) const {
         const auto all = frames(from_s, to_s);
         int count = 0;
@@ -330,8 +335,9 @@ private:
         };
         return {episodes(from_s + kLooks_s, to_s - kLooks_s), episodes(from_s - kLooks_s, to_s + kLooks_s)};
     }
-    // Percentage of the hall's four walls that is known. Where the walker was as near as one who trails or bumps, a
-    // walker's width of wall is known. A walker guided to a wall counts as trailing from 0.3 m in front of it.
+    // Returns how much of the hall's four walls the learner knows, in percent. If the walker was near enough to trail
+    // or touch a wall, a walker's width of that wall counts as known. A walker who was guided to a wall counts as
+    // trailing from 0.3 m in front of it.
     Range walls(double until_s) const {
         const StatedRoom& hall = scene_.stated->rooms[0];
         const auto corners = box(hall);
@@ -361,7 +367,7 @@ private:
         };
         return {share(kBody_m + 0.04, 0.8 * kBody_m) - 5.0, share(kBody_m + 0.35, 1.2 * kBody_m) + 5.0};
     }
-    // Answers to questions that a task asked, within the time of the task.
+    // Returns the answers to questions of the task, within the time of the task.
     std::vector<std::pair<double, std::string>> answers(double from_s, double to_s) const {
         std::vector<std::pair<double, std::string>> answers;
         for (const auto& [t_s, json] : lines_)
@@ -415,7 +421,7 @@ private:
         const double mean = std::pow(product, 1.0 / static_cast<double>(at));
         ranges["distance_judged"] = {mean - 1e-6, mean + 1e-6};
     }
-    // Compares the lists as they were shown with the choices made from them.
+    // Computes the order measure from the lists that the task showed and the choices that the learner made.
     void add_order(Ranges& ranges, double from_s, double to_s) {
         std::vector<std::string> shown;
         for (const auto& [t_s, json] : lines_)
@@ -467,13 +473,13 @@ private:
     std::vector<Span> busy_, led_;
 };
 
-// Measures of a task that these sums do not cover.
+// Returns true for measures of a task that these sums do not cover.
 bool not_summed(const std::string& key) {
     return key == "turns_missed" || key == "turns_early" || key == "exits_percent" || key == "pointing_side" ||
            key.starts_with("strategy_");
 }
 
-// Whether `whole` contains all entries of `part` in this order, possibly with others between them.
+// Returns whether `whole` contains all entries of `part` in this order, possibly with others between them.
 bool holds_in_order(const std::vector<std::string>& whole, const std::vector<std::string>& part) {
     auto at = whole.begin();
     for (const std::string& name : part) {
@@ -488,13 +494,15 @@ bool holds_in_order(const std::vector<std::string>& whole, const std::vector<std
 Result<Recording> recording_of(const Learner& learner) {
     return read_recording(fs::directory_iterator(Learners(user_data_folder()).recordings_of(learner.id))->path());
 }
-// Without memory, so that knowledge from an earlier lesson does not count in this one.
+// The learner does not consent to being remembered, so what they learnt in an earlier lesson does not count in this
+// one.
 constexpr std::array kAgreed = {Purpose::Record};
 
 class MeasuredAgain : public LessonHome, public testing::WithParamInterface<int> {};
 using JumpMeasured = LessonHome;
 
-// The lesson samples every sixth frame, before it gets the events of that frame.
+// The lesson samples every sixth frame, before it receives the events of that frame. So the test tries the jump in each
+// of six frames.
 TEST_F(JumpMeasured, is_not_counted_as_walking_in_any_frame) {
     constexpr int kFrames = 6;
     home_.write("library.rooms", kLibrary);
@@ -622,7 +630,7 @@ TEST_P(MeasuredAgain, from_the_recording_of_a_lesson_all_results_match_what_was_
     EXPECT_TRUE(holds_in_order(sums.rooms(events.from_s, events.to_s, -0.1), report->rooms));
 }
 
-// A sanitizer gets only three, because all run the same code.
+// Under a sanitizer, the test runs only three lessons, because all run the same code.
 INSTANTIATE_TEST_SUITE_P(Pupil, MeasuredAgain, testing::Range(1, kSanitizerScale == 1.0 ? 11 : 4));
 
 }  // namespace measured_again_test

@@ -24,7 +24,8 @@ EnteringWorld world_of(const std::filesystem::path& file) {
 }  // namespace
 
 double Sway::next_m() {
-    constexpr double kStays = 0.9915;  // fraction that remains from frame to frame: 0.95 in a tenth of a second
+    // Fraction of the sway that remains from frame to frame: 0.95 in a tenth of a second.
+    constexpr double kStays = 0.9915;
     now_m_ = kStays * now_m_ + std::sqrt(1.0 - kStays * kStays) * size_m_ * normal_(draw_);
     return now_m_;
 }
@@ -89,7 +90,7 @@ void Sitting::end() {
     worlds_->end();
 }
 
-// In the same order as app/main/explore_command.
+// Does the work of a frame in the same order as app/main/explore_command.
 void Sitting::frame() {
     const double due_s = begun_s_ + static_cast<double>(++frames_) * kFrame_s;
     for (double step_s = begun_s_ + static_cast<double>(steps_ + 1) * kStep_s; step_s < due_s;
@@ -161,7 +162,7 @@ void Sitting::face(const Vec3& at) {
     frame();
 }
 
-// Walks straight from one place to the next.
+// Walks straight from `from` to `to`.
 Sitting::Came Sitting::leg(const Vec3& from, const Vec3& to, Sway* sway) {
     constexpr double kNear_m = 0.2, kLookAhead_m = 0.6, kPut_m = 1.0;
     const Vec3 whole = to - from;
@@ -177,7 +178,7 @@ Sitting::Came Sitting::leg(const Vec3& from, const Vec3& to, Sway* sway) {
         const Vec3 aim = from + along * std::min(long_m, gone_m + kLookAhead_m) + right * wanted_m - feet;
         const double off = wrap_angle(std::atan2(aim.x, aim.y) - app_.heading_rad());
         const bool goes = std::abs(off) < 0.4;
-        // A person who sways steps to the side rather than turns.
+        // A swaying person steps to the side instead of turning.
         const double side = sway && goes ? std::clamp(6.0 * (wanted_m - aside_m), -0.7, 0.7) : 0.0;
         app_.apply(Steered{{goes ? 1.0 : 0.0, side, std::clamp(3.0 * off, -1.0, 1.0)}}, clock_.now_s());
         frame();

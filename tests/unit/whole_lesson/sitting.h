@@ -1,7 +1,7 @@
-// A session of the program as app/main assembles it, without window, devices and sound card. It has the session, the
-// sounds and what both exchange, the visited world, the lesson with its desk, and the recording. Its clock moves only
-// on request, so minutes of a session pass in seconds. One thread runs it; as in the program, a background task finds
-// rooms.
+// A session of the program as app/main assembles it, without a window, devices and a sound card. It includes the
+// visited world, the lesson with its desk, the recording, and the sounds with what they and the session exchange. Its
+// clock moves only on request, so minutes of a session pass in seconds. One thread runs it. As in the program, a
+// background task finds rooms.
 #pragma once
 
 #include <memory>
@@ -19,12 +19,12 @@
 
 namespace handrail::test {
 
-// A person who sways around the intended line. The sway has this size, changes within two seconds, and is the same for
-// the same seed.
+// Simulates how a person sways around the intended line, by `size_m`. The sway changes within about two seconds. The
+// same seed gives the same sway.
 class Sway {
 public:
     Sway(double size_m, std::uint64_t seed) : size_m_(size_m), draw_(seed) {}
-    // Called once a frame: how far right of the line the person wants to be.
+    // Returns how far to the right of the line the person wants to be, in metres. The sitting calls this once a frame.
     double next_m();
 
 private:
@@ -38,35 +38,37 @@ class Sitting {
 public:
     static constexpr double kFrame_s = 1.0 / 60.0, kWordsPerMinute = 300.0;
 
-    // Starts as from the command line, with the world of the arguments, their lesson, learner and recording.
+    // Starts as the command line does, with the world, lesson, learner and recording of the arguments.
     explicit Sitting(ExploreArguments arguments);
     ~Sitting();
     Sitting(const Sitting&) = delete;
     Sitting& operator=(const Sitting&) = delete;
 
-    // Lets this much time pass.
+    // Lets `seconds` of the session pass.
     void live(double seconds);
-    // Waits for the background task that finds rooms and routes. Returns whether they are known.
+    // Waits until the background task has found rooms and routes. Returns whether the session knows them.
     bool know_rooms();
-    // If false, each frame also takes a real millisecond, so that background tasks keep up with lists that need them.
+    // If false, each frame also takes a real millisecond, so that background tasks can keep up with lists that need
+    // their results.
     void hurry(bool hurries) { hurries_ = hurries; }
 
-    // Presses keys, each down and up, then waits half a second for the reaction.
+    // Presses a key, or the keys of a text, each down and up. Then waits half a second for the reaction.
     void key(const std::string& name);
     void type(const std::string& text);
     void hold(Command command, double seconds);
     int keys() const { return keys_; }
 
-    // Walks through the places by stick: turns, moves, opens closed doors. Returns false if the route is blocked. If
-    // the lesson moves the walker meanwhile, the walk counts as arrived.
+    // Walks through the places with the stick: turns, moves, and opens closed doors. Returns false if something blocks
+    // the route. If the lesson places the walker elsewhere during the walk, the walk counts as complete.
     bool walk(const std::vector<Vec3>& places, Sway* sway = nullptr);
     void face(const Vec3& at);
-    // Deviation to the right of the intended lines on the last walks, sampled every tenth of a second.
+    // How far the walker was to the right of the intended lines on the last walks, in metres, sampled every tenth of a
+    // second.
     const std::vector<double>& aside_m() const { return aside_m_; }
 
     bool hears(const std::string& words, double within_s = 20.0);
     std::string all() const;
-    // Runs another lesson in parallel with that of the arguments; null: none.
+    // Also teaches another lesson, in parallel with that of the arguments. Null means none.
     void teach(TeachingRun* run) { beside_ = run; }
 
     Session& app() { return app_; }

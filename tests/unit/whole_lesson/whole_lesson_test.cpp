@@ -1,6 +1,7 @@
-// A lesson from its preparation to the deletion of its last trace, in our school and in a house by real architects. An
-// instructor prepares it by keys, and a learner takes its three sessions. Three kinds of walks are named correctly, the
-// report reads back, the recordings replay with the same lines, and the learner is deleted. Scenario 20 of the design.
+// A lesson from its preparation to the deletion of the learner's last trace, in the bundled school and in a house by
+// real architects. An instructor prepares the lesson by keys, and a learner takes its three sessions. The program must
+// recognise three kinds of walks, and read its report back. The recordings must replay with the same lines. Finally the
+// learner is deleted. This is scenario 20 of the design.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,14 +26,14 @@ namespace whole_lesson_test {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// The building of the lesson, and the words for it that are announced and typed.
+// The building of the lesson, and the words by which the session announces its places and the test types them.
 struct Building {
     fs::path world;
-    std::vector<std::string> stops, landmarks;  // beginnings of their entries in the lists
+    std::vector<std::string> stops, landmarks;  // beginnings of the entries of these places in the lists
     std::string destination;                    // the last stop
-    std::string door, misspelt;                 // the door that is blocked in the end, and its name with a typing error
-    Vec3 before_m{0.0};                         // a place in front of that door
-    std::string not_by = {};                    // a door that the route with help avoids; empty: none
+    std::string door, misspelt;  // the door that the instructor blocks at the end, and its name with a typing error
+    Vec3 before_m{0.0};          // a place in front of that door
+    std::string not_by = {};     // a door that the route with help must avoid; empty: none
     bool base_has_walls = true;
 };
 
@@ -72,7 +73,8 @@ protected:
         return files.empty() ? fs::path() : files[0];
     }
 
-    // Follows the walls, which is a task only if the base is in a room. Then points at each landmark.
+    // The learner follows the walls, which is a task only if the base is in a room. Then the learner points at each
+    // landmark.
     void first_session(const Building& at, const fs::path& file) {
         const ExploreArguments arguments = taught(file, 1);
         const TaughtWorld& world = *arguments.lesson->world;
@@ -83,7 +85,7 @@ protected:
         if (at.base_has_walls) {
             ASSERT_TRUE(sitting.hears("Get to know")) << sitting.all();
         }
-        // Stays in the hall where the wall leads out of it.
+        // Stops following the wall when it leads out of the hall.
         const std::string hall = sitting.app().lesson_view().room;
         for (int i = 0; i < 14 && sitting.app().lesson_view().room == hall; ++i) sitting.hold(Command::TrailRight, 2.0);
         if (sitting.app().lesson_view().room != hall) sitting.key("Home");
@@ -99,7 +101,7 @@ protected:
         sitting.live(3.0);
     }
 
-    // Walks the route four times, with less help each time.
+    // The learner walks the route four times, with less help each time.
     void second_session(const Building& at, const fs::path& file) {
         const ExploreArguments arguments = taught(file, 2);
         TaughtWorld& world = *arguments.lesson->world;
@@ -117,7 +119,7 @@ protected:
         sitting.live(3.0);
     }
 
-    // Walks alone, while the instructor blocks a door; then answers the questions.
+    // The learner walks without help, while the instructor blocks a door. Then the learner answers the questions.
     void third_session(const Building& at, const fs::path& file) {
         const ExploreArguments arguments = taught(file, 3);
         TaughtWorld& world = *arguments.lesson->world;
@@ -158,16 +160,17 @@ protected:
     }
 };
 
-// ---- walks of one kind, by a person who sways ----
+// ---- walks of one kind, by a swaying person ----
 
-// Along both walls in the west of the lower corridor, which have doors and no windows, and across at the ends.
+// Walks along both walls in the west of the lower corridor, and across the corridor at the ends. These walls have doors
+// and no windows.
 void along_walls(Sitting& sitting, TaughtWorld&, Sway& sway, std::uint64_t) {
     for (int lap = 0; lap < 6; ++lap)
         ASSERT_TRUE(sitting.walk({{4.2, 10.62, 0.0}, {11.6, 10.62, 0.0}, {11.6, 8.4, 0.0}, {4.2, 8.4, 0.0}}, &sway));
 }
 
-// Around a classroom, along its walls and whatever is on or in front of them: a board, a door, and a bookshelf and
-// plant pots that the walker must go around.
+// Walks around a classroom along its walls, past a board and a door. The walker must go around a bookshelf and plant
+// pots.
 void round_a_classroom(Sitting& sitting, TaughtWorld&, Sway& sway, std::uint64_t) {
     for (int lap = 0; lap < 2; ++lap)
         ASSERT_TRUE(sitting.walk({{7.05, 0.45, 0.0},
@@ -185,7 +188,7 @@ void round_a_classroom(Sitting& sitting, TaughtWorld&, Sway& sway, std::uint64_t
                                  &sway));
 }
 
-// Through the free half of the assembly hall in lanes a metre apart, back and forth.
+// Walks back and forth through the free half of the assembly hall, in lanes a metre apart.
 void in_lanes(Sitting& sitting, TaughtWorld&, Sway& sway, std::uint64_t) {
     bool up = true;
     for (const int lane : {0, 1, 2, 3, 4, 5, 4, 3, 2, 1, 0, 1, 2, 3, 4, 5, 4, 3, 2, 1, 0}) {
@@ -194,7 +197,7 @@ void in_lanes(Sitting& sitting, TaughtWorld&, Sway& sway, std::uint64_t) {
     }
 }
 
-// From one object of the library to another, at random.
+// Walks from one object of the library to another, at random.
 void from_thing_to_thing(Sitting& sitting, TaughtWorld& world, Sway& sway, std::uint64_t seed) {
     const std::vector<std::pair<Vec3, Vec3>> things = {{{16.0, 2.5, 3.4}, {15.3, 2.5, 3.4}},   // shelves
                                                        {{20.0, 2.55, 3.4}, {20.0, 1.6, 3.4}},  // the librarian's desk
@@ -218,7 +221,8 @@ struct WalkOfAKind {
     void (*walk)(Sitting&, TaughtWorld&, Sway&, std::uint64_t seed);
 };
 
-// Checks the share of time windows of such walks within a lesson that are named correctly.
+// Checks that the program recognises the kind of walk in at least 90 % of the time windows. The walks are part of a
+// lesson.
 void expect_right_names(const fs::path& lesson_file, const fs::path& world_file) {
     constexpr double kSway_m = 0.05;
     LessonFile lesson = *read_lesson(lesson_file, {world_file.parent_path()});
@@ -259,7 +263,7 @@ void expect_right_names(const fs::path& lesson_file, const fs::path& world_file)
     EXPECT_GT(sway_m, 0.8 * kSway_m);
 }
 
-// ---- what the lesson leaves behind ----
+// ---- what remains after the lesson ----
 
 double value_of(const std::vector<ResultRow>& rows, const std::string& session, const std::string& task,
                 const std::string& measure) {
@@ -270,8 +274,8 @@ double value_of(const std::vector<ResultRow>& rows, const std::string& session, 
     return std::nan("");
 }
 
-// Checks the summary lines, one every ten seconds from the lesson's begin on, and that one contains these words. The
-// lesson begins when the routes are known.
+// Checks that a summary line came every ten seconds from the beginning of the lesson, and that one of the lines
+// contains `words`. The lesson begins when the session knows the routes.
 void expect_summaries(const Recording& recording, const std::string& words) {
     const auto is = [](const RecordedLine& line, const char* act) { return line.json.find(act) != std::string::npos; };
     const auto begun = std::find_if(recording.lines.begin(), recording.lines.end(),
@@ -305,7 +309,7 @@ void WholeLesson::whole(const Building& at) {
     third_session(at, file);
     ASSERT_FALSE(HasFatalFailure());
 
-    // The replay gives the same lines in the same order.
+    // The replay must give the same lines in the same order.
     std::vector<fs::path> folders;
     for (const auto& entry : fs::directory_iterator(learners.recordings_of(pupil.id))) folders.push_back(entry.path());
     ASSERT_EQ(folders.size(), 3U);
@@ -314,7 +318,7 @@ void WholeLesson::whole(const Building& at) {
         const auto recording = read_recording(folder);
         ASSERT_TRUE(recording) << recording.error().sentence();
         EXPECT_TRUE(recording->ended && recording->problems.empty());
-        // A sanitizer gets only the first recording, because all run the same code.
+        // Under a sanitizer, the test replays only the first recording, because all run the same code.
         if (kSanitizerScale == 1.0 || folder == folders.front()) {
             const auto again = compute_again(*recording, {read_requested});
             ASSERT_TRUE(again) << again.error().sentence();
@@ -331,7 +335,7 @@ void WholeLesson::whole(const Building& at) {
         expect_summaries(*recording, walls ? "Along the walls." : "contact");
     }
 
-    // The report can be made, and both tables read back unchanged.
+    // Makes the report. Both tables must read back unchanged.
     const fs::path page = home_.path() / "page.html", csv = home_.path() / "results.csv",
                    json = home_.path() / "results.json";
     ReportArguments report;
@@ -352,7 +356,8 @@ void WholeLesson::whole(const Building& at) {
         EXPECT_TRUE(std::none_of(rows->begin(), rows->end(),
                                  [](const ResultRow& row) { return row.measure == "walls_percent"; }));
     EXPECT_LT(value_of(*rows, "1", "point", "pointing_off"), 5.0);
-    EXPECT_GE(value_of(*rows, "1", "session", "strategy_perimeter"), 20.0);  // of 28 s spent along the walls
+    // Percent of the time; the learner spent 28 s along the walls.
+    EXPECT_GE(value_of(*rows, "1", "session", "strategy_perimeter"), 20.0);
     const std::string go = " go " + at.destination;
     EXPECT_GT(value_of(*rows, "2", "2" + go, "led_time"), 5.0);
     EXPECT_EQ(value_of(*rows, "2", "5" + go, "led_time"), 0.0);
@@ -370,7 +375,7 @@ void WholeLesson::whole(const Building& at) {
         value_of(*rows, "3", go.substr(1), measure);
     EXPECT_THAT(content_of(page), HasSubstr("A door was blocked, and you found another route."));
 
-    // Nothing of the learner is left, while the instructor's lesson is.
+    // Nothing of the learner may remain, while the instructor's lesson must.
     std::istringstream nobody;
     std::ostringstream deleted;
     EXPECT_EQ(run_learner({.action = "delete", .name = kPupil, .yes = true}, nobody, deleted, err), 0) << err.str();
@@ -392,22 +397,24 @@ Building our_school() {
             .door = "Lift door",
             .misspelt = "Lift dor",
             .before_m = {14.1, 9.8, 0.0},
-            .not_by = "Lift door"};  // the stairs are as good a route as the lift, to which the learner is directed
+            // The stairs are as good a route as the lift, and the lesson directs the learner to the stairs.
+            .not_by = "Lift door"};
 }
 
 TEST_F(WholeLesson, is_prepared_taught_measured_replayed_and_forgotten) { whole(our_school()); }
 
-// The shares of correct names are the same under a sanitizer, and the walks would take too long there.
+// Sanitizers would give the same shares, and the walks would take too long under them.
 TEST_F(WholeLesson, recognises_three_kinds_of_walks) {
     if (kSanitizerScale == 1.0) expect_right_names(prepared(our_school()), our_school().world);
 }
 
-// The front door is blocked, so the route leads around the house and in through the terrace.
+// The front door is blocked, so the route must lead around the house and in through the terrace.
 TEST_F(WholeLesson, in_an_architects_house_works_from_preparation_to_complete_deletion) {
     if (kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the lesson in our school is enough";
     const auto file = test::real_world("duplex-apartment.ifc");
     if (!file) GTEST_SKIP() << test::needs_real_world("duplex-apartment.ifc");
-    const fs::path copy = home_.path() / file->filename();  // a copy, because the side file is next to it
+    // The test uses a copy, because the side file is written next to it.
+    const fs::path copy = home_.path() / file->filename();
     fs::copy_file(*file, copy);
     whole({.world = copy,
            .stops = {"liv"},
@@ -419,7 +426,7 @@ TEST_F(WholeLesson, in_an_architects_house_works_from_preparation_to_complete_de
            .base_has_walls = false});
 }
 
-// Five storeys of a faculty, from its main entrance; another entrance is around the corner.
+// The lesson begins at the main entrance of a faculty with five storeys. Another entrance is around the corner.
 TEST_F(WholeLesson, is_taught_in_a_faculty_of_498_rooms_mapped_by_volunteers) {
     if (kSanitizerScale < 1.0) GTEST_SKIP() << "under a sanitizer the lesson in our school is enough";
     const auto file = test::real_world("apb-tu-dresden.osm");

@@ -1,5 +1,5 @@
-// The set-up wizard with servo, cue planner and a voice that takes realistic time, on a virtual clock without threads.
-// The hand is on a simulated device or an emulated Falcon.
+// The set-up wizard together with the servo, the cue planner and a voice that takes realistic time. It runs on a
+// virtual clock without threads. The simulated hand is on a simulated device or on an emulated Falcon.
 #pragma once
 
 #include "app/wizard/wizard_session.h"
@@ -11,14 +11,14 @@
 
 namespace handrail::test {
 
-// A device and the hand on it.
+// A device with a simulated hand on it.
 class HeldDevice {
 public:
     virtual ~HeldDevice() = default;
     virtual Result<void> open(const std::function<void(const std::string&)>& tell) = 0;
     virtual HandFacts facts() const = 0;
     virtual HapticDevice& device() = 0;
-    // Sets the place, in the device's frame, that the hand tries to keep from now on.
+    // Sets the place that the hand tries to keep, in the device's frame.
     virtual void aim(const Vec3& at_m) = 0;
     virtual void button(bool down) = 0;
     virtual Vec3 force_on_hand_n() = 0;
@@ -51,7 +51,7 @@ private:
     SimulatedDevice device_;
 };
 
-// Asleep at first, wakes at the second attempt, and finds its zero when it is moved.
+// An emulated Falcon. It sleeps at first, wakes at the second attempt, and finds its zero when the hand moves it.
 class HeldFalcon final : public HeldDevice {
 public:
     explicit HeldFalcon(VirtualClock& clock);
@@ -78,7 +78,7 @@ class WizardRig {
 public:
     explicit WizardRig(std::string_view only = "", HeldDevice* held = nullptr, VirtualClock* clock = nullptr);
 
-    // Advances everything by one millisecond.
+    // Advances the whole rig by one millisecond.
     void advance();
     template <class Condition>
     bool run_until(Condition&& condition, double most_s = 60.0) {
@@ -98,7 +98,7 @@ public:
     bool has_said(std::string_view words) const;
     double now_s() const { return clock_.now_s(); }
     double force_n() { return held_ ? glm::length(held_->force_on_hand_n()) : 0.0; }
-    DeviceProfile profile() const;  // profile of the held device; empty if there is none
+    DeviceProfile profile() const;  // the held device's profile in the settings; empty if there is none
     int clicks() const;
 
     SettingsStore store;
@@ -106,7 +106,8 @@ public:
     RecordingAudio audio;
     RecordingSpeech speech{175.0};
     WizardSense sense;
-    double largest_force_n = 0.0, largest_step_n = 0.0;  // on the hand, since the start or the last forget_forces()
+    // Forces on the hand since the start or the last forget_forces().
+    double largest_force_n = 0.0, largest_step_n = 0.0;
     void forget_forces() { largest_force_n = largest_step_n = 0.0; }
 
 private:
@@ -122,19 +123,20 @@ private:
     std::vector<std::string> news_;
 };
 
-// A person who knows what to do and answers briskly when a question ends: hand speed 25 cm/s, 0.3 s to react.
+// Simulates a person who knows what to do and answers as soon as a question ends. The hand moves at 25 cm/s, and a
+// reaction takes 0.3 s.
 class BriskPerson {
 public:
     BriskPerson(WizardRig& rig, HeldDevice* held) : rig_(rig), held_(held) {}
-    // Answers every question to the end. Returns false if the wizard did not end within `most_s`.
+    // Answers every question until the wizard ends. Returns false if the wizard did not end within `most_s`.
     bool answer_all(double most_s);
 
-    double felt_n = 0.35;  // least force that the person notices
+    double felt_n = 0.35;  // least force that the person notices, in newtons
 
 private:
     void advance();
     void wait(double for_s);
-    void go(const Vec3& to_share);  // in units of the device's radius
+    void go(const Vec3& to_share);  // place in units of the device's radius
     void answer_one();
 
     WizardRig& rig_;

@@ -20,7 +20,7 @@ std::string joined(const std::vector<std::string>& lines) {
     return text;
 }
 
-// Checks that each of these was said, in this order.
+// Checks that the lines contain each of the `wanted` texts, in this order.
 void expect_in_order(const std::vector<std::string>& lines, std::initializer_list<const char*> wanted) {
     auto from = lines.begin();
     for (const char* words : wanted) {
@@ -66,8 +66,8 @@ TEST(WizardFromStartToEnd, with_a_simulated_touch_takes_a_brisk_person_less_than
     EXPECT_EQ(profile.hand, HoldingHand::Left);
     EXPECT_NEAR(profile.width_m.value(), 1.4 * 0.075, 0.01);
     EXPECT_NEAR(profile.depth_m.value(), 1.3 * 0.075, 0.01);
-    // Measured from 0.6 ahead to 0.7 behind, so the middle is 0.05 radii behind. The wizard wants 5 parts of the depth
-    // ahead of the body and 3 behind.
+    // The person moved from 0.6 radii ahead to 0.7 behind, so the middle is 0.05 radii behind. The wizard places 5 of 8
+    // parts of the depth ahead of the body and 3 behind.
     EXPECT_NEAR(profile.offset_ahead_m.value(), (0.125 * 1.3 + 0.05) * 0.075, 0.003);
     EXPECT_EQ(profile.scale, 60.0);
     EXPECT_EQ(rig.store.values().walk.step_length_m, 0.65);
@@ -225,7 +225,7 @@ TEST(Wizard, removes_all_force_at_once_on_the_stop_key) {
     held.aim({0.0, 0.0, 0.01});
     ASSERT_TRUE(rig.run_until([&] { return rig.force_n() > 0.3; }));
     rig.key("F12");
-    rig.run(0.003);  // the tick that receives the key, and the device's own delay
+    rig.run(0.003);  // covers the tick that receives the key, and the device's own delay
     EXPECT_EQ(rig.force_n(), 0.0);
     rig.run(1.0);
     EXPECT_EQ(rig.force_n(), 0.0);
@@ -338,7 +338,7 @@ TEST(Wizard, continues_without_an_unplugged_device_and_without_its_force) {
         << "after the alarm";
 }
 
-// Either Enter or the force key confirms, because the message of some faults names the force key.
+// Enter and the force key must both confirm, because the messages of some faults name the force key.
 TEST(Wizard, announces_a_latched_fault_which_enter_or_the_force_key_confirms) {
     for (const char* key : {"Enter", "F"}) {
         SCOPED_TRACE(key);
@@ -424,7 +424,7 @@ TEST(WizardWords, are_spoken_and_typed_in_german_or_in_english_as_before) {
     EXPECT_EQ(parse_wizard_line("schluss")->events.size(), 2U);
 }
 
-// The program understands the words that the German texts ask a person to type.
+// The program must understand the words that the German texts ask a person to type.
 TEST(WizardWords, that_german_texts_mention_are_understood) {
     const InLanguage german("de");
     int seen = 0;

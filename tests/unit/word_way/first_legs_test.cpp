@@ -1,4 +1,4 @@
-// The first legs of a route for words are planned before the rest, which is planned after them.
+// When a route for directions is planned, a first task plans the first legs, and a later task plans the rest.
 #include "app/core/wayfinding/directions_ground.h"
 #include "tests/support/names.h"
 #include "tests/unit/core/app_session.h"
@@ -8,7 +8,7 @@
 namespace handrail {
 namespace first_legs_test {
 
-// The floor of the house, as a session makes it.
+// The ground for directions in the house, as a session makes it.
 struct House {
     std::shared_ptr<const Scene> scene = test::our_world("house.map");
     std::vector<int> thing_of_mover;
@@ -56,7 +56,7 @@ TEST(FirstLegs, are_the_same_as_the_beginning_of_the_whole_route) {
     EXPECT_GE(in_parts, 5);
 }
 
-// Runs each task at once, but holds back those that plan routes for words until they are released.
+// Runs each task immediately, but holds back the tasks that plan routes for directions until release().
 class HeldBack : public Executor {
 public:
     std::thread run(const char* name, std::function<void()> job) const override {
@@ -74,7 +74,7 @@ private:
     mutable std::vector<std::function<void()>> held_;
 };
 
-// A person in the school who has chosen a distant room and has heard the first leg.
+// A person in the school, who has chosen a distant room and heard the first leg.
 struct OnTheWay {
     HeldBack executor;
     test::AppSession person{{}, {}, SessionOptions{.executor = executor}};

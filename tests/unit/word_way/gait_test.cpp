@@ -1,5 +1,5 @@
-// What a walk does when it meets something: it slides along obstacles at a slant and into the doorway whose frame it
-// meets, and is stopped by the rest. Also steps to the side.
+// Tests what happens when a walk meets an obstacle. The walker slides along obstacles that it meets at a slant, and
+// into a doorway whose frame it meets. All other obstacles stop it. Also tests steps to the side.
 #include "app/core/walking/gait.h"
 
 #include <cmath>
@@ -14,8 +14,8 @@ namespace gait_test {
 
 constexpr double kTick_m = 0.02;
 
-// The first result that is not On or Along if each tick achieves this share of its movement, and the distance until
-// then; none: the walk continues.
+// Walks while each tick achieves the fraction `part` of its movement. Returns the first result that is Stopped or
+// Aside, and the distance until then; empty if the walk continues.
 std::optional<std::pair<Gait::Course, double>> ends(double part, const std::optional<double>& aside_m = std::nullopt) {
     Gait gait;
     for (double far_m = kTick_m; far_m < 2.0; far_m += kTick_m) {
@@ -50,12 +50,12 @@ TEST(Gait, slides_into_a_doorway_at_most_twice_and_never_if_it_is_straight_ahead
     gait.went_aside(0.04, 0.03);
     EXPECT_EQ(gait.aside_left_m(), 0.0);
     EXPECT_EQ(gait.went(kTick_m, 0.0, true, to_the_left), Gait::Course::Aside);
-    gait.went_aside(0.02, 0.0);  // something is in the way there too
+    gait.went_aside(0.02, 0.0);  // the walker meets something there, too
     EXPECT_EQ(gait.aside_left_m(), 0.0);
     EXPECT_EQ(gait.went(kTick_m, 0.0, true, to_the_left), Gait::Course::Stopped);
 }
 
-// A space of 10 by 10 m, divided at y = 5 by a wall with a doorway 0.9 m wide around x = 5.
+// A space of 10 by 10 m. A wall at y = 5 divides it and has a doorway 0.9 m wide around x = 5.
 struct TwoRooms : test::AppSession {
     TwoRooms() {
         test::SceneBuilder b;
@@ -72,7 +72,7 @@ struct TwoRooms : test::AppSession {
         b.start({2, 2, 0}, 0.0);
         app.apply(WorldEntered{make_ready(b.share())}, now);
         run(0.1);
-        ask(Command::Exits);  // from here on the routes are known
+        ask(Command::Exits);  // after this, the session knows the routes
     }
     void walk_from(const Vec3& feet_m, double heading_deg, Command command, int steps) {
         app.apply(Placed{feet_m, heading_deg * kPi / 180.0}, now);

@@ -1,4 +1,5 @@
-// A leg as a sentence: what to do first, then how far, then to what. Each turn has its own words in both languages.
+// Tests a leg as a sentence: first what to do, then how far, then where to. Each turn must have its own words in both
+// languages.
 #include "app/core/wayfinding/leg_words.h"
 #include "tests/support/child_process.h"
 
@@ -79,7 +80,8 @@ TEST(LegWords, differ_for_each_of_the_sixteen_turns) {
     }
 }
 
-// If rooms are found in a background task, so is the route: its length is said at once, its first leg later.
+// If a background task finds the rooms, another one plans the route for directions. The session announces the length
+// immediately and the first leg later.
 TEST(LegWords, arrive_from_the_background_while_the_session_continues) {
     test::AppSession person({}, {}, SessionOptions{.executor = on_threads()});
     person.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, person.now);
@@ -101,7 +103,7 @@ TEST(LegWords, arrive_from_the_background_while_the_session_continues) {
     }));
     const std::string first_leg = person.said.back();
     EXPECT_EQ(person.ask(Command::RepeatLeg), first_leg);
-    // A person who requested the rest of the route meanwhile hears it.
+    // If a person requests the rest of the route meanwhile, the session must announce it when it is known.
     person.ask(Command::Routes);
     person.line("Bathroom");
     person.said.clear();
@@ -112,7 +114,7 @@ TEST(LegWords, arrive_from_the_background_while_the_session_continues) {
     const std::string leg = person.ask(Command::RepeatLeg);
     EXPECT_TRUE(rest.starts_with(leg)) << rest;
     EXPECT_GT(rest.size(), leg.size() + 10) << rest;
-    // Another world or another request cancels the planning.
+    // Another world or another request must cancel the planning.
     person.ask(Command::Routes);
     person.line("Kitchen");
     person.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, person.now);

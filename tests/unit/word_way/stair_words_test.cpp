@@ -1,4 +1,5 @@
-// A walker who hears only words climbs stairs of each form by following them with the keys, and comes down again.
+// A walker who only hears announcements must be able to climb stairs of each form by following them with the keys, and
+// to come down again.
 #include "tests/support/names.h"
 #include "tests/support/stair_house.h"
 #include "tests/support/word_walker.h"

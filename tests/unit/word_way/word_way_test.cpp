@@ -1,6 +1,7 @@
-// A walker who follows the words exactly. It turns by notches and walks some steps, or until something stops it, or
-// until the stairs are over. It also opens doors and requests the next leg. It knows the form of legs in two languages,
-// but neither the map nor where it is. Runs an unchanged session, from each room to each other.
+// Simulates a walker who follows the announced directions exactly. It turns by notches. It walks some steps, or until
+// something stops it, or until the stairs are behind it. It also opens doors and requests the next leg. It understands
+// the form of legs in two languages, but knows neither the map nor where it is. The session is the real one. The walker
+// goes from each room to every other room.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -41,11 +42,12 @@ public:
     Literal(std::shared_ptr<const Scene> world, const LegForm& form) : form_(form) {
         person_.app.apply(WorldEntered{make_ready(std::move(world))}, person_.now);
         person_.run(0.1);
-        person_.ask(Command::Exits);  // from here on the rooms are known
+        person_.ask(Command::Exits);  // after this, the session knows the rooms
     }
-    // Shuts each door that was opened, from the same place, so that all are as before.
+    // Shuts each door that the walker opened, from the place where the walker opened it, so that all doors are as
+    // before.
     void shut_all() {
-        if (!there()) person_.ask(Command::TakeMe);  // stops following the route
+        if (!there()) person_.ask(Command::TakeMe);  // the second TakeMe stops following the route
         for (; !opened_.empty(); opened_.pop_back()) {
             person_.app.apply(Placed{opened_.back().first, opened_.back().second}, person_.now);
             person_.run(0.1);
@@ -53,7 +55,7 @@ public:
             person_.run(3.0);
         }
     }
-    // Course from there to the room of that name; returns the walker's final place.
+    // Walks from `from_m` to the room called `room`. Returns the walker's final place.
     Vec3 go(const Vec3& from_m, const std::string& room, const Errors& errors, std::uint64_t seed) {
         random_.seed(seed);
         errors_ = errors;
@@ -92,7 +94,7 @@ private:
         for (int i = 0; i < 6000 && !person_.app.idle(); ++i) person_.run(1.0 / 60.0);
         person_.run(0.15);
     }
-    // The walker drifts, so it is not where it should be at first.
+    // Moves the walker away before the walk, so that it is not exactly where it should be.
     void drift(double way_m, double way_rad) {
         person_.app.apply(Steered{{std::cos(way_rad), std::sin(way_rad), 0.0}}, person_.now);
         person_.run(way_m / person_.app.settings().walk.speed_m_per_s);
@@ -128,7 +130,7 @@ private:
         person_.app.apply(CommandUp{Command::Forward}, person_.now);
         wait();
     }
-    // Releases the key when the session announces the end.
+    // Walks until the session announces the landing, and then releases the key.
     void walk_until_over(std::size_t said, int steps) {
         person_.app.apply(CommandDown{Command::Forward}, person_.now);
         for (int i = 0; i < 60 * (30 + 2 * steps); ++i) {
@@ -158,7 +160,7 @@ private:
     int legs_ = 0;
 };
 
-// Knowledge of the world that only the judge has, and not the walker.
+// What the judge of the walks knows about the world. The walker does not know it.
 struct Judge {
     std::shared_ptr<Navigation> navigation;
     RoomGraph graph;
@@ -181,7 +183,7 @@ struct Judge {
             return portal.kind == PassageKind::Lift && (portal.rooms[0] == room || portal.rooms[1] == room);
         });
     }
-    // True if the route uses only floors and stairs, as routes for words do.
+    // Returns true if the route uses only floors and stairs, as routes for directions do.
     bool walks(const Vec3& from_m, const Vec3& to_m) const {
         const Route route = navigation->plan(from_m, to_m);
         return route.reaches && route.points_m.size() > 1 &&
@@ -196,13 +198,13 @@ struct Counted {
     int routes = 0, came = 0, legs = 0;
 };
 
-// One route after the other, with errors from that seed and the following ones.
+// Walks one route after another. The errors use `seed` and the numbers after it.
 class Routes {
 public:
     Routes(const std::shared_ptr<const Scene>& world, const LegForm& form, const Errors& errors, std::uint64_t seed)
         : judge_(*world), literal_(world, form), errors_(errors), seed_(seed), base_m_(literal_.feet_m()) {}
 
-    // From each room to each other; `every` is the stride between the tried pairs.
+    // Walks from each room to every other room. `every` is the stride between the tried pairs.
     Counted between_rooms(std::uint32_t every) {
         for (const std::uint32_t from : judge_.rooms())
             for (const std::uint32_t to : judge_.rooms())
@@ -210,7 +212,7 @@ public:
                     walk(judge_.graph.rooms[from].middle_m, judge_.graph.rooms[from].name, to);
         return tell();
     }
-    // From the entrance.
+    // Walks from the entrance to each room.
     Counted from_base(std::uint32_t every) {
         for (const std::uint32_t to : judge_.rooms())
             if (to % every == 0 && room_at(judge_.graph, judge_.navigation->space(), base_m_) != to)

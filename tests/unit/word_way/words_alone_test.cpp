@@ -1,5 +1,5 @@
-// A walker who follows the words arrives. It hears only words, and goes by name to the rooms of whole buildings and
-// back to where it began. Afterwards the position of its feet is compared with the rooms.
+// A walker who follows the announced directions must arrive. It only hears announcements, and walks by name to the
+// rooms of whole buildings and back to where it began. Then the test compares the position of its feet with the rooms.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace words_alone_test {
 
 using test::WordWalker;
 
-// Knowledge of the world that only the judge has, and not the walker.
+// What the judge of the walks knows about the world. The walker does not know it.
 class Judge {
 public:
     explicit Judge(const Scene& scene) : scene_(scene) {
@@ -35,7 +35,8 @@ public:
     const std::vector<Room>& rooms() const { return graph_.rooms; }
     std::uint32_t room(const Vec3& at_m) const { return ways_ ? room_at(graph_, ways_->space(), at_m) : kNothing; }
     Route way(const Vec3& from_m, std::uint32_t to) const { return ways_->plan(from_m, graph_.rooms[to].middle_m); }
-    // True if it is in the room's outline in the file; without an outline, on the room's floor.
+    // Returns true if the feet are in the room's outline in the file. If the file has no outline, they must be on the
+    // room's floor.
     bool in_room(const Vec3& feet_m, std::uint32_t room_index) const {
         if (scene_.stated)
             for (const StatedRoom& stated : scene_.stated->rooms)
@@ -70,8 +71,8 @@ const char* end_word(WordWalker::End end) {
     return "";
 }
 
-// The largest number of rooms of a building that are tried. If there are more, this many are drawn at random, since a
-// building of 400 rooms would take an hour.
+// Greatest number of rooms that the test tries in a building. If there are more, the test draws this many at random,
+// because a building of 400 rooms would take an hour.
 constexpr std::size_t kMostRooms = 100;
 constexpr std::uint32_t kDrawnBy = 20261129;
 
@@ -85,7 +86,7 @@ std::vector<std::uint32_t> drawn(std::vector<std::uint32_t> rooms) {
     return rooms;
 }
 
-// Walks from the start to the rooms that the file names, and back; `every` is the stride between tried rooms.
+// Walks from the start to the rooms that the file names, and back. `every` is the stride between the tried rooms.
 Row walk_all(const std::shared_ptr<const Scene>& world, std::uint32_t every) {
     Row row;
     const Judge judge(*world);
@@ -126,18 +127,19 @@ Row walk_all(const std::shared_ptr<const Scene>& world, std::uint32_t every) {
     return row;
 }
 
-// One of our worlds, or a real one that is tried if it is present.
+// A bundled world, or a real one, which the test tries if it is present.
 struct Walked {
     const char* file;
     bool real = false;
-    // Stride between its rooms in an ordinary run, 0: none; with HANDRAIL_ALL_ROUTES all are tried.
+    // Stride between the tried rooms in an ordinary run; 0: none. With HANDRAIL_ALL_ROUTES, the test tries all rooms.
     std::uint32_t every = 1;
-    int percent = 95;  // least share of the walks that must arrive
+    int percent = 95;  // least percentage of the walks that must arrive
 };
 
 class WordsAlone : public testing::TestWithParam<Walked> {};
 
-// Prints a row: named rooms with a floor, those of them with a route, walks, arrivals, false arrivals, loops.
+// Prints a row with these counts: named rooms with a floor, those among them with a route, walks, arrivals, false
+// arrivals, loops.
 TEST_P(WordsAlone, lead_to_each_named_room_and_back) {
     const Walked& walked = GetParam();
     if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "takes minutes under a sanitizer";

@@ -1,5 +1,5 @@
-// Worlds written in words and read again have the same numbers of rooms, doors, windows, stairs and pieces of
-// furniture.
+// If a world is written as room descriptions and read again, the numbers of rooms, doors, windows, stairs and pieces of
+// furniture must be the same.
 #include <gmock/gmock.h>
 
 #include <map>
@@ -31,8 +31,8 @@ Counts counts_of(const Scene& scene) {
             static_cast<std::size_t>(stated.stairs), stated.furnishings.size()};
 }
 
-// Counts for a map, which states no counts: its rooms as they are found, stairs as a room on each of their storeys, and
-// things by their names.
+// Counts the parts of a map, which states no counts. Rooms count as the program finds them, stairs as a room on each of
+// their storeys, and things by their names.
 Counts counts_of_map(const Scene& scene, const WordsHouse& house) {
     Counts counts;
     for (const WordsHouse::Room& room : house.rooms) {
@@ -91,7 +91,7 @@ TEST(CountsInWords, are_kept_for_the_duplex) { expect_real_counts_come_back("dup
 TEST(CountsInWords, are_kept_for_the_institute) { expect_real_counts_come_back("institute.ifczip"); }
 TEST(CountsInWords, are_kept_for_the_fzk_house) { expect_real_counts_come_back("fzk-haus.ifc"); }
 
-// Panes in a rectangle, and in an outline with more corners, keep their width, height and place.
+// Windows in a rectangular room, and in one with more corners, must keep their width, height and place.
 TEST(WindowsInWords, are_unchanged_after_export_and_import_in_both_languages) {
     const std::string text =
         "Building: House.\n\nRoom: Hall, 6 by 4 metres. Door outside in the south wall.\n"
@@ -116,7 +116,8 @@ TEST(WindowsInWords, are_unchanged_after_export_and_import_in_both_languages) {
     }
 }
 
-// Materials of each room's floor, of things, and of the walls, which all get the most frequent one.
+// The descriptions state the material of each room's floor, of things, and of the walls. All walls get the most
+// frequent wall material.
 TEST(MaterialsInWords, are_unchanged_after_export_and_import_in_both_languages) {
     const Scene scene = test::read_rooms(
         "Building: House.\nWalls: 0.2 metres thick, made of brick.\n\n"

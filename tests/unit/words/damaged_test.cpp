@@ -1,4 +1,4 @@
-// Whatever a text contains, reading it gives a world or one sentence.
+// Whatever a text contains, the reader must return a world or one sentence.
 #include <random>
 
 #include "tests/support/names.h"

@@ -1,5 +1,5 @@
-// One house in five forms: an architect's model in metres and in millimetres, and made from it a map, OpenStreetMap, a
-// mesh and words. Each has the same rooms, doors, routes and distances.
+// Tests one house in five forms: an architect's model in metres and in millimetres, and a map, OpenStreetMap, a mesh
+// and room descriptions, all made from the model. Each form must have the same rooms, doors, routes and distances.
 #include <gmock/gmock.h>
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ Scene world_of(Result<Scene> read) {
     return std::move(*read);
 }
 
-// What joins two of the places, in the order of the places.
+// A passage between two of the places.
 struct Join {
     std::pair<int, int> places;
     PassageKind kind = PassageKind::Opening;
@@ -42,12 +42,12 @@ struct Seen {
     std::size_t in_all = 0;
 };
 
-// In front of the front door, in the kitchen and in the living room, measured in the architect's model.
+// The places are in front of the front door, in the kitchen and in the living room, measured in the architect's model.
 const std::vector<Vec3> kPlaces{{1.5, -1.2, 0.0}, {1.2, 3.0, 0.0}, {7.2, 0.8, 0.0}};
 constexpr double kSame_m = 0.05 + 1e-9;
 constexpr double kHalfWall_m = 0.1, kBodyRadius_m = 0.25;
-// In OpenStreetMap rooms touch one another, and the thickness of a wall is unknown. So a route may cut both edges of a
-// door frame more closely than through the thicker wall of the other forms.
+// In OpenStreetMap, rooms touch one another and the thickness of walls is unknown. So a route may pass the edges of a
+// door frame more closely than in the other forms, whose walls are thicker.
 constexpr double kThinWalls_m = 0.1;
 
 Seen seen_in(const Scene& scene, const Vec3& shift_m = Vec3(0.0)) {
@@ -106,8 +106,8 @@ TEST(FiveForms, of_one_house_have_the_same_rooms_doors_routes_and_distances) {
     struct Form {
         const char* name;
         Scene scene;
-        bool states = true;  // the file states rooms and doors; for a mesh both are found
-        Vec3 shift_m{0.0};   // OpenStreetMap's zero is the middle of the drawing
+        bool states = true;  // the file states rooms and doors; in a mesh, the program finds both
+        Vec3 shift_m{0.0};   // the zero of OpenStreetMap is the middle of the drawing
         double ways_m = kSame_m;
     };
     std::vector<Form> forms;
@@ -131,8 +131,8 @@ TEST(FiveForms, of_one_house_have_the_same_rooms_doors_routes_and_distances) {
             const Join &is = seen.joins[j], &meant = model.joins[j];
             EXPECT_EQ(is.places, meant.places);
             EXPECT_EQ(is.kind, form.states ? PassageKind::Door : PassageKind::Opening);
-            // If no door is stated, the narrow place is found in its middle, but as far before the wall as a walker's
-            // body extends.
+            // If the file states no door, the program finds the narrow place. It is in the middle of the doorway's
+            // width, but may be before the wall by as much as a walker's body extends.
             const Vec2 off = glm::abs(is.at_m - meant.at_m);
             const double before_wall_m = form.states ? 0.0 : kHalfWall_m + kBodyRadius_m;
             EXPECT_LE(std::min(off.x, off.y), kSame_m) << form.name;

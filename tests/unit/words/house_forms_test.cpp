@@ -1,4 +1,4 @@
-// The bundled house in five forms: which of its rooms, doors and distances each form preserves, to 5 cm.
+// Tests the bundled house in five forms: which of its rooms, doors and distances each form preserves, to 5 cm.
 #include <gmock/gmock.h>
 
 #include <fmt/format.h>
@@ -16,13 +16,14 @@ namespace words_house_forms_test {
 
 constexpr double kSame_m = 0.05 + 1e-9, kHalfWall_m = 0.1;
 
-// The name of a room without its storey. Stairs are one room per storey in some forms, and one for all in others.
+// Returns the name of a room without its storey. Stairs are one room per storey in some forms, and one room for all
+// storeys in others.
 std::string without_storey(const std::string& name) { return name.substr(0, name.find(", ")); }
 
 struct Seen {
     std::shared_ptr<Navigation> ways;
     RoomGraph graph;
-    Vec3 shift_m{0.0};  // shift of the form relative to the house
+    Vec3 shift_m{0.0};  // shift of this form relative to the original house
 
     std::string room_at_m(const Vec3& place) const {
         const std::optional<Vec3> feet = ways->nearest_place(place + shift_m);
@@ -53,19 +54,21 @@ Seen seen_in(const Scene& scene) {
     return seen;
 }
 
-// How much of the house a form preserves, and the largest deviation of the rest.
+// How much of the house a form preserves, and the largest deviations.
 struct Carried {
-    int rooms = 0, all_rooms = 0;                         // rooms with the same place and name
-    int doors = 0, all_doors = 0;                         // doors between the same two rooms
-    double along_m = 0.0, across_m = 0.0, width_m = 0.0;  // places of doors: along their walls, and across them
-    int ways = 0, all_ways = 0;  // routes between the middles of rooms on one storey, within 5 cm; then between storeys
+    int rooms = 0, all_rooms = 0;  // rooms with the same place and name, of all rooms
+    int doors = 0, all_doors = 0;  // doors between the same two rooms, of all doors
+    // Largest deviations of doors: along their walls, across them, and of the width.
+    double along_m = 0.0, across_m = 0.0, width_m = 0.0;
+    // Routes of the same length between the middles of rooms on one storey, of all; below: between storeys.
+    int ways = 0, all_ways = 0;
     int far = 0, all_far = 0;
-    double longer_m = 0.0, shorter_m = 0.0;  // largest differences of routes on one storey
+    double longer_m = 0.0, shorter_m = 0.0;  // largest differences in length of routes on one storey
     double far_shorter_m = 0.0;
 };
 
-// The largest difference with which a route still counts as the same: shorter on one storey, and in both directions
-// between storeys.
+// The largest difference with which a route still counts as the same. On one storey it limits only shorter routes;
+// between storeys it limits both directions.
 struct Apart {
     double level_m = kSame_m, far_m = kSame_m;
 };
@@ -114,7 +117,7 @@ Carried carried(const Seen& house, const Seen& form, const Apart& apart = {}) {
     return found;
 }
 
-// Outlines that were found to 5 cm are moved to the middles of walls.
+// The outlines are exact to 5 cm. This moves them to the exact middles of walls.
 WordsHouse on_the_middles_of_walls(WordsHouse house, const Scene& scene) {
     std::array<std::vector<double>, 2> middles;
     for (const Solid& solid : scene.solids) {
@@ -133,7 +136,7 @@ WordsHouse on_the_middles_of_walls(WordsHouse house, const Scene& scene) {
                     for (const double middle : middles[static_cast<std::size_t>(axis)])
                         if (std::abs(middle - before) < least) least = std::abs(middle - before), p[axis] = middle;
                 }
-    // Leaves are at one side of their walls, but other forms know only the middle of a wall.
+    // A door leaf is at one side of its wall, but the other forms know only the middle of the wall.
     for (WordsHouse::Door& door : house.doors) {
         const Vec2 hung = door.at_m;
         double least_m = 0.15;
@@ -150,7 +153,7 @@ WordsHouse on_the_middles_of_walls(WordsHouse house, const Scene& scene) {
     return house;
 }
 
-// The house without furniture: only things that are water remain.
+// Returns the house without furniture. Of its things, only water remains.
 std::string bare_house() {
     const std::string text = test::content_of(test::bundled_world("house.map"));
     std::string kept, entity;
@@ -194,7 +197,7 @@ TEST(HouseForms, carry_exactly_what_each_format_supports) {
             "{:.3f} m shorter at most\n",
             name, c.rooms, c.all_rooms, c.doors, c.all_doors, c.along_m, c.across_m, c.width_m, c.ways, c.all_ways,
             c.longer_m, c.shorter_m, c.far, c.all_far, c.far_shorter_m);
-        // Each door of a form is where it was, and no route is shorter than before.
+        // Each door of a form must be where it was, and no route may be shorter than before.
         EXPECT_LE(c.along_m, kSame_m) << name;
         EXPECT_LE(c.width_m, kSame_m) << name;
         EXPECT_LE(c.shorter_m, apart.level_m) << name;
@@ -208,11 +211,11 @@ TEST(HouseForms, carry_exactly_what_each_format_supports) {
     EXPECT_EQ(itself.rooms + itself.doors + itself.ways + itself.far,
               itself.all_rooms + itself.all_doors + itself.all_ways + itself.all_far);
 
-    // Its stairs are stated, and stated stairs are checked with a narrow foot, so routes pass them and lead over them
-    // more closely.
+    // The model states its stairs, and stated stairs are checked with a narrow foot. So routes may pass them and lead
+    // over them more closely.
     constexpr Apart kByStairs{0.25, 1.1};
-    // An architect's model preserves everything, except that a pond is no space with a floor: it becomes the steps that
-    // lead into it.
+    // An architect's model must preserve everything except the pond. The pond is no space with a floor, so it becomes
+    // the steps that lead into it.
     for (const bool millimetres : {false, true}) {
         const Carried ifc = tell(millimetres ? "IFC in millimetres" : "IFC",
                                  read_ifc(test::IfcOf(*scene, drawn, millimetres).text(), "house.ifc"), kByStairs);
@@ -222,15 +225,16 @@ TEST(HouseForms, carry_exactly_what_each_format_supports) {
         EXPECT_EQ(ifc.ways, ifc.all_ways);
         EXPECT_EQ(ifc.far, ifc.all_far);
     }
-    // A mesh has no names and no doors, but all distances are preserved.
+    // A mesh must preserve all distances, although it has no names and no doors.
     const Carried mesh = tell("mesh", read_gltf(test::glb_of(*scene), "house.glb"));
     EXPECT_EQ(mesh.rooms, 0);
     EXPECT_EQ(mesh.doors, 0);
     EXPECT_EQ(mesh.ways, mesh.all_ways);
     EXPECT_EQ(mesh.far, mesh.all_far);
-    // Plans and words enclose stairs in a separate room, so routes next to them lead around it. They make new stairs,
-    // so no route between storeys keeps its length. Words sink the pond, which then becomes the steps into it, as in
-    // the model; in a plan nobody gets into it. Their doors are in the middle of walls, while leaves are at one side.
+    // Plans and room descriptions enclose stairs in a separate room, so routes on the same storey lead around it. They
+    // make new stairs, so no route between storeys keeps its length. In room descriptions, the pond is sunk and becomes
+    // the steps into it, as in the model. In a plan, nobody gets into the pond. The doors of both forms are in the
+    // middle of walls, while the original leaves are at one side.
     const Carried words = tell("words", read_words(text_of(drawn, *scene, WordLanguage::English), "house.rooms"));
     EXPECT_GE(words.rooms, words.all_rooms - 1);
     EXPECT_EQ(words.doors, words.all_doors);
@@ -243,7 +247,8 @@ TEST(HouseForms, carry_exactly_what_each_format_supports) {
     EXPECT_GE(osm.ways, 24);
 }
 
-// A house whose stairs are laid out as words and plans do it, so that each form can preserve all of it.
+// The stairs of this house are laid out as room descriptions and plans lay them out, so that each form can preserve the
+// whole house.
 TEST(HouseForms, of_a_two_storey_house_agree_in_rooms_doors_and_routes_over_the_stairs) {
     if (test::kThreadSanitizer) GTEST_SKIP() << "unit_osm starts the threads that read OpenStreetMap";
     const std::string text =

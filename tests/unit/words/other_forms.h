@@ -1,4 +1,4 @@
-// Writes a building in other forms than its own, for tests that compare them.
+// Writes a building in other file formats, for tests that compare the formats.
 #pragma once
 
 #include <fmt/format.h>
@@ -26,8 +26,8 @@ inline void append(std::string& bytes, Value value) {
     bytes.append(raw.data(), raw.size());
 }
 
-// Walls become brushes, leaves become doors, and names of rooms are put in place: those that the file states, unless
-// others are given.
+// Returns the building as a map. Walls become brushes and leaves become doors. If `names` is empty, the rooms get the
+// names that the file states.
 inline std::string map_of(const Scene& scene, std::vector<RoomName> names = {}) {
     constexpr double kUnits = 32.0;  // units per metre
     std::string walls, rest;
@@ -62,7 +62,8 @@ inline std::string map_of(const Scene& scene, std::vector<RoomName> names = {}) 
     return entity("worldspawn", key("message", "House") + key("building", "1"), walls) + rest;
 }
 
-// Boxes become meshes of twelve triangles with y up. A mesh knows no doors, so leaves are left out.
+// Returns the building as a glTF file. Boxes become meshes of twelve triangles with y up. The leaves are omitted,
+// because a mesh knows no doors.
 inline std::string glb_of(const Scene& scene) {
     std::string points, nodes, meshes, accessors, views;
     int count = 0;
@@ -109,7 +110,7 @@ inline std::string glb_of(const Scene& scene) {
     return glb;
 }
 
-// Rooms extended to the middle of walls: half the gap between two rooms, otherwise half an outer wall.
+// Returns the rooms extended to the middle of walls. That is half the gap between two rooms, or half of an outer wall.
 inline WordsHouse to_the_middle_of_walls(WordsHouse house) {
     constexpr double kOuterWall_m = 0.2, kThickest_m = 0.5;
     const WordsHouse before = house;
@@ -145,8 +146,8 @@ inline std::string osm_of(const WordsHouse& house) {
         door_nodes.push_back(node(
             door.at_m, fmt::format("<tag k='door' v='{}'/><tag k='width' v='{}'/>{}", door.opening ? "no" : "hinged",
                                    door.width_m, door.rooms.size() == 1 ? "<tag k='entrance' v='main'/>" : "")));
-    // Its corners and, between them, the doors on its edges. If another room of the storey has a corner on this
-    // outline, the outline gets one there too, as mappers draw it.
+    // Returns references to the outline's corners and, between them, to the doors on its edges. If another room of the
+    // storey has a corner on this outline, the outline gets a corner there, too, as mappers draw it.
     const auto refs_of = [&](const std::vector<Vec2>& ring, std::size_t r) {
         const WordsHouse::Room& room = house.rooms[r];
         std::string refs;
@@ -201,8 +202,8 @@ inline std::string osm_of(const WordsHouse& house) {
     return "<osm version='0.6'>\n" + nodes + ways + relations + "</osm>\n";
 }
 
-// Everything solid becomes closed faces, leaves become doors of their size, and rooms become spaces over their
-// outlines. Lengths are in metres or millimetres.
+// Returns the building as IFC. All solids become closed faces, leaves become doors of their size, and rooms become
+// spaces over their outlines. Lengths are in metres or millimetres.
 class IfcOf {
 public:
     IfcOf(const Scene& scene, const WordsHouse& house, bool millimetres)
@@ -279,7 +280,7 @@ private:
         const Aabb& box = solid.shape.bounds_m;
         const Feature* feature = scene_.find(solid.feature);
         const std::string name = feature ? feature->name : "part";
-        std::string spoken;  // an apostrophe is doubled
+        std::string spoken;  // doubles each apostrophe
         for (const char c : name) spoken += c == '\'' ? std::string("''") : std::string(1, c);
         if (solid.role == SolidRole::Mover) {
             const bool north = box.size_m().y > box.size_m().x;

@@ -1,4 +1,4 @@
-// The scenes that sentences about rooms produce.
+// Tests the scenes that the reader makes of sentences about rooms.
 #include <gmock/gmock.h>
 
 #include <sstream>
@@ -231,7 +231,7 @@ TEST(RoomsInWords, are_read_from_windows_editors_and_in_latin_1) {
     EXPECT_EQ(test::box_of(*test::room_of(scene, "Küche")).first.y, 6.0);
 }
 
-// The example between these words in a guide, as a text to read.
+// Returns the example between these two texts in a guide, as a text to read.
 std::string example_of(const std::string& page, const std::string& begin, const std::string& end) {
     const std::string guide = test::content_of(test::project_root() / "docs" / page);
     const std::size_t from = guide.find(begin), to = guide.find(end, from);

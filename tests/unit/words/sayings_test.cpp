@@ -1,4 +1,4 @@
-// Expressions that people use, and what is reported about them.
+// Tests expressions that people use in room descriptions, and what the reader reports about them.
 #include <gmock/gmock.h>
 
 #include "tests/support/names.h"
@@ -25,7 +25,7 @@ bool overlap_flat(const Aabb& a, const Aabb& b) {
            b.min_m.y < a.max_m.y - 1e-6;
 }
 
-// The distance of the thing from the middle of the nearest door.
+// Returns the distance of the thing from the middle of the nearest door.
 double before_door(const Scene& scene, const Aabb& thing) {
     double nearest = 1e300;
     for (const StatedPortal& portal : scene.stated->portals) {
@@ -51,7 +51,7 @@ TEST(SayingsInWords, accept_german_genitives_as_names_of_rooms_and_things) {
     EXPECT_THAT(test::joins_of(scene), ::testing::Contains("door Großer Saal | Zimmer des Hausmeisters"));
 }
 
-// Each wall has a door in its middle, where a thing against that wall would otherwise be placed.
+// Each wall has a door in its middle. Otherwise the reader would place a thing against that wall in the middle.
 TEST(SayingsInWords, place_things_without_a_stated_place_clear_of_doors) {
     const Scene scene = test::read_rooms(
         "Building: House.\n\nHall, 7 by 5 metres. Door outside in the south wall. Door outside in the north wall.\n"
@@ -83,7 +83,7 @@ TEST(SayingsInWords, turn_two_chairs_into_two_things) {
         for (std::size_t i = 0; i < 8; ++i)
             for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(overlap_flat(boxed(scene, i), boxed(scene, k))) << i << k;
     }
-    // A name that begins with a number means one thing.
+    // A name may begin with a number word. "Three Graces" is one thing.
     const Scene graces = test::read_rooms(
         "Building: House.\n\nHall, 6 by 5 metres. Door outside.\nThree Graces, 1 by 1 by 2 metres, in the middle.\n");
     EXPECT_EQ(graces.stated->furnishings.size(), 1U);
@@ -121,7 +121,7 @@ TEST(SayingsInWords, about_an_unknown_thing_are_reported_with_the_chosen_meaning
         HasSubstr("Wnidow is not a kind of thing that Handrail knows. It was put there as a plain thing of 0.6 by"));
 }
 
-// Adjacent pieces of an outline make one room, without a wall between them.
+// If an outline consists of adjoining pieces, they must become one room without a wall between them.
 TEST(OutlinesInWords, of_adjoining_pieces_become_one_outline) {
     const Scene scene = test::read_rooms(
         "Building: House.\n\nRoom: Foyer, corners 0 0, 3 0, 3 6, 0 6, and corners 3 0, 5 0, 5 2, 3 2, hole 1 4, 2 4, 2 "
@@ -138,7 +138,8 @@ TEST(OutlinesInWords, of_adjoining_pieces_become_one_outline) {
     }
 }
 
-// Up and down by stairs that are in no separate room, both straight and returning ones.
+// These stairs are in no separate room. A walker must be able to go up and down them, whether they are straight or turn
+// back.
 TEST(StairsInWords, from_one_room_to_another_are_walked_and_exported_again) {
     const char* texts[] = {
         "Building: House.\n\nStorey: Ground, 3 metres high.\n\nHall, 6 by 8 metres. Door outside in the south wall.\n"
@@ -155,7 +156,7 @@ TEST(StairsInWords, from_one_room_to_another_are_walked_and_exported_again) {
         const Result<WalkSpace> space = make_walk_space(scene, walk_body(scene, 0.25, 1.8, 0.25));
         ASSERT_TRUE(space.has_value()) << space.error().sentence();
         const RoomGraph graph = make_rooms(scene, *space);
-        // From foot to top only on floors: one piece of walkable ground.
+        // A walker must be able to go from the foot of the stairs to their top on one connected walkable area.
         std::set<std::string> reached;
         std::vector<std::uint32_t> open;
         std::vector<bool> seen(space->spans.size(), false);

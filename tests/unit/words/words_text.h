@@ -1,4 +1,4 @@
-// Buildings in words for tests, and what reading them gives.
+// Buildings as room descriptions for tests, and what the reader makes of them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -28,14 +28,14 @@ inline const StatedRoom* room_of(const Scene& scene, const std::string& name) {
     return &scene.stated->rooms.front();
 }
 
-// The south-west and the north-east corner.
+// Returns the south-west and the north-east corner of a room.
 inline std::pair<Vec2, Vec2> box_of(const StatedRoom& room) {
     Vec2 least(1e300), most(-1e300);
     for (const Vec2& p : room.rings[0]) least = glm::min(least, p), most = glm::max(most, p);
     return {least, most};
 }
 
-// Entries such as "door Corridor | Library", with names in alphabetical order.
+// Returns entries such as "door Corridor | Library", with the names in alphabetical order.
 inline std::multiset<std::string> joins_of(const Scene& scene) {
     std::multiset<std::string> joins;
     for (const StatedPortal& portal : scene.stated->portals) {

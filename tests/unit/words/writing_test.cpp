@@ -1,4 +1,4 @@
-// Worlds written in words, and read again.
+// Tests worlds that are written as room descriptions and read again.
 #include <gmock/gmock.h>
 
 #include <random>
@@ -14,8 +14,8 @@
 namespace handrail {
 namespace words_writing_test {
 
-// A building of adjacent rooms on up to three storeys, some with corners cut out. It has doors, openings, stairs,
-// things and names that need quotation marks.
+// Returns a random building of adjacent rooms on up to three storeys. Some rooms have corners cut out. The building has
+// doors, openings, stairs, things, and names that need quotation marks.
 std::string random_building(std::mt19937& random) {
     const auto upto = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
     std::string text = "Building: Random " + std::to_string(upto(1000)) + ".\nWalls: " + std::to_string(10 + upto(20)) +
@@ -47,7 +47,7 @@ std::string random_building(std::mt19937& random) {
                 const auto north = [](int cm) {
                     return std::to_string(cm < 0 ? -cm : cm) + " cm " + (cm < 0 ? "south" : "north");
                 };
-                // Makes an L-shaped room if nothing depends on the corner.
+                // Makes this room L-shaped if no other room depends on its corner.
                 const bool cut = upto(5) == 0 && y == rows - 1 && s == storeys - 1;
                 if (cut)
                     text += ", corners " + std::to_string(x_cm) + " " + std::to_string(y_cm) + ", " +
@@ -61,7 +61,7 @@ std::string random_building(std::mt19937& random) {
                             north(y_cm);
                 if (upto(7) == 0) text += upto(2) == 0 ? ", raised by 35 centimetres" : ", sunk by 0.5 metres";
                 text += upto(3) == 0 ? ", wooden floor.\n" : ".\n";
-                // Edges to step down, also in rooms about which nothing else is said, and platforms to the storey
+                // Adds edges to step down, also in rooms that are otherwise not described, and lifts to the storey
                 // above.
                 if (x + 1 < columns && upto(6) == 0)
                     text += "Drop of 0.4 metres from " + name(s, x, y) + " to " + name(s, x + 1, y) + ".\n";
@@ -105,7 +105,7 @@ void expect_same_building(const Scene& before, const Scene& after, const std::st
         EXPECT_NEAR(again.floor_m, room.floor_m, 1e-3) << room.name << text;
         EXPECT_LT(glm::length(test::box_of(again).first - test::box_of(room).first), 1e-3) << room.name << text;
     }
-    // Each door is where it was.
+    // Each door must be where it was.
     for (const StatedPortal& portal : before.stated->portals) {
         double nearest = 1e9;
         for (const StatedPortal& other : after.stated->portals)
@@ -132,7 +132,7 @@ TEST(WrittenInWords, random_buildings_are_read_back_with_the_same_rooms_and_door
     }
 }
 
-// The rooms by name and what joins them. Written stairs are a room on each storey; here they count as one.
+// The rooms by name and what joins them. A written staircase is a room on each storey, but counts here as one room.
 struct Graph {
     std::set<std::string> rooms;
     std::multiset<std::string> joins;
@@ -173,7 +173,8 @@ void expect_map_comes_back(const std::string& map) {
     }
 }
 
-// The drop and the lift that were read can be used: down the drop and not up again, and both ways by the platform.
+// After reading, a walker must be able to use the drop and the lift: only down at the drop, and in both directions with
+// the lift.
 TEST(WrittenInWords, a_drop_and_a_lift_can_be_used_after_reading_in_both_languages) {
     const char* texts[] = {
         "Building: Stage.\n\nStorey: Ground, 3 metres high.\n\n"
@@ -209,7 +210,7 @@ TEST(WrittenInWords, a_drop_and_a_lift_can_be_used_after_reading_in_both_languag
         }
         EXPECT_EQ(lifts, 1) << text;
         EXPECT_EQ(openings, 1) << "where the edge is";
-        // Half a metre down; nobody can walk up again there.
+        // The drop leads half a metre down. Nobody can walk up there.
         int drops = 0;
         for (const WalkLink& link : space->links)
             if (link.kind == PassageKind::Drop) {
@@ -222,7 +223,7 @@ TEST(WrittenInWords, a_drop_and_a_lift_can_be_used_after_reading_in_both_languag
         const Vec3 above(4.0, 2.0, 0.0), below(6.0, 2.0, -0.5);
         EXPECT_FALSE(space->straight(above, below));
         EXPECT_FALSE(space->straight(below, above));
-        // Both are also written again.
+        // The text that is written again must also contain the drop and the lift.
         for (const WordLanguage language : {WordLanguage::English, WordLanguage::German}) {
             const bool german = language == WordLanguage::German;
             const std::string written = text_of(stated_house(scene, language), scene, language);

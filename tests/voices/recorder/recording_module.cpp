@@ -1,7 +1,7 @@
-// An output module of speech-dispatcher that speaks into a file instead of a sound card, so that tests can read what
-// was said and when it was interrupted. It writes one line per event to $RECORDED: seconds of CLOCK_MONOTONIC, then
-// "speak WORDS", "end" or "stop". $RECORDED_WORD_MS is the duration of a word. It uses the protocol between the server
-// and its modules: commands on standard input, events on standard output.
+// An output module of speech-dispatcher that writes into a file instead of speaking through a sound card. So tests can
+// read what was said and when it was interrupted. For each event, it writes one line to $RECORDED: seconds of
+// CLOCK_MONOTONIC, then "speak WORDS", "end" or "stop". $RECORDED_WORD_MS is the duration of a word. The module uses
+// the protocol between the server and its modules: commands on standard input, events on standard output.
 #include <poll.h>
 #include <unistd.h>
 
@@ -72,7 +72,7 @@ private:
         std::fclose(file);
     }
 
-    // Waits for a whole line from the server, and meanwhile for the end of the current utterance.
+    // Waits for a whole line from the server. If the current utterance ends meanwhile, reports that.
     bool next_line(std::string& line) {
         for (;;) {
             if (const std::size_t end = buffer_.find('\n'); end != std::string::npos) {
@@ -124,7 +124,7 @@ private:
     const char* recorded_ = std::getenv("RECORDED") ? std::getenv("RECORDED") : "/dev/null";
     std::chrono::milliseconds word_{std::getenv("RECORDED_WORD_MS") ? std::atoi(std::getenv("RECORDED_WORD_MS")) : 5};
     std::string buffer_;
-    std::optional<Clock::time_point> ends_;  // of the current utterance
+    std::optional<Clock::time_point> ends_;  // when the current utterance ends
 };
 
 }  // namespace
