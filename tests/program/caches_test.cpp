@@ -104,7 +104,7 @@ TEST_F(Caches, never_write_through_a_symbolic_link_in_the_folder_of_a_world) {
     info(map);
     info(file);
     EXPECT_EQ(content_of(diary), "my diary");
-    if (kThreadSanitizer) return;  // AskedEarly.* runs the same threads
+    if (kThreadSanitizer) return;  // the tests AskedEarly.* run the same threads under this sanitizer
     const std::string said = marked(map);
     EXPECT_EQ(content_of(diary), "my diary");
     EXPECT_THAT(said, HasSubstr("house.map.handrail.toml is a link to another file"));

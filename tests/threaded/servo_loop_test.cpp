@@ -260,7 +260,7 @@ private:
     Notes& notes_;
 };
 
-// Presses into a wall until the force is fully ramped in.
+// Presses the hand into a wall until the force ramp is complete.
 void press(ServoLoop& loop, NotingDevice::Notes& notes, VirtualClock& clock) {
     notes.forces_n.reserve(100000);
     ServoTuning tuning = room_tuning();

@@ -634,7 +634,8 @@ protected:
             const bool felt = program_->says("You felt it at", 5s);
             press_button(false);
             if (felt) return true;
-            std::this_thread::sleep_for(100ms);  // the program polls sixty times a second
+            // So that the program, which polls sixty times a second, sees the released button.
+            std::this_thread::sleep_for(100ms);
         }
         return hears("You felt it at");
     }
@@ -642,7 +643,8 @@ protected:
         for (const Vec3& side : {Vec3(0.03, 0.0, 0.125), Vec3(-0.03, 0.0, 0.125), Vec3(0.0, 0.02, 0.125),
                                  Vec3(0.0, -0.02, 0.125), Vec3(0.0, 0.0, 0.15), Vec3(0.0, 0.0, 0.1)}) {
             if (!move_to(side)) return false;
-            std::this_thread::sleep_for(100ms);  // the program polls sixty times a second
+            // So that the program, which polls sixty times a second, sees the hand at this side.
+            std::this_thread::sleep_for(100ms);
         }
         return true;
     }

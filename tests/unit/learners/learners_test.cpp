@@ -162,7 +162,7 @@ TEST(Search, finds_words_in_file_names_in_texts_and_in_compressed_files) {
     EXPECT_TRUE(found.unread.empty());
 }
 
-// ---- the command ----
+// ---- the command `handrail learner` ----
 
 struct Said {
     int status = 0;

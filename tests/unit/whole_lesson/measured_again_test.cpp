@@ -292,7 +292,8 @@ private:
         }
         return range;
     }
-    double busy_s(double from_s, double to_s) const {  // sampled every hundredth of a second
+    // Returns how many seconds the learner was busy with speech or a list. Samples every hundredth of a second.
+    double busy_s(double from_s, double to_s) const {
         double busy_s = 0.0;
         for (double t_s = from_s; t_s < to_s; t_s += 0.01)
             busy_s += std::any_of(busy_.begin(), busy_.end(),

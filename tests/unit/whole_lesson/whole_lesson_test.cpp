@@ -30,7 +30,7 @@ using testing::HasSubstr;
 struct Building {
     fs::path world;
     std::vector<std::string> stops, landmarks;  // beginnings of the entries of these places in the lists
-    std::string destination;                    // the last stop
+    std::string destination;                    // the last stop of the route
     std::string door, misspelt;  // the door that the instructor blocks at the end, and its name with a typing error
     Vec3 before_m{0.0};          // a place in front of that door
     std::string not_by = {};     // a door that the route with help must avoid; empty: none
