@@ -82,7 +82,8 @@ TEST(FalconFrames, are_found_again_after_any_garbage) {
             at += piece;
             while (const auto status = reader.next()) last = status;
         }
-        // Noise may end with the first byte of a '<' sequence. The reader must still find the true frame after it.
+        // The noise may contain a '<', with which frames begin. The reader must still find the real frame after the
+        // noise.
         ASSERT_TRUE(last) << "seed " << seed << ", round " << i;
         ASSERT_EQ(last->encoders, (std::array<int, 3>{value, 12, -7})) << "seed " << seed << ", round " << i;
         ++frames;

@@ -290,7 +290,7 @@ TEST(EffectLaws, follow_their_formulas) {
     EXPECT_NEAR(force_at(*magnet, {0, 0, -0.03}).z, 3.0 * 2.0 * std::exp(0.5 * (1 - 9.0)), 1e-7);
     EXPECT_EQ(force_at(*magnet, Vec3(0.0)), Vec3(0.0));
     // Magnet along a line from (-0.05, 0, 0) to (0.05, 0, 0). To the side of the line, the force depends only on the
-    // distance from it. Beyond an end, the force has the direction of that end.
+    // distance from the line. Beyond an end, the force acts along the direction to that end.
     const auto line = scene_of({effect_of(MagnetLaw{{{Vec3(0.0), Vec3(0.05, 0, 0)}}, -1.0, 0.02}, cube(0.3))});
     EXPECT_NEAR(force_at(*line, {0.03, 0, 0.02}).z, 1.0, 1e-7) << "it pushes away";
     EXPECT_NEAR(force_at(*line, {0.07, 0, 0}).x, 1.0, 1e-7);

@@ -47,7 +47,7 @@ public:
     // Shuts each door that the walker opened, from the place where the walker opened it, so that all doors are as
     // before.
     void shut_all() {
-        if (!there()) person_.ask(Command::TakeMe);  // the second TakeMe stops following the route
+        if (!there()) person_.ask(Command::TakeMe);  // a second TakeMe stops following the route
         for (; !opened_.empty(); opened_.pop_back()) {
             person_.app.apply(Placed{opened_.back().first, opened_.back().second}, person_.now);
             person_.run(0.1);

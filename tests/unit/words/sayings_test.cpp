@@ -51,7 +51,7 @@ TEST(SayingsInWords, accept_german_genitives_as_names_of_rooms_and_things) {
     EXPECT_THAT(test::joins_of(scene), ::testing::Contains("door Großer Saal | Zimmer des Hausmeisters"));
 }
 
-// Each wall has a door in its middle. Otherwise the reader would place a thing against that wall in the middle.
+// Most walls have a door in the middle, where the reader would otherwise place a thing against that wall.
 TEST(SayingsInWords, place_things_without_a_stated_place_clear_of_doors) {
     const Scene scene = test::read_rooms(
         "Building: House.\n\nHall, 7 by 5 metres. Door outside in the south wall. Door outside in the north wall.\n"
