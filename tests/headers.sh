@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Compiles headers alone, so that each includes what it needs:
-#   tests/headers.sh          those that are changed and not committed, or that the last 30 commits changed: the newest 150
-#   tests/headers.sh all      every one
+# Compiles headers alone, so that each must include what it needs:
+#   tests/headers.sh          headers with uncommitted changes or changed by the last 30 commits; the newest 150
+#   tests/headers.sh all      every header
 set -euo pipefail
 most=150
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
-# check.sh REPORT_PAGES FOLDER: has REPORT_PAGES write pages into FOLDER, makes the pages of the guides as the package has them, and lets html-validate judge all of
-# them as text and axe-core in a headless Chromium. Ends with 77, and says why, where a browser, npm or the packages cannot be had (what is left is judged);
-# with 1 where a page has a fault, or a page with faults put in has too few.
+# Usage: check.sh REPORT_PAGES FOLDER
+# REPORT_PAGES writes pages into FOLDER, and this script makes the pages of the guides as the package contains them.
+# html-validate checks all pages as text, and axe-core checks them in a headless Chromium.
+# Exit status 0: all passed. 1: a page has a fault, or a page with deliberate faults has too few. 77: a browser, npm or
+# the packages are not available; the script says which, and still checks what it can.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 program=$1 folder=$2
@@ -13,7 +15,7 @@ done
 mkdir -p "$folder/npm" "$folder/pages"
 if ! cmp -s "$here/package-lock.json" "$folder/npm/package-lock.json" || [ ! -e "$folder/npm/node_modules/.package-lock.json" ]; then
     cp "$here/package.json" "$folder/npm/"
-    # Checksums stand in package-lock.json; no script of a package is run.
+    # package-lock.json contains checksums. No script of a package runs.
     cp "$here/package-lock.json" "$folder/npm/lock" && cp "$folder/npm/lock" "$folder/npm/package-lock.json"
     (cd "$folder/npm" && timeout 120 npm ci --ignore-scripts --no-audit --no-fund >npm.log 2>&1) ||
         { rm -f "$folder/npm/package-lock.json"; skip "html-validate and axe-core cannot be fetched, so nobody has judged the pages."; }
@@ -23,10 +25,11 @@ rm -f "$folder"/pages/*.html
 guides=() narrow=()
 if command -v cmark-gfm >/dev/null; then
     python3 "$here/../../app/packaging/docs_html.py" "$here/../../docs" "$folder/guides"
-    # One with faults put in: a language, a title and a picture's words gone, headings that jump, a part named twice.
+    # A page with deliberate faults: it lacks the language, a title and the text of a picture. Its headings skip levels,
+    # and two parts have the same name.
     sed -e 's/ lang="en"//' -e 's|<title>.*</title>||' -e 's/ alt="[^"]*"//' -e 's/<\(\/\?\)h2/<\1h5/' -e 's/<h5 id="[^"]*"/<h5 id="twice"/' \
         "$folder/guides/architecture.html" >"$folder/guides/broken-guide.html"
-    # Every page where it is narrowest; index, long tables and code also wide and dark.
+    # The browser shows every page at the narrowest width. It also shows the index, long tables and code wide and dark.
     guides=("$folder"/guides/{index,user-guide/keys,developer/examples,broken-guide}.html)
     mapfile -t narrow < <(find "$folder/guides" -name '*.html' | sort | grep -vxFf <(printf '%s\n' "${guides[@]}"))
 else

@@ -1,9 +1,13 @@
 #!/usr/bin/env python3
-"""check_pages.py AXE.min.js PAGE... [--narrow PAGE...]: axe-core over each page in headless Chromium, light and dark, at 1280 and 320 pixels;
-those after --narrow light at 320 pixels alone.
+"""Checks pages with axe-core in headless Chromium.
 
-A page whose name begins with "broken" must have at least four violations, every other none, and none may be wider than the window. What axe leaves to be looked at is
-told; contrast over the plan is among it, since axe cannot tell what lies behind a text in a drawing, and is worked out by unit_report instead.
+Usage: check_pages.py AXE.min.js PAGE... [--narrow PAGE...]
+Shows each page light at widths of 1280 and 320 pixels, and dark at 1280 pixels. Pages after --narrow are shown only
+light at 320 pixels.
+
+A page whose name begins with "broken" must have at least four violations; all other pages must have none. No other page
+may be wider than the window. The script prints how many questions axe leaves open. Only the contrast over the plan may be
+among them, because axe cannot tell what is behind a text in a drawing; unit_report computes that contrast instead.
 """
 import html
 import json
@@ -13,7 +17,7 @@ import subprocess
 import sys
 import tempfile
 
-# In each page: axe judges it once it is there, and tells the page round it.
+# Added to each page: when the page has loaded, axe checks it and sends the result to the page around it.
 RUN = """
 <script>%s</script>
 <script>
@@ -28,8 +32,8 @@ addEventListener('load', async () => {
 </script>
 """
 
-# Shows one page after the other, each in a frame of its own as wide as it is asked for, and writes down what they tell. A browser for each page would take
-# longer to start than all of them take to be judged.
+# A page that shows the checked pages one after another, each in a frame of the requested width, and collects their
+# results. Starting a browser for each page would take longer than checking all of them.
 AROUND = """<!doctype html><html lang="en"><head><title>All pages</title></head><body><script>
 const pages = %s, told = pages.map(() => null);
 const next = at => {
@@ -61,7 +65,7 @@ next(0);
 
 
 def judged(pages, axe, dark):
-    """What axe says of each (page, width), as dicts; None where the browser gave nothing."""
+    """Returns axe's result for each (page, width) as a dict; None if the browser gave no result for it."""
     with tempfile.TemporaryDirectory() as folder:
         shown = []
         for at, (page, width) in enumerate(pages):

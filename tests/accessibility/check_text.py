@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""check_text.py HTML-VALIDATE CONFIGURATION PAGE...: html-validate over each page as it was written.
+"""Checks pages as text with html-validate.
 
-A page whose name begins with "broken" must break at least four rules, every other none. Each fault is told with its page, line and rule.
+Usage: check_text.py HTML-VALIDATE CONFIGURATION PAGE...
+A page whose name begins with "broken" must break at least four rules; all other pages must break none. The script prints
+each fault with its page, line and rule.
 """
 import json
 import pathlib

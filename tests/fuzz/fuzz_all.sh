@@ -1,8 +1,11 @@
 #!/usr/bin/env bash
-# Fuzzes every parser of the harness table, each for so many runs from a fixed seed, so that what it finds is found again:
+# Fuzzes every parser of the harness table. Each gets a fixed number of runs from a fixed seed, so that a finding can be
+# repeated:
 #   cmake --preset asan && cmake --build --preset asan --target parsers_fuzzer && tests/fuzz/fuzz_all.sh
-#   tests/fuzz/fuzz_all.sh -max_total_time=600 -seed=7 map obj     longer, of one's own; what is new and worth keeping grows in build/fuzz/corpus
-# Ends with 1 if anything was found: then the input lies in build/fuzz/found. Mend it, and keep it in tests/fuzz/inputs/NAME/regressions.
+# Longer, with other seeds and only some parsers; new inputs that are worth keeping are added to build/fuzz/corpus:
+#   tests/fuzz/fuzz_all.sh -max_total_time=600 -seed=7 map obj
+# Exit status 1: something was found, and the input is in build/fuzz/found. Fix the fault and keep the input in
+# tests/fuzz/inputs/NAME/regressions.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 fuzzer=build/asan/bin/parsers_fuzzer
@@ -15,10 +18,11 @@ for word in "$@"; do
     esac
 done
 [ ${#names[@]} -gt 0 ] || mapfile -t names < <("$fuzzer")
-# What a parser does in about two seconds on an ordinary machine. Those that go through files are slower.
+# Number of runs for each parser, which take about two seconds on an ordinary machine. Parsers that use files are
+# slower.
 declare -A runs=([map]=3000 [obj]=10000 [picture]=20000 [settings]=600 [side_file]=400 [scenario]=3000 [language]=1500 [path]=40000 [falcon]=100000 [boot_image]=100000 [hid]=60000
     [haply]=40000)
-# Always the same: what is kept by address would else be met in another order each time.
+# Fixes the addresses, because containers that are ordered by address would otherwise have another order each time.
 same=(setarch -R)
 "${same[@]}" true 2>/dev/null || { same=(); echo "Addresses cannot be fixed here, so what is tried may differ from time to time."; }
 mkdir -p build/fuzz/found

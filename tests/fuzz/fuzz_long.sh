@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Fuzzes each parser for minutes, from a new seed each time, and keeps what it learnt outside the repository:
-#   tests/fuzz/fuzz_long.sh [MINUTES] [NAME...]        10 minutes for each parser, unless told otherwise
-# The corpora are in $HANDRAIL_CORPORA, or in ~/.cache/handrail-fuzz. Each begins with the seeds of tests/fuzz/inputs and
-# is minimised after its turn, so the next run goes on where this one ended. After something is found the parser goes on
-# with another seed. One line of result for each; ends with 1 if anything was found. Mend that, and keep the input in
-# tests/fuzz/inputs/NAME/regressions.
+# Fuzzes each parser for minutes, from a new seed each time. Keeps the corpora outside the repository:
+#   tests/fuzz/fuzz_long.sh [MINUTES] [NAME...]        by default 10 minutes for each parser
+# The corpora are in $HANDRAIL_CORPORA, or in ~/.cache/handrail-fuzz. Each begins with the seeds of tests/fuzz/inputs.
+# The script minimises it afterwards, and the next call continues with it. After a finding, the parser continues with
+# another seed. The script prints one line for each parser.
+# Exit status 1: something was found. Fix the fault and keep the input in tests/fuzz/inputs/NAME/regressions.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 fuzzer=${HANDRAIL_FUZZER:-build/asan/bin/parsers_fuzzer}
@@ -15,7 +15,7 @@ names=("$@")
 home=${HANDRAIL_CORPORA:-${XDG_CACHE_HOME:-$HOME/.cache}/handrail-fuzz}
 mkdir -p "$home/found" "$home/logs"
 
-# Inputs so far; one more each time something is found, and at the end of the time.
+# Fuzzes a parser until the time is over or something is found. Fails if something was found.
 fuzz() {
     local name=$1 log=$2 seconds=$3 seed=$4 known=("tests/fuzz/inputs/$1/seeds")
     [ ! -d "tests/fuzz/inputs/$name/regressions" ] || known+=("tests/fuzz/inputs/$name/regressions")
@@ -23,7 +23,7 @@ fuzz() {
         "-artifact_prefix=$home/found/$name-" "-max_total_time=$seconds" "-seed=$seed" "$home/$name" "${known[@]}" >"$log" 2>&1
 }
 
-# In place of the corpus, those of its inputs that reach all it reaches.
+# Replaces the corpus by those of its inputs that together reach the same code.
 minimise() {
     local name=$1 fresh=$home/$1.minimised
     rm -rf "$fresh" && mkdir "$fresh"
@@ -45,7 +45,7 @@ for name in "${names[@]}"; do
         fuzz "$name" "$log" "$left" "$seed" || found=$((found + 1))
         done_now=$(grep -oE 'number_of_executed_units: *[0-9]+' "$log" | grep -oE '[0-9]+$' || true)
         runs=$((runs + ${done_now:-0}))
-        # It ends at once if a known input fails: nothing is learnt by beginning again.
+        # If a known input fails, the fuzzer ends immediately, and starting it again would find nothing new.
         [ "$turn" -lt 50 ] || break
     done
     minimise "$name"

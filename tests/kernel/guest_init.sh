@@ -1,5 +1,6 @@
 #!/bin/busybox sh
-# The first and only process of the machine that in_qemu.sh boots: loads the modules, runs each test program, switches off.
+# The first and only process of the machine that in_qemu.sh boots. It loads the modules, runs each test program, and
+# switches the machine off.
 /bin/busybox --install -s /bin
 export PATH=/bin
 mount -t devtmpfs dev /dev

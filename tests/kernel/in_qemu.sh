@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
-# Boots a Debian kernel in QEMU with nothing in it but the test programs named, and runs them there: in_qemu.sh FOLDER PROGRAM...
-# FOLDER keeps the unpacked kernel. Needs no rights; everything is emulated (TCG), so it runs inside other virtual machines too. The output is
-# the programs' own; exit status 0 when all passed, 1 when one failed or the machine did not come to its end, 77 when it could not be tried.
+# Boots a Debian kernel in QEMU with nothing but the given test programs, and runs them there:
+#   in_qemu.sh FOLDER PROGRAM...
+# FOLDER keeps the unpacked kernel. The script needs no special rights. Everything is emulated (TCG), so it also runs
+# inside other virtual machines. Its output is that of the programs.
+# Exit status 0: all passed. 1: a program failed, or the machine did not finish. 77: the test could not be tried.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 mkdir -p "$1"
@@ -9,7 +11,7 @@ folder=$(cd "$1" && pwd)
 shift
 longest_s=300
 
-# In the order in which they need each other.
+# The modules, in the order in which they depend on each other.
 modules=(usb-common usbcore usbip-core vhci-hcd hid usbhid hid-generic uhid uinput evdev)
 
 say() { echo "$*" >&2; }
@@ -19,7 +21,7 @@ qemu=$(command -v qemu-system-x86_64) || skip "QEMU is not installed. Please run
 busybox=$(command -v busybox) && ! ldd "$busybox" >/dev/null 2>&1 || skip "a static busybox is not installed. Please run as root: apt-get install busybox-static"
 [ "$(uname -m)" = x86_64 ] || skip "these tests are for x86-64 computers."
 
-# fetch_kernel: Debian's newest kernel package, unpacked into $folder/kernel, without installing it.
+# Fetches Debian's newest kernel package and unpacks it into $folder/kernel, without installing it.
 fetch_kernel() {
     command -v apt-get >/dev/null || skip "this is not Debian, so no kernel can be had."
     local package
@@ -37,7 +39,7 @@ fetch_kernel() {
 compgen -G "$folder/kernel/boot/vmlinuz-*" >/dev/null || fetch_kernel
 kernel=$(compgen -G "$folder/kernel/boot/vmlinuz-*" | head -n 1)
 
-# The machine's only files: busybox, modules, programs, and the libraries they load.
+# These are the machine's only files: busybox, the modules, the programs, and the libraries that they load.
 root="$folder/root"
 rm -rf "$root"
 mkdir -p "$root"/{bin,dev,proc,sys,tmp,modules,tests}

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# The monkey for minutes, from a new seed each time, with acts of 100,000 divided by its eight parts:
-#   tests/monkey/monkey_long.sh [MINUTES] [ACTS]       10 minutes, unless told otherwise
-# One line of result for each part of each seed; what a failing part did is in $HANDRAIL_CORPORA/monkey, or in
-# ~/.cache/handrail-fuzz/monkey. The line names what repeats it. Ends with 1 if anything failed.
+# Runs the monkey test for minutes, from a new seed each time. Each seed runs 100,000 actions, divided among eight
+# parts:
+#   tests/monkey/monkey_long.sh [MINUTES] [ACTS]       by default 10 minutes and 100,000 actions
+# The script prints one line for each part of each seed. The log of a failed part is in $HANDRAIL_CORPORA/monkey, or in
+# ~/.cache/handrail-fuzz/monkey. The line contains the command that repeats the part. Exit status 1: a part failed.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 monkey=${HANDRAIL_MONKEY:-build/${HANDRAIL_PRESET:-release}/bin/monkey}

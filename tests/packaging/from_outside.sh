@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the library into an empty folder and builds a project of somebody else's against it, with the examples of the
-# developer's guide; a wall felt in C++, in C and in Python has to give one number.
+# Installs the library into an empty folder and builds another project against it, with the examples of the developer's
+# guide. A wall must give the same force in C++, in C and in Python.
 #   from_outside.sh BUILD SOURCE
 set -euo pipefail
 build=$1 source=$2
@@ -10,7 +10,7 @@ trap 'rm -rf "$folder"' EXIT
 for component in development library; do
     cmake --install "$build" --prefix "$folder/prefix" --component $component >"$folder/log" 2>&1 || { cat "$folder/log" >&2; fail "it could not be installed."; }
 done
-# Wherever it was put, nothing in it leads back to where it was built.
+# The installed library may contain no path to the place where it was built.
 ! grep -rlF "$source" "$folder/prefix/lib/cmake" "$folder/prefix/include" || fail "these name the source folder."
 head -qn 1 "$folder"/prefix/include/handrail/*/*/*.h | grep -qvE '^// Handrail [0-9.]+: (stable|inner);' && fail "a header does not say whether it stays as it is."
 head -n 1 "$folder/prefix/include/handrail/haptic/render/touch.h" | grep -q stable || fail "touch.h is not stable."
@@ -19,7 +19,7 @@ cp -r "$source/tests/packaging/outside" "$folder/project"
 mkdir "$folder/project/examples"
 cp "$source/tests/support/precompiled.h" "$folder/project/examples"
 for example in "$source"/tests/examples/*_test.cpp; do
-    # Features of the session are parts of the program, not of the library.
+    # Examples of session features are left out, because these are parts of the program, not of the library.
     grep -q '"tests/\|"app/' "$example" || cp "$example" "$folder/project/examples"
 done
 [ "$(ls "$folder"/project/examples/*.cpp | wc -l)" -ge 4 ] || fail "there are not four examples to build."
@@ -33,12 +33,12 @@ c=$("$folder/built/feel_a_wall_c" "$world")
 python=$(python3 "$folder/project/feel_a_wall.py" "$folder/prefix/lib/libhandrail.so.0" "$world")
 [ "$cpp" = "$c" ] && [ "$c" = "$python" ] || fail "the wall gives $cpp N in C++, $c in C, $python in Python."
 python3 -c "import sys; sys.exit(not 0.01 < $cpp < 1.0)" || fail "$cpp N is no force for a tenth of a millimetre."
-# A file that is none is a sentence, in each of them.
+# In each language, a missing file must give a sentence.
 for words in "$folder/built/feel_a_wall" "$folder/built/feel_a_wall_c" "python3 $folder/project/feel_a_wall.py $folder/prefix/lib/libhandrail.so.0"; do
     said=$($words /nowhere/house.map 2>&1) && fail "$words reads a file that there is not."
     [[ "$said" == *house.map* ]] || fail "$words said: $said"
 done
-# Nothing is seen from outside but what the header names.
+# The library may export only the names in its header.
 seen=$(nm -D --defined-only "$folder/prefix/lib/libhandrail.so.0" | awk '{print $3}' | grep -vE '^(handrail_|HANDRAIL_1)' | head -n 5 || true)
 [ -z "$seen" ] || fail "the library also shows: $seen"
 for name in $(grep -oE '\bhandrail_[a-z_]+\(' "$source/haptic/c/handrail.h" | tr -d '(' | sort -u); do

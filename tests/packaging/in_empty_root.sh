@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Makes the packages and does with them what a person does: install, start, upgrade, remove, in a copy of this system that
-# is thrown away, without the source folder. Before that Debian's checkers judge them.
+# Makes the packages and checks them with Debian's own checkers. Then does with them what a person does: installs,
+# starts, upgrades and removes them. This happens in a temporary copy of this system, without the source folder.
 #   in_empty_root.sh BUILD SOURCE
-# Exit status 0: all held; 1: a sentence says what did not; 77: no such copy can be made here.
+# Exit status 0: all passed. 1: a sentence says what failed. 77: no such copy can be made here.
 set -euo pipefail
 build=$1 source=$2
 fail() { echo "FAILED: $*" >&2; exit 1; }
@@ -26,7 +26,8 @@ if [ "${3:-}" != inside ]; then
         share/doc/handrail/changelog.gz share/doc/handrail/html/index.html share/doc/handrail/html/settings.html; do
         grep -q " ./usr/$file$" "$folder/list" || fail "the package lacks /usr/$file."
     done
-    # Libraries have other versions in another release of Debian, so the version of the package names the release.
+    # Another release of Debian has other versions of the libraries, so the version of the package must name the
+    # release.
     version=$(dpkg-deb -f "$package" Version)
     release=$(. /etc/os-release && echo "${VERSION_ID:-$VERSION_CODENAME}")
     [[ "$version" == *~*"$release" ]] || fail "the version $version does not name the release $release."
@@ -37,7 +38,7 @@ if [ "${3:-}" != inside ]; then
     done
     dpkg-deb -x "$package" "$folder/tree"
     tree=$folder/tree/usr
-    # Nothing in any of them tells where it was made, the bytes of programs and libraries included.
+    # No package may contain the path where it was made, not even in the bytes of programs and libraries.
     mkdir "$folder/all"
     for made in "$folder"/now/*.deb; do dpkg-deb -x "$made" "$folder/all"; done
     for place in "$source" "$build"; do
@@ -46,7 +47,7 @@ if [ "${3:-}" != inside ]; then
     done
     rm -rf "$folder/all"
 
-    # A page for each command, in each language.
+    # Each command needs a manual page in each language.
     for command in $(LC_ALL=C "$tree/bin/handrail" --help | sed -nE '/^Subcommands:/,/^$/s/^  ([a-z]+) .*/\1/p') ''; do
         for language in '' de/; do
             [ -s "$tree/share/man/${language}man1/handrail${command:+-$command}.1.gz" ] || fail "there is no manual page of ${command:-handrail} in $language."
@@ -65,7 +66,7 @@ if [ "${3:-}" != inside ]; then
     else note "desktop-file-validate is not installed."; fi
     if command -v appstreamcli >/dev/null; then
         appstreamcli validate --no-net --pedantic "$tree/share/metainfo/handrail.metainfo.xml" >"$folder/log" 2>&1 || fail "$(cat "$folder/log")"
-        # As a distributor makes it, who has a place for pictures.
+        # Checks the file as a distributor changes it, who has a web page and pictures.
         sed 's|<releases>|<url type="homepage">https://handrail.example</url><screenshots><screenshot type="default"><image>https://handrail.example/window.png</image><caption>The plan.</caption></screenshot></screenshots>&|' \
             "$tree/share/metainfo/handrail.metainfo.xml" >"$folder/with_pictures.metainfo.xml"
         appstreamcli validate --no-net "$folder/with_pictures.metainfo.xml" >"$folder/log" 2>&1 || fail "$(cat "$folder/log")"
@@ -75,7 +76,7 @@ if [ "${3:-}" != inside ]; then
         ! grep -qE '^[EW]:' <<<"$said" || fail "lintian: $(grep -E '^[EW]:' <<<"$said" | head -n 20)"
     else note "lintian is not installed."; fi
 
-    # What the shells offer.
+    # Checks what the shells offer as completions.
     offered() { bash -c 'source "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); HANDRAIL_WORLDS=$worlds _handrail; echo "${COMPREPLY[@]}"' _ "$tree/share/bash-completion/completions/handrail" "$@"; }
     export worlds=$tree/share/handrail/worlds
     [[ " $(offered handrail ho) " == *" house "* ]] || fail "bash offers no world for ho."
@@ -84,7 +85,7 @@ if [ "${3:-}" != inside ]; then
     if command -v zsh >/dev/null; then zsh -n "$tree/share/zsh/vendor-completions/_handrail" || fail "zsh cannot read its completion."
     else note "zsh is not installed, so nobody has read its completion."; fi
 
-    # Every page's links lead to pages and parts that are there.
+    # Every link of a page must lead to an existing page and an existing part of it.
     python3 - "$tree/share/doc/handrail/html" <<'PY' || fail "a page of the guides is not as it should be."
 import pathlib, re, sys, urllib.parse
 root = pathlib.Path(sys.argv[1])
@@ -109,7 +110,7 @@ print("\n".join(wrong))
 sys.exit(1 if wrong or len(pages) < 5 else 0)
 PY
 
-    # A copy of this system in memory, which only we see.
+    # Mounts a copy of this system in memory, which only this script sees.
     cat >"$folder/outside.sh" <<'SH'
 set -e
 mount -t tmpfs none "$1/memory"
@@ -123,7 +124,7 @@ SH
         note "no copy of this system can be made here, so nothing was installed: $(tail -n 1 "$folder/log")"
         exit 77
     }
-    # The package of before had a world that is no longer there.
+    # Makes an older package, which contains a world that the new package lacks.
     dpkg-deb -R "$package" "$folder/before"
     sed -i 's/^Version: .*/Version: 0.0.9/' "$folder/before/DEBIAN/control"
     echo '{ "classname" "worldspawn" }' >"$folder/before/usr/share/handrail/worlds/long_gone.map"
@@ -132,7 +133,7 @@ SH
     exit
 fi
 
-# Inside: $folder/root is the copy.
+# From here on, the script runs inside its own mount namespace. $folder/root is the copy of the system.
 folder=$4 root=$4/root
 mount --rbind /dev "$root/dev"
 mount --rbind /proc "$root/proc"

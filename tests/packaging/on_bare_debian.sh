@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Installs the package in an empty Debian, the version that the package is for, with no compiler in it. Starts the program,
-# explores the house by text, upgrades from an older version with settings and marks kept, and removes it.
+# Installs the package in an empty Debian without a compiler, in the release for which the package was made. Starts the
+# program, explores the house by text, upgrades from an older version and removes the package. The upgrade must keep
+# settings and marks.
 #   on_bare_debian.sh PACKAGES    PACKAGES: the folder that ./run package fills
-# Needs root and the network, some minutes, 1 GB of /var/tmp.
-# Exit status 0: passed; 1: a sentence says what failed; 77: no empty Debian can be made here.
+# Needs root, the network, some minutes, and 1 GB of /var/tmp.
+# Exit status 0: all passed. 1: a sentence says what failed. 77: no empty Debian can be made here.
 set -euo pipefail
 fail() { echo "FAILED: $*" >&2; exit 1; }
 skip() { echo "Skipped: $*"; exit 77; }
@@ -27,7 +28,7 @@ if [ "${2:-}" != inside ]; then
     said=$(make_root "$system" "$folder/root" "$folder/log") || skip "$said"
     mkdir "$folder/root/packages"
     cp "${packages[0]}" "$folder/root/packages/handrail.deb"
-    # The same files as an older version.
+    # Makes a package with the same files and an older version.
     dpkg-deb -R "${packages[0]}" "$folder/before"
     sed -i 's/^Version: .*/Version: 0.0.9/' "$folder/before/DEBIAN/control"
     dpkg-deb --root-owner-group -Znone -b "$folder/before" "$folder/root/packages/handrail_before.deb" >/dev/null
@@ -66,7 +67,8 @@ own=$(cd "$root/srv/visitor" && find . -type f -exec sha256sum {} + | sort)
 came=$(installed | comm -13 "$folder/packages_before" - | wc -l)
 
 apt purge handrail
-# What a remaining package merely suggests would stay: libsystemd0 of Debian 13 suggests libgcrypt20.
+# By default, apt keeps a package that a remaining package merely suggests: libsystemd0 of Debian 13 suggests
+# libgcrypt20.
 apt autoremove --purge -o APT::AutoRemove::RecommendsImportant=false -o APT::AutoRemove::SuggestsImportant=false
 [ "$own" = "$(cd "$root/srv/visitor" && find . -type f -exec sha256sum {} + | sort)" ] || fail "removing touched the person's own files."
 rm -rf "$root/packages" "$root/srv/visitor"
