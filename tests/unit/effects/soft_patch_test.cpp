@@ -241,7 +241,7 @@ TEST(SoftPatch, as_a_cushion_recovers_with_its_time_constant) {
         for (int i = 0; i < static_cast<int>(after_s * 1e3); ++i)
             touch_tick(again, *scene, {}, {0.1, 0.08, 0.05}, 1e-3);
         return 200.0 * 0.005 -
-               touch_tick(again, *scene, {}, {0.1, 0.08, 0.0}, 1e-3).force_n.z;  // what a press of 5 mm lacks in force
+               touch_tick(again, *scene, {}, {0.1, 0.08, 0.0}, 1e-3).force_n.z;  // the force that a 5 mm press lacks
     };
     const double early = probe(0.05), later = probe(0.25), late = probe(2.0);
     EXPECT_GT(early, 0.02);

@@ -775,7 +775,7 @@ TEST(CalibrationStrip, has_samples_of_every_size_with_their_numbers) {
 
 // ---- files ----
 
-// Checks that tags open and close in order, attributes have quotation marks, and no ampersand is unescaped.
+// Checks that tags open and close in order, attributes have quotation marks, and every ampersand is escaped.
 void is_xml(const std::string& text) {
     static const std::regex kTag(R"re(<(\?xml[^>]*\?|/?[a-zA-Z]+((\s+[a-zA-Z:_-]+="[^"<]*")*)\s*/?)>)re");
     std::vector<std::string> open;

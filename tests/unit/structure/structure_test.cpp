@@ -277,7 +277,7 @@ TEST(Files, of_worlds_are_read_only_by_the_confined_process) {
     EXPECT_TRUE(std::regex_search(std::string("auto scene = read_world(file);"), in_this_process));
 }
 
-// The macros of gtest contain an if. Without braces, g++ therefore warns of an ambiguous else.
+// The macros of GoogleTest contain an if. Without braces, g++ therefore warns of an ambiguous else.
 TEST(Sources, use_braces_around_a_check_under_an_if_without_else) {
     const std::regex bare(R"(\n *if \([^\n]*\)\s+(EXPECT|ASSERT)_[^;]*;[^\n]*\n(?! *else\b))");
     for (const std::string& file : test::project_files()) {
