@@ -1,7 +1,8 @@
-// Decides in which tick of a session the result of a background task (rooms, the hand's scene, routes) is there: as it
-// comes, which is reported to the recorder; or in exactly the ticks of a recording, for which the session waits. Every
-// query by the session is counted, and the same session queries in the same order. Owned by the owner of the session;
-// each background task gets it when it is made. Plain state; the session's thread.
+// Decides in which tick of a session the result of a background task (rooms, the hand's scene, routes) becomes
+// available. In a live session that is the first tick after the work is done, and the recorder is given its number. In
+// a replay it is the tick of the recording, for which the session waits. The class counts every query by the session; a
+// replay repeats the same queries in the same order, so a count identifies a query. The owner of the session owns this
+// object and hands it to each background task on construction. Plain state, used on the session's thread only.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +17,15 @@ class Arrivals {
     enum class Mode : std::uint8_t { Outside, Counts, LooksOnly };
 
 public:
-    // As it comes; `tell` gets the number of each query that was answered with yes.
+    // For a live session: a result is available as soon as it is done. `tell` receives the count of each query that was
+    // answered with yes.
     explicit Arrivals(std::function<void(std::uint64_t asked)> tell) : tell_(std::move(tell)) {}
-    // Exactly these queries are answered with yes.
+    // For a replay: the queries with these counts are answered with yes, and no others.
     explicit Arrivals(std::set<std::uint64_t> came) : came_(std::move(came)) {}
 
-    // While one lives, queries are counted and answered so; outside of any, results are there as soon as they are done.
-    // looks_only: somebody reads the session between its ticks; nothing new is there then. of: null if nobody records.
+    // While a Turn exists, queries are counted and answered as described above. While none exists, results are
+    // available as soon as they are done. Set `looks_only` if code reads the session between its ticks: every query is
+    // then answered with no. `of` is null if the session is neither recorded nor replayed.
     class Turn {
     public:
         explicit Turn(Arrivals* of, bool looks_only = false) : of_(of) {
@@ -39,8 +42,8 @@ public:
         Mode before_ = Mode::Outside;
     };
 
-    // Queries `of`, which may be null: `try_it` returns whether the result is there by now; `wait` makes sure that it
-    // is, and is called at most once.
+    // Returns whether a result is available, as `of` decides; if `of` is null, `try_it` decides. `try_it` returns
+    // whether the result is done by now. `wait` blocks until the result is done; it is called at most once.
     template <class TryIt, class Wait>
     static bool there(Arrivals* of, TryIt try_it, Wait wait) {
         if (!of || of->mode_ == Mode::Outside) return try_it();

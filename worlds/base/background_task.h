@@ -1,6 +1,7 @@
-// Runs one background task at a time. The owner begins it and queries it each tick. It is cancelled if the owner begins
-// a newer one or is destroyed. Call every function on the owner's thread; the executor decides where the work runs.
-// Objects that the work captures are freed there too, so freeing large ones costs the owner nothing.
+// Runs one background task at a time. The owner begins the task and polls for its result each tick. The task is
+// cancelled if the owner begins a newer one or destroys this object. Call every function on the owner's thread. The
+// executor decides on which thread the work runs. Objects that the work captures are freed on that thread too, so
+// freeing large objects costs the owner nothing.
 #pragma once
 
 #include <atomic>
@@ -23,8 +24,8 @@ public:
     // The work must check `stop` often. A result that it returns after a stop request is dropped.
     using Work = std::function<Result(const std::stop_token& stop)>;
 
-    // The executor and the arrivals outlive this object. name: as Executor::run has it. arrivals: decide when take()
-    // gives the result; null: as soon as it is done.
+    // The executor and the arrivals must outlive this object. For `name` see Executor::run. `arrivals` decides in which
+    // tick take() returns the result; if it is null, take() returns the result as soon as it is done.
     BackgroundTask(const Executor& executor, const char* name, Arrivals* arrivals = nullptr)
         : executor_(executor), name_(name), arrivals_(arrivals) {}
     ~BackgroundTask() {
@@ -34,7 +35,7 @@ public:
     BackgroundTask(const BackgroundTask&) = delete;
     BackgroundTask& operator=(const BackgroundTask&) = delete;
 
-    // Cancels any task begun before and begins this one.
+    // Cancels any earlier task and begins this one.
     void begin(Work work) {
         give_up();
         next_ = std::move(work);
@@ -46,9 +47,10 @@ public:
     }
     // True if the task begun last is done. take() then returns its result, or nothing if memory ran out.
     bool ready() const { return !next_ && run_ && run_->done.load(std::memory_order_acquire); }
-    // True if a task that was not cancelled is waiting, running or done but not yet taken.
+    // True if a task that was not cancelled is waiting to start, running, or done with its result not yet taken.
     bool busy() const { return next_ || (run_ && !run_->stop.stop_requested()); }
-    // Returns the result of the task begun last, once it is done; never, if memory ran out for it.
+    // Returns the result of the task begun last, once that task is done. If the task ran out of memory, take() never
+    // returns a result.
     std::optional<Result> take() {
         std::optional<Result> made;
         Arrivals::there(
@@ -77,7 +79,7 @@ private:
         std::atomic<bool> done{false};
         std::optional<Result> made;
     };
-    // `before`: the dropped result of the last run, which is freed on the next run's thread.
+    // `before` is the last run with its dropped result; the thread of the next run frees it.
     void go_on(std::shared_ptr<Run> before = nullptr) {
         if (!next_) return;
         if (run_ && run_->done.load(std::memory_order_acquire)) {

@@ -1,4 +1,4 @@
-// The files of settings/languages, built into the program so that it can speak wherever it is installed.
+// The files of settings/languages, built into the program. So the program can speak wherever it is installed.
 #pragma once
 
 #include <span>
@@ -7,11 +7,11 @@
 namespace handrail {
 
 struct BundledLanguage {
-    std::string_view code;     // "en"
-    std::string_view content;  // the whole file
+    std::string_view code;     // the language's code: "en"
+    std::string_view content;  // the whole text of the language file
 };
 
-// Defined in a source file that settings/languages/embed.cmake writes.
+// Defined in a source file that settings/languages/embed.cmake generates.
 extern const std::span<const BundledLanguage> kBundledLanguages;
 
 }  // namespace handrail

@@ -1,5 +1,5 @@
-// An interface for real time, passed in so that every test can control the time. SteadyClock and VirtualClock implement
-// it.
+// An interface for real time. The owner passes a clock in, so that every test can control the time. SteadyClock and
+// VirtualClock implement the interface.
 #pragma once
 
 #include <atomic>
@@ -9,8 +9,8 @@ namespace handrail {
 class Clock {
 public:
     virtual ~Clock() = default;
-    virtual double now_s() const = 0;  // seconds since an arbitrary start; never goes back; callable from any thread
-    virtual void sleep_until_s(double time_s) = 0;  // returns at once if the time has passed
+    virtual double now_s() const = 0;  // seconds since an arbitrary start; never decreases; any thread may call it
+    virtual void sleep_until_s(double time_s) = 0;  // sleeps until `time_s`; returns at once if that time has passed
 };
 
 // Uses CLOCK_MONOTONIC and sleeps until absolute times, so that pacing does not drift.
@@ -20,7 +20,8 @@ public:
     void sleep_until_s(double time_s) override;
 };
 
-// Time that moves only when the owner advances it; sleeping advances it too. Any thread may read, one thread advances.
+// A clock that advances only when its owner advances it or when a caller sleeps. Any thread may read the time; only one
+// thread may advance it.
 class VirtualClock final : public Clock {
 public:
     double now_s() const override { return now_s_.load(std::memory_order_acquire); }

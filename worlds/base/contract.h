@@ -1,6 +1,7 @@
-// Checks of what our own code guarantees to itself. A broken contract is a fault of Handrail, never of a file, a device
-// or a person (those return Result<T>). It prints the place on stderr and ends the program, in every build. Do not use
-// it in the servo tick, where a fault means zero force.
+// Checks what Handrail's own code guarantees to itself. A broken contract is a fault of Handrail, never of a file, a
+// device or a person (functions that deal with those return Result<T>). A failed check prints its place in the source
+// on stderr and ends the program, in every build. Do not use these checks in the servo tick, where a fault must lead to
+// zero force instead.
 #pragma once
 
 namespace handrail::detail {
@@ -9,8 +10,8 @@ namespace handrail::detail {
 
 }  // namespace handrail::detail
 
-// Checks a whole value with its validator, whose Result<void> is passed in. Only builds with HANDRAIL_VALIDATE (the
-// preset debug) do so, because it costs about as much as making the value.
+// Checks a whole value: pass in the Result<void> that the value's validator returned. Only builds with
+// HANDRAIL_VALIDATE (the preset "debug") run this check, because it costs about as much as making the value.
 #ifdef HANDRAIL_VALIDATE
 #define contract_valid(result)                                                                                    \
     do {                                                                                                          \

@@ -1,4 +1,5 @@
-// Owns a file descriptor and closes it however its scope ends. Any thread; one owner.
+// Owns a file descriptor and closes it at the end of its scope, also after an exception. Any thread may use it, one at
+// a time.
 #pragma once
 
 #include <unistd.h>
@@ -16,7 +17,7 @@ public:
     Descriptor(Descriptor&& other) noexcept : fd_(other.release()) {}
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
-    // `other` then owns the old descriptor and closes it.
+    // Swaps the two, so `other` closes the old descriptor when it is destroyed.
     Descriptor& operator=(Descriptor&& other) noexcept {
         std::swap(fd_, other.fd_);
         return *this;

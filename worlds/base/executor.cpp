@@ -20,7 +20,7 @@ public:
 class OnThreads final : public Executor {
 public:
     std::thread run(const char* name, std::function<void()> job) const override {
-        // Shared, so that the job still exists if no thread can be started.
+        // The job is shared, so that it still exists to run here if no thread can be started.
         const auto shared = std::make_shared<std::function<void()>>(std::move(job));
         try {
             return std::thread([name, shared] {

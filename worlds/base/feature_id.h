@@ -1,12 +1,12 @@
-// Identifies things across modules without pointers. Names of a feature are looked up in the Scene, off the real-time
-// path.
+// Identifies features and materials across modules without pointers. To get a feature's name, look it up in the Scene,
+// off the real-time path.
 #pragma once
 
 #include <cstdint>
 
 namespace handrail {
 
-// Index into Scene::features, or kNoFeature.
+// An index into Scene::features, or kNoFeature.
 struct FeatureId {
     std::uint32_t value = 0xffffffffU;
     friend bool operator==(FeatureId, FeatureId) = default;
@@ -14,7 +14,8 @@ struct FeatureId {
 };
 inline constexpr FeatureId kNoFeature{};
 
-// Index into Scene::materials and HapticScene::materials, which have the same order. 0 is the default wall.
+// An index into Scene::materials and HapticScene::materials, which have the same order. Index 0 is the default
+// material, that of walls.
 using MaterialId = std::uint16_t;
 inline constexpr MaterialId kDefaultMaterial = 0;
 

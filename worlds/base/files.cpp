@@ -21,9 +21,10 @@ namespace {
 
 constexpr std::string_view kBeside = ".new-";
 constexpr std::size_t kRandomLetters = 6;  // the number of random letters in a mkostemp template
-constexpr time_t kStaleAfterS = 60;        // longer than the time between making a temporary file and locking it
+// Seconds after which an unlocked temporary file counts as left over; longer than a process takes to lock a new one.
+constexpr time_t kStaleAfterS = 60;
 
-// Repeats a system call that a signal interrupted; an interrupted call has done nothing.
+// Repeats a system call that a signal interrupted. That is safe, because an interrupted call has had no effect.
 template <class Call>
 auto again(Call&& call) {
     for (;;) {
@@ -32,10 +33,10 @@ auto again(Call&& call) {
     }
 }
 
-// O_NONBLOCK: otherwise opening a pipe that has no writer would block for ever.
+// Without O_NONBLOCK, opening a pipe that has no writer would block for ever.
 constexpr int kOpenFlags = O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
 
-// `file` is the result of openat; errno must still be the one that openat set.
+// Checks what openat opened. `file` is the result of openat, and errno must still have the value that openat set.
 Result<OpenFile> as_open_file(Descriptor file, const std::string& name) {
     if (file.get() < 0 && errno == ENXIO) return fail(phrase("files.no_file"), name);  // the file is a socket
     if (file.get() < 0) return fail(phrase("files.cannot_open", {{"reason", reason_of(errno)}}), name);
@@ -51,8 +52,8 @@ bool is_link(int folder, const fs::path& part) {
     return ::fstatat(folder, part.c_str(), &info, AT_SYMLINK_NOFOLLOW) == 0 && S_ISLNK(info.st_mode);
 }
 
-// A process that replaces a file holds a lock on its temporary file next to it, and loses the lock when it dies. So an
-// old temporary file without a lock is left over, and can be removed.
+// Removes temporary files that are left over next to `target`. A process that replaces a file holds a lock on its
+// temporary file and loses the lock when it dies. So an old temporary file without a lock is left over.
 void sweep_up_beside(const fs::path& target) {
     const std::string begin = target.filename().string() + std::string(kBeside);
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
@@ -97,7 +98,7 @@ Result<OpenFile> open_file(const fs::path& path) {
     return as_open_file(Descriptor(again([&] { return ::open(path.c_str(), kOpenFlags); })), path.filename().string());
 }
 
-// Opens the path part by part, starting from an open folder, so that nobody can insert a link meanwhile.
+// Opens the path part by part, starting from an open folder, so that nobody can insert a link in the meantime.
 Result<OpenFile> open_file_within(const fs::path& folder, const fs::path& name) {
     Descriptor at(again([&] { return ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC); }));
     for (auto part = name.begin(); at.get() >= 0 && part != name.end(); ++part) {
@@ -146,7 +147,7 @@ Result<MappedFile> map_file(const OpenFile& from, std::size_t max_bytes) {
 
 namespace {
 
-// `fresh_mode`: the permission bits for a file that did not exist before.
+// Replaces `target`. `fresh_mode` is the permission bits for a file that did not exist before.
 Result<void> replace(const fs::path& target, std::string_view content, mode_t fresh_mode) {
     std::error_code ec;
     const std::string name = target.filename().string();
@@ -188,7 +189,7 @@ Result<void> replace(const fs::path& target, std::string_view content, mode_t fr
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     const Descriptor parent(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (parent.get() >= 0)
-        ::fsync(parent.get());  // so that the rename survives a power cut; a failure here changes nothing
+        ::fsync(parent.get());  // makes the rename survive a power cut; a failure here changes nothing
     return {};
 }
 
@@ -204,10 +205,10 @@ Result<void> write_private_file_atomically(const fs::path& path, std::string_vie
 
 Result<void> write_named_file_atomically(const fs::path& path, std::string_view content) {
     std::error_code ec;
-    // Follows the links one by one, because the last one may point to a file that does not exist yet.
+    // Follows the links one by one, because the last link may point to a file that does not exist yet.
     fs::path target = path;
     for (int links = 0; fs::is_symlink(target, ec); ++links) {
-        if (links == 40)  // the system's own limit (ELOOP)
+        if (links == 40)  // Linux itself follows at most 40 links (ELOOP)
             return fail(phrase("files.cannot_save", {{"reason", reason_of(ELOOP)}}), path.filename().string());
         target = target.parent_path() / fs::read_symlink(target, ec);
     }

@@ -1,5 +1,6 @@
-// A new folder that only the person can read. It is removed again with its content unless keep() is called, so that a
-// full disk does not leave an empty folder for each attempt. One thread; costs nothing once kept.
+// A new folder that only the person can read. The destructor removes the folder with its content unless keep() was
+// called, so a full disk does not leave an empty folder for each attempt. Used on one thread. After keep(), destruction
+// costs nothing.
 #pragma once
 
 #include <sys/stat.h>
@@ -22,11 +23,11 @@ public:
         try {
             std::error_code ec;
             std::filesystem::remove_all(folder_, ec);
-        } catch (const std::exception&) {  // out of memory while removing: the folder stays, which does no harm
+        } catch (const std::exception&) {  // if memory runs out during the removal, the folder stays, which is harmless
         }
     }
-    // Returns the errno of the failure, or 0 on success. Allocates nothing, so nothing can fail between making the
-    // folder and guarding it.
+    // Makes the folder. Returns 0 on success, else the errno of the failure. Allocates nothing, so nothing can fail
+    // between making the folder and guarding it.
     int make() {
         made_ = ::mkdir(folder_.c_str(), 0700) == 0;
         return made_ ? 0 : errno;

@@ -34,11 +34,11 @@ struct Language {
     std::string code;
     icu::Locale locale;
     std::map<std::string, std::string, std::less<>> texts;
-    std::filesystem::path folder;  // folder of the person's own file
+    std::filesystem::path folder;  // folder that holds the person's own file for this language
 };
 
-// Collects the texts of a table under the keys "section.key". A value that is not a text, or does not fit, gives a
-// diagnostic. `fits` returns what is wrong with a text, or an empty string.
+// Collects the texts of a table under the keys "section.key". Adds a diagnostic for each value that is not a text or
+// that `fits` rejects. `fits` returns what is wrong with a text, or an empty string.
 template <class Fits>
 void gather(const toml::table& table, const std::string& prefix, const std::string& file, const Fits& fits,
             Language& into, std::vector<Diagnostic>& faults) {
@@ -54,8 +54,8 @@ void gather(const toml::table& table, const std::string& prefix, const std::stri
     }
 }
 
-// Languages live as long as the process and outlive its static objects, because another thread may still read a
-// language that was just replaced.
+// Keeps a language for ever. Languages outlive even the static objects of the process, because another thread may still
+// read a language that was just replaced.
 Language& kept(Language language) {
     static std::mutex guard;
     static auto& all = *new std::deque<Language>;
@@ -63,7 +63,7 @@ Language& kept(Language language) {
     return all.emplace_back(std::move(language));
 }
 
-// Tests check the bundled files, so nothing is checked again here.
+// Reads a bundled file without checking it, because tests check the bundled files.
 const Language* make_bundled(const BundledLanguage& source) {
     Language made{std::string(source.code), icu::Locale(std::string(source.code).c_str()), {}, {}};
     std::vector<Diagnostic> faults;
@@ -113,21 +113,21 @@ std::string narrow(const icu::UnicodeString& text) {
     return utf8;
 }
 
-// Only letters, digits, "-" and "_", so that the code cannot lead to a path elsewhere.
+// True if the code has only letters, digits, "-" and "_", so that it cannot form a path to another folder.
 bool may_be_code(std::string_view code) {
     return !code.empty() && std::all_of(code.begin(), code.end(), [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_';
     });
 }
 
-// True if the pattern needs no formatting: no values, no quotes.
+// True if the pattern needs no formatting, because it has neither values nor quotes.
 bool is_plain(std::string_view pattern) { return pattern.find_first_of("{}'") == std::string_view::npos; }
 
-// Cache of compiled patterns, because compiling one takes longer than everything else. ICU's formats create some of
-// their parts at first use, even if they are const, so only one thread at a time may fill them.
+// Cache of compiled patterns. Compiling a pattern takes longer than all the rest of phrase(). ICU's formats create some
+// of their parts at first use, even if they are const, so only one thread at a time may fill them with values.
 struct Compiled {
     std::mutex guard;
-    // Keyed by the text of a kept language, which never moves.
+    // The key is the address of a pattern. Patterns belong to kept languages, so their addresses never change.
     std::unordered_map<const std::string*, std::unique_ptr<const icu::MessageFormat>> formats;
 };
 Compiled& compiled() {
@@ -135,7 +135,7 @@ Compiled& compiled() {
     return all;
 }
 
-// `pattern` must be a text of `language`, which must be a kept language.
+// Fills the values into `pattern`, which must be a text of `language`. `language` must be a kept language.
 std::string fill(const Language& language, const std::string& pattern, std::initializer_list<TextValue> values) {
     if (is_plain(pattern)) return pattern;
     UErrorCode status = U_ZERO_ERROR;
@@ -159,7 +159,7 @@ std::string fill(const Language& language, const std::string& pattern, std::init
     return U_SUCCESS(status) ? narrow(made) : pattern;
 }
 
-// Returns in a sentence why `pattern` cannot replace English's text under `key`; empty if it can.
+// Returns a sentence that says why `pattern` cannot replace the English text under `key`, or an empty string if it can.
 std::string misfit(const std::string& key, const std::string& pattern) {
     std::vector<std::string> asked, offered;
     if (pattern.empty()) return phrase("language.empty_text", {{"key", key}});
@@ -186,13 +186,13 @@ std::string phrase(std::string_view key, std::initializer_list<TextValue> values
     if (speaks_to_typist()) {
         const std::string typed = std::string(key) + "_typed";
         if (const std::string* pattern = find(language, typed)) return fill(language, *pattern, values);
-        // The person's own language file may have the form without "_typed" only.
+        // The person's own language file may lack the key with "_typed" and have only the key without it.
         if (const std::string* pattern = find(english(), typed); pattern && !find(language, key))
             return fill(english(), *pattern, values);
     }
     if (const std::string* pattern = find(language, key)) {
         std::string said = fill(language, *pattern, values);
-        // A translation must not be empty where English has a text.
+        // A text may be empty only if the English text is empty too; else the English text is used.
         if (!said.empty() || &language == &english()) return said;
     }
     if (const std::string* pattern = find(english(), key)) return fill(english(), *pattern, values);
@@ -277,7 +277,7 @@ Result<std::vector<Diagnostic>> speak_language(std::string_view code, const std:
             Language own{std::string(code), icu::Locale(std::string(code).c_str()), {}, folder};
             if (language) {
                 own.texts = language->texts;
-                // So that faults in the person's own texts are reported in that language.
+                // Stored first, so that faults in the person's own texts are reported in the new language.
                 spoken.store(language, std::memory_order_release);
             }
             gather(table, "", path.filename().string(), misfit, own, faults);

@@ -1,11 +1,11 @@
 // Handrail's texts in the person's language. Every string that a person hears or reads is in settings/languages under a
-// key, in one file for each language; the code gives the key and the values. Patterns use ICU's MessageFormat, so that
-// each language has its own number format, plural forms and word order: "{steps, plural, one {# step} other {#
-// steps}}".
+// key, with one file for each language. The code supplies only the key and the values. Patterns use ICU's
+// MessageFormat, so each language has its own number format, plural forms and word order: "{steps, plural, one {# step}
+// other {# steps}}".
 //
 // The whole process has one spoken language, as it has one C locale, because a reader that fails deep in a file has no
-// access to a session. It starts as English. The app thread changes it with speak_language; any thread except the
-// servo's may read it (phrase allocates).
+// access to a session. The process starts in English. The app thread changes the language with speak_language(). Any
+// thread except the servo thread may read texts; phrase() allocates.
 #pragma once
 
 #include <concepts>
@@ -22,8 +22,8 @@
 
 namespace handrail {
 
-// One value of a pattern: "{name}". Whole numbers select plural forms. The pattern decides how many decimals a number
-// gets ("{m, number, ::.0}").
+// One value for a pattern, where it appears as "{name}". Whole numbers select plural forms. The pattern decides how
+// many decimals a number gets ("{m, number, ::.0}").
 struct TextValue {
     std::string_view name;
     std::variant<std::int64_t, double, std::string_view> value;
@@ -36,55 +36,58 @@ struct TextValue {
 };
 
 // Returns the text under `key` ("rooms.too_far") in the spoken language, with its values filled in. If that language
-// lacks the key, the text is English; if English lacks it too, the key itself is returned. docs/results.md has the cost
-// of a text with values; its first use costs up to ten times as much.
+// lacks the key, the English text is used. If English lacks the key too, phrase() returns the key itself. The cost is
+// in docs/results.md; the first use of a text costs up to ten times as much as later ones.
 std::string phrase(std::string_view key, std::initializer_list<TextValue> values = {});
-// True if the spoken language or English has the key. For keys built from names that come from files ("material.moss").
+// True if the spoken language or English has the key. Use it for keys that contain a name from a file
+// ("material.moss").
 bool has_phrase(std::string_view key);
 
-// A text of a world in a further language.
+// A translation of a world's text into one further language.
 struct TextIn {
-    std::string language;  // its code: "de"
+    std::string language;  // the code of that language: "de"
     std::string text;
 };
 using OtherLanguages = std::vector<TextIn>;
-// The text in the spoken language if there is one, else `text`, the world's main text.
+// Returns the translation into the spoken language from `others`. If there is none, returns `text`, which is in the
+// world's main language.
 std::string in_spoken_language(const std::string& text, const OtherLanguages& others);
 
-// Puts the first letter in upper case, for the start of a sentence, in any script. A text that begins with no letter
-// stays.
+// Puts the first letter into upper case, in any script, for the start of a sentence. A text that does not begin with a
+// letter is returned unchanged.
 std::string capitalised(std::string_view text);
 
-// A language that can be chosen: its code ("de") and its own name for itself ("Deutsch").
+// A language that a person can choose: its code ("de") and its name in that language itself ("Deutsch").
 struct LanguageName {
     std::string code;
     std::string name;
 };
 
-// The languages that come with the program, English first.
+// Returns the languages that come with the program, English first.
 std::vector<LanguageName> bundled_languages();
-// The bundled languages and those with a file of the person's own in `folder`, by their codes. A file that cannot be
-// read is left out.
+// Returns the bundled languages and those for which the person has a file in `folder`, sorted by code. Leaves out files
+// that cannot be read.
 std::vector<LanguageName> languages_to_choose(const std::filesystem::path& folder);
-// The code of the spoken language: "en".
+// Returns the code of the spoken language, such as "en".
 std::string spoken_language();
-// The code of the language that the environment requests (the first one set of LC_ALL, LC_MESSAGES, LANG) if it is
-// bundled or has a file in `folder`, which is not opened; else "en".
+// Returns the code of the language that the environment requests: the first of LC_ALL, LC_MESSAGES and LANG that is
+// set. Returns "en" if that language is neither bundled nor has a file in `folder`; the file is not opened.
 std::string language_of_environment(const std::filesystem::path& folder);
-// The folder that the language's own file was read from, for a child process that must speak the same; empty if there
-// was none.
+// Returns the folder that holds the person's own language file; empty if none was read. A child process that must speak
+// the same language needs it.
 std::filesystem::path spoken_language_folder();
 
-// Speaks `code` from now on. A file CODE.toml in `folder` (which may be empty or absent) adds a language or replaces
-// single texts of a bundled one. Returns the faults of that file; each faulty text is replaced by the bundled one, else
-// by English. Faults are in the bundled language of that code, if there is one. If there is no such language or its
-// file is damaged, it fails and changes nothing. App thread.
+// Changes the spoken language to `code`. A file CODE.toml in `folder` adds a language or replaces single texts of a
+// bundled one; `folder` may be empty or absent. Returns the faults of that file. Each faulty text is replaced by the
+// bundled one, or by English if there is none. Faults are reported in the bundled language of that code, if it exists.
+// If the language does not exist or its file is damaged, the call fails and changes nothing. App thread only.
 Result<std::vector<Diagnostic>> speak_language(std::string_view code, const std::filesystem::path& folder = {});
 
-// Returns a pattern's fault in ICU's words, or an empty string. `names` receives the sorted names of the values that
-// the pattern uses.
+// Returns the fault of a pattern in ICU's words, or an empty string. `names` receives the sorted names of the values
+// that the pattern uses.
 std::string pattern_fault(std::string_view pattern, std::vector<std::string>* names = nullptr);
-// The texts of a bundled language, sorted by key; empty if there is no such language. For tests and translators.
+// Returns the texts of a bundled language, sorted by key; empty if that language is not bundled. For tests and
+// translators.
 std::vector<std::pair<std::string, std::string>> bundled_texts(std::string_view code);
 
 }  // namespace handrail

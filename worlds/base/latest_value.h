@@ -1,9 +1,10 @@
 // Hands the newest value from one producer thread to one consumer thread without locks: a triple buffer. The consumer
-// always sees a complete value; values that it was too slow for are overwritten. Neither side allocates, waits or
-// fails.
-// The object may be in memory that another process writes too. Therefore every index read from it is masked with
-// kIndex, and there are as many slots as the mask allows. Three are in use; the fourth is for an index that no correct
-// process writes. So no value in that memory can cause an access outside it.
+// always sees a complete value and misses values that were overwritten before it read them. Neither side allocates,
+// waits or fails.
+//
+// Another process may also write the memory of this object. So every index that is read from it is masked with kIndex,
+// and there are as many slots as the mask allows: four. Three slots are in use. The fourth exists only because a faulty
+// process may write its index. So no value in that memory can cause an access outside of it.
 #pragma once
 
 #include <array>
@@ -18,7 +19,7 @@ public:
     LatestValue() = default;
     explicit LatestValue(const T& first) { slots_.fill(first); }
 
-    // Producer thread only.
+    // Makes `value` the newest one. Producer thread only.
     void publish(const T& value) {
         slots_[back_ & kIndex] = value;
         const std::uint8_t old =
@@ -26,13 +27,14 @@ public:
         back_ = old & kIndex;
     }
 
-    // Consumer thread only. True if a newer value was published since the last call; read() then returns it.
+    // Takes the newest value, which read() then returns. Returns true if a value was published since the last call.
+    // Consumer thread only.
     bool refresh() {
         if (!(middle_.load(std::memory_order_relaxed) & kFresh)) return false;
         front_ = middle_.exchange(front_ & kIndex, std::memory_order_acq_rel) & kIndex;
         return true;
     }
-    // Consumer thread only. Returns the value that the last refresh() took.
+    // Returns the value that the last refresh() took. Consumer thread only.
     const T& read() const { return slots_[front_ & kIndex]; }
 
 private:
@@ -40,8 +42,8 @@ private:
     static constexpr std::uint8_t kIndex = 3;
     std::array<T, kIndex + 1> slots_{};
     std::atomic<std::uint8_t> middle_{1};
-    std::uint8_t back_ = 0;   // producer thread only
-    std::uint8_t front_ = 2;  // consumer thread only
+    std::uint8_t back_ = 0;   // slot that the producer writes next; producer thread only
+    std::uint8_t front_ = 2;  // slot that the consumer reads; consumer thread only
 };
 
 }  // namespace handrail

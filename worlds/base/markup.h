@@ -1,4 +1,4 @@
-// Escapes text for pages and pictures: HTML and SVG. Pure; any thread.
+// Escapes text for HTML pages and SVG pictures. Pure functions; any thread may call them.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace handrail {
 
-// Escapes text for an element or for an attribute in double quotes. Leaves out control characters that XML 1.0 forbids,
-// and direction controls, which would reverse the text after it on the page.
+// Escapes text for use in an element or in an attribute in double quotes. Removes control characters that XML 1.0
+// forbids. Also removes direction controls, which would reverse the text that follows them on the page.
 inline std::string markup_text(std::string_view text) {
     std::string out;
     while (!text.empty()) {

@@ -9,6 +9,6 @@ struct Overloaded : F... {
     using F::operator()...;
 };
 template <class... F>
-Overloaded(F...) -> Overloaded<F...>;  // clang up to its release 16 needs this deduction guide
+Overloaded(F...) -> Overloaded<F...>;  // clang up to version 16 needs this deduction guide
 
 }  // namespace handrail

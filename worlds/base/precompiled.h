@@ -1,5 +1,5 @@
-// Headers that nearly every source file needs, or that many need and that take long; compiled once. Contains no headers
-// of the project itself.
+// Headers that nearly every source file includes, or that many include and that are slow to compile. They are compiled
+// once. Headers of the project itself are excluded.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Errors that a person can act on. Files, devices and users can be wrong: functions that deal with them return
+// Errors that a person can act on. Files, devices and users can be wrong, so functions that deal with them return
 // Result<T>.
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace handrail {
 
-// One sentence that can be spoken, and the place that it is about. Line and column count from 1, in bytes; 0 means
-// unknown.
+// One sentence that can be spoken, and the place in a file that it refers to. Line and column count from 1; columns are
+// in bytes. 0 means unknown.
 struct Error {
     std::string file;
     int line = 0;
@@ -29,8 +29,8 @@ inline tl::unexpected<Error> fail(std::string message, std::string file = {}, in
 
 enum class Severity { Warning, Error };
 
-// A fault that a reader found, and how it went on. `message` says what was expected and found, `action` what the reader
-// did about it.
+// A fault that a reader found. `message` says what the reader expected and found; `action` says what the reader did
+// about the fault.
 struct Diagnostic {
     Severity severity = Severity::Warning;
     std::string file;

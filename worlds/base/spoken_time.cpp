@@ -12,7 +12,7 @@
 namespace handrail {
 namespace {
 
-// The English texts are in British English.
+// The English texts are British English, so dates are British too.
 icu::Locale locale_of(const std::string& language) {
     return language == "en" ? icu::Locale("en", "GB") : icu::Locale(language.c_str());
 }

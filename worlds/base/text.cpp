@@ -10,7 +10,7 @@
 namespace handrail {
 namespace {
 
-// The length in bytes of the first character of `text`; 0 if that is not well-formed UTF-8.
+// Returns the length in bytes of the first character of `text`, or 0 if that character is not well-formed UTF-8.
 std::size_t bytes_of_character(std::string_view text) {
     const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
     const unsigned first = byte(0);
@@ -86,7 +86,7 @@ bool is_utf8(std::string_view text) {
 
 bool begins_with_direction_control(std::string_view text) {
     const auto byte = [&](std::size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0; };
-    if (byte(0) == 0xd8) return byte(1) == 0x9c;  // U+061C
+    if (byte(0) == 0xd8) return byte(1) == 0x9c;  // only U+061C
     if (byte(0) != 0xe2) return false;
     if (byte(1) == 0x80) return byte(2) == 0x8e || byte(2) == 0x8f || (byte(2) >= 0xaa && byte(2) <= 0xae);
     return byte(1) == 0x81 && byte(2) >= 0xa6 && byte(2) <= 0xa9;  // U+2066 to U+2069

@@ -1,9 +1,10 @@
-// How the person acts: with the keys of a window, with those of a terminal, or by typing lines. Texts that explain how
-// to act have a second form for typed lines, under the same key with "_typed" appended; phrase() uses it for them.
-// KeyMap::keys_of then returns the word of the command. For a terminal, it returns only keys that a terminal can send.
+// Describes how the person gives commands: with the keys of a window, with the keys of a terminal, or by typing lines.
+// Texts that explain how to give a command have a second form for typed lines, under the same key with "_typed"
+// appended; phrase() chooses it automatically. For typed lines, KeyMap::keys_of returns the word of the command. For a
+// terminal, it returns only keys that a terminal can send.
 //
-// One setting for the whole process, like the language. The app thread sets it once at the start; any thread except the
-// servo's may read it.
+// The setting applies to the whole process, like the language. The app thread sets it once at the start. Any thread
+// except the servo thread may read it.
 #pragma once
 
 namespace handrail {

@@ -1,7 +1,7 @@
-// A std::variant of strings, lists and the like, for values whose copying may run out of memory. libstdc++ assumes that
-// such a variant is never empty. If its copy constructor throws, it destroys a value that was never made, and the
-// program jumps to a random address (seen with GCC 12's and 14's). Here the value is copied first and then moved into
-// the variant, which cannot throw.
+// A std::variant of strings, lists and similar types that can be copied safely even when memory runs out. libstdc++
+// assumes that such a variant always holds a value. If the copy of a value throws, std::variant destroys a value that
+// was never made, and the program jumps to a random address (seen with GCC 12 and 14). This class first copies the
+// value and then moves it into the variant, and that move cannot throw.
 #pragma once
 
 #include <utility>

@@ -1,5 +1,5 @@
-// Vectors and frames, with one convention everywhere: right-handed, x east, y north, z up; metres, seconds, newtons,
-// radians. The haptic core, files and settings use double throughout; only drawing and audio outputs convert to float.
+// Vectors and frames. All code uses one convention: right-handed, x east, y north, z up; metres, seconds, newtons,
+// radians. The haptic core, files and settings use double. Only drawing and audio outputs convert to float.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@ inline constexpr double kPi = 3.14159265358979323846;
 
 inline bool is_finite(const Vec3& v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-// A unit vector perpendicular to v, always the same one for the same v; z up if v is zero.
+// Returns a unit vector perpendicular to v. The same v always gives the same result. Returns z up if v is zero.
 inline Vec3 any_perpendicular(const Vec3& v) noexcept {
     const Vec3 axis = std::abs(v.x) <= std::abs(v.y) && std::abs(v.x) <= std::abs(v.z) ? Vec3(1, 0, 0)
                       : std::abs(v.y) <= std::abs(v.z)                                 ? Vec3(0, 1, 0)
@@ -26,20 +26,20 @@ inline Vec3 any_perpendicular(const Vec3& v) noexcept {
     return length > 0.0 ? n / length : Vec3(0, 0, 1);
 }
 
-// Headings: 0 is north, clockwise. Radians in the code, degrees only in speech and files.
+// Headings run clockwise from north, which is 0. The code uses radians; only speech and files use degrees.
 inline double radians_from_degrees(double degrees) noexcept { return degrees * (kPi / 180.0); }
 inline double degrees_from_radians(double radians) noexcept { return radians * (180.0 / kPi); }
 
-// The unit vector, in the horizontal plane, in which a person with this heading faces.
+// Returns the horizontal unit vector in the direction that a person with this heading faces.
 inline Vec3 forward_of_heading(double heading_rad) noexcept {
     return {std::sin(heading_rad), std::cos(heading_rad), 0.0};
 }
-// The unit vector to the right of a person with this heading.
+// Returns the horizontal unit vector to the right of a person with this heading.
 inline Vec3 right_of_heading(double heading_rad) noexcept {
     return {std::cos(heading_rad), -std::sin(heading_rad), 0.0};
 }
 
-// The eighth of a turn nearest to any angle, 0 to 7: 0 for no turn, 2 for a quarter turn clockwise.
+// Rounds any angle to eighths of a turn and returns 0 to 7: 0 for no turn, 2 for a quarter turn clockwise.
 inline std::size_t nearest_eighth(double angle_rad) noexcept {
     return static_cast<std::size_t>((std::lround(angle_rad / (kPi / 4.0)) % 8 + 8) % 8);
 }
