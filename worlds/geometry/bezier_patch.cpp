@@ -18,37 +18,38 @@ bool is_patch(const PatchGrid& grid) {
 
 using Curve = std::array<Vec3, 3>;
 
-// Bit-identical from either end of the curve.
+// Returns the point of the curve at `t`. The result is bit-identical if the curve is reversed and t becomes 1 - t.
 Vec3 on_curve(const Curve& c, double t) {
     const double s = 1.0 - t;
     return (c[0] * (s * s) + c[2] * (t * t)) + c[1] * (2.0 * s * t);
 }
 
-// Numbers of splits are powers of two, so that t and 1 - t are exact and the splits of neighbours coincide.
+// Returns into how many parts a curve must be split. The number is a power of two, so that t and 1 - t are exact and
+// the splits of neighbouring patches coincide.
 int splits_for(double bend_m, double chord_m) {
     int splits = 1;
     while (splits < kMostPatchSplits && bend_m / (static_cast<double>(splits) * splits) > chord_m) splits *= 2;
     return splits;
 }
 
-// The middle of a curve is a quarter of the second difference away from its chord.
+// Returns the distance from the chord to the middle of a curve: a quarter of the second difference.
 double bend_of(const Curve& c) { return 0.25 * glm::length((c[0] + c[2]) - 2.0 * c[1]); }
 
 struct Splits {
-    std::vector<int> across;  // for each column of parts
-    std::vector<int> up;      // for each row of parts
+    std::vector<int> across;  // number of splits for each column of 3 by 3 parts
+    std::vector<int> up;      // number of splits for each row of 3 by 3 parts
 };
 
-// Half of the allowed error is for the grid and half for its outer edges, which may be split more coarsely than the
-// interior.
+// Uses half of the allowed error for the interior of the grid. The other half is left for the outer edges, which may be
+// split more coarsely than the interior.
 Splits splits_of(const PatchGrid& grid, double chord_m) {
     const int rows = grid.rows / 2, columns = grid.columns / 2;
     Splits splits{std::vector<int>(static_cast<std::size_t>(columns), 1),
                   std::vector<int>(static_cast<std::size_t>(rows), 1)};
     for (int r = 0; r < rows; ++r)
         for (int c = 0; c < columns; ++c) {
-            // Half of the part's second derivatives: along u and v from the control net; the mixed derivative twists
-            // every cell.
+            // bend_u and bend_v are half of the second derivatives along u and v, from the control net. `twist` is half
+            // of the mixed derivative, by which a cell is twisted out of its plane.
             double bend_u = 0.0, bend_v = 0.0, twist = 0.0;
             for (int k = 0; k < 3; ++k) {
                 bend_u = std::max(bend_u, bend_of({grid.at(2 * r + k, 2 * c), grid.at(2 * r + k, 2 * c + 1),
@@ -61,8 +62,9 @@ Splits splits_of(const PatchGrid& grid, double chord_m) {
                     twist = std::max(
                         twist, glm::length(grid.at(2 * r + i, 2 * c + j) - grid.at(2 * r + i, 2 * c + j + 1) -
                                            grid.at(2 * r + i + 1, 2 * c + j) + grid.at(2 * r + i + 1, 2 * c + j + 1)));
-            // The error of linear triangles with sides 1/m and 1/n is <= bend_u / m^2 + bend_v / n^2 + twist / (m n).
-            // The last term has no further factor because f_uv <= 4 twist and the bound contains a quarter of it.
+            // For linear triangles with sides 1/m and 1/n, the error is at most bend_u / m^2 + bend_v / n^2 + twist /
+            // (m n). The last term has no further factor, because f_uv <= 4 twist and the bound contains a quarter of
+            // f_uv.
             int& m = splits.across[static_cast<std::size_t>(c)];
             int& n = splits.up[static_cast<std::size_t>(r)];
             m = std::max(m, splits_for(bend_u, chord_m / 6.0));
@@ -76,7 +78,8 @@ Splits splits_of(const PatchGrid& grid, double chord_m) {
     return splits;
 }
 
-// A point of an outer edge, on the straight line between the splits that the edge alone needs.
+// Returns a point of an outer edge. The edge alone may need fewer splits than the grid; the point is then on the
+// straight line between two of those splits.
 Vec3 on_edge(const Curve& curve, int step, int steps, double chord_m) {
     const int own = std::min(splits_for(bend_of(curve), 0.5 * chord_m), steps);
     const int stride = steps / own, before = step / stride * stride;
@@ -116,7 +119,8 @@ PatchMesh tessellate(const PatchGrid& grid, double chord_m) {
     contract_pre(is_patch(grid));
     contract_pre(chord_m > 0.0);
     const Splits splits = splits_of(grid, chord_m);
-    // A vertex of the grid as part, step and number of steps.
+    // Identifies a vertex of the grid by its 3 by 3 part, its step within the part, and the number of steps of the
+    // part.
     struct Knot {
         int part, step, steps;
     };

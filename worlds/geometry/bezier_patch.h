@@ -1,7 +1,7 @@
 // Turns the curved patches of Quake 3 maps (patchDef2, patchDef3) into flat triangles. A patch is a grid of control
-// points; each 3 by 3 of them form a biquadratic Bezier surface. Pure functions, any thread, double precision; 1 us per
-// triangle. Sources: Bezier 1962 for the surfaces; Filip, Magedson & Markot, Surface algorithms using bounds on
-// derivatives, CAGD 1986, for the error bound.
+// points; each 3 by 3 of them form a biquadratic Bezier surface. Pure functions in double precision; any thread may
+// call them. Cost: 1 us per triangle. Sources: Bezier 1962 for the surfaces; Filip, Magedson & Markot, Surface
+// algorithms using bounds on derivatives, CAGD 1986, for the error bound.
 #pragma once
 
 #include <span>
@@ -12,35 +12,35 @@
 
 namespace handrail {
 
-// Control points row by row; both counts are odd and at least 3.
+// The control points of a patch, row by row. The numbers of rows and columns are odd and at least 3.
 struct PatchGrid {
     int rows = 0, columns = 0;
-    std::vector<Vec3> points_m;  // rows * columns
+    std::vector<Vec3> points_m;  // rows * columns points
 
     const Vec3& at(int row, int column) const { return points_m[static_cast<std::size_t>(row * columns + column)]; }
 };
 
 struct PatchMesh {
-    TriangleMesh mesh;        // vertices row by row
-    std::size_t columns = 0;  // columns of vertices
-    // The measured greatest distance from the curved surface to the triangle under it, taken at 9 points of each
-    // triangle.
+    TriangleMesh mesh;        // its vertices are stored row by row
+    std::size_t columns = 0;  // number of vertices in a row
+    // Greatest measured distance between the curved surface and the triangle that approximates it there. It is measured
+    // at 9 points of each triangle.
     double error_m = 0.0;
 };
 
-inline constexpr int kMostPatchSplits = 256;  // along one side of a 3 by 3 part
+inline constexpr int kMostPatchSplits = 256;  // greatest number of splits along one side of a 3 by 3 part
 
-// How many triangles tessellate() would make; use it to stay within a budget.
+// Returns how many triangles tessellate() would make. Use it to stay within a budget.
 std::size_t triangles_of_patch(const PatchGrid& grid, double chord_m);
 
-// Makes triangles no farther than chord_m from the curved surface, unless that needs more than kMostPatchSplits. If two
-// patches share an edge with the same control points, in either direction, their triangles meet along the same line.
-// The points on an edge depend on that edge's control points alone. Triangles run counter-clockwise if columns run to
-// the right and rows upwards. Triangles without area are left out.
+// Makes triangles that are at most chord_m away from the curved surface, unless that needs more than kMostPatchSplits.
+// The points on an edge depend on that edge's control points alone. So if two patches share an edge with the same
+// control points, in either direction, their triangles meet along the same line. Triangles run counter-clockwise if
+// columns run to the right and rows upwards. Triangles without area are left out.
 PatchMesh tessellate(const PatchGrid& grid, double chord_m);
 
-// A point of the curved surface itself, for checks, in the part (row, column) of 3 by 3 points. u runs along columns
-// and v along rows, from 0 to 1.
+// Returns a point of the curved surface itself, for checks. `part_row` and `part_column` select the part of 3 by 3
+// control points. u runs along columns and v along rows, from 0 to 1.
 Vec3 point_of_patch(const PatchGrid& grid, int part_row, int part_column, double u, double v);
 
 }  // namespace handrail

@@ -9,8 +9,8 @@ constexpr std::uint32_t kLeaf = 4;
 
 }  // namespace
 
-// Each node is halved at the middle item along the axis on which the centres of the boxes spread most. Of items with
-// equal centres the earlier one sorts lower.
+// Splits each node at the median item along the axis on which the centres of the boxes spread most. If two centres are
+// equal, the earlier item sorts first.
 BoxIndex::BoxIndex(std::span<const Aabb> boxes) {
     for (std::uint32_t i = 0; i < boxes.size(); ++i)
         if (!boxes[i].empty()) items_.push_back(i);

@@ -1,6 +1,7 @@
-// A hierarchy over boxes in double precision. It finds the boxes that meet a given box, and those that a straight line
-// may enter before it hits something. Built once, then only read, from any thread. Building costs O(n log n), a query
-// O(log n + found). Bvh, which the haptic tick queries, works on points and in single precision.
+// A hierarchy over boxes in double precision. It finds the boxes that meet a given box, and the boxes that a straight
+// line may enter before it hits something. After construction it is only read, from any thread. Building costs O(n log
+// n), a query O(log n + found). Bvh, which the haptic tick uses instead, answers queries about points in single
+// precision.
 #pragma once
 
 #include <algorithm>
@@ -18,12 +19,13 @@ class BoxIndex {
 public:
     struct Node {
         Aabb box;
-        std::uint32_t first = 0;  // index into items(), or the first of two adjacent child nodes
-        std::uint32_t items = 0;  // number of items; 0: an inner node
+        // Of a leaf: index into items(); of an inner node: the first of its two adjacent children.
+        std::uint32_t first = 0;
+        std::uint32_t items = 0;  // number of items in a leaf; 0: the node is an inner node
     };
 
     BoxIndex() = default;
-    // Empty boxes are never found.
+    // Builds the hierarchy. Queries never find an empty box.
     explicit BoxIndex(std::span<const Aabb> boxes);
 
     bool empty() const noexcept { return nodes_.empty(); }
@@ -31,10 +33,11 @@ public:
     const std::vector<Node>& nodes() const noexcept { return nodes_; }
     const std::vector<std::uint32_t>& items() const noexcept { return items_; }
 
-    // Replaces `found` with the indices of all boxes that meet `box`, in rising order. Boxes that only touch count.
+    // Replaces `found` with the indices of all boxes that meet `box`, in rising order. Boxes that only touch it are
+    // found too.
     void find(const Aabb& box, std::vector<std::uint32_t>& found) const;
 
-    // Calls visit(item) for every item whose box meets this one, in the order of the hierarchy.
+    // Calls visit(item) for every item whose box meets `box`, in the order of the hierarchy.
     template <class Visit>
     void meeting(const Aabb& box, Visit&& visit) const {
         std::array<std::uint32_t, kMostDepth> stack;
@@ -51,14 +54,14 @@ public:
         }
     }
 
-    // Follows the line from + (to - from) t for t from 0 to `reach`, which is 1 at first. Each item's box is grown by
-    // low_m downwards and high_m upwards along each axis. Calls visit(item, reach) for every item whose grown box the
-    // line enters; visit may lower `reach`. Near items come first, roughly.
+    // Follows the line from + (to - from) t, for t from 0 to `reach`. `reach` begins at 1, and visit may lower it. Each
+    // item's box is first enlarged along every axis by low_m in the negative and high_m in the positive direction.
+    // Calls visit(item, reach) for every item whose enlarged box the line enters, roughly in order of distance.
     template <class Visit>
     void along(const Vec3& from_m, const Vec3& to_m, const Vec3& low_m, const Vec3& high_m, Visit&& visit) const {
         const Vec3 way = to_m - from_m;
         double reach = 1.0;
-        // Returns the t at which the line enters a box; above 1 if it does not.
+        // Returns the t at which the line enters a box, or more than 1 if the line does not enter it.
         const auto enters = [&](const Aabb& box) {
             double in = 0.0, out = reach;
             for (int axis = 0; axis < 3; ++axis) {
@@ -97,12 +100,13 @@ public:
     }
 
 private:
-    static constexpr std::size_t kMostDepth = 80;  // boxes are halved, so 2^32 items need 32 levels
+    // Splitting halves the number of items, so 2^32 items need only 32 levels.
+    static constexpr std::size_t kMostDepth = 80;
     static constexpr double kMissed = 2.0;
 
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> items_;
-    std::vector<Aabb> boxes_;  // in the order of items_
+    std::vector<Aabb> boxes_;  // boxes of the items, in the order of items_
 };
 
 }  // namespace handrail

@@ -4,12 +4,13 @@ namespace handrail {
 namespace {
 
 constexpr int kBins = 16;
-constexpr std::size_t kFewItems = 16;  // up to this many items are cut into fours, which fills the lowest nodes
-// From this depth on, items are halved by count, so that 2^31 items end within 64 levels.
+// A range of at most this many items is cut into parts of four items, which fills the lowest nodes.
+constexpr std::size_t kFewItems = 16;
+// From this depth on, ranges are halved by the number of items. So 2^31 items end within 64 levels.
 constexpr std::size_t kDepthOfPlainHalving = 32;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// Rounds down (or up, below) to single precision, so that the result is never above (or below) the number.
+// rounded_down() and rounded_up() convert to single precision. The result is never above, or never below, `v`.
 float rounded_down(double v) noexcept {
     const float f = static_cast<float>(v);
     return f - (std::abs(f) * 1.2e-7F + 1e-37F);
@@ -18,15 +19,15 @@ float rounded_up(double v) noexcept { return -rounded_down(-v); }
 
 }  // namespace
 
-// The bounds of one item during building. The fourth lanes hold its number, in two parts that are exact in single
-// precision.
+// The bounds of one item during building. The fourth lanes hold the item's number in two halves, which are exact in
+// single precision.
 struct Bvh::Item {
     Four low, high;
 
     std::uint32_t number() const noexcept {
         return static_cast<std::uint32_t>(low[3]) | static_cast<std::uint32_t>(high[3]) << 16;
     }
-    // Twice the centre of the box.
+    // Returns twice the centre of the box along an axis.
     float middle(int axis) const noexcept { return low[axis] + high[axis]; }
 };
 
@@ -53,8 +54,8 @@ struct Box {
 
 }  // namespace
 
-// Splits more than four items: reorders them so that the first ones form one part and the rest the other. Returns the
-// size of the first part.
+// Splits more than four items. Reorders them so that the items of the first part come first, and returns the size of
+// that part.
 std::size_t Bvh::split(std::span<Item> items, std::size_t depth) {
     using FloatBox = Box<Four>;
     FloatBox middles;
@@ -187,8 +188,8 @@ Bvh::Bvh(std::span<const Aabb> bounds) {
         tasks.pop_back();
         std::array<Range, 4> ranges{task.range};
         std::size_t count = 1;
-        // Splits the largest range until there are four; ranges of up to four items stay whole and get a node of their
-        // own.
+        // Splits the range with the largest area until there are four ranges. A range of up to four items is not split;
+        // it becomes a node itself.
         while (count < 4) {
             std::size_t largest = count;
             for (std::size_t i = 0; i < count; ++i)
@@ -199,7 +200,7 @@ Bvh::Bvh(std::span<const Aabb> bounds) {
             ranges[largest] = range_of(range.first, left);
             ranges[count++] = range_of(range.first + left, range.count - left);
         }
-        // Items of a range that still fits into this node need no child node.
+        // If the items of a range fit into this node directly, they need no child node.
         for (bool more = true; more;) {
             more = false;
             for (std::size_t i = 0; i < count; ++i) {

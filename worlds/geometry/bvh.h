@@ -1,8 +1,9 @@
-// A hierarchy of boxes over boxes: which things are near a point. Built once off the real-time path, then only read;
-// queries neither allocate nor throw. Nodes of four children, whose boxes are single precision relative to the middle
-// of everything, rounded outwards, and tested together; a child is another node or one item. About 40 bytes per item;
-// about 0.3 us per item to build. Sources: Wald, On fast construction of SAH-based bounding volume hierarchies, 2007
-// (binning); Hjaltason & Samet, Distance browsing in spatial databases, 1999 (nearest first).
+// A hierarchy of bounding boxes that finds which things are near a point. Built once off the real-time path, then only
+// read; queries neither allocate nor throw. Each node has four children, each of them another node or one item. The
+// children's boxes are in single precision, relative to the middle of all items, rounded outwards, and tested together.
+// Memory: about 40 bytes per item. Building: about 0.3 us per item. Sources: Wald, On fast construction of SAH-based
+// bounding volume hierarchies, 2007 (binning); Hjaltason & Samet, Distance browsing in spatial databases, 1999 (nearest
+// first).
 #pragma once
 
 #include <algorithm>
@@ -21,12 +22,12 @@ namespace handrail {
 class Bvh {
     struct Place {
         float distance2;
-        std::uint32_t what;  // a node, or an item with kItem set
+        std::uint32_t what;  // index of a node, or of an item if the bit kItem is set
     };
 
 public:
-    // Memory for the nodes and items that nearest_first() has yet to visit. Make it off the real-time path, for the
-    // greatest number of looks that will be allowed.
+    // Memory for the nodes and items that nearest_first() has yet to visit. Make it off the real-time path. Its size is
+    // the greatest `looks` that a call will pass.
     class Queue {
     public:
         explicit Queue(std::size_t most_looks) : places_(3 * most_looks + 4) {}
@@ -37,17 +38,18 @@ public:
     };
 
     Bvh() = default;
-    // Item i has bounds[i]. At most 2^31 items, coordinates up to 1e9 m. Empty boxes are allowed and never found.
+    // Builds the hierarchy; item i has bounds[i]. Allows at most 2^31 items and coordinates up to 1e9 m. Queries never
+    // find an empty box.
     explicit Bvh(std::span<const Aabb> bounds);
 
     bool empty() const noexcept { return nodes_.empty(); }
-    // The box around all items; empty if there are none.
+    // Returns the box around all items; it is empty if there are none.
     Aabb bounds() const noexcept { return bounds_; }
     std::size_t bytes() const noexcept { return nodes_.capacity() * sizeof(Node); }
 
-    // Calls visit(item, reach_m) for every item whose box is within reach_m of the point, and for some slightly farther
-    // ones. visit may lower reach_m but never raise it. The cost grows with the number of items near, so use it on a
-    // tick only if these are few.
+    // Calls visit(item, reach_m) for every item whose box is within reach_m of the point, and for some items slightly
+    // farther away. visit may lower reach_m but must not raise it. The cost grows with the number of items nearby, so
+    // use this in a tick only if there are few.
     template <class Visit>
     void within(const Vec3& point_m, double reach_m, Visit&& visit) const noexcept {
         if (nodes_.empty() || !(distance_squared(bounds_, point_m) <= reach_m * reach_m)) return;
@@ -70,9 +72,10 @@ public:
         }
     }
 
-    // The same, but visits boxes in rising order of distance and looks at no more than `looks` nodes and items. It
-    // counts `looks` down; the queue must have been made for that many. Returns the distance up to which the search is
-    // complete: every item whose box is nearer was visited. If the looks sufficed, this is the last reach_m.
+    // Like within(), but visits boxes by rising distance and tests at most `looks` nodes and items. It lowers `looks`
+    // by one for each test; the queue must have been made for at least that many. Returns the distance up to which the
+    // search is complete: every item whose box is nearer was visited. If `looks` was enough, this distance is the last
+    // reach_m.
     template <class Visit>
     double nearest_first(const Vec3& point_m, double reach_m, int& looks, Queue& queue, Visit&& visit) const noexcept {
         if (nodes_.empty() || !(distance_squared(bounds_, point_m) <= reach_m * reach_m)) return reach_m;
@@ -121,13 +124,13 @@ private:
     static constexpr std::uint32_t kItem = 0x80000000U;
     using Four = float __attribute__((vector_size(16)));
 
-    // 112 bytes. A missing child has the box from +infinity to -infinity.
+    // Has 112 bytes. The box of a missing child runs from +infinity to -infinity.
     struct Node {
-        std::array<Four, 3> low, high;  // of the four children, for each axis
+        std::array<Four, 3> low, high;  // bounds of the four children, for each axis
         std::array<std::uint32_t, 4> what;
     };
 
-    // A query point in the single precision of the boxes. The rounding changes distances by up to slack_m.
+    // A query point in the single precision of the boxes. Rounding changes distances by at most slack_m.
     struct Query {
         std::array<float, 3> at;
         double slack_m;
@@ -135,8 +138,8 @@ private:
         explicit Query(const Vec3& p) noexcept
             : at{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
               slack_m((std::abs(p.x) + std::abs(p.y) + std::abs(p.z)) * 2.4e-7 + 1e-30) {}
-        // An upper bound in single precision of the squared distance of everything within reach_m. Never infinite, so
-        // that missing children, whose distance is infinite, stay outside.
+        // Returns an upper bound, in single precision, of the squared distance of everything within reach_m. The bound
+        // is always finite, so that it excludes missing children, whose distance is infinite.
         float squared(double reach_m) const noexcept {
             const double reach = std::min(reach_m + slack_m, 1e18);
             return static_cast<float>(reach * reach * 1.000002);
@@ -148,7 +151,7 @@ private:
 
     static Four greater(const Four& a, const Four& b) noexcept { return a > b ? a : b; }
 
-    // Writes the children within reach to `near`, nearest first, and returns their number.
+    // Writes the children within reach into `near`, nearest first, and returns how many there are.
     static std::size_t near_children(const Node& node, const Query& query, float reach2,
                                      std::array<Place, 4>& near) noexcept {
         Four sum{};
@@ -173,7 +176,7 @@ private:
     static std::size_t split(std::span<Item> items, std::size_t depth);
     void fill(Node& node, std::size_t child, const Aabb& box) const noexcept;
 
-    std::vector<Node> nodes_;  // children come after their parents
+    std::vector<Node> nodes_;  // children are stored after their parents
     Vec3 middle_m_{0.0};
     Aabb bounds_;
 };

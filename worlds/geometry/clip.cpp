@@ -11,14 +11,14 @@ namespace {
 constexpr double kAxisSnap = 1e-12;       // a normal this near to an axis is set to the axis
 constexpr double kSameDirection = 1e-10;  // two normals whose dot product differs from 1 by less count as the same
 
-// Sets the coordinate that an axis-aligned plane fixes.
+// Moves the point onto an axis-aligned plane by setting the one coordinate that the plane determines.
 void snap_to(Vec3& point_m, const Plane& plane) noexcept {
     for (int axis = 0; axis < 3; ++axis)
         if (std::abs(plane.normal[axis]) == 1.0)
-            point_m[axis] = plane.normal[axis] * plane.offset_m + 0.0;  // + 0.0 prevents minus zero
+            point_m[axis] = plane.normal[axis] * plane.offset_m + 0.0;  // adding 0.0 turns minus zero into zero
 }
 
-// A square on the plane, counter-clockwise seen from its front.
+// Returns a square on the plane, counter-clockwise seen from the front.
 std::vector<Vec3> start_square(const Plane& plane, const Vec3& near_m, double half_m) {
     const Vec3 n = plane.normal;
     const Vec3 helper = std::abs(n.z) < 0.7 ? Vec3{0.0, 0.0, 1.0} : Vec3{1.0, 0.0, 0.0};
@@ -194,8 +194,8 @@ BuiltSolid solid_from_planes(std::span<const Plane> planes, const Vec3& near_m, 
         }
     }
     if (out.fault != SolidFault::None) return out;
-    // Cuts again from squares of the solid's own size, so that rounding errors of the corners depend on that size, not
-    // on `reach_m`.
+    // Cuts a second time, starting from squares of the solid's own size. So the rounding errors of the corners depend
+    // on that size and not on `reach_m`.
     const Aabb box = out.solid.bounds_m;
     intersect(used, box.centre_m(), 2.0 * glm::length(box.size_m()), tolerance, out);
     if (out.solid.faces.size() < 4) out.fault = SolidFault::Empty;

@@ -13,15 +13,16 @@
 namespace handrail {
 namespace {
 
-constexpr double kMeshFlat = 1e-5;  // fraction of the mesh's size; less than this off a plane counts as in the plane
-// Dot product of two normals from which on faces share a plane, if their corners are in it too.
+// Fraction of the mesh's size; a point less than this off a plane counts as in the plane.
+constexpr double kMeshFlat = 1e-5;
+// Least dot product of the normals of two faces in one plane. Their corners must be in that plane too.
 constexpr double kMeshSameTurn = 1.0 - 1e-4;
-constexpr double kThinnest_m = 1e-4;  // a mesh thinner than this counts as flat and has no inside
+constexpr double kThinnest_m = 1e-4;  // a mesh thinner than this is degenerate and has no inside
 constexpr std::size_t kMostFragments = 200'000;
-constexpr std::size_t kPlanesTried = 16;  // planes compared for each cut
+constexpr std::size_t kPlanesTried = 16;  // number of planes that are compared to choose each cut
 constexpr std::size_t kFewFaces = 8;      // a convex part with no more faces than this is not halved further
 
-// A number for each point; points at exactly the same place get the same number.
+// Returns a number for each point. Points at exactly the same position get the same number.
 std::vector<std::uint32_t> joined_points(std::span<const Vec3> points_m) {
     std::vector<std::uint32_t> order(points_m.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -63,7 +64,7 @@ double volume_within_m3(std::span<const Vec3> points_m, std::span<const MeshCorn
     return six / 6.0;
 }
 
-// Cuts space by the planes of faces until what remains in each part is convex.
+// Cuts space by the planes of faces until each part is convex.
 class SolidFiller {
 public:
     SolidFiller(const FillLimits& limits, const Aabb& box, const std::stop_token& stop)
@@ -111,7 +112,7 @@ public:
         return true;
     }
 
-    // Returns false if the limits are reached or the caller stopped it.
+    // Returns false if a limit was reached or the caller requested a stop.
     bool fill() {
         std::vector<Cell> open;
         open.push_back(std::move(whole_));
@@ -122,7 +123,7 @@ public:
             Cell cell = std::move(open.back());
             open.pop_back();
             const std::vector<std::uint32_t> own = planes_of(cell);
-            std::vector<std::uint32_t> beyond;  // planes that have faces of the cell in front of them
+            std::vector<std::uint32_t> beyond;  // planes of faces that have other faces of the cell in front of them
             if (!cell.convex && !look(own.size() * cell.facets.size())) return false;
             for (const std::uint32_t number : own)
                 if (!cell.convex && std::any_of(cell.facets.begin(), cell.facets.end(), [&](const Facet& facet) {
@@ -130,8 +131,8 @@ public:
                     }))
                     beyond.push_back(number);
             if (beyond.empty()) {
-                // The cell is convex: the solid is the space behind all of its faces. If there are many faces, the cell
-                // is halved.
+                // No such plane is left, so the cell is convex: the solid is the space behind all of its faces. A cell
+                // with many faces is halved first.
                 if (own.size() > kFewFaces && own.size() + cell.planes.size() > limits_.most_faces) {
                     if (!halve(cell, own, open, fragments)) return false;
                     continue;
@@ -160,8 +161,8 @@ public:
                 }
             }
             const Plane& plane = planes_[number];
-            // A part without faces left is outside if it is in front of the cutting face, and inside if it is behind
-            // it.
+            // If a part has no faces, it is outside if it is in front of the cutting face, and inside if it is behind
+            // that face.
             if (!front.facets.empty() && narrow(cell.planes, turned(plane), front.planes))
                 open.push_back(std::move(front));
             if (narrow(cell.planes, plane, back.planes)) {
@@ -173,7 +174,8 @@ public:
     }
 
     std::vector<ConvexSolid> take_solids() { return std::move(solids_); }
-    // How much the volume of the solids may differ from that of the shells, given the tolerance of the corners.
+    // Returns by how much the volume of the solids may differ from that of the shells, because corners are only
+    // accurate to a tolerance.
     double slack_m3(double volume_m3) const { return 2.0 * flat_m_ * area_m2_ + 1e-6 * volume_m3; }
 
 private:
@@ -206,8 +208,8 @@ private:
         return enough;
     }
 
-    // True if no corner is in front of any plane. Tests the shared points, of which there are fewer than corners of
-    // faces.
+    // True if no corner is in front of any plane. Tests the shared points, because there are fewer of them than corners
+    // of faces.
     bool is_convex(std::span<const Vec3> points_m, std::span<const MeshCorners> triangles,
                    std::span<const std::uint32_t> which) {
         std::vector<Vec3> corners;
@@ -237,7 +239,8 @@ private:
         return own;
     }
 
-    // Of up to kPlanesTried planes, the one that cuts the fewest faces and divides the others most evenly.
+    // Chooses among up to kPlanesTried planes. Returns the plane that cuts the fewest faces and divides the others most
+    // evenly.
     std::uint32_t best_cut(const Cell& cell, const std::vector<std::uint32_t>& beyond) const {
         std::uint32_t best = beyond.front();
         double least = 1e300;
@@ -256,8 +259,8 @@ private:
         return best;
     }
 
-    // Adds the plane `by` to the planes of a part; `left` receives the planes of what remains behind it. Returns false
-    // if nothing remains.
+    // Cuts a part with the plane `by`. `left` receives the planes of what remains behind `by`. Returns false if nothing
+    // remains.
     bool narrow(const std::vector<Plane>& planes, const Plane& by, std::vector<Plane>& left,
                 Vec3* middle_m = nullptr) const {
         std::vector<Plane> all = planes;
@@ -278,7 +281,7 @@ private:
         if (built.fault == SolidFault::None && !built.was_inside_out) solids_.push_back(std::move(built.solid));
     }
 
-    // Halves the cell at the middle of its faces.
+    // Halves the cell by a plane through the middle of its faces.
     bool halve(const Cell& cell, const std::vector<std::uint32_t>& own, std::vector<Cell>& open,
                std::size_t& fragments) {
         Aabb box;
@@ -323,8 +326,10 @@ private:
 
 std::vector<MeshShell> shells_of(std::span<const Vec3> points_m, std::span<const MeshCorners> triangles) {
     const std::vector<std::uint32_t> joined = joined_points(points_m);
-    // Joined along edges, not corners, because things that stand on each other may share corners.
-    std::vector<std::array<std::uint32_t, 3>> edges;  // the lower corner, the higher corner, the triangle
+    // Triangles are joined along edges, not at corners, because separate things that stand on each other may share
+    // corners.
+    // For each edge of a triangle: its lower corner, its higher corner, the triangle.
+    std::vector<std::array<std::uint32_t, 3>> edges;
     edges.reserve(3 * triangles.size());
     for (std::uint32_t t = 0; t < triangles.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {

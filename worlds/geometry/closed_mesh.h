@@ -1,6 +1,6 @@
-// Treats triangle meshes as the surfaces of solids: finds which pieces are closed, what is inside them, and the convex
-// solids that fill them. Pure functions on plain values, any thread; metres. A triangle is three indices into
-// `points_m`; its corners run counter-clockwise seen from outside.
+// Treats triangle meshes as the surfaces of solids. Finds which pieces are closed, which places are inside them, and
+// the convex solids that fill them. Pure functions on plain values in metres; any thread may call them. A triangle is
+// three indices into `points_m`; its corners run counter-clockwise seen from outside.
 #pragma once
 
 #include <array>
@@ -20,31 +20,33 @@ using MeshCorners = std::array<std::uint32_t, 3>;
 struct MeshShell {
     std::vector<std::uint32_t> triangles;  // their indices in the mesh, in rising order
     Aabb box;
-    bool closed = false;     // true if each edge is used once in each direction
-    double volume_m3 = 0.0;  // of a closed shell; negative if it faces inwards, as a hollow or a room does
+    bool closed = false;  // true if each edge occurs exactly once in each direction
+    // Volume of a closed shell; negative if the shell faces inwards, like the inside of a hollow or a room.
+    double volume_m3 = 0.0;
 };
 
-// Shells in the order of their first triangles. Corners at exactly the same place count as one. O(n log n).
+// Returns the shells of a mesh, ordered by their first triangles. Corners at exactly the same position count as one.
+// Cost: O(n log n).
 std::vector<MeshShell> shells_of(std::span<const Vec3> points_m, std::span<const MeshCorners> triangles);
 
-// The winding number of closed shells, made of the given triangles, around a place: 1 inside, 0 outside or in a hollow.
-// It sums solid angles, so no ray can hit an edge. Source: Van Oosterom and Strackee, The solid angle of a plane
-// triangle, 1983.
+// Returns the winding number around `at_m` of closed shells that consist of the triangles `which`: 1 inside, 0 outside
+// or in a hollow. It sums solid angles, so the result does not depend on a ray that might hit an edge. Source: Van
+// Oosterom and Strackee, The solid angle of a plane triangle, 1983.
 int times_around(std::span<const Vec3> points_m, std::span<const MeshCorners> triangles,
                  std::span<const std::uint32_t> which, const Vec3& at_m);
 
 struct FillLimits {
     std::size_t most_triangles = 100'000, most_planes = 1'000, most_solids = 2'000;
-    std::size_t most_faces = 64;  // most faces of one solid; a solid with more is cut in two
-    // Budget of tests of faces against planes, about 5 ns each; several meshes may share it.
+    std::size_t most_faces = 64;  // greatest number of faces of one solid; a solid with more is cut in two
+    // Budget for tests of a face against a plane, which take about 5 ns each. Several meshes may share one budget.
     std::size_t* looks_left = nullptr;
 };
 
-// Convex solids without gaps or overlaps that together fill closed shells. Space is cut by the planes of faces that
-// have other faces in front of them, until what remains in each part is convex. Corners may be off by a 100,000th of
-// the mesh's size. Returns nothing if the limits are reached, or if the volume of the solids differs from that of the
-// shells, as it does for a self-intersecting surface. Source: Fuchs, Kedem and Naylor, On visible surface generation by
-// a priori tree structures, 1980.
+// Returns convex solids without gaps or overlaps that together fill closed shells. Space is cut by the planes of faces
+// that have other faces in front of them, until each part is convex. Corners may be off by a 100,000th of the mesh's
+// size. Returns nothing if a limit is reached, or if the volume of the solids differs from that of the shells, as
+// happens with a self-intersecting surface. Source: Fuchs, Kedem and Naylor, On visible surface generation by a priori
+// tree structures, 1980.
 std::optional<std::vector<ConvexSolid>> solids_within(std::span<const Vec3> points_m,
                                                       std::span<const MeshCorners> triangles,
                                                       std::span<const std::uint32_t> which,

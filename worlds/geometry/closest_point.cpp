@@ -10,7 +10,8 @@ namespace handrail {
 namespace {
 
 constexpr double kStraight_m = 1e-9;  // a corner of a polygon this near to the line between its neighbours is dropped
-constexpr double kLowestTriangle_m = 1e-7;  // a triangle is a segment if its height over the longest edge is below this
+// A triangle whose height over its longest edge is below this is treated as a segment.
+constexpr double kLowestTriangle_m = 1e-7;
 
 Vec3 closest_on_segment(const Vec3& a, const Vec3& b, const Vec3& p) noexcept {
     const Vec3 ab = b - a;
@@ -19,16 +20,16 @@ Vec3 closest_on_segment(const Vec3& a, const Vec3& b, const Vec3& p) noexcept {
     return t == 1.0 ? b : a + ab * t;
 }
 
-// Returns the corner as the nearest point to a point outside. `sideless` is the normal to use if point and corner
-// coincide.
+// Returns the corner as the point of the shape that is nearest to `p`. The normal leads from the corner to `p`; if the
+// two coincide, it is `sideless`.
 ClosestPoint from_corner(const Vec3& corner, const Vec3& p, const Vec3& sideless) noexcept {
     const Vec3 away = p - corner;
     const double distance = glm::length(away);
     return {corner, distance > kSideless_m ? away / distance : sideless, distance};
 }
 
-// Exactly over an edge the direction equals the face normal except for rounding. Using the exact normal keeps
-// neighbouring triangles of a plane equal.
+// Replaces a direction that differs from the face normal only by rounding with the face normal itself. This happens
+// exactly over an edge. Without it, neighbouring triangles of one plane would give slightly different normals there.
 void snap_to_face(ClosestPoint& closest, const Vec3& normal) noexcept {
     const double along = glm::dot(closest.normal, normal);
     if (std::abs(along) > 1.0 - 8.0 * std::numeric_limits<double>::epsilon())
@@ -109,8 +110,8 @@ Vec3 make_polygon(std::span<const Vec3> points_m, std::vector<PolygonCorner>& co
         return Vec3(0.0);
     }
     const Vec3 normal = area / twice_area;
-    // Starts at an end of the longest diagonal, which is certainly a corner. A corner is dropped if it, and all that
-    // were dropped since the last kept one, are on the line to the next corner.
+    // Starts at an end of the longest diagonal, which is certainly a corner of the outline. Drops a corner if it and
+    // all corners dropped since the last kept one are on the line from the last kept one to the next.
     const std::size_t count = points_m.size(), first = corners.size();
     std::size_t kept = 0;
     const auto point = [&](std::size_t i) -> const Vec3& { return points_m[(a + i) % count]; };
@@ -169,8 +170,8 @@ ClosestPoint closest_point_of_triangle(const Vec3& a_m, const Vec3& b_m, const V
         return closest_point(make_triangle(a_m, b_m, c_m), p);
     Vec3 best{0.0};
     double best2 = std::numeric_limits<double>::infinity();
-    // An edge counts only if the point is outside of it. The sign of the volume spanned by the edge, the point and the
-    // normal says on which side the point is.
+    // An edge matters only if the point is beyond it. The sign of the volume spanned by the edge, the point and the
+    // normal says on which side of the edge the point is.
     const auto edge = [&](const Vec3& from, const Vec3& to, const Vec3& along, double length2) noexcept {
         if (glm::dot(area, glm::cross(from, to)) >= 0.0) return;
         const double t = -glm::dot(from, along);
@@ -183,8 +184,8 @@ ClosestPoint closest_point_of_triangle(const Vec3& a_m, const Vec3& b_m, const V
     edge(a, b, ab, ab2);
     edge(b, c, bc, bc2);
     edge(c, a, ca, ca2);
-    // Exactly over an edge, or if the side cannot be determined, the face's own normal is used, as for a prepared
-    // triangle.
+    // If the point is exactly over an edge, or its side cannot be determined, the normal is the face's own, as for a
+    // prepared triangle.
     const double height = -glm::dot(area, a);
     const bool over_face = best2 == std::numeric_limits<double>::infinity();
     const double along = -glm::dot(area, best);
@@ -208,7 +209,8 @@ ClosestPoint closest_point(const Aabb& box, const Vec3& p) noexcept {
         const double distance = glm::length(away);
         if (distance > kSideless_m) return {q, away / distance, distance};
     }
-    // Inside, or too near for a direction: takes the face with the greatest (least negative) distance.
+    // The point is inside, or too near to a face for a direction. Takes the face with the greatest (least negative)
+    // signed distance.
     ClosestPoint best{q, Vec3(0, 0, 1), -std::numeric_limits<double>::infinity()};
     for (int axis = 0; axis < 3; ++axis) {
         for (const double side : {-1.0, 1.0}) {
@@ -263,7 +265,7 @@ ClosestPoint closest_of_planes(std::span<const Plane> solid, [[maybe_unused]] do
             return HalfSpace{-plane.normal, inwards(signed_distance(plane, p))};
         },
         basis);
-    // A plane of the solid always supports it, so this fallback is correct, only less tight.
+    // A plane of the solid always supports the solid, so this fallback is correct, only less tight.
     if (!solved || basis.count == 0) return on_plane;
     if (basis.count == 1) {
         const Plane& plane = solid[static_cast<std::size_t>(basis.index[0])];

@@ -1,4 +1,4 @@
-// Convex solids and polygons as plain values. Pure data and pure functions: no thread, no state. World metres.
+// Convex solids and polygons as plain values in world metres. Pure data and pure functions: any thread may use them.
 #pragma once
 
 #include <limits>
@@ -8,7 +8,8 @@
 
 namespace handrail {
 
-// The points with dot(normal, p) == offset. The normal has length 1 and points out of the solid that the plane bounds.
+// A plane: the points p with dot(normal, p) == offset_m. The normal has length 1 and points out of the solid that the
+// plane bounds.
 struct Plane {
     Vec3 normal{0.0, 0.0, 1.0};
     double offset_m = 0.0;
@@ -18,7 +19,7 @@ inline double signed_distance(const Plane& plane, const Vec3& point_m) noexcept 
     return glm::dot(plane.normal, point_m) - plane.offset_m;
 }
 
-// An axis-aligned box; empty (min > max) until a point is included.
+// An axis-aligned box. It is empty (min > max) until a point is included.
 struct Aabb {
     Vec3 min_m{std::numeric_limits<double>::infinity()};
     Vec3 max_m{-std::numeric_limits<double>::infinity()};
@@ -36,7 +37,8 @@ struct Aabb {
     Vec3 size_m() const noexcept { return max_m - min_m; }
 };
 
-// A flat convex polygon, counter-clockwise seen from the side that its plane's normal points to. At least 3 points.
+// A flat convex polygon with at least 3 points. They run counter-clockwise seen from the side that the normal of its
+// plane points to.
 struct Polygon {
     std::vector<Vec3> points_m;
 };
@@ -49,7 +51,8 @@ struct ConvexSolid {
     Aabb bounds_m;
 };
 
-// True if the point is inside the solid grown by `grow_m` (every plane pushed outwards). The border counts as inside.
+// True if the point is inside the solid after every plane is moved outwards by `grow_m`. A point on the border counts
+// as inside.
 bool contains(const ConvexSolid& solid, const Vec3& point_m, double grow_m = 0.0) noexcept;
 
 }  // namespace handrail

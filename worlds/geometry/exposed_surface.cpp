@@ -13,12 +13,12 @@
 namespace handrail {
 namespace {
 
-constexpr std::size_t kFewSolids = 48;  // a face that more solids than this meet is divided into a grid
+constexpr std::size_t kFewSolids = 48;  // if more solids than this meet a face, the face is divided into a grid
 
-// Decides which of several coinciding faces keeps the area that they share. The order is total, so exactly one of any
-// number of faces keeps it. Of faces with equal rank the one that sticks out farther wins, because it covers the others
-// where it does so by more than the tolerance. Heights and areas are counted in steps of the tolerance, so that
-// rounding errors do not decide.
+// Decides which of several coinciding faces keeps the area that they share. The order is total, so exactly one face
+// keeps it. If ranks are equal, the face that is farther out along its normal wins, because it covers the others
+// wherever it is farther out by more than the tolerance. Heights and areas are counted in steps of the tolerance, so
+// that rounding errors do not decide.
 struct FaceClaim {
     int rank;
     double height_steps, area_steps;
@@ -41,7 +41,7 @@ FaceClaim claim_of(const SurfaceSolid& solid, std::uint32_t index, std::size_t f
             std::round(area_m2(polygon) / (cut_m * cut_m)), bounds_of(polygon).centre_m(), index};
 }
 
-// Cuts a convex solid out of polygons.
+// Removes from polygons the parts that a convex solid covers.
 class Cutter {
 public:
     explicit Cutter(const CutTolerance& tolerance) : tolerance_(tolerance) {}
@@ -58,8 +58,9 @@ public:
             const Side side = side_of(rest_, plane, tolerance_.cut_m);
             if (side == Side::Back) continue;
             if (side == Side::On) {
-                // The polygon is in a face of the solid. If that face looks the other way, it covers the polygon from
-                // outside; else one of the two stays.
+                // The polygon is in the plane of a face of the solid. If that face has the opposite direction, it
+                // covers the polygon from outside. Otherwise FaceClaim decides which of the two faces keeps the common
+                // part.
                 if (glm::dot(plane.normal, normal) < 0.0 || !own.covers) continue;
                 if (claim_of(solid, solid_index, p, tolerance_.cut_m)
                         .beats(claim_of(own, own_index, own_face, tolerance_.cut_m)))
@@ -86,8 +87,8 @@ private:
     std::vector<Vec3> rest_, back_, front_;
 };
 
-// The parts of a face that many solids meet, arranged by place, so that a solid cuts only the parts that it can reach.
-// The parts come out as if each solid in turn had been cut out of all of them.
+// The parts of a face that many solids meet, arranged in a grid, so that each solid is tested only against the parts
+// near it. The resulting parts and their order are the same as if each solid had been tested against all parts.
 class FaceParts {
 public:
     FaceParts(const Polygon& face, const Aabb& box, std::size_t solids, double cut_m) : box_(box), cut_m_(cut_m) {
@@ -102,7 +103,8 @@ public:
 
     bool all_gone() const { return left_in_all_ == 0; }
 
-    // cut(points, left) appends what remains of the points to `left`.
+    // Removes what a solid covers. `solid` is its box; cut(points, left) must append what remains of the polygon
+    // `points` to `left`.
     template <class Cut>
     void subtract(const Aabb& solid, Cut&& cut) {
         const Aabb reach = grown(solid, 16.0 * cut_m_);
@@ -180,7 +182,7 @@ private:
     std::vector<std::vector<Vec3>> left_;
 };
 
-// Two solids with equal bytes are the same for the surface.
+// Returns the data of a solid as bytes. Two solids with equal bytes have the same effect on the surface.
 std::string sameness(const SurfaceSolid& solid) {
     std::string bytes;
     const auto put = [&bytes](const auto& value) {
@@ -199,8 +201,8 @@ std::string sameness(const SurfaceSolid& solid) {
     return bytes;
 }
 
-// Marks solids that coincide with an earlier, equal one. The earlier one covers all their faces, and everything that
-// they cover.
+// Marks each solid that equals an earlier one. The earlier one covers all faces of the later one, and everything that
+// the later one covers.
 std::vector<bool> repetitions(std::span<const SurfaceSolid> solids) {
     std::vector<bool> again(solids.size(), false);
     std::unordered_map<std::string, std::uint32_t> first;
@@ -209,15 +211,15 @@ std::vector<bool> repetitions(std::span<const SurfaceSolid> solids) {
     return again;
 }
 
-// True if two edges run along each other, in opposite directions, for longer than a gap.
+// True if two edges run along each other in opposite directions for a length of more than gap_m.
 bool edges_touch(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1, double gap_m) {
     const Vec3 along = a1 - a0;
     const double length = glm::length(along);
     if (length <= gap_m || glm::dot(along, b1 - b0) >= 0.0) return false;
     const Vec3 unit = along / length;
     const auto distance = [&](const Vec3& p) { return glm::length(p - a0 - unit * glm::dot(unit, p - a0)); };
-    // Only the common part must be near: two long edges that drift apart still touch where they run together. So the
-    // distance is measured at the ends of the common part.
+    // Two long edges may drift apart and still touch along the part that they have in common. So the distance is
+    // measured only at the ends of that part.
     const double s0 = glm::dot(unit, b1 - a0), s1 = glm::dot(unit, b0 - a0);
     const double from = std::max(0.0, s0), to = std::min(length, s1);
     if (to - from <= 10.0 * gap_m) return false;

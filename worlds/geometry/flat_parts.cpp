@@ -18,7 +18,7 @@ Ring without_repeats(const Ring& ring) {
     return kept;
 }
 
-// The ring without corners on a straight line.
+// Returns the ring without corners that are on a straight line between their neighbours.
 Ring tidied(const Ring& ring) {
     const Ring all = without_repeats(ring);
     Ring kept;
@@ -30,7 +30,7 @@ Ring tidied(const Ring& ring) {
     return kept;
 }
 
-// True if no corner turns right, and all together make one full turn.
+// True if no corner turns right and all corners together make one full turn.
 bool is_convex(const Ring& ring, double slack) {
     double turn = 0.0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -48,7 +48,7 @@ struct Edge {
     double at(double x) const { return left.y + (right.y - left.y) * (x - left.x) / (right.x - left.x); }
 };
 
-// A trapezoid between two edges and two upright lines.
+// A trapezoid between two edges and two lines parallel to the y axis.
 struct Trapezoid {
     std::size_t low = 0, high = 0;
     double from = 0.0, to = 0.0;
@@ -65,7 +65,7 @@ std::vector<Edge> upright_free_edges(const std::vector<Ring>& rings) {
     return edges;
 }
 
-// The x coordinates where edges begin, end or cross; those within kSame_m of each other count as one.
+// Returns the x coordinates where edges begin, end or cross. Coordinates within kSame_m of each other count as one.
 std::vector<double> lines_of(const std::vector<Edge>& edges) {
     std::vector<double> lines;
     for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -86,7 +86,7 @@ std::vector<double> lines_of(const std::vector<Edge>& edges) {
     return lines;
 }
 
-// Makes the union of two polygons that share an edge; false if it is not convex.
+// Makes the union of two polygons that share an edge. Returns false if they share none or the union is not convex.
 bool joined(const Ring& a, const Ring& b, Ring& both) {
     for (std::size_t i = 0; i < a.size(); ++i)
         for (std::size_t j = 0; j < b.size(); ++j) {
@@ -185,7 +185,8 @@ std::vector<Ring> convex_parts(const std::vector<Ring>& rings) {
 
 namespace {
 
-// The borders of rings as a net of corners. Borders that run in both directions are removed.
+// The borders of rings as a graph of corners. Where borders run in both directions along the same line, they are
+// removed.
 class RingNet {
 public:
     void add(const Ring& ring) {
@@ -218,7 +219,7 @@ private:
         return corners_.size() - 1;
     }
 
-    // A side is cut at every corner that is on it, whichever ring the corner belongs to.
+    // A side is cut at every corner that is on it, including corners of other rings.
     void add_side(std::size_t from, std::size_t to) {
         const Vec2 a = corners_[from], way = corners_[to] - a;
         const double length = glm::length(way);
@@ -241,7 +242,7 @@ private:
         else ways_[from].push_back(to);
     }
 
-    // Follows the borders from a corner until it is back there. At a fork it takes the border farthest to the left.
+    // Follows the borders from a corner until it is back there. At a fork it takes the leftmost border.
     Ring chain(std::size_t from) {
         Ring ring;
         std::size_t now = from;
@@ -285,7 +286,7 @@ std::vector<Ring> joined_rings(const std::vector<Ring>& rings) {
         int around = 0;
         for (std::size_t k = 0; k < rings.size(); ++k) around += k != i && inside({rings[k]}, within) ? 1 : 0;
         Ring ring = rings[i];
-        // Rings run counter-clockwise, or clockwise if an odd number of other rings is around them.
+        // A ring runs counter-clockwise, or clockwise if an odd number of other rings surround it.
         if ((signed_area(ring) > 0.0) != (around % 2 == 0)) std::reverse(ring.begin(), ring.end());
         net.add(ring);
     }

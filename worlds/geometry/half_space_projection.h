@@ -1,9 +1,9 @@
 // Finds the point of an intersection of half-spaces that is nearest to a goal. This is a quadratic programme in three
-// variables with at most three active constraints, solved exactly by dual basis exchange. Pure function, any thread, no
-// allocation, never throws. The renderer uses it to move the proxy and to find the closest point of a convex brush.
-// Cost: a few scans of all half-spaces, 4 multiplications each. The program uses double precision everywhere; the
-// scalar is a parameter so that single precision can be compared. Source of the scheme: Sharir & Welzl, A combinatorial
-// bound for linear programming and related problems, STACS 1992 (LP-type problems).
+// variables with at most three active constraints, solved exactly by dual basis exchange. The renderer uses it to move
+// the proxy and to find the closest point of a convex brush. Pure functions without allocation or exceptions; any
+// thread. Cost: a few scans of all half-spaces, with 4 multiplications each. The program uses double precision
+// everywhere; the scalar type is a parameter only to compare with single precision. Source of the scheme: Sharir &
+// Welzl, A combinatorial bound for linear programming and related problems, STACS 1992 (LP-type problems).
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace handrail {
 
-// The points with dot(normal, p) >= offset_m; normal has length 1.
+// A half-space: the points p with dot(normal, p) >= offset_m. The normal has length 1.
 template <class Real>
 struct BasicHalfSpace {
     glm::vec<3, Real> normal{0, 0, 1};
@@ -22,15 +22,16 @@ struct BasicHalfSpace {
 };
 using HalfSpace = BasicHalfSpace<double>;
 
-// A half-space counts as violated beyond this: far below anything that a hand feels, and far above rounding within 1 km
-// of the local origin.
+// A half-space counts as violated if the point is outside it by more than this. The limit is far below anything that a
+// hand feels, and far above rounding errors within 1 km of the local origin.
 inline constexpr double kProjectionTolerance_m = 1e-10;
 template <class Real>
 inline constexpr Real kProjectionToleranceOf = static_cast<Real>(kProjectionTolerance_m);
 template <>
 inline constexpr float kProjectionToleranceOf<float> = 1e-7F;
 
-// The result of a projection, and the warm start of the next: the half-spaces that hold the point, and how strongly.
+// The result of a projection, which is also the warm start of the next one: the half-spaces whose borders the point is
+// on, and a multiplier for each.
 template <class Real>
 struct BasicProjectionBasis {
     int count = 0;
@@ -45,15 +46,15 @@ namespace projection_detail {
 template <class Real>
 struct Member {
     glm::vec<3, Real> normal;
-    Real offset_m;  // relative to the goal
+    Real offset_m;  // offset relative to the goal
     int index;
 };
 
-// Solves for the optimum over `count` (1 to 4) members, the last of which is tight. Returns false if no subset of at
-// most three is a solution. Duplicates, opposite walls (pairs) and triples of nearly coplanar normals have no usable
-// solution and are skipped. Triples are skipped at a far smaller determinant than pairs. In a crevice of half a degree,
-// a proxy that slides from one triangle of a wall to the next meets three cuts whose determinant is 1e-9. Skipping them
-// would stop the proxy for as long as the cuts stay (test: random grooves).
+// Finds the optimum for `count` half-spaces (1 to 4), of which the last is certainly active. Returns false if no subset
+// of at most three members is a solution. Duplicates, opposite walls (pairs) and triples of nearly coplanar normals
+// have no usable solution and are skipped. Triples are skipped at a far smaller determinant than pairs. The reason: in
+// a crevice of half a degree, a proxy that slides from one triangle of a wall to the next meets three half-spaces whose
+// determinant is 1e-9. Skipping them would stop the proxy while these three constrain it (test: random grooves).
 template <class Real>
 bool solve(const std::array<Member<Real>, 4>& members, int count, const glm::vec<3, Real>& goal_m,
            BasicProjectionBasis<Real>& out) noexcept {
@@ -110,7 +111,7 @@ bool solve(const std::array<Member<Real>, 4>& members, int count, const glm::vec
                 return (pq * of_m + qm * of_p + mp * of_q) / det;
             };
             V d = meeting(m.offset_m, p.offset_m, q.offset_m);
-            // Thin triples lose digits, so the residual is solved for once more.
+            // A triple with a small determinant loses digits, so the remaining error is solved for once more and added.
             if (det * det < kThinTriple)
                 d += meeting(m.offset_m - glm::dot(m.normal, d), p.offset_m - glm::dot(p.normal, d),
                              q.offset_m - glm::dot(q.normal, d));
@@ -128,7 +129,8 @@ bool solve(const std::array<Member<Real>, 4>& members, int count, const glm::vec
     return false;
 }
 
-// The index of the half-space that is violated most, beyond the tolerance; of equal ones the first. -1: none.
+// Returns the index of the half-space that is violated most, if by more than the tolerance; if two are equally
+// violated, the first. Returns -1 if none is violated.
 template <class Real, class HalfSpaceAt>
 int most_violated_of(int count, const HalfSpaceAt& at, const glm::vec<3, Real>& point_m) noexcept {
     Real worst = -kProjectionToleranceOf<Real>;
@@ -144,8 +146,8 @@ int most_violated_of(int count, const HalfSpaceAt& at, const glm::vec<3, Real>& 
     return entering;
 }
 
-// The same with bit-identical results, but four half-spaces at a time and with each offset increased by grown_m: half
-// the instructions.
+// Returns the bit-identical result for offsets that are each increased by grown_m. It processes four half-spaces at a
+// time, which takes half the instructions.
 inline int most_violated_of(std::span<const HalfSpace> all, double grown_m, const Vec3& point_m) noexcept {
     using Two = double __attribute__((vector_size(16)));
     static_assert(sizeof(HalfSpace) == 4 * sizeof(double));
@@ -183,7 +185,7 @@ inline int most_violated_of(std::span<const HalfSpace> all, double grown_m, cons
 template <class Real, class HalfSpaceAt, class MostViolated>
 bool exchange(const glm::vec<3, Real>& goal_m, int count, const HalfSpaceAt& at, const MostViolated& most_violated,
               BasicProjectionBasis<Real>& basis) noexcept {
-    constexpr int kMaxExchanges = 40;  // |point - goal| rises with every exchange, so no basis repeats
+    constexpr int kMaxExchanges = 40;  // an upper limit; |point - goal| rises with every exchange, so no basis repeats
     const int warm_count = basis.count;
     const std::array<int, 3> warm = basis.index;
     basis.count = 0;
@@ -231,10 +233,10 @@ bool exchange(const glm::vec<3, Real>& goal_m, int count, const HalfSpaceAt& at,
 
 }  // namespace projection_detail
 
-// Fills `basis` with the nearest point to goal_m that satisfies at(0) ... at(count - 1). The indices of the previous
-// call are the warm start (set basis.count = 0 for a cold one). Returns false if the intersection is empty or too flat
-// to decide; the basis then holds the best point up to then, which satisfies only its own members. Work close to a
-// local origin: rounding grows with the coordinates.
+// Fills `basis` with the point nearest to goal_m that satisfies at(0) ... at(count - 1). The indices of the previous
+// call are the warm start; set basis.count = 0 for a cold start. Returns false if the intersection is empty or too thin
+// to decide. The basis then holds the best point found, which satisfies only its own members. Choose a local origin
+// near the points, because rounding errors grow with the coordinates.
 template <class Real, class HalfSpaceAt>
 bool project_on_half_spaces(const glm::vec<3, Real>& goal_m, int count, const HalfSpaceAt& at,
                             BasicProjectionBasis<Real>& basis) noexcept {
@@ -243,7 +245,7 @@ bool project_on_half_spaces(const glm::vec<3, Real>& goal_m, int count, const Ha
         [&](const glm::vec<3, Real>& point) { return projection_detail::most_violated_of(count, at, point); }, basis);
 }
 
-// The same for half-spaces in an array, each moved along its normal by grown_m.
+// Like project_on_half_spaces above, for half-spaces in an array, each moved along its normal by grown_m.
 inline bool project_on_half_spaces(const Vec3& goal_m, std::span<const HalfSpace> all, double grown_m,
                                    ProjectionBasis& basis) noexcept {
     const auto at = [&](int i) noexcept {

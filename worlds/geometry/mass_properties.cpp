@@ -13,7 +13,7 @@ void add(Spread& to, const Spread& what, double times) noexcept {
     for (std::size_t i = 0; i < 3; ++i) to[i] += what[i] * times;
 }
 
-// Mass properties from the spread along an axis and perpendicular to it.
+// Returns the mass properties of a solid of revolution from its spread along the axis and perpendicular to it.
 MassProperties of_axis(double volume_m3, const Vec3& middle_m, const Vec3& axis, double along_m5,
                        double across_m5) noexcept {
     MassProperties out{volume_m3, middle_m, {Vec3(across_m5, 0, 0), Vec3(0, across_m5, 0), Vec3(0, 0, across_m5)}};
@@ -32,7 +32,7 @@ MassProperties mass_properties(const ConvexSolid& solid) noexcept {
     for (const Polygon& face : solid.faces)
         for (std::size_t i = 2; i < face.points_m.size(); ++i) {
             const Vec3 a = face.points_m[0] - zero, b = face.points_m[i - 1] - zero, c = face.points_m[i] - zero;
-            // Six times the volume of the tetrahedron whose fourth corner is zero.
+            // Six times the volume of the tetrahedron whose fourth corner is the origin.
             const double six = glm::dot(a, glm::cross(b, c));
             const Vec3 sum = a + b + c;
             six_volume += six;
@@ -55,8 +55,8 @@ MassProperties mass_properties(const RoundShape& shape) noexcept {
                                  [](const CapsuleShape& s) {
                                      const double r2 = s.radius_m * s.radius_m, rod = kPi * r2 * s.length_m,
                                                   cap = 2.0 / 3.0 * kPi * r2 * s.radius_m;
-                                     // Distances of a round end's centre of mass: `out` from its flat side, `far` from
-                                     // the middle of the capsule.
+                                     // The centre of mass of a round end is `out` away from the flat side of that end
+                                     // and `far` away from the middle of the capsule.
                                      const double out = 0.375 * s.radius_m, far = 0.5 * s.length_m + out;
                                      const double along = rod * s.length_m * s.length_m / 12.0 +
                                                           2.0 * cap * (r2 / 5.0 - out * out + far * far);
@@ -89,7 +89,7 @@ MassProperties together(const MassProperties& a, const MassProperties& b) noexce
 }
 
 Rotation rotation_of(const std::array<Vec3, 3>& m) noexcept {
-    // Chooses the largest component (Shepperd, 1978).
+    // Divides by the largest component of the quaternion (Shepperd, 1978).
     const double w = m[0].x + m[1].y + m[2].z, x = m[0].x - m[1].y - m[2].z, y = m[1].y - m[0].x - m[2].z,
                  z = m[2].z - m[0].x - m[1].y;
     if (w >= x && w >= y && w >= z) return normalized({1.0 + w, m[1].z - m[2].y, m[2].x - m[0].z, m[0].y - m[1].x});

@@ -1,5 +1,6 @@
 // Where an object with its own frame is: world = position + scale * (rotation applied to own). Plain values and pure
-// functions; any thread. Uses only + - x / and square root, so that every build gives bit-identical results.
+// functions; any thread may use them. They use only + - x / and square root, so that every build gives bit-identical
+// results.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +19,7 @@ struct Rotation {
     bool operator==(const Rotation&) const = default;
 };
 
-// The nearest unit quaternion; the identity if q is zero or not finite.
+// Returns the nearest unit quaternion, or the identity if q is zero or not finite.
 inline Rotation normalized(const Rotation& q) noexcept {
     const double length2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
     if (!(length2 > 0.0) || !std::isfinite(length2)) return {};
@@ -32,7 +33,8 @@ inline Rotation operator*(const Rotation& a, const Rotation& b) noexcept {
             a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
 }
 
-// Right-handed, about a unit axis. Use it off the real-time path only: it calls the C library's sine.
+// Returns the right-handed rotation about a unit axis. Use it off the real-time path only, because it calls the C
+// library's sine.
 inline Rotation rotation_about(const Vec3& axis, double angle_rad) noexcept {
     const double s = std::sin(0.5 * angle_rad);
     return {std::cos(0.5 * angle_rad), axis.x * s, axis.y * s, axis.z * s};
@@ -41,14 +43,14 @@ inline Rotation rotation_about(const Vec3& axis, double angle_rad) noexcept {
 struct Placement {
     Vec3 position_m{0.0};
     Rotation rotation{};
-    double scale = 1.0;  // > 0, the same along every axis
+    double scale = 1.0;  // above 0; the same along every axis
 
     bool operator==(const Placement& other) const noexcept {
         return position_m == other.position_m && rotation == other.rotation && scale == other.scale;
     }
 };
 
-// A placement prepared for many points: it holds the columns of the rotation matrix.
+// A placement prepared for transforming many points: it holds the columns of the rotation matrix.
 struct PlacedFrame {
     Vec3 position_m{0.0};
     std::array<Vec3, 3> axes{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
@@ -70,8 +72,9 @@ struct PlacedFrame {
     Vec3 to_own(const Vec3& world_m) const noexcept { return turned_back(world_m - position_m) / scale; }
 };
 
-// Interpolates between two placements, `part` from 0 to 1: linearly for the position, along the shorter arc for the
-// rotation. The rotation is normalised linear; its speed is uneven by under 1 % below 30 degrees.
+// Interpolates between two placements; `part` runs from 0 to 1. The position is interpolated linearly and the rotation
+// along the shorter arc (normalised linear interpolation). Below 30 degrees, the speed of the rotation varies by less
+// than 1 %.
 inline Placement between(const Placement& from, const Placement& to, double part) noexcept {
     const Rotation &a = from.rotation, &b = to.rotation;
     const double sign = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z < 0.0 ? -1.0 : 1.0;
@@ -83,13 +86,14 @@ inline Placement between(const Placement& from, const Placement& to, double part
     return result;
 }
 
-// An upper bound of how far any point within reach_m (own metres) of the frame's origin travels between two placements.
+// Returns an upper bound of how far a point travels between two placements. The point is at most reach_m, in metres of
+// the object's own frame, from the frame's origin.
 inline double farthest_travel_m(const Placement& from, const Placement& to, double reach_m) noexcept {
     const Rotation &a = from.rotation, &b = to.rotation;
     const double sign = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z < 0.0 ? -1.0 : 1.0;
     const double dw = a.w - sign * b.w, dx = a.x - sign * b.x, dy = a.y - sign * b.y, dz = a.z - sign * b.z;
-    // If two unit quaternions represent rotations an angle apart, their distance is 2 sin(angle / 4). So the angle is
-    // at most pi times the distance.
+    // Two unit quaternions whose rotations differ by an angle are 2 sin(angle / 4) apart. So the angle is at most pi
+    // times that distance.
     const double turn = std::sqrt(dw * dw + dx * dx + dy * dy + dz * dz) * kPi;
     const double scale = std::max(from.scale, to.scale);
     return glm::length(to.position_m - from.position_m) + (turn * scale + std::abs(to.scale - from.scale)) * reach_m;

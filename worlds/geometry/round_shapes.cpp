@@ -6,18 +6,19 @@
 namespace handrail {
 namespace {
 
-// A point relative to an axis: how far along it, how far from it, and in which direction.
+// A point relative to an axis: its position along the axis, its distance from the axis, and the direction of that
+// distance.
 struct AroundAxis {
     double along_m;
     double out_m;
-    Vec3 outward;  // unit, perpendicular to the axis
+    Vec3 outward;  // unit length, perpendicular to the axis
 };
 
 AroundAxis around_axis(const Vec3& origin, const Vec3& axis, const Vec3& p) noexcept {
     const Vec3 from = p - origin;
     const double along = glm::dot(from, axis);
-    // Close to the axis the first difference is mostly rounding error, which may point along the axis; the second
-    // subtraction removes that.
+    // Close to the axis, the first difference is mostly rounding error and may point along the axis. The second
+    // subtraction removes that part.
     Vec3 out = from - axis * along;
     out -= axis * glm::dot(out, axis);
     const double length = glm::length(out);
@@ -25,8 +26,8 @@ AroundAxis around_axis(const Vec3& origin, const Vec3& axis, const Vec3& p) noex
                                 : AroundAxis{along, 0.0, any_perpendicular(axis)};
 }
 
-// For when the nearest point is a corner of the profile: `out` and `along` lead from the corner to the query point.
-// `sideless` is the normal if the two coincide.
+// The result if the nearest point is a corner of the profile. `out` and `along` lead from that corner to the query
+// point. If the two coincide, the normal is `sideless`.
 ClosestPoint from_profile_corner(const Vec3& corner, double out, double along, const AroundAxis& at, const Vec3& axis,
                                  const Vec3& sideless) noexcept {
     const double distance = std::sqrt(out * out + along * along);
@@ -90,8 +91,8 @@ ClosestPoint closest_point(const ConeShape& cone, const Vec3& p) noexcept {
     if (at.along_m <= 0.0 && past_rim <= 0.0) return {cone.base_m + at.outward * at.out_m, -cone.axis, -at.along_m};
     const Vec3 slant = at.outward * cone.slant_out + cone.axis * cone.slant_up;
     const double past_slant = past_rim * cone.slant_out + at.along_m * cone.slant_up;
-    // Distances up the side from the rim, and past the apex. Each is measured from its own corner, so that the normals
-    // there are correct to rounding.
+    // `up` is the distance from the rim up the side, `over` the distance past the apex. Each is measured from its own
+    // corner, so that the normals there are exact except for rounding.
     const double up = at.along_m * cone.slant_out - past_rim * cone.slant_up;
     const double over = at.along_m - cone.height_m;
     const double past_apex = over * cone.slant_out - at.out_m * cone.slant_up;

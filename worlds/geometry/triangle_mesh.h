@@ -1,4 +1,4 @@
-// Triangles that share their corners. Plain data: no thread, no state. Metres, in a frame that the owner defines.
+// Triangles that share their corners. Plain data that any thread may use, in metres, in a frame that the owner defines.
 #pragma once
 
 #include <array>
@@ -9,12 +9,12 @@
 
 namespace handrail {
 
-// Corners of one triangle as indices of points; counter-clockwise seen from the front.
+// The corners of one triangle, as indices of points. They run counter-clockwise seen from the front.
 using Corners = std::array<std::uint32_t, 3>;
 
 // The side from which a sheet (triangle or polygon) can be touched. Its front is the side from which its corners run
-// counter-clockwise. A one-sided sheet stops only a proxy that came from that side; from the other side the proxy
-// passes freely and without force.
+// counter-clockwise. A one-sided sheet stops only a proxy that comes from the touchable side. From the other side the
+// proxy passes freely and without force.
 enum class TouchSide : std::uint8_t { Both, Front, Back };
 
 struct TriangleMesh {
