@@ -10,9 +10,9 @@
 namespace handrail {
 namespace {
 
-constexpr double kAtRoom_m = 0.6;  // a wall this near to a room belongs to the building
+constexpr double kAtRoom_m = 0.6;  // a wall within this distance of a room belongs to the building
 
-// Least height of upright things such as walls and columns. Paths and lawns are lower.
+// Parts lower than this do not belong to the building. Walls and columns are higher; paths and lawns are lower.
 constexpr double kUpright_m = 1.0;
 
 // True for sloping solids such as roofs, which may extend beyond the walls.
@@ -23,7 +23,7 @@ bool slopes(const Solid& solid) {
     });
 }
 
-// The bounds of everything except the ground that a reader laid.
+// Returns the bounds of everything except the ground that a reader added.
 Aabb all_but_ground(const Scene& scene) {
     if (std::none_of(scene.features.begin(), scene.features.end(), is_outer_ground)) return scene.bounds_m;
     Aabb all;
@@ -55,8 +55,8 @@ Aabb building_bounds_m(const Scene& scene) {
     Aabb building = rooms;
     const auto take = [&](const Aabb& box) {
         if (box.empty() || box.size_m().z < kUpright_m) return;
-        // Includes only the part near the rooms: a garden wall that continues from the house does not belong to the
-        // building.
+        // Includes only the part of the box near the rooms, because a garden wall that continues from the house does
+        // not belong to the building.
         const Aabb part{glm::max(box.min_m, near.min_m), glm::min(box.max_m, near.max_m)};
         if (!part.empty()) building.include(part);
     };
@@ -64,7 +64,7 @@ Aabb building_bounds_m(const Scene& scene) {
         if (!slopes(solid)) take(solid.shape.bounds_m);
     for (const Feature& feature : scene.features)
         if (feature.kind == FeatureKind::Wall || feature.kind == FeatureKind::Door) take(feature.bounds_m);
-    // The same bounds at all heights, to include roofs and cellars.
+    // Extends the bounds upwards and downwards, to include roofs and cellars.
     Aabb high = building;
     for (const Feature& feature : scene.features) {
         const Aabb& box = feature.bounds_m;

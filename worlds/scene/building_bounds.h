@@ -1,13 +1,13 @@
-// The size of the building, without the ground that readers lay round it and without outdoor parts of the file, such as
-// paths and lawns. Pure; any thread. World metres.
+// The size of the building in world metres. It excludes the ground that readers add around the building and outdoor
+// parts of the file, such as paths and lawns. Pure functions; any thread may call them.
 #pragma once
 
 #include "worlds/scene/scene.h"
 
 namespace handrail {
 
-// The bounds of the rooms that the file states and of the parts next to them. If the file states no rooms, the bounds
-// of everything except the ground that readers laid. Empty if there is nothing.
+// Returns the bounds of the rooms that the file states and of the building parts next to them. If the file states no
+// rooms, returns the bounds of everything except the ground that readers added. Empty if there is nothing else.
 Aabb building_bounds_m(const Scene& scene);
 
 }  // namespace handrail

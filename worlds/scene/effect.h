@@ -1,5 +1,5 @@
 // Haptic effects as the world file states them: forces in space, without visible geometry. haptic/compile turns them
-// into force laws. The table is data.
+// into force laws. The kinds of effects are rows of a table.
 #pragma once
 
 #include <span>
@@ -16,30 +16,31 @@ namespace handrail {
 
 enum class EffectKind { Magnet, Detent, Button, FlyPaper, Inertia, Force, Vibration };
 
-// A row of the table: which values the keys of this kind of effect may have. Forces in newtons, widths in metres of
+// A row of the table: the legal values of the keys for one kind of effect. Forces are in newtons, widths in metres of
 // hand travel.
 struct EffectSpec {
-    std::string_view name;  // the value of the key `effect`
+    std::string_view name;  // the value of the key `effect` that selects this kind
     EffectKind kind = EffectKind::Magnet;
-    double strength_n = 0.0, least_n = 0.0, most_n = 0.0;  // default and range; all 0: this kind has no strength
-    // Default and range; all 0: this kind has no width.
+    // Default and range of the strength; all 0 if this kind has no strength.
+    double strength_n = 0.0, least_n = 0.0, most_n = 0.0;
+    // Default and range of the width; all 0 if this kind has no width.
     double width_hand_m = 0.0, least_hand_m = 0.0, most_hand_m = 0.0;
     double edge_hand_m = 0.010;
 };
 
-// All kinds, in a fixed order.
+// Returns all kinds, in a fixed order.
 std::span<const EffectSpec> effect_table();
-// Finds the whole name, ignoring case; nullptr if there is none.
+// Finds the kind with exactly this name, ignoring case. Returns nullptr if there is none.
 const EffectSpec* find_effect(std::string_view name);
-// Explains in a sentence what strength and width mean.
+// Explains in a sentence what strength and width mean for this kind.
 std::string effect_meaning(const EffectSpec& spec);
 
 // What a magnet pulls the hand to.
 enum class MagnetPull {
-    Point,    // the middle of its volume
-    Line,     // its longest middle line
-    Surface,  // its largest middle plane
-    Object,   // the faces of the box around the thing it belongs to
+    Point,    // the middle of the magnet's volume
+    Line,     // the longest middle line of its volume
+    Surface,  // the largest middle plane of its volume
+    Object,   // the faces of the box around the object that the magnet belongs to
 };
 
 struct EffectBall {
@@ -58,15 +59,15 @@ constexpr double kLeastMass_kg = 0.05, kMostMass_kg = 0.3;
 struct Effect {
     EffectKind kind = EffectKind::Magnet;
     std::variant<ConvexSolid, EffectBall, EffectCapsule> where;
-    std::string name;  // name for messages
+    std::string name;  // name of the effect in messages
     double strength_n = 0.0;
     double width_hand_m = 0.0;
     double edge_hand_m = 0.010;
-    Vec3 direction{0.0, 0.0, 1.0};  // unit
+    Vec3 direction{0.0, 0.0, 1.0};  // unit length
     double frequency_hz = 100.0;
     double mass_kg = 0.1;
     MagnetPull pull = MagnetPull::Point;
-    FeatureId belongs_to = kNoFeature;  // the thing that the effect moves with
+    FeatureId belongs_to = kNoFeature;  // the object that the effect moves with; kNoFeature: the effect does not move
     SourcePlace source;
 };
 

@@ -10,7 +10,7 @@
 namespace handrail {
 namespace {
 
-// The key of the sentence about this point.
+// Returns the key of the sentence about this kind of finding.
 std::string_view key_of(ToCheck what) {
     switch (what) {
         case ToCheck::MissingPart:
@@ -31,7 +31,7 @@ std::string_view key_of(ToCheck what) {
     return "honest.odd_name";
 }
 
-// "Bedroom 1 A203"; only the number if there is no name.
+// Returns "Bedroom 1 A203", or only the number if the room has no name.
 std::string room_words(const StatedRoom& room) {
     if (room.name == room.number || room.number.empty()) return one_line(room.name);
     return one_line(room.name.empty() ? room.number : room.name + " " + room.number);

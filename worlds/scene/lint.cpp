@@ -24,7 +24,8 @@ bool textures_differ(const Finish& a, const Finish& b) {
     return a_wave && reaches(a.wave.period_hand_m, b.wave.period_hand_m, kPeriodApart);
 }
 
-// A change that makes the two differ: make the softer one softer still, or give the rougher one more friction.
+// Suggests how to make the two materials differ: make the softer one softer still, or give the rougher one more
+// friction.
 std::string advice(const Finish& a, const Finish& b) {
     const Finish& soft = a.stiffness_fraction <= b.stiffness_fraction ? a : b;
     const Finish& hard = a.stiffness_fraction <= b.stiffness_fraction ? b : a;
@@ -38,7 +39,7 @@ std::string advice(const Finish& a, const Finish& b) {
                                   {"friction", rougher}});
 }
 
-// For each material, the boxes of its visible surfaces.
+// Returns the boxes of the visible surfaces of each material.
 std::vector<std::vector<Aabb>> visible(const Scene& scene) {
     std::vector<std::vector<Aabb>> boxes(scene.materials.size());
     for (const SurfacePolygon& surface : scene.surfaces) {
@@ -55,7 +56,7 @@ std::vector<std::vector<Aabb>> visible(const Scene& scene) {
     return boxes;
 }
 
-// The materials that have a name and are used in this scene.
+// Returns the materials that have a name and are used in this scene.
 std::vector<std::size_t> named(const Scene& scene, const std::vector<std::vector<Aabb>>& boxes) {
     std::vector<std::size_t> used;
     for (std::size_t i = 0; i < boxes.size(); ++i)
@@ -93,7 +94,8 @@ bool can_be_told_apart(const Finish& a, const Finish& b) {
 std::string crowded_view(const Scene& scene) {
     const std::vector<std::vector<Aabb>> boxes = visible(scene);
     const std::vector<std::size_t> used = named(scene, boxes);
-    // A view surrounds the middle of each surface of a named material. The fullest view is reported.
+    // Looks at the view around the middle of each surface of a named material, and reports the view with the most
+    // materials.
     std::set<std::string> most;
     Vec3 where(0.0);
     for (const std::size_t centre : used)

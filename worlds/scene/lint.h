@@ -1,7 +1,7 @@
-// Checks whether a hand can tell a world's materials apart. Pure functions over a Scene; loading thread. Thresholds:
-// people notice differences of compliance from 15 % and of force from 10 % (Bergmann Tiest & Kappers). So materials
-// that are meant to differ must differ by twice that or more: 30 % in stiffness, 50 % in friction, or in texture. Sound
-// does not replace this, because a material may be touched without sound.
+// Checks whether a hand can distinguish the materials of a world. Pure functions over a Scene, called on the loading
+// thread. People notice differences of compliance from 15 % and of force from 10 % (Bergmann Tiest & Kappers). So
+// materials that are meant to differ must differ by at least twice that: by 30 % in stiffness, by 50 % in friction, or
+// in texture. Different sounds do not count, because a material may be touched without sound.
 #pragma once
 
 #include <string>
@@ -11,14 +11,16 @@
 
 namespace handrail {
 
-inline constexpr double kStiffnessApart = 1.3;  // least ratio
-inline constexpr double kFrictionApart = 1.5;   // least ratio
-inline constexpr double kPeriodApart = 1.3;     // least ratio of the periods of two textures
+// Least ratio of the stiffnesses of two materials that a hand can distinguish.
+inline constexpr double kStiffnessApart = 1.3;
+// Least ratio of the frictions of two materials that a hand can distinguish.
+inline constexpr double kFrictionApart = 1.5;
+inline constexpr double kPeriodApart = 1.3;  // least ratio of the periods of two textures that a hand can distinguish
 inline constexpr std::size_t kMostMaterialsInView = 5;
-// Width of a view: what a device with 15 cm of workspace covers at the room scale.
+// Width of a view: the part of the world that a device with 15 cm of workspace covers at the room scale.
 inline constexpr double kView_m = 9.0;
 
-// How a surface feels, after keys of the map and library values are combined.
+// How a surface feels. The values combine the map's keys with those of the library.
 struct Finish {
     std::string name;
     double stiffness_fraction = 0.8;
@@ -31,19 +33,20 @@ Finish finish_of(const MaterialSpec& spec);
 
 bool can_be_told_apart(const Finish& a, const Finish& b);
 
-// Two named materials of a world that a hand cannot tell apart; the sentence says what to change.
+// Two named materials of a world that a hand cannot distinguish. The sentence says what to change.
 struct AlikeMaterials {
     std::string one, other;
     std::string sentence;
 };
-// Each pair appears once. Considers only the named materials that a hand can reach.
+// Returns each pair once. Considers only the named materials that a hand can reach.
 std::vector<AlikeMaterials> alike_materials(const Scene& scene);
 
 struct LintReport {
-    std::vector<std::string> problems;  // pairs that cannot be told apart, and what to change
-    std::vector<std::string> warnings;  // places with too many materials, and stick-slip friction
+    std::vector<std::string> problems;  // sentences about pairs that a hand cannot distinguish, with what to change
+    std::vector<std::string> warnings;  // sentences about places with too many materials and about stick-slip friction
 };
-// A sentence about the fullest view if it contains more than kMostMaterialsInView named materials; else empty.
+// Returns a sentence about the view with the most materials, if it contains more than kMostMaterialsInView named ones;
+// else empty.
 std::string crowded_view(const Scene& scene);
 // Checks the named materials that a hand can reach in this world.
 LintReport lint_materials(const Scene& scene);

@@ -14,12 +14,12 @@
 namespace handrail {
 namespace {
 
-constexpr double kBeyondWall_m = 0.02;  // the cut extends this far beyond both sides of the wall
-constexpr double kTouches_m = 1e-4;     // parts that reach less than this into the doorway are not cut
+constexpr double kBeyondWall_m = 0.02;  // how far the cut extends beyond both sides of the wall
+constexpr double kTouches_m = 1e-4;     // a part that extends less than this into the doorway is not cut
 constexpr double kThreshold_m = 0.1;
 
 struct Doorway {
-    // Middle on the floor; direction through the wall; direction along the wall to the right.
+    // Middle of the doorway on the floor; direction through the wall; direction along the wall to the right.
     Vec3 middle_m{0.0}, along{0.0}, across{0.0};
     double half_m = 0.0, deep_m = 0.0;
     std::array<Plane, 6> planes;  // right, left, ahead, behind, above, below
@@ -50,8 +50,8 @@ double far_along(const ConvexSolid& solid, const Vec3& direction) {
     return most;
 }
 
-// The part of a solid behind a plane. Each face keeps its feature and material; the new face takes those of the face
-// with index `made`.
+// Returns the part of a solid behind a plane. Each face keeps its feature and material. The new face gets those of the
+// face with index `made`.
 std::optional<Solid> part_behind(const Solid& solid, const Plane& plane, std::size_t made) {
     if (-far_along(solid.shape, -plane.normal) >= plane.offset_m - kTouches_m) return std::nullopt;
     if (far_along(solid.shape, plane.normal) <= plane.offset_m + kTouches_m) return solid;
@@ -86,7 +86,7 @@ std::size_t largest_face(const ConvexSolid& shape) {
     return best;
 }
 
-// Adds the surface where the solid borders one side of the doorway, seen from within the doorway.
+// Adds the surface where the wall borders one side of the doorway, as seen from within the doorway.
 void add_jamb(Scene& scene, const Solid& solid, const Doorway& box, std::size_t side, std::size_t face) {
     const Vec3 up(0.0, 0.0, kMadeDoorHigh_m), right = box.across * box.half_m, ahead = box.along * box.deep_m;
     std::vector<Vec3> corners;
@@ -142,7 +142,7 @@ void cut_surfaces(Scene& scene, const Doorway& box) {
         bool within = surface.role == SolidRole::Solid && (!feature || feature->made_name);
         for (const Plane& plane : box.planes) {
             if (!within) break;
-            // Parts that only touch a side of the doorway are not inside it.
+            // Parts that only touch a side of the doorway count as outside it.
             const Plane in{plane.normal, plane.offset_m - kTouches_m};
             split(inner, in, 1e-7, back, front);
             if (front.size() >= 3) outside.push_back(front);
@@ -166,7 +166,7 @@ bool anything_at(const Scene& scene, const Vec3& at_m) {
     });
 }
 
-// Adds a threshold if there is no floor under the wall.
+// Adds a threshold if there is no floor below the wall.
 void add_threshold(Scene& scene, const Doorway& box) {
     bool floor = true;
     for (const double along : {-0.9, -0.45, 0.0, 0.45, 0.9})
@@ -174,7 +174,7 @@ void add_threshold(Scene& scene, const Doorway& box) {
             floor = floor && anything_at(scene, box.middle_m + box.along * (along * (box.deep_m - kBeyondWall_m)) +
                                                     box.across * (across * box.half_m) - Vec3(0.0, 0.0, 0.01));
     if (floor) return;
-    // It gets the feature and material of the nearest floor.
+    // The threshold gets the feature and material of the nearest floor.
     FeatureId feature = kNoFeature;
     MaterialId material = kDefaultMaterial;
     double nearest_m = 1e300;
@@ -204,7 +204,7 @@ void add_threshold(Scene& scene, const Doorway& box) {
     scene.solids.push_back(std::move(solid));
 }
 
-// True if nothing blocks a body in the doorway any more.
+// True if nothing in the doorway blocks a walker any more.
 bool is_free(const Scene& scene, const Doorway& box) {
     for (double along = -1.0; along <= 1.0; along += 0.1)
         for (const double across : {-0.8, 0.0, 0.8})
@@ -215,7 +215,7 @@ bool is_free(const Scene& scene, const Doorway& box) {
     return true;
 }
 
-// The stated doors inside the doorway.
+// Returns the doors of the file that are inside the doorway.
 std::vector<StatedPortal*> stated_in(StatedBuilding& stated, const Doorway& box) {
     std::vector<StatedPortal*> in;
     for (StatedPortal& portal : stated.portals) {

@@ -8,9 +8,10 @@ namespace handrail {
 namespace {
 
 // Stiffness is a fraction of what the device can render, friction is Coulomb's mu. There are four steps of stiffness,
-// each a third or more above the one below: more steps cannot be told apart on a device of 3 N. Within a step, friction
-// differs by a half, or one material has a texture (test: any_two_can_be_distinguished_by_touch). Plaster is what the
-// walls of most rooms are made of. Depths and periods are in hand travel.
+// each at least a third above the step below. More steps could not be distinguished on a device of 3 N. Two materials
+// of the same step differ by half in friction, or one of them has a texture (test:
+// any_two_can_be_distinguished_by_touch). Plaster is what the walls of most rooms are made of. Depths and periods of
+// textures are in hand travel.
 constexpr TextureWave kBars{WaveShape::Square, 0.4e-3, 10e-3};
 constexpr TextureWave kJoints{WaveShape::Sine, 0.2e-3, 7e-3};
 constexpr TextureWave kTufts{WaveShape::Sine, 0.3e-3, 5e-3};
@@ -41,9 +42,9 @@ struct TextureRule {
     bool at_start = false;  // the texture's name must begin with the pattern
 };
 
-// The first match wins, so that "wizwood" is wood, although a name that begins with "wiz" is stone, and "plaster" is
-// plaster, although "plat" means metal. In the game's own sets, tech, slip, comp, base, key and m5 are metal panels,
-// cop and ecop are copper, and uwall, city and church are cut stone.
+// The first rule that matches decides. So "wizwood" is wood, although a name that begins with "wiz" is stone; and
+// "plaster" is plaster, although "plat" means metal. In the game's own texture sets, tech, slip, comp, base, key and m5
+// are metal panels, cop and ecop are copper, and uwall, city and church are cut stone.
 constexpr std::array kTextureRules{
     TextureRule{"plaster", "plaster"},     TextureRule{"stucco", "plaster"},
     TextureRule{"plastic", "plastic"},     TextureRule{"wood", "wood"},
@@ -86,9 +87,9 @@ const MaterialSpec* find_material(std::string_view name) {
 const MaterialSpec* guess_material(std::string_view texture_name) {
     std::string name = lower_ascii(texture_name.substr(0, 64));
     if (const std::size_t slash = name.find_last_of("/\\"); slash != std::string::npos) name.erase(0, slash + 1);
-    // The prefix of animated or alternating textures: "+0slip".
+    // Removes the prefix of animated or alternating textures: "+0slip".
     if (name.size() > 2 && (name[0] == '+' || name[0] == '-')) name.erase(0, 2);
-    if (name.starts_with('{')) name.erase(0, 1);  // the prefix of see-through textures
+    if (name.starts_with('{')) name.erase(0, 1);  // removes the prefix of see-through textures
     for (const TextureRule& rule : kTextureRules) {
         const std::size_t found = name.find(rule.part);
         if (found == 0 || (found != std::string::npos && !rule.at_start)) return find_material(rule.material);

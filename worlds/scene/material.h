@@ -1,4 +1,5 @@
-// Materials: what a surface is made of, as a name and as fractions of what a device can render. The library is data.
+// Materials: what a surface is made of, as a name and as fractions of what a device can render. The library of
+// materials is a table.
 #pragma once
 
 #include <memory>
@@ -13,8 +14,8 @@
 
 namespace handrail {
 
-// How a material sounds. audio-cues/plan synthesises contact, slide and footstep sounds from it. Every named material
-// has its own class.
+// Selects how a material sounds. audio-cues/plan synthesises sounds of contact, sliding and footsteps from it. Every
+// named material has its own class.
 enum class SoundClass {
     Plaster,
     Wood,
@@ -37,54 +38,57 @@ enum class SoundClass {
     Generic
 };
 
-// A texture that repeats along one direction. Lengths are hand travel, so that it feels the same at every zoom.
-// haptic/render/relief.h describes its effect on the force.
+// A texture that repeats along one direction. Its lengths are in hand travel, so that it feels the same at every zoom.
+// haptic/render/relief.h describes how it changes the force.
 enum class WaveShape { Level, Sine, Square };  // Level: no depth; only the friction may vary
 struct TextureWave {
     WaveShape shape = WaveShape::Level;
     double depth_hand_m = 0.0;
     double period_hand_m = 0.01;
-    double friction_share = 0.0;  // the friction varies between 1 - share and 1 + share times the material's friction
-    double turn_rad = 0.0;        // counter-clockwise turn of the direction along which it repeats
+    // The friction varies between (1 - friction_share) and (1 + friction_share) times the material's friction.
+    double friction_share = 0.0;
+    double turn_rad = 0.0;  // counter-clockwise angle by which the direction of repetition is turned
     bool operator==(const TextureWave&) const = default;
 };
 
-// Depths from a grey picture: 0 is the plain surface, 1 the deepest. Row by row, top row first.
+// Depths from a grey picture, stored row by row from the top. 0 is the plain surface, 1 the greatest depth.
 struct HeightPicture {
     int width = 0, height = 0;
     std::vector<float> depths;
 };
 
-// A picture on a surface. Its lower left corner is at that of the box, from whichever side a face is viewed, and it
-// repeats in both directions.
+// A picture on a surface. From whichever side a face is viewed, the picture's lower left corner is at that of the box.
+// The picture repeats in both directions.
 struct TexturePicture {
     std::shared_ptr<const HeightPicture> heights;
     double depth_hand_m = 0.0;
-    double size_m = 1.0;  // width of one copy in the world
+    double size_m = 1.0;  // width of one copy of the picture in the world
     double turn_rad = 0.0;
-    Aabb box_m;  // of the thing that the picture is on
+    Aabb box_m;  // bounds of the object that the picture is on
     bool operator==(const TexturePicture& other) const {
         return heights == other.heights && depth_hand_m == other.depth_hand_m && size_m == other.size_m &&
                turn_rad == other.turn_rad && box_m.min_m == other.box_m.min_m && box_m.max_m == other.box_m.max_m;
     }
 };
 
-// A surface material as the world states it. Values that the file does not state are empty: exploring then uses the
-// library's values (MaterialSpec below), and replay uses the plain default wall, as the touch contract requires.
+// A surface material as the world states it. Values that the file does not state are empty. Exploring then uses the
+// library's values (MaterialSpec below). Replay uses the plain default wall, as the touch contract requires.
 struct Material {
-    std::string name;  // spoken, lower case: "plaster"; empty for the default wall
+    std::string name;  // for speech, in lower case: "plaster"; empty for the default wall
     SoundClass sound = SoundClass::Generic;
-    bool guessed = false;                      // true when only a texture name suggested it
-    std::optional<double> stiffness_fraction;  // key `stiffness`, 0 to 1 times the device's rated stiffness
-    std::optional<double> friction_mu;         // key `friction`, Coulomb coefficient, >= 0, while sliding
-    std::optional<double> friction_static;     // key `friction_static`, at rest; empty: the same as while sliding
-    std::optional<double> damping_ns_per_m;    // key `damping`, per hand speed
+    bool guessed = false;                      // true if the material was only guessed from a texture name
+    std::optional<double> stiffness_fraction;  // key `stiffness`: 0 to 1 times the device's rated stiffness
+    std::optional<double> friction_mu;         // key `friction`: Coulomb coefficient while sliding, >= 0
+    // Key `friction_static`: Coulomb coefficient at rest; empty: the same as while sliding.
+    std::optional<double> friction_static;
+    std::optional<double> damping_ns_per_m;  // key `damping`: force per speed of the hand
     std::optional<TextureWave> wave;
     std::optional<TexturePicture> picture;
     bool operator==(const Material&) const = default;
 };
 
-// Above this ratio of static to kinetic friction, a hand alternately sticks and slips without wanting to.
+// If the ratio of static to kinetic friction is above this, a sliding hand sticks and slips in turns, although the
+// person does not intend it.
 inline constexpr double kMostStaticOverKinetic = 1.25;
 
 // A row of the material library.
@@ -93,18 +97,18 @@ struct MaterialSpec {
     SoundClass sound = SoundClass::Generic;
     double stiffness_fraction = 0.8;
     double friction_static = 0.3;
-    double friction_mu = 0.3;        // while sliding
+    double friction_mu = 0.3;        // Coulomb coefficient while sliding
     double damping_ns_per_m = -1.0;  // negative: the person's own setting is used
     TextureWave wave{};
 };
 
-// All named materials in a fixed order. Their names are the values of the map key `material`. Any two can be told apart
-// by touch alone (see lint.h).
+// Returns all named materials in a fixed order. Their names are the values of the map key `material`. Any two can be
+// distinguished by touch alone (see lint.h).
 std::span<const MaterialSpec> material_library();
-// Finds the whole name, ignoring case; nullptr if there is none.
+// Finds the material with exactly this name, ignoring case. Returns nullptr if there is none.
 const MaterialSpec* find_material(std::string_view name);
-// The material that a texture name suggests ("sbrick2a" -> brick), or nullptr. Used when exploring; the report lists it
-// as guessed.
+// Returns the material that a texture name suggests ("sbrick2a" -> brick), or nullptr. Used only for exploring; the
+// report lists such a material as guessed.
 const MaterialSpec* guess_material(std::string_view texture_name);
 
 }  // namespace handrail

@@ -12,7 +12,7 @@
 namespace handrail {
 namespace {
 
-// The bounds of the touchable parts of a model, in its own frame.
+// Returns the bounds of the touchable parts of a model, in the model's own frame.
 Aabb touchable_bounds(const Scene& model) {
     Aabb bounds;
     for (const Solid& solid : model.solids)
@@ -22,7 +22,7 @@ Aabb touchable_bounds(const Scene& model) {
     return bounds;
 }
 
-// Adds the surfaces of a placed thing that are drawn.
+// Adds the drawn surfaces of a placed object.
 void draw_placed(Scene& world, const PlacedModel& placed) {
     const PlacedFrame frame(placed.at);
     const auto add = [&](std::vector<Vec3> points, const Vec3& normal) {
@@ -48,7 +48,7 @@ void shift(Shape& shape, const Vec3& by_m) {
     else if constexpr (std::is_same_v<Shape, ConeShape>) shape.base_m += by_m;
 }
 
-// The same solid in a frame whose origin is at zero_m.
+// Returns the same solid in a frame whose origin is at zero_m.
 Solid seen_from(Solid solid, const Vec3& zero_m) {
     for (Plane& plane : solid.shape.planes) plane.offset_m -= glm::dot(plane.normal, zero_m);
     for (Polygon& face : solid.shape.faces)
@@ -229,7 +229,7 @@ Scene with_bodies_apart(Scene world, std::size_t most_things, std::vector<int>& 
     for (std::size_t i = 0; i < models.size(); ++i) {
         const FeatureId feature = world.bodies[i].feature;
         if (!models[i]) continue;
-        if (models[i]->solids.empty()) {  // no part of it has a volume
+        if (models[i]->solids.empty()) {  // the model has no part with a volume
             body_of_feature[feature.value] = -1;
             continue;
         }
@@ -253,7 +253,7 @@ Result<Scene> without_placed(const Scene& world, const std::string& name) {
     if (index < 0) return fail(phrase("worlds.none_to_take", {{"name", name}}));
     Scene scene = world;
     undraw(scene, scene.placed[static_cast<std::size_t>(index)].feature);
-    // The thing's name stays, so that earlier references to it can still be resolved.
+    // The object's name stays, so that earlier references to it can still be resolved.
     scene.placed.erase(scene.placed.begin() + index);
     return scene;
 }

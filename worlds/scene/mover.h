@@ -1,6 +1,6 @@
 // Parts of the building that move as the map says: doors, lifts, buttons, sliding bridges, trains and turning parts.
-// Also the volumes that start them or teleport the person. Plain values of a Scene that say where each part can be and
-// what starts it. app/core/world/mover_play moves them.
+// Also the volumes that start movers or teleport the person. Plain values of a Scene; they say where each part can be
+// and what starts it. app/core/world/mover_play moves the parts.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace handrail {
 
-// A stop of a train: where the origin of its frame is then, and how long it waits there. A negative wait lasts until
-// something starts the train again.
+// A stop of a train: where the origin of the train's frame is at the stop, and how long the train waits there. After a
+// negative wait, the train waits until something starts it again.
 struct TrainStop {
     Vec3 at_m{0.0};
     double wait_s = 0.0;
@@ -21,60 +21,66 @@ struct TrainStop {
 
 inline constexpr std::uint32_t kNoMover = 0xffffffffU;
 
-// Most movers have two ends, described here; at part 0 they are where the file has them. A train goes from stop to
-// stop, and a turning part turns without end.
+// Most movers move between two ends. At part 0 of the travel they are where the file has them. A train goes from stop
+// to stop instead, and a turning part turns without end.
 struct Mover {
     FeatureId feature = kNoFeature;
-    Vec3 slide_m{0.0};  // the whole travel, if it slides
-    // The whole swing, counter-clockwise from above, about the vertical line through pivot_m; 0 if it does not swing.
+    Vec3 slide_m{0.0};  // the whole travel of a sliding mover
+    // The whole swing, counter-clockwise seen from above, about the vertical line through pivot_m. 0 if the mover does
+    // not swing.
     double swing_rad = 0.0;
-    Vec3 pivot_m{0.0};      // origin of its own frame, world metres
+    Vec3 pivot_m{0.0};      // origin of the mover's own frame, in world metres
     double travel_s = 1.0;  // time for the whole travel
-    double wait_s = 3.0;    // time at the other end before it goes back automatically; negative: it stays
-    // It rests at the other end (a lift that waits below), and goes to its place in the file when something starts it.
+    // How long the mover waits at the other end before it returns automatically; negative: it stays there.
+    double wait_s = 3.0;
+    // The mover rests at the other end (like a lift that waits below) and goes to its place in the file when something
+    // starts it.
     bool rests_far = false;
-    // The person can start it by touch or key. If false, only movers and switches with this one in their `sets_going`
-    // can.
+    // The person can start the mover by touch or key. If false, only movers and switches that list it in `sets_going`
+    // can start it.
     bool by_hand = true;
     Aabb approach_m;                        // a person who enters this box starts it; empty: nobody does
-    std::uint32_t group = 0;                // all movers with the same group move together
-    std::vector<std::uint32_t> sets_going;  // the other movers that it starts, as indices into Scene::movers
-    // Movers with the same number here may pass through each other, as the map's author intended. kNoMover: only those
-    // of its group may.
+    std::uint32_t group = 0;                // movers with the same group move together
+    std::vector<std::uint32_t> sets_going;  // other movers that this one starts, as indices into Scene::movers
+    // Movers with the same value of `passes` may pass through each other, as the map's author intended. With kNoMover,
+    // only movers of the same group may.
     std::uint32_t passes = kNoMover;
 
-    // For a lift: the parts of its travel where it stops, rising; empty: it stops at its two ends.
+    // For a lift: the parts of its travel at which it stops, in rising order. If empty, it stops at its two ends.
     std::vector<double> halts;
-    // For a door of a lift: that lift; the door is open only while the lift is at `lift_part` of its travel.
+    // For the door of a lift: `lift` is that lift, and the door is open only while the lift is at `lift_part` of its
+    // travel.
     std::uint32_t lift = kNoMover;
     double lift_part = 0.0;
-    // For a lift's button: the part of its travel to which the lift goes; negative: to the other end.
+    // For a lift's button: the part of the travel to which the button sends the lift. Negative: the button sends it to
+    // the other end.
     double sends_to = -1.0;
 
-    std::vector<TrainStop> stops;   // for a train: its stops in order; it starts at the first one
-    int after_last = -1;            // index of the stop that follows the last one; -1: it stays at the last
-    double speed_m_per_s = 0.0;     // for a train
-    double turn_rad_per_s = 0.0;    // for a turning part; right-handed about turn_axis through pivot_m
-    Vec3 turn_axis{0.0, 0.0, 1.0};  // unit
-    // For a train or a turning part: it moves from the beginning; if false, something must start it.
+    std::vector<TrainStop> stops;   // for a train: its stops in order, beginning with the first one that it waits at
+    int after_last = -1;            // index of the stop that follows the last one; -1: the train ends at the last stop
+    double speed_m_per_s = 0.0;     // speed of a train
+    double turn_rad_per_s = 0.0;    // angular speed of a turning part, right-handed about turn_axis through pivot_m
+    Vec3 turn_axis{0.0, 0.0, 1.0};  // unit length
+    // For a train or a turning part: it moves from the beginning. If false, something must start it.
     bool starts_going = true;
 
-    // True if it moves until something stops it, and has no end at which it rests.
+    // True if the mover moves until something stops it and has no end at which it rests.
     bool endless() const noexcept { return stops.size() > 1 || turn_rad_per_s != 0.0; }
     bool moves() const noexcept { return slide_m != Vec3(0.0) || swing_rad != 0.0 || endless(); }
-    // The placement of its own frame, 0 <= part <= 1. For an endless mover, the placement at the start.
+    // Returns the placement of the mover's own frame at `part` of its travel, 0 <= part <= 1. For an endless mover,
+    // returns the placement at the start.
     Placement at(double part) const {
         if (!stops.empty()) return {stops.front().at_m, {}, 1.0};
         return {pivot_m + slide_m * part, rotation_about({0.0, 0.0, 1.0}, swing_rad * part), 1.0};
     }
 };
 
-// A volume that acts when the person enters it.
+// A volume that has an effect when the person enters it.
 struct Switch {
     FeatureId volume = kNoFeature;          // the feature of a trigger or teleporter
-    std::vector<std::uint32_t> sets_going;  // the movers that it starts, as indices into Scene::movers
+    std::vector<std::uint32_t> sets_going;  // the movers that the switch starts, as indices into Scene::movers
     bool once = false;
-    bool leads_elsewhere = false;  // true: moves the person to feet_m, facing heading_rad
+    bool leads_elsewhere = false;  // true: the switch moves the person to feet_m, facing heading_rad
     Vec3 feet_m{0.0};
     double heading_rad = 0.0;
 };

@@ -1,5 +1,5 @@
-// The ground that readers lay round a building whose file ends at its walls. One can stand on it, but it does not count
-// as a thing. Pure; any thread.
+// The ground that readers add around a building whose file ends at its walls. People can stand on it, but it does not
+// count as a thing. Pure functions; any thread may call them.
 #pragma once
 
 #include "worlds/scene/scene.h"
@@ -8,7 +8,7 @@ namespace handrail {
 
 inline constexpr const char* kOuterGround = "ground outside";
 
-// A reader's name for a building next to the one that it reads.
+// The name that a reader gives to another building next to the one that it reads.
 inline constexpr const char* kNeighbouringBuilding = "building";
 
 inline bool is_outer_ground(const Feature& feature) { return feature.made_name && feature.name == kOuterGround; }

@@ -6,7 +6,8 @@
 namespace handrail {
 namespace {
 
-// A part from its middle in the plane, its width to the right, its depth to the front, and its lower and upper height.
+// Returns a part of a piece of furniture: `x` and `y` are its middle in plan, `wide` its width to the right, `deep` its
+// depth to the front, `from` and `to` its lower and upper height.
 PrefabPart part(double x, double y, double wide, double deep, double from, double to, std::string_view material) {
     return {{{x - 0.5 * wide, y - 0.5 * deep, from}, {x + 0.5 * wide, y + 0.5 * deep, to}}, material};
 }
@@ -41,11 +42,11 @@ const std::array kBench{part(0, 0, 1.5, 0.4, 0.41, 0.45, "wood"), part(-0.65, 0,
                         part(0.65, 0, 0.06, 0.36, 0, 0.41, "wood")};
 const std::array kCounter{part(0, 0, 2.0, 0.6, 0, 1.0, "wood"), part(0, 0.05, 2.1, 0.7, 1.0, 1.04, "wood")};
 const std::array kBin{part(0, 0, 0.3, 0.3, 0, 0.6, "plastic")};
-// Open to the front; 1.1 by 1.4 m inside.
+// The cabin is open to the front and measures 1.1 by 1.4 m inside.
 const std::array kLiftCabin{part(0, 0, 1.2, 1.5, 0, 0.02, "metal"), part(0, -0.725, 1.1, 0.05, 0.02, 2.2, "metal"),
                             part(-0.575, 0, 0.05, 1.5, 0.02, 2.2, "metal"),
                             part(0.575, 0, 0.05, 1.5, 0.02, 2.2, "metal"), part(0, 0, 1.2, 1.5, 2.2, 2.25, "metal")};
-// A passage 0.9 m wide between two cabinets, with a bar across it.
+// The gate is a passage 0.9 m wide between two cabinets, with a bar across it.
 const std::array kTicketGate{part(-0.55, 0, 0.2, 1.2, 0, 1.0, "metal"), part(0.55, 0, 0.2, 1.2, 0, 1.0, "metal"),
                              part(0, 0, 0.9, 0.05, 0.75, 0.95, "plastic")};
 

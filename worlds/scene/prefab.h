@@ -1,5 +1,6 @@
-// Ready-made furniture, so that an author need not draw it: pieces of usual sizes, each of a few boxes with materials.
-// We designed them after what is usual in European homes and public buildings. Pure data; any thread.
+// Ready-made furniture, so that an author need not draw it. The pieces have usual sizes, and each consists of a few
+// boxes with materials. We designed them after furniture in European homes and public buildings. Pure data; any thread
+// may use it.
 #pragma once
 
 #include <span>
@@ -10,17 +11,17 @@
 namespace handrail {
 
 struct PrefabPart {
-    Aabb box_m;                 // relative to the middle of the piece's floor; the front faces +y
+    Aabb box_m;                 // relative to the middle of the piece's underside; the front of the piece faces +y
     std::string_view material;  // a name from the material library (material.h)
 };
 
 struct Prefab {
-    std::string_view name;  // its name in maps and in the key kind.NAME of the languages: "table"
+    std::string_view name;  // name in maps and in the key kind.NAME of the language files: "table"
     std::span<const PrefabPart> parts;
 };
 
 std::span<const Prefab> prefabs();
-// Null if there is no piece of that name. The name must be in lower case.
+// Finds a piece by its name, which must be in lower case. Returns null if there is none.
 const Prefab* find_prefab(std::string_view name);
 
 }  // namespace handrail

@@ -10,13 +10,13 @@
 namespace handrail {
 namespace {
 
-constexpr int kSides = 24;        // around a cylinder or cone
-constexpr int kSphereSides = 16;  // around a sphere or capsule
-constexpr int kSphereBands = 8;   // of a sphere or capsule, from pole to pole
+constexpr int kSides = 24;        // number of flat faces around a cylinder or cone
+constexpr int kSphereSides = 16;  // number of flat faces around a sphere or capsule
+constexpr int kSphereBands = 8;   // number of bands of faces of a sphere or capsule, from pole to pole
 
 bool differ(double a, double b) { return std::abs(a - b) > 1e-9 * std::max(std::abs(a), std::abs(b)); }
 
-// Says why the sizes do not give this shape; empty if they do.
+// Says why the sizes do not give this shape. Empty if they do.
 std::string refusal(const Primitive& p, const Vec3& size) {
     const std::string name = spoken_kind(kPrimitiveNames[static_cast<std::size_t>(p.kind)]);
     const Rotation& q = p.at.rotation;
@@ -33,7 +33,7 @@ std::string refusal(const Primitive& p, const Vec3& size) {
     return {};
 }
 
-// Planes around the shape in its own frame.
+// Returns the planes of the flat-faced solid around the shape, in the shape's own frame.
 std::vector<Plane> planes_of(PrimitiveKind kind, const Vec3& size) {
     std::vector<Plane> planes;
     const double radius = 0.5 * size.x, half = 0.5 * size.z;

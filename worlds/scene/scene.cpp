@@ -6,7 +6,7 @@ namespace handrail {
 
 namespace {
 
-// The text under the name's own key, else the name itself.
+// Returns the text for `name` from that section of the language file, or `name` itself if there is none.
 std::string said(std::string_view section, std::string_view name) {
     std::string key(section);
     for (const char c : name) key += c == ' ' || c == '-' ? '_' : c;

@@ -1,6 +1,6 @@
-// The content of a building: solids, named surfaces, volumes and starts. A reader builds it, then it never changes.
-// Every view (HapticScene, drawing, sound, walking) is compiled from it and refers to it by FeatureId. World metres, z
-// up.
+// The content of a building: solids, named surfaces, volumes and starts, in world metres with z up. A reader builds a
+// Scene; afterwards it never changes. Every representation (for touch, drawing, sound and walking) is compiled from it
+// and refers to it by FeatureId.
 #pragma once
 
 #include <cstdint>
@@ -30,64 +30,65 @@ enum class FeatureKind { Wall, Floor, Ceiling, Slope, Object, Door, Button, Lift
 // Anything that has a name: a joined wall, the floor of a room, a table, a door, a pool.
 struct Feature {
     FeatureKind kind = FeatureKind::Wall;
-    std::string name;  // without the material: "north wall", "Table"; files and scenarios identify it by this name
+    // Without the material: "north wall", "Table"; files and scenarios identify the feature by this name.
+    std::string name;
     OtherLanguages name_in;  // its name in languages other than the map's own
-    // The map gave no name, so this is one of our own English names; spoken_name translates it.
+    // The map gave no name, so `name` is one of our own English names; spoken_name translates it.
     bool made_name = false;
     MaterialId material = kDefaultMaterial;
-    Vec3 normal{0.0};  // outward, for walls, floors, ceilings and slopes; zero for objects
+    Vec3 normal{0.0};  // outward normal of walls, floors, ceilings and slopes; zero for objects
     Aabb bounds_m;
-    double area_m2 = 0.0;   // exposed area
-    bool landmark = false;  // fixed, and unique in this world
-    bool clue = false;      // helpful, but may change
+    double area_m2 = 0.0;   // area of the exposed surface
+    bool landmark = false;  // the feature is fixed, and unique in this world
+    bool clue = false;      // the feature helps with orientation, but may change
     bool base = false;      // true for the door at the base, if there is one
-    std::string message;    // for a trigger: announced on entering it; for others: a longer description
+    std::string message;  // for a trigger: the text announced on entering it; for other features: a longer description
     OtherLanguages message_in;
     bool made_message = false;  // the map gave no message, so `message` is the key of one of our own texts
-    std::string hinge;          // the side of a door's hinge: "north", "east", ... or empty
-    std::string handle;         // the side of a door's handle, in the same form
+    std::string hinge;          // the side on which a door's hinge is: "north", "east", ... or empty
+    std::string handle;         // the side on which a door's handle is, in the same form
     SourcePlace source;
 };
 
-// What a convex solid does.
+// What the hand and the walker meet in a convex solid.
 enum class SolidRole : std::uint8_t {
     Solid,     // stops the hand and the walker
-    Mover,     // the same, but may move: doors, lifts, buttons; placed where the file has it
+    Mover,     // stops both, but may move: a door, lift or button; it is placed where the file has it
     BodyClip,  // stops the walker, never the hand
-    Liquid,    // a volume to move through, felt by its viscosity
-    Trigger,   // a volume; its feature's message is announced once on entering
+    Liquid,    // a volume that both can move through; the hand feels its viscosity
+    Trigger,   // a volume whose feature's message is announced once when the person enters it
     Teleport,  // a surface that leads elsewhere, like a doorway; not solid
-    Illusion,  // seen, not touched
+    Illusion,  // can be seen, but not touched
 };
 
 // A soft layer over one face of a solid; the rest of the solid stays hard.
 struct SoftFace {
     std::uint32_t face = 0;  // index of the face in the solid
-    bool plastic = false;    // true: the face keeps a dent
+    bool plastic = false;    // true: the face keeps a dent; false: it recovers
     double depth_m = 0.0;
     double stiffness_fraction = 0.2;
-    double recovery_s = 0.5;  // for a face that recovers
-    double yield_n = 1.0;     // for a face that keeps a dent
+    double recovery_s = 0.5;  // time to recover, for a face that recovers
+    double yield_n = 1.0;     // force from which on a dent remains, for a face that keeps a dent
 };
 
 struct Solid {
     ConvexSolid shape;
     SolidRole role = SolidRole::Solid;
     RoundShape round;                // the exact shape that the hand feels, if it is round; `shape` then encloses it
-    FeatureId feature = kNoFeature;  // for objects, movers and volumes: the feature of the whole solid; else kNoFeature
-    // Size == shape.planes.size(); the feature that is announced when this face is touched.
+    FeatureId feature = kNoFeature;  // the feature of the whole solid, for objects, movers and volumes; else kNoFeature
+    // The feature that is announced when each face is touched; size == shape.planes.size().
     std::vector<FeatureId> face_features;
-    std::vector<MaterialId> face_materials;    // size == shape.planes.size()
-    std::vector<bool> face_hidden;             // size == shape.planes.size(); true: wholly covered by other solids
-    std::optional<double> viscosity_ns_per_m;  // liquids only, per hand speed; empty: no drag
-    // Liquids only: buoyancy of the hand, and the greatest force with which the surface film resists it.
+    std::vector<MaterialId> face_materials;  // the material of each face; size == shape.planes.size()
+    std::vector<bool> face_hidden;  // size == shape.planes.size(); true for a face that other solids cover wholly
+    std::optional<double> viscosity_ns_per_m;  // for liquids only: drag per speed of the hand; empty: no drag
+    // For liquids only: the buoyancy of the hand, and the greatest force with which the surface film resists the hand.
     double buoyancy_n = 0.0, film_n = 0.0;
-    Vec3 flow_hand_m_per_s{0.0};  // liquids only: a current, in hand speed
+    Vec3 flow_hand_m_per_s{0.0};  // for liquids only: the current, as a speed of the hand
     std::optional<SoftFace> soft;
     SourcePlace source;
 };
 
-// A triangle of a mesh file or patch: a sheet without an inside. Degenerate triangles are kept.
+// A triangle of a mesh file or a patch. It is a sheet without an inside. Degenerate triangles are kept.
 struct MeshTriangle {
     Vec3 a_m, b_m, c_m;
     FeatureId feature = kNoFeature;
@@ -95,7 +96,7 @@ struct MeshTriangle {
     TouchSide side = TouchSide::Both;
 };
 
-// An exposed polygon for drawing, naming and area; hidden parts are removed.
+// An exposed polygon for drawing, naming and measuring area. Hidden parts have been removed.
 struct SurfacePolygon {
     Polygon polygon;
     Vec3 normal{0.0};
@@ -105,61 +106,62 @@ struct SurfacePolygon {
 };
 
 struct Start {
-    Vec3 feet_m{0.0};  // where the soles are
+    Vec3 feet_m{0.0};  // position of the soles
     double heading_rad = 0.0;
-    bool base = false;  // the start that a single explorer uses
+    bool base = false;  // true for the start that a single explorer uses
     std::string name;
     SourcePlace source;
 };
 
 struct SoundSource {
     Vec3 position_m{0.0};
-    std::string name;       // can be spoken: "computer hum"
-    std::string sound;      // selects the sound: the class name or the key `sound`
+    std::string name;       // for speech: "computer hum"
+    std::string sound;      // selects the sound: a class name or the value of the key `sound`
     double loudness = 1.0;  // 0 to 1
     OtherLanguages name_in = {};
     bool made_name = false;  // the map gave no name, so `name` is the key of one of our own texts
 };
 
-// The map's own name for the room that contains a place.
+// The name that the map gives to the room that contains the place at_m.
 struct RoomName {
     Vec3 at_m{0.0};
-    std::string name;  // can be spoken
+    std::string name;  // for speech
     OtherLanguages name_in = {};
 };
 
 struct Scene;
 
-// A thing with its own scene, placed in this world. It may be moved, turned, added and removed while it is touched. One
-// model may be placed several times.
+// An object with its own scene, placed in this world. It may be moved, turned, added and removed while it is touched.
+// One model may be placed several times.
 struct PlacedModel {
-    FeatureId feature = kNoFeature;  // in this scene; all of the thing has this name
+    FeatureId feature = kNoFeature;  // in this scene; the whole object has the name of this feature
     std::shared_ptr<const Scene> model;
-    MaterialId material = kDefaultMaterial;  // in this scene; the model's own materials are ignored
+    MaterialId material = kDefaultMaterial;  // in this scene; the materials of the model itself are ignored
     Placement at;
 };
 
 struct StatedBuilding;
 
-// What the reader understood, for the honest report and for `handrail info`. Counts are defined as for `info --json`.
+// What the reader understood, for the honest report and for `handrail info`. The counts are defined as for `info
+// --json`.
 struct ReadReport {
-    std::string format;  // "map", "obj", "ifc"
+    std::string format;  // the format: "map", "obj", "ifc"
     int brushes = 0, polygons = 0, polygons_kept = 0, polygons_hidden = 0, triangles = 0;
     int liquids = 0, movers = 0, doors = 0, starts = 0;
-    int patches = 0;  // curved patches that were read; the counts above do not include their triangles
-    std::vector<std::string> guessed, simplified, left_out;  // sentences
-    std::vector<Diagnostic> warnings;                        // at most 20
-    int warnings_in_all = 0;                                 // all warnings, including those beyond the first 20
+    int patches = 0;  // number of curved patches that were read; the counts above do not include their triangles
+    std::vector<std::string> guessed, simplified, left_out;  // sentences for the person
+    std::vector<Diagnostic> warnings;                        // the first warnings, at most 20
+    int warnings_in_all = 0;  // number of all warnings, including those beyond the first 20
 };
 
 struct Scene {
-    std::string name;  // can be spoken: the world's message, else the file name as words
+    std::string name;  // for speech: the world's message, else the file name as words
     OtherLanguages name_in;
-    std::string source_file;  // as the caller gave it
-    bool game_map = false;    // true: the body has game sizes: 1.7 m tall, 0.57 m steps
+    std::string source_file;  // path of the file, as the caller gave it
+    bool game_map = false;    // true: the walker has the size of a game character: 1.7 m tall, with steps of 0.57 m
     double metres_per_unit = 1.0;
-    Aabb bounds_m;                    // of the solids where the file has them
-    std::vector<Material> materials;  // [0] is the default wall
+    Aabb bounds_m;                    // bounds of the solids where the file has them
+    std::vector<Material> materials;  // materials[0] is the default wall
     std::vector<Feature> features;    // indexed by FeatureId::value
     std::vector<Solid> solids;
     std::vector<MeshTriangle> triangles;
@@ -168,12 +170,12 @@ struct Scene {
     std::vector<Start> starts;  // in file order; the base start is marked
     std::vector<SoundSource> sounds;
     std::vector<RoomName> room_names;
-    std::vector<Effect> effects;   // forces in space
-    std::vector<Mover> movers;     // which of the solids above can move, and where to
-    LabyrinthPlan labyrinth;       // the game in this world, if there is one
-    std::vector<FreeBody> bodies;  // which of them are free to move; at most FreeBody::kMost
+    std::vector<Effect> effects;   // forces in space, without visible geometry
+    std::vector<Mover> movers;     // which of the solids can move, and where to
+    LabyrinthPlan labyrinth;       // the labyrinth game of this world, if there is one
+    std::vector<FreeBody> bodies;  // which of the solids are free to move; at most FreeBody::kMost bodies
     std::vector<Switch> switches;
-    // Rooms and doors as the file itself states them (worlds/scene/stated_building.h); null: it states none.
+    // Rooms and doors as the file itself states them (worlds/scene/stated_building.h). Null if the file states none.
     std::shared_ptr<const StatedBuilding> stated;
     ReadReport report;
 
@@ -181,23 +183,24 @@ struct Scene {
     const Material& material(MaterialId id) const { return materials[id < materials.size() ? id : kDefaultMaterial]; }
 };
 
-// The feature's name and its material, if it has one, in the spoken language: "north wall, plaster" or "Table". A name
-// from the map is used as the map states it, in the spoken language if the map has it in that. Empty for kNoFeature.
+// Returns the feature's name, and its material if it has one, in the spoken language: "north wall, plaster" or "Table".
+// A name from the map is returned in the spoken language if the map has a translation, else as the map states it. Empty
+// for kNoFeature.
 std::string spoken_name(const Scene& scene, FeatureId id);
-// The same without the material.
+// Return the name in the spoken language, without a material.
 std::string spoken_name(const Feature& feature);
 std::string spoken_name(const SoundSource& sound);
 std::string spoken_name(const Scene& scene);
 std::string spoken_message(const Feature& feature);
-// Translates one of our own names ("north wall", "low block") or a material's name; any other name is returned
+// Translates one of our own names ("north wall", "low block") or the name of a material. Any other name is returned
 // unchanged.
 std::string spoken_kind(std::string_view name);
 std::string spoken_material(std::string_view name);
-// "north wall, plaster", always in English: for tables and comparisons.
+// Returns "north wall, plaster", always in English, for tables and comparisons.
 std::string stored_name(const Scene& scene, FeatureId id);
 
-// Returns this material's index in the scene, and adds the material if it is new. For readers only. Returns the default
-// wall if there are too many materials for an index.
+// Returns the index of this material in the scene; adds the material if it is new. Returns the default wall if there
+// are too many materials for an index. For readers only.
 MaterialId material_id(Scene& scene, const Material& material);
 
 // Checks sizes, indices and finiteness of a Scene that a reader or code has built. Fails with the first fault.

@@ -1,9 +1,9 @@
-// The place in a file that a part of a world comes from.
+// The place in a file from which a part of a world comes.
 #pragma once
 
 namespace handrail {
 
-// 0 means unknown.
+// Line and column count from 1; 0 means unknown.
 struct SourcePlace {
     int line = 0;
     int entity = 0;

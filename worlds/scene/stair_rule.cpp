@@ -7,12 +7,13 @@
 namespace handrail {
 namespace {
 
-constexpr double kBeside_m = 0.3;    // a part within this distance of the stairs in plan can be above them
-constexpr double kOverFoot_m = 1.0;  // a part that begins lower than this above the foot is a wall
-constexpr double kOverHead_m = 0.3;  // a part that ends higher than this above the head is a wall or a roof
-constexpr double kSeam_m = 0.01;     // greatest gap between two pieces of one wall
+constexpr double kBeside_m = 0.3;    // a part within this distance of the stairs in plan can count as above them
+constexpr double kOverFoot_m = 1.0;  // a part whose underside is less than this above the foot of the stairs is a wall
+// A part whose top is more than this above the head of the stairs is a wall or a roof.
+constexpr double kOverHead_m = 0.3;
+constexpr double kSeam_m = 0.01;  // greatest gap between two pieces of one wall
 
-// The box of the flight and the space next to it, at all heights.
+// Returns the box of the flight, widened in plan by kBeside_m.
 Aabb beside(Aabb stairs) {
     stairs.min_m -= Vec3(kBeside_m, kBeside_m, 0.0);
     stairs.max_m += Vec3(kBeside_m, kBeside_m, 0.0);
@@ -23,7 +24,8 @@ bool meets_level(const Aabb& a, const Aabb& b) {
     return a.min_m.x < b.max_m.x && a.max_m.x > b.min_m.x && a.min_m.y < b.max_m.y && a.max_m.y > b.min_m.y;
 }
 
-// The flight's head is the highest room that it joins, because railings continue above that.
+// Returns the height of the flight's head: that of the highest room that the stairs lead to, because the railings of
+// the flight continue above it.
 double head_m(const StatedBuilding& stated, const StatedPortal& portal, const Aabb& box) {
     double highest_m = box.min_m.z;
     for (const std::uint32_t room : portal.rooms)
@@ -47,7 +49,7 @@ StairRule::StairRule(const Scene& scene) {
     find_walls(scene);
 }
 
-// Course through the pieces from the lowest up, so that each piece of a wall finds those below it.
+// Examines the pieces from the lowest up, so that the pieces of a wall that are below another piece are already known.
 void StairRule::find_walls(const Scene& scene) {
     for (Flight& flight : flights_) {
         const Aabb around = beside(flight.box_m);
@@ -68,7 +70,8 @@ bool StairRule::above(const Flight& flight, const Aabb& box) const {
            meets_level(box, beside(stairs));
 }
 
-// True if the part of the piece near the flight is, in plan, within the wall piece directly below it.
+// True if the piece stands on a piece of a wall: in plan, its part near the flight is within the wall piece directly
+// below it.
 bool StairRule::on_wall(const Flight& flight, const Aabb& box) const {
     const Aabb around = beside(flight.box_m);
     return std::any_of(flight.wide_m.begin(), flight.wide_m.end(), [&](const Aabb& wall) {

@@ -1,7 +1,8 @@
-// How a walker climbs stairs that the file states: with a narrow foot, a bowed head, and over steps that would stop
-// them elsewhere. So treads narrower than the body carry the walker, and railings and the edge of the floor above do
-// not stop them. Routes, walkers and directions all use this rule. Pure; any thread. A scene without stated stairs
-// costs one scan of its portals; each stated flight costs a scan of all solids.
+// How a walker climbs stairs that the file states. On stairs the walker has a narrow foot and a bowed head, and can
+// climb steps that would stop them elsewhere. So treads that are narrower than the walker's body carry the walker, and
+// railings and the edge of the floor above do not stop them. Routes, walkers and directions all use this rule. Pure
+// functions; any thread may call them. For a scene without stated stairs, construction scans the portals once; each
+// stated flight costs a scan of all solids.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +12,10 @@
 
 namespace handrail {
 
-inline constexpr double kStairReach_m = 0.05;  // from the middle of the walker to their sides: half the width of a foot
-inline constexpr double kStairHeight_m = 1.6;  // height of a walker who bows their head
-inline constexpr double kStairStep_m = 0.4;    // the highest riser that can be climbed; real models have up to 0.35 m
+inline constexpr double kStairReach_m = 0.05;  // half the width of a foot: the walker's radius on stairs
+inline constexpr double kStairHeight_m = 1.6;  // height of a walker with a bowed head
+// Height of the highest riser that can be climbed; real models have up to 0.35 m.
+inline constexpr double kStairStep_m = 0.4;
 
 class StairRule {
 public:
@@ -22,27 +24,27 @@ public:
 
     bool any() const { return !flights_.empty(); }
     bool is_stairs(FeatureId feature) const { return feature.value < is_stairs_.size() && is_stairs_[feature.value]; }
-    // True if the walker meets this part with the narrow size. This applies to the stairs themselves, and to parts
-    // above their lower steps and between foot and head, such as the edge of the upper floor. It does not apply to a
-    // piece of a wall on top of another piece, because the walker would find a ledge on the lower one.
+    // True if the walker meets this part with the narrow size. That applies to the stairs themselves, and to parts
+    // between foot and head of the flight that are above its lower steps, such as the edge of the upper floor. It does
+    // not apply to a piece of a wall on top of another piece, because the walker would find a ledge on the lower piece.
     bool narrow(FeatureId feature, const Aabb& box) const;
 
-    // The walker's size against such a part.
+    // Return the walker's size where narrow() is true.
     static double reach_m(double radius_m) { return std::min(radius_m, kStairReach_m); }
     static double height_m(double height_m) { return std::min(height_m, kStairHeight_m); }
-    // The highest step that the walker can climb from or to stairs.
+    // Returns the height of the highest step that the walker can climb from or to stairs.
     static double step_m(double step_up_m) { return std::max(step_up_m, kStairStep_m); }
 
 private:
     struct Flight {
-        Aabb box_m;                // from the foot to the floor at the head
+        Aabb box_m;                // from the foot of the flight up to the floor at its head
         std::vector<Aabb> wide_m;  // walls next to the flight, which the walker meets with the whole width of the body
     };
     bool above(const Flight& flight, const Aabb& box) const;
     bool on_wall(const Flight& flight, const Aabb& box) const;
     void find_walls(const Scene& scene);
 
-    std::vector<bool> is_stairs_;  // indexed by feature; empty: there are no stairs
+    std::vector<bool> is_stairs_;  // indexed by feature; empty if there are no stairs
     std::vector<Flight> flights_;
 };
 

@@ -10,7 +10,8 @@
 namespace handrail {
 
 bool holds(const StatedRoom& room, const Vec3& at_m) {
-    // The ceiling is lowered by the same step, so that a room as high as its storey does not contain the floor above.
+    // The ceiling counts as lower by the same step, so that a room as high as its storey does not contain the floor
+    // above.
     constexpr double kStep_m = 0.35;
     const double top_m = room.floor_m + std::max(0.5 * room.height_m, room.height_m - kStep_m);
     if (at_m.z < room.floor_m - kStep_m || at_m.z >= top_m) return false;
@@ -25,7 +26,7 @@ bool holds(const StatedRoom& room, const Vec3& at_m) {
 }
 
 std::string stated_storey_name(const StatedBuilding& building, double floor_m) {
-    // Rooms of one storey may differ by a few steps in height.
+    // The floors of one storey's rooms may differ in height by a few steps.
     constexpr double kSameFloor_m = 0.6;
     std::string name;
     double nearest_m = kSameFloor_m;
@@ -53,7 +54,7 @@ Vec2 outline_size_m(const StatedRoom& room) {
         Vec2 along = ring[i] - ring[j];
         if (glm::length(along) < 1e-6) continue;
         along = along / glm::length(along);
-        // Takes the side of the rectangle that runs more from west to east.
+        // Chooses the side of the rectangle that runs more from west to east.
         if (std::abs(along.y) > std::abs(along.x)) along = Vec2(along.y, -along.x);
         Vec2 from(std::numeric_limits<double>::infinity()), to(-std::numeric_limits<double>::infinity());
         for (const Vec2& p : ring) {

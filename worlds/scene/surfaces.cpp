@@ -16,8 +16,8 @@ std::string_view compass_point(const Vec3& direction) noexcept {
 
 bool is_touchable(SolidRole role) { return role == SolidRole::Solid || role == SolidRole::Mover; }
 
-// The direction that a face of the building faces decides its kind and name. Within 10 degrees of level is level;
-// steeper than 80 degrees is a wall.
+// The kind and name of a face depend on its direction. A face within 10 degrees of level is level; a face steeper than
+// 80 degrees is a wall.
 constexpr double kLevel = 0.985;
 constexpr double kSteep = 0.174;
 
@@ -27,12 +27,12 @@ FeatureKind kind_of_face(const Vec3& normal) {
     return std::abs(normal.z) <= kSteep ? FeatureKind::Wall : FeatureKind::Slope;
 }
 
-// Sizes in metres that decide the name of a flat surface or a small thing.
+// Sizes in metres that decide how a flat surface or a small thing is named.
 constexpr double kNarrow = 0.4;     // a level strip narrower than this is a ledge, not a floor
 constexpr double kSmallArea = 0.3;  // square metres; a level surface smaller than this is a ledge, too
 constexpr double kStepDepth[] = {0.15, 1.1};
 constexpr double kStepHeight[] = {0.08, 0.6};
-constexpr double kThingWidth = 2.5;  // a free-standing solid wider than this is part of the building
+constexpr double kThingWidth = 2.5;  // a free-standing solid wider than this is part of the building and not a thing
 
 std::string name_of_surface(FeatureKind kind, const Vec3& normal, const Aabb& bounds_m, double area_m2) {
     const Vec3 size = bounds_m.size_m();
@@ -43,7 +43,8 @@ std::string name_of_surface(FeatureKind kind, const Vec3& normal, const Aabb& bo
         case FeatureKind::Ceiling:
             return small ? "underside" : "ceiling";
         case FeatureKind::Wall:
-            // The person stands on the side that the normal points to.
+            // Walls are named after the side of the room on which they are. The normal points to the person, so the
+            // wall is on the opposite side.
             return std::string(compass_point(-normal)) + " wall";
         default:
             return normal.z > 0.0 ? "slope rising " + std::string(compass_point(-normal)) : "sloping ceiling";
@@ -59,7 +60,7 @@ struct Surface {
     double largest_piece_m2 = -1.0;
     MaterialId material = kDefaultMaterial;
     bool sky = false;
-    bool outside = true;  // every piece faces away from the building
+    bool outside = true;  // true if every piece faces away from the building
     std::vector<std::uint32_t> pieces;
     FeatureId feature = kNoFeature;
 };
@@ -144,8 +145,8 @@ private:
         return std::span(pieces_).subspan(first_piece_[solid], first_piece_[solid + 1] - first_piece_[solid]);
     }
 
-    // True if the line from one place to the other passes through the triangle, borders included. A sheet without area
-    // stops nothing. Source: Moeller, Trumbore, Fast, minimum storage ray-triangle intersection, 1997.
+    // True if the line from from_m to to_m passes through the triangle or its border. A sheet without area stops
+    // nothing. Source: Moeller, Trumbore, Fast, minimum storage ray-triangle intersection, 1997.
     static bool crosses(const MeshTriangle& sheet, const Vec3& from_m, const Vec3& to_m) {
         const Vec3 way = to_m - from_m, ab = sheet.b_m - sheet.a_m, ac = sheet.c_m - sheet.a_m;
         const Vec3 across = glm::cross(way, ac), off = from_m - sheet.a_m, turned = glm::cross(off, ab);
@@ -155,7 +156,8 @@ private:
         return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && at >= 0.0 && at <= 1.0;
     }
 
-    // True if a straight line from here leaves the world without meeting a solid or a sheet of the building.
+    // True if a straight line from `from_m` in that direction leaves the world without meeting a solid or a sheet of
+    // the building.
     bool escapes(const Vec3& from_m, const Vec3& direction) {
         const Vec3 to_m = from_m + direction * (2.0 * glm::length(all_m_.size_m()) + 1.0);
         Aabb box;
@@ -179,8 +181,8 @@ private:
         });
     }
 
-    // 2. Finds the pieces that face away from the building: a straight line outwards meets nothing. If the start is
-    //   under a roof, a line straight up counts, too.
+    // 2. Finds the pieces that face away from the building: a straight line outwards from them meets nothing. If the
+    //   start of the world is under a roof, a line straight up that meets nothing counts, too.
     void look_outside() {
         bool roofed = false;
         for (const Start& start : scene_.starts) {
@@ -192,7 +194,7 @@ private:
         }
         outside_.assign(pieces_.size(), false);
         for (std::size_t i = 0; i < pieces_.size() && !stop_.stop_requested(); ++i) {
-            if (!is_building(pieces_[i].solid)) continue;  // not needed for things
+            if (!is_building(pieces_[i].solid)) continue;  // things do not need this
             const Vec3& normal = plane_of(pieces_[i]).normal;
             const Vec3 middle_m = centre_of(pieces_[i].polygon);
             const auto looks_out = [&](const Vec3& p) {
@@ -267,8 +269,8 @@ private:
         }
     }
 
-    // A short piece of wall next to a doorway, or over one, shows three sides as a thing does. It belongs to the wall
-    // that it touches if one of its upright faces continues in a face of that wall with the same material.
+    // A short piece of wall next to a doorway or above it shows three sides, like a thing. It belongs to the wall that
+    // it touches if one of its upright faces continues in a face of that wall with the same material.
     bool continues_a_wall(const std::vector<std::uint32_t>& solids) {
         for (const std::uint32_t s : solids) {
             index_.find(grown(scene_.solids[s].shape.bounds_m, 0.01 * unit_m_), near_);
@@ -328,7 +330,8 @@ private:
         surface.material = scene_.solids[pieces_[i].solid].face_materials[pieces_[i].face];
     }
 
-    // 5. The outer side of a wall gets the wall's name: its pieces join the largest inner surface of the same solid.
+    // 5. The outer side of a wall gets the wall's name: the outer pieces of a solid join the largest inner surface of
+    //   the same solid.
     void fold_outer_sides() {
         std::vector<Surface> rest(surfaces_.size());
         for (std::uint32_t g = 0; g < surfaces_.size(); ++g) {
@@ -353,7 +356,8 @@ private:
             smaller.sky = surface.sky;
             for (const std::uint32_t i : kept) add_piece(smaller, i);
             rest[g] = std::move(smaller);
-            surface.largest_piece_m2 = -2.0;  // marks it for replacement once nothing reads its old extent any more
+            // Marks the surface, so that its extent is replaced once nothing reads the old one any more.
+            surface.largest_piece_m2 = -2.0;
         }
         for (std::uint32_t g = 0; g < surfaces_.size(); ++g)
             if (surfaces_[g].largest_piece_m2 == -2.0) surfaces_[g] = std::move(rest[g]);
@@ -478,7 +482,7 @@ private:
         }
         for (const Solid& solid : scene_.solids) {
             if (solid.feature) scene_.features[solid.feature.value].bounds_m.include(solid.shape.bounds_m);
-            // The flat faces around a round solid are not the file's, so they are not counted.
+            // The flat faces around a round solid are not in the file, so they are not counted.
             if (is_touchable(solid.role) && std::holds_alternative<std::monostate>(solid.round))
                 scene_.report.polygons_hidden +=
                     static_cast<int>(std::count(solid.face_hidden.begin(), solid.face_hidden.end(), true));
@@ -497,18 +501,18 @@ private:
     std::span<const std::vector<FaceLook>> looks_;
     double unit_m_ = 1.0;
     std::stop_token stop_;
-    BoxIndex index_;   // of the solids
-    BoxIndex sheets_;  // of the triangles
+    BoxIndex index_;   // index of the solids
+    BoxIndex sheets_;  // index of the triangles
     Aabb all_m_;
     std::vector<ExposedPiece> pieces_;
-    std::vector<double> areas_m2_;                        // indexed by piece
-    std::vector<std::uint32_t> first_piece_;              // indexed by solid, with one more entry at the end
-    std::vector<bool> outside_;                           // indexed by piece
-    std::vector<std::uint32_t> surface_of_piece_;         // indexed by piece; kNone for things and volumes
+    std::vector<double> areas_m2_;                 // indexed by piece
+    std::vector<std::uint32_t> first_piece_;       // index of each solid's first piece, with one more entry at the end
+    std::vector<bool> outside_;                    // indexed by piece
+    std::vector<std::uint32_t> surface_of_piece_;  // indexed by piece; kNone for things and volumes
     std::map<std::uint32_t, std::uint32_t> folded_into_;  // outer pieces, each with the inner surface that it joined
     std::vector<Surface> surfaces_;
     std::vector<bool> step_;           // indexed by surface
-    std::vector<std::uint32_t> near_;  // results of queries
+    std::vector<std::uint32_t> near_;  // results of queries, kept to reuse their memory
 };
 
 }  // namespace

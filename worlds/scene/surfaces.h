@@ -1,5 +1,5 @@
-// Joins and names the surfaces of a Scene's solids that a hand can reach. This is the last step of building a Scene
-// from solids. Loading thread.
+// Joins and names those surfaces of a Scene's solids that a hand can reach. This is the last step of building a Scene
+// from solids. Used on the loading thread.
 #pragma once
 
 #include <cstdint>
@@ -11,25 +11,25 @@
 
 namespace handrail {
 
-// How a face looks, for joining neighbours into one wall: faces with equal numbers look alike. kSkyLook means painted
+// How a face looks. Neighbouring faces are joined into one wall only if their numbers are equal. kSkyLook means painted
 // sky.
 using FaceLook = std::uint32_t;
 inline constexpr FaceLook kSkyLook = 0xffffffffU;
 
-// Expects scene.solids with shape, role, face_materials and, for named things and volumes, `feature`.
-// Fills face_features, face_hidden and surfaces, and appends a Feature for every wall, floor and ceiling. Gives the
-// features of things their area, size and main material; a thing without a name is named after its shape. `looks` has
-// one entry per solid with one look per face. If stopped, it leaves a Scene that must not be used.
+// Derives surfaces from the scene's solids. Each solid must have shape, role and face_materials, and `feature` if it is
+// a named thing or volume. Fills face_features, face_hidden and surfaces, and appends a Feature for every wall, floor
+// and ceiling. Gives the features of things their area, size and main material; a thing without a name is named after
+// its shape. `looks` has one entry per solid, with one look per face. After a stop request, the Scene must not be used.
 void derive_surfaces(Scene& scene, std::span<const std::vector<FaceLook>> looks, double metres_per_unit,
                      const std::stop_token& stop = {});
 
-// One of eight compass directions, such as "north-east", for a heading or a direction. compass_point returns the
-// English form that names are made of, compass_word the form in the spoken language.
+// Return the nearest of eight compass directions, such as "north-east", for a heading or a direction. compass_point
+// returns the English form, of which names are made. compass_word returns the form in the spoken language.
 std::string_view compass_point(double heading_rad) noexcept;
 std::string compass_word(double heading_rad);
 std::string compass_word(const Vec3& direction);
-// Names a thing without a name by its size: "pillar", "low block". This is one of our own names: see
-// Feature::made_name.
+// Returns a name for an unnamed thing, based on its size: "pillar", "low block". It is one of our own names (see
+// Feature::made_name).
 std::string shape_name(const Aabb& bounds_m);
 
 }  // namespace handrail
