@@ -1,5 +1,5 @@
-// Collects the faults that a reader finds. Every one is counted; the first 20 are kept as sentences. One reading
-// thread.
+// Collects the faults that a reader finds. It counts every fault and keeps the first 20 as sentences. Used on the
+// reading thread only.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 
 namespace handrail::readers {
 
-// Greatest coordinate allowed in a file: replay and rendering accept positions up to here.
+// Greatest coordinate allowed in a file. Replay and rendering accept positions up to this distance.
 inline constexpr double kFarthestM = 1e6;
 
 struct TextPlace {
@@ -25,12 +25,13 @@ struct TextPlace {
 
 class Diagnostics {
 public:
-    // Further ones are only counted, because the person hears them one by one.
+    // Greatest number of faults that are kept. Further faults are only counted, because the person hears the sentences
+    // one after the other.
     static constexpr std::size_t kMostKept = 20;
 
     explicit Diagnostics(std::string file) : file_(std::move(file)) {}
 
-    // `action` and `message` are keys of texts; both are filled with the same values.
+    // Adds a warning. `action` and `message` are keys of texts, and both texts are filled with the same values.
     using Values = std::initializer_list<TextValue>;
     void warn(TextPlace place, std::string_view action, std::string_view message, Values values = {}) {
         add(Severity::Warning, place, action, message, values);
@@ -38,7 +39,7 @@ public:
     void error(TextPlace place, std::string_view action, std::string_view message, Values values = {}) {
         add(Severity::Error, place, action, message, values);
     }
-    // Adds a finished sentence, such as the message of a library.
+    // Adds a finished sentence, for example the message of a library.
     void pass_on(TextPlace place, std::string_view action, const std::string& words) {
         if (++in_all_ <= static_cast<int>(kMostKept))
             kept_.push_back({Severity::Warning, file_, place.line, place.column, words, phrase(action)});
@@ -63,12 +64,12 @@ private:
     int in_all_ = 0;
 };
 
-// At most `most` bytes of what the file has there, safe for a message: bytes other than printable ASCII become question
-// marks.
+// Returns at most `most` bytes of `found`, the text in the file. Bytes other than printable ASCII become question
+// marks, so that the result is safe in a message.
 std::string excerpt(std::string_view found, std::size_t most = 24);
 
-// The failure for a file without usable content. It includes the first fault if there was one: "... in this map. It
-// holds no brushes." `world`: "map" or "mesh".
+// Returns the error for a file without usable content. It includes the first fault if there was one: "... in this map.
+// It holds no brushes." `world` is "map" or "mesh".
 tl::unexpected<Error> nothing_to_touch(const Diagnostics& diagnostics, const std::string& file, std::string_view world);
 
 }  // namespace handrail::readers

@@ -9,12 +9,13 @@
 namespace handrail::readers {
 namespace {
 
-// How a format is recognised by its bytes.
+// How the bytes of a file show its format.
 enum class Sign {
-    None,    // only by the file name's ending
+    None,    // the bytes do not show it; only the ending of the file name does
     Begins,  // the bytes begin with `mark`
-    Zip,     // a ZIP archive with a file named `mark`, in a folder named `mark`, or with that ending
-    Markup   // XML with `mark` in its first lines
+    // The file is a ZIP archive that contains a file named `mark`, a folder named `mark`, or a file with that ending.
+    Zip,
+    Markup  // the file is XML with `mark` in its first lines
 };
 
 struct ForeignFormat {
@@ -69,9 +70,9 @@ constexpr std::array kFormats{
     ForeignFormat{".stp", "FreeCAD, SolidWorks", ".stl"},
 };
 
-// Files that contain no building, or one compiled for a game, recognised by their first bytes.
+// Files that contain no building, or a building compiled for a game. Their first bytes identify them.
 struct ForeignFile {
-    std::string_view first_bytes, says;  // `says` is a text's key
+    std::string_view first_bytes, says;  // `says` is the key of the text about this format
 };
 constexpr std::array kFiles{
     ForeignFile{"version https://git-lfs", "reader.lfs_pointer"},
@@ -90,7 +91,7 @@ constexpr std::array kFiles{
     ForeignFile{"<?xml", "reader.xml"},
 };
 
-// RMF, Worldcraft's own format, begins with a number and then these three letters.
+// True for RMF, Worldcraft's own format. It begins with a number, which these three letters follow.
 bool is_rmf(std::string_view bytes) { return bytes.size() > 7 && bytes.substr(4, 3) == "RMF"; }
 
 std::string sentence_of(const ForeignFormat& format) {
@@ -103,8 +104,8 @@ std::size_t number_at(std::string_view bytes, std::size_t at) {
            static_cast<std::size_t>(static_cast<unsigned char>(bytes[at + 1])) << 8U;
 }
 
-// Searches the list of files at the end of a ZIP archive. An entry has 46 bytes and then the name, whose length is in
-// two of them.
+// True if the list of files at the end of a ZIP archive contains `mark`. Each entry of that list has 46 bytes, two of
+// which hold the length of the name, and then the name.
 bool holds(std::string_view archive, std::string_view mark) {
     constexpr std::size_t kList_bytes = 65'536, kBefore = 46, kLength = 28;
     const std::string_view list = archive.substr(archive.size() - std::min(archive.size(), kList_bytes));

@@ -1,5 +1,5 @@
 // Formats that Handrail knows but does not read: which programs write them, and which format to export instead. They
-// are in one table, so that a row can later become a reader. Pure functions; any thread.
+// are rows of one table, so that a row can later become a reader. Pure functions; any thread may call them.
 #pragma once
 
 #include <filesystem>
@@ -8,10 +8,10 @@
 
 namespace handrail::readers {
 
-// If the bytes are of such a format, whatever the file's name, returns one sentence that can be spoken; else an empty
-// string.
+// If the bytes are in such a format, returns one sentence that can be spoken, whatever the file's name is. Otherwise
+// returns an empty string.
 std::string foreign_by_content(std::string_view bytes);
-// The same, by the ending of the file name.
+// Like foreign_by_content, but decides by the ending of the file name.
 std::string foreign_by_ending(const std::filesystem::path& path);
 
 }  // namespace handrail::readers

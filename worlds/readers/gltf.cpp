@@ -1,6 +1,6 @@
-// Reads glTF 2.0, as .glb or .gltf. The file is in metres with y up and is turned to z up. Nodes become things with
-// their names; their triangles are placed as the file says. Source: Khronos, glTF 2.0 specification. Compressed meshes,
-// lines and points are not read.
+// Reads glTF 2.0, as .glb or .gltf. Coordinates are in metres with y up and are turned to z up. Nodes become things
+// with their names, and their triangles are placed as the file says. Source: Khronos, glTF 2.0 specification.
+// Compressed meshes, lines and points are not read.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,7 +23,7 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kDeepest = 64, kMostNodes = 200'000, kMostNumbers = std::size_t{1} << 31;
 
-// To z up: what was up the file's y is up ours, and its z, towards the viewer, is south.
+// Turns a point to z up: the file's y becomes up, and the file's z, which points towards the viewer, becomes south.
 Vec3 to_world(const glm::dmat4& m, const Vec3& p) {
     const Vec3 at = Vec3(m[0]) * p.x + Vec3(m[1]) * p.y + Vec3(m[2]) * p.z + Vec3(m[3]);
     return {at.x, -at.z, at.y};
@@ -44,7 +44,7 @@ std::optional<std::size_t> whole(const Json& value) {
     return static_cast<std::size_t>(value.get<double>());
 }
 
-// The entry that a number refers to in one of the file's lists.
+// Returns the entry of one of the file's lists to which `number` refers.
 const Json& entry(const Json& list, const Json& number) {
     static const Json kNone;
     const auto at = whole(number);
@@ -82,7 +82,7 @@ glm::dmat4 placement_of(const Json& node) {
     return placed(shift, turn, scale);
 }
 
-// A number type of an accessor, and the divisor for normalized values.
+// A number type of an accessor. `most` is the divisor for normalised values.
 struct Component {
     unsigned type;
     std::size_t size;
@@ -103,8 +103,8 @@ constexpr std::array kComponents{
     Component{5126, 4, 1.0, read_as<float>},
 };
 
-// Extensions that are read, and those that change only the looks. A file that requires any other one cannot be read
-// correctly.
+// True for extensions that are read here and for those that change only the appearance. A file that requires any other
+// extension cannot be read correctly.
 bool leaves_form_alone(std::string_view extension) {
     constexpr std::array<std::string_view, 11> kBegin{"KHR_mesh_quantization",
                                                       "EXT_mesh_gpu_instancing",
@@ -132,7 +132,7 @@ std::string decoded_base64(std::string_view letters) {
                           : c == '+'             ? 62
                           : c == '/'             ? 63
                                                  : -1;
-        if (value < 0) continue;  // padding and line ends
+        if (value < 0) continue;  // skips padding and line ends
         held = held << 6 | static_cast<std::uint32_t>(value);
         bits += 6;
         if (bits < 8) continue;
@@ -153,7 +153,7 @@ public:
     GltfReader(std::string_view bytes, const std::string& file_name, const ReadOptions& options)
         : bytes_(bytes), file_name_(file_name), options_(options) {
         file_.format = "gltf";
-        // The format's unit is the metre, but the person may state another.
+        // The unit of glTF is the metre, but a unit that the person states is preferred.
         file_.metres_per_unit = options.unit_is_known ? options.obj_metres_per_unit : 1.0;
     }
 
@@ -214,7 +214,7 @@ private:
         return {};
     }
 
-    // The bytes of an accessor: elements of `size` bytes, `stride` bytes apart.
+    // The bytes of an accessor, with `size` bytes for each element and `stride` bytes from one element to the next.
     struct Numbers {
         std::string_view bytes;
         std::size_t count = 0, stride = 0;
@@ -235,7 +235,7 @@ private:
         return Numbers{bytes.substr(begin + skip, *length - skip), *count, stride};
     }
 
-    // Rows of N numbers; integers of one or two bytes are allowed (KHR_mesh_quantization).
+    // Returns rows of N numbers. The numbers may be integers of one or two bytes (KHR_mesh_quantization).
     template <std::size_t N>
     std::optional<std::vector<std::array<double, N>>> rows_of(const Json& accessor) const {
         const auto* const kind = std::find_if(kComponents.begin(), kComponents.end(), [&](const Component& c) {
@@ -262,7 +262,8 @@ private:
         return points;
     }
 
-    // Where copies of a node's mesh stand in it (EXT_mesh_gpu_instancing); once where nothing says so.
+    // Returns where the copies of a node's mesh are, relative to the node (EXT_mesh_gpu_instancing). Without that
+    // extension there is one copy.
     std::optional<std::vector<glm::dmat4>> copies_of(const Json& node) const {
         const Json& attributes = in(in(in(node, "extensions"), "EXT_mesh_gpu_instancing"), "attributes");
         if (!attributes.is_object()) return std::vector<glm::dmat4>{glm::dmat4(1.0)};
@@ -284,7 +285,7 @@ private:
         return copies;
     }
 
-    // The corners of the triangles one after the other; if the file gives no indices, all points in order.
+    // Returns the corners of the triangles in sequence. If the file gives no indices, these are all points in order.
     std::optional<std::vector<std::uint32_t>> corners_of(const Json& number, std::size_t points) const {
         std::vector<std::uint32_t> corners;
         if (number.is_null()) {

@@ -11,7 +11,8 @@
 namespace handrail::readers {
 namespace {
 
-// Shared by libpng's callbacks and its long jump on errors. Plain data only, made before setjmp and freed after it.
+// State that decode() shares with libpng's callbacks. It is plain data that is made before setjmp and freed after it,
+// because libpng leaves decode() by a long jump on errors.
 struct Decoder {
     const unsigned char* bytes = nullptr;
     std::size_t size = 0, at = 0;
@@ -34,8 +35,8 @@ void take_bytes(png_structp png, png_bytep out, std::size_t count) {
 [[noreturn]] void jump_out(png_structp png, png_const_charp) { png_longjmp(png, 1); }
 void keep_quiet(png_structp, png_const_charp) {}
 
-// Decodes to 16 bits per channel, grey or colour, with an alpha channel. No object with a destructor may be in here,
-// because libpng leaves the function by a long jump.
+// Decodes to 16 bits per channel, grey or colour, with an alpha channel. This function must not contain an object with
+// a destructor, because libpng leaves it by a long jump.
 bool decode(Decoder& d) {
     if (setjmp(png_jmpbuf(d.png))) return false;
     png_set_read_fn(d.png, &d, take_bytes);
@@ -65,8 +66,8 @@ std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
     return value;
 }
 
-// True if every chunk up to the last is as long in the file as it claims. libpng allocates memory for a chunk's claimed
-// length before it reads: 1.5 GB for a file of 47 bytes.
+// True if each chunk up to the last has as many bytes in the file as it claims. The check is needed because libpng
+// allocates a chunk's claimed length before it reads: 1.5 GB for a file of 47 bytes.
 bool holds_its_chunks(std::string_view bytes) {
     for (std::size_t at = 8; at + 8 <= bytes.size();) {
         const std::size_t length = big_endian(bytes, at);
@@ -108,7 +109,7 @@ Result<HeightPicture> read_height_picture(std::string_view bytes, const std::str
         return static_cast<float>(pixels[at] << 8 | pixels[at + 1]) / 65535.0F;
     };
     picture.depths.resize(count);
-    // The channel before alpha is grey, or blue in a colour picture.
+    // The channel before alpha is the grey channel, or the blue channel of a colour picture.
     for (std::size_t i = 0; i < count; ++i) picture.depths[i] = value(i, channels - 2) * value(i, channels - 1);
     return picture;
 }

@@ -1,6 +1,6 @@
-// Reads a PNG picture as depths: black is the plain surface, white the deepest (S81, S82, S176). For a colour picture
-// the blue channel counts; transparent pixels are plain. Reads all bit depths, palettes and interlacing. Loading
-// thread.
+// Reads a PNG picture as depths: black is the plain surface, white the greatest depth (S81, S82, S176). In a colour
+// picture the blue channel gives the depth. Transparent pixels are plain. All bit depths, palettes and interlacing are
+// supported. Used on the loading thread.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ namespace handrail::readers {
 
 inline constexpr int kLargestPictureSide = 4096;
 
-// Fails with one sentence if the bytes are no PNG, damaged, cut short, or wider or higher than kLargestPictureSide.
-// Never reads beyond `bytes`.
+// Fails with one sentence if the bytes are not PNG, damaged, or cut short, or if the picture is wider or higher than
+// kLargestPictureSide. Never reads beyond `bytes`.
 Result<HeightPicture> read_height_picture(std::string_view bytes, const std::string& file_name);
 
 }  // namespace handrail::readers

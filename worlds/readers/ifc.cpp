@@ -1,4 +1,5 @@
-// Rows of the table of readers for IFC, the format of architects' programs (worlds/ifc), plain or zipped.
+// Rows of the table of readers for IFC, the format of architects' programs, plain or zipped. worlds/ifc does the
+// reading.
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/ifc/read_ifc.h"
@@ -10,7 +11,7 @@ namespace handrail::readers {
 namespace {
 
 bool is_model(std::string_view path) {
-    const std::string_view name = path.substr(path.rfind('/') + 1);  // without a slash, npos + 1 is 0
+    const std::string_view name = path.substr(path.rfind('/') + 1);  // if there is no slash, npos + 1 is 0
     return lower_ascii(name).ends_with(".ifc") && !name.starts_with('.') && !path.starts_with("__MACOSX/");
 }
 
@@ -25,7 +26,7 @@ Result<Scene> read_ifc(std::string_view bytes, const std::string& file_name, con
 bool is_ifczip(const std::filesystem::path& path, std::string_view bytes) {
     if (!bytes.starts_with("PK\x03\x04")) return false;
     if (lower_ascii(path.extension().string()) == ".ifczip") return true;
-    // The name of the archive's first file follows after 30 bytes; two of these contain its length.
+    // The first file's name follows the first 30 bytes of the archive. Two of those bytes hold the length of the name.
     if (bytes.size() < 30) return false;
     const auto length = static_cast<std::size_t>(static_cast<unsigned char>(bytes[26])) |
                         static_cast<std::size_t>(static_cast<unsigned char>(bytes[27])) << 8U;

@@ -1,6 +1,6 @@
-// Reads the free bodies of a map. An entity is one if cs_name is dynamic_box, dynamic_sphere or dynamic_cylinder, or if
-// `free` is 1. Its keys give the mass or density, elasticity, rolling, the friction of its surface and a rubber string.
-// One reading thread.
+// Reads the free bodies of a map. An entity is a free body if cs_name is dynamic_box, dynamic_sphere or
+// dynamic_cylinder, or if `free` is 1. Its keys give its mass or density, elasticity, rolling resistance, surface
+// friction and rubber string. Used on the reading thread only.
 #pragma once
 
 #include <map>
@@ -15,28 +15,29 @@ namespace handrail::readers {
 
 struct BodyWish {
     FreeBody body;
-    std::optional<double> mass_kg;  // empty: it follows from the volume and density_kg_per_m3
+    std::optional<double> mass_kg;  // empty: the mass follows from the volume and density_kg_per_m3
     double density_kg_per_m3 = 600.0;
-    std::string string;  // targetname of the entity at the other end of its rubber string; empty: no string
+    std::string string;  // targetname of the entity to which the rubber string is tied; empty: no string
     double string_n_per_m = 20.0;
     TextPlace string_place;
 };
 
-// dynamic: the entity is free unless `free` is 0. can_move: it is a separate thing that nothing else moves; if an
-// entity that cannot move should be free, that is reported with its place. surface: what the entity's keys say about
-// its surface.
+// Reads the keys of one entity. Set `dynamic` if its cs_name is one of dynamic_*: the entity is then free unless `free`
+// is 0. Set `can_move` if it is a separate object that nothing else moves. If an entity that cannot move should be
+// free, that is reported with its place. `surface` is what the entity's keys say about its surface. Returns nothing if
+// the entity is not free.
 std::optional<BodyWish> body_wish_of(const MapEntity& entity, bool dynamic, bool can_move, const Material& surface,
                                      const MapKeys& keys, Diagnostics& diagnostics);
 
 class MapBodies {
 public:
-    // `feature` is the feature of the entity's solids in the scene. A body without volume, or beyond the maximum
-    // number, stays fixed, and that is reported.
+    // Adds a free body. `feature` is the feature of the entity's solids in the scene. A body that has no volume, or
+    // exceeds the maximum number of bodies, stays fixed, and that is reported.
     void add(Scene& scene, const BodyWish& wish, FeatureId feature, TextPlace place, Diagnostics& diagnostics);
-    // Notes an entity with a position and a name, to which a string can be tied. name: its targetname.
+    // Notes an entity that has a position and a name, so that a string can be tied to it. `name` is its targetname.
     void note_point(const std::string& name, const Vec3& at_m) { points_m_.emplace(name, at_m); }
-    // Call after the last entity. Ties the strings; reports strings that lead nowhere and bodies beyond the maximum
-    // number.
+    // Call after the last entity. Ties the strings to their entities. Reports strings whose target is missing and the
+    // bodies beyond the maximum number.
     void finish(Scene& scene, Diagnostics& diagnostics) const;
 
 private:
@@ -45,7 +46,7 @@ private:
         BodyWish wish;
     };
     std::vector<Tied> tied_;
-    std::map<std::string, Vec3> points_m_;  // if a name occurs twice, the first place
+    std::map<std::string, Vec3> points_m_;  // positions by targetname; if a name occurs twice, the first position
     std::size_t too_many_ = 0;
     TextPlace first_too_many_;
 };

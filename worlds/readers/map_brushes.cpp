@@ -8,8 +8,8 @@ namespace handrail::readers {
 
 namespace {
 
-// The time to build a solid grows with the square of the number of planes: 12,000 took 18 s. Real brushes have under
-// 100.
+// The time to build a solid grows with the square of the number of planes: 12,000 planes took 18 s. Real brushes have
+// under 100.
 constexpr std::size_t kMostFaces = 1000;
 
 BuiltSolid no_solid() {
@@ -95,12 +95,13 @@ TextureSense MapBrushes::sense_of(const MapBrush& brush) {
 int MapBrushes::repeats(const BuiltSolid& built, std::uint32_t owner, int line) {
     std::vector<std::string> planes;
     for (const Plane& plane : built.solid.planes) {
-        // + 0.0 prevents minus zero.
+        // Adding 0.0 turns minus zero into zero.
         const std::array<double, 4> numbers{plane.normal.x + 0.0, plane.normal.y + 0.0, plane.normal.z + 0.0,
                                             plane.offset_m + 0.0};
         planes.emplace_back(reinterpret_cast<const char*>(numbers.data()), sizeof numbers);
     }
-    std::sort(planes.begin(), planes.end());  // so that the order in which they were drawn does not matter
+    // Sorted, so that the order in which the faces were drawn has no influence.
+    std::sort(planes.begin(), planes.end());
     std::string key(reinterpret_cast<const char*>(&owner), sizeof owner);
     for (const std::string& plane : planes) key += plane;
     const auto [found, is_new] = lines_.try_emplace(std::move(key), line);

@@ -1,4 +1,5 @@
-// Turns the brushes of a map into solids, finds out what their textures mean, and counts them. One reading thread.
+// Turns the brushes of a map into solids, finds out what their textures mean, and counts them. Used on the reading
+// thread only.
 #pragma once
 
 #include <cstdint>
@@ -20,20 +21,22 @@ public:
     MapBrushes(double metres_per_unit, Diagnostics& diagnostics, ReadReport& report)
         : units_(metres_per_unit), diagnostics_(diagnostics), report_(report) {}
 
-    // The solid in world metres. `report`: whether to add warnings about faults.
+    // Returns the solid in world metres. `report` says whether to add warnings about faults.
     BuiltSolid solid_of(const MapBrush& brush, bool report);
-    // The same with warnings; also counts the brush in the report.
+    // Like solid_of with warnings; also counts the brush in the report.
     BuiltSolid counted_solid_of(const MapBrush& brush);
     void count(const BuiltSolid& built);
-    // For the brush built last: the face that a plane of the solid came from.
+    // Returns the face of the brush that gave this plane of its solid. Refers to the brush built last.
     std::uint32_t face_of_plane(std::uint32_t plane) const { return face_of_plane_[plane]; }
 
     const TextureFacts& facts_of(std::string_view texture);
-    // A brush has a special meaning only if all its faces have one; the first face then decides which.
+    // Returns the special meaning that a brush's textures give it. It has one only if every face has a special texture;
+    // the first face then decides which.
     TextureSense sense_of(const MapBrush& brush);
 
-    // Returns the line of an earlier brush of the same owner that the brush built last repeats exactly. Returns 0 if it
-    // repeats none; it then counts as an earlier brush from now on. Brushes of different owners are never the same.
+    // Returns the line of an earlier brush of the same owner that equals the brush built last exactly. Returns 0 if
+    // there is none; the brush then counts as an earlier brush in later calls. Brushes of different owners never count
+    // as equal.
     int repeats(const BuiltSolid& built, std::uint32_t owner, int line);
 
     void leave_out() { ++left_out_; }
@@ -45,10 +48,10 @@ private:
     Diagnostics& diagnostics_;
     ReadReport& report_;
     std::map<std::string_view, TextureFacts> textures_;
-    std::vector<Plane> planes_;                 // of the brush built last
-    std::vector<std::uint32_t> face_of_plane_;  // of the brush built last
+    std::vector<Plane> planes_;                 // planes of the brush built last
+    std::vector<std::uint32_t> face_of_plane_;  // faces of the brush built last, indexed by plane
     int left_out_ = 0, dropped_faces_ = 0;
-    std::unordered_map<std::string, int> lines_;  // lines of brushes, by owner and planes
+    std::unordered_map<std::string, int> lines_;  // line of each brush, by owner and planes
 };
 
 }  // namespace handrail::readers

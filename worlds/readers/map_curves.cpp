@@ -7,7 +7,7 @@
 namespace handrail::readers {
 namespace {
 
-// Values below a millionth of a millimetre count as 0 in messages.
+// Converts to millimetres for messages. Values below a millionth of a millimetre become 0.
 double in_millimetres(double m) { return m < 1e-9 ? 0.0 : 1e3 * m; }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Collects the curved patches of a map while it is read. They are cut into triangles at the end, when their number is
-// known. One reading thread.
+// Collects the curved patches of a map while it is read. They are turned into triangles at the end, when the number of
+// patches is known. Used on the reading thread only.
 #pragma once
 
 #include <stop_token>
@@ -10,7 +10,7 @@
 
 namespace handrail::readers {
 
-// A patch in world metres, before it is cut.
+// A patch in world metres, before it is turned into triangles.
 struct MapCurve {
     PatchGrid grid;
     FeatureId feature;
@@ -25,7 +25,7 @@ public:
     int left_out() const { return left_out_; }
 
     // Turns all patches into triangles of the scene and its features. No triangle is farther than chord_m from its
-    // curve, unless there would be too many; then they are coarser.
+    // curve. If that needs too many triangles, they are made coarser.
     void bend(Scene& scene, double chord_m, const std::stop_token& stop);
 
 private:

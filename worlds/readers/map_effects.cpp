@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kPulls{"point", "line", "surface", "object"};
 
-// Reads one entity. If it is refused, the reason is reported and reading ends.
+// Reads one entity. If the entity is refused, the reason is reported and reading ends.
 class EffectReader {
 public:
     EffectReader(const MapEntity& entity, std::string name, double units, Diagnostics& diagnostics)
@@ -75,7 +75,7 @@ public:
         return true;
     }
 
-    // An effect without brushes: a sphere at its origin, or a capsule from there to its `end`.
+    // Reads an effect without brushes: a sphere around its origin, or a capsule from its origin to its `end`.
     bool read_round(Effect& effect) {
         const std::optional<Vec3> origin = keys_.vector_of(entity_, "origin");
         if (!origin) {
@@ -93,7 +93,8 @@ public:
         return true;
     }
 
-    // `why`: the key of a sentence about the effect {name}; {named} is "yes" if it has a name, else "no".
+    // Reports why the effect is left out. `why` is the key of a sentence about the effect {name}; {named} is "yes" if
+    // it has a name, else "no". Always returns false.
     bool refuse(TextPlace place, std::string_view why) {
         diagnostics_.warn(place, "map.then_left_out", why, {{"name", name_}, {"named", name_.empty() ? "no" : "yes"}});
         return false;

@@ -1,5 +1,6 @@
-// Reads entities of the class haptic_effect. Brushes, or an origin with a radius, say where the effect acts; keys say
-// which law. An effect without size, or not closed, is refused by name, and the rest of the map loads.
+// Reads entities of the class haptic_effect. Brushes, or an origin with a radius, say where the effect acts. Keys say
+// which force law it follows. An effect without size, or with a volume that is not closed, is left out and reported by
+// name; the rest of the map loads.
 #pragma once
 
 #include <functional>
@@ -11,21 +12,21 @@
 
 namespace handrail::readers {
 
-// An effect with the name of the thing that it belongs to, which may come later in the file.
+// An effect with the name of the object that it belongs to. That object may come later in the file.
 struct ReadEffect {
     Effect effect;
-    std::string target;  // empty: it belongs to nothing
+    std::string target;  // name of the object; empty: the effect belongs to none
     TextPlace target_place;
 };
 
-// `name`: the effect's name in messages. `built`: turns a brush into a solid, without warnings. Returns nothing if the
-// entity is refused.
+// Reads the effects of one entity. `name` is the effect's name in messages. `built` turns a brush into a solid, without
+// warnings. Returns nothing if the entity is refused.
 std::vector<ReadEffect> read_effects(const MapEntity& entity, int index, const std::string& name,
                                      double metres_per_unit, const std::function<BuiltSolid(const MapBrush&)>& built,
                                      Diagnostics& diagnostics);
 
-// Call after the whole file: finds the things that effects belong to. An unknown name is reported with the nearest
-// known one; the effect then does not move.
+// Call after the whole file. Connects the effects to the objects that they belong to. An unknown name is reported with
+// the nearest known one; the effect then does not move.
 void attach_effects(std::vector<ReadEffect>& effects, Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace handrail::readers

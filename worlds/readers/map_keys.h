@@ -1,5 +1,5 @@
-// Reads the values of map keys. A value that is not a number or is out of range is reported with its place; the nearest
-// legal value or the default is then used.
+// Reads the values of map keys. If a value is not a number or is out of range, that is reported with its place. The
+// default or the nearest legal value is then used.
 #pragma once
 
 #include <optional>
@@ -13,15 +13,15 @@ namespace handrail::readers {
 
 std::string_view trimmed(std::string_view text);
 
-// Reads "both", "front" or "back"; ignores case.
+// Reads "both", "front" or "back", ignoring case. Empty for any other word.
 std::optional<TouchSide> touch_side_named(std::string_view word);
 
-// The value of a key as text that can be spoken.
+// Returns the value of a key as text that can be spoken.
 std::string text_of(const MapEntity& entity, std::string_view key);
-// The key's texts in other languages: `name_de` and so on for `name`.
+// Returns the translations of a key's text: for `name`, the values of `name_de` and so on.
 OtherLanguages texts_in(const MapEntity& entity, std::string_view key);
 
-// The legal range of a number key. `range`: the key of the text that states it, with {least} and {most}.
+// The legal range of a number key. `range` is the key of the text that states this range, with {least} and {most}.
 struct NumberKey {
     std::string_view key;
     double least, most;
@@ -32,21 +32,23 @@ class MapKeys {
 public:
     MapKeys(Diagnostics& diagnostics, double metres_per_unit) : diagnostics_(diagnostics), units_(metres_per_unit) {}
 
-    // Reads a number from `least` to `most`. A value that is not a number is ignored, and one outside moves to the
-    // nearest end; both give a warning. `range` is the key of the text that states the range, with {least} and {most}.
+    // Reads a number from `least` to `most`. A value that is not a number is ignored, and a value out of range is
+    // replaced with the nearer limit. Each gives a warning. `range` is the key of the text that states the range, with
+    // {least} and {most}.
     std::optional<double> number_of(const MapEntity& entity, std::string_view key, double least, double most,
                                     std::string_view range) const;
     std::optional<double> number_of(const MapEntity& entity, const NumberKey& key) const {
         return number_of(entity, key.key, key.least, key.most, key.range);
     }
-    // Reads "x y z" unchanged. A missing key gives no warning. `otherwise` is the key of the text that says what
-    // happens if the value is bad.
+    // Reads "x y z" in the units of the map. A missing key gives no warning. `otherwise` is the key of the text that
+    // says what happens if the value is faulty.
     std::optional<Vec3> vector_of(const MapEntity& entity, std::string_view key,
                                   std::string_view otherwise = "map.then_no_place") const;
     bool yes_no_of(const MapEntity& entity, std::string_view key) const;
-    // Returns "north", "left" and so on; empty if the key is missing.
+    // Returns the side that the key states: "north", "left" and so on. Empty if the key is missing.
     std::string side_of(const MapEntity& entity, std::string_view key) const;
-    // The key `axis`: x, y or z, with a minus sign for the opposite direction. `turn` rotates z into that direction.
+    // The value of the key `axis`: x, y or z, with a minus sign for the opposite direction. `turn` rotates z into that
+    // direction.
     struct AxisTurn {
         int axis = 2;
         Rotation turn;

@@ -11,7 +11,7 @@ namespace handrail::readers {
 namespace {
 
 constexpr NumberKey kLabyrinth{"labyrinth", 0.0, 9.0, "map.range"};
-constexpr double kGapAbove_m = 1.0;  // how far above a hole to look for the gap in the floor
+constexpr double kGapAbove_m = 1.0;  // how far above a hole the gap in the floor may be
 constexpr double kLook_m = 0.01;
 
 bool inside(const Solid& solid, const Vec3& at_m) {
@@ -19,7 +19,7 @@ bool inside(const Solid& solid, const Vec3& at_m) {
                        [&](const Plane& plane) { return glm::dot(plane.normal, at_m) - plane.offset_m <= 0.0; });
 }
 
-// True if no part of the building is above the middle of the hole.
+// True if the floor has a gap above the hole: no part of the building is above the middle of the hole.
 bool has_gap(const Scene& scene, const Aabb& hole_m) {
     const Vec3 middle = hole_m.centre_m();
     for (const Solid& solid : scene.solids) {

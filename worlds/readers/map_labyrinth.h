@@ -1,5 +1,5 @@
-// Reads the labyrinth game of a map: `labyrinth` on worldspawn, the brushes of trigger_hole and trigger_goal, and the
-// key `role` of free bodies. One reading thread.
+// Reads the labyrinth game of a map: the key `labyrinth` on worldspawn, the brushes of trigger_hole and trigger_goal,
+// and the key `role` of free bodies. Used on the reading thread only.
 #pragma once
 
 #include <functional>
@@ -14,13 +14,15 @@ namespace handrail::readers {
 class MapLabyrinth {
 public:
     void note_world(const MapEntity& entity, const MapKeys& keys);
-    // Takes the entity if it is a hole or a goal, else returns false. Each of its brushes is a place of its own, which
-    // is neither touched nor seen.
+    // Takes the entity if it is a hole or a goal, else returns false. Each of its brushes becomes a separate place,
+    // which can be neither touched nor seen.
     bool take_place(const MapEntity& entity, std::string_view class_name, int index,
                     const std::function<BuiltSolid(const MapBrush&)>& built);
-    // `feature` is the feature of the entity's solids in the scene. free: they are a free body.
+    // Reads the key `role` of an entity. `feature` is the feature of the entity's solids in the scene. `free` says
+    // whether these solids are a free body.
     void note_role(const MapEntity& entity, FeatureId feature, bool free, Diagnostics& diagnostics);
-    // Call after the last entity. If the parts do not make a game, that is reported, and the scene gets none.
+    // Call after the last entity. Adds the game to the scene. If the parts do not make a complete game, that is
+    // reported, and the scene gets no game.
     void attach(Scene& scene, Diagnostics& diagnostics);
 
 private:

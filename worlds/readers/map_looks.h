@@ -1,5 +1,5 @@
-// Decides what the surfaces of a map are made of, and which look alike: by the keys of their entity, else by guesses
-// from textures. One reading thread.
+// Decides what the surfaces of a map are made of and which surfaces look alike. The keys of an entity decide; without
+// such keys, the texture suggests a material. Used on the reading thread only.
 #pragma once
 
 #include <map>
@@ -17,18 +17,19 @@ namespace handrail::readers {
 
 class MapLooks {
 public:
-    // `guess`: whether a texture's name may determine the material.
+    // `guess` says whether a texture's name may determine the material.
     explicit MapLooks(bool guess) : guess_(guess) {}
 
-    // Must not depend on whether guessing is on; otherwise the same map would have different walls when replayed.
+    // Returns the look of a face. The result must not depend on whether guessing is on; otherwise the same map would
+    // have different walls when it is replayed.
     FaceLook look_of(const MapMeaning& meaning, const TextureFacts& facts);
-    // Returns a material of the scene and adds it if it is new.
+    // Returns the index of a material in the scene; adds the material if it is new.
     MaterialId material_of(Scene& scene, const MapMeaning& meaning, const TextureFacts& facts,
                            std::string_view texture);
     void tell_guesses(ReadReport& report) const;
 
 private:
-    using LookKey = std::pair<std::string, std::string>;  // material and keys
+    using LookKey = std::pair<std::string, std::string>;  // the material and the entity's keys about the surface
 
     bool guess_;
     std::map<LookKey, FaceLook> known_looks_;

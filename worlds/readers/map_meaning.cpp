@@ -31,7 +31,7 @@ MapMeaning MapMeanings::read(const MapEntity& entity, const std::string& class_n
         feature.hinge = keys_.side_of(entity, "hinge");
         feature.handle = keys_.side_of(entity, "handle");
     }
-    // The end of the map: the person may look for it, and hears a message there.
+    // This is the end of the map: the person may look for it, and a message is announced there.
     if (class_name == "trigger_changelevel") {
         feature.landmark = true;
         if (feature.message.empty()) {

@@ -1,4 +1,4 @@
-// Decides what an entity of a map makes of its brushes, by its class and its keys. One reading thread.
+// Decides, by the class and the keys of an entity, what the entity's brushes become. Used on the reading thread only.
 #pragma once
 
 #include <optional>
@@ -15,16 +15,18 @@ namespace handrail::readers {
 
 struct MapMeaning {
     SolidRole role = SolidRole::Solid;
-    std::optional<PrimitiveKind> exact;  // replaces the brushes with one exact shape in the box around them
-    bool structure = false;              // true: part of the building, not one thing; its walls are named by side
-    bool liquid = false;                 // cs_name is "liquid"
-    Feature feature;                     // not used if `structure` is true
+    // The brushes are replaced with one exact shape of this kind in the box around them.
+    std::optional<PrimitiveKind> exact;
+    // True: the brushes are part of the building and not one thing; their walls are named by side.
+    bool structure = false;
+    bool liquid = false;  // cs_name is "liquid"
+    Feature feature;      // not used if `structure` is true
     std::optional<double> viscosity_ns_per_m;
     double buoyancy_n = 0.0, film_n = 0.0;
     Vec3 flow_hand_m_per_s{0.0};
     std::optional<SoftWish> soft;
-    std::optional<BodyWish> body;  // set if it is free to move
-    Material surface;              // what the keys say; its name is one of the library, or empty
+    std::optional<BodyWish> body;  // set if the entity is free to move
+    Material surface;              // what the keys say about the surface; its name is a library material or empty
     std::string look;              // equal for surfaces with the same keys
     SourcePlace source;
 };
@@ -35,7 +37,7 @@ public:
     MapMeanings(double metres_per_unit, Diagnostics& diagnostics, const MapKeys& keys, MapSurfaces& surfaces)
         : units_(metres_per_unit), diagnostics_(diagnostics), keys_(keys), surfaces_(surfaces) {}
 
-    // `index`: the entity's index in the file. `class_name`: in lower case.
+    // Decides what `entity` becomes. `index` is its index in the file, `class_name` its class in lower case.
     MapMeaning read(const MapEntity& entity, const std::string& class_name, int index);
 
 private:

@@ -9,20 +9,22 @@
 namespace handrail::readers {
 namespace {
 
-// Defaults of the game of 1996, in map units.
+// Default speeds of the game of 1996, in map units.
 constexpr double kDoorSpeed_units_per_s = 100.0, kLiftSpeed_units_per_s = 150.0, kButtonSpeed_units_per_s = 40.0,
                  kTrainSpeed_units_per_s = 100.0;
 constexpr double kTurn_deg_per_s = 100.0, kMostTurn_deg_per_s = 720.0;
 constexpr double kDoorLip_units = 8.0, kButtonLip_units = 4.0, kLiftLip_units = 8.0;
-constexpr double kNearDoor_units = 60.0, kAboveDoor_units = 8.0;  // how near a person must come to start a door
+// How near a person must come to a door for it to open automatically.
+constexpr double kNearDoor_units = 60.0, kAboveDoor_units = 8.0;
 constexpr double kButtonWait_s = 1.0, kLiftWait_s = 3.0;
 constexpr double kLeastTravel_s = 0.1, kMostTravel_s = 60.0;
-// Doors in buildings.
+// Defaults for doors in buildings, which swing.
 constexpr double kLeafTravel_s = 1.2;
 constexpr double kQuarterTurn_rad = kPi / 2.0;
 constexpr int kStartsOpen = 1, kDoNotLink = 4, kStays = 32;           // bits of a door's `spawnflags`
 constexpr int kStartsOn = 1, kReverse = 2, kAboutX = 4, kAboutY = 8;  // bits of a turning part's `spawnflags`
-// 24 units per second are three quarters of a metre per second; a button is kHandAbove_m above its floor.
+// Defaults for buildings: 24 units per second are three quarters of a metre per second. A button is kHandAbove_m above
+// its floor.
 constexpr double kLiftSpeedInBuilding_units_per_s = 24.0, kHandAbove_m = 1.1;
 constexpr std::size_t kMostStops = 1000;
 
@@ -36,7 +38,7 @@ int flags_of(const MapEntity& entity) {
     return std::abs(flags) < 1e6 ? static_cast<int>(flags) : 0;
 }
 
-// The direction of the editor's angle: -1 is up, -2 is down, others are counter-clockwise from east.
+// Returns the direction for an angle of the editor: -1 is up, -2 is down, others are counter-clockwise from east.
 Vec3 direction_of_angle(double angle_deg) {
     if (angle_deg == -1.0) return {0.0, 0.0, 1.0};
     if (angle_deg == -2.0) return {0.0, 0.0, -1.0};
@@ -48,7 +50,7 @@ double travel_s(double way_m, double speed_m_per_s) {
     return std::clamp(way_m / std::max(speed_m_per_s, 1e-6), kLeastTravel_s, kMostTravel_s);
 }
 
-// How far a box must slide along `direction` to leave its opening, except for the lip.
+// Returns how far a box must slide along `direction` to leave its opening, except for the lip that remains in it.
 Vec3 slide_of(const Aabb& bounds_m, const Vec3& direction, double lip_m) {
     const double way = glm::dot(glm::abs(direction), bounds_m.size_m()) - lip_m;
     return way > 0.0 ? direction * way : Vec3(0.0);
@@ -60,8 +62,8 @@ Aabb grown_by(Aabb box, const Vec3& by) {
     return box;
 }
 
-// Hangs a door leaf on one of its vertical edges: decides which edge, and to which side it opens. By default it opens
-// to the north or east.
+// Hangs a door leaf on one of its vertical edges. Decides which edge that is, and to which side the door opens. By
+// default it opens to the north or east.
 void hang(ReadMover& read, const std::string& hinge) {
     const Aabb& box = read.bounds_m;
     const Vec3 size = box.size_m();
@@ -78,21 +80,21 @@ void hang(ReadMover& read, const std::string& hinge) {
         mover.pivot_m.x = to_far_side ? box.max_m.x : box.min_m.x;
         mover.pivot_m.y = at_far_end ? box.max_m.y : box.min_m.y;
     }
-    // Seen from its hinge, the leaf points towards the other end and turns towards the side to which it opens.
+    // The leaf points from its hinge to its other end, and turns towards the side to which the door opens.
     const bool counter_clockwise = along_x ? at_far_end != to_far_side : at_far_end == to_far_side;
     mover.swing_rad = counter_clockwise ? kQuarterTurn_rad : -kQuarterTurn_rad;
     mover.travel_s = kLeafTravel_s;
 }
 
-// The height of the lift's top at this part of its travel.
+// Returns the height of the lift's top at this part of its travel.
 double top_m(const ReadMover& lift, double part) { return lift.bounds_m.max_m.z + lift.mover.slide_m.z * part; }
-// The end of the lift's travel that is nearer to this height.
+// Returns the end of the lift's travel, 0 or 1, at which the lift's top is nearer to this height.
 double end_near(const ReadMover& lift, double floor_m) {
     return std::abs(top_m(lift, 0.0) - floor_m) <= std::abs(top_m(lift, 1.0) - floor_m) ? 0.0 : 1.0;
 }
 
-// Collects the stops of a train from path_corner to path_corner, until one repeats or none follows. At a stop, the
-// least corner of the train's box is at the path_corner.
+// Collects the stops of a train from path_corner to path_corner, until a stop repeats or has no successor. At each
+// stop, the corner of the train's box with the least coordinates is at the path_corner.
 void lay_track(ReadMover& read, const std::vector<ReadCorner>& corners, double unit_m, Diagnostics& diagnostics) {
     std::vector<std::size_t> seen;
     std::string next = read.target;
@@ -120,8 +122,8 @@ void lay_track(ReadMover& read, const std::vector<ReadCorner>& corners, double u
     diagnostics.warn(read.target_place, "map.then_stands", "map.train_target");
 }
 
-// Connects movers, switches and their targets, and puts them into the scene. Call the public functions in the order of
-// attach_movers().
+// Connects movers, switches and their targets, and puts them into the scene. Call the public functions in the order in
+// which attach_movers() calls them.
 class MoverLinks {
 public:
     MoverLinks(ReadMovers& found, Scene& scene, Diagnostics& diagnostics)
@@ -154,7 +156,7 @@ private:
     Scene& scene_;
     Diagnostics& diagnostics_;
     const double unit_m_;
-    std::vector<bool> wanted_;  // indexed by mover; true: something starts it
+    std::vector<bool> wanted_;  // indexed by mover; true if a switch or another mover starts it
 };
 
 void MoverLinks::lay_ways() {
@@ -174,7 +176,7 @@ void MoverLinks::lay_ways() {
 }
 
 void MoverLinks::lay_way(ReadMover& read) {
-    // In a building, a lift with a name is called by a button and stays where it was sent.
+    // In a building, a button calls a lift with a name, and the lift stays where it was sent.
     const bool called = read.lift && !scene_.game_map && !read.name.empty();
     if (called && !read.has_wait) read.mover.wait_s = -1.0;
     if (called && !read.has_speed) read.speed_units = kLiftSpeedInBuilding_units_per_s;
@@ -182,7 +184,7 @@ void MoverLinks::lay_way(ReadMover& read) {
     const Feature& feature = scene_.features[read.mover.feature.value];
     if (swings(read, feature)) {
         hang(read, feature.hinge);
-        if (!read.has_wait) read.mover.wait_s = -1.0;  // the person closes the door again
+        if (!read.has_wait) read.mover.wait_s = -1.0;  // the door stays open until the person closes it
     } else if (read.lift) {
         lay_lift(read, called);
     } else {
@@ -209,7 +211,8 @@ void MoverLinks::lay_lift(ReadMover& read, bool called) const {
     const double way_m =
         read.height_units > 0.0 ? read.height_units * unit_m_ : read.bounds_m.size_m().z - read.lip_units * unit_m_;
     if (way_m > 0.0) read.mover.slide_m = {0.0, 0.0, -way_m};
-    read.mover.rests_far = read.name.empty() || called;  // waits below until somebody steps on it or calls it
+    // The lift waits at the bottom until somebody steps on it or calls it.
+    read.mover.rests_far = read.name.empty() || called;
     read.mover.travel_s = travel_s(way_m, read.speed_units * unit_m_);
 }
 
@@ -224,7 +227,7 @@ void MoverLinks::lay_slide(ReadMover& read) const {
     if (!scene_.game_map && !read.has_wait) read.mover.wait_s = -1.0;
 }
 
-// In a game map, doors that touch one another are leaves of one door.
+// In a game map, doors that touch each other are leaves of one door.
 void MoverLinks::group_leaves() {
     const auto leaf = [](const ReadMover& read) { return read.door && read.linked && read.mover.swing_rad == 0.0; };
     for (std::size_t i = 0; i < movers_.size(); ++i)
@@ -241,7 +244,7 @@ void MoverLinks::group_leaves() {
         }
 }
 
-// Returns the movers with that name and marks that something starts them.
+// Returns the movers with the name `target`, and marks them as started by something.
 std::vector<std::uint32_t> MoverLinks::want(const std::string& target) {
     std::vector<std::uint32_t> all;
     for (std::size_t i = 0; i < movers_.size(); ++i) {
@@ -291,7 +294,7 @@ void MoverLinks::send_lift(ReadMover& read) const {
             read.mover.sends_to = end_near(movers_[other], read.bounds_m.centre_m().z - kHandAbove_m);
 }
 
-// Makes the mover a door of its lift.
+// Makes the mover a door of the lift that it names.
 void MoverLinks::join_lift(ReadMover& read) {
     const auto lift = std::find_if(movers_.begin(), movers_.end(),
                                    [&](const ReadMover& other) { return other.lift && other.name == read.of_lift; });
@@ -301,18 +304,18 @@ void MoverLinks::join_lift(ReadMover& read) {
     read.mover.lift = static_cast<std::uint32_t>(lift - movers_.begin());
     read.mover.lift_part = end_near(*lift, read.bounds_m.min_m.z);
     if (!read.has_wait) read.mover.wait_s = kLiftDoorWait_s;
-    // The door opens for somebody in the lift, so that nobody is shut in.
+    // The door also opens for a person in the lift, so that nobody is shut in.
     read.mover.approach_m = lift->bounds_m;
     read.mover.approach_m.min_m.z = top_m(*lift, read.mover.lift_part);
     read.mover.approach_m.max_m.z = read.mover.approach_m.min_m.z + kStandingRoom_m;
 }
 
-// In a game map, a door without a name opens automatically when a person comes near, with all its leaves. A door with a
-// name waits for its button.
+// In a game map, a door without a name opens automatically, with all its leaves, when a person comes near. A door with
+// a name waits for its button.
 void MoverLinks::set_approaches() {
     for (ReadMover& read : movers_) {
         if (read.mover.moves() && read.lift && read.name.empty()) {
-            // A person who stands in its shaft below starts it.
+            // A person who stands in the shaft below the lift starts it.
             Aabb shaft = read.bounds_m;
             shaft.max_m.z = read.bounds_m.max_m.z + read.mover.slide_m.z + kAboveDoor_units * unit_m_;
             shaft.min_m.z = read.bounds_m.min_m.z + read.mover.slide_m.z;

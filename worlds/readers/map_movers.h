@@ -1,7 +1,7 @@
 // Reads the doors, lifts, buttons, trains, turning parts, switches and teleporters of a map. The classes are func_door,
 // func_plat, func_button, func_train with its path_corner, func_rotating and trigger_*. Their keys have the meaning
-// that the game of 1996 and its successors gave them. Doors of buildings are read, too; they swing. Entities are read
-// one by one; what starts what is known only after the last one.
+// that the game of 1996 and its successors gave them. Doors of buildings, which swing, are read too. Entities are noted
+// one by one and connected after the last one, because a target may come later in the file.
 #pragma once
 
 #include <optional>
@@ -17,18 +17,19 @@ namespace handrail::readers {
 struct ReadMover {
     Mover mover;
     Aabb bounds_m;
-    bool door = false, linked = true;  // linked: doors that touch move together, unless the map forbids it
-    std::string name, target;          // targetname and target, lower case
-    std::string wish;                  // the key `opens`: a side, "up", "down", "slide", or empty
+    // Linked: the door moves together with doors that touch it, unless the map forbids that.
+    bool door = false, linked = true;
+    std::string name, target;  // the keys targetname and target, in lower case
+    std::string wish;          // value of the key `opens`: a side, "up", "down", "slide", or empty
     TextPlace wish_place, target_place;
     double lip_units = 0.0, angle_deg = 0.0, speed_units = 100.0, height_units = 0.0;
     bool has_angle = false, lift = false, has_wait = false, has_speed = false;
     bool train = false, turns = false, starts_on = false;
-    std::optional<Vec3> turns_about_units;  // middle of its brush textured "origin"
+    std::optional<Vec3> turns_about_units;  // middle of the entity's brush with the texture "origin"
     std::string of_lift;                    // for a door with the key `lift`: the lift's targetname in lower case
     TextPlace of_lift_place;
 };
-// A stop on the track of trains.
+// A possible stop of trains (path_corner).
 struct ReadCorner {
     std::string name, target;
     Vec3 at_units{0.0};
@@ -54,21 +55,21 @@ struct ReadMovers {
     std::set<std::string> names;  // all targetnames of the map
 };
 
-// Call for every entity: notes its targetname.
+// Notes the targetname of an entity. Call for every entity.
 void note_name(ReadMovers& found, const MapEntity& entity);
 
-// Notes an entity whose brushes became `feature`, unless its class does not move. `origin_units`: the middle of its
-// brush textured "origin".
+// Notes an entity whose brushes became `feature`. Does nothing if the entity's class does not move. `origin_units` is
+// the middle of the entity's brush with the texture "origin".
 void note_mover(ReadMovers& found, const MapEntity& entity, std::string_view class_name, FeatureId feature,
                 const MapKeys& keys, const std::optional<Vec3>& origin_units = {});
 // Notes a path_corner.
 void note_corner(ReadMovers& found, const MapEntity& entity, const MapKeys& keys);
-// note_switch: the volume of a trigger or teleporter. note_destination: a place that teleporters lead to.
+// note_switch notes the volume of a trigger or teleporter. note_destination notes a place that teleporters lead to.
 void note_switch(ReadMovers& found, const MapEntity& entity, std::string_view class_name, FeatureId feature);
 void note_destination(ReadMovers& found, const MapEntity& entity, const Vec3& feet_m, double heading_rad);
 
-// Call after the whole file, when it is known whether this is a building. Fills Scene::movers and Scene::switches. A
-// target that no entity has as its name is reported.
+// Call after the whole file, when it is known whether the map is a building. Fills Scene::movers and Scene::switches.
+// Reports each target that is not the name of an entity.
 void attach_movers(ReadMovers& found, Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace handrail::readers

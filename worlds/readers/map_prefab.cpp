@@ -41,7 +41,7 @@ MapEntity with_prefab(const MapEntity& entity, const Prefab& prefab, const Vec3&
         };
         MapBrush brush;
         brush.place = entity.place;
-        // South, east, north, west, top, bottom. Seen from outside, the points run clockwise.
+        // The faces in the order south, east, north, west, top, bottom. Seen from outside, their points run clockwise.
         for (const std::array<Vec3, 3>& points :
              {std::array{at(1, 0, 0), at(0, 0, 0), at(0, 0, 1)}, std::array{at(1, 1, 0), at(1, 0, 0), at(1, 0, 1)},
               std::array{at(0, 1, 0), at(1, 1, 0), at(1, 1, 1)}, std::array{at(0, 0, 0), at(0, 1, 0), at(0, 1, 1)},

@@ -1,5 +1,5 @@
-// Furniture that one key places in a map. It is turned into the brushes that an author would have drawn. One reading
-// thread.
+// Furniture that an author places in a map with one key. It is turned into the brushes that the author would otherwise
+// have drawn. Used on the reading thread only.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,11 @@
 
 namespace handrail::readers {
 
-// The piece of furniture that the key `prefab` names. Returns null with a warning if there is no such piece, or if the
-// entity also has a shape or no origin.
+// Returns the piece of furniture that the key `prefab` names. Returns null and warns if there is no such piece, or if
+// the entity also has a shape or lacks an origin.
 const Prefab* prefab_of(const MapEntity& entity, Diagnostics& diagnostics);
-// The entity with the brushes of the piece: the middle of its floor is at `origin`, its front faces `heading_rad`,
-// clockwise from north.
+// Returns the entity with the brushes of the piece. The middle of the piece's underside is at `origin_units`. Its front
+// faces `heading_rad`, clockwise from north.
 MapEntity with_prefab(const MapEntity& entity, const Prefab& prefab, const Vec3& origin_units, double heading_rad,
                       double metres_per_unit);
 

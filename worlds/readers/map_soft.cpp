@@ -10,8 +10,9 @@ namespace {
 constexpr double kLeastStiffness = 0.02, kMostStiffness = 0.6;
 constexpr double kShortestRecoveryS = 0.02, kLongestRecoveryS = 60.0;
 constexpr double kLeastYieldN = 0.1, kMostYieldN = 4.0;
-constexpr double kMostOfThickness = 0.9;  // greatest part of the thickness that may be soft; the rest stays hard
-constexpr double kFacesThatWay = 0.7;     // a face faces a direction if the cosine is above this: 45 degrees
+constexpr double kMostOfThickness = 0.9;  // greatest share of a brush's thickness that may be soft; the rest stays hard
+// A face faces a direction if the cosine of the angle between them is above this (45 degrees).
+constexpr double kFacesThatWay = 0.7;
 
 struct SideRow {
     std::string_view name;
@@ -84,7 +85,7 @@ std::optional<SoftFace> soft_face_of(const SoftWish& wish, const ConvexSolid& sh
         diagnostics.warn(wish.place, "map.then_hard", "map.soft_no_face", {{"name", what}});
         return std::nullopt;
     }
-    double lowest = 0.0;  // lowest corner of all, measured below the face
+    double lowest = 0.0;  // the corner that is lowest below the face
     for (const Polygon& face : shape.faces)
         for (const Vec3& corner : face.points_m)
             lowest = std::min(lowest, signed_distance(shape.planes[soft.face], corner));

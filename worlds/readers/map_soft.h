@@ -1,4 +1,4 @@
-// Reads the keys of soft things, such as a cushion or clay.
+// Reads the keys of soft objects, such as a cushion or clay.
 #pragma once
 
 #include <optional>
@@ -9,19 +9,19 @@
 
 namespace handrail::readers {
 
-// What an entity's keys request for each of its brushes.
+// What the keys of an entity say about the soft face of each of its brushes.
 struct SoftWish {
-    SoftFace face;             // a depth of 0 means half of the thickness
-    Vec3 side{0.0, 0.0, 1.0};  // direction of the face that gives way
+    SoftFace face;             // a depth of 0 stands for half of the thickness
+    Vec3 side{0.0, 0.0, 1.0};  // direction of the face that is soft
     TextPlace place;           // where the key `soft` is
     TextPlace depth_place;     // where the key `soft_depth` is
 };
 
-// Returns nothing if the key `soft` is missing, unknown or without depth. In the last two cases the thing stays hard,
-// and that is reported.
+// Reads the keys. Returns nothing if the key `soft` is missing. Also returns nothing, and reports it, if the value is
+// unknown or the depth is faulty; the object then stays hard.
 std::optional<SoftWish> soft_wish_of(const MapEntity& entity, double metres_per_unit, Diagnostics& diagnostics);
 
-// The soft face of one brush. A depth that would leave nothing hard underneath is reduced.
+// Returns the soft face of one brush. Reduces a depth that would leave nothing hard below the soft layer.
 std::optional<SoftFace> soft_face_of(const SoftWish& wish, const ConvexSolid& shape, const std::string& name,
                                      Diagnostics& diagnostics);
 

@@ -1,5 +1,5 @@
-// Reads how a surface of a map feels, from the keys of its entity: stiffness, friction, waves and pictures. One reading
-// thread.
+// Reads from an entity's keys how its surfaces feel: stiffness, friction, waves and pictures. Used on the reading
+// thread only.
 #pragma once
 
 #include <functional>
@@ -15,12 +15,12 @@
 
 namespace handrail::readers {
 
-// A text that is equal for surfaces that feel alike, whatever they are made of.
+// Returns a text that is equal for surfaces that feel alike, whatever material they are made of.
 std::string look_of_surface(const Material& surface);
 
 class MapSurfaces {
 public:
-    // `built`: turns a brush into a solid, without warnings. The referenced objects must outlive this object.
+    // `built` turns a brush into a solid, without warnings. The referenced objects must outlive this object.
     MapSurfaces(const ReadOptions& options, double metres_per_unit, Diagnostics& diagnostics, const MapKeys& keys,
                 std::function<BuiltSolid(const MapBrush&)> built)
         : options_(options),
@@ -29,7 +29,7 @@ public:
           keys_(keys),
           built_(std::move(built)) {}
 
-    // Everything except the material's name.
+    // Reads everything except the material's name.
     Material read(const MapEntity& entity);
 
 private:
@@ -41,7 +41,7 @@ private:
     Diagnostics& diagnostics_;
     const MapKeys& keys_;
     std::function<BuiltSolid(const MapBrush&)> built_;
-    // Null: unusable, which was already reported.
+    // The pictures read so far, by file name. Null: the file was unusable, which has been reported.
     std::map<std::string, std::shared_ptr<const HeightPicture>> pictures_;
 };
 

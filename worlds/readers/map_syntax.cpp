@@ -14,7 +14,7 @@ bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
 constexpr std::string_view kPunctuation = "{}()[]";
 
-// A lookup table, because a line may be a hundred megabytes long.
+// True for each byte that ends a word. It is a lookup table for speed, because a line may be a hundred megabytes long.
 constexpr std::array<bool, 256> kEndsWord = [] {
     std::array<bool, 256> ends{};
     for (std::size_t c = 0; c <= ' '; ++c) ends[c] = true;
@@ -53,7 +53,8 @@ public:
         return token_;
     }
 
-    // An unquoted texture name runs to the next white space, whatever it contains. No token may have been peeked at.
+    // Takes an unquoted texture name. It runs to the next white space, whatever it contains. Do not call this after
+    // peek().
     Token take_texture() {
         while (at_ < bytes_.size() && is_blank(bytes_[at_])) step();
         Token token{TokenKind::Word, {}, here()};
@@ -65,7 +66,7 @@ public:
         return token;
     }
 
-    // Skips the rest of a damaged face: to the end of the line, or to a closing brace that stands alone.
+    // Skips the rest of a damaged face: up to the end of the line, or to a closing brace that stands alone.
     void skip_damaged_line() {
         if (peeked_) rewind_to_token();
         while (at_ < bytes_.size() && !is_line_end(bytes_[at_])) {
@@ -74,7 +75,7 @@ public:
         }
     }
 
-    // Skips the rest of a block, after its opening brace. Only braces that stand alone count, because texture names may
+    // Skips the rest of a block after its opening brace. Only braces that stand alone count, because texture names may
     // begin with a brace.
     void skip_block() {
         if (peeked_) rewind_to_token();
@@ -95,7 +96,7 @@ public:
 private:
     TextPlace here() const { return {line_, static_cast<int>(at_ - line_start_) + 1}; }
 
-    // Advances one byte and counts lines: LF, CR LF and lone CR.
+    // Advances by one byte and counts lines. A line ends with LF, CR LF or a lone CR.
     void step() {
         const char c = bytes_[at_++];
         if (c == '\n' || (c == '\r' && (at_ >= bytes_.size() || bytes_[at_] != '\n'))) {
@@ -111,7 +112,8 @@ private:
         return (at_ == 0 || separates(bytes_[at_ - 1])) && (at_ + 1 >= bytes_.size() || separates(bytes_[at_ + 1]));
     }
 
-    // Takes back a token that was only peeked at. Tokens contain no line end, so the position is the token's own.
+    // Puts back a token that was only peeked at. Tokens contain no line end, so the line and column are those of the
+    // token.
     void rewind_to_token() {
         peeked_ = false;
         if (token_.kind == TokenKind::End) return;
@@ -148,8 +150,8 @@ private:
         return token;
     }
 
-    // A quote after a backslash belongs to the string, unless it is followed by white space and then a quote, a brace
-    // or the end of the line, as in "c:\a\".
+    // True if the quote at `quote`, which follows a backslash, ends the string. Usually it belongs to the string. It
+    // ends the string if white space and then a quote, a brace or the end of the line follow it, as in "c:\a\".
     bool closes_after_backslash(std::size_t quote) const {
         std::size_t i = quote + 1;
         while (i < bytes_.size() && is_blank(bytes_[i]) && !is_line_end(bytes_[i])) ++i;
@@ -183,8 +185,10 @@ private:
 
 class Parser {
 public:
-    static constexpr double kMostPatchPoints = 1025;  // points along one side of a patch; editors stop at 31
-    static constexpr std::size_t kMostKeys = 1000;    // per entity; real entities have under 20
+    // Greatest number of points along one side of a patch; editors stop at 31.
+    static constexpr double kMostPatchPoints = 1025;
+    // Greatest number of keys of one entity; real entities have under 20.
+    static constexpr std::size_t kMostKeys = 1000;
 
     Parser(std::string_view bytes, Diagnostics& diagnostics, const std::stop_token& stop)
         : lexer_(bytes, diagnostics), diagnostics_(diagnostics), stop_(stop) {}
@@ -197,7 +201,8 @@ public:
             if (token.is('{')) read_entity(token.place);
             else if (token.text == "Version" && is_number(lexer_.peek())) read_version();
             else if (!complained_outside_) {
-                complained_outside_ = true;  // reported once only: a file of another kind would give thousands
+                // Reported only once, because a file in another format would give thousands of such warnings.
+                complained_outside_ = true;
                 diagnostics_.error(token.place, "map.then_passed_over", "map.no_entity",
                                    {{"found", excerpt(token.text)}, {"end", is_end(token)}});
             }
@@ -205,7 +210,8 @@ public:
     }
 
 private:
-    // The extra value {end} for texts about {found}, because the end of the file is not a word.
+    // Returns the value of {end} for texts about {found}. These texts need it because the end of the file cannot be
+    // shown as a word.
     static const char* is_end(const Token& token) { return token.kind == TokenKind::End ? "yes" : "no"; }
 
     void read_version() {
@@ -214,7 +220,8 @@ private:
         file_.version = static_cast<int>(std::clamp(version, 0.0, 1000.0));
     }
 
-    // From version 2 on, the coordinates of an entity are relative to its own origin.
+    // Moves an entity to its origin. From version 2 of the format on, the coordinates of an entity are relative to its
+    // own origin.
     void move_to_origin(MapEntity& entity) const {
         constexpr int kFirstRelative = 2;
         std::string_view words = entity.value("origin");
@@ -239,7 +246,7 @@ private:
         bool complained = false;
         while (!stop_.stop_requested()) {
             const Token token = lexer_.peek();
-            if (token.is('(')) {  // faces without a brush: the file, or this part of it, has brushes without an entity
+            if (token.is('(')) {  // faces without a brush: this file, or this part of it, has brushes without an entity
                 if (!complained_bare_) diagnostics_.warn(token.place, "map.then_building", "map.bare_brushes");
                 complained_bare_ = true;
                 read_faces(entity, place);
@@ -325,8 +332,9 @@ private:
         for (; open_braces > 0; --open_braces) lexer_.skip_block();
     }
 
-    // If the patch is damaged, returns the key of the text about what was expected; `found` receives the token there.
-    // Returns an empty text if everything was read. `open_braces` counts the braces that are still open.
+    // Reads the content of a patch. If the patch is damaged, returns the key of the text about what was expected, and
+    // `found` receives the token that was there instead. Returns an empty text if everything was read. `open_braces`
+    // counts the braces that are still open.
     std::string_view patch_fault(MapPatch& patch, int& open_braces, Token& found) {
         const auto take = [&](char c) {
             found = lexer_.peek();
@@ -380,8 +388,8 @@ private:
 
     enum class FaceForm { Points, PointsAndMatrix, PlaneAndMatrix };
 
-    // Reads faces up to and including the closing brace, plain ones or those of brushDef. One damaged face costs the
-    // brush, not the map.
+    // Reads faces up to and including the closing brace, either plain faces or those of brushDef. If a face is damaged,
+    // only its brush is lost, not the map.
     void read_faces(MapEntity& entity, TextPlace place, FaceForm form = FaceForm::Points) {
         MapBrush brush;
         brush.place = place;
@@ -420,7 +428,7 @@ private:
                                     {"end", is_end(token)},
                                     {"before", brushes_before()}});
             damaged = true;
-            if (token.is('{')) {  // nested braces: this cannot be a brush
+            if (token.is('{')) {  // a brace within a brush: this cannot be a brush
                 lexer_.take();
                 lexer_.skip_block();
                 lexer_.skip_block();
@@ -439,8 +447,8 @@ private:
 
     int brushes_before() const { return file_.brushes - file_.brushes_damaged - 1; }
 
-    // Reads "( x y z ) ( x y z ) ( x y z ) TEXTURE" and then numbers, or two axes in square brackets and numbers. Games
-    // add further numbers; none is required.
+    // Reads "( x y z ) ( x y z ) ( x y z ) TEXTURE" and then either numbers, or two axes in square brackets and
+    // numbers. Games add further numbers; none of them is required.
     bool read_face(MapFace& face, bool silent, FaceForm form) {
         face.place = lexer_.peek().place;
         const auto refuse = [&](const Token& found, std::string_view what, int point = 0) {
@@ -477,7 +485,7 @@ private:
                 face.points_units[point] = {p[0], p[1], p[2]};
             }
         }
-        // The bracket is checked only here, because elsewhere a texture's name may begin with one.
+        // The texture matrix is read only here, because elsewhere a bracket may be the beginning of a texture's name.
         if (form != FaceForm::Points && !skip_texture_matrix()) return refuse(lexer_.peek(), "map.face_matrix");
         const Token texture = lexer_.take_texture();
         if (texture.kind == TokenKind::End) return refuse(texture, "map.face_texture");
@@ -486,8 +494,8 @@ private:
         return true;
     }
 
-    // "( a b c d )" of brushDef3: three points on the plane ax + by + cz + d = 0, in the order seen from the side where
-    // the sum is positive. Returns false if the normal has no direction.
+    // Turns "( a b c d )" of brushDef3 into three points on the plane ax + by + cz + d = 0. Their order is that seen
+    // from the side where the sum is positive. Returns false if the normal is zero.
     static bool points_of_plane(const std::array<double, 4>& plane, MapFace& face) {
         constexpr double kApart_units = 128.0;
         const Vec3 normal(plane[0], plane[1], plane[2]);

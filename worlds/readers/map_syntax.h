@@ -1,7 +1,7 @@
-// The grammar of .map files of the Quake family, without its meaning: entities with keys, brushes and curved patches.
-// Brush faces are three points, Standard or Valve 220 for each face, plain or within brushDef; or planes of brushDef3
-// (Doom 3). Accepts any bytes: reports damage and keeps what is complete. No recursion. Time and memory are
-// proportional to the file.
+// The grammar of .map files of the Quake family, without its meaning: entities with keys, brushes and curved patches. A
+// brush face is given by three points (in the Standard or the Valve 220 form, which may differ from face to face, plain
+// or within brushDef) or by a plane of brushDef3 (Doom 3). The parser accepts any bytes; it reports damage and keeps
+// what is complete. It uses no recursion. Time and memory are proportional to the size of the file.
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@
 
 namespace handrail::readers {
 
-// The string views point into the parsed bytes.
+// A key of an entity with its value. The string views point into the parsed bytes.
 struct MapKey {
-    std::string_view key, value;  // the text between the quotes, including backslashes
+    std::string_view key, value;  // the text between the quotes, with its backslashes
     TextPlace place;              // where the value is
 };
 
@@ -32,8 +32,8 @@ struct MapBrush {
     TextPlace place;
 };
 
-// A curved surface, patchDef2 or patchDef3: control points in map units. The split counts of patchDef3 are ignored; the
-// reader's own error bound decides.
+// A curved surface, patchDef2 or patchDef3, with control points in map units. The split counts of patchDef3 are
+// ignored, because the reader splits by its own error bound.
 struct MapPatch {
     PatchGrid grid_units;
     std::string_view texture;
@@ -41,28 +41,30 @@ struct MapPatch {
 };
 
 struct MapEntity {
-    std::vector<MapKey> keys;  // a key given twice is here once, with its last value
+    std::vector<MapKey> keys;  // each key occurs once; if the file repeats a key, the last value counts
     std::vector<MapBrush> brushes;
     std::vector<MapPatch> patches;
     TextPlace place;
 
     const MapKey* find(std::string_view key) const;
-    std::string_view value(std::string_view key) const;  // empty if the key is missing
+    std::string_view value(std::string_view key) const;  // returns an empty text if the key is missing
 };
 
 struct MapFile {
     std::vector<MapEntity> entities;
-    int brushes = 0;          // both complete and damaged ones
-    int brushes_damaged = 0;  // damaged ones, which are left out
-    int curves_damaged = 0;   // damaged patchDef2 and patchDef3, which are left out
-    int primitives = 0;       // other forms, which are left out
-    int version = 0;          // from its first line; from 2 on, coordinates are relative to the origin of their entity
+    int brushes = 0;          // number of brushes, complete and damaged
+    int brushes_damaged = 0;  // number of damaged brushes, which are left out
+    int curves_damaged = 0;   // number of damaged patches (patchDef2 and patchDef3), which are left out
+    int primitives = 0;       // number of shapes in other forms, which are left out
+    // Version of the format, from the first line of the file; from 2 on, coordinates are relative to the origin of
+    // their entity.
+    int version = 0;
 };
 
-// If stopped, it returns what it has read so far.
+// Parses a map. After a stop request it returns what it has read by then.
 MapFile parse_map(std::string_view bytes, Diagnostics& diagnostics, const std::stop_token& stop = {});
 
-// Decodes a quoted string: \" becomes ", everything else stays.
+// Decodes a quoted string: \" becomes ", everything else is unchanged.
 std::string unquoted(std::string_view raw);
 
 }  // namespace handrail::readers

@@ -26,7 +26,7 @@ constexpr std::array kClasses{
 };
 
 struct SoundRow {
-    std::string_view class_name, name;  // `name` is a text's key
+    std::string_view class_name, name;  // `name` is the key of a text
 };
 constexpr std::array kSounds{
     SoundRow{"ambient_comp_hum", "map.sound_computer_hum"},

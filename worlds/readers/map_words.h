@@ -1,5 +1,6 @@
-// The meaning of the words of a map: the classes of its entities, the sounds that they make, and the names of its
-// textures. Tables and pure functions. Names are those that files use; speech uses phrase("kind." + name). Any thread.
+// The meaning of the words in a map: the classes of its entities, the sounds that they make, and the names of its
+// textures. Tables and pure functions that any thread may use. The names are those that files use; for speech use
+// phrase("kind." + name).
 #pragma once
 
 #include <string_view>
@@ -9,24 +10,27 @@
 
 namespace handrail::readers {
 
-// What an entity of this class makes of its brushes. The first row that matches counts; a name that ends in * matches
-// as a prefix.
+// A row of the table of entity classes: what the brushes of an entity become. The first row that matches counts. A
+// class_name that ends in * matches as a prefix.
 struct ClassRow {
     std::string_view class_name;
     SolidRole role;
     FeatureKind kind;
-    std::string_view name;  // used if the map gives no name; empty: named by shape
+    std::string_view name;  // name of the feature if the map gives none; empty: the feature is named after its shape
 };
-const ClassRow* class_row(std::string_view class_name);  // null: an ordinary thing
+// Returns null for a class without a row, whose entities are ordinary things.
+const ClassRow* class_row(std::string_view class_name);
 
-// Gives the feature one of our own names, for when the map gives none.
+// Gives the feature one of our own names. Use it if the map gives no name.
 void give_name(Feature& feature, std::string_view name);
 
-// True for parts of the building itself: their brushes are joined, and named by side unless the entity has a name.
+// True for classes that are part of the building itself. Their brushes are joined, and named by side unless the entity
+// has a name.
 bool is_structure(std::string_view class_name);
-// Fire, fountains and the like: other programs show them; in Handrail they can only be heard.
+// True for classes of fire, fountains and similar effects. Other programs show them; in Handrail they can only be
+// heard.
 bool is_particles(std::string_view class_name);
-// The key of the text that names the sound of such an entity; empty if the class has no sound.
+// Returns the key of the text that names the sound of such an entity. Empty if the class has no sound.
 std::string_view sound_of_class(std::string_view class_name);
 
 // What a texture says about the brush that it covers.

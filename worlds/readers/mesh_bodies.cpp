@@ -10,14 +10,17 @@ namespace {
 
 constexpr double kBarelyIn_m = 1e-4;
 constexpr std::size_t kMostBodySolids = 20'000;
-constexpr std::size_t kMostLooks = 50'000'000;       // triangles tested to find what is inside what
-constexpr std::size_t kMostFilling = 1'000'000'000;  // faces tested to fill bodies: some seconds
+// Greatest number of triangles tested to find which shells are inside which.
+constexpr std::size_t kMostLooks = 50'000'000;
+// Greatest number of faces tested to fill bodies, which takes some seconds.
+constexpr std::size_t kMostFilling = 1'000'000'000;
 
 struct ShellPlace {
     std::size_t piece = 0;
     MeshShell shell;
     bool is_body = false;
-    std::size_t hollow_of = 0;  // for an inward-facing shell: index of its body, or its own index if it has none
+    // For a shell that faces inwards: index of the shell of its body, or its own index if it has none.
+    std::size_t hollow_of = 0;
 };
 
 class BodySorter {
@@ -58,7 +61,7 @@ private:
                glm::all(glm::lessThanEqual(inner.max_m, reach.max_m));
     }
 
-    // True if a place is inside a shell. Always false once kMostLooks triangles have been tested.
+    // True if the place at_m is inside the shell `s`. Always false after kMostLooks triangles have been tested.
     bool around(std::size_t s, const Vec3& at_m) {
         const ShellPlace& place = shells_[s];
         looks_ += place.shell.triangles.size();
@@ -71,7 +74,7 @@ private:
         return mesh.points_m[mesh.triangles[shells_[s].shell.triangles.front()][0]];
     }
 
-    // Each closed shell that faces inwards belongs to the smallest shell of its mesh that surrounds it.
+    // Assigns each closed shell that faces inwards to the smallest shell of its mesh that surrounds it.
     void find_hollows(const BoxIndex& index) {
         hollows_.resize(shells_.size());
         for (std::size_t s = 0; s < shells_.size() && !stop_.stop_requested(); ++s) {
@@ -89,7 +92,8 @@ private:
         }
     }
 
-    // True if the shell contains the middle of the box of another shell whose box is within this one's.
+    // True if the shell contains another shell: the box of the other is within its box, and the middle of that box is
+    // inside the shell.
     bool holds_others(std::size_t s, const BoxIndex& index) {
         index.find(boxes_[s], near_);
         const std::vector<std::uint32_t> near = near_;
@@ -106,7 +110,7 @@ private:
         return false;
     }
 
-    // Adds a body; returns false if the shell turns out not to be one.
+    // Adds the shell as a body. Returns false if the shell turns out not to be a body.
     bool add_body(std::size_t s, std::size_t& solids, MeshBodies& made) {
         const ShellPlace& place = shells_[s];
         const MeshPiece& mesh = meshes_[place.piece];
@@ -119,18 +123,19 @@ private:
         limits.most_solids = std::min(limits.most_solids, kMostBodySolids - std::min(solids, kMostBodySolids));
         if (auto filled = solids_within(mesh.points_m, mesh.triangles, body.triangles, limits, stop_))
             body.solids = std::move(*filled);
-        // A single convex shell may be a room to stand in, so it is no body.
+        // If the mesh is a single convex shell, it may be a room to stand in, so it is not a body.
         const bool alone = shells_.size() == 1;
         if (alone && (body.solids.size() == 1 || (body.solids.empty() && goes_out_all_round(s)))) return false;
         const Vec3 size = boxes_[s].size_m();
-        if (std::min({size.x, size.y, size.z}) < kBarelyIn_m) return false;  // a sheet given twice, once for each side
+        // A sheet that the file gives twice, once for each side.
+        if (std::min({size.x, size.y, size.z}) < kBarelyIn_m) return false;
         solids += body.solids.size();
         made.bodies.push_back(std::move(body));
         return true;
     }
 
-    // True if all corners are behind all faces, that is, the shell is convex. For shells too fine to be filled, so only
-    // up to 1000 faces are tested.
+    // True if the shell is convex, that is, if all corners are behind all faces. It is used for shells that are too
+    // finely made to be filled. Tests at most 1000 faces.
     bool goes_out_all_round(std::size_t s) const {
         const MeshPiece& mesh = meshes_[shells_[s].piece];
         const std::vector<std::uint32_t>& all = shells_[s].shell.triangles;

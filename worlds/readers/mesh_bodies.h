@@ -1,5 +1,6 @@
-// Finds the closed pieces of meshes that are solid bodies. A body is filled with convex solids; if it is too finely
-// made for that, only its outer surface can be touched. The remaining triangles are sheets. One reading thread.
+// Finds the closed pieces of meshes that are solid bodies. A body is filled with convex solids. If it is too finely
+// made for that, only its outer surface can be touched. The remaining triangles are sheets. Used on the reading thread
+// only.
 #pragma once
 
 #include <span>
@@ -16,10 +17,10 @@ struct MeshPiece {
 };
 
 struct MeshBody {
-    std::size_t piece = 0;                 // index of its mesh
-    std::vector<std::uint32_t> triangles;  // its triangles, including those of its hollows
+    std::size_t piece = 0;                 // index of the mesh that the body is in
+    std::vector<std::uint32_t> triangles;  // triangles of the body, including those of its hollows
     Aabb box;
-    std::vector<ConvexSolid> solids;  // empty: only its outer surface can be touched
+    std::vector<ConvexSolid> solids;  // the solids that fill the body; empty: only its outer surface can be touched
 };
 
 struct MeshBodies {
@@ -27,10 +28,10 @@ struct MeshBodies {
     std::vector<std::vector<std::uint32_t>> rest;  // for each mesh, the triangles that belong to no body
 };
 
-// A closed piece that faces outwards is a body, together with the closed pieces inside it that face inwards. It is no
-// body if it contains others, as the shell of a room does. It is no body either if it is convex and alone, because a
-// person may stand in it. Fills at most 20,000 solids in all, for some seconds; for further bodies only the outer
-// surface can be touched.
+// Finds the bodies. A closed piece that faces outwards is a body, together with the closed pieces inside it that face
+// inwards. There are two exceptions. A piece that contains other pieces is no body, because it may be the shell of a
+// room. A piece that is convex and the only one is no body either, because a person may stand in it. Fills bodies with
+// at most 20,000 solids in all, which takes some seconds. Of further bodies only the outer surface can be touched.
 MeshBodies mesh_bodies(std::span<const MeshPiece> meshes, const std::stop_token& stop = {});
 
 }  // namespace handrail::readers

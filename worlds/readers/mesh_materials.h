@@ -1,4 +1,5 @@
-// Finds the material of the library for a material name of a mesh; shared by the readers of meshes. Pure; any thread.
+// Finds the library material for the name of a material in a mesh file. The readers of meshes share it. Pure functions;
+// any thread may call them.
 #pragma once
 
 #include <optional>
@@ -8,7 +9,7 @@
 
 namespace handrail::readers {
 
-// Finds it by the exact name or, if `guess` is true, by words within the name. Empty if neither fits.
+// Finds the material by its exact name or, if `guess` is true, by words within the name. Empty if neither matches.
 std::optional<Material> mesh_material(const std::string& name, bool guess);
 
 }  // namespace handrail::readers

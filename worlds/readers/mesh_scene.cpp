@@ -17,14 +17,14 @@
 namespace handrail::readers {
 namespace {
 
-constexpr double kSurfaceUnit_m = 1.0 / 32.0;  // as in derive_surfaces for maps
-constexpr std::size_t kMostShells = 1000;      // examined, in the file's order
+constexpr double kSurfaceUnit_m = 1.0 / 32.0;  // unit for derive_surfaces, the same as for maps
+constexpr std::size_t kMostShells = 1000;      // greatest number of shells that are examined, in the file's order
 
-// A body, or the rest of a mesh.
+// A body, or the triangles of a mesh that belong to no body.
 struct Piece {
     Aabb box;
     std::size_t part = 0;
-    std::size_t first_solid = 0, solids = 0;  // this piece's solids among the scene's
+    std::size_t first_solid = 0, solids = 0;  // the position and number of this piece's solids in the scene's list
 };
 
 class MeshSceneBuilder {
@@ -75,7 +75,7 @@ private:
             });
             file_.faces_left_out += static_cast<int>(damaged);
             for (Vec3& p : part.points_m)
-                if (!is_finite(p)) p = Vec3(0.0);  // no triangle uses this point any more
+                if (!is_finite(p)) p = Vec3(0.0);  // no triangle uses this point any more, so its value has no effect
         }
         std::erase_if(file_.parts, [](const MeshPart& part) { return part.triangles.empty(); });
     }
@@ -127,12 +127,12 @@ private:
     bool is_free(const Aabb& body, std::size_t shell) const {
         for (std::size_t i = 0; i < pieces_.size(); ++i)
             if (i != shell && overlap(pieces_[i].box, body)) return false;
-        // The shell itself may have walls.
+        // The solids of the shell itself may be its walls.
         const auto solids = std::span(scene_.solids).subspan(pieces_[shell].first_solid, pieces_[shell].solids);
         return std::none_of(solids.begin(), solids.end(), [&](const Solid& solid) { return meets(solid, body); });
     }
 
-    // Heights at which a person may stand in a shell: on its bottom, and on the solids in it.
+    // Returns the heights at which a person may stand in a shell: on its bottom, and on the solids in it.
     std::vector<double> floors_of(const Piece& shell, double highest_m) const {
         constexpr std::size_t kMostFloors = 8;
         std::vector<double> floors{shell.box.min_m.z};
@@ -146,11 +146,11 @@ private:
         return floors;
     }
 
-    // Mesh formats have no start. So the start is in the shell that contains most others: on its floor, at the free
-    // place nearest to its middle.
+    // Chooses the start, because mesh formats state none. It is in the shell that contains the most other pieces, on
+    // its floor, at the free place nearest to its middle.
     void start_within() {
         constexpr Vec3 kBody_m{0.6, 0.6, 1.9};
-        constexpr int kPlaces = 21;  // in each direction
+        constexpr int kPlaces = 21;  // number of places tried in each direction
         std::size_t shell = pieces_.size(), most = 0;
         for (std::size_t i = 0; i < std::min(pieces_.size(), kMostShells); ++i) {
             const Aabb& outer = pieces_[i].box;
@@ -160,7 +160,7 @@ private:
                 static_cast<std::size_t>(std::count_if(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
                     return glm::all(glm::greaterThanEqual(piece.box.min_m, outer.min_m)) &&
                            glm::all(glm::lessThanEqual(piece.box.max_m, outer.max_m));
-                }));  // counts the shell itself, too
+                }));  // the count includes the shell itself
             if (held > std::max<std::size_t>(most, 1)) shell = i, most = held;
         }
         if (shell == pieces_.size()) return;
@@ -183,13 +183,13 @@ private:
         if (best) start_at(*best, pieces_[shell]);
     }
 
-    // If no shell contains others, as in a building made of slabs, the start is on the widest slab with room for a body
-    // above it. Slabs under a roof are preferred if there are any, and of two equal slabs the lower one. It is the free
-    // place nearest to the slab's middle. Otherwise the person would start next to the mesh and fall.
+    // Chooses the start if no shell contains other pieces, as in a building made of slabs. Without it, the person would
+    // start next to the mesh and fall. The start is on the widest slab that has room for a person above it, at the free
+    // place nearest to the slab's middle. Slabs under a roof are preferred; of two equal slabs, the lower one is used.
     void start_upon() {
         constexpr Vec3 kBody_m{0.6, 0.6, 1.9};
         constexpr std::size_t kTried = 12;
-        constexpr int kPlaces = 21;  // in each direction
+        constexpr int kPlaces = 21;  // number of places tried in each direction
         std::vector<std::size_t> widest;
         for (std::size_t i = 0; i < std::min(pieces_.size(), kMostShells); ++i)
             if (const Vec3 size = pieces_[i].box.size_m(); pieces_[i].solids > 0 && std::min(size.x, size.y) >= 1.2)
@@ -223,7 +223,7 @@ private:
         }
     }
 
-    // True if something wide is above the place, at the height of a ceiling.
+    // True if something wide is above the place at the height of a ceiling.
     bool is_covered(const Vec3& feet_m) const {
         constexpr double kLow_m = 1.9, kHigh_m = 8.0;
         return std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
@@ -276,7 +276,7 @@ private:
     void write_report() {
         ReadReport& report = scene_.report;
         report.polygons_kept = report.polygons;
-        report.polygons_hidden = 0;  // the hidden faces are cuts through the inside, not faces of the file
+        report.polygons_hidden = 0;  // the hidden faces are cuts through the inside of bodies, not faces of the file
         report.triangles = static_cast<int>(scene_.triangles.size());
         if (filled_ > 0)
             report.guessed.push_back(phrase("mesh.solids", {{"solids", filled_}, {"all", pieces_.size()}}));
@@ -294,7 +294,8 @@ private:
     Scene scene_;
     std::vector<std::vector<FaceLook>> looks_;
     std::vector<Piece> pieces_;
-    std::size_t filled_ = 0, outsides_ = 0;  // bodies filled with solids, and bodies with only an outer surface
+    // Number of bodies filled with solids, and of bodies with only an outer surface.
+    std::size_t filled_ = 0, outsides_ = 0;
     std::map<std::uint32_t, FeatureId> things_;
     std::map<std::string, MaterialId> materials_;
 };

@@ -1,5 +1,5 @@
-// Turns named triangle meshes into a Scene; shared by glTF, PLY and STL. A closed mesh is solid (mesh_bodies decides
-// which); everything else is sheets that can be touched from both sides.
+// Turns named triangle meshes into a Scene. The readers of glTF, PLY and STL share it. A closed mesh is solid
+// (mesh_bodies decides which). Everything else becomes sheets that can be touched from both sides.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ struct MeshFile {
     int parts_left_out = 0, faces_left_out = 0;
 };
 
-// Triangles with a missing point, or one out of range, are left out and counted. Fails if no triangle is left.
+// Makes the scene. Triangles with a missing or illegal point are left out and counted. Fails if no triangle is left.
 Result<Scene> scene_of_meshes(MeshFile file, Diagnostics diagnostics, const std::string& file_name,
                               const ReadOptions& options);
 

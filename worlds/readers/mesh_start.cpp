@@ -13,20 +13,20 @@
 namespace handrail::readers {
 namespace {
 
-constexpr double kHalf_m = 0.3, kTall_m = 1.9;  // half width and height of a body
-constexpr double kKnee_m = 0.25;                // a person steps over things lower than this
+constexpr double kHalf_m = 0.3, kTall_m = 1.9;  // half the width of a person, and the height of a person
+constexpr double kKnee_m = 0.25;                // a person can step over obstacles lower than this
 constexpr double kAside_m = 0.6, kSameFloor_m = 0.25;
-constexpr double kRoof_m = 8.0;         // height of the highest ceilings
-constexpr double kLevel = 0.7;          // least upward part of a floor's normal
-constexpr double kFloorsAlike_m = 1.0;  // floors with a smaller height difference count as one storey
-constexpr int kPlaces = 21;             // in each direction
+constexpr double kRoof_m = 8.0;         // height of the highest ceiling
+constexpr double kLevel = 0.7;          // least upward component of a floor's normal
+constexpr double kFloorsAlike_m = 1.0;  // floors whose heights differ by less than this count as one storey
+constexpr int kPlaces = 21;             // number of places tried in each direction
 constexpr std::size_t kMostFloors = 16;
 
 class Columns {
 public:
     explicit Columns(const Scene& scene) : scene_(scene), index_(boxes_of(scene)) {}
 
-    // A height at which something crosses the vertical line, and whether a person could stand on it.
+    // A height at which a surface crosses the vertical line, and whether a person could stand on that surface.
     struct Crossing {
         double z_m = 0.0;
         bool floor = false;
@@ -42,7 +42,7 @@ public:
                   [](const Crossing& a, const Crossing& b) { return a.z_m < b.z_m; });
         return crossings_;
     }
-    // True if nothing blocks a body there above its knees.
+    // True if nothing blocks a person at this place above the knees.
     bool is_free(const Vec3& feet_m) {
         const Aabb body{feet_m + Vec3(-kHalf_m, -kHalf_m, kKnee_m), feet_m + Vec3(kHalf_m, kHalf_m, kTall_m)};
         index_.find(body, near_);
@@ -133,7 +133,8 @@ std::optional<Vec3> place_to_stand(const Scene& scene, const std::stop_token& st
     const Vec3 middle = scene.bounds_m.centre_m(), size = scene.bounds_m.size_m();
     if (std::min(size.x, size.y) < 2.0 * kAside_m) return std::nullopt;
     Columns columns(scene);
-    // Sorted best first: under a roof, then on the lower storey, then nearer to the middle.
+    // A place to stand. Places are sorted with the best first: under a roof, then on the lower storey, then nearer to
+    // the middle.
     struct Place {
         Vec3 feet_m{0.0};
         bool open = false;
@@ -143,7 +144,7 @@ std::optional<Vec3> place_to_stand(const Scene& scene, const std::stop_token& st
     for (int y = 0; y < kPlaces; ++y)
         for (int x = 0; x < kPlaces; ++x) {
             if (stop.stop_requested()) return std::nullopt;
-            // The offsets avoid the edges of a regular mesh.
+            // The offsets keep the lines away from the edges of a regular mesh.
             const Vec2 p{scene.bounds_m.min_m.x + size.x * (x + 0.503) / kPlaces,
                          scene.bounds_m.min_m.y + size.y * (y + 0.497) / kPlaces};
             const std::vector<Columns::Crossing>& crossings = columns.at(p);

@@ -1,6 +1,6 @@
-// Reads Wavefront .obj meshes. Closed things are solid (mesh_bodies). Others are triangles as sheets: two-sided, unless
-// a comment "#touch_side front" or "back" says otherwise for the faces below it. Damage is reported by line and the
-// rest loads.
+// Reads Wavefront .obj meshes. Closed objects are solid (see mesh_bodies). All others become sheets of triangles.
+// Sheets are two-sided, unless a comment "#touch_side front" or "back" changes that for the faces below it. Damage is
+// reported by line, and the rest of the file loads.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -21,21 +21,22 @@
 namespace handrail::readers {
 namespace {
 
-constexpr double kObjSurfaceUnit_m = 1.0 / 32.0;  // as in derive_surfaces for maps
-constexpr std::size_t kMostCorners = 4096;  // most corners of a polygon; splitting a larger one would take minutes
+constexpr double kObjSurfaceUnit_m = 1.0 / 32.0;  // unit for derive_surfaces, the same as for maps
+// Greatest number of corners of a polygon; splitting a larger one would take minutes.
+constexpr std::size_t kMostCorners = 4096;
 
 double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Cuts a polygon into triangles of corner numbers, one ear at a time, so that concave polygons come out right. If no
-// ears are left (twisted or without area), the rest is cut as a fan. Always gives corners - 2 triangles. O(corners
-// squared) for convex polygons.
+// Cuts a polygon into triangles of corner numbers, one ear at a time, so that concave polygons are cut correctly. If no
+// ears are left (in a twisted polygon or one without area), the rest is cut as a fan. The result always has (corners -
+// 2) triangles. Cost: O(corners squared) for convex polygons.
 std::vector<std::array<std::size_t, 3>> triangles_of(const std::vector<Vec3>& corners_m, const std::stop_token& stop) {
     Vec3 normal{0.0};
     for (std::size_t i = 1; i + 1 < corners_m.size(); ++i)
         normal += glm::cross(corners_m[i] - corners_m[0], corners_m[i + 1] - corners_m[0]);
-    // Projects along the axis nearest to the normal, seen from the side where the corners run counter-clockwise.
+    // Projects along the axis nearest to the normal. The view is from the side where the corners run counter-clockwise.
     const Vec3 size = glm::abs(normal);
     const int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
     std::vector<Vec2> flat;
@@ -56,7 +57,7 @@ std::vector<std::array<std::size_t, 3>> triangles_of(const std::vector<Vec3>& co
         });
     };
     while (ring.size() > 3 && !stop.stop_requested()) {
-        std::size_t ear = 1;  // if there is no ear: the next corner, which makes a fan
+        std::size_t ear = 1;  // if there is no ear, the next corner is cut off, which makes a fan
         for (std::size_t at = 0; at < ring.size() && !stop.stop_requested(); ++at) {
             if (!is_ear(at)) continue;
             ear = at;
@@ -80,7 +81,7 @@ public:
         scene_.metres_per_unit = options.obj_metres_per_unit;
     }
 
-    // Reads the file's y axis as up. `how`: a sentence that says how this is known.
+    // Reads the file's y axis as up. `how` is a sentence that says why.
     void stand_y_up(std::string how) {
         y_up_ = true;
         scene_.report.guessed.push_back(std::move(how));
@@ -98,7 +99,7 @@ public:
         if (options_.stop.stop_requested()) return fail(phrase("files.stopped"), scene_.source_file);
         ReadReport& report = scene_.report;
         report.polygons_kept = report.polygons;
-        report.polygons_hidden = 0;  // the hidden faces are cuts through the inside, not faces of the file
+        report.polygons_hidden = 0;  // the hidden faces are cuts through the inside of bodies, not faces of the file
         report.triangles = static_cast<int>(scene_.triangles.size());
         if (curves_ > 0) report.left_out.push_back(phrase("obj.curves_left_out", {{"n", curves_}}));
         if (faces_left_out_ > 0) report.left_out.push_back(phrase("obj.faces_left_out", {{"n", faces_left_out_}}));
@@ -135,7 +136,7 @@ private:
         return true;
     }
 
-    // Reads "#touch_side", which is a comment so that other programs ignore it.
+    // Reads "#touch_side". It is written as a comment so that other programs ignore it.
     void read_side(std::string_view word) {
         if (const std::optional<TouchSide> side = touch_side_named(word)) side_ = *side;
         else
@@ -174,7 +175,8 @@ private:
         else if (what == "l" || what == "p" || what == "curv" || what == "surf") ++curves_;
         else if (what != "vt" && what != "vn" && what != "vp" && what != "s" && what != "mtllib" &&
                  !complained_unknown_) {
-            complained_unknown_ = true;  // reported once only: a file of another kind would give thousands
+            // Reported only once, because a file in another format would give thousands of such warnings.
+            complained_unknown_ = true;
             diagnostics_.warn(place(0), "map.then_passed_over", "obj.no_statement", {{"word", excerpt(what)}});
         }
     }
@@ -203,7 +205,7 @@ private:
         vertices_.push_back(vertex);
     }
 
-    // The point that a corner "7", "7/1/3" or "-1" refers to; faults are reported.
+    // Returns the point that a corner such as "7", "7/1/3" or "-1" refers to; reports faults.
     const Vec3* corner(const Word& word) {
         long long number = 0;
         const std::string_view text = word.text.substr(0, word.text.find('/'));
@@ -285,7 +287,7 @@ private:
         }
     }
 
-    // Makes things solid whose faces are all two-sided and form a closed surface.
+    // Makes an object solid if all of its faces are two-sided and form a closed surface.
     void fill_closed() {
         struct Thing {
             std::vector<Vec3> points_m;
@@ -330,8 +332,8 @@ private:
         if (outsides > 0) scene_.report.simplified.push_back(phrase("mesh.outsides", {{"n", outsides}}));
     }
 
-    // Each face takes the material of the mesh surface at the face's middle. A face that is only a cut takes the first
-    // triangle's material.
+    // Adds a solid of a body. Each face takes the material of the mesh surface at the middle of the face. A face that
+    // is only a cut through the body takes the material of the first triangle.
     void add_solid(ConvexSolid shape, const std::vector<std::size_t>& skin) {
         const MeshTriangle& first = scene_.triangles[skin.front()];
         const bool alike = std::all_of(skin.begin(), skin.end(),
@@ -386,19 +388,20 @@ private:
     std::vector<Word> words_;  // words of the current line
     std::vector<Vertex> vertices_;
     std::string name_;                        // name of the current object or group
-    MaterialId material_ = kDefaultMaterial;  // of the faces that follow
-    TouchSide side_ = TouchSide::Both;        // of the faces that follow
+    MaterialId material_ = kDefaultMaterial;  // material of the faces that follow
+    TouchSide side_ = TouchSide::Both;        // touchable side of the faces that follow
     std::map<std::string, FeatureId> features_;
     std::map<std::string, MaterialId> materials_;
     std::map<std::string, std::string> guessed_from_;
     std::map<std::pair<std::uint32_t, MaterialId>, double> areas_m2_;
-    std::vector<std::vector<FaceLook>> looks_;  // for each of the scene's solids
+    std::vector<std::vector<FaceLook>> looks_;  // looks of the faces, for each of the scene's solids
     int curves_ = 0, faces_left_out_ = 0;
     bool complained_unknown_ = false;
     bool y_up_ = false;
 };
 
-// Recognises Sweet Home 3D, which states its name in the file and always writes files in the same way.
+// True if Sweet Home 3D wrote the file. It states its name in the file, and its files always have the same axes and
+// unit.
 bool is_of_sweet_home(std::string_view bytes) {
     constexpr std::size_t kHead = 1024;
     const std::string_view head = bytes.substr(0, kHead);
@@ -408,7 +411,8 @@ bool is_of_sweet_home(std::string_view bytes) {
                std::string_view::npos;
 }
 
-// True if things called floor or ceiling are thin from south to north and none of them is thin upwards.
+// True if the mesh seems to have y up: the objects called floor or ceiling are thin from south to north, and none of
+// them is thin in height.
 bool lies_on_its_side(const Scene& scene) {
     constexpr std::array<std::string_view, 6> kFlatThings{"floor", "ceiling", "ground", "boden", "decke", "slab"};
     constexpr double kThin = 0.2;

@@ -1,5 +1,5 @@
-// Reads PLY, as text and in binary of both byte orders: points and faces without unit or names, z up. Other elements
-// and properties are ignored.
+// Reads PLY, as text and in binary of both byte orders: points and faces with z up, without unit or names. Other
+// elements and properties are ignored.
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -32,7 +32,7 @@ const PlyType* type_named(std::string_view name) {
 struct PlyProperty {
     std::string name;
     const PlyType* type = nullptr;
-    const PlyType* count = nullptr;  // for a list: the type of its count
+    const PlyType* count = nullptr;  // for a list: the type of the number that states its length
 };
 struct PlyElement {
     std::string name;
@@ -112,7 +112,7 @@ private:
         return {};
     }
 
-    // Reads one number; empty if the file ends or there is no number.
+    // Reads one number. Empty if the file ends or no number follows.
     std::optional<double> number(const PlyType& type) {
         if (form_ == Form::Words) {
             while (at_ < bytes_.size() && static_cast<unsigned char>(bytes_[at_]) <= ' ')
@@ -142,7 +142,8 @@ private:
 
     Result<void> read_element(const PlyElement& element, MeshPart& part, MeshFile& file) {
         const bool points = element.name == "vertex", faces = element.name == "face";
-        // Each element must occupy bytes of the file, so that a large count in the header cannot fill the memory.
+        // Each element must occupy at least one byte of the file, so that a large count in the header cannot fill the
+        // memory.
         if (element.properties.empty() && element.count > 0) return bad_head();
         for (std::size_t i = 0; i < element.count; ++i) {
             if ((i & 0xfff) == 0 && options_.stop.stop_requested()) return fail(phrase("files.stopped"), file_name_);

@@ -1,5 +1,5 @@
-// Turns the entities of a Quake-family .map into a Scene. map_meaning decides what each one means; here they become
-// solids, curves, sounds and places.
+// Turns the entities of a Quake-family .map into a Scene. map_meaning decides what each entity means; the code here
+// makes solids, curves, sounds and places of them.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -30,7 +30,7 @@
 namespace handrail::readers {
 namespace {
 
-constexpr double kOriginAboveSolesUnits = 24;  // height of a player's origin in these maps
+constexpr double kOriginAboveSolesUnits = 24;  // height of a player's origin above the soles in these maps
 constexpr NumberKey kCurveError{"curve_error", 0.01, 100.0, "map.range_millimetres"};
 constexpr NumberKey kVolume{"volume", 0.0, 1.0, "map.range"};
 
@@ -73,7 +73,8 @@ public:
     }
 
 private:
-    // A liquid, teleporter face or trigger brush of the building. Touching ones of the same kind are joined.
+    // A brush of the building that is a liquid, a teleporter face or a trigger. Touching volumes of the same kind are
+    // joined.
     struct Volume {
         std::size_t solid = 0;
         FeatureKind kind = FeatureKind::Liquid;
@@ -105,7 +106,7 @@ private:
         if (class_name.starts_with("info_player_")) read_start(entity, class_name, index);
         if (class_name.starts_with("func_door")) ++scene_.report.doors;
         note_name(movers_, entity);
-        // A place that a rubber string can be tied to.
+        // The entity is a place that a rubber string can be tied to.
         if (const MapKey* name = entity.find("targetname"); name && entity.find("origin"))
             if (const std::optional<Vec3> origin = keys_.vector_of(entity, "origin"))
                 bodies_.note_point(std::string(trimmed(name->value)), *origin * units_);
@@ -146,7 +147,7 @@ private:
             ++shapeless_things_;
     }
 
-    // Without a name in the map, the piece is named after its kind.
+    // Reads a piece of furniture. If the map gives it no name, it is named after its kind.
     void read_prefab(const MapEntity& entity, const std::string& class_name, int index) {
         const Prefab* prefab = prefab_of(entity, diagnostics_);
         const std::optional<Vec3> origin = prefab ? keys_.vector_of(entity, "origin") : std::nullopt;
@@ -156,7 +157,8 @@ private:
         else if (!entity.brushes.empty() || !entity.patches.empty()) read_brushes(entity, class_name, index);
     }
 
-    // For entities that are only places: the brushes are counted, but neither touched nor seen.
+    // Returns the brush's solid for entities that are only places. The brush is counted, but can be neither touched nor
+    // seen.
     BuiltSolid unseen(const MapBrush& brush) {
         BuiltSolid solid = brushes_.solid_of(brush, false);
         brushes_.count(solid);
@@ -180,7 +182,7 @@ private:
         if (entity.find("building")) stated_building_ = keys_.yes_no_of(entity, "building");
     }
 
-    // Radians clockwise from north, 0 to 2 pi.
+    // Returns the heading in radians clockwise from north, from 0 to 2 pi.
     double heading_of(const MapEntity& entity) {
         double angle_deg = 0.0;
         if (entity.find("angle"))
@@ -188,7 +190,8 @@ private:
         else if (const std::optional<Vec3> angles =
                      keys_.vector_of(entity, entity.find("angles") ? "angles" : "mangle"))
             angle_deg = angles->y;
-        if (angle_deg == -1.0 || angle_deg == -2.0) angle_deg = 0.0;  // -1 and -2 mean up and down
+        // -1 and -2 mean up and down, which are no headings.
+        if (angle_deg == -1.0 || angle_deg == -2.0) angle_deg = 0.0;
         const double heading = std::remainder(radians_from_degrees(90.0 - angle_deg), 2.0 * kPi);
         return heading < 0.0 ? heading + 2.0 * kPi : heading;
     }
@@ -209,14 +212,14 @@ private:
         scene_.starts.push_back(std::move(start));
     }
 
-    // A place that teleporters lead to: like a start, but nobody starts there.
+    // Reads a place that teleporters lead to. It is like a start, but no walk starts there.
     void read_destination(const MapEntity& entity) {
         if (const std::optional<Vec3> origin = keys_.vector_of(entity, "origin"))
             note_destination(movers_, entity, (*origin - Vec3{0.0, 0.0, kOriginAboveSolesUnits}) * units_,
                              heading_of(entity));
     }
 
-    // Reads a place in a room together with the room's name.
+    // Reads a place in a room and the name of that room.
     void read_room_name(const MapEntity& entity) {
         const std::optional<Vec3> origin = keys_.vector_of(entity, "origin");
         std::string name = text_of(entity, "name");
@@ -239,7 +242,7 @@ private:
     void read_sound(const MapEntity& entity, const std::string& class_name) {
         const bool ambient = class_name.starts_with("ambient_");
         std::string sound = text_of(entity, "sound");
-        // The editors of other games write the sound file under these keys.
+        // The editors of other games write the name of the sound file under these keys.
         if (sound.empty() && class_name == "ambient_generic") sound = text_of(entity, "message");
         if (sound.empty() && class_name == "target_speaker") sound = text_of(entity, "noise");
         if (!ambient && sound.empty() && !is_particles(class_name)) return;
@@ -270,8 +273,8 @@ private:
 
     // ---- brushes ----
 
-    // An exact shape in the box around all brushes of the entity. If sides that should be equal differ, the smallest
-    // counts, so that the shape stays in its box.
+    // Reads an exact shape in the box around all brushes of the entity. If sizes that should be equal differ, the
+    // smallest is used, so that the shape stays within the box.
     FeatureId read_exact(const MapEntity& entity, const MapMeaning& meaning, int index) {
         Aabb box;
         const MapBrush* first = nullptr;
@@ -332,13 +335,13 @@ private:
         return thing;
     }
 
-    // What a brush is according to its texture, in addition to the meaning of its entity.
+    // What a brush is because of its texture, in addition to the meaning of its entity.
     struct BrushSense {
         SolidRole role = SolidRole::Solid;
         FeatureKind kind = FeatureKind::Liquid;  // kind of the volume
         std::string_view volume;                 // name of the volume; empty: no volume
     };
-    // Empty for brushes that only editors need and nobody can touch.
+    // Returns what the brush is. Empty for brushes that only editors need and nobody can touch.
     std::optional<BrushSense> sense_of(const MapBrush& brush, const MapMeaning& meaning) {
         if (meaning.role == SolidRole::Trigger || meaning.role == SolidRole::Illusion || meaning.liquid)
             return BrushSense{meaning.role, FeatureKind::Liquid, {}};
@@ -363,20 +366,20 @@ private:
         return BrushSense{meaning.role, FeatureKind::Liquid, {}};
     }
 
-    // What the brushes of an entity have become so far.
+    // What the brushes of an entity have become up to now.
     struct Made {
         FeatureId whole = kNoFeature;
         bool moves = false;
-        std::optional<Vec3> origin_units;  // the point that it turns about
+        std::optional<Vec3> origin_units;  // the point about which the entity turns
     };
 
-    // `called`: the name of its kind, used if the map gives no name.
+    // Reads the brushes of an entity. `called` is the name of the entity's kind, used if the map gives no name.
     void read_brushes(const MapEntity& entity, const std::string& class_name, int index, std::string_view called = {}) {
         MapMeaning meaning = meanings_.read(entity, class_name, index);
         if (!called.empty() && entity.value("name").empty()) give_name(meaning.feature, called);
         if (!called.empty()) meaning.structure = false;
         const TouchSide side = touch_side_of(entity);
-        // If a box was requested and there is one brush, it is kept, because it may be a rotated box.
+        // A single brush is kept if a box was requested, because it may be a rotated box.
         if (meaning.exact && !entity.brushes.empty() &&
             (*meaning.exact != PrimitiveKind::Box || entity.brushes.size() > 1)) {
             FeatureId thing = read_exact(entity, meaning, index);
@@ -400,7 +403,7 @@ private:
         Feature& feature = scene_.features[made.whole.value];
         const Vec3 size = feature.bounds_m.size_m();
         if (feature.kind == FeatureKind::Door && feature.name == "door" && size.z < 0.5 * std::min(size.x, size.y))
-            feature.name = "sliding floor";  // it is flat: a bridge or trapdoor
+            feature.name = "sliding floor";  // the mover is flat, so it is a bridge or trapdoor
     }
 
     void read_brush(const MapBrush& brush, const MapMeaning& meaning, int index, Made& made) {
@@ -443,8 +446,8 @@ private:
         scene_.solids.push_back(std::move(solid));
     }
 
-    // True for a brush that repeats an earlier one. It is left out: somebody who copied a brush twice by mistake feels
-    // only one anyway, and thousands at one place would cost time.
+    // True if the brush repeats an earlier one; it is then left out. An author who copied a brush twice by mistake
+    // feels only one anyway, and thousands at one place would cost time.
     bool repeats(const MapBrush& brush, const BuiltSolid& built, const BrushSense& sense, const MapMeaning& meaning,
                  int index) {
         if (sense.role != SolidRole::Solid || meaning.soft) return false;
@@ -456,7 +459,7 @@ private:
         return true;
     }
 
-    // The feature for all brushes of an entity; without a name it is named after the volume.
+    // Returns the feature for all brushes of an entity. Without a name in the map, it is named after the volume.
     FeatureId part_of_whole(Made& made, const MapMeaning& meaning, const Aabb& bounds_m, const BrushSense& sense) {
         if (!made.whole) made.whole = add_feature(meaning.feature);
         Feature& feature = scene_.features[made.whole.value];
@@ -481,8 +484,8 @@ private:
 
     // ---- curved patches ----
 
-    // The side from which an entity's patches can be touched. Brushes have an inside, so the key does not apply to
-    // them.
+    // Returns the side from which an entity's patches can be touched. The key does not apply to brushes, because they
+    // have an inside.
     TouchSide touch_side_of(const MapEntity& entity) {
         const MapKey* key = entity.find("touch_side");
         if (!key) return TouchSide::Both;
@@ -495,7 +498,8 @@ private:
         return TouchSide::Both;
     }
 
-    // Notes a patch of an entity. `whole` is the entity's feature; if the entity has only patches, it is made here.
+    // Notes a patch of an entity. `whole` is the entity's feature; if the entity has only patches, the feature is made
+    // here.
     void read_patch(const MapPatch& patch, const MapMeaning& meaning, int index, FeatureId& whole, TouchSide side) {
         const TextureFacts& facts = brushes_.facts_of(patch.texture);
         if ((meaning.role != SolidRole::Solid && meaning.role != SolidRole::Mover) ||
@@ -533,7 +537,7 @@ private:
 
     // ---- whole scene ----
 
-    // Joins touching volume brushes of one kind, so that they are one pool.
+    // Joins touching volume brushes of the same kind into one volume, for example one pool.
     void join_volumes() {
         std::vector<Aabb> boxes;
         for (const Volume& volume : volumes_)
@@ -597,7 +601,7 @@ private:
     MapMeanings meanings_{units_, diagnostics_, keys_, surfaces_};
     MapCurves curves_;
     MapLooks looks_of_{options_.guess_materials};
-    std::vector<std::vector<FaceLook>> looks_;  // for each solid
+    std::vector<std::vector<FaceLook>> looks_;  // looks of the faces, for each solid
     std::vector<Volume> volumes_;
     std::vector<ReadEffect> effects_;
     ReadMovers movers_;

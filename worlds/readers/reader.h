@@ -1,5 +1,5 @@
-// Turns a file into a Scene. Readers accept any bytes and never crash, hang or silently lose content: each loss is a
-// Diagnostic. App or worker thread.
+// Turns a file into a Scene. Readers accept any bytes. They never crash, hang or lose content silently: each loss is
+// reported as a Diagnostic. Used on the app thread or on a worker thread.
 #pragma once
 
 #include <filesystem>
@@ -17,25 +17,29 @@ namespace handrail::readers {
 struct ReadOptions {
     double map_metres_per_unit = 1.0 / 32.0;  // for .map files (Quake: 1/32)
     double obj_metres_per_unit = 1.0;         // for .obj, .ply and .stl files
-    // The person stated the unit, so read_world does not ask whether a very wide or narrow world is intended.
+    // The person stated the unit. So read_world does not warn about a very wide or narrow world.
     bool unit_is_known = false;
-    bool guess_materials = true;  // from texture names; true for exploring, false for replay
-    bool solid_meshes = true;     // closed things of an .obj are solid; true for exploring, false for replay
-    std::string building;  // which building of a file with several, by name or number; empty: the one with most rooms
-    // Reads another file of the world, such as a height picture, by its name relative to the world's own. Empty: no
-    // other files can be read.
+    bool guess_materials = true;  // guess materials from texture names; true for exploring, false for replay
+    bool solid_meshes = true;     // make closed objects of an .obj solid; true for exploring, false for replay
+    // Name or number of the building to read, if the file has several; empty: the one with the most rooms.
+    std::string building;
+    // Reads another file of the world, such as a height picture. `name` is relative to the world's own file. If empty,
+    // no other files can be read.
     std::function<Result<std::string>(const std::string& name)> read_beside;
-    std::function<void(double fraction)> progress;  // 0 to 1, called on the reading thread; may be empty
-    // Receives the current stage as a text's key ("import.shapes"); may be empty.
+    // Called on the reading thread with the progress from 0 to 1; may be empty.
+    std::function<void(double fraction)> progress;
+    // Called with the current stage, as the key of a text ("import.shapes"); may be empty.
     std::function<void(std::string_view stage)> stage;
-    // Checked many times a second, whatever the file contains; reading then fails, and its sentence is not used.
+    // Readers check it many times a second, whatever the file contains. After a stop request, reading fails; ignore the
+    // sentence of that failure.
     std::stop_token stop;
 };
 
-// One file format: which files it accepts and how it reads them. A row of the reader table; new formats are added here.
+// One file format: which files it accepts and how they are read. This is a row of the table of readers; new formats are
+// added there.
 struct MapReader {
-    std::string_view name;  // as in `info --json`: "map"
-    // Decides by the ending and the first bytes.
+    std::string_view name;  // name of the format, as in `info --json`: "map"
+    // Decides by the ending of the file name and the first bytes.
     bool (*accepts)(const std::filesystem::path& path, std::string_view bytes);
     Result<Scene> (*read)(std::string_view bytes, const std::string& file_name, const ReadOptions& options);
 };
@@ -87,48 +91,49 @@ struct MapReader {
 // of a game are wad or worldtype on worldspawn, lights, items, monsters, weapons, ambients and deathmatch starts.
 // A start's origin is 24 units above the soles. The base is info_player_start, else the first start.
 Result<Scene> read_quake_map(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
-// Reads Wavefront .obj: z up, in metres unless the options say otherwise. `o` and `g` name features, `usemtl`
-// materials. Closed things are solid, as below; everything else becomes Scene::triangles.
+// Reads Wavefront .obj: z up, in metres unless the options state another unit. `o` and `g` name features, `usemtl`
+// names materials. Closed meshes are solid, as described below for glTF; everything else becomes Scene::triangles.
 Result<Scene> read_obj(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 
-// Reads glTF 2.0 as .glb or .gltf (with its .bin next to it): in metres, y up, turned to z up; nodes are things with
-// their names.
-// PLY and STL have one thing, or one for each solid of a text STL: z up, in metres unless the options say otherwise. A
-// closed mesh of any form is solid, unless it contains others, or is convex and alone. The rest are sheets.
+// Read meshes. read_gltf reads glTF 2.0 as .glb or .gltf (with its .bin next to it). It is in metres with y up and is
+// turned to z up; its nodes become things with their names. PLY and STL files give one thing, or one for each solid of
+// a text STL; they have z up and are in metres unless the options state another unit. In all these formats a closed
+// mesh is solid, unless it contains other meshes, or is convex and the only one. All other meshes become sheets.
 Result<Scene> read_gltf(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 Result<Scene> read_ply(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 Result<Scene> read_stl(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 
-// IFC in any unit that the file states: a building with the file's rooms and doors (worlds/ifc).
+// Reads IFC in the unit that the file states: a building with the rooms and doors of the file (worlds/ifc).
 Result<Scene> read_ifc(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
-// The same in a ZIP archive with one model (.ifczip, or an archive whose first file is an .ifc).
+// Reads IFC in a ZIP archive with one model (.ifczip, or an archive whose first file is an .ifc).
 Result<Scene> read_ifczip(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 bool is_ifczip(const std::filesystem::path& path, std::string_view bytes);
 
-// OpenStreetMap, as .osm, .osm.bz2 or .osm.pbf: a building drawn with Simple Indoor Tagging, or the streets and paths
-// of an area (worlds/osm).
+// Reads OpenStreetMap as .osm, .osm.bz2 or .osm.pbf: a building drawn with Simple Indoor Tagging, or the streets and
+// paths of an area (worlds/osm).
 Result<Scene> read_osm(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 
-// IMDF, a .zip of GeoJSON: levels, units as rooms, openings as doors (worlds/imdf).
+// Reads IMDF, a .zip of GeoJSON files: levels, units as rooms, openings as doors (worlds/imdf).
 Result<Scene> read_imdf(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 
-// .rooms, a text that describes rooms in English or German (worlds/words).
+// Reads .rooms, a text that describes rooms in English or German (worlds/words).
 Result<Scene> read_words(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 
 // Reads any file that one of the readers accepts. Fails with one sentence that can be spoken if the file is missing,
-// unreadable, of a format that we do not read, or without usable content. A known format is named, with what to do
-// instead. If neither file nor options state the unit, and the world would be over 2 km or under 2 m wide, or a mesh
-// over 100 m high, the first warning says so. It also says how wide the world would be in millimetres, inches and feet.
+// unreadable, in a format that no reader reads, or without usable content. For a known format, the sentence names it
+// and says what to do instead. Some files state no unit, and the options may state none either. If such a world would
+// be over 2 km or under 2 m wide, or a mesh over 100 m high, the first warning says so. It also says how wide the world
+// would be in millimetres, inches and feet.
 Result<Scene> read_world(const std::filesystem::path& path, const ReadOptions& options = {});
 
-// The same for bytes that were read already; only the name of `path` is used. If options.read_beside is empty, the
-// files next to it are still read.
+// Like read_world, for bytes that were read already; only the name of `path` is used. If options.read_beside is empty,
+// other files of the world are read from the folder of `path`.
 Result<Scene> read_world_bytes(const std::filesystem::path& path, std::string_view bytes, const ReadOptions& options);
 
 inline constexpr std::size_t kLargestWorld_bytes = std::size_t{1} << 30;
 inline constexpr std::size_t kLargestNeighbour_bytes = std::size_t{1} << 27;
 
-// Opens a file that belongs to a world, by its name relative to the world's own. Only files in the world's folder or
+// Opens a file that belongs to a world. `name` is relative to the world's own file. Only files in the world's folder or
 // below it are allowed. Links are refused, because they could lead anywhere.
 Result<OpenFile> open_file_beside(const std::filesystem::path& world, const std::string& name);
 Result<std::string> read_file_beside(const std::filesystem::path& world, const std::string& name,

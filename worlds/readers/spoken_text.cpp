@@ -8,7 +8,7 @@
 namespace handrail::readers {
 namespace {
 
-constexpr std::size_t kMostBytes = 1000;  // about one minute of speech
+constexpr std::size_t kMostBytes = 1000;  // greatest length of a text, about one minute of speech
 
 void add_latin1(std::string& text, unsigned char c) {
     if (c < 0x80) {

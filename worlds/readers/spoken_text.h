@@ -1,4 +1,4 @@
-// Turns text found in files into text that can be spoken. Pure functions.
+// Turns text found in files into text that can be spoken. Pure functions; any thread may call them.
 #pragma once
 
 #include <string>
@@ -6,11 +6,12 @@
 
 namespace handrail::readers {
 
-// Converts bytes that are UTF-8, or else Latin-1, to UTF-8. The two characters
-//  and control characters become pauses; blanks are joined; at most 1,000 bytes.
+// Converts bytes to UTF-8; bytes that are not UTF-8 are read as Latin-1. A backslash followed by "n", and control
+// characters, become pauses. Blanks are joined. The result has at most 1,000 bytes.
 std::string spoken_text(std::string_view raw);
 
-// Turns a file's or object's name into words, without ending and numbering: "north_corridor.map" -> "north corridor".
+// Turns the name of a file or an object into words, without ending and numbering: "north_corridor.map" -> "north
+// corridor".
 std::string words_of_name(std::string_view name);
 
 }  // namespace handrail::readers

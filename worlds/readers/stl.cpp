@@ -1,4 +1,4 @@
-// Reads STL, binary and as text: triangles without unit, names or materials, z up.
+// Reads STL, binary and as text: triangles with z up, without unit, names or materials.
 #include <charconv>
 #include <cstring>
 
@@ -21,7 +21,7 @@ bool begins(std::string_view text, std::string_view word) {
     return text.size() >= word.size() && lower_ascii(text.substr(0, word.size())) == word;
 }
 
-// A binary file may begin with "solid", too; its length decides.
+// True for a binary file. Such a file may begin with "solid" too, so its length decides.
 bool is_binary(std::string_view bytes) {
     if (bytes.size() < kHead) return false;
     if (bytes.size() == kHead + kTriangle * count_in(bytes)) return true;
@@ -59,7 +59,7 @@ Result<Scene> read_stl(std::string_view bytes, const std::string& file_name, con
         file.parts.push_back(std::move(part));
         return scene_of_meshes(std::move(file), std::move(diagnostics), file_name, options);
     }
-    // As text: "solid name", then three lines "vertex x y z" for each facet; everything else is ignored.
+    // A text file has "solid name" and then three lines "vertex x y z" for each facet; everything else is ignored.
     int line = 0;
     std::size_t triangles = 0, corners = 0;
     while (!bytes.empty() && !options.stop.stop_requested()) {
@@ -86,7 +86,7 @@ Result<Scene> read_stl(std::string_view bytes, const std::string& file_name, con
         if (!good) {
             diagnostics.warn({line, 0}, "obj.then_face", "mesh.bad_point");
             ++file.faces_left_out;
-            corners = 4;  // this facet gives no triangle
+            corners = 4;  // the facet has more than three corners and gives no further triangle
             continue;
         }
         part.points_m.push_back(p * file.metres_per_unit);

@@ -14,7 +14,7 @@
 namespace handrail::readers {
 namespace {
 
-constexpr std::size_t kMostWarnings = 20;  // as in ReadReport::warnings
+constexpr std::size_t kMostWarnings = 20;  // greatest number of warnings, as in ReadReport::warnings
 constexpr double kInch_m = 0.0254, kFoot_m = 0.3048;
 
 struct NamedUnit {
@@ -25,7 +25,7 @@ constexpr std::array kUnits{NamedUnit{"mm", 0.001},   NamedUnit{"cm", 0.01},    
                             NamedUnit{"in", kInch_m}, NamedUnit{"inch", kInch_m}, NamedUnit{"inches", kInch_m},
                             NamedUnit{"ft", kFoot_m}, NamedUnit{"foot", kFoot_m}, NamedUnit{"feet", kFoot_m}};
 
-// OBJ, PLY and STL state neither units nor axes.
+// True for OBJ, PLY and STL, which state neither units nor axes.
 bool states_nothing(const Scene& scene) {
     const std::string& format = scene.report.format;
     return format == "obj" || format == "ply" || format == "stl";

@@ -1,4 +1,4 @@
-// Units of length, for files that do not state theirs. Any thread.
+// Units of length for files that do not state theirs. Any thread may call these functions.
 #pragma once
 
 #include <optional>
@@ -11,15 +11,16 @@ namespace handrail::readers {
 inline constexpr double kWidestWorld_m = 2000.0, kNarrowestWorld_m = 2.0;
 inline constexpr double kHighestMesh_m = 100.0;
 
-// Metres in "mm", "cm", "m", "in" or "inch", "ft" or "feet", or in a positive number of metres. Empty for any other
-// word.
+// Returns the length in metres of a unit: "mm", "cm", "m", "in" or "inch", "ft" or "feet". A positive number is a
+// length in metres. Empty for any other word.
 std::optional<double> unit_named(std::string_view word);
 
-// If the world is over 2 km or under 2 m wide, or a mesh over 100 m high, puts a warning first in the report. It states
-// the width as read, and in other units.
+// If the world is over 2 km or under 2 m wide, or a mesh is over 100 m high, inserts a warning at the front of the
+// report. The warning states the width as read and in other units.
 void ask_about_unit(Scene& scene);
-// If a mesh seems to lie on its side, puts a warning first in the report. Such a mesh is thin from south to north, and
-// most of its flat area faces there. Formats without a stated axis are often written with y upwards.
+// If a mesh seems to lie on its side, inserts a warning at the front of the report. Such a mesh is thin from south to
+// north, and most of its flat area faces in that direction. It occurs because formats without a stated axis are often
+// written with y upwards.
 void ask_about_axes(Scene& scene);
 
 }  // namespace handrail::readers
