@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kDigest_bytes = 64;  // hex digits
+constexpr std::size_t kDigest_bytes = 64;  // a SHA-256 digest in hex digits
 constexpr mode_t kOthersWrite = S_IWGRP | S_IWOTH;
 
 std::string digest_of(const std::string& name, std::string_view content) {
@@ -29,8 +29,8 @@ std::string digest_of(const std::string& name, std::string_view content) {
     return sum.hex();
 }
 
-// Opens the folder if it belongs to the person and nobody else may write in it. If others may read it, it is first
-// closed to them.
+// Opens the folder if it belongs to the person and nobody else may write in it. If others may read it, that permission
+// is removed first.
 Descriptor own_folder(const fs::path& path) {
     Descriptor folder(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     struct stat of {};
@@ -40,7 +40,7 @@ Descriptor own_folder(const fs::path& path) {
     return folder;
 }
 
-// Makes missing folders for the person alone, as the base directory specification requires.
+// Makes missing folders that only the person can use, as the base directory specification requires.
 void make_folder(const fs::path& path) {
     if (path.empty() || path == path.root_path()) return;
     if (::mkdir(path.c_str(), 0700) == 0 || errno != ENOENT) return;
@@ -70,8 +70,8 @@ std::vector<KeptFile> files_in(int folder) {
     return files;
 }
 
-// Removes the files used least recently until the rest fits. Files that another process removes meanwhile count as
-// removed, too.
+// Removes the least recently used files until the rest is no larger than most_bytes. Files that another process removes
+// in the meantime count as removed.
 void remove_oldest(int folder, std::uint64_t most_bytes) {
     std::vector<KeptFile> files = files_in(folder);
     std::sort(files.begin(), files.end(), [](const KeptFile& a, const KeptFile& b) {
@@ -97,7 +97,7 @@ Descriptor Cache::open(const std::string& name) const {
     if (file.get() < 0 || ::fstat(file.get(), &of) != 0 || !S_ISREG(of.st_mode) || of.st_uid != ::geteuid() ||
         (of.st_mode & kOthersWrite))
         return Descriptor(-1);
-    // Marks the file as used now; fails on a read-only disk, where nothing is removed either.
+    // Marks the file as used now. This fails on a read-only disk, but there nothing is removed either.
     ::futimens(file.get(), nullptr);
     return file;
 }
@@ -109,7 +109,7 @@ void Cache::keep(const std::string& name, std::string_view content) const {
     std::string all = digest_of(name, content);
     all += content;
     if (!write_private_file_atomically(folder_ / name, all)) return;
-    // The folder is opened again, because somebody may have removed it meanwhile, and writing has made it again.
+    // Opens the folder a second time, because it may have been removed in the meantime and made again by the write.
     if (const Descriptor folder = own_folder(folder_); folder.get() >= 0) remove_oldest(folder.get(), most_bytes_);
 }
 
@@ -132,7 +132,7 @@ std::optional<std::string> kept_content(int file, const std::string& name, const
 }
 
 fs::path user_cache_folder() {
-    // According to the base directory specification, only an absolute XDG_CACHE_HOME counts.
+    // The base directory specification allows only an absolute path in XDG_CACHE_HOME.
     const char* cache = std::getenv("XDG_CACHE_HOME");
     if (cache && cache[0] == '/') return fs::path(cache) / "handrail";
     const char* home = std::getenv("HOME");

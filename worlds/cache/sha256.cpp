@@ -11,8 +11,8 @@
 namespace handrail::cache {
 namespace {
 
-// Another library of the program may have initialised libgcrypt before. Only digests are made here, so no memory has to
-// be locked.
+// Initialises libgcrypt unless another library of the program has done so. Handrail computes only digests with it, so
+// no memory has to be locked.
 void make_ready_once() {
     static const bool ready = [] {
         if (gcry_control(GCRYCTL_INITIALIZATION_FINISHED_P)) return true;
@@ -35,7 +35,7 @@ Sha256::Sha256() : state_(std::make_unique<State>()) {
     make_ready_once();
     const gcry_error_t error = gcry_md_open(&state_->handle, GCRY_MD_SHA256, 0);
     if (gcry_err_code(error) == GPG_ERR_ENOMEM) throw std::bad_alloc();
-    contract_pre(!error);  // every build of the library supports SHA-256
+    contract_pre(!error);  // cannot fail, because every build of libgcrypt supports SHA-256
 }
 
 Sha256::~Sha256() = default;

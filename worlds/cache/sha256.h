@@ -1,4 +1,5 @@
-// SHA-256 of bytes that arrive in pieces, computed by libgcrypt. One owner; any thread.
+// Computes the SHA-256 of bytes that arrive in pieces, with libgcrypt. An object has one owner and may be used on any
+// thread.
 #pragma once
 
 #include <memory>
@@ -15,9 +16,9 @@ public:
     Sha256& operator=(const Sha256&) = delete;
 
     void add(std::string_view bytes);
-    // Adds the number of bytes and then the bytes, so that "ab" and "c" differ from "a" and "bc".
+    // Adds the number of bytes and then the bytes themselves. So "ab" and "c" give another digest than "a" and "bc".
     void add_counted(std::string_view bytes);
-    // Returns 64 hex digits. Call nothing else afterwards.
+    // Returns the digest as 64 hex digits. Call no other function of the object afterwards.
     std::string hex();
 
 private:

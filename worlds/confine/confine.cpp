@@ -14,7 +14,7 @@ namespace handrail::confine {
 
 Confinement confinement_offered() { return {seccomp_is_offered(), landlock_version()}; }
 
-// Landlock comes first, because the seccomp filter refuses its system calls.
+// Landlock comes first, because the seccomp filter refuses the system calls of Landlock.
 Confinement confine(const Permissions& permissions) {
     if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return {};
     Confinement active;

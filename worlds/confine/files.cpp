@@ -1,4 +1,4 @@
-// Uses Landlock through its system calls, because the C library has no functions for them.
+// Uses Landlock directly through its system calls, because the C library has no functions for them.
 #include <fcntl.h>
 #include <linux/landlock.h>
 #include <sys/stat.h>
@@ -13,8 +13,8 @@
 namespace handrail::confine {
 namespace {
 
-// The <linux/landlock.h> of Debian 12 ends with version 2. The kernel accepts a longer structure if the parts that it
-// does not know are zero.
+// The kernel's struct landlock_ruleset_attr. The <linux/landlock.h> of Debian 12 ends with version 2, so the newer
+// members are declared here. An older kernel accepts a longer structure if the parts that it does not know are zero.
 struct Ruleset {
     std::uint64_t files = 0, network = 0, scoped = 0;
 };
@@ -26,7 +26,7 @@ constexpr std::uint64_t kTruncate = 1ULL << 14, kIoctlOfDevices = 1ULL << 15;
 constexpr std::uint64_t kBind = 1ULL << 0, kConnect = 1ULL << 1;
 constexpr std::uint64_t kAbstractSockets = 1ULL << 0, kSignals = 1ULL << 1;
 
-// The rights that each version added. They are refused unless a rule grants them.
+// Returns all access rights up to a version of Landlock. These rights are refused unless a rule grants them.
 constexpr std::uint64_t kFirstRights = (1ULL << 13) - 1, kRefer = 1ULL << 13;
 std::uint64_t rights_of(int version) {
     std::uint64_t rights = kFirstRights;
@@ -45,14 +45,15 @@ Ruleset ruleset_for(const Permissions& permissions, int version) {
     set.files = rights_of(version);
     if (version >= 4 && !permissions.any_internet) set.network = kBind | kConnect;
     if (version >= 6 && !permissions.unix_sockets) set.scoped |= kAbstractSockets;
-    // Not for the guards (Calls::Drive), because one guard must be able to end the other when that hangs.
+    // Signals are not restricted for the device guards (Calls::Drive), because one guard must be able to end the other
+    // when it hangs.
     if (version >= 6 && permissions.calls == Calls::Compute) set.scoped |= kSignals;
     return set;
 }
 
 bool permit(int ruleset, const std::filesystem::path& path, std::uint64_t rights) {
-    // Calls the kernel directly, because umockdev mistakes the C library's open of a device folder for that of a
-    // device.
+    // Calls the kernel directly, because umockdev would treat the C library's open() of a device folder as the opening
+    // of a device.
     const Descriptor at(static_cast<int>(::syscall(SYS_openat, AT_FDCWD, path.c_str(), O_PATH | O_CLOEXEC)));
     struct stat facts {};
     if (at.get() < 0 || ::fstat(at.get(), &facts) != 0) return true;  // a path that does not exist needs no rule

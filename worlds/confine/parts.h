@@ -5,9 +5,9 @@
 
 namespace handrail::confine {
 
-// Both need PR_SET_NO_NEW_PRIVS.
-bool bound_system_calls(const Permissions& permissions);  // true if the filter is active
-int bound_files(const Permissions& permissions);          // the version that is active; 0 if none is
+// Both functions need PR_SET_NO_NEW_PRIVS.
+bool bound_system_calls(const Permissions& permissions);  // returns true if the filter is active
+int bound_files(const Permissions& permissions);          // returns the active version of Landlock; 0 if none is active
 
 bool seccomp_is_offered();
 int landlock_version();

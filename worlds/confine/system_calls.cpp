@@ -23,8 +23,9 @@ constexpr bool kSanitized = true;
 constexpr bool kSanitized = false;
 #endif
 
-constexpr std::uint64_t kLowHalf = 0xFFFF'FFFF;  // the kernel reads only this half of an int argument
-constexpr unsigned kMostFamilies = 64;           // socket families to test; Linux has fewer
+// Mask for an int argument, because the kernel reads only the lower half of it.
+constexpr std::uint64_t kLowHalf = 0xFFFF'FFFF;
+constexpr unsigned kMostFamilies = 64;  // number of socket families that are tested; Linux has fewer
 
 struct FilterEnd {
     void operator()(void* filter) const { seccomp_release(filter); }
@@ -37,14 +38,14 @@ public:
     template <class... Conditions>
     void rule(std::uint32_t action, int call, Conditions... conditions) {
         if (!good_) return;
-        // A system call that this processor does not have needs no rule.
+        // A system call that does not exist on this processor needs no rule.
         const int status = seccomp_rule_add(filter_.get(), action, call, sizeof...(conditions), conditions...);
         good_ = status == 0 || status == -EDOM;
     }
     void rules(std::uint32_t action, std::initializer_list<int> calls) {
         for (const int call : calls) rule(action, call);
     }
-    // Applies to all threads of the process, because a sanitizer or a library may have started some.
+    // Applies the filter to all threads of the process, because a sanitizer or a library may have started some.
     bool load() {
         return good_ && seccomp_attr_set(filter_.get(), SCMP_FLTATR_CTL_TSYNC, 1) == 0 &&
                seccomp_load(filter_.get()) == 0;
@@ -55,7 +56,8 @@ private:
     bool good_ = false;
 };
 
-// Conditions on the argument at this position: compared as a whole, or only the bits of the mask.
+// Conditions on the argument at the position `place`: argument() compares the whole value, masked() only the bits of
+// `mask`.
 scmp_arg_cmp argument(unsigned place, scmp_compare how, std::uint64_t value) { return {place, how, value, 0}; }
 scmp_arg_cmp masked(unsigned place, std::uint64_t mask, std::uint64_t value) {
     return {place, SCMP_CMP_MASKED_EQ, mask, value};
@@ -63,12 +65,12 @@ scmp_arg_cmp masked(unsigned place, std::uint64_t mask, std::uint64_t value) {
 
 const std::uint32_t kRefuse = SCMP_ACT_ERRNO(EPERM);
 
-// The file reader never starts programs, so a reader that tries has been taken over, and is ended. If the call were
-// only refused, the intruder could go on, and its answer would be believed.
+// Calls that start programs. The file reader never starts programs, so a reader that tries to has been taken over and
+// is ended. If the call were only refused, the intruder could continue, and Handrail would believe its answer.
 const std::initializer_list<int> kStartPrograms{SCMP_SYS(execve), SCMP_SYS(execveat)};
 
-// Calls that reach other processes or bypass Landlock: io_uring makes calls that no filter sees, and file handles need
-// no path.
+// Calls that reach other processes or bypass Landlock. io_uring makes calls that no filter sees, and file handles open
+// files without a path.
 const std::initializer_list<int> kReachOut{
     SCMP_SYS(process_vm_readv),
     SCMP_SYS(process_vm_writev),
@@ -108,8 +110,9 @@ const std::initializer_list<int> kReachOut{
 void refuse_what_reaches_out(Filter& filter) {
     filter.rules(kRefuse, kReachOut);
     for (const unsigned long what : {static_cast<unsigned long>(TIOCSTI), static_cast<unsigned long>(TIOCLINUX)})
-        filter.rule(kRefuse, SCMP_SYS(ioctl), masked(1, kLowHalf, what));  // these type text into a terminal
-    if (kSanitized) return;  // the leak search of a sanitizer stops its own process with these calls
+        // These requests insert characters into the input of a terminal.
+        filter.rule(kRefuse, SCMP_SYS(ioctl), masked(1, kLowHalf, what));
+    if (kSanitized) return;  // the leak detection of a sanitizer uses the calls below to stop its own process
     filter.rule(kRefuse, SCMP_SYS(ptrace));
     const auto self = static_cast<std::uint64_t>(::getpid());
     for (const int call : {SCMP_SYS(kill), SCMP_SYS(tgkill), SCMP_SYS(rt_sigqueueinfo), SCMP_SYS(rt_tgsigqueueinfo)})
@@ -123,7 +126,7 @@ bool is_permitted(const Permissions& permissions, unsigned family) {
            ((family == AF_INET || family == AF_INET6) && internet);
 }
 
-// Sockets are refused without ending the process: libraries look for services, such as the system log, and go on
+// Refuses sockets without ending the process, because libraries look for services, such as the system log, and can work
 // without them. If a manufacturer's library ended the process, the second guard would have to take over the force on
 // the hand.
 void refuse_sockets(Filter& filter, const Permissions& permissions) {
@@ -135,7 +138,8 @@ void refuse_sockets(Filter& filter, const Permissions& permissions) {
         filter.rule(kRefuse, SCMP_SYS(socket), argument(0, SCMP_CMP_EQ, std::uint64_t{AF_NETLINK}),
                     argument(2, SCMP_CMP_NE, std::uint64_t{NETLINK_KOBJECT_UEVENT}));
     if (permissions.any_internet || permissions.tcp_ports.empty()) return;
-    for (const int family : {AF_INET, AF_INET6})  // stream sockets only, because Landlock controls only their ports
+    // Stream sockets only, because Landlock can restrict only the ports of TCP.
+    for (const int family : {AF_INET, AF_INET6})
         for (const int type : {SOCK_DGRAM, SOCK_RAW, SOCK_SEQPACKET, SOCK_DCCP})
             filter.rule(kRefuse, SCMP_SYS(socket), argument(0, SCMP_CMP_EQ, static_cast<std::uint64_t>(family)),
                         masked(1, std::uint64_t{0xF}, static_cast<std::uint64_t>(type)));
@@ -184,19 +188,20 @@ void permit_computing(Filter& filter) {
                          SCMP_SYS(restart_syscall),
                          SCMP_SYS(exit),
                          SCMP_SYS(exit_group)});
-    // The C library of Debian 12 gets the size of an open file by this call.
+    // The C library of Debian 12 uses this call to get the size of an open file.
     filter.rule(allow, SCMP_SYS(newfstatat), masked(3, std::uint64_t{AT_EMPTY_PATH}, std::uint64_t{AT_EMPTY_PATH}));
-    // Allows new threads, but no processes. clone3 has its flags in memory, where no filter can look; if it is missing,
-    // the C library uses clone.
+    // Allows new threads, but no new processes. clone3 passes its flags in memory, where a filter cannot read them. If
+    // the kernel says that clone3 does not exist, the C library uses clone.
     filter.rule(SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3));
     filter.rule(allow, SCMP_SYS(clone), masked(0, std::uint64_t{CLONE_THREAD}, std::uint64_t{CLONE_THREAD}));
-    // For abort().
+    // abort() needs this call.
     filter.rule(allow, SCMP_SYS(tgkill), argument(0, SCMP_CMP_EQ, static_cast<std::uint64_t>(::getpid())));
-    filter.rule(allow, SCMP_SYS(prlimit64), argument(2, SCMP_CMP_EQ, std::uint64_t{0}));  // to query the stack limit
+    // Only to query limits, such as that of the stack.
+    filter.rule(allow, SCMP_SYS(prlimit64), argument(2, SCMP_CMP_EQ, std::uint64_t{0}));
 }
 
-// A sanitizer needs system calls of its own. In such a build only harmful calls are listed and refused, and only
-// Landlock restricts files.
+// Sanitizers need further system calls. So in a build with a sanitizer, the filter refuses only the listed harmful
+// calls, and Landlock alone restricts files.
 bool bound_to_computing() {
     Filter filter(kSanitized ? SCMP_ACT_ALLOW : kRefuse);
     if (kSanitized) refuse_what_reaches_out(filter);

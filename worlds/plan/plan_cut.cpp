@@ -27,7 +27,7 @@ void append_crossings(const std::vector<Vec3>& points, double height_m, std::vec
     }
 }
 
-// Only the faces, where the thing is placed; a section needs nothing else.
+// Returns only the placed faces of the solid, because a section needs nothing else.
 Solid placed_solid(const Solid& own, const PlacedModel& thing) {
     const PlacedFrame frame(thing.at);
     Solid solid;
@@ -85,7 +85,7 @@ void add_solid(const Scene& scene, const Solid& solid, double feet_height_m, std
     else add(top_m > low_m ? PlanKind::Low : PlanKind::Floor, below_top_m);
 }
 
-// Adds doors, lifts and free bodies where they are now.
+// Adds doors, lifts and free bodies at their current positions.
 void add_things(const Scene& scene, double feet_height_m, const SeenAt& seen_at, std::vector<PlanShape>& shapes) {
     for (std::size_t i = 0; i < scene.placed.size(); ++i) {
         const std::optional<Placement> at = seen_at ? seen_at(i) : scene.placed[i].at;

@@ -25,7 +25,7 @@ PlanBox box_around(const PlanOutline& hull) {
             high = glm::max(high, q);
         }
         const Vec2 size = high - low;
-        // The tolerance makes the first of equally small boxes win on every machine.
+        // The tolerance ensures that every machine chooses the first of several equally small boxes.
         if (size.x * size.y > least * (1.0 - 1e-6)) continue;
         least = size.x * size.y;
         const Vec2 middle = 0.5 * (low + high);
@@ -70,10 +70,11 @@ double narrowest_m(const PlanOutline& outline) {
 
 std::optional<SquaredWall> squared_wall(const PlanOutline& outline) {
     constexpr double kThin_m = 0.05, kThick_m = 1.0;
-    constexpr double kLeastSlant = 0.4, kMostSlant = 0.92;  // cosines: a mitre is about half of a right angle
+    // Least and greatest cosine of the angle between a side and a mitred end; a mitre is about half of a right angle.
+    constexpr double kLeastSlant = 0.4, kMostSlant = 0.92;
     if (outline.size() != 4) return std::nullopt;
     for (std::size_t i = 0; i < 4; ++i) {
-        // The end from a to b, between two sides that run the same way.
+        // Tests the end from a to b, which is between two sides that run in the same direction.
         const Vec2 &before = outline[(i + 3) % 4], &a = outline[i], &b = outline[(i + 1) % 4],
                    &behind = outline[(i + 2) % 4];
         const double end = glm::distance(a, b), side_a = glm::distance(a, before), side_b = glm::distance(b, behind);

@@ -19,8 +19,8 @@ void for_sides(const RoomGrid& grid, std::size_t square, Each each) {
     if (square >= wide) each(square - wide);
 }
 
-// True if `answers` is true for a neighbour of the square. Most squares have no such neighbour, and a page has millions
-// of squares, so this must be fast.
+// True if `answers` is true for at least one neighbour of the square. Most squares have no such neighbour, and a page
+// has millions of squares, so this must be fast.
 template <class Answers>
 bool any_side(const RoomGrid& grid, std::size_t square, Answers answers) {
     const auto wide = static_cast<std::size_t>(grid.wide);
@@ -29,7 +29,7 @@ bool any_side(const RoomGrid& grid, std::size_t square, Answers answers) {
            (square + wide < grid.room.size() && answers(square + wide)) || (square >= wide && answers(square - wide));
 }
 
-// Touching squares of one border, including at corners, form one piece.
+// Groups the squares of one border into pieces. Squares that touch, even at a corner only, are in one piece.
 void split_into_pieces(const RoomGrid& grid, const std::array<std::uint32_t, 2>& rooms,
                        const std::vector<std::size_t>& squares, std::vector<RoomBorder>& borders) {
     std::map<std::size_t, bool> taken;
@@ -64,7 +64,7 @@ void spread_rooms(RoomGrid& grid) {
     std::vector<std::size_t> reached;
     for (std::size_t i = 0; i < grid.room.size(); ++i)
         if (grid.blocked[i]) grid.room[i] = navigation::kNothing;
-    // Only free squares next to a square with a room can be reached next.
+    // A square can be reached next only if it is free and next to a square with a room.
     const auto is_free = [&](std::size_t square) {
         return grid.room[square] == navigation::kNothing && !grid.blocked[square];
     };

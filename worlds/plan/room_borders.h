@@ -1,5 +1,5 @@
-// Finds where the rooms of a storey meet, on a grid of squares, without anything in between. These are the openings
-// that a drawing shows. Plain values and pure functions; any thread. The time grows with the number of squares.
+// Finds where the rooms of a storey meet without anything in between, on a grid of squares. These are the openings that
+// a drawing shows. Plain values and pure functions; any thread may use them. The time grows with the number of squares.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@ namespace handrail::plan {
 
 struct RoomGrid {
     int wide = 0, high = 0;
-    std::vector<std::uint8_t> blocked;  // row by row; 1: stops a finger or a body
-    std::vector<std::uint32_t> room;    // kNothing if no room is known for the square
+    std::vector<std::uint8_t> blocked;  // stored row by row; 1: the square stops a finger or a body
+    std::vector<std::uint32_t> room;    // the room of each square; kNothing if none is known
 
     RoomGrid() = default;
     RoomGrid(int wide, int high);
@@ -21,15 +21,16 @@ struct RoomGrid {
     bool holds(int x, int y) const { return x >= 0 && y >= 0 && x < wide && y < high; }
 };
 
-// A connected piece of a border: adjacent squares that belong to two rooms.
+// A connected piece of the border between two rooms, as adjacent squares of these rooms.
 struct RoomBorder {
-    std::array<std::uint32_t, 2> rooms{};  // the lower index first
+    std::array<std::uint32_t, 2> rooms{};  // the room with the lower index first
     std::vector<std::size_t> squares;      // squares on both sides of the border
 };
 
-// Gives every free square the room from which it is reached first, moving over the sides of squares.
+// Gives every free square the room from which a flood fill reaches it first. The fill moves across the sides of
+// squares, not across corners.
 void spread_rooms(RoomGrid& grid);
-// All borders between the rooms of a grid after spread_rooms.
+// Returns all borders between the rooms of a grid to which spread_rooms was applied.
 std::vector<RoomBorder> borders_of(const RoomGrid& grid);
 
 }  // namespace handrail::plan

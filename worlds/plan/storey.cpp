@@ -13,32 +13,35 @@
 namespace handrail::plan {
 namespace {
 
-constexpr double kAround_m = 0.6;       // of what stands round the rooms comes along
-constexpr double kBaseNear_m = 5.0;     // so near to the rooms the base is shown, too
-constexpr double kSillFrom_m = 0.3;     // above the floor: what ends lower is stepped over
-constexpr double kWindowDeep_m = 0.45;  // at most, of what closes a window
-constexpr double kUnderHead_m = 0.05;   // what reaches so far below the top of a body stops it
+constexpr double kAround_m = 0.6;       // width of the strip around the rooms whose content is shown as well
+constexpr double kBaseNear_m = 5.0;     // the base is shown, too, if it is within this distance of the rooms
+constexpr double kSillFrom_m = 0.3;     // a part whose top is less than this above the floor can be stepped over
+constexpr double kWindowDeep_m = 0.45;  // greatest depth of a part that closes a window
+// A part that extends at least this far below the top of a person's head stops the person.
+constexpr double kUnderHead_m = 0.05;
 constexpr double kThingFrom_m = 0.25, kLeastThing_m = 0.05;
-// A pane of glass that closes a front, or a partition between walls: greatest thickness, least length and height.
+// Measures of a partition between walls and of a pane of glass that closes a front: greatest thickness, least length
+// and least height.
 constexpr double kPartitionThin_m = 0.2;
 constexpr double kPaneThin_m = 0.12, kPaneLong_m = 0.4, kPaneHigh_m = 1.2;
 constexpr double kStep_m = 0.6;
 constexpr double kLongestTread_m = 1.5;  // longest tread of a wide solid step; a longer part is a stage
-constexpr int kBesideSteps = 8;          // number of 5 cm steps that a gap may be away from the place where rooms meet
-constexpr double kWidestGap_m = 4.0;     // between the jambs; a wider opening is not a gap in a wall
+// Greatest distance, in steps of 5 cm, between a gap and the place where the rooms meet.
+constexpr int kBesideSteps = 8;
+constexpr double kWidestGap_m = 4.0;  // greatest distance between the jambs; a wider opening is not a gap in a wall
 
-constexpr double kBesidePortal_m = 0.5;  // an opening reaches so far beyond the portal's width
-constexpr double kStandsIn_m = 0.15;     // of an opening that a thing closes
+constexpr double kBesidePortal_m = 0.5;  // how far an opening may extend beyond the width of its portal
+constexpr double kStandsIn_m = 0.15;     // length of an opening that a thing must cover to close it
 constexpr double kFloorNearPortal_m = 2.0;
-// Floors kFloorsApart_m apart in height count as above each other. A room with kLeastHidden_m2 of hidden floor goes on
-// the second plan, which shows kAroundUpper_m around its rooms.
+// Floors whose heights differ by more than kFloorsApart_m count as above each other. A room of which at least
+// kLeastHidden_m2 is hidden goes on the second plan. That plan shows kAroundUpper_m around its rooms.
 constexpr double kFloorNearJoint_m = 0.8, kFloorsApart_m = 1.0, kLeastHidden_m2 = 1.0, kAroundUpper_m = 2.0;
 
 bool inside_any(const std::vector<PlanOutline>& outlines, const Vec2& at) {
     return std::any_of(outlines.begin(), outlines.end(), [&](const PlanOutline& o) { return within(o, at); });
 }
 
-// The centre of area of a closed line.
+// Returns the centroid of the area within a closed line.
 Vec2 middle_of(const std::vector<Vec2>& loop, double& area_m2) {
     Vec2 sum(0.0);
     double twice = 0.0;
@@ -67,18 +70,21 @@ void clear_floor(Storey& storey) {
                       navigation::kNothing);
 }
 
-// Makes a storey step by step; the members are in the order in which they become known.
+// Makes a storey step by step. The members are listed in the order in which their content becomes known.
 class StoreyMaker {
-    // A thing, or a part that stops only bodies. It becomes a wall if nothing else separates two rooms.
+    // A thing, or a part that stops only bodies and not the hand. It becomes a wall if nothing else separates two
+    // rooms.
     struct Barrier {
         FeatureId feature = kNoFeature;
         std::vector<PlanOutline> outlines_m = {};
-        std::vector<PlanOutline> reach_m = {};  // where it stops a body, if that is larger than its outlines
+        // Where the barrier stops a body, if that area is larger than its outlines.
+        std::vector<PlanOutline> reach_m = {};
         bool wall = false;
     };
 
 public:
-    // `upper`: the rooms of the graph for the second plan of a storey; empty for the first plan.
+    // `upper` is empty for the first plan of a storey. For the second plan it holds the rooms of that plan, as indices
+    // in the graph.
     StoreyMaker(const Scene& scene, const navigation::RoomGraph& graph, const navigation::WalkSpace& space, int number,
                 std::set<std::uint32_t> upper = {})
         : scene_(scene), graph_(graph), space_(space), level_(number - 1), upper_(std::move(upper)) {
@@ -111,7 +117,7 @@ public:
 private:
     double cut_m() const { return made_.floor_m + kPlanCutAboveFeet_m; }
 
-    // True if most of the room is on the ground that a reader laid around a building.
+    // True if most of the room's floor is on the ground that a reader added around a building.
     bool on_outer_ground(std::uint32_t room) const {
         std::size_t all = 0, outer = 0;
         for (std::uint32_t i = 0; i < space_.spans.size(); ++i) {
@@ -177,7 +183,7 @@ private:
             made_.rooms.push_back(std::move(mine));
         }
         if (made_.rooms.empty()) return;
-        if (!(low.x <= high.x))  // there is only ground outside
+        if (!(low.x <= high.x))  // every room is on the ground outside
             for (const StoreyRoom& room : made_.rooms) {
                 low = glm::min(low, room.min_m);
                 high = glm::max(high, room.max_m);
@@ -216,8 +222,8 @@ private:
             }
     }
 
-    // The middle of a bent room, or of one around others, may be in another room. It then moves to the nearest place on
-    // its own floor.
+    // The middle of a bent room, or of a room around others, may be in another room. Such a middle is moved to the
+    // nearest place on the room's own floor.
     void put_middles_on_floor() {
         const StoreyFloor& floor = made_.floor;
         std::vector<double> nearest(made_.rooms.size(), std::numeric_limits<double>::infinity());
@@ -244,8 +250,9 @@ private:
         clear_floor(made_);
         std::vector<std::uint32_t> mine(graph_.rooms.size(), navigation::kNothing);
         for (std::uint32_t i = 0; i < made_.rooms.size(); ++i) mine[made_.rooms[i].room] = i;
-        // A roof that one can stand on may belong to the storey below it, so the lower floor counts. But if a raised
-        // walkway or a deck has entrances, the ground that a reader laid under it does not hide it.
+        // At a place with several floors, the lower one is shown, because a roof on which people can stand may belong
+        // to the storey below it. There is one exception: ground that a reader added does not replace the floor of a
+        // raised walkway or deck with entrances above it.
         const auto is_ground = [&](std::uint32_t room) { return made_.rooms[room].outside || made_.rooms[room].shut; };
         std::vector<double> height_m(floor.room.size(), std::numeric_limits<double>::infinity());
         for (std::uint32_t i = 0; i < space_.spans.size(); ++i) {
@@ -256,7 +263,7 @@ private:
             if (!place) continue;
             const std::size_t cell = *place;
             const std::uint32_t known = floor.room[cell], here = mine[room];
-            if (made_.upper) {  // the upper rooms first; then other rooms, if they are level with them
+            if (made_.upper) {  // the upper rooms have priority; other rooms are shown where they are level with them
                 if (made_.rooms[here].elsewhere &&
                     (known != navigation::kNothing || std::abs(at.z - made_.floor_m) > kFloorsApart_m))
                     continue;
@@ -271,7 +278,7 @@ private:
         floor_height_m_ = std::move(height_m);
     }
 
-    // The cell of the floor at this place; empty outside the plan.
+    // Returns the cell of the floor at this place; empty outside the plan.
     std::optional<std::size_t> cell_at(const Vec3& at) const {
         const StoreyFloor& floor = made_.floor;
         const int x = static_cast<int>(std::floor((at.x - made_.min_m.x) / floor.cell_m));
@@ -280,8 +287,8 @@ private:
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(floor.wide) + static_cast<std::size_t>(x);
     }
 
-    // Finds rooms that others hide. Flights are left out, because their lower ends show them, and so are rooms that
-    // nothing leads to, because nobody gets there.
+    // Finds rooms that other rooms hide. Flights are left out, because the plan shows their lower ends. Rooms that
+    // nothing leads to are left out too, because nobody gets there.
     void find_hidden() {
         if (made_.upper) return;
         std::map<std::uint32_t, std::uint32_t> mine;
@@ -309,7 +316,7 @@ private:
         }
     }
 
-    // The part of an outline that is within the plan.
+    // Returns the part of an outline that is within the plan.
     PlanOutline shown(const PlanOutline& outline) const {
         PlanOutline kept = outline;
         for (const int axis : {0, 1})
@@ -328,7 +335,7 @@ private:
         return kept;
     }
 
-    // True if one can stand on top of it: it is a step or a stage, not a sill.
+    // True if a person can stand on top of this section: it is a step or a stage, not a sill.
     bool stood_on(const PlanOutline& section, double top_m) const {
         Vec2 middle(0.0);
         for (const Vec2& p : section) middle += p;
@@ -342,7 +349,8 @@ private:
         return span == navigation::kNothing ? std::nullopt : std::optional<double>(space_.place_m(span).z);
     }
 
-    // True for a ramp or a flight of solid steps: a person walks up it through the height of the cut, so it is no wall.
+    // True for a ramp or a flight of solid steps. A person walks up on it through the height of the cut, so it is not a
+    // wall.
     bool climbed(const ConvexSolid& solid, const PlanOutline& outline) const {
         constexpr double kSameFloor_m = 0.15;
         for (const Polygon& face : solid.faces) {
@@ -368,7 +376,7 @@ private:
                (narrowest_m(outline) <= kLongestTread_m && leads_below_cut(span));
     }
 
-    // True if a person can walk straight from there to below the cut, over a single tread.
+    // True if a person can walk straight from the span `from` to below the cut within the length of a single tread.
     bool leads_below_cut(std::uint32_t from) const {
         const auto cells = static_cast<int>(std::ceil(kLongestTread_m / std::sqrt(space_.cell_area_m2())));
         for (const std::size_t way : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}}) {
@@ -381,7 +389,7 @@ private:
         return false;
     }
 
-    // The outline of the part of a solid that stops a body on the storey's floor; empty if it stops nobody.
+    // Returns the outline of the part of a solid that stops a person on the storey's floor. Empty if it stops nobody.
     PlanOutline stopping(const ConvexSolid& solid) const {
         const double bottom_m = solid.bounds_m.min_m.z, top_m = solid.bounds_m.max_m.z;
         if (bottom_m > cut_m() || top_m < made_.floor_m + kSillFrom_m) return {};
@@ -404,7 +412,8 @@ private:
                 if (auto sheet = cut(triangle)) made_.sheets_m.push_back(*sheet);
     }
 
-    // A mitred end may meet a wall that has none: then a notch would be left in the corner.
+    // Makes mitred ends of a wall square. Otherwise a notch would be left in the corner where the neighbouring wall has
+    // no mitre. An end stays mitred if the added corner would cover floor.
     PlanOutline with_square_ends(PlanOutline outline) const {
         for (std::size_t ends = 0; ends < 2; ++ends) {
             const auto squared = squared_wall(outline);
@@ -524,8 +533,8 @@ private:
         return false;
     }
 
-    // A roof may slope down to eaves far outside of the plan, and it stops the head before a hand touches it. The line
-    // at which it stops the head counts as the wall.
+    // A sloping roof may extend down to eaves far outside of the plan, and it stops a person's head before a hand
+    // touches it. So the line at which it stops the head counts as a wall.
     void take_low_roofs() {
         const double head_m = made_.floor_m + space_.body.height_m - kUnderHead_m;
         for (const Solid& solid : scene_.solids) {
@@ -547,9 +556,10 @@ private:
         }
     }
 
-    // --- openings according to the route graph
+    // --- openings from the route graph
 
-    // Leaves out balconies: they belong to the ground outside, which is on another storey, so they are no exits.
+    // Balconies are left out. They belong to the ground outside, which is on another storey, so they would look like
+    // exits to another storey.
     void take_exits(const std::map<std::uint32_t, std::uint32_t>& mine) {
         for (const navigation::Portal& portal : graph_.portals)
             for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
@@ -582,8 +592,8 @@ private:
         }
     }
 
-    // True if this plan of the storey shows where the rooms are joined. A portal between rooms that both plans show
-    // appears on one of them.
+    // True if this plan of the storey shows the place where the portal's rooms meet. A portal between rooms that are on
+    // both plans appears on only one of them.
     bool is_seen(const navigation::Portal& portal) const {
         if (made_.upper && !upper_.contains(portal.rooms[0]) && !upper_.contains(portal.rooms[1])) return false;
         const Vec2 place(portal.place_m.x, portal.place_m.y);
@@ -607,7 +617,7 @@ private:
         return made_.upper || std::find(made_.hidden.begin(), made_.hidden.end(), place) != made_.hidden.end();
     }
 
-    // What is beyond all rooms counts as one more.
+    // The area beyond all rooms counts as an additional room with this index.
     std::uint32_t outside() const { return static_cast<std::uint32_t>(made_.rooms.size()); }
     StoreyGrid squares() const { return StoreyGrid::of(made_); }
 
@@ -619,12 +629,13 @@ private:
         });
     }
 
-    // A flight is drawn with its own lines; a banister drawn as a wall would leave no space for them.
+    // A flight is drawn with lines of its own. Its banisters are not drawn as walls, because that would leave no space
+    // for these lines.
     bool is_flight(std::uint32_t room) const {
         return room < made_.rooms.size() && made_.rooms[room].kind == navigation::RoomKind::Stairs;
     }
 
-    // Turns barriers between two rooms into walls, unless the route graph leads through there.
+    // Turns barriers between two rooms into walls, unless the route graph leads through them.
     void close_rooms() {
         RoomGrid walls = squares().walls();
         for (bool more = true; more;) {
@@ -652,8 +663,8 @@ private:
         }
     }
 
-    // A ledge outside a window or a roof over a door, which nothing leads to, is no room of the plan, and its sign
-    // would stand outside.
+    // Removes ledges outside windows and roofs over doors, which nothing leads to. They are no rooms of the plan, and
+    // their labels would be outside the building.
     void drop_ledges() {
         RoomGrid grid = squares().walls();
         spread_rooms(grid);
@@ -668,8 +679,8 @@ private:
         drop_rooms(std::move(kept));
     }
 
-    // Drops the spaces under ramps, which nobody can enter. Because the steps of the ramp are no walls, the floor of
-    // such a space would meet the floor in front of the ramp.
+    // Removes the spaces under ramps, which nobody can enter. The steps of a ramp are not drawn as walls, so the floor
+    // of such a space would seem to continue in front of the ramp.
     void drop_spaces_under_steps() {
         if (climbed_m_.empty()) return;
         std::vector<PlanOutline> steps;
@@ -693,7 +704,7 @@ private:
         drop_rooms(std::move(kept));
     }
 
-    // `kept`: for each room 0, or kNothing to drop it.
+    // `kept` holds one value for each room: 0 to keep it, or kNothing to remove it.
     void drop_rooms(std::vector<std::uint32_t> kept) {
         std::uint32_t count = 0;
         for (std::uint32_t& place : kept) place = place == navigation::kNothing ? navigation::kNothing : count++;
@@ -718,11 +729,11 @@ private:
             for (const Vec2& at : open)
                 if (at.x >= low.x && at.y >= low.y && at.x <= high.x && at.y <= high.y && within(outline, at)) ++in;
         }
-        // A border has squares on both its sides.
+        // Divides by two, because a border has squares on both of its sides.
         return static_cast<double>(in) * squares().square_m() >= 2.0 * kStandsIn_m;
     }
 
-    // Opens walls of the cut where the graph leads through, as at the edge of a raised floor.
+    // Opens the walls of the cut where the route graph leads through them, for example at the edge of a raised floor.
     void open_portals() {
         RoomGrid grid = squares().walls();
         const RoomGrid floors = grid;
@@ -771,7 +782,7 @@ private:
         return at.x > made_.min_m.x && at.y > made_.min_m.y && at.x < made_.max_m.x && at.y < made_.max_m.y;
     }
 
-    // Distance to the next wall; `most_m` if none is nearer.
+    // Returns the distance from `from` in the direction `way` to the next wall, or `most_m` if no wall is nearer.
     double free_m(const Vec2& from, const Vec2& way, double most_m) const {
         double least = most_m;
         const auto meet = [&](const Vec2& a, const Vec2& b) {
@@ -786,9 +797,10 @@ private:
         return least;
     }
 
-    // The directions perpendicular to the walls near a place: a gap in one of them can only face these.
+    // Returns the directions along and perpendicular to the walls near a place. A gap in one of these walls can only
+    // have such a direction.
     std::vector<Vec2> square_ways(const Vec2& place) const {
-        // Shorter sides are ends of walls, straight or mitred.
+        // Sides shorter than kLeast_m are ends of walls, straight or mitred, so they are ignored.
         constexpr double kNear_m = 2.5, kLeast_m = 0.7;
         std::vector<Vec2> ways;
         const auto take = [&](const Vec2& a, const Vec2& b) {
@@ -808,8 +820,8 @@ private:
         return ways;
     }
 
-    // Rooms may meet a little in front of or behind the wall between them. Then the narrowest place on the way through
-    // counts; of equal ones, the nearest.
+    // Finds the narrowest place of a passage. Rooms may meet slightly in front of or behind the wall between them, so
+    // places on both sides are measured. If several are equally narrow, the one nearest to `place` is used.
     void measure(StoreyGap& gap, const Vec2& place, const Vec2& way, int first, int last, double& least) const {
         constexpr double kApart_m = 0.05;
         const Vec2 through(-way.y, way.x);
@@ -847,7 +859,7 @@ private:
             if (least >= kWidestGap_m)
                 for (const Vec2& way : ways) measure(gap, place, way, 1, 2 * kBesideSteps, least);
             const Vec2 through(-gap.along.y, gap.along.x);
-            // A window niche is as narrow as a gap, but one step farther is the pane.
+            // A window niche is as narrow as a gap, but it is excluded, because its pane is within one step.
             if (least >= kWidestGap_m || free_m(gap.place_m, through, kStep_m) < kStep_m ||
                 free_m(gap.place_m, -through, kStep_m) < kStep_m)
                 continue;
@@ -873,8 +885,8 @@ private:
     int level_;
     std::set<std::uint32_t> upper_;
     std::vector<double> floor_height_m_;        // height of the floor for each cell of StoreyFloor::room
-    std::set<std::uint32_t> trodden_, moving_;  // sets of features
-    std::vector<PlanOutline> climbed_m_;        // outlines that would be walls, if people did not walk up them
+    std::set<std::uint32_t> trodden_, moving_;  // features that a person walks on, and features that move
+    std::vector<PlanOutline> climbed_m_;        // outlines that would be walls if people did not walk up on them
     std::vector<Barrier> barriers_;
     Storey made_;
 };

@@ -9,13 +9,17 @@
 namespace handrail::plan {
 namespace {
 
-constexpr double kSquare_m = 0.05, kMostSquares = 2000.0;  // of the longer side
-constexpr double kCrack_m = 0.1;                           // narrower cracks between walls lead nowhere
-constexpr double kBesideFloor_m = 0.45;  // from the middle of a square of floor; a body's radius and a little
+// Size of a square, and greatest number of squares along the longer side.
+constexpr double kSquare_m = 0.05, kMostSquares = 2000.0;
+constexpr double kCrack_m = 0.1;  // a crack between walls that is narrower than this leads nowhere
+// Distance from the middle of a floor cell within which everything counts as near the floor: slightly more than a
+// walker's radius.
+constexpr double kBesideFloor_m = 0.45;
 constexpr double kRoundPortal_m = 0.5;
-constexpr double kWallNear_m = 2.0;  // from floor to wall, with furniture or a machine between them
+// Greatest distance from the floor to a wall of the storey; furniture or a machine may be between them.
+constexpr double kWallNear_m = 2.0;
 
-// Calls `each(x, y)` for the squares of a grid whose middles are so near to a place.
+// Calls `each(x, y)` for the squares of a grid whose middles are within `radius` of a place. Lengths are in squares.
 template <class Each>
 void for_disc(int wide, int high, const Vec2& at, double radius, Each each) {
     const auto first = [](double from) { return std::max(0, static_cast<int>(std::floor(from))); };
@@ -139,7 +143,7 @@ void find_beyond(Storey& storey) {
         }
     for (const StoreyPortal& portal : storey.portals) lay(portal.place_m, 0.5 * portal.width_m + kRoundPortal_m);
 
-    // What is reached from the rim, over no wall and no floor.
+    // Finds the squares that can be reached from the rim without crossing a wall or a floor.
     const StoreyGrid squares = StoreyGrid::of(storey);
     RoomGrid grid = squares.walls();
     const std::vector<std::uint8_t> walls = grid.blocked;
@@ -163,7 +167,7 @@ void find_beyond(Storey& storey) {
     spread_rooms(grid);
     for (std::size_t i = 0; i < grid.room.size(); ++i)
         if (grid.room[i] != navigation::kNothing) floor.beyond[cell_of(i)] = 1;
-    // A square may have a room on the other side of a thin wall.
+    // A square of a wall does not count as beyond, because a room may be on the other side of a thin wall.
     for (std::size_t i = 0; i < walls.size(); ++i)
         if (walls[i]) floor.beyond[cell_of(i)] = 0;
 }

@@ -1,5 +1,5 @@
-// A storey on a grid of squares: where walls stop a body, where floors are, and where neither is. Pure functions over
-// plain values; any thread. Time goes with the squares.
+// A storey on a grid of squares: where walls stop a person, where floors are, and where neither is. Pure functions over
+// plain values; any thread may call them. The time grows with the number of squares.
 #pragma once
 
 #include "worlds/plan/room_borders.h"
@@ -7,14 +7,15 @@
 
 namespace handrail::plan {
 
-// Squares of that size from Storey::min_m on.
+// Squares of the size square_m, beginning at Storey::min_m.
 class StoreyGrid {
 public:
     StoreyGrid(const Storey& storey, double square_m) : storey_(&storey), square_m_(square_m) {}
-    // As fine as walls need, coarser for a storey that is very large.
+    // Chooses squares as small as walls need, or larger ones if the storey is very large.
     static StoreyGrid of(const Storey& storey);
 
-    // Walls block; squares have the room of their floor; the rim, if it has none, has as many as there are rooms.
+    // Returns the grid. Walls block squares; squares on floors have the room of the floor. A square on the rim that has
+    // no room gets the number of rooms as its room.
     RoomGrid walls() const;
     void block(RoomGrid& grid, const PlanOutline& outline) const;
     double square_m() const { return square_m_; }
@@ -31,11 +32,11 @@ private:
     double square_m_;
 };
 
-// Leaves out walls that no floor of the storey is near, as those of a room on another storey: they would end in the
-// middle of nothing.
+// Removes walls that are not near any floor of the storey, for example walls of a room on another storey. They would
+// seem to stand alone.
 void drop_far_walls(Storey& storey);
 
-// Fills StoreyFloor::beyond by the storey's floor, walls and portals.
+// Fills StoreyFloor::beyond from the floor, walls and portals of the storey.
 void find_beyond(Storey& storey);
 
 }  // namespace handrail::plan

@@ -1,6 +1,7 @@
-// Packs values into bytes and reads them back, bit for bit, in this machine's number formats: for bytes that never
-// leave it. One function template serves both directions, so that they cannot differ. Reading is safe for any bytes: it
-// ends, gives no invalid enumerator, and takes at most some hundred times their size in memory. Any thread.
+// Packs values into bytes and reads them back bit for bit. The bytes use the number formats of this machine and must
+// not leave it. One function template serves both directions, so that these cannot differ. Reading is safe for any
+// bytes: it always ends, never gives an invalid enumerator, and takes at most some hundred times their size in memory.
+// Any thread may use this.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +25,7 @@ namespace handrail::stored {
 template <class T, class U>
 concept Is = std::is_same_v<std::remove_const_t<T>, U>;
 
-// The last enumerator of an enumeration. Every stored enumeration must specialise it.
+// The value of an enumeration's last enumerator. Every stored enumeration must specialise it.
 template <class E>
 inline constexpr int kLastOf = -1;
 
@@ -33,7 +34,8 @@ public:
     static constexpr bool kReads = false;
 
     Packer() = default;
-    // Passes the bytes on in pieces, in order, instead of keeping all of them. take() returns the last piece.
+    // With `full`, passes the bytes on in pieces, in order, instead of keeping all of them. take() then returns the
+    // last piece.
     explicit Packer(std::function<void(std::string_view)> full) : full_(std::move(full)) {}
 
     template <class... T>
@@ -46,7 +48,7 @@ public:
     }
     std::string take() { return std::move(bytes_); }
 
-    // The number of a shared value, and whether this is its first use.
+    // Returns the number of a shared value, and whether this is its first use.
     template <class T>
     std::pair<std::uint32_t, bool> number_of(const std::shared_ptr<const T>& value) {
         const auto [at, is_new] = known_.emplace(value.get(), static_cast<std::uint32_t>(known_.size() + 1));
@@ -64,7 +66,7 @@ private:
 class Unpacker {
 public:
     static constexpr bool kReads = true;
-    static constexpr int kDeepest = 4;  // scenes within scenes; default of descend()
+    static constexpr int kDeepest = 4;  // greatest depth of scenes within scenes; default of descend()
 
     explicit Unpacker(std::string_view bytes) : bytes_(bytes) {}
     template <class... T>
@@ -83,14 +85,14 @@ public:
         return good_;
     }
     void ascend() { --depth_; }
-    // The shared values read so far, by their numbers.
+    // Returns the shared values of a type that have been read, by their numbers.
     std::map<std::uint32_t, std::shared_ptr<const void>>& known(const void* kind) { return known_[kind]; }
 
 private:
     std::string_view bytes_;
     bool good_ = true;
     int depth_ = 0;
-    std::map<const void*, std::map<std::uint32_t, std::shared_ptr<const void>>> known_;  // by type
+    std::map<const void*, std::map<std::uint32_t, std::shared_ptr<const void>>> known_;  // by type and then by number
 };
 
 namespace archive {
@@ -116,13 +118,13 @@ struct Kind<std::shared_ptr<const T>> : Kind<void> {
     static constexpr bool shared = true;
 };
 
-// Types that are copied as they are in memory, because there are no gaps between their parts.
+// True for types whose parts have no gaps between them. Such values are copied as they are in memory.
 template <class T>
 inline constexpr bool kFlat = std::is_same_v<T, Vec2> || std::is_same_v<T, Vec3> ||
                               (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>);
 
-// Types whose width depends on the machine, so another machine would misread them: std::size_t, for which count()
-// exists, and long if it is not std::int64_t.
+// True for types whose width depends on the machine, so that another machine would misread them: std::size_t, for which
+// there is count(), and long if it differs from std::int64_t.
 template <class T>
 inline constexpr bool kWidthVaries = std::is_same_v<T, unsigned long> ||
                                      (std::is_same_v<T, long> && !std::is_same_v<T, std::int64_t>);
@@ -142,7 +144,7 @@ void list(A& a, T& values) {
     static_assert(!kWidthVaries<Element>);
     const std::uint64_t size = count(a, values.size());
     if constexpr (A::kReads) {
-        // Each element takes at least a byte.
+        // Each element takes at least one byte, so a larger size must be wrong.
         if (!a.good() || size > a.rest().size()) return a.spoil();
         values.clear();
         if constexpr (kFlat<Element>) {
@@ -257,7 +259,8 @@ void one(A& a, T& value) {
     } else if constexpr (Kind<V>::shared) {
         shared(a, value);
     } else {
-        fields(a, value);  // found in the namespace of the type; it names all members, so that none is forgotten
+        // Found in the namespace of the type; a structured binding names all members, so that none is forgotten.
+        fields(a, value);
     }
 }
 

@@ -1,4 +1,4 @@
-// How parts that occur in several kinds of stored values are packed. Private to this folder.
+// Packs parts that occur in several kinds of stored values. Private to this folder.
 #pragma once
 
 #include "worlds/scene/scene.h"

@@ -7,7 +7,7 @@
 
 namespace handrail::stored {
 
-// Each fields() names all members, so a new member that is forgotten here does not compile.
+// Each fields() names all members, so the code does not compile if a new member is missing here.
 
 template <>
 inline constexpr int kLastOf<FeatureKind> = static_cast<int>(FeatureKind::Teleport);
@@ -243,7 +243,7 @@ void fields(A& a, T& v) {
     a(format, brushes, polygons, polygons_kept, polygons_hidden, triangles, liquids, movers, doors, starts, patches,
       guessed, simplified, left_out, warnings, warnings_in_all);
 }
-// Everything in the building, without the report about reading it.
+// Packs everything in the building, without the report about reading it.
 template <class A, Is<Scene> T>
 void all_but_report(A& a, T& v) {
     auto& [name, name_in, source_file, game_map, metres_per_unit, bounds, materials, features, solids, triangles,
@@ -298,7 +298,7 @@ bool is_whole(const Scene& scene, const StatedBuilding& stated) {
     return true;
 }
 
-// Checks what the scene's own check leaves out because readers cannot get it wrong.
+// Makes the checks that validate() leaves out because readers cannot violate them.
 bool holds_together(const Scene& scene) {
     for (const Solid& solid : scene.solids)
         if (solid.soft && solid.soft->face >= solid.shape.planes.size()) return false;

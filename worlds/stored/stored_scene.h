@@ -1,6 +1,6 @@
-// Packs a Scene into bytes and reads it back, bit for bit. The process that reads a file hands the Scene to the program
-// in this form, and the cache keeps it for the next start. The bytes are valid for this machine and this build only.
-// Pure functions; any thread.
+// Packs a Scene into bytes and reads it back bit for bit. The process that reads a file passes the Scene to the program
+// in this form, and the cache keeps it for the next start. The bytes are valid only for this machine and this build.
+// Pure functions; any thread may call them.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace handrail::stored {
 
-// Changes with every source in worlds and every text of the program. The keys of the cache contain it.
+// Changes whenever a source file in worlds or a text of the program changes. It is part of the cache's keys.
 extern const std::uint64_t kWorldsVersion;
 
 std::string stored(const Scene& scene);
-// Fails with one sentence if the bytes are not a Scene, or a Scene that is inconsistent.
+// Reads a Scene. Fails with one sentence if the bytes are not a Scene, or if the Scene is inconsistent.
 Result<Scene> scene_from(std::string_view bytes);
 
-// SHA-256, in hex, of everything in the Scene except the reader's report.
+// Returns the SHA-256, in hex, of everything in the Scene except the reader's report.
 std::string sum_of(const Scene& scene);
 
 }  // namespace handrail::stored

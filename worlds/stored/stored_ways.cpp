@@ -51,14 +51,15 @@ void fields(A& a, T& v) {
 
 namespace {
 
-constexpr std::size_t kMostKept_bytes = std::size_t{512} << 20;  // uncompressed; two million spans are 90 MB
-constexpr std::size_t kPacked_bytes = 1 << 18;                   // compressed in pieces of this size
+// Greatest size without compression; two million spans need 90 MB.
+constexpr std::size_t kMostKept_bytes = std::size_t{512} << 20;
+constexpr std::size_t kPacked_bytes = 1 << 18;  // the bytes are compressed in pieces of this size
 constexpr std::uint8_t kEdge = 1, kLiquid = 2, kStairs = 4;
 
-// The spans' values, one kind after another, because that compresses well. A neighbour is stored as its position in its
-// column, counted from 1; 0: none.
+// The spans, stored as one column for each kind of value, because this compresses well. A neighbour is stored as its
+// position in its column of the walkable space, counted from 1; 0 means that there is no neighbour.
 struct SpanColumns {
-    std::vector<std::uint8_t> counts;  // spans in each cell
+    std::vector<std::uint8_t> counts;  // number of spans in each cell
     std::vector<float> floors, ceilings, clearances;
     std::vector<std::uint32_t> ground, doors, beside;
     std::array<std::vector<std::uint8_t>, 4> next;
@@ -70,7 +71,7 @@ void fields(A& a, T& v) {
     a(counts, floors, ceilings, clearances, ground, doors, beside, next[0], next[1], next[2], next[3], flags);
 }
 
-// The neighbour of a cell to the east (0), north (1), west (2) or south (3); kNothing: outside.
+// Returns the neighbour of a cell to the east (0), north (1), west (2) or south (3); kNothing if it is outside.
 std::uint32_t cell_beside(const navigation::WalkSpace& space, std::uint32_t cell, std::size_t way) {
     const std::uint32_t x = cell % space.width, y = cell / space.width;
     if (way == 0) return x + 1 < space.width ? cell + 1 : navigation::kNothing;
@@ -116,7 +117,7 @@ std::optional<SpanColumns> columns_of(const navigation::WalkSpace& space) {
     return columns;
 }
 
-// Returns false if the columns do not fit a space of that width and depth.
+// Copies the columns into `space`. Returns false if they do not match its width and depth.
 bool put(const SpanColumns& columns, navigation::WalkSpace& space) {
     const std::size_t cells = static_cast<std::size_t>(space.width) * space.depth, count = columns.floors.size();
     if (columns.counts.size() != cells) return false;
@@ -159,7 +160,7 @@ bool put(const SpanColumns& columns, navigation::WalkSpace& space) {
     return true;
 }
 
-// Empty if stopped.
+// Compresses the bytes. Empty after a stop request.
 std::string deflated(std::string_view bytes, const std::stop_token& stop) {
     z_stream stream{};
     if (::deflateInit(&stream, 1) != Z_OK) return {};
@@ -195,7 +196,7 @@ void all_but_spans(A& a, T& space) {
       space.outdoors_m, space.part);
 }
 
-// Empty if the space must not be kept.
+// Packs both without compression. Empty if the space must not be kept.
 std::string plain_ways(const navigation::WalkSpace& space, const navigation::RoomGraph& graph) {
     const std::optional<SpanColumns> columns = columns_of(space);
     if (!columns || graph.room_of_span.size() != space.spans.size()) return {};
@@ -205,7 +206,7 @@ std::string plain_ways(const navigation::WalkSpace& space, const navigation::Roo
     return all.take();
 }
 
-// Reads and checks all that can be checked without the scene.
+// Reads both and makes all checks that do not need the scene.
 std::optional<FoundWays> whole_ways(std::string_view plain) {
     Unpacker all(plain);
     FoundWays found;
@@ -217,7 +218,7 @@ std::optional<FoundWays> whole_ways(std::string_view plain) {
     return found;
 }
 
-// Checks what needs the scene, and that the space can belong to a body of this size.
+// Makes the checks that need the scene, and checks that the space can belong to a walker of this size.
 bool belong_to(const Scene& scene, const navigation::WalkerMeasures& asked, const navigation::WalkSpace& space,
                const navigation::RoomGraph& graph) {
     const auto known = [&](FeatureId id) { return !id || id.value < scene.features.size(); };
@@ -274,7 +275,8 @@ std::optional<FoundWays> ways_from(std::string_view plain, const navigation::Wal
     std::optional<FoundWays> found = whole_ways(plain);
     if (!found || !belong_to(scene, body, found->space, found->graph)) return std::nullopt;
     found->space.said = navigation::said_of(found->space, body);
-    navigation::number_room_names(found->graph);  // in the language spoken now, which may be the person's own texts
+    // In the language that is spoken now, in which the person may have texts of their own.
+    navigation::number_room_names(found->graph);
     return found;
 }
 

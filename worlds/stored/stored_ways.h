@@ -1,6 +1,6 @@
 // Packs the walkable space of a world and the rooms found in it into bytes. The cache keeps them, so that the next
-// start need not search again. They are valid only for the same scene, body and build, which their key identifies.
-// Pure; any thread except the app's, because a large building takes a while.
+// start need not search again. They are valid only for the same scene, walker and build, which the key identifies. Pure
+// functions. Call them on any thread except the app thread, because a large building takes a while.
 #pragma once
 
 #include <cstdint>
@@ -15,26 +15,27 @@
 
 namespace handrail::stored {
 
-// SHA-256, in hex, of everything that the result depends on: the scene, the body as requested, and kWorldsVersion.
+// Returns the key: the SHA-256, in hex, of everything that the result depends on (the scene, the requested measures of
+// the walker, and kWorldsVersion).
 std::string ways_key(const Scene& scene, const navigation::WalkerMeasures& body);
 
 struct FoundWays {
-    navigation::WalkSpace space;  // without its walls, which are needed only to find rooms
-    navigation::RoomGraph graph;  // without names that the person gave
+    navigation::WalkSpace space;  // the walkable space without its walls, which are needed only to find rooms
+    navigation::RoomGraph graph;  // the rooms, without names that the person gave
 };
 
-// Returns the compressed bytes for the cache; equal values give equal bytes. Empty if stopped, or if the space must not
-// be kept (over 255 floors in one column). Takes about a tenth of the time of the search.
+// Returns the compressed bytes for the cache; equal values give equal bytes. Empty after a stop request, or if the
+// space must not be kept because a column has over 255 floors. Takes about a tenth of the time of the search.
 std::string stored_ways(const navigation::WalkSpace& space, const navigation::RoomGraph& graph,
                         const std::stop_token& stop = {});
-// Uncompresses the result of stored_ways, checks it with validate() and writes it again; empty if the bytes are
-// damaged. handrail-reader does this, so that the program itself never decompresses cached bytes.
+// Uncompresses the result of stored_ways, checks it with validate() and packs it again without compression. Empty if
+// the bytes are damaged. handrail-reader calls this, so that the program itself never decompresses cached bytes.
 std::string unpacked_ways(std::string_view packed);
-// Reads the result of unpacked_ways, for the scene and body of its key; empty if it does not fit them. Names are in the
-// spoken language.
+// Reads the result of unpacked_ways for the scene and walker of its key. Empty if it does not match them. Room names
+// are in the spoken language.
 std::optional<FoundWays> ways_from(std::string_view plain, const navigation::WalkerMeasures& body, const Scene& scene);
 
-// With fewer spans, and fewer solids and triangles, the search is faster than the cache.
+// If there are fewer spans than this, and fewer solids and triangles, the search is faster than the cache.
 inline constexpr std::size_t kLeastKeptSpans = 50'000, kLeastKeptShapes = 2'000;
 bool worth_keeping(const navigation::WalkSpace& space, const Scene& scene);
 

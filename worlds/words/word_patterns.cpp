@@ -15,10 +15,13 @@ namespace {
 
 constexpr std::size_t kMostWords = 120, kMostNumbers = 4000, kMostOfName = 12;
 
-// A pattern of words. `words` has alternatives ("by|x"), a question mark after an optional word, and placeholders in
-// braces: a number {n}, a unit {u}, a compass direction {c}, a wall {w} or a corner {k} with its noun, a material {m},
-// a name {name}. `kinds` lists the kinds of sentence that it applies to: r room, d door or opening, l lift, drop or
-// stairs between rooms, w window, t thing, s start, h heads of storeys and buildings.
+// A pattern of words. `words` contains:
+//   - alternatives ("by|x"),
+//   - a question mark after an optional word,
+//   - placeholders in braces: a number {n}, a unit {u}, a compass direction {c}, a wall {w} or a corner {k} with its
+//     noun, a material {m}, a name {name}.
+// `kinds` lists the kinds of sentence in which the pattern may occur: r room, d door or opening, l lift, drop or stairs
+// between rooms, w window, t thing, s start, h head of a storey or building.
 struct Pattern {
     Statement says;
     std::string_view kinds, words;
@@ -145,7 +148,7 @@ struct KindWord {
     std::string_view word;
     SentenceKind kind;
 };
-// Words that begin a sentence and determine its kind. kColons: words that do so with a colon after them.
+// Words that begin a sentence and determine its kind. Those in kColons do so only if a colon follows.
 constexpr KindWord kEnglishHeads[] = {
     {"door", SentenceKind::Door},           {"sliding door", SentenceKind::SlidingDoor},
     {"automatic door", SentenceKind::Door}, {"opening", SentenceKind::Opening},
@@ -187,7 +190,7 @@ constexpr KindWord kColons[] = {
 constexpr std::string_view kEnglishArticles[] = {"the", "a", "an", "its", "his", "our", "my"};
 constexpr std::string_view kGermanArticles[] = {"der", "die",  "das",   "dem",    "den",   "des",
                                                 "ein", "eine", "einen", "seiner", "ihrer", "einem"};
-// Words that have no meaning of their own and are ignored.
+// Words that carry no meaning here and are ignored.
 constexpr std::string_view kNoise[] = {"and", "with", "is",   "are",   "lies",   "stands", "there", "und",
                                        "mit", "ist",  "sind", "liegt", "steht",  "hier",   "here",  "it",
                                        "es",  "room", "raum", "raums", "raumes", "also",   "auch",  "from",
@@ -210,7 +213,8 @@ bool has(const Range& range, const Value& value) {
     return std::find(std::begin(range), std::end(range), value) != std::end(range);
 }
 
-// Index of a compass direction: "north", "northern", "nördlichen", "Nord" -> 0; -1: none.
+// Returns the index of a compass direction: "north", "northern", "nördlichen" and "Nord" give 0. Returns -1 for any
+// other word.
 int side_of(std::string_view word) {
     static const std::map<std::string, int, std::less<>> kSides = [] {
         std::map<std::string, int, std::less<>> sides;
@@ -221,7 +225,7 @@ int side_of(std::string_view word) {
             for (const char* end : {"", "en"}) add(stem + end, side);
             for (const char* end : {"lich", "liche", "lichen", "licher", "liches", "lichem"}) add(soft + end, side);
         };
-        const auto softened = [](std::string stem) {  // umlauts: nördlich, östlich
+        const auto softened = [](std::string stem) {  // forms with umlauts: nördlich, östlich
             if (const std::size_t o = stem.rfind('o'); o != std::string::npos) stem.replace(o, 1, "ö");
             return stem;
         };
@@ -260,7 +264,7 @@ int side_of(std::string_view word) {
     return found == kSides.end() ? -1 : found->second;
 }
 
-// Index of the direction in a German compound of a direction and a noun: "Nordwand", "Nordwestecke".
+// Returns the index of the direction in a German compound such as "Nordwand" or "Nordwestecke"; -1 if the word is none.
 int compound_side(std::string_view word, bool corner) {
     static constexpr std::string_view kWalls[] = {"wand", "seite", "ende", "endes", "mauer"}, kCorners[] = {"ecke"};
     const auto nouns = corner ? std::span<const std::string_view>(kCorners) : std::span<const std::string_view>(kWalls);
@@ -273,7 +277,7 @@ int compound_side(std::string_view word, bool corner) {
     return -1;
 }
 
-// The length of a unit in metres; 0: the word is not a unit.
+// Returns the length of a unit in metres; 0 if the word is not a unit.
 double unit_m(std::string_view word, double step_m) {
     static constexpr std::string_view kMetres[] = {"metre", "metres", "meter", "meters", "metern", "m"},
                                       kCentimetres[] = {"cm",          "centimetre", "centimetres", "centimeter",
@@ -298,7 +302,8 @@ std::optional<double> number_word(std::string_view word) {
     return std::nullopt;
 }
 
-// True for kinds that lead from one room to another, which the sentence may name.
+// True for kinds of sentence about a connection from one room to another, in which the sentence may name the first
+// room.
 bool is_from_room(SentenceKind kind) {
     return kind == SentenceKind::Lift || kind == SentenceKind::Drop || kind == SentenceKind::Flight;
 }
@@ -317,7 +322,7 @@ public:
                     : 'h';
     }
 
-    // The longest pattern that matches at this position, and the position after it.
+    // Returns the longest pattern that matches at this position, with the position after it.
     std::optional<std::pair<SaidPart, std::size_t>> at(std::size_t place, bool within_name = false) {
         std::optional<std::pair<SaidPart, std::size_t>> best;
         for (const Pattern& pattern : patterns_of(speaker_.language)) {
@@ -337,7 +342,7 @@ private:
 
     bool match(std::string_view pattern, std::size_t& at, SaidPart& part, bool within_name) {
         bool steps = false;
-        std::vector<std::size_t> without_unit;  // numbers to which the next unit also applies
+        std::vector<std::size_t> without_unit;  // numbers to which the next unit in the text also applies
         while (!pattern.empty()) {
             std::string_view item = pattern.substr(0, pattern.find(' '));
             pattern.remove_prefix(std::min(item.size() + 1, pattern.size()));
@@ -388,7 +393,8 @@ private:
         return false;
     }
 
-    // Words such as "behind" and "links" belong to a pattern and are a direction at the same time.
+    // Takes the direction from words such as "behind" and "links", which belong to a pattern and are a direction at the
+    // same time.
     static void side_word(std::string_view word, SaidPart& part) {
         if (part.says == Statement::SideOf && part.sides.empty()) {
             if (word == "behind" || word == "beyond" || word == "hinter") part.sides.push_back(kBackSide);
@@ -452,15 +458,16 @@ private:
         return false;
     }
 
-    // Reads a name: the longest known one if there is one, else everything up to a comma or to the beginning of a
-    // pattern.
+    // Reads a name: the longest known name that matches. Without a known name, reads up to a comma or to the beginning
+    // of a pattern.
     bool name(std::size_t& at, SaidPart& part, bool within_name) {
         if (const WordToken* now = token(at); now && now->kind == WordToken::Kind::Name) {
             part.name = now->text;
             ++at;
             return !part.name.empty();
         }
-        // A new name after "called", which may begin like the name of a room.
+        // After "called" comes a new name. It may begin like the name of a room, so known names are tried only for
+        // other patterns.
         const bool own = part.says == Statement::Called;
         if (!own && known_name(at, part)) return true;
         std::size_t here = at;
@@ -490,8 +497,8 @@ private:
         return true;
     }
 
-    // Finds the known name that a German declined form stands for: "des großen Saals" means "Großer Saal". Empty if
-    // there is none.
+    // Returns the known name in the nominative for a German declined form: "des großen Saals" stands for "Großer Saal".
+    // Empty if no known name matches.
     std::string nominative(const std::string& key) const {
         constexpr std::size_t kMostDeclined = 3;
         constexpr std::array<std::string_view, 8> kNounEnds{"", "s", "es", "ses", "n", "en", "ns", "ens"};
@@ -549,7 +556,7 @@ private:
         return true;
     }
 
-    // Reads pairs of numbers, with any commas, units and words for east and north between them.
+    // Reads pairs of numbers. Commas, units and words for east and north may be between them.
     bool corners(std::size_t& at, SaidPart& part) {
         double unit = 1.0;
         bool steps = false;
@@ -633,7 +640,7 @@ WordLanguage language_of(std::span<const WordSentence> sentences) {
 
 namespace {
 
-// Determines the kind of the sentence by its first words; returns the position after them.
+// Determines the kind of the sentence from its first words, and returns the position after these words.
 std::size_t kind_of(const WordSentence& sentence, WordLanguage language, SaidSentence& said) {
     const std::vector<WordToken>& tokens = sentence.tokens;
     if (tokens.size() > 1 && tokens[1].kind == WordToken::Kind::Colon)
@@ -660,14 +667,15 @@ std::size_t kind_of(const WordSentence& sentence, WordLanguage language, SaidSen
             if (plain && text == head.word) {
                 said.kind = head.kind;
                 if (text.starts_with("automat")) said.parts.push_back({Statement::ByItself, {}, {}, {}});
-                // Skips only the first word of such a head, because "from" or "of" already begins the description.
+                // Skips only the first word of such a beginning, because "from" or "of" already belongs to the
+                // description.
                 return is_from_room(said.kind) ? from + 1 : from + words;
             }
     }
     return from;
 }
 
-// The patterns that match in a sentence if it is of this kind.
+// Returns the patterns that match in a sentence if it is read as this kind.
 std::set<Statement> said_as(const WordSentence& sentence, const SpeakersOf& speaker, SentenceKind kind,
                             std::size_t from) {
     std::set<Statement> says;
@@ -680,7 +688,7 @@ std::set<Statement> said_as(const WordSentence& sentence, const SpeakersOf& spea
     return says;
 }
 
-// Decides between a room and a thing by what the sentence says about it.
+// Decides from the content of the sentence whether it describes a room (true) or a thing.
 bool is_room(const WordSentence& sentence, const SpeakersOf& speaker, std::size_t from) {
     const std::set<Statement> as_room = said_as(sentence, speaker, SentenceKind::Room, from);
     const auto any = [](const std::set<Statement>& says, std::initializer_list<Statement> of) {
@@ -713,7 +721,7 @@ SaidSentence head_of(const WordSentence& sentence, const SpeakersOf& speaker) {
 
 namespace {
 
-// "Two chairs", "4 Stühle": several known things.
+// Recognises several things of a known kind: "Two chairs", "4 Stühle".
 void note_count(const WordToken& first, const std::string& names, SaidSentence& said) {
     constexpr double kMostOfThem = 50.0;
     const std::optional<double> word =
@@ -726,7 +734,8 @@ void note_count(const WordToken& first, const std::string& names, SaidSentence& 
     said.count = static_cast<int>(count);
 }
 
-// Course through a sentence: first its subject, then what it says about the subject. Collects what was not understood.
+// Reads a sentence: first its subject, then the description of the subject. Collects the words that were not
+// understood.
 class SentenceReader {
 public:
     SentenceReader(const WordSentence& sentence, const SpeakersOf& speaker)
@@ -739,7 +748,7 @@ public:
     }
 
     SaidSentence read() {
-        // In such a sentence all the rest is the name.
+        // In a sentence of these kinds, everything after the beginning is the name.
         const bool all_name = kind_ == SentenceKind::Building || kind_ == SentenceKind::Language;
         for (int looked_at = 0; at_ < sentence_.tokens.size(); ++looked_at) {
             if (looked_at >= static_cast<int>(kMostWords)) {
@@ -789,15 +798,15 @@ private:
         return true;
     }
 
-    // A name in quotation marks.
+    // Takes a subject in quotation marks.
     bool take_name() {
         if (token().kind != WordToken::Kind::Name || !begins_subject()) return false;
         subject_end_ = ++at_;
         return true;
     }
 
-    // A matching number or word at the very beginning belongs to the name, not to a pattern. Only "stairs to ..." and
-    // the like are both.
+    // Takes a pattern. A number or word at the very beginning of the subject belongs to the name, even if it matches a
+    // pattern. Only phrases such as "stairs to ..." are name and pattern at once.
     bool take_part() {
         auto part = matcher_.at(at_);
         if (!part) return false;
@@ -810,7 +819,7 @@ private:
         return true;
     }
 
-    // The word belongs to the subject, is ignored, or is reported as not understood.
+    // Handles a word that matches nothing. It belongs to the subject, is ignored, or counts as not understood.
     void leave_word() {
         const bool noise = token().kind == WordToken::Kind::Word &&
                            (has(kNoise, token().folded) || has(articles_of(speaker_.language), token().folded));
@@ -898,7 +907,7 @@ struct MaterialWord {
     std::string_view word, name;
 };
 
-// In the rows of one material, the first German word is the one that is written.
+// If a material has several rows, Handrail writes the first German word.
 std::span<const MaterialWord> material_words() {
     static constexpr MaterialWord kRows[] = {
         {"putz", "plaster"},
@@ -952,7 +961,7 @@ std::string word_of_material(std::string_view name, WordLanguage language) {
 namespace {
 
 struct UsualSize {
-    // Several: the German plural; the English plural adds an s, except for the words in one_of_several.
+    // `several` is the German plural. The English plural adds an s, except for the words in one_of_several.
     std::string_view english, german, several;
     double x, y, z;
 };
@@ -1005,7 +1014,8 @@ const UsualSize* usual_row(std::string_view name) {
 
 std::optional<std::string> one_of_several(std::string_view names) {
     const std::string key = folded(names);
-    // Folding may change letters, but not their number, so `names` can be cut by the length of the key.
+    // Folding may change letters but not their number. So `names` can be cut by lengths that were found in the folded
+    // key.
     const auto cut = [&](std::string_view several, std::string_view one) -> std::optional<std::string> {
         if (!key.ends_with(several)) return std::nullopt;
         return capitalised(std::string(names.substr(0, names.size() - several.size())) + std::string(one));

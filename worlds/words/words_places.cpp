@@ -1,4 +1,4 @@
-// Places the rooms of a text.
+// Places the rooms of a room description.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,8 @@ namespace handrail::words {
 Vec2 side_direction(int side) {
     constexpr std::array<Vec2, 8> kSides{Vec2(0, 1),  Vec2(1, 1),   Vec2(1, 0),  Vec2(1, -1),
                                          Vec2(0, -1), Vec2(-1, -1), Vec2(-1, 0), Vec2(-1, 1)};
-    constexpr std::array<int, 4> kSeen{6, 2, 4, 0};  // left, right, front, back on a page with north at the top
+    // Compass directions of left, right, front and back on a page with north at the top.
+    constexpr std::array<int, 4> kSeen{6, 2, 4, 0};
     return kSides[static_cast<std::size_t>(side < 8 ? side : kSeen[static_cast<std::size_t>(side - 8)])];
 }
 
@@ -27,7 +28,7 @@ constexpr double kLeastSide_m = 0.2, kMostSide_m = 1000.0, kFarthest_m = 5000.0,
 constexpr double kLeastRoom_m2 = 0.05, kLeastPiece_m2 = 1e-4;
 constexpr std::size_t kMostCornersOfOne = 1500;
 
-// Pairs of numbers as an outline; empty if they form none.
+// Returns pairs of numbers as an outline; empty if they do not form one.
 std::optional<Ring> ring_of(const std::vector<double>& numbers) {
     Ring ring;
     for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
@@ -44,7 +45,7 @@ std::optional<Ring> ring_of(const std::vector<double>& numbers) {
 }  // namespace
 
 void WordsPlan::set_box(WordRoom& room, const Vec2& least) {
-    // Rounded to a tenth of a millimetre, so that numbers are read back as written.
+    // Positions are rounded to a tenth of a millimetre, so that numbers are read back as they were written.
     const auto rounded = [](double value) { return std::round(value * 1e4) / 1e4; };
     Vec2 from = glm::clamp(least, Vec2(-kFarthest_m), Vec2(kFarthest_m));
     from = {rounded(from.x), rounded(from.y)};
@@ -116,8 +117,8 @@ bool WordsPlan::place_against(WordRoom& room, const SaidPart& where, const WordR
 
 void WordsPlan::place_by_assumption(std::size_t r) {
     WordRoom& room = rooms_[r];
-    // The room goes east of the previous one on its storey. The first room of a storey goes above the first room of
-    // all.
+    // Places the room east of the previous room on its storey. The first room of a storey is placed above the first
+    // room of the text.
     const WordRoom* before = nullptr;
     for (std::size_t i = r; i-- > 0 && !before;)
         if (rooms_[i].storey == room.storey && !rooms_[i].rings.empty()) before = &rooms_[i];
@@ -155,7 +156,7 @@ void WordsPlan::place_rooms() {
         const SaidPart* where = room.said.words.find(Statement::SideOf);
         if (!where) where = room.said.words.find(Statement::Above);
         if (!where) continue;
-        // If the sentence says above or below, the other room must be on another storey.
+        // If the sentence says above or below, the named room must be on another storey.
         std::size_t other = room_named(where->name, r);
         if (where->says == Statement::Above)
             if (const auto same = by_name_.find(name_key(where->name, speaker_.language)); same != by_name_.end())
@@ -182,7 +183,8 @@ void WordsPlan::place_rooms() {
         }
         if (!open) return;
         if (moved) continue;
-        // Takes the first room that waits for no other, else the first of a circle of rooms that wait for each other.
+        // Takes the first room that does not wait for another. If all remaining rooms wait for each other in a circle,
+        // takes the first of them.
         std::size_t next = kNoRoom;
         for (std::size_t r = 0; r < rooms_.size(); ++r)
             if (rooms_[r].rings.empty() && (next == kNoRoom || (wishes[next].part && !wishes[r].part))) next = r;
@@ -212,14 +214,16 @@ void WordsPlan::find_overlaps() {
 
 int WordsPlan::wall_side(const WordRoom& room, int side) {
     if (side < 8) return side / 2 * 2;
-    // Left, right, front and back are relative to walking along the longer side of the room, to the east or to the
-    // north.
+    // Left, right, front and back are those of a person who walks along the longer side of the room, to the east or to
+    // the north.
     const bool eastwards = room.size_m.x >= room.size_m.y;
-    constexpr std::array<int, 4> kEastwards{0, 4, 2, 6}, kNorthwards{6, 2, 0, 4};  // left, right, front, back
+    // Compass directions of left, right, front, back.
+    constexpr std::array<int, 4> kEastwards{0, 4, 2, 6}, kNorthwards{6, 2, 0, 4};
     return (eastwards ? kEastwards : kNorthwards)[static_cast<std::size_t>(side - 8)];
 }
 
-// The wall of a room on this side. For an outline with more than four corners, the longest wall that faces this side.
+// Returns the wall of a room on this side. For an outline with more than four corners, returns the longest wall that
+// faces this side.
 WordsPlan::Border WordsPlan::wall_of(const WordRoom& room, int side) {
     const Vec2 out = side_direction(side);
     Border best;
@@ -232,13 +236,13 @@ WordsPlan::Border WordsPlan::wall_of(const WordRoom& room, int side) {
         const double score = turn * (along.y * out.x - along.x * out.y);
         if (score > most) most = score, best = {a, b};
     }
-    // The border runs from west to east, or from south to north.
+    // Orders the ends so that the border runs from west to east, or from south to north.
     const Vec2 way = best.to - best.from;
     if (std::abs(way.x) >= std::abs(way.y) ? way.x < 0 : way.y < 0) std::swap(best.from, best.to);
     return best;
 }
 
-// The longest border that both outlines share.
+// Returns the longest border that the outlines of both rooms share.
 std::optional<WordsPlan::Border> WordsPlan::shared(const WordRoom& a, const WordRoom& b) {
     if (glm::any(glm::greaterThan(a.least, b.most + kTouch_m)) ||
         glm::any(glm::greaterThan(b.least, a.most + kTouch_m)))
@@ -270,7 +274,8 @@ std::optional<WordsPlan::Border> WordsPlan::shared(const WordRoom& a, const Word
     return best;
 }
 
-// The room in which a lift, drop or flight begins: the room that the sentence names, else the paragraph's room.
+// Returns the room in which a lift, drop or flight begins: the room that the sentence names, else the room that the
+// paragraph describes.
 std::size_t WordsPlan::room_from(std::size_t room, const Said& said) const {
     const SaidPart* from = said.words.find(Statement::FromRoom);
     if (!from || name_key(from->name, speaker_.language) == name_key(rooms_[room].said.words.name, speaker_.language))
@@ -279,8 +284,8 @@ std::size_t WordsPlan::room_from(std::size_t room, const Said& said) const {
     return named == kNoRoom ? room : named;
 }
 
-// Sets the floor heights that the text states. If a drop leads to a room without a stated height, that room is as much
-// lower as the drop is high.
+// Sets the floor heights that the text states. If a drop leads to a room without a stated height, the floor of that
+// room is lower by the height of the drop.
 void WordsPlan::set_raises() {
     constexpr double kMostRaise_m = 1.5;
     for (WordRoom& room : rooms_) {

@@ -30,7 +30,8 @@ Result<floorplan::FloorPlan> WordsPlan::build(std::string_view bytes) {
     const std::vector<WordSentence> sentences = sentences_of(bytes);
     if (sentences.size() > kMostSentences) return fail(phrase("rooms_text.too_large"), file_);
     speaker_.language = language_of(sentences);
-    // A first pass collects all names, because a name may be used before it is defined, and reads the length of a step.
+    // The first pass collects all names, because a sentence may use a name before another sentence defines it. It also
+    // reads the length of a step.
     std::vector<std::string> names;
     for (const WordSentence& sentence : sentences) {
         SaidSentence head = head_of(sentence, speaker_);
@@ -50,7 +51,7 @@ Result<floorplan::FloorPlan> WordsPlan::build(std::string_view bytes) {
         if (!name.empty()) speaker_.names.insert(std::move(name));
     for (std::size_t i = 0; i < sentences.size(); ++i) {
         SaidSentence said = understood(sentences[i], speaker_);
-        // "Hall. Door outside.": a room whose size was forgotten.
+        // "Hall. Door outside." at the start of a paragraph describes a room whose size the author forgot.
         if (said.kind == SentenceKind::Thing && said.parts.empty() && sentences[i].paragraph &&
             i + 1 < sentences.size() && !sentences[i + 1].paragraph) {
             const SentenceKind next = understood(sentences[i + 1], speaker_).kind;

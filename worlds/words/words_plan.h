@@ -1,5 +1,6 @@
 // Turns a room description into a plan: sentences become rooms, doors and things, which are then placed relative to
-// each other. If a place is missing, an assumption is made and reported with its line. One thread.
+// each other. If the position of something is missing, it is assumed, and the assumption is reported with its line.
+// Used on one thread.
 #pragma once
 
 #include <map>
@@ -12,19 +13,19 @@
 
 namespace handrail::words {
 
-// A compass direction as a vector east and north; diagonal directions go one metre both ways. Left, right, front and
-// back are as on a page with north at the top.
+// Returns a side as a vector east and north. A diagonal direction has one metre both ways. Left, right, front and back
+// are as on a page with north at the top.
 Vec2 side_direction(int side);
-// The vector of "2 metres east and 3 metres north".
+// Returns the vector of a position such as "2 metres east and 3 metres north".
 Vec2 offset_of(const SaidPart& part);
 
 class WordsPlan {
 public:
     explicit WordsPlan(std::string file_name) : file_(std::move(file_name)) {}
-    // Fails if the text has no room, or too much content.
+    // Builds the plan. Fails if the text describes no room, or too many parts.
     Result<floorplan::FloorPlan> build(std::string_view bytes);
 
-    const std::vector<Diagnostic>& warnings() const { return warnings_; }  // at most 20
+    const std::vector<Diagnostic>& warnings() const { return warnings_; }  // the first warnings, at most 20
     int warnings_in_all() const { return warnings_in_all_; }
 
 private:
@@ -41,9 +42,9 @@ private:
         Said said;
         std::size_t storey = 0;
         std::vector<Said> doors, windows, things;
-        std::vector<Ring> rings;  // empty: not placed yet
+        std::vector<Ring> rings;  // outlines of the room; empty if it has not been placed yet
         Vec2 least{0.0}, most{0.0}, size_m{4.0};
-        std::optional<double> raised_m;   // height of its floor above that of its storey
+        std::optional<double> raised_m;   // height of the room's floor above that of its storey
         std::vector<std::size_t> levels;  // indices into FloorPlan::levels
     };
     // A straight part of an outline: a wall, or the border that two rooms share.
@@ -60,11 +61,11 @@ private:
         int side = 0;
         double along_m = 0.0;
     };
-    struct Opening {  // a door or window that things may be placed by
+    struct Opening {  // a door or window, next to which things may be placed
         Vec2 at{0.0};
         double width_m = 1.0;
         int side = 0;
-        std::string to;  // the name of the other room, folded
+        std::string to;  // the folded name of the room beyond the door
     };
 
     void take(SaidSentence said, int line);
@@ -81,7 +82,8 @@ private:
     std::optional<Border> first_outer_wall(const WordRoom& room);
     void add_lift(std::size_t room, const Said& said);
     void add_flight(std::size_t room, const Said& said);
-    // The room of that name on another storey that contains the place, else the nearest one; kNoRoom if there is none.
+    // Returns the room of that name on another storey that contains the place, or else the nearest such room. Returns
+    // kNoRoom if there is none.
     std::size_t room_over(std::size_t room, const std::string& name, const Vec2& place) const;
     void set_raises();
     std::size_t room_from(std::size_t room, const Said& said) const;
@@ -95,14 +97,15 @@ private:
     std::size_t beside(std::size_t room, const std::string& name, const SaidPart* at, Border& border);
     std::optional<Border> shared(const WordRoom& a, const WordRoom& b);
     static Border wall_of(const WordRoom& room, int side);
-    static int wall_side(const WordRoom& room, int side);  // a compass direction: 0, 2, 4 or 6
-    // The position along a wall: as the sentence states it, else the middle. `placed` is set if the sentence states it.
+    static int wall_side(const WordRoom& room, int side);  // returns a compass direction: 0, 2, 4 or 6
+    // Returns the position along a wall that the sentence states, else the middle of the wall. Sets `placed` to whether
+    // the sentence states one.
     double along_wall(const Said& said, const WordRoom& room, const Border& wall, bool& placed);
     Vec2 free_corner(const WordRoom& room, const Vec3& size_m) const;
-    // True if the thing would be inside the room, clear of the things placed before, and not in front of a door.
-    // `doors_alone`: only the doors count.
+    // True if the thing would be inside the room, clear of the things placed before, and not in front of a door. With
+    // `doors_alone`, only the doors are considered.
     bool stands_free(const WordRoom& room, const Vec2& at, const Vec2& half, bool doors_alone = false) const;
-    // The free place nearest to `at`; `at` itself if there is none.
+    // Returns the free place nearest to `at`, or `at` itself if there is no free place.
     Vec2 nearest_free(const WordRoom& room, const Vec2& at, const Vec2& half) const;
     Vec2 place_next_to(const Placed& other, const WordRoom& room, const Vec2& half) const;
     void add_thing(const WordRoom& room, const Said& said, bool first);
@@ -120,13 +123,13 @@ private:
     floorplan::FloorPlan plan_;
     SpeakersOf speaker_;
     std::vector<Storey> storeys_;
-    std::vector<std::size_t> level_of_;  // level of each storey
+    std::vector<std::size_t> level_of_;  // indexed by storey: its index in FloorPlan::levels
     std::vector<WordRoom> rooms_;
     std::map<std::string, std::vector<std::size_t>> by_name_;
     std::vector<Said> starts_;
     std::vector<std::size_t> start_rooms_;
-    std::map<std::string, Placed> placed_things_;  // the things in the current room, by folded name
-    std::vector<Placed> placed_here_;              // all things in the current room
+    std::map<std::string, Placed> placed_things_;  // things in the current room, by their folded names
+    std::vector<Placed> placed_here_;              // all things in the current room, with or without a name
     std::vector<Opening> windows_here_, doors_here_;
     std::vector<std::vector<Opening>> doors_of_;  // indexed by room
     std::vector<Diagnostic> warnings_;

@@ -11,7 +11,7 @@ namespace {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' ' || c == '\x7f'; }
 
-// Windows editors that do not write UTF-8 write umlauts as Latin-1.
+// Returns the text as UTF-8. Windows editors that do not write UTF-8 write umlauts as Latin-1.
 std::string as_utf8(std::string_view bytes) {
     if (is_utf8(bytes)) return std::string(bytes);
     std::string text;
@@ -27,7 +27,7 @@ std::string as_utf8(std::string_view bytes) {
     return text;
 }
 
-// The length of the quotation mark at this position; 0 if there is none.
+// Returns the length of the quotation mark at this position; 0 if there is none.
 std::size_t quotation_mark(std::string_view line, std::size_t at) {
     constexpr std::array<std::string_view, 6> kMarks{"\"", "„", "“", "”", "«", "»"};
     for (const std::string_view mark : kMarks)
@@ -82,7 +82,7 @@ private:
         if (now_.tokens.empty() || now_.tokens.back().kind != WordToken::Kind::Comma) finish();
     }
 
-    // Reads a token; returns the position after it.
+    // Reads a token and returns the position after it.
     std::size_t read_token(std::string_view line, std::size_t at) {
         const char c = line[at];
         if (is_blank(c) || c == '(' || c == ')') return at + 1;
@@ -103,7 +103,7 @@ private:
         }
         const bool sign = (c == '-' || c == '+') && !last && is_digit(line[at + 1]);
         if (is_digit(c) || sign) return read_number(line, at);
-        // Reads a word. The multiplication sign of "4 × 3" is a word, too.
+        // Reads a word. The multiplication sign in "4 × 3" is a word as well.
         std::size_t end = at;
         while (end < line.size() && !is_blank(line[end]) && line[end] != ',' && line[end] != ';' && line[end] != ':' &&
                line[end] != '(' && line[end] != ')' && line[end] != '!' && quotation_mark(line, end) == 0) {
@@ -130,7 +130,7 @@ private:
             return end;
         }
         add(WordToken::Kind::Number, line.substr(at, end - at), value);
-        // "4x3": the sign between two numbers becomes a separate word.
+        // In "4x3", the sign between two numbers becomes a separate word.
         const std::size_t sign = end < line.size() && (line[end] == 'x' || line[end] == 'X') ? 1
                                  : line.substr(end).starts_with("×") ? std::string_view("×").size()
                                                                      : 0;

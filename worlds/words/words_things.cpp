@@ -1,4 +1,4 @@
-// Places the doors, windows, things and starts of a text.
+// Places the doors, windows, things and starts of a room description.
 #include <algorithm>
 #include <cmath>
 
@@ -11,10 +11,11 @@ namespace {
 constexpr double kBesideDoor_m = 0.15, kWindow_m = 1.2, kWindowHigh_m = 1.2, kSill_m = 0.9, kProud_m = 0.02;
 constexpr double kLeastThing_m = 0.05, kMostThing_m = 200.0, kOut_m = 0.4;
 constexpr std::size_t kMostThings = 30'000;
-// A room with more things than this is not searched for a free place, because the time grows with their square.
+// In a room with more things than this, no free place is searched for, because the time grows with the square of their
+// number.
 constexpr std::size_t kMostLookedAt = 300;
 
-// Distance from a place to the nearest edge of an outline; `side` receives the ends of that edge.
+// Returns the distance from a place to the nearest edge of an outline. `side` receives the ends of that edge.
 double away_from(const std::vector<Ring>& rings, const Vec2& at, std::pair<Vec2, Vec2>* side = nullptr) {
     double least = 1e300;
     for (const Ring& ring : rings)
@@ -35,7 +36,7 @@ std::string wall_words(int side) {
     return phrase(kKeys[static_cast<std::size_t>(side / 2)]);
 }
 
-// The wall of the room that a border belongs to: the side of the room nearest to the border's middle.
+// Returns the wall of the room to which a border belongs: the side of the room nearest to the border's middle.
 int side_of_border(const Vec2& from, const Vec2& to, const Vec2& least, const Vec2& most) {
     const Vec2 middle = 0.5 * (from + to);
     const std::array<double, 4> off{std::abs(most.y - middle.y), std::abs(most.x - middle.x),
@@ -60,7 +61,7 @@ Vec2 middle_at_wall(int side, double along, const Vec2& least, const Vec2& most)
 }  // namespace
 
 std::size_t WordsPlan::level_for(const WordRoom& a, const WordRoom* b) const {
-    // A room with stairs is on several levels; the level that the other room is on as well is taken.
+    // A room with stairs is on several levels. Chooses the level that the other room is on as well.
     const std::size_t own = level_of_[a.storey];
     if (!b) return own;
     const auto on = [](const WordRoom& room, std::size_t level) {
@@ -72,8 +73,8 @@ std::size_t WordsPlan::level_for(const WordRoom& a, const WordRoom* b) const {
     return own;
 }
 
-// Of the rooms with that name on a common storey, finds the one with the longest shared border. If the sentence gives a
-// position, finds the one nearest to it.
+// Among the rooms with that name on a common storey, finds the one with the longest shared border. If the sentence
+// gives a position, finds the one nearest to that position instead.
 std::size_t WordsPlan::beside(std::size_t r, const std::string& name, const SaidPart* at, Border& border) {
     constexpr double kNear_m = 1.0;
     const auto found = by_name_.find(name_key(name, speaker_.language));
@@ -154,7 +155,7 @@ std::size_t WordsPlan::room_over(std::size_t r, const std::string& name, const V
     return found;
 }
 
-// The stairs rise from the lower of the two rooms. If the text does not say, they are a metre wide and long enough to
+// The stairs rise from the lower of the two rooms. If the text gives no size, they are a metre wide and long enough to
 // be easy to climb.
 void WordsPlan::add_flight(std::size_t paragraph, const Said& said) {
     constexpr double kFlight_m = 1.0, kLeastFlight_m = 0.6, kMostFlight_m = 30.0, kEasySlope = 1.5;
@@ -173,7 +174,8 @@ void WordsPlan::add_flight(std::size_t paragraph, const Said& said) {
     floorplan::PlanFlight flight;
     flight.name = called ? one_line(called->name.substr(0, 200)) : std::string();
     flight.line = said.line;
-    // From a room on several storeys stairs begin at its highest storey; to such a room they lead to its lowest.
+    // Stairs from a room on several storeys begin at its highest storey. Stairs to such a room lead to its lowest
+    // storey.
     const bool rises = room.levels.back() < rooms_[other].levels.back();
     flight.from = rises ? r : other, flight.to = rises ? other : r;
     flight.high = rooms_[flight.to].levels.back();
@@ -194,7 +196,7 @@ void WordsPlan::add_flight(std::size_t paragraph, const Said& said) {
     plan_.flights.push_back(std::move(flight));
 }
 
-// A lift leads to the room of that name on another storey that contains the platform, else to the nearest one.
+// A lift leads to the room of that name on another storey that contains the platform, or else to the nearest such room.
 void WordsPlan::add_lift(std::size_t paragraph, const Said& said) {
     constexpr double kPlatform_m = 1.4, kLeastPlatform_m = 0.8, kMostPlatform_m = 20.0;
     const std::size_t r = room_from(paragraph, said);
@@ -308,8 +310,8 @@ void WordsPlan::add_door(std::size_t r, const Said& said) {
             if (off(border.from) < kOut_m && off(border.to) < kOut_m) wall = whole;
         }
         double along = along_wall(said, room, wall, placed);
-        // If no position is given and the other room shares only a part of the wall, the door is in the middle of that
-        // part.
+        // If the text gives no position and the other room shares only a part of the wall, the door is in the middle of
+        // that part.
         if (!placed && to) {
             wall = border;
             along = 0.5 * wall.length();
@@ -332,15 +334,15 @@ void WordsPlan::add_door(std::size_t r, const Said& said) {
             {door.at, door.width_m.value_or(0.9), side_of_border(door.at, door.at, here.least, here.most),
              to_room == kNoRoom ? std::string() : name_key(rooms_[to_room].said.words.name, speaker_.language)});
     };
-    // The author may describe a door in both of its rooms.
+    // Leaves out a door that the author described in both of its rooms.
     if (told_before(door, placed)) return;
     note(r, other);
     if (there) note(other, r);
     plan_.doors.push_back(std::move(door));
 }
 
-// The wall of a window and the position along it: as the sentence states, or on the side of the outline nearest to a
-// given place.
+// Returns the wall of a window and the position along it. They are as the sentence states; if it gives a place, the
+// wall is the side of the outline nearest to that place.
 WordsPlan::InWall WordsPlan::place_of_window(const Said& said, const WordRoom& room) {
     if (const SaidPart* at = said.words.find(Statement::At)) {
         const Vec2 place = offset_of(*at);
@@ -411,8 +413,8 @@ bool WordsPlan::stands_free(const WordRoom& room, const Vec2& at, const Vec2& ha
            });
 }
 
-// Finds a place where the thing is out of the way: a free corner, else a free place along the walls or farther in, else
-// a place that keeps the doors free, else the middle.
+// Finds a place where the thing is out of the way. Tries these in turn: a free corner; a free place along the walls or
+// farther in; a place that keeps the doors free; the middle.
 Vec2 WordsPlan::free_corner(const WordRoom& room, const Vec3& size_m) const {
     constexpr int kMostPlaces = 40;
     constexpr double kStep_m = 0.25;
@@ -447,8 +449,8 @@ Vec2 WordsPlan::nearest_free(const WordRoom& room, const Vec2& at, const Vec2& h
     return at;
 }
 
-// At the first free side of the other thing, else at the free place nearest to it, else at the first side that is
-// inside the room.
+// Places the thing at the first free side of the other thing, or else at the free place nearest to it, or else at the
+// first side that is inside the room.
 Vec2 WordsPlan::place_next_to(const Placed& other, const WordRoom& room, const Vec2& half) const {
     const double inside_m = 0.5 * plan_.wall_m;
     const Vec2 least = room.least + inside_m, most = room.most - inside_m, there = 0.5 * (other.least + other.most);
@@ -523,7 +525,7 @@ Vec2 WordsPlan::place_of_thing(const Said& said, const WordRoom& room, Vec3& siz
         return middle_at_wall(side, along, least + 0.5 * Vec2(size_m), most - 0.5 * Vec2(size_m));
     };
     const auto along_of = [&](int side, const Vec2& place) { return side == 0 || side == 4 ? place.x : place.y; };
-    // If the position along the wall is not given, the nearest free one is used.
+    // If the text does not give the position along the wall, the nearest free position is used.
     const auto against_free = [&](int side, double along) {
         constexpr double kSlide_m = 0.1;
         constexpr int kMostSlides = 300;
@@ -598,7 +600,7 @@ void WordsPlan::add_things(std::size_t r) {
     }
 }
 
-// `first`: this is the first of the several things that the sentence mentions.
+// `first` is true for the first of several things that the sentence mentions.
 void WordsPlan::add_thing(const WordRoom& room, const Said& said, bool first) {
     const SaidPart *size3 = said.words.find(Statement::Size3), *size2 = said.words.find(Statement::Size2),
                    *high = said.words.find(Statement::High), *sill = said.words.find(Statement::AboveFloor);
@@ -670,7 +672,7 @@ void WordsPlan::add_start(const Said& said) {
     start.at = place_of_thing(said, room, body, false);
     if (without_place_ > without) start.at = 0.5 * (room.least + room.most);
     without_place_ = without;
-    // The middle of an outline with more corners may be outside of it.
+    // The middle of an outline with more than four corners may be outside of it.
     if (!inside(room.rings, start.at)) {
         double largest = 0.0;
         for (const Ring& part : convex_parts(room.rings))
