@@ -1,5 +1,5 @@
-// Lets a person change settings in a list, one step or one value at a time. Plain functions over Settings and its
-// table; app thread.
+// Lets a person change settings in a list, by one step or one value at a time. Plain functions over Settings and its
+// table; app thread only.
 #pragma once
 
 #include <string>
@@ -10,25 +10,25 @@
 
 namespace handrail::settings {
 
-// The first parts of the keys, in table order: "workspace", "haptic", ...
+// Returns the first parts of the keys, in table order: "workspace", "haptic", ...
 std::vector<std::string_view> setting_topics();
-// The spoken name of a topic: "Workspace".
+// Returns the spoken name of a topic: "Workspace".
 std::string topic_name(std::string_view topic);
 
 struct SettingLine {
     std::string_view key;
-    std::string name;   // "stiffness"
-    std::string value;  // "0.8", "on", "light"; with the unit if that is short
+    std::string name;   // the setting's name: "stiffness"
+    std::string value;  // the setting's value: "0.8", "on", "light"; with the unit if that is short
     std::string meaning;
     std::string range;
-    bool steps = true;  // false: the setting is a text, which must be typed
+    bool steps = true;  // false: the value is a text that must be typed
 };
 std::vector<SettingLine> setting_lines(std::string_view topic, const Settings& settings);
 SettingLine setting_line(std::string_view key, const Settings& settings);
 
-// Returns the value one step up or down, as text for SettingsStore::set. A switch toggles, and a choice moves on and
-// wraps round. A number moves by a twentieth of its range, in round numbers, and stops at the ends. `key` must be in
-// the table and have steps.
+// Returns the value of `key` one step up or down, as text for SettingsStore::set. A switch toggles. A choice moves on
+// to the next word and wraps round. A number changes by about a twentieth of its range, in round numbers, and stops at
+// the ends. `key` must be in the table and have steps.
 std::string stepped(std::string_view key, const Settings& settings, int by);
 
 }  // namespace handrail::settings

@@ -111,7 +111,7 @@ constexpr auto kKeyNames = std::to_array<std::string_view>({
     "Shift",
     "Alt",
 });
-// In the order in which they are written.
+// In the order in which they must be written.
 constexpr std::array<std::string_view, 3> kModifiers{"Control", "Alt", "Shift"};
 
 bool same(std::string_view a, std::string_view b) { return lower_ascii(a) == lower_ascii(b); }
@@ -149,7 +149,7 @@ bool can_be_pressed(std::string_view word) {
     const Parts parts = parts_of(word);
     const bool known =
         std::any_of(kKeyNames.begin(), kKeyNames.end(), [&](std::string_view name) { return same(name, parts.key); });
-    // A modifier is a key name only if it stands alone.
+    // The name of a modifier is a valid key only if it stands alone.
     return known && parts.in_order && (parts.key.size() == word.size() || !is_modifier_name(parts.key));
 }
 

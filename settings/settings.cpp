@@ -29,9 +29,10 @@ struct Entry {
     SettingValue value;
     std::string origin;
 };
-using Layer = std::map<std::string, Entry>;  // by full key; device and command names are spelt as in the file
+// Indexed by full key; names of devices and commands are spelled as in the file.
+using Layer = std::map<std::string, Entry>;
 
-// A full key as an entry of one of the open families: a device by name, or a profile.
+// A full key that belongs to one of the open families: settings of a device by its name, or of a profile.
 template <class Field>
 struct MemberKey {
     std::string device;
@@ -61,7 +62,7 @@ std::optional<MemberKey<ProfileInfo>> split_profile_key(std::string_view key) {
     return split_member_key(key, kProfilePrefix, profile_table());
 }
 
-// Gives each key one spelling: device names in lower case.
+// Returns the key in its only canonical spelling: device names in lower case.
 std::string canonical_key(std::string_view key) {
     if (const auto device = split_device_key(key))
         return fmt::format("{}{}.{}", kDevicePrefix, device->device, device->field->field);
@@ -75,7 +76,7 @@ bool is_command_word(std::string_view word) {
     return !word.empty() && word.size() <= 64 && std::all_of(word.begin(), word.end(), fits);
 }
 
-// Empty for values that no setting accepts: lists, dates and times.
+// Converts a value of the file. Empty for values that no setting accepts: lists, dates and times.
 std::optional<SettingValue> from_toml(const TomlValue& value) {
     if (const auto* v = value.flag()) return *v;
     if (const auto* v = value.whole()) return *v;
@@ -84,7 +85,7 @@ std::optional<SettingValue> from_toml(const TomlValue& value) {
     return std::nullopt;
 }
 
-// The error for a key that does not exist, with the nearest one that does.
+// Returns the error for a key that does not exist. It names the nearest key that exists.
 Error unknown_setting(std::string_view key) {
     std::vector<std::string> names;
     for (const SettingInfo& info : settings_table()) names.emplace_back(info.key);
@@ -93,7 +94,7 @@ Error unknown_setting(std::string_view key) {
     return error;
 }
 
-// The value as TOML text; numbers have the fewest digits that read back the same.
+// Returns the value as TOML text. Numbers have the fewest digits that read back as the same number.
 std::string toml_text(const SettingValue& value) {
     return std::visit(Overloaded{[](bool v) { return std::string(v ? "true" : "false"); },
                                  [](std::int64_t v) { return fmt::format("{}", v); },
@@ -112,7 +113,7 @@ std::string toml_text(const SettingValue& value) {
                       value);
 }
 
-// Completes an error of a TomlReader with the file's name.
+// Completes an error of a TomlReader with the name of the file.
 Error damage_in(const fs::path& path, const Error& error) {
     Error told = error;
     told.file = path.filename().string();
@@ -130,7 +131,7 @@ Result<toml::table> parse(const std::string& content, const fs::path& path) {
     }
 }
 
-// Prevents losing what a person wrote: true if `text` reads back as exactly this table.
+// True if `text` reads back as exactly this table. The check prevents the loss of what a person wrote.
 bool says_the_same(const std::string& text, const toml::table& table) {
     try {
         return parse_toml(text) == table;
@@ -139,8 +140,8 @@ bool says_the_same(const std::string& text, const toml::table& table) {
     }
 }
 
-// Puts one value into a table and makes the tables on the path to it. A value in the place of a needed table is
-// replaced.
+// Puts one value into a table and makes the tables on the path to it. If the path needs a table where there is a value,
+// the value is replaced.
 void put(toml::table& root, std::span<const std::string> path, const SettingValue& value) {
     toml::table* table = &root;
     for (const std::string& name : path.first(path.size() - 1)) {
@@ -154,7 +155,7 @@ void put(toml::table& root, std::span<const std::string> path, const SettingValu
     std::visit([&](const auto& v) { table->insert_or_assign(path.back(), v); }, value);
 }
 
-// The offset in `text` of the character at `place`; lines and columns count from 1.
+// Returns the offset in `text` of the character at `place`. Lines and columns count from 1.
 std::size_t offset_of(const std::string& text, const toml::source_position& place) {
     std::size_t at = 0;
     for (toml::source_index line = 1; line < place.line && at < text.size(); ++line)
@@ -166,8 +167,8 @@ std::size_t offset_of(const std::string& text, const toml::source_position& plac
     return at;
 }
 
-// Changes or adds one value in the file's text, and keeps everything else, including comments. It works for files
-// written in the usual way, with [tables]; the caller checks the result by reading it back.
+// Changes or adds one value in the text of a file and keeps everything else, including comments. It works for files
+// that are written in the usual way, with [tables]. The caller must check the result by reading it back.
 std::string with_value(std::string text, std::span<const std::string> path, const SettingValue& value) {
     try {
         const toml::table table = parse_toml(text);
@@ -180,7 +181,7 @@ std::string with_value(std::string text, std::span<const std::string> path, cons
     } catch (const toml::parse_error&) {
         return text;
     }
-    std::string header = "[" + path[0];  // [walk], [profile."NAME"], [workspace.device."NAME"]
+    std::string header = "[" + path[0];  // [walk], [profile."NAME"] or [workspace.device."NAME"]
     if (path.size() == 4) header += "." + path[1];
     if (path.size() > 2) header += "." + toml_text(path[path.size() - 2]);
     header += "]";
@@ -206,7 +207,7 @@ std::vector<std::string> path_of(std::string_view key) {
     return {std::string(key.substr(0, dot)), std::string(key.substr(dot + 1))};
 }
 
-// Names the nearest key to an unknown one, among those that the person may have meant.
+// Returns the key nearest to an unknown one, among those that the person may have meant.
 std::string nearest_of_all(std::string_view key, std::span<const std::string> command_words) {
     std::vector<std::string> names;
     if (key.starts_with(kDevicePrefix) && key.rfind('.') >= kDevicePrefix.size()) {
@@ -222,7 +223,7 @@ std::string nearest_of_all(std::string_view key, std::span<const std::string> co
     return nearest_key(key, names);
 }
 
-// Applies one entry to `target`; fails with one sentence.
+// Applies one entry to `target`. Fails with one sentence.
 Result<void> apply_to(Settings& target, const std::string& key, const SettingValue& value,
                       std::span<const std::string> command_words) {
     if (const SettingInfo* info = find_setting(key)) return apply(*info, value, target);
@@ -243,7 +244,7 @@ Result<void> apply_to(Settings& target, const std::string& key, const SettingVal
     return fail(phrase("settings_file.unknown", {{"key", key}, {"nearest", nearest_of_all(key, command_words)}}));
 }
 
-// A value for this key as typed by the person or given on the command line.
+// Returns the value for this key that the person typed or gave on the command line.
 SettingValue value_typed(const std::string& key, std::string_view value) {
     if (const SettingInfo* info = find_setting(key)) return value_from_word(*info, value);
     if (const auto device = split_device_key(key)) return value_from_word(*device->field->plain, value);
@@ -256,9 +257,9 @@ SettingValue value_typed(const std::string& key, std::string_view value) {
 
 struct SettingsStore::Impl {
     std::vector<std::string> command_words;
-    std::map<SettingSource, Layer> layers;  // the weakest source first
+    std::map<SettingSource, Layer> layers;  // ordered from the weakest source to the strongest
     fs::path user_file;
-    std::set<std::string> damaged_profiles;  // those in the person's file
+    std::set<std::string> damaged_profiles;  // names of the damaged profiles in the person's file
     Settings values;
 
     Result<void> check(const std::string& key, const SettingValue& value, SettingSource source) const {
@@ -269,7 +270,7 @@ struct SettingsStore::Impl {
         return {};
     }
 
-    // If a stronger source sets a value for all devices, it overrides what a weaker source sets for one device.
+    // If a stronger source sets a value for all devices, removes what a weaker source set for one device.
     void forget_weaker(const Layer& layer) {
         for (const OverrideInfo& info : override_table()) {
             if (!layer.contains(std::string(info.plain->key))) continue;
@@ -286,7 +287,7 @@ struct SettingsStore::Impl {
             forget_weaker(layer);
             for (const auto& [key, entry] : layer) {
                 const Result<void> applied = apply_to(values, key, entry.value, command_words);
-                contract_pre(applied.has_value());  // entries were checked before they came into the layer
+                contract_pre(applied.has_value());  // entries were checked before they were added to the layer
             }
         }
         // A profile that was measured again is no longer damaged.
@@ -299,7 +300,7 @@ struct SettingsStore::Impl {
     void collect(const TomlValue::Table& table, const std::string& prefix, const fs::path& path, SettingSource source,
                  Layer& layer, std::set<std::string>& damaged, std::vector<Diagnostic>& problems) const {
         for (const auto& [name, node] : table) {
-            // A dot inside a quoted name does not separate parts of a path. Only device names may contain dots.
+            // A dot inside a quoted name does not separate the parts of a path. Only names of devices may contain dots.
             const std::string_view plain = name;
             const bool quoted =
                 plain.find('.') != std::string_view::npos && prefix != kDevicePrefix && prefix != kProfilePrefix;
@@ -325,8 +326,8 @@ struct SettingsStore::Impl {
         }
     }
 
-    // A profile with an impossible value is not used at all, because a force that was right with the lost value may be
-    // wrong without it.
+    // Removes a profile that has an impossible value. A force that was right together with the lost value may be wrong
+    // without it.
     static void set_aside(const std::set<std::string>& damaged, Layer& layer) {
         std::erase_if(layer, [&](const auto& entry) {
             const auto profile = split_profile_key(entry.first);
@@ -334,7 +335,7 @@ struct SettingsStore::Impl {
         });
     }
 
-    // The strongest source that sets this key.
+    // Returns the strongest source that sets this key, and the origin of the value there.
     std::pair<SettingSource, std::string> provenance(const std::string& key) const {
         for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer)
             if (const auto entry = layer->second.find(key); entry != layer->second.end())
@@ -376,7 +377,7 @@ std::vector<Diagnostic> SettingsStore::load_file(const fs::path& path, SettingSo
     impl_->collect(*table->table(), "", path, source, layer, damaged, problems);
     Impl::set_aside(damaged, layer);
     if (source == SettingSource::UserFile) impl_->damaged_profiles = std::move(damaged);
-    // A TOML table is sorted by name, but people read their file from the top.
+    // A TOML table is sorted by name, but people read their file from the top, so the problems are sorted by line.
     std::stable_sort(problems.begin(), problems.end(),
                      [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; });
     impl_->layers[source] = std::move(layer);
@@ -435,7 +436,8 @@ std::vector<SettingRow> SettingsStore::explain() const {
     };
     for (const SettingInfo& info : settings_table())
         add(std::string(info.key), current_value(info, impl_->values), info.unit, range_of(info), meaning_of(info));
-    std::map<std::string, SettingValue> family;  // the active entries of the open families; later layers are stronger
+    // The effective entries of the open families, in which stronger layers replace weaker ones.
+    std::map<std::string, SettingValue> family;
     for (const auto& [source, layer] : impl_->layers)
         for (const auto& [key, entry] : layer)
             if (!find_setting(key)) family[key] = entry.value;
@@ -461,7 +463,7 @@ Result<std::optional<SettingsStore::ToSave>> SettingsStore::to_save() const {
     if (live == impl_->layers.end() || live->second.empty()) return std::nullopt;
     const fs::path& path = impl_->user_file;
     if (path.empty()) return fail(phrase("settings_file.no_folder"));
-    // Reads the file again, because another editor may have changed it since the start.
+    // Reads the file again, because another program may have changed it since the start.
     std::string held;
     std::error_code ec;
     const auto not_saved = [](Error error) {
@@ -480,9 +482,10 @@ Result<std::optional<SettingsStore::ToSave>> SettingsStore::to_save() const {
         put(*table, path_of(key), entry.value);
         text = with_value(text, path_of(key), entry.value);
     }
-    if (!says_the_same(text, *table)) {  // an unusually written file loses its comments, but keeps its meaning
+    // A file that is written in an unusual way loses its comments, but keeps its meaning.
+    if (!says_the_same(text, *table)) {
         std::ostringstream out;
-        out.exceptions(std::ios::badbit);  // otherwise a lack of memory would cut the text short
+        out.exceptions(std::ios::badbit);  // without this, a lack of memory would cut the text short unnoticed
         out << toml::toml_formatter{*table, toml::format_flags::none} << "\n";
         text = out.str();
         if (!says_the_same(text, *table))
@@ -517,7 +520,7 @@ std::string source_name(SettingSource source) {
 }
 
 fs::path user_settings_path() {
-    // According to the base directory specification, only an absolute XDG_CONFIG_HOME counts.
+    // The base directory specification allows only an absolute path in XDG_CONFIG_HOME.
     const char* config = std::getenv("XDG_CONFIG_HOME");
     if (config && config[0] == '/') return fs::path(config) / "handrail" / "settings.toml";
     const char* home = std::getenv("HOME");

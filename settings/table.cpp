@@ -28,8 +28,8 @@ constexpr std::size_t kLongestText = 64;
 constexpr bool kWorldToo = true;
 constexpr bool kPersonOnly = false;
 
-// A world may set the scale, the proxy, the body and the frame. Forces, speech, sound volumes and keys belong to the
-// person alone.
+// A world may set the scale, the proxy, the walker and the frame. Only the person may set forces, speech, sound volumes
+// and keys.
 const std::array kTable{
     SettingInfo{"workspace.scale", "scale", kWorldToo, NumberField{HANDRAIL_AT(workspace.scale), 1.0, 500.0}},
     SettingInfo{"workspace.offset_ahead_m", "hand_m", kWorldToo,
@@ -174,7 +174,7 @@ std::string what_it_is(const SettingValue& value) {
         value);
 }
 
-// "workspace.scale is 900, but must be 1 to 500 world metres per hand metre."
+// Returns an error such as "workspace.scale is 900, but must be 1 to 500 world metres per hand metre."
 template <class Info>
 tl::unexpected<Error> refuse(std::string_view key, const Info& info, const SettingValue& value) {
     if (info.unit.empty())
@@ -185,18 +185,18 @@ tl::unexpected<Error> refuse(std::string_view key, const Info& info, const Setti
         {{"key", key}, {"value", what_it_is(value)}, {"range", range_of(info)}, {"unit", spoken_unit(info.unit)}}));
 }
 
-// As numbers are typed: with a decimal point in every language.
+// Numbers have a decimal point in every language, because the person must type them so.
 std::string number_range(double least, double most) {
     return phrase("setting_range.number", {{"least", fmt::format("{}", least)}, {"most", fmt::format("{}", most)}});
 }
 
-// "light, normal or full".
+// Returns the words as an enumeration: "light, normal or full".
 std::string any_of_words(std::span<const std::string_view> words) {
     return phrase("setting_range.words", {{"words", fmt::format("{}", fmt::join(words.first(words.size() - 1), ", "))},
                                           {"last", words.back()}});
 }
 
-// The index of the word that the value is, ignoring case; empty if it is none of them.
+// Returns the index of the word that equals the value, ignoring case. Empty if none does.
 std::optional<std::size_t> index_of_word(std::span<const std::string_view> words, const SettingValue& value) {
     const auto* text = std::get_if<std::string>(&value);
     const auto word = text ? std::find(words.begin(), words.end(), lower_ascii(*text)) : words.end();

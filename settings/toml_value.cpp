@@ -34,7 +34,8 @@ TomlMoment moment_of(const toml::date* date, const toml::time* time, const toml:
     return moment;
 }
 
-// Thrown for values nested deeper than kDeepestToml. toml++ limits nested brackets, but not the parts of a dotted key.
+// Thrown for values that are nested deeper than kDeepestToml. toml++ limits the nesting of brackets, but not the number
+// of parts of a dotted key.
 struct TooDeep {
     int line;
 };
@@ -184,7 +185,7 @@ Result<TomlValue> toml_of(const std::string& text) {
 std::string written_toml(const TomlValue& table) {
     contract_pre(table.table() != nullptr);
     std::ostringstream out;
-    out.exceptions(std::ios::badbit);  // otherwise a lack of memory would cut the text short
+    out.exceptions(std::ios::badbit);  // without this, a lack of memory would cut the text short unnoticed
     out << toml::toml_formatter{table_of(table), toml::format_flags::none};
     return out.str();
 }

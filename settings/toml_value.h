@@ -1,6 +1,6 @@
-// The content of a TOML file as plain values, each with its line in the file. Code that reads TOML uses these and
-// includes nothing of toml++, so that the file itself can be parsed in another process (app/import/toml_apart.h). Any
-// thread.
+// The content of a TOML file as plain values, each with its line in the file. Code that reads TOML uses these values
+// and includes nothing of toml++. So another process can parse the file (app/import/toml_apart.h). Any thread may use
+// the values.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct TomlMoment {
     std::uint16_t year = 0;
     std::uint8_t month = 0, day = 0, hour = 0, minute = 0, second = 0;
     std::uint32_t nanosecond = 0;
-    std::int16_t offset_minutes = 0;  // from UTC
+    std::int16_t offset_minutes = 0;  // difference from UTC
     bool operator==(const TomlMoment&) const = default;
 };
 
@@ -29,27 +29,27 @@ struct TomlMember;
 
 struct TomlValue {
     using Array = std::vector<TomlValue>;
-    using Table = std::vector<TomlMember>;  // each key once, in the order of the file
+    using Table = std::vector<TomlMember>;  // contains each key once, in the order of the file
 
     CopyableVariant<bool, std::int64_t, double, std::string, TomlMoment, Array, Table> value;
-    std::int32_t line = 0, column = 0;  // 0: not from a file
-    bool in_line = false;               // a table written in braces
+    std::int32_t line = 0, column = 0;  // 0 if the value does not come from a file
+    bool in_line = false;               // true for a table that the file writes in braces
 
     static TomlValue empty_table();
 
-    // These return null if the value has another type.
+    // Return null if the value has another type.
     const bool* flag() const { return std::get_if<bool>(&value); }
     const std::int64_t* whole() const { return std::get_if<std::int64_t>(&value); }
     const double* fraction() const { return std::get_if<double>(&value); }
     const std::string* text() const { return std::get_if<std::string>(&value); }
     const Array* array() const { return std::get_if<Array>(&value); }
     const Table* table() const { return std::get_if<Table>(&value); }
-    std::optional<double> number() const;  // of a whole or a decimal number
-    bool is_tables() const;                // true for an array that contains only tables, and at least one
+    std::optional<double> number() const;  // returns the value of a whole or a decimal number, else nothing
+    bool is_tables() const;                // true for an array that contains at least one table and nothing else
 
-    // Finds a member of a table; null if there is no such member, or if this is no table.
+    // Returns a member of a table. Null if there is no such member, or if this value is not a table.
     const TomlValue* find(std::string_view key) const;
-    // Requires that this is a table.
+    // Sets a member. Requires that this value is a table.
     void set(std::string_view key, TomlValue to);
     void erase(std::string_view key);
 };
@@ -59,21 +59,21 @@ struct TomlMember {
     TomlValue value;
 };
 
-// Compares the content: positions in the file do not count, and nan equals nan.
+// Compare only the content: positions in the file have no influence, and nan equals nan.
 bool operator==(const TomlValue& a, const TomlValue& b);
 bool operator==(const TomlMember& a, const TomlMember& b);
 
 inline constexpr int kDeepestToml = 300;  // greatest nesting of tables and arrays
 
-// Parses the text of a file into a table. If it is not valid TOML, the error has the line and column, and toml++'s
-// description as its message. If parsing was not possible at all, the line is 0 and the message is a sentence that can
-// be spoken.
+// Parses the text of a file into a table. If the text is not valid TOML, the error has the line and column, and
+// toml++'s description as its message. If the text could not be parsed for another reason, the line is 0, and the
+// message is a sentence that can be spoken.
 using TomlReader = std::function<Result<TomlValue>(const std::string& text)>;
 
-// A TomlReader that parses in this process.
+// Parses a file's text in this process; it can be used as a TomlReader.
 Result<TomlValue> toml_of(const std::string& text);
 
-// Writes a table as the text of a file.
+// Returns a table as the text of a file.
 std::string written_toml(const TomlValue& table);
 
 }  // namespace handrail::settings

@@ -10,17 +10,17 @@
 namespace handrail::check {
 namespace {
 
-constexpr double kJamb_m = 0.06;       // how far from the side of a leaf its wall or frame must be
-constexpr double kBesideDoor_m = 1.0;  // distance on both sides of the door within which floors count
+constexpr double kJamb_m = 0.06;       // greatest distance between the side of a leaf and its wall or frame
+constexpr double kBesideDoor_m = 1.0;  // distance on both sides of a door within which floors are considered
 constexpr double kTallest_m = 4.0;     // greatest height of a door, if no floors are known
-constexpr double kInFront_m = 0.5;     // things nearer than this may block the door
+constexpr double kInFront_m = 0.5;     // a thing nearer to the door than this may block it
 
-// Leaves next to each other that open together.
+// One or more leaves that are next to each other and open together.
 struct Doorway {
     std::vector<std::uint32_t> movers;
     std::vector<FeatureId> features;
     Aabb box;
-    Vec3 normal{0.0};  // horizontal normal of its face; zero: a trapdoor, or no flat leaf
+    Vec3 normal{0.0};  // horizontal normal of the leaves; zero for a trapdoor or if a leaf is not flat
     bool opens = false;
     bool of_lift = false;
 };
@@ -69,7 +69,7 @@ WorldFault fault_of(const Examined& world, const Doorway& door, FaultKind kind) 
     return fault;
 }
 
-// True if a person can walk from one side to the other, over places inside the doorway.
+// True if a person can walk from one side of the doorway to the other over places within the doorway.
 bool leads_through(const Examined& world, const Doorway& door, const std::vector<std::vector<std::uint32_t>>& within) {
     const navigation::WalkSpace& space = *world.space;
     std::map<std::uint32_t, bool> seen;
@@ -104,7 +104,7 @@ double width_of(const Doorway& door) {
     return std::abs(along.x) * size.x + std::abs(along.y) * size.y;
 }
 
-// The name of a thing that blocks the doorway.
+// Returns the name of a thing that blocks the doorway; empty if there is none.
 std::string in_the_way(const Examined& world, const Doorway& door) {
     Aabb way = door.box;
     const Vec3 out = glm::abs(door.normal) * kInFront_m;
@@ -117,7 +117,7 @@ std::string in_the_way(const Examined& world, const Doorway& door) {
     return {};
 }
 
-// True if there is something at both ends of the leaves, to hang and to close at.
+// True if there is something at both ends of the leaves, on which the door can hang and at which it can close.
 bool has_wall(const Examined& world, const Doorway& door) {
     const Vec3 along(-door.normal.y, door.normal.x, 0.0);
     double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -134,7 +134,7 @@ bool has_wall(const Examined& world, const Doorway& door) {
     return held(low - kJamb_m) && held(high + kJamb_m);
 }
 
-// The height difference between the floors that the door reaches over.
+// Returns the height difference between the floors that the door extends across.
 double levels_apart(const Examined& world, const Doorway& door) {
     if (!world.space) return door.box.size_m().z > kTallest_m ? door.box.size_m().z : 0.0;
     const navigation::WalkSpace& space = *world.space;
@@ -162,7 +162,7 @@ void find_door_faults(const Examined& world, std::vector<WorldFault>& faults) {
     if (world.space)
         for (std::uint32_t s = 0; s < world.space->spans.size(); ++s)
             if (const std::uint32_t door = world.space->spans[s].door; door < within.size()) within[door].push_back(s);
-    std::vector<FeatureId> told;  // doors that the file states
+    std::vector<FeatureId> told;  // features of the doors that the file states
     if (world.scene.stated)
         for (const StatedPortal& portal : world.scene.stated->portals) told.push_back(portal.feature);
     for (const Doorway& door : doorways(world)) {

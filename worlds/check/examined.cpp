@@ -39,7 +39,7 @@ BoxIndex sheets_of(const Scene& scene) {
 
 Aabb box_round(const Vec3& at_m, double by_m) { return {at_m - Vec3(by_m), at_m + Vec3(by_m)}; }
 
-// The height at which a vertical line through the point enters the solid from above.
+// Returns the height at which a vertical line through the point enters the solid from above.
 std::optional<double> top_on_line(const ConvexSolid& solid, const Vec3& at_m) {
     double top = std::numeric_limits<double>::infinity(), bottom = -top;
     for (const Plane& plane : solid.planes) {
@@ -119,7 +119,7 @@ std::optional<double> Examined::top_below(const Vec3& at_m) const {
 
 SourcePlace Examined::ground_source(const Vec3& at_m) const {
     if (const Solid* ground = solid_at(at_m - Vec3(0.0, 0.0, 0.05), 0.02)) return ground->source;
-    // A person at an edge may stand slightly beyond it.
+    // The search includes the surroundings of the point, because a person at an edge may stand slightly beyond it.
     const double around = space ? space->body.radius_m + space->cell_m : 0.3;
     const Solid* best = nullptr;
     for (const std::uint32_t i : solids_near({at_m - Vec3(around, around, 0.3), at_m + Vec3(around, around, 0.05)})) {

@@ -1,4 +1,5 @@
-// A world prepared for the search for faults: its solids are indexed by place. Only for the sources of worlds/check.
+// A world that is prepared for the search for faults: its solids are indexed by position. Only the sources of
+// worlds/check use it.
 #pragma once
 
 #include <functional>
@@ -10,7 +11,7 @@
 
 namespace handrail::check {
 
-// How many of a room's places to stand are under a roof, and how many are open.
+// How many of a room's standing places are under a roof, and how many are in the open.
 struct Cover {
     std::size_t under_roof = 0, open = 0;
     std::uint32_t first_open = navigation::kNothing;
@@ -31,33 +32,34 @@ public:
     const navigation::WalkSpace* space;
     const navigation::RoomGraph* graph;
 
-    // Indices in Scene::solids, rising, of the solids that stop a body and whose box meets this one. The reference is
-    // valid until the next query.
+    // Returns the solids that stop a body and whose box meets `box`, as rising indices into Scene::solids. The
+    // reference is valid until the next query.
     const std::vector<std::uint32_t>& solids_near(const Aabb& box) const;
-    // The first solid that stops a body and, grown by grow_m, contains the point. Skips the features in `but`.
+    // Returns the first solid that stops a body and, enlarged by grow_m, contains the point. Ignores the features in
+    // `but`. Null if there is none.
     const Solid* solid_at(const Vec3& at_m, double grow_m, const std::vector<FeatureId>& but = {}) const;
-    // True if a sheet is within near_m, or a solid contains the point.
+    // True if a sheet is within near_m of the point, or a solid contains the point. Ignores the features in `but`.
     bool something_at(const Vec3& at_m, double near_m, const std::vector<FeatureId>& but = {}) const;
-    // The height of the first solid or sheet below a point; empty if there is none.
+    // Returns the height of the top of the first solid or sheet below a point. Empty if there is none.
     std::optional<double> top_below(const Vec3& at_m) const;
     bool sheet_near(const Aabb& box) const;
-    // The place in the file of the floor under a point.
+    // Returns the line and column in the file of the floor below a point.
     SourcePlace ground_source(const Vec3& at_m) const;
-    // The solids of a thing.
+    // Returns the solids of a thing, as indices into Scene::solids.
     const std::vector<std::uint32_t>& solids_of(FeatureId feature) const { return solids_of_[feature.value]; }
-    // The room that a thing is next to or below; kNothing if there is none.
+    // Returns the room that a thing is next to or below; kNothing if there is none.
     std::uint32_t room_of(const Feature& feature) const;
     std::string room_name(std::uint32_t room) const;
-    // The place in the file of the room, else of its floor.
+    // Returns the line and column of the room in the file, or else those of its floor.
     SourcePlace room_source(std::uint32_t room) const;
     const Cover& cover(std::uint32_t room) const { return covers_[room]; }
-    // True for the ground round a building whose file states its rooms; it belongs to no room.
+    // True for the ground around a building whose file states its rooms. This ground is not part of any room.
     bool is_ground(std::uint32_t room) const;
-    // True for things: objects with a solid that are no part of the building.
+    // True for things, that is, objects that have a solid and are not part of the building.
     bool is_thing(FeatureId feature) const;
 
 private:
-    std::vector<std::uint32_t> bodies_;  // indices into Scene::solids
+    std::vector<std::uint32_t> bodies_;  // the solids that stop a body, as indices into Scene::solids
     BoxIndex index_, sheets_;
     std::vector<std::vector<std::uint32_t>> solids_of_;
     std::vector<Cover> covers_;

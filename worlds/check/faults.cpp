@@ -50,7 +50,7 @@ std::string candidate_words(const Scene& scene, const WorldFault& fault) {
     return list;
 }
 
-// As the advice says: a door at least this wide is not impassable because of its width.
+// A door at least this wide is not impassable because of its width. The advice to the person says the same.
 constexpr double kWideDoorway_m = 0.8;
 
 std::string say(const Scene& scene, const WorldFault& fault, std::string_view key) {
@@ -116,7 +116,7 @@ std::vector<WorldFault> find_faults(const Scene& scene, const navigation::WalkSp
 }
 
 std::string fault_words(const Scene& scene, const WorldFault& fault) {
-    if (fault.kind == FaultKind::AlikeMaterials) return fault.name;  // already a whole sentence
+    if (fault.kind == FaultKind::AlikeMaterials) return fault.name;  // the name is a whole sentence already
     if (fault.kind == FaultKind::DamagedInFile)
         return fault.other.empty() ? fault.name : fault.name + " " + fault.other;
     return say(scene, fault, "world_fault." + std::string(row_of(fault.kind).word));

@@ -7,12 +7,15 @@
 namespace handrail::check {
 namespace {
 
-constexpr int kDirections = 180;  // directions over half a turn: at 0.5 degrees off, the error is 0.04 mm per metre
-constexpr int kPoints = 4;        // points on each side of the place, half a column apart
-constexpr double kNoGap_m = 1.0;  // two solids farther apart than this leave a gap wide enough for any body
+// Number of directions tested over half a turn; the best is at most 0.5 degrees off, an error of 0.04 mm per metre.
+constexpr int kDirections = 180;
+// Number of points tested on each side of the place, half a column of the walkable space apart.
+constexpr int kPoints = 4;
+// A gap between two solids that are farther apart than this is wide enough for any body.
+constexpr double kNoGap_m = 1.0;
 
-// Distance from a point along a horizontal direction to the solid. Infinite if the line misses the solid, or the point
-// is inside.
+// Returns the distance from a point in a horizontal direction to the solid. Infinite if the line misses the solid or
+// the point is inside it.
 double way_to(const ConvexSolid& solid, const Vec3& from_m, const Vec2& along) {
     double enter = 0.0, leave = std::numeric_limits<double>::infinity();
     for (const Plane& plane : solid.planes) {
@@ -43,7 +46,7 @@ double gap_width(const Examined& world, const Vec3& at_m, double about_m) {
                 const double angle = kPi * k / kDirections;
                 const Vec2 along(std::cos(angle), std::sin(angle));
                 double ahead = kNoGap_m, behind = kNoGap_m;
-                // Tests the heights at which a body meets a solid, above what it can step over.
+                // Tests heights between the highest step that the body can climb and the top of the body.
                 for (const double part : {0.0, 0.5, 1.0}) {
                     const double up_m = body.step_up_m + part * (body.height_m - 0.05 - body.step_up_m);
                     const Vec3 from = at_m + Vec3(0.5 * body.cell_m * px, 0.5 * body.cell_m * py, up_m);

@@ -16,20 +16,21 @@ constexpr double kThickest_m = 0.8, kThinnest_m = 0.03;
 constexpr double kWidth_m = 0.9;      // width of a doorway, if the wall is long enough
 constexpr double kNarrowest_m = 0.7;  // least width that people can pass
 constexpr double kSameFloor_m = 0.15;
-constexpr double kNear_m = 1e6;       // a score above that of any wall length
+// Base of the scores of walls near the given place; greater than the length of any wall.
+constexpr double kNear_m = 1e6;
 constexpr double kChest_m = 1.0;      // height above the floor at which walls are searched
-constexpr double kUpright = 1e-3;     // greatest vertical part of a wall's normal
-constexpr double kSameWall_m = 0.01;  // adjacent faces within this offset belong to one wall
-constexpr double kSameWay = 1e-4;     // 1 - cos: directions within 0.8 degrees are the same
+constexpr double kUpright = 1e-3;     // greatest z of the unit normal of a wall
+constexpr double kSameWall_m = 0.01;  // adjacent faces whose offsets differ by less than this belong to one wall
+constexpr double kSameWay = 1e-4;     // greatest 1 - cos of the angle between equal directions (0.8 degrees)
 
-// A face of a wall, with the places in front of it from which a door would lead into another room.
+// A face of a wall, with the places in front of it at which a door would lead into another room.
 struct Facing {
-    Vec3 in{0.0};  // horizontal, into the wall
+    Vec3 in{0.0};  // horizontal direction into the wall
     double at_m = 0.0;
     std::uint32_t other = navigation::kNothing;
     struct Place {
         double along_m = 0.0;
-        Vec3 middle_m{0.0};  // of the wall, at floor height
+        Vec3 middle_m{0.0};  // middle of the wall's thickness, at floor height
         double through_m = 0.0;
     };
     std::vector<Place> places;
@@ -37,7 +38,7 @@ struct Facing {
 
 Vec3 right_of(const Vec3& way) { return {way.y, -way.x, 0.0}; }
 
-// True if the line crosses some part of the building, and nothing else.
+// True if the line crosses some part of the building, and nothing else that is solid.
 bool is_wall(const Examined& world, const Vec3& from_m, const Vec3& to_m) {
     bool wall = false;
     for (const double up : {0.4, 1.0, 1.6})
@@ -52,15 +53,15 @@ bool is_wall(const Examined& world, const Vec3& from_m, const Vec3& to_m) {
     return wall;
 }
 
-// The wall faces of a room that have another room behind them. They are found from the edges of the walkable area,
-// whatever direction the walls have.
+// Returns the wall faces of a room that have another room behind them. They are found from the edges of the walkable
+// area, so walls may have any direction.
 std::vector<Facing> walls_to_others(const Examined& world, std::uint32_t room) {
     const navigation::WalkSpace& space = *world.space;
     const navigation::RoomGraph& graph = *world.graph;
     const double reach_m = space.body.radius_m + 1.5 * space.cell_m;
     const double farthest_m = kThickest_m + 2.0 * (space.body.radius_m + space.cell_m);
     std::vector<Facing> walls;
-    // Finds the room behind a face, the far side of the wall, and its thickness.
+    // Finds the room behind a face, the far side of the wall, and the wall's thickness.
     const auto look_behind = [&](const Vec3& from_m, const Vec3& in, double before_m, double at_m) {
         for (double far_m = before_m + space.cell_m; far_m <= farthest_m; far_m += 0.5 * space.cell_m) {
             const std::uint32_t there = space.at(from_m + in * far_m);
@@ -89,7 +90,7 @@ std::vector<Facing> walls_to_others(const Examined& world, std::uint32_t room) {
         const Vec3 from_m = space.place_m(s), chest_m = from_m + Vec3(0.0, 0.0, kChest_m);
         const Vec3 around(reach_m, reach_m, 0.0);
         const std::vector<std::uint32_t> near = world.solids_near({chest_m - around, chest_m + around});
-        std::vector<Vec3> looked;  // directions already tested
+        std::vector<Vec3> looked;  // directions that have been tested
         for (const std::uint32_t n : near) {
             const Solid& solid = world.scene.solids[n];
             if (solid.role != SolidRole::Solid) continue;
@@ -117,7 +118,7 @@ std::vector<MissingDoor> missing_doors(const Scene& scene, const navigation::Wal
                                        const std::optional<Vec3>& near_m, std::size_t most) {
     contract_pre(room < graph.rooms.size());
     const Examined world(scene, &space, &graph);
-    // By the other room, each with its score: the wall's length or nearness.
+    // The best door to each other room, with its score: the length of the wall, or its nearness to near_m.
     std::map<std::uint32_t, std::pair<double, MissingDoor>> best;
     for (Facing& wall : walls_to_others(world, room)) {
         std::vector<Facing::Place>& places = wall.places;
@@ -127,7 +128,7 @@ std::vector<MissingDoor> missing_doors(const Scene& scene, const navigation::Wal
             std::size_t end = begin + 1;
             while (end < places.size() && places[end].along_m - places[end - 1].along_m < 2.5 * space.cell_m) ++end;
             const double first_m = places[begin].along_m, last_m = places[end - 1].along_m;
-            // A person at an end of the stretch also needs half a body's width beyond it.
+            // The walkable places end half a body's width before the ends of the wall.
             const double long_m = last_m - first_m + 2.0 * space.body.radius_m, width_m = std::min(kWidth_m, long_m);
             const double beside_m = std::max(0.0, 0.5 * width_m - space.body.radius_m);
             const Facing::Place* middle = &places[begin];
@@ -162,7 +163,7 @@ std::vector<MissingDoor> missing_doors(const Scene& scene, const navigation::Wal
     std::vector<std::pair<double, MissingDoor>> all;
     for (auto& [other, found] : best)
         if (found.second.to != navigation::kNothing) all.push_back(std::move(found));
-    // The ground outside comes last, because doors to rooms are more likely.
+    // Sorts the ground outside to the end, because doors to rooms are more likely.
     std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) {
         const bool a_outside = world.is_ground(a.second.to), b_outside = world.is_ground(b.second.to);
         return a_outside != b_outside ? b_outside : a.first > b.first;
@@ -174,7 +175,7 @@ std::vector<MissingDoor> missing_doors(const Scene& scene, const navigation::Wal
 }
 
 std::optional<MadeDoor> doorway_cut_free(const Scene& scene, const WorldFault& fault) {
-    // Without a width, the door cannot open for another reason; it is not walled up.
+    // If the fault has no width, the door fails for another reason than a wall in its way.
     if (fault.kind != FaultKind::ImpassableDoor || !fault.other.empty() || !(fault.amount > 0.0)) return std::nullopt;
     const Examined world(scene, nullptr, nullptr);
     const auto is_of_building = [&](const Solid& solid) {
@@ -197,7 +198,8 @@ std::optional<MadeDoor> doorway_cut_free(const Scene& scene, const WorldFault& f
              wall && is_of_building(*wall))
         look_at(*wall);
     if (way == Vec3(0.0)) return std::nullopt;
-    // The doorway extends to both sides as far as parts of the building are there. Nothing else may be in it.
+    // The doorway extends to both sides of the door as far as there are parts of the building. Nothing else may be
+    // within it.
     MadeDoor door{fault.at_m, std::atan2(way.x, way.y), std::clamp(fault.amount, kNarrowest_m, kWidth_m), 0.0,
                   fault.name};
     bool walled = false;

@@ -9,7 +9,7 @@ namespace handrail::check {
 namespace {
 
 constexpr double kLeastOverlap_m2 = 0.5;
-constexpr double kSamples = 2000.0;  // about the most sample points for a room
+constexpr double kSamples = 2000.0;  // approximate limit on the number of sample points for a room
 constexpr std::size_t kMostCorners = 2000;
 
 double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
@@ -20,7 +20,7 @@ bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
     return turn(a, b, c) * turn(a, b, d) < -1e-12 && turn(c, d, a) * turn(c, d, b) < -1e-12;
 }
 
-// The place where the ring first crosses itself.
+// Returns the first place where the ring crosses itself. Empty if it does not.
 std::optional<Vec2> crossing(const std::vector<Vec2>& ring) {
     const std::size_t n = std::min(ring.size(), kMostCorners);
     for (std::size_t i = 0; i < n; ++i)
@@ -45,7 +45,7 @@ Aabb bounds_of_room(const StatedRoom& room) {
     return box;
 }
 
-// The floor area that both rooms share; at_m receives a place in it.
+// Returns the floor area that both rooms share. `at_m` receives a place within it.
 double shared_m2(const StatedRoom& one, const StatedRoom& other, const Aabb& both, Vec3& at_m) {
     const Vec3 size = both.size_m();
     const double step_m = std::max(0.1, std::sqrt(size.x * size.y / kSamples));
@@ -93,7 +93,7 @@ void overlapping(const StatedBuilding& stated, std::vector<WorldFault>& faults) 
     }
 }
 
-// Adds the faults that only the honest report finds, because they come from what the file states.
+// Adds the faults that only the honest report can find, because they come from what the file states.
 void from_the_report(const Scene& scene, std::vector<WorldFault>& faults) {
     const StatedBuilding& stated = *scene.stated;
     for (const CheckPoint& point : honest_report(scene).check) {
@@ -107,7 +107,8 @@ void from_the_report(const Scene& scene, std::vector<WorldFault>& faults) {
         if (point.what == ToCheck::ImpassableDoor) fault.kind = FaultKind::ImpassableDoor;
         else if (point.what == ToCheck::DoorToNoRoom) fault.kind = FaultKind::DoorToNoRoom;
         else if (point.what == ToCheck::DoorCutFree) fault.kind = FaultKind::DoorCutFree;
-        else if (point.what != ToCheck::OddName) continue;  // the other points are found in the rooms themselves
+        // The other findings of the report are found in the rooms themselves.
+        else if (point.what != ToCheck::OddName) continue;
         if (is_of_a_room(point.what)) {
             fault.name = name_of(stated.rooms[point.index]);
         } else {

@@ -17,13 +17,14 @@
 namespace handrail::check {
 namespace {
 
-constexpr double kLeastNamed_m2 = 2.0;       // a smaller room is a niche, whatever its shape
-constexpr double kLeastLandmarked_m2 = 4.0;  // in a smaller room everything is within reach
-constexpr double kOneRoom_m = 1.5;           // two names nearer to each other than this belong to one room
+constexpr double kLeastNamed_m2 = 2.0;  // a room smaller than this counts as a niche, whatever its shape
+// In a room smaller than this everything is within reach, so it needs no landmark.
+constexpr double kLeastLandmarked_m2 = 4.0;
+constexpr double kOneRoom_m = 1.5;  // two names nearer to each other than this belong to the same room
 constexpr std::size_t kMostCandidates = 3;
 
-// Which rooms a person can walk into from the base, with doors open and things in place. More than a doorway's share of
-// a room must be reached, because a strip in front of a blocked door may count as part of the room behind it.
+// Finds the rooms that a person can walk into from the base, with doors open and things in place. More of a room than a
+// doorway must be reached, because a strip in front of a blocked door may count as part of the room behind that door.
 std::vector<bool> walked_into(const Examined& world) {
     const navigation::WalkSpace& space = *world.space;
     const Start* const base = navigation::base_of(world.scene);
@@ -41,13 +42,13 @@ std::vector<bool> walked_into(const Examined& world) {
     return rooms;
 }
 
-// The solid that limits the headroom at a place; null if it is a sheet.
+// Returns the solid that limits the headroom at a place. Null if a sheet limits it.
 const Solid* above(const Examined& world, const Vec3& at_m, double headroom_m) {
     constexpr double kInto_m = 0.02;
     return world.solid_at(at_m + Vec3(0.0, 0.0, headroom_m + kInto_m), world.space->body.radius_m);
 }
 
-// The name of the solid, or of its underside.
+// Returns the name of the solid, or that of its underside.
 std::string name_from_below(const Scene& scene, const Solid& solid) {
     if (solid.feature != kNoFeature) return spoken_name(scene.features[solid.feature.value]);
     for (std::size_t i = 0; i < std::min(solid.shape.planes.size(), solid.face_features.size()); ++i)
@@ -56,7 +57,8 @@ std::string name_from_below(const Scene& scene, const Solid& solid) {
     return {};
 }
 
-// Stores what the best route lacks. Headroom that things limit does not count.
+// Stores in `fault` what the best route lacks. Does nothing if a thing limits the headroom, because things can be
+// moved.
 void tell_lack(const Examined& world, WorldFault& fault, const WayLacks& found) {
     if (found.lack == Lack::Nothing) return;
     if (found.lack == Lack::Headroom)
@@ -70,7 +72,7 @@ void tell_lack(const Examined& world, WorldFault& fault, const WayLacks& found) 
     fault.needed_m = found.needs_m;
 }
 
-// For faults about rooms out of reach that have no explanation yet, stores what the best routes lack.
+// Stores what the best routes lack in those faults that have no explanation yet.
 void tell_lacks(const Examined& world, std::span<WorldFault> faults, std::span<const Lack> kinds,
                 const std::stop_token& stop) {
     const Start* const base = navigation::base_of(world.scene);
@@ -86,8 +88,8 @@ void tell_lacks(const Examined& world, std::span<WorldFault> faults, std::span<c
     for (std::size_t i = 0; i < lacks.size(); ++i) tell_lack(world, *untold[i], lacks[i]);
 }
 
-// For stairs that can only be climbed in one go, stores what keeps people from walking on them, if steps were built.
-// Only routes on the stairs count, because a route elsewhere says nothing about them.
+// Adds a fault for each flight of stairs on which nobody can walk step by step. Stores what keeps people from walking
+// on it. Only routes on the stairs are considered, because a route elsewhere says nothing about the stairs.
 void in_one_go(const Examined& world, std::vector<WorldFault>& faults) {
     constexpr std::array kKinds{Lack::Headroom, Lack::Step, Lack::Width};
     for (const navigation::WalkLink& link : world.space->links) {
@@ -111,7 +113,7 @@ void in_one_go(const Examined& world, std::vector<WorldFault>& faults) {
     }
 }
 
-// The rooms that things block, unless `told` already has a fault about them.
+// Returns a fault for each room that things block, unless `told` has a fault about the room already.
 std::vector<WorldFault> blocked_by_things(const Examined& world, std::span<const WorldFault> told,
                                           const std::stop_token& stop = {}) {
     const std::vector<bool> reached = walked_into(world);
@@ -129,13 +131,13 @@ std::vector<WorldFault> blocked_by_things(const Examined& world, std::span<const
         fault.lack = Lack::Things;
         found.push_back(std::move(fault));
     }
-    // Stairs count as things, too, and may lead under a floor.
+    // Stairs count as things, too. They may lead below a floor, so a lack of headroom is the better explanation.
     constexpr std::array kKinds{Lack::Headroom};
     tell_lacks(world, found, kKinds, stop);
     return found;
 }
 
-// For all rooms, or only for one.
+// Returns the faults about rooms out of reach, for all rooms or only for the room `only`.
 std::vector<WorldFault> out_of_reach(const Examined& world, std::optional<std::uint32_t> only = std::nullopt,
                                      const std::stop_token& stop = {}) {
     std::vector<WorldFault> found;
@@ -151,8 +153,8 @@ std::vector<WorldFault> out_of_reach(const Examined& world, std::optional<std::u
     }
     constexpr std::array kKinds{Lack::Headroom, Lack::Step, Lack::Width};
     tell_lacks(world, found, kKinds, stop);
-    // Suggests a missing door only if no gap or low opening is the reason, because most of those are in a wall that
-    // could also have a door.
+    // Suggests a missing door only if no narrow gap or low opening explains the fault. Most of these are in a wall that
+    // could have a door as well, so the suggestion would mislead.
     for (WorldFault& fault : found) {
         if (fault.lack != Lack::Nothing || fault.room == navigation::kNothing || stop.stop_requested()) continue;
         const std::vector<MissingDoor> doors =
@@ -162,7 +164,7 @@ std::vector<WorldFault> out_of_reach(const Examined& world, std::optional<std::u
     return found;
 }
 
-// False for landings, which are part of stairs, and for ground.
+// True for a real room. False for landings, which are part of stairs, and for the ground.
 bool is_place_of_its_own(const Examined& world, std::uint32_t r) {
     bool other_ways = false, stairs = false;
     for (const navigation::Portal& portal : world.graph->portals)
@@ -186,7 +188,8 @@ void unnamed(const Examined& world, std::vector<WorldFault>& faults) {
     }
 }
 
-// Things that are fixed, have a name that occurs only once here, and are large enough to feel; the largest first.
+// Returns things that are fixed, have a name that occurs only once in the world, and are large enough to feel. The
+// largest is first.
 std::vector<FeatureId> landmark_candidates(const Examined& world, const std::vector<std::uint32_t>& things) {
     const Scene& scene = world.scene;
     const auto is_free = [&](FeatureId id) {
@@ -225,7 +228,8 @@ void without_landmark(const Examined& world, std::vector<WorldFault>& faults) {
         if (feature.landmark) mark(room);
         else if (room != navigation::kNothing) things[room].push_back(f);
         if (!feature.landmark) continue;
-        for (const navigation::Portal& portal : graph.portals)  // a door can be a landmark on both sides
+        // A door can be a landmark of the rooms on both of its sides.
+        for (const navigation::Portal& portal : graph.portals)
             if (portal.feature == FeatureId{f}) mark(portal.rooms[0]), mark(portal.rooms[1]);
     }
     for (std::uint32_t r = 0; r < graph.rooms.size(); ++r) {
@@ -239,7 +243,8 @@ void without_landmark(const Examined& world, std::vector<WorldFault>& faults) {
     }
 }
 
-// Finds names of a map that are too near to each other. Stated rooms are compared by their outlines.
+// Finds two names in a map that are too near to each other to belong to two rooms. Rooms that the file states are
+// compared by their outlines instead.
 void names_in_one_place(const Examined& world, std::vector<WorldFault>& faults) {
     const std::vector<RoomName>& names = world.scene.room_names;
     std::vector<std::uint32_t> spans, rooms;

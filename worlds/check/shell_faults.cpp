@@ -11,30 +11,32 @@ namespace handrail::check {
 namespace {
 
 constexpr double kNarrowestCrack_m = 1e-3, kWidestCrack_m = 0.06;
-// Joints up to this width are usual between an underside and its support, such as a slab on a wall, and around a beam.
+// Joints up to kWidestJoint_m are usual between an underside and its support, such as a slab on a wall, and around a
+// beam.
 constexpr double kLevelCrack = 0.7, kWidestJoint_m = 0.02;
-constexpr double kLeastCrack_m2 = 0.01;  // least area of the faces that face each other
+constexpr double kLeastCrack_m2 = 0.01;  // least area over which two faces must be opposite each other
 constexpr double kLeastOpen_m2 = 0.05;
 constexpr double kRail_m = 1.1;
 
-// True for walls, floors and other parts without a name of their own.
+// True for walls, floors and other parts of the building without a name from the file.
 bool is_shell(const Scene& scene, const Solid& solid) {
     const Feature* feature = scene.find(solid.feature);
     return solid.role == SolidRole::Solid && (!feature || feature->made_name);
 }
 
-// True if the file says that it is a beam.
+// True if the file says that the solid is a beam.
 bool is_beam(const Scene& scene, const Solid& solid) {
     const Feature* feature = scene.find(solid.feature);
     return feature && feature->made_name && feature->name == "beam";
 }
 
-// The part of a face that another face covers in perpendicular projection.
+// Returns the part of `face` that the other face `by` covers in perpendicular projection.
 std::vector<Vec3> looked_at(const Polygon& face, const Plane& plane, const Polygon& by) {
     std::vector<Vec3> part = face.points_m, scratch;
     for (std::size_t i = 0; i < by.points_m.size() && part.size() >= 3; ++i) {
         const Vec3 &a = by.points_m[i], &b = by.points_m[(i + 1) % by.points_m.size()];
-        Vec3 out = glm::cross(plane.normal, b - a);  // seen from this side, `by` runs in the opposite direction
+        // Seen from the side of `plane`, the corners of `by` run in the opposite direction.
+        Vec3 out = glm::cross(plane.normal, b - a);
         const double length = glm::length(out);
         if (length < 1e-9) continue;
         out /= length;
@@ -43,7 +45,7 @@ std::vector<Vec3> looked_at(const Polygon& face, const Plane& plane, const Polyg
     return part.size() >= 3 ? part : std::vector<Vec3>{};
 }
 
-// Finds where two solids nearly touch and nothing fills the space between them.
+// Finds a place where two solids nearly touch and nothing fills the space between them.
 std::optional<WorldFault> crack_between(const Examined& world, const Solid& one, const Solid& other) {
     const bool beam = is_beam(world.scene, one) || is_beam(world.scene, other);
     for (std::size_t a = 0; a < one.shape.planes.size(); ++a)
@@ -109,14 +111,14 @@ void roofs(const Examined& world, std::vector<WorldFault>& faults) {
         const bool first_in = world.cover(portal.rooms[0]).covered() && world.cover(portal.rooms[1]).under_sky(),
                    second_in = world.cover(portal.rooms[1]).covered() && world.cover(portal.rooms[0]).under_sky();
         if (!first_in && !second_in) continue;
-        // It is only a niche under the eaves.
+        // A covered place that is not a room is only a niche under the eaves.
         if (rooms[portal.rooms[first_in ? 0 : 1]].kind != navigation::RoomKind::Room) continue;
         const std::uint32_t in = portal.rooms[first_in ? 0 : 1], out = portal.rooms[first_in ? 1 : 0];
         put(FaultKind::OpenToOutside, in, portal.place_m, world.room_name(out));
     }
 }
 
-// True if nothing up to the height of a rail stops a person who walks off in this direction.
+// True if nothing up to the height of a rail stops a person who walks off the edge in this direction.
 bool is_open(const Examined& world, const Vec3& feet_m, const Vec3& way, double far_m) {
     for (const double up : {0.3, 0.6, 0.9, kRail_m})
         for (double along = 0.1; along < far_m + 0.05; along += 0.1)
@@ -128,7 +130,8 @@ void edges(const Examined& world, std::vector<WorldFault>& faults) {
     const navigation::WalkSpace& space = *world.space;
     const std::array<Vec3, 4> ways{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, -1, 0)};
     const double far_m = space.body.radius_m + 2.0 * space.cell_m;
-    std::set<std::pair<std::uint32_t, FaultKind>> told;  // reports each kind only once in a room
+    // The faults reported, so that each kind is reported only once in a room.
+    std::set<std::pair<std::uint32_t, FaultKind>> told;
     for (std::uint32_t s = 0; s < space.spans.size(); ++s) {
         const navigation::WalkSpan& span = space.spans[s];
         const std::uint32_t room = world.graph->room_of_span[s];

@@ -9,11 +9,11 @@
 namespace handrail::check {
 namespace {
 
-constexpr double kSame_m = 0.005;   // corners of two boxes within this distance are the same
-constexpr double kFar_m = 3.0;      // distance from all places where a person can stand
-constexpr double kHighest_m = 4.0;  // above a floor, for things that hang on a wall
+constexpr double kSame_m = 0.005;   // corners of two boxes within this distance count as the same
+constexpr double kFar_m = 3.0;      // a thing farther than this from every standing place is out of reach
+constexpr double kHighest_m = 4.0;  // greatest height above a floor of a thing that hangs on a wall
 constexpr double kTouching_m = 0.1;
-constexpr double kUpperDoor_m = 1.0;  // above the base
+constexpr double kUpperDoor_m = 1.0;  // a door at least this far above the base is on an upper storey
 
 WorldFault fault_of(const Examined& world, FeatureId id, FaultKind kind) {
     const Feature& feature = world.scene.features[id.value];
@@ -43,8 +43,8 @@ void twice(const Examined& world, const std::vector<FeatureId>& things, std::vec
     }
 }
 
-// True if the whole thing is inside parts of the building and none of it is visible. A gate that is flush with its wall
-// is visible.
+// True if the whole thing is inside parts of the building and none of its surface is visible. The surface of a gate
+// that is flush with its wall is visible.
 bool is_within_walls(const Examined& world, FeatureId id) {
     constexpr double kLooksOut_m2 = 1e-3;
     if (world.scene.features[id.value].area_m2 > kLooksOut_m2) return false;
@@ -58,7 +58,7 @@ bool is_within_walls(const Examined& world, FeatureId id) {
     return true;
 }
 
-// True if it is below all floors nearby.
+// True if the thing is below all floors nearby.
 bool is_under_floors(const Examined& world, FeatureId id) {
     const Aabb& box = world.scene.features[id.value].bounds_m;
     const double around = 0.5 + 0.5 * std::max(box.size_m().x, box.size_m().y);
@@ -81,8 +81,8 @@ bool touches_nothing(const Examined& world, FeatureId id) {
     return std::none_of(near.begin(), near.end(), [&](std::uint32_t i) { return world.scene.solids[i].feature != id; });
 }
 
-// The reader puts a start in front of each outside door. On an upper storey such a door leads to a balcony or to
-// nothing, and nobody starts there.
+// True for a start that needs no check. The reader puts a start in front of each outside door. On an upper storey such
+// a door leads to a balcony or to nothing, and no walk starts there.
 bool before_upper_door(const Scene& scene, const Start& start) {
     if (!scene.stated || start.feet_m.z < scene.starts.front().feet_m.z + kUpperDoor_m) return false;
     const std::vector<StatedPortal>& portals = scene.stated->portals;
@@ -127,7 +127,7 @@ void find_thing_faults(const Examined& world, std::vector<WorldFault>& faults) {
     twice(world, things, faults);
     if (world.space) starts(world, faults);
     for (const FeatureId id : things) {
-        // In an architect's model, beams and window frames are inside walls, as they should be.
+        // In an architect's model, beams and window frames belong inside walls, so the first test is left out.
         if ((!world.scene.stated && is_within_walls(world, id)) || (world.space && is_under_floors(world, id)))
             faults.push_back(fault_of(world, id, FaultKind::ThingBuried));
         else if (world.space && is_far_from_floors(world, id))

@@ -7,9 +7,10 @@
 namespace handrail::check {
 namespace {
 
-constexpr double kSamePlace_m = 0.6;  // from the file's position of a room to a place where one can stand in it
+// Greatest distance from the file's position of a room to a place where a person can stand in it.
+constexpr double kSamePlace_m = 0.6;
 
-// True if one can walk between the rooms, directly or through one flight or corner between them.
+// True if a person can walk between the rooms, directly or through one flight or corner between them.
 bool joined_on_foot(const navigation::RoomGraph& graph, std::uint32_t a, std::uint32_t b) {
     const auto beside = [&](std::uint32_t room) {
         std::vector<std::uint32_t> others;
@@ -29,13 +30,13 @@ bool joined_on_foot(const navigation::RoomGraph& graph, std::uint32_t a, std::ui
 
 }  // namespace
 
-// Finds doors and openings between two rooms of the file that a body can pass, although no route leads from one room to
-// the other there. Stairs, and rooms with stairs, are left out, because the room search treats them differently from
-// the file.
+// Finds doors and openings between two rooms of the file that a body can pass, although no route leads there from one
+// room to the other. Stairs and rooms with stairs are left out, because Handrail divides them into rooms differently
+// from the file.
 void find_unlike_faults(const Examined& world, std::vector<WorldFault>& faults) {
     if (!world.scene.stated || !world.space) return;
     const StatedBuilding& stated = *world.scene.stated;
-    std::vector<std::uint32_t> found;  // the room of the graph for each stated room
+    std::vector<std::uint32_t> found;  // indexed by stated room: the room of the graph that corresponds to it
     for (const StatedRoom& room : stated.rooms) {
         const std::uint32_t span = world.space->nearest(room.at_m, kSamePlace_m, kSamePlace_m, kSamePlace_m);
         found.push_back(span == navigation::kNothing ? navigation::kNothing : world.graph->room_of_span[span]);

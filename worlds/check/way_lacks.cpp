@@ -14,13 +14,14 @@ namespace {
 
 constexpr double kTallEnough = 0.5, kThinEnough = 0.2, kHigher_m = 0.6;
 
-// The best route from one place to every other: the worth of its worst place, and where that place is.
+// The best routes from one place to every other place. `worth` is the worth of the worst place on the route, `worst` is
+// that place.
 struct BestWays {
     std::vector<double> worth;
-    std::vector<std::uint32_t> worst;  // kNothing: no route
+    std::vector<std::uint32_t> worst;  // kNothing if there is no route
 };
 
-// `worth_of(from, to)`: the worth of the step from one span to the next.
+// `worth_of(from, to)` returns the worth of the step from one span to the next.
 template <class Worth>
 BestWays best_ways(const navigation::WalkSpace& space, std::uint32_t first, const Worth& worth_of) {
     BestWays best{std::vector<double>(space.spans.size(), -std::numeric_limits<double>::infinity()),
@@ -29,7 +30,7 @@ BestWays best_ways(const navigation::WalkSpace& space, std::uint32_t first, cons
     struct Open {
         double worth;
         std::uint32_t span;
-        // The highest worth first; of equal ones the lower span.
+        // The queue returns the highest worth first, and the lower span if two are equal.
         bool operator<(const Open& other) const {
             return worth < other.worth || (worth == other.worth && span > other.span);
         }
@@ -60,8 +61,9 @@ std::uint32_t place_in(const navigation::WalkSpace& space, const Vec3& at_m) {
     return space.nearest(at_m, 1.0, 0.6, 1.0);
 }
 
-// Finds what the best routes lack for a walker. It uses bodies that are smaller or climb higher, which get through, and
-// handles the places that have no answer yet.
+// Finds what the best routes of a walker lack. It tries smaller bodies, and bodies that climb higher, which get
+// through, and then looks at what the walker lacks on their routes. Each kind of lack is tested only for the places
+// that have no answer yet.
 class Search {
 public:
     Search(const Scene& scene, const navigation::WalkerMeasures& body, const Vec3& from_m,
@@ -78,8 +80,8 @@ public:
         navigation::WalkerMeasures any = low();
         any.radius_m = thin().radius_m;
         any.step_up_m = climbing().step_up_m;
-        // If even a body that is low, thin and climbs high cannot get there, walls are the reason, and this is the only
-        // space needed.
+        // If even a body that is low and thin and climbs high cannot get there, walls are the reason. No other walkable
+        // space has to be made then.
         if (kinds.size() > 1 && !comes_to_any(any)) return std::move(found_);
         for (const Lack kind : kinds) look(kind);
         return std::move(found_);
@@ -102,7 +104,7 @@ private:
         return body;
     }
 
-    // True if such a body reaches any of the places.
+    // True if a walker with these measures reaches at least one of the places.
     bool comes_to_any(const navigation::WalkerMeasures& body) const {
         const Result<navigation::WalkSpace> space = navigation::make_trial_space(scene_, body, {false, within_}, stop_);
         const std::uint32_t first = space ? place_in(*space, from_m_) : navigation::kNothing;
@@ -117,8 +119,7 @@ private:
     void look(Lack kind) {
         switch (kind) {
             case Lack::Headroom:
-                // At a step, the ceiling of the lower place is above the floor of the higher place, so the clear height
-                // is taken between these.
+                // The clear height between two spans is measured from the higher floor to the lower ceiling.
                 return look(kind, low(), body_.height_m,
                             [](const navigation::WalkSpace& space, std::uint32_t from, std::uint32_t to) {
                                 const navigation::WalkSpan &a = space.spans[from], &b = space.spans[to];

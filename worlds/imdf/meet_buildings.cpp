@@ -35,8 +35,8 @@ public:
         std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return size_[a] > size_[b]; });
         if (order.empty()) return {};
         settled_[0] = settled_[order[0]] = true;
-        // First settles, one by one, the buildings that share a door with a settled building; then those that share
-        // none.
+        // First settles the buildings that share a door with a settled building, one after the other. Then settles the
+        // buildings that share no door.
         for (bool any = true; any;) {
             any = false;
             for (const std::size_t b : order) {
@@ -55,7 +55,8 @@ public:
     }
 
 private:
-    // Counts, for each shift of the building, how many doors on its outlines or of its own require that shift.
+    // Returns possible shifts of the building, each with the number of shared doors that require it. The doors are the
+    // building's own and those of other buildings on its outlines.
     std::map<double, int> votes_of(std::size_t building) const {
         std::map<double, int> votes;
         std::vector<std::uint32_t> near;
@@ -74,8 +75,8 @@ private:
         return votes;
     }
 
-    // The lowest ordinal of a building if nothing is below it; 0 if it begins at the ground or is above another
-    // building.
+    // Returns the lowest ordinal of the building if it is above the ground and nothing is below it. Returns 0 if the
+    // building begins at the ground or is above another building.
     double floating_ordinals(std::size_t building) const {
         double lowest = 1e300;
         for (const VenueUnit& unit : units_)

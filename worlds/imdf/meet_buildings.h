@@ -1,6 +1,6 @@
-// The buildings of one venue may count their levels from different floors. This finds how far each has to be shifted,
-// so that the floors on both sides of a shared door have the same height and no building floats above the ground. Pure
-// function over plain values; metres.
+// The buildings of one venue may count their levels from different floors. This function finds how far each building
+// has to be shifted, so that the floors on both sides of a shared door have the same height and no building floats
+// above the ground. Pure function over plain values in metres.
 #pragma once
 
 #include <string>
@@ -25,7 +25,7 @@ struct VenueDoor {
 // Returns what to add to the ordinals of each building, mostly 0:
 // - Building 0 stands for levels of several buildings or of none. It stays as it is, and so does the building with
 //   the most units.
-// - A building that shares doors with one that is settled is shifted by what most of these doors require.
+// - A building that shares doors with a settled building is shifted by the amount that most of these doors require.
 // - A building that shares no doors, and begins above the ground with nothing below it, is put on the ground.
 std::vector<double> shifts_of_buildings(std::size_t buildings, const std::vector<VenueUnit>& units,
                                         const std::vector<VenueDoor>& doors);

@@ -25,7 +25,7 @@ constexpr std::size_t kMostFeatures = 60'000, kMostVertical = 3'000, kMostCorner
 constexpr std::array<std::string_view, 10> kFiles{"venue",   "building", "level", "unit",     "opening",
                                                   "amenity", "fixture",  "kiosk", "occupant", "anchor"};
 
-// The feature type in a path: "somewhere/unit.geojson" gives "unit"; empty if the file is not one of ours.
+// Returns the feature type in a path: "somewhere/unit.geojson" gives "unit". Empty if the file is not part of IMDF.
 std::string_view type_of(std::string_view path) {
     path = path.substr(path.rfind('/') == std::string_view::npos ? 0 : path.rfind('/') + 1);
     for (const std::string_view type : kFiles)
@@ -34,7 +34,7 @@ std::string_view type_of(std::string_view path) {
     return {};
 }
 
-// Returns null if the key is missing; never throws.
+// Returns the value of a key, or a null value if the key is missing. Never throws.
 const Json& at(const Json& object, const char* key) {
     static const Json nothing;
     if (!object.is_object()) return nothing;
@@ -47,8 +47,8 @@ std::string text(const Json& value) {
                              : std::string();
 }
 
-// Picks a text that exists in several languages: the one spoken, else English, else the first. Codes may name a
-// country: "ja-JP".
+// Picks one of several translations of a text: in the spoken language, else English, else the first. The language codes
+// may include a country: "ja-JP".
 std::string label(const Json& value) {
     if (value.is_string()) return text(value);
     if (!value.is_object()) return {};
@@ -77,7 +77,7 @@ bool line_of(const Json& value, Ring& line) {
     return line.size() > 1;
 }
 
-// The rings of a Polygon or MultiPolygon, each closed. Returns false if the geometry is invalid.
+// Reads the rings of a Polygon or MultiPolygon, each of them closed. Returns false if the geometry is invalid.
 bool rings_of(const Json& geometry, std::vector<Ring>& rings) {
     const Json& coordinates = at(geometry, "coordinates");
     const auto polygon = [&](const Json& value) {
@@ -145,7 +145,7 @@ public:
     }
 
 private:
-    // Selects the requested building, if the options name one, and its name.
+    // If the options name a building, selects that building and its name.
     Result<void> choose_building(const std::string& file_name) {
         if (options_.building.empty()) return {};
         const std::string wish = lower_ascii(options_.building);
@@ -177,7 +177,8 @@ private:
                 std::none_of(buildings.begin(), buildings.end(),
                              [&](const Json& id) { return text(id) == wanted_building_; }))
                 continue;
-            // A level that belongs to several buildings or to none is not shifted with any of them.
+            // A level that belongs to several buildings or to none gets an empty building id, and is not shifted with
+            // any building.
             std::string building;
             if (buildings.is_array() && buildings.size() == 1) building = text(buildings[0]);
             levels_[text(at(level, "id"))] = {number, label(at(properties, "name")), building};
@@ -185,7 +186,7 @@ private:
     }
 
     void meet_buildings() {
-        std::map<std::string, std::size_t> number_of{{"", 0}};  // number of each building id
+        std::map<std::string, std::size_t> number_of{{"", 0}};  // the number of each building, by its id
         for (const auto& [id, level] : levels_) number_of.try_emplace(level.building, number_of.size());
         if (number_of.size() < 3) return;
         const auto level_named = [&](const Json& feature) {
@@ -216,7 +217,8 @@ private:
             plan_.guessed.push_back(phrase("imdf.buildings_meet", {{"n", moved}}));
     }
 
-    // Levels of one height become one level. It takes its name from a building that was not shifted.
+    // Merges levels at the same height into one. The merged level is named by a building that was not shifted, if there
+    // is one.
     void lay_levels() {
         std::map<double, std::string> names;
         for (const bool moved : {false, true})
@@ -303,12 +305,13 @@ private:
         join_vertical();
     }
 
-    // Joins the unit's own name and that of its occupant. Many files write the same name in both places.
+    // Joins the unit's own name and that of its occupant. Many files write the same name in both places; it then
+    // appears once.
     static std::string named_once(const std::string& unit, const std::string& occupant) {
         return unit.empty() || lower_ascii(unit) == lower_ascii(occupant) ? occupant : unit + ", " + occupant;
     }
 
-    // Names of shops and other occupants, by the unit that they are in.
+    // Returns the names of shops and other occupants, by the unit that they are in.
     std::map<std::string, std::string> occupants() {
         std::map<std::string, std::string> unit_of_anchor, found;
         for (const Json& anchor : features_["anchor"])
@@ -346,7 +349,8 @@ private:
         return said;
     }
 
-    // IMDF has one unit on each level for stairs and lifts. Units above one another become one space.
+    // Joins units for stairs and lifts that are above one another into one space. IMDF has a separate unit for them on
+    // each level.
     void join_vertical() {
         std::vector<bool> gone(plan_.spaces.size(), false);
         std::vector<std::size_t> into(plan_.spaces.size()), vertical_before;
@@ -470,11 +474,11 @@ private:
     std::map<std::string, std::string> building_names_;
     struct Level {
         double ordinal = 0.0;
-        std::string name, building;  // `building` is its id
-        double shift = 0.0;          // shift of its building, see meet_buildings.h
+        std::string name, building;  // `building` is the id of the level's building
+        double shift = 0.0;          // shift of the level's building, see meet_buildings.h
     };
     std::map<std::string, Level> levels_;
-    std::map<double, std::size_t> level_;  // index in plan_.levels, by shifted ordinal
+    std::map<double, std::size_t> level_;  // index in plan_.levels, by the shifted ordinal
     std::map<std::string, std::size_t> unit_number_;
     std::string wanted_building_;
     floorplan::LocalPlane plane_;

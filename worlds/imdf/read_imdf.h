@@ -9,7 +9,8 @@
 namespace handrail::imdf {
 
 struct ImdfOptions {
-    // If a venue has several buildings, the one to read, by part of its name or its number; empty: all of them.
+    // If a venue has several buildings: part of the name, or the number, of the one to read. Empty: all buildings are
+    // read.
     std::string building;
     floorplan::PlanOptions plan;
 };
@@ -17,8 +18,8 @@ struct ImdfOptions {
 // Returns true for a ZIP archive that lists a unit.geojson, or a manifest and other GeoJSON files, in any folder.
 bool is_imdf(std::string_view bytes);
 
-// The same bytes always give the same Scene. Fails with one sentence if the archive is damaged, contains no units or
-// too many.
+// Reads a venue. The same bytes always give the same Scene. Fails with one sentence if the archive is damaged, or
+// contains no units or too many.
 Result<Scene> read_imdf_venue(std::string_view bytes, const std::string& file_name, const ImdfOptions& options);
 
 }  // namespace handrail::imdf

@@ -18,7 +18,7 @@ std::uint32_t number(std::string_view bytes, std::size_t at, std::size_t size) {
     return value;
 }
 
-// Unpacks exactly `size` bytes. Returns false if the packed data gives more, fewer or none.
+// Unpacks exactly `size` bytes. Returns false if the packed data is damaged or gives more or fewer bytes.
 bool inflate_all(std::string_view packed, std::size_t size, std::string& into) {
     into.assign(size, '\0');
     z_stream stream{};
@@ -67,7 +67,7 @@ Result<std::map<std::string, std::string>> unzip(std::string_view bytes, const s
         if (data > bytes.size() || bytes.size() - data < packed) return damaged();
         unpacked += size;
         if (unpacked > kMostUnpacked_bytes) return fail(phrase("imdf.too_large"), file_name);
-        // This method never packs to less than a thousandth, so a better ratio means damage.
+        // This compression method never reduces data to less than a thousandth, so a better ratio means damage.
         if (method == 8 && size / 1100 > packed) return damaged();
         std::string content;
         if (method == 0 && packed == size) content = bytes.substr(data, size);

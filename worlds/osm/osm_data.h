@@ -1,5 +1,6 @@
 // The parts of an OpenStreetMap file that can matter for a building: nodes, ways and outlines with their tags. Plain
-// values. Only osm_data.cpp knows the library that reads the file; it uses threads of its own during the call.
+// values. Only osm_data.cpp knows the library that reads the file. That library starts threads of its own, which end
+// before the call returns.
 #pragma once
 
 #include <cstdint>
@@ -35,35 +36,37 @@ struct OsmWay {
     bool closed() const { return nodes.size() > 3 && nodes.front() == nodes.back(); }
 };
 
-// A relation of type multipolygon.
+// An area with holes: a relation of type multipolygon.
 struct OsmArea {
     std::int64_t id = 0;
-    std::vector<std::pair<std::int64_t, bool>> ways;  // id, and whether the way is a hole
+    std::vector<std::pair<std::int64_t, bool>> ways;  // the id of each way, and whether the way is a hole
     OsmTags tags;
 };
 
 struct OsmData {
-    std::unordered_map<std::int64_t, OsmNode> nodes;  // by id; never iterated
+    std::unordered_map<std::int64_t, OsmNode> nodes;  // by id; never iterated, because the order is arbitrary
     std::vector<std::int64_t> tagged_nodes;           // in file order
     std::vector<OsmWay> ways;
-    std::unordered_map<std::int64_t, std::size_t> way_number;  // by id; never iterated
+    std::unordered_map<std::int64_t, std::size_t> way_number;  // by id; never iterated, because the order is arbitrary
     std::vector<OsmArea> areas;
-    // IndoorOSM writes no level on rooms. Instead, a relation of type level lists its ways and names the level. Never
-    // iterated.
+    // The level of a way, by the way's id. IndoorOSM writes no level on rooms; instead, a relation of type level names
+    // the level and lists its ways. The map is never iterated, because its order is arbitrary.
     std::unordered_map<std::int64_t, std::string> level_of_way;
-    std::vector<OsmTags> levels;  // tags of those relations
+    std::vector<OsmTags> levels;  // tags of the relations of type level
 
-    // The level that the way states, else the level of the relation that lists the way; empty if neither states one.
+    // Returns the level that the way states, or else the level of the relation that lists the way. Empty if neither
+    // states one.
     std::string_view level_of(const OsmWay& way) const;
 };
 
 enum class OsmForm : std::uint8_t { None, Xml, XmlBzip2, Pbf };
-// Recognises the format by the first bytes; bzip2 also by the file's name, because it can contain anything.
+// Recognises the format by the first bytes. For bzip2, the file's name is checked as well, because a bzip2 file can
+// contain anything.
 OsmForm osm_form(std::string_view bytes, std::string_view file_name);
 
 inline constexpr std::size_t kMostOsmNodes = 4'000'000, kMostOsmWays = 1'000'000;
 
-// Fails with one sentence if the file is damaged, cut short or too large.
+// Reads the file. Fails with one sentence if it is damaged, cut short or too large.
 Result<OsmData> read_osm_data(std::string_view bytes, OsmForm form, const std::string& file_name,
                               const std::stop_token& stop);
 

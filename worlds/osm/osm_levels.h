@@ -6,8 +6,8 @@
 
 namespace handrail::osm {
 
-// Levels in rising order without repetition, from -100 to 300, at most 200; empty if the text states none. `damaged`:
-// part of the text was not understood.
+// Levels in rising order without repetition, from -100 to 300, at most 200 of them. Empty if the text states none.
+// `damaged` is true if part of the text was not understood.
 struct OsmLevels {
     std::vector<double> levels;
     bool damaged = false;

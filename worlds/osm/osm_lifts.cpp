@@ -1,4 +1,5 @@
-// Lifts and stairs as mappers draw them: as one node in the rooms of several levels, or with an outline on each level.
+// Lifts and stairs as mappers draw them: as one node within the rooms of several levels, or with an outline on each
+// level.
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -12,7 +13,7 @@ namespace handrail::osm {
 namespace {
 
 constexpr double kLift_m = 1.7, kRound_m = 0.3, kBeforeDoor_m = 1.2, kLiftDoor_m = 0.9;
-// Offsets at which the cabin is tried if walls are too close to the point itself.
+// Offsets at which the cabin is placed if walls are too close to the node itself.
 const std::array<Vec2, 9> kAside_m{Vec2(0, 0),     Vec2(0, 1.2),    Vec2(1.2, 0),     Vec2(0, -1.2),  Vec2(-1.2, 0),
                                    Vec2(1.2, 1.2), Vec2(1.2, -1.2), Vec2(-1.2, -1.2), Vec2(-1.2, 1.2)};
 
@@ -29,7 +30,8 @@ bool holds_square(const floorplan::PlanSpace& space, const Vec2& at) {
 
 }  // namespace
 
-// Stairs and lifts can be drawn on each level separately, one above the other. Joins these outlines into one.
+// Joins outlines of stairs and lifts that are above one another into one, because mappers can draw them on each level
+// separately.
 void OsmPlan::stack_outlines() {
     std::vector<std::size_t> order(outlines_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -66,7 +68,7 @@ void OsmPlan::stack_outlines() {
     std::erase_if(outlines_, [&](const Outline&) { return stacked[at++]; });
 }
 
-// Makes a cabin with a door to the surrounding room on each level. Returns false if there is no space for it.
+// Makes a cabin that has a door to the surrounding room on each level. Returns false if there is no space for it.
 bool OsmPlan::add_lift_at(std::int64_t node, std::size_t rooms) {
     const OsmTags& tags = data_.nodes.at(node).tags;
     std::vector<std::size_t> levels;

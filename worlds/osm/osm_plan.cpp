@@ -24,18 +24,19 @@ void note_id(std::string& ids, const std::string& id) {
     if (ids.size() < 60) ids += (ids.empty() ? "" : ", ") + id;
 }
 
-// Finds the spaces whose outlines pass close to a point. Doors are often drawn a few centimetres off the wall.
+// Finds the spaces whose outlines pass close to a point. It is used for doors, which are often drawn a few centimetres
+// off the wall.
 class OutlineIndex {
 public:
     explicit OutlineIndex(const std::vector<floorplan::PlanSpace>& spaces) : index_(boxes_of(spaces)) {}
 
     struct Beside {
-        // The spaces that share the wall of a door, in rising order. A room that only has a corner next to the door is
-        // not among them.
+        // The spaces on both sides of the wall that the door is in, in rising order. A room is left out if only a
+        // corner of it is next to the door.
         std::vector<std::size_t> spaces;
         std::size_t nearest = static_cast<std::size_t>(-1);
     };
-    // Looks at each edge of the outlines whose boxes contain `at`.
+    // Tests every edge of those outlines whose boxes contain `at`.
     Beside spaces_at(const floorplan::FloorPlan& plan, const Vec2& at) const {
         std::vector<std::uint32_t> near;
         index_.find({Vec3(at, 0.0), Vec3(at, 0.0)}, near);
@@ -109,7 +110,7 @@ bool OsmPlan::all_known(const std::vector<std::int64_t>& nodes) const {
     return std::all_of(nodes.begin(), nodes.end(), [&](std::int64_t n) { return data_.nodes.contains(n); });
 }
 
-// Joins the member ways end to end.
+// Returns the rings that the member ways form when they are joined end to end.
 std::vector<std::vector<std::int64_t>> OsmPlan::rings_of(const OsmArea& area, bool& broken) const {
     std::vector<std::vector<std::int64_t>> rings, open;
     for (const auto& [id, hole] : area.ways) {
@@ -221,8 +222,8 @@ std::vector<Ring> OsmPlan::in_degrees(const std::vector<std::vector<std::int64_t
     return made;
 }
 
-// Each outline belongs to the building around its middle. If none surrounds it, it belongs to the nearest one within a
-// kilometre.
+// Assigns each outline to the building around its middle. If no building surrounds it, it belongs to the nearest one
+// within a kilometre. Then selects the building to read.
 Result<void> OsmPlan::choose_building(const std::string& file_name) {
     std::vector<Aabb> boxes;
     for (const Building& building : buildings_) boxes.push_back({Vec3(building.least, 0.0), Vec3(building.most, 0.0)});
@@ -233,7 +234,7 @@ Result<void> OsmPlan::choose_building(const std::string& file_name) {
         Vec2 middle{0.0};
         for (const Vec2& p : rings[0]) middle += p / static_cast<double>(rings[0].size());
         double nearest = 1e300;
-        for (const double around_deg : {0.0, 1e-4, 1e-3, 1e-2}) {  // 0, 10, 100 m and 1 km
+        for (const double around_deg : {0.0, 1e-4, 1e-3, 1e-2}) {  // about 0, 10, 100 m and 1 km
             const Vec3 reach(around_deg, around_deg, 1.0);
             index.find({Vec3(middle, 0.0) - reach, Vec3(middle, 0.0) + reach}, near);
             for (const std::uint32_t b : near) {
@@ -293,7 +294,7 @@ Result<void> OsmPlan::choose_building(const std::string& file_name) {
     return {};
 }
 
-// Puts the origin in the middle of the area read, so that lengths there are right.
+// Puts the origin in the middle of the area that is read, because lengths are correct near the origin.
 void OsmPlan::set_origin() {
     bool around_building = false;
     Vec2 least{1e300}, most{-1e300};
@@ -305,7 +306,8 @@ void OsmPlan::set_origin() {
         const std::string kind = kind_of_space(*outline.tags);
         return kind != "lift" && kind != "stairs" && kind != "escalator";
     });
-    // If there are several buildings, one is read with its surroundings. A single building stands for the whole file.
+    // If there are several buildings, only the surroundings of the chosen one are read. If there is only one, the whole
+    // file is read.
     const auto with_rooms = std::count_if(buildings_.begin(), buildings_.end(),
                                           [](const Building& building) { return building.spaces > 0; });
     if (!options_.building.empty() || (rooms && with_rooms > 1)) around_building = true;
@@ -354,8 +356,8 @@ void OsmPlan::lay_levels() {
     for (const double number : numbers) plan_.levels.push_back(level_made(number));
 }
 
-// A level is named after its own relation or outline. Otherwise its name comes from how its outlines refer to it
-// ("Level B1").
+// A level is named after its own relation or outline. If it has none, its name comes from the way in which outlines
+// refer to it ("Level B1").
 void OsmPlan::find_level_names() {
     const auto take = [&](std::string_view level, const std::string& name) {
         const OsmLevels levels = levels_of(level);
@@ -434,8 +436,8 @@ void OsmPlan::add_doors() {
         }
         OsmLevels levels = levels_of(tags["level"], tags["repeat_on"]);
         odd_levels_ += levels.damaged ? 1 : 0;
-        // A door that states no level is on the levels of its own outlines, or of the nearest one. Walls of other
-        // storeys often pass by the same place.
+        // A door that states no level is on the levels of the outlines that it is part of, or else on those of the
+        // nearest outline. Other outlines are ignored, because walls of other storeys often pass by the same place.
         const auto part_of = spaces_of_.find(n);
         if (levels.levels.empty())
             for (const std::size_t s : part_of != spaces_of_.end() ? part_of->second : std::vector{nearest})

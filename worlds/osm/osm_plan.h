@@ -1,5 +1,5 @@
-// Turns OpenStreetMap tags into a plan: which outlines are rooms, which nodes are doors, and which levels exist. One
-// reading thread uses it.
+// Turns OpenStreetMap tags into a plan: which outlines are rooms, which nodes are doors, and which levels exist. Used
+// on the reading thread only.
 #pragma once
 
 #include <map>
@@ -13,7 +13,8 @@ namespace handrail::osm {
 class OsmPlan {
 public:
     OsmPlan(const OsmData& data, const OsmOptions& options);
-    // Fails with one sentence if there is nothing to walk on, or if the requested building does not exist.
+    // Builds the plan. Fails with one sentence if there is nothing to walk on, or if the requested building does not
+    // exist.
     Result<floorplan::FloorPlan> build(const std::string& file_name);
 
 private:
@@ -28,18 +29,18 @@ private:
     struct Walked {
         std::string id;
         const OsmTags* tags = nullptr;
-        // Of a line: its nodes; of an area: its outlines, without repeating the first node.
+        // For a line: the ids of its nodes. For an area: those of its outlines, without repetition of the first node.
         std::vector<std::vector<std::int64_t>> lines;
         bool area = false;
         std::string_view level;  // as the file states it
 
         bool steps() const { return tags->is("highway", "steps"); }
-        std::vector<double> levels() const;  // at least one
+        std::vector<double> levels() const;  // returns at least one level
     };
     struct Building {
         std::string id, name, ref;
         const OsmTags* tags = nullptr;
-        std::vector<Ring> rings;  // in degrees
+        std::vector<Ring> rings;  // outlines in degrees
         Vec2 least{1e300}, most{-1e300};
         int spaces = 0;
     };
@@ -59,7 +60,7 @@ private:
     void lay_levels();
     void find_level_names();
     floorplan::PlanLevel level_made(double number) const;
-    std::size_t level_at(double number) const;  // kNone if there is none
+    std::size_t level_at(double number) const;  // returns kNone if there is no such level
     void add_spaces();
     void add_doors();
     void add_walls_and_things();
@@ -87,10 +88,12 @@ private:
     std::vector<Outline> outlines_;
     std::vector<Building> buildings_;
     std::size_t chosen_ = kNone;
-    std::vector<Ring> surroundings_of_;  // ways far from all of these outlines are left out; if empty, none is left out
+    // Ways far from all of these outlines are left out; if this is empty, all ways are read.
+    std::vector<Ring> surroundings_of_;
     floorplan::LocalPlane plane_;
-    std::map<double, std::string> level_names_;                             // names that the file states
-    std::unordered_map<std::int64_t, std::vector<std::size_t>> spaces_of_;  // spaces of each node; never iterated
+    std::map<double, std::string> level_names_;  // the names of levels that the file states
+    // Spaces of each node; never iterated, because the order is arbitrary.
+    std::unordered_map<std::int64_t, std::vector<std::size_t>> spaces_of_;
     int open_ = 0, incomplete_ = 0, without_level_ = 0, odd_levels_ = 0, doors_alone_ = 0;
     std::string open_ids_, incomplete_ids_;
 };

@@ -22,7 +22,7 @@ Ring square(const Vec2& at, double side_m) {
     return {at + Vec2(-half, -half), at + Vec2(half, -half), at + Vec2(half, half), at + Vec2(-half, half)};
 }
 
-// The kind of an object that mappers draw as an outline (columns, desks and benches); empty for anything else.
+// Returns the kind of an object that mappers draw as an outline: a column, a desk or a bench. Empty for anything else.
 std::string_view drawn_thing(const OsmTags& tags) {
     if (tags.is("indoor", "column") || tags.is("indoor", "pillar") || tags.is("wall:type", "pillar") ||
         tags.is("building", "pillar") || tags.is("building", "column") || tags.is("buildingpart", "column"))
@@ -88,7 +88,7 @@ void OsmPlan::add_drawn(const OsmWay& way) {
     }
 }
 
-// Uses the object's own name, or else its kind.
+// Names the object by its own name, or else by its kind.
 void OsmPlan::name_thing(floorplan::PlanThing& thing, const OsmTags& tags, std::string_view what) const {
     thing.name = in_spoken(tags, "name");
     if (thing.name.empty()) thing.name = capitalised(kind_words(what));

@@ -27,14 +27,14 @@ bool is_escalator(const OsmTags& tags) {
     return tags.is("highway", "steps") && tags.has("conveying") && !tags.is("conveying", "no");
 }
 
-// The kind of way in words, such as "Footway".
+// Returns the kind of the way in words, such as "Footway".
 std::string kind_of_way(const OsmTags& tags) {
     const std::string_view highway = tags["highway"];
     const bool plain = is_platform(tags) || highway.empty() || highway == "no";
     return capitalised(kind_words(is_escalator(tags) ? "escalator" : plain ? "platform" : highway));
 }
 
-// The name that the file states for the way; empty if it states none.
+// Returns the name that the file states for the way. Empty if it states none.
 std::string own_name(const OsmTags& tags) {
     std::string name(in_spoken(tags, "name")), ref(tags["ref"]);
     if (!is_platform(tags)) return name.empty() ? ref : name;
@@ -58,12 +58,12 @@ bool OsmPlan::is_lift_node(std::int64_t node) const {
 
 namespace {
 
-// Tells whether points are near any of the given outlines.
+// Finds out whether points are near any of the given outlines.
 class Surroundings {
 public:
     explicit Surroundings(const std::vector<Ring>& rings) : rings_(rings), index_(boxes_of(rings)) {}
 
-    // Returns true if one of the lines comes near.
+    // Returns true if at least one of the lines is near one of the outlines.
     bool hold_one_of(const std::vector<Ring>& lines) const {
         for (const Ring& line : lines)
             for (std::size_t i = 0; i < line.size(); ++i) {
@@ -100,7 +100,8 @@ private:
 
 }  // namespace
 
-// Reports the ways whose nodes are missing, and those that are left out because they are far away.
+// Finds the lines and areas that people walk on. Reports those with missing nodes, and those that are left out because
+// they are far away.
 std::vector<OsmPlan::Walked> OsmPlan::find_walked() {
     std::vector<Walked> walked;
     int cut_ways = 0, far_ways = 0;
@@ -200,8 +201,8 @@ floorplan::PlanWay OsmPlan::way_of(const Walked& walked,
         for (const std::int64_t n : nodes) made.floor_m.push_back(made.area ? low_m : height_at(n, low_m));
         return made;
     }
-    // The heights of the ends of stairs come from the ways that meet them. If there are none, they come from the levels
-    // of the stairs.
+    // The ends of stairs have the heights of the ways that meet them there. If no way meets an end, its height comes
+    // from the levels of the stairs.
     const bool down = tags.is("incline", "down");
     const double first_m = height_at(nodes.front(), down ? high_m : low_m),
                  last_m = height_at(nodes.back(), down ? low_m : high_m);
@@ -216,7 +217,7 @@ floorplan::PlanWay OsmPlan::way_of(const Walked& walked,
 
 namespace {
 
-// Finds what the ways lead to.
+// Finds the places and other ways that a way leads to.
 class LedTo {
 public:
     LedTo(const std::vector<floorplan::PlanWay>& ways, std::vector<std::vector<std::int64_t>> nodes)
@@ -233,14 +234,14 @@ public:
         index_ = BoxIndex(boxes);
     }
 
-    // The ways at a node, in file order.
+    // Returns the ways at a node, in file order.
     const std::vector<std::size_t>& ways_at(std::int64_t node) const {
         static const std::vector<std::size_t> none;
         const auto found = at_node_.find(node);
         return found == at_node_.end() ? none : found->second;
     }
     const std::vector<std::int64_t>& nodes_of(std::size_t way) const { return nodes_[way]; }
-    // The named area in which, or next to which, a line ends; null if there is none.
+    // Returns the named area in which, or next to which, a line ends. Null if there is none.
     const floorplan::PlanWay* area_at(const Vec2& at, double floor_m) const {
         std::vector<std::uint32_t> near;
         index_.find({Vec3(at, floor_m), Vec3(at, floor_m)}, near);
@@ -254,15 +255,16 @@ public:
 
 private:
     const std::vector<floorplan::PlanWay>& ways_;
-    std::vector<std::vector<std::int64_t>> nodes_;                        // node ids of each way
-    std::unordered_map<std::int64_t, std::vector<std::size_t>> at_node_;  // by node id; never iterated
+    std::vector<std::vector<std::int64_t>> nodes_;  // node ids of each way
+    // By node id; never iterated, because the order is arbitrary.
+    std::unordered_map<std::int64_t, std::vector<std::size_t>> at_node_;
     std::vector<std::size_t> areas_;
     BoxIndex index_;
 };
 
 }  // namespace
 
-// Gives unnamed ways a name from what they join: "Footway from Platform 3 to the stairs".
+// Names unnamed ways by the places that they connect: "Footway from Platform 3 to the stairs".
 void OsmPlan::name_ways(const std::vector<Walked>& walked) {
     std::vector<std::vector<std::int64_t>> nodes;
     std::vector<std::string> own;
@@ -273,7 +275,7 @@ void OsmPlan::name_ways(const std::vector<Walked>& walked) {
         own.push_back(own_name(*way.tags));
     }
     const LedTo led(plan_.ways, std::move(nodes));
-    // A named place takes precedence over lifts and stairs.
+    // Returns what is at a node. A named place takes precedence over lifts and stairs.
     const auto met_at = [&](std::int64_t node, const std::vector<std::size_t>& but) {
         std::string passage = is_lift_node(node) ? phrase("osm.the_lift") : std::string();
         for (const std::size_t other : led.ways_at(node)) {
@@ -291,7 +293,8 @@ void OsmPlan::name_ways(const std::vector<Walked>& walked) {
             }
         return passage;
     };
-    // Looks at the end itself first, then through as few unnamed ways as possible.
+    // Returns what a way leads to at one end. Looks at that end first, and then at ends that are reached through
+    // unnamed ways, through as few as possible.
     const auto led_to = [&](std::size_t w, bool at_end) {
         const floorplan::PlanWay& way = plan_.ways[w];
         const std::int64_t end = at_end ? walked[w].lines[0].back() : walked[w].lines[0].front();
@@ -339,7 +342,8 @@ void OsmPlan::name_ways(const std::vector<Walked>& walked) {
     tell_ways_apart(walked);
 }
 
-// Tells ways of the same name apart by their levels, then by the side of the site that they are on.
+// Makes the names of ways with the same name different: by their levels, and if these are equal, by the side of the
+// site.
 void OsmPlan::tell_ways_apart(const std::vector<Walked>& walked) {
     Aabb all;
     for (const floorplan::PlanWay& way : plan_.ways)
@@ -387,8 +391,8 @@ bool OsmPlan::is_within_rooms(const Walked& walked) const {
     });
 }
 
-// Adds the lines and areas that people walk on. Each is at its own level, or slopes between levels if its ends say so.
-// If the rooms are joined by doors, ways within rooms are left out.
+// Adds the lines and areas that people walk on. A way is at its own level. It slopes between levels if the heights of
+// its ends differ. If the rooms are joined by doors, ways within rooms are left out.
 void OsmPlan::add_ways(bool rooms_are_joined) {
     if (rooms_are_joined && surroundings_of_.empty()) {
         for (const floorplan::PlanSpace& space : plan_.spaces)
@@ -400,9 +404,10 @@ void OsmPlan::add_ways(bool rooms_are_joined) {
     std::vector<Walked> walked = find_walked();
     if (rooms_are_joined) std::erase_if(walked, [&](const Walked& way) { return is_within_rooms(way); });
     if (walked.empty()) return;
-    std::unordered_map<std::int64_t, double> height_m;  // heights of the nodes of level ways; never iterated
-    // Areas first: they are flat, so the lines that end on them climb to them.
-    std::unordered_set<std::int64_t> of_area;  // never iterated
+    // Heights of the nodes of level ways; the arbitrary order of the map has no effect.
+    std::unordered_map<std::int64_t, double> height_m;
+    // Areas come first: they are level, so the lines that end on them slope to reach them.
+    std::unordered_set<std::int64_t> of_area;  // the arbitrary order of the set has no effect
     for (const bool area : {true, false}) {
         for (const auto& [n, floor_m] : height_m) of_area.insert(n);
         for (const Walked& way : walked) {

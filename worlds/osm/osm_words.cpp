@@ -8,7 +8,7 @@
 namespace handrail::osm {
 namespace {
 
-// A fact stated by one tag with one value. `says` is the last part of the text's key.
+// A fact that one tag with one value states. `says` is the last part of the key of its text.
 struct Fact {
     std::string_view key, value, says;
 };
