@@ -19,7 +19,7 @@ struct Doorway {
     std::size_t corridor = 0;
 };
 
-// Keeps the longest stretch of the edge that has the corridor next to it.
+// Replaces `best` with the longest stretch of the edge that runs along the corridor, if that is longer.
 void look_along(const FloorPlan& plan, const Vec2& from, const Vec2& to, std::size_t corridor, Doorway& best) {
     const double length_m = glm::length(to - from);
     if (length_m < kLeastDoorway_m || length_m > kLongestEdge_m) return;
@@ -69,13 +69,14 @@ PlanDoor doorway(const FloorPlan& plan, std::size_t space, std::size_t level, co
 
 }  // namespace
 
-// First opens spaces towards walkways, then towards rooms that have a door by now, until no more spaces get one.
+// First opens spaces to adjoining walkways. Then opens the remaining spaces to adjoining rooms that have a door by
+// then, and repeats this until no further space gets one.
 int guess_doorways(FloorPlan& plan) {
     std::vector<Aabb> boxes;
     for (const PlanSpace& space : plan.spaces) boxes.push_back(grown(box_of(space.rings), kBesideRoom_m));
     const BoxIndex index(boxes);
     std::vector<std::uint32_t> near;
-    std::set<std::pair<std::size_t, std::size_t>> shut;  // spaces without a door, with the level
+    std::set<std::pair<std::size_t, std::size_t>> shut;  // spaces without a door, each with the level
     for (std::size_t s = 0; s < plan.spaces.size(); ++s)
         for (const std::size_t level : plan.spaces[s].levels)
             if (!is_walkway(plan.spaces[s]) && !has_door(plan, plan.spaces[s], level)) shut.emplace(s, level);

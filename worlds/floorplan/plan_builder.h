@@ -1,4 +1,4 @@
-// The implementation of scene_of_plan: builds one building part by part. One thread uses it.
+// The implementation of scene_of_plan: builds one building part by part. Used on one thread.
 #pragma once
 
 #include <memory>
@@ -59,12 +59,13 @@ private:
     FeatureId add_feature(FeatureKind kind, std::string_view made_name, const std::string& name);
     void add_solid(std::optional<ConvexSolid> shape, SolidRole role, FeatureId feature,
                    MaterialId material = kDefaultMaterial);
-    // From the library; the default wall if the library does not have it.
+    // Returns a material of the library, or the default wall if the library does not have it.
     MaterialId material_named(const std::string& name);
     double room_height(std::size_t space, std::size_t level) const;
     void warn(std::string message, std::string action);
     std::uint32_t room_at(std::size_t space, std::size_t level) const;
-    // The portal that joins two rooms of different storeys as the file states it. Either room may be kNotStated.
+    // Returns the portal that connects two rooms on different storeys, as the file states it. Each room may be
+    // kNotStated.
     static StatedPortal portal_between(StatedPortalKind kind, const std::string& name, int line, std::uint32_t low,
                                        std::uint32_t high);
     std::vector<std::uint32_t> rooms_at(const std::vector<std::size_t>& spaces, std::size_t level) const;
@@ -74,12 +75,13 @@ private:
     Scene scene_;
     std::shared_ptr<StatedBuilding> stated_;
     std::vector<std::vector<std::uint32_t>> looks_;
-    std::vector<std::vector<std::uint32_t>> room_of_;  // for each space, one room for each of its levels
-    std::vector<double> lowest_raise_;  // for each level: how far its lowest floor is below the level, negative or 0
-    std::vector<std::optional<StairWell>> wells_;  // for each space
-    std::vector<Ring> cabins_;                     // for each space; empty if it is not a lift
-    std::vector<std::uint32_t> lifts_;             // for each space, the index in Scene::movers
-    std::vector<FeatureId> vertical_;              // for each space, its stairs or lift
+    std::vector<std::vector<std::uint32_t>> room_of_;  // for each space: its room on each of its levels
+    // For each level: the height of its lowest floor relative to the level, negative or 0.
+    std::vector<double> lowest_raise_;
+    std::vector<std::optional<StairWell>> wells_;  // for each space: where its stairs are, if it has any
+    std::vector<Ring> cabins_;  // for each space: the outline of the lift cabin; empty if the space is not a lift
+    std::vector<std::uint32_t> lifts_;  // for each space: its lift, as an index into Scene::movers
+    std::vector<FeatureId> vertical_;   // for each space: the feature of its stairs or lift
     struct OuterDoor {
         PlanEntrance entrance = PlanEntrance::Plain;
         Vec3 at_m{0.0};

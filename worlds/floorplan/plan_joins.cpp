@@ -1,4 +1,5 @@
-// Portals of outdoor ways, as the plan states them: to each other, and to stairs, doors and the ground.
+// Makes the portals of outdoor ways, as the plan states them: between ways, and from ways to stairs, doors and the
+// ground.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,7 +17,7 @@ namespace {
 
 constexpr double kMeetFloor_m = 0.3, kEndsBeforeDoor_m = 1.5, kOnGround_m = 0.6;
 
-// Returns true if the point is on the floor of the way, or right next to the floor of an area.
+// Returns true if the point is on the floor of the way, or directly next to the floor of an area.
 bool is_on_floor(const PlanWay& way, const Vec3& at) {
     if (way.area) {
         const std::vector<Ring> rings = rings_of_way(way);
@@ -34,8 +35,8 @@ bool is_on_floor(const PlanWay& way, const Vec3& at) {
 
 }  // namespace
 
-// Joins ways that meet. Stairs join the way or room at their foot with the one at their head. A way is also joined with
-// the way on whose floor it ends.
+// Joins ways that meet, and a way with the way on whose floor it ends. Stairs join the way or room at their foot with
+// the way or room at their head.
 void PlanBuilder::join_ways(const std::vector<FeatureId>& features, const std::vector<std::uint32_t>& rooms) {
     using Point = std::array<long long, 3>;
     std::map<Point, std::vector<std::uint32_t>> rooms_at_point;
@@ -108,7 +109,7 @@ void PlanBuilder::join_ways(const std::vector<FeatureId>& features, const std::v
     open_ways_to_the_ground(rooms);
 }
 
-// A door that leads outside joins its room with the way that ends in front of it.
+// Joins the room of each door that leads outside with the way that ends in front of that door.
 void PlanBuilder::join_doors_with_ways(const std::vector<std::uint32_t>& rooms) {
     for (StatedPortal& portal : stated_->portals) {
         if (portal.kind != StatedPortalKind::Door || portal.rooms.size() != 1) continue;
@@ -129,7 +130,8 @@ void PlanBuilder::join_doors_with_ways(const std::vector<std::uint32_t>& rooms) 
     }
 }
 
-// Opens ways at ground level to the ground. Ways that are joined get one such portal, at the first of them.
+// Makes portals from ways at ground level to the ground. Of several ways that are joined, only the first gets such a
+// portal.
 void PlanBuilder::open_ways_to_the_ground(const std::vector<std::uint32_t>& rooms) {
     DisjointSets groups(stated_->rooms.size());
     std::vector<std::uint32_t> outside;

@@ -137,7 +137,7 @@ double PlanBuilder::highest_raise(const std::vector<std::size_t>& spaces, std::s
     return most < -1e299 ? 0.0 : most;
 }
 
-// Lift platforms that go through the floor of a space, or through its ceiling.
+// Returns the lift platforms that go through the floor of a space, or through its ceiling.
 std::vector<Ring> PlanBuilder::platforms_in(std::size_t space, std::size_t level, bool ceiling) const {
     std::vector<Ring> rings;
     for (const PlanLift& lift : plan_.lifts) {
@@ -149,7 +149,8 @@ std::vector<Ring> PlanBuilder::platforms_in(std::size_t space, std::size_t level
     return rings;
 }
 
-// Adds the level if rooms on several levels have the same name: "Toilets F03, level 2".
+// Returns the name of a room. It includes the level if rooms on several levels have the same name: "Toilets F03, level
+// 2".
 std::string PlanBuilder::room_name(const PlanSpace& space, std::size_t level, bool with_level) const {
     std::string name = space.name.empty() ? space.number : space.name;
     if (!with_level || name.empty()) return name;
@@ -200,7 +201,7 @@ void PlanBuilder::state_rooms() {
     }
 }
 
-// From floor to ceiling, limited so that the ceiling never comes through the slab above.
+// Returns the height from floor to ceiling. It is limited so that the ceiling never extends into the slab above.
 double PlanBuilder::room_height(std::size_t s, std::size_t level) const {
     constexpr double kLeast_m = 1.9;
     const PlanSpace& space = plan_.spaces[s];
@@ -237,12 +238,12 @@ std::vector<std::uint32_t> PlanBuilder::rooms_at(const std::vector<std::size_t>&
     return rooms;
 }
 
-// Adds a room's floor and ceiling. A space with stairs or a lift gets a floor on each level, but a ceiling only over
-// the highest.
+// Adds the floor and the ceiling of a room. A space with stairs or a lift gets a floor on each level, but a ceiling
+// only on the highest.
 void PlanBuilder::add_floors(std::size_t s, std::size_t level) {
     const PlanSpace& space = plan_.spaces[s];
     const double floor_m = floor_of(s, level), ceiling_m = floor_m + room_height(s, level) + kCeiling_m;
-    // The slab reaches down to the lowest adjoining floor.
+    // The slab extends down to the lowest floor next to it, so that no gap is left at a step.
     const double under_m = std::min(floor_m, plan_.levels[level].floor_m + lowest_raise_[level]) - kSlab_m;
     const MaterialId ground = material_named(space.floor_material);
     std::vector<Ring> rings = space.rings;
@@ -262,7 +263,7 @@ void PlanBuilder::add_floors(std::size_t s, std::size_t level) {
     add_facts(parts, floor_m, space.facts);
 }
 
-// Adds the facts as a message that is announced when the walker enters.
+// Adds the facts as a message that is announced when the person enters the room.
 void PlanBuilder::add_facts(const std::vector<Ring>& parts, double floor_m, const std::vector<std::string>& facts) {
     if (facts.empty() || parts.empty()) return;
     const FeatureId feature = add_feature(FeatureKind::Trigger, "about this place", {});
@@ -341,7 +342,7 @@ void PlanBuilder::add_blocks() {
     }
 }
 
-// Plans end at the outer walls, but a walker who steps outside needs ground.
+// Adds ground around the building, because plans end at the outer walls, but a walker who steps outside needs ground.
 void PlanBuilder::add_ground() {
     const double level_m = ground_m_ - kUnderThreshold_m;
     const Vec2 least = Vec2(scene_.bounds_m.min_m) - kGroundAround_m,
@@ -353,7 +354,8 @@ void PlanBuilder::add_ground() {
             for (Ring& left : without(ring, cutter)) kept.push_back(std::move(left));
         ground = std::move(kept);
     };
-    // Leaves the ground open over stairs and lifts that come up from below, and over spaces that are partly below it.
+    // Cuts holes into the ground above stairs and lifts that come up from below, and above spaces that are partly below
+    // the ground.
     for (std::size_t s = 0; s < plan_.spaces.size(); ++s) {
         const PlanSpace& space = plan_.spaces[s];
         const double lowest_m = floor_of(s, space.levels.front()),
@@ -380,8 +382,8 @@ void PlanBuilder::add_ground() {
     scene_.bounds_m.include(scene_.features[feature.value].bounds_m);
 }
 
-// Adds a start before each door that leads outside, facing the door, main entrances first. Without such doors, the
-// start is in the largest room at ground level.
+// Adds a start in front of each door that leads outside, facing the door, main entrances first. If there are no such
+// doors, the start is in the largest room at ground level.
 void PlanBuilder::add_starts() {
     for (const PlanStart& start : plan_.starts) {
         const double floor_m = plan_.levels[start.level].floor_m + start.raised_m;
@@ -455,7 +457,7 @@ void PlanBuilder::write_report() {
     std::vector<bool> led_to(stated_->rooms.size(), false);
     for (const StatedPortal& portal : stated_->portals)
         for (const std::uint32_t room : portal.rooms) led_to[room] = true;
-    // Ways have no walls. So they do not count as closed, even if the file joins them to nothing.
+    // Ways have no walls. So they do not count as closed, even if the file connects them to nothing.
     for (std::uint32_t r = 0; r < led_to.size(); ++r)
         if (!led_to[r] && !stated_->rooms[r].is_way && ++alone <= 3)
             names += (alone > 1 ? ", " : "") + one_line(stated_->rooms[r].name);

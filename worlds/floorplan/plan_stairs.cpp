@@ -46,7 +46,7 @@ std::optional<InnerBox> inner_box(const std::vector<Ring>& rings, const Vec2& al
             most = glm::max(most, own);
         }
     if (!(most.x - least.x > 0.3) || !(most.y - least.y > 0.3) || !(most.x - least.x < 1e4)) return {};
-    // A cell is free if all its corners are inside, tested slightly inwards.
+    // A cell is free if all its corners are inside the outline. The corners are moved slightly inwards for this test.
     const Vec2 cell = (most - least) / static_cast<double>(kPlaces);
     const auto world = [&](double x, double y) { return along * (least.x + x * cell.x) + up * (least.y + y * cell.y); };
     std::array<std::array<bool, kPlaces>, kPlaces> free{};
@@ -55,7 +55,8 @@ std::optional<InnerBox> inner_box(const std::vector<Ring>& rings, const Vec2& al
             free[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] =
                 inside(rings, world(x + 0.01, y + 0.01)) && inside(rings, world(x + 0.99, y + 0.01)) &&
                 inside(rings, world(x + 0.01, y + 0.99)) && inside(rings, world(x + 0.99, y + 0.99));
-    // The largest rectangle below each row of column heights.
+    // Finds the largest rectangle of free cells. `high` holds, for each column, the number of free cells in a line that
+    // end in the current row.
     std::array<int, kPlaces> high{};
     double largest = 0.0;
     for (int y = 0; y < kPlaces; ++y) {
@@ -94,7 +95,7 @@ std::optional<StairWell> laid_with(const std::vector<Ring>& rings, std::span<con
             box->origin + along * (0.5 * (box->least.x + box->most.x)) + up * (0.5 * (box->least.y + box->most.y));
         for (const double way : {1.0, -1.0}) {
             const double length = box->most.x - box->least.x, width = box->most.y - box->least.y;
-            // Tries to keep a passage behind the stairs and on each side of them, or none.
+            // Tries all combinations with and without a passage behind the stairs and on each of their sides.
             for (const double behind : {kRoundIt_m, 0.0})
                 for (const double beside_left : {kRoundIt_m, 0.06})
                     for (const double beside_right : {kRoundIt_m, 0.06}) {
@@ -109,7 +110,7 @@ std::optional<StairWell> laid_with(const std::vector<Ring>& rings, std::span<con
                         well.landing_m = std::clamp(well.length_m - steps * kGoing_m, kLeastLanding_m, kLanding_m);
                         if (well.width_m < 2.0 * kLeastLane_m || well.length_m - well.landing_m < steps * kLeastGoing_m)
                             continue;
-                        // Space that is left over goes before the stairs, and to the sides on which people may walk.
+                        // Remaining space goes in front of the stairs and is divided equally between their sides.
                         const double left_over = width - beside_left - beside_right - well.width_m;
                         const double from_right = beside_right + 0.5 * left_over + 0.5 * well.width_m;
                         well.from = middle + well.along * (0.5 * length - behind - well.length_m) +
@@ -121,8 +122,8 @@ std::optional<StairWell> laid_with(const std::vector<Ring>& rings, std::span<con
                                          y = glm::dot(off, Vec2(-well.along.y, well.along.x));
                             const double far_x = std::max({-x, x - well.length_m, 0.0}),
                                          far_y = std::max(std::abs(y) - 0.5 * well.width_m, 0.0);
-                            // The floor at the door must connect with the open end of the well, around the well if
-                            // necessary.
+                            // A person at the door must be able to get to the open end of the well, if necessary by
+                            // walking around the well.
                             const bool before_it = x<-kBody_m, at_side = far_y> kFoot_m + kBody_m,
                                        at_end = far_x > kFoot_m + kBody_m;
                             reached += before_it || at_side || at_end ? 1 : 0;

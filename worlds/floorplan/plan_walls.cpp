@@ -14,7 +14,7 @@ namespace {
 constexpr double kStraight_m = 0.03, kBeside_m = 0.25, kNearWall_m = 0.35;
 
 struct Edge {
-    std::uint32_t a = 0, b = 0;  // indices of its corners
+    std::uint32_t a = 0, b = 0;  // the corners at the two ends, as indices
     std::vector<std::size_t> spaces;
     bool wall = false;
 };
@@ -97,7 +97,8 @@ private:
         return all;
     }
 
-    // The first space at that point that is not in `but`; walled spaces take precedence.
+    // Returns the first space that contains the point and is not in `but`. Walled spaces take precedence. Returns
+    // kNoSpace if there is none.
     std::size_t space_at(const Vec2& at, const std::vector<std::size_t>& but = {}) {
         index_.find({Vec3(at, -1.0), Vec3(at, 1.0)}, near_);
         std::size_t found = kNoSpace;
@@ -118,7 +119,7 @@ private:
             if (door.kind == PlanDoorKind::Opening || door.along) continue;
             const std::uint32_t corner = net_.find(door.at);
             if (corner == Net::kNone) continue;
-            // Recognises a door across a corridor: the borders on both sides of it separate the same two spaces.
+            // Recognises a door across a corridor: the borders on both sides of the door separate the same two spaces.
             std::vector<const Edge*> shared;
             for (const std::uint32_t e : net_.edges_at(corner))
                 if (net_.edges()[e].spaces.size() > 1) shared.push_back(&net_.edges()[e]);
@@ -142,7 +143,7 @@ private:
             const Vec2 side = left_of((b - a) / length) * kBeside_m;
             const bool own_left = inside(plan_.spaces[one].rings, middle + side);
             other = space_at(own_left ? middle - side : middle + side, {one});
-            // The adjoining space has its own walls.
+            // The adjoining space has walls of its own, so this edge needs none.
             if (other != kNoSpace && plan_.spaces[other].walled) return;
         }
         if (other == kNoSpace) {
@@ -154,7 +155,7 @@ private:
         open.width_m = std::max(open.width_m, length);
     }
 
-    // Joins collinear edges into one wall, up to the point where something else meets it.
+    // Joins collinear edges into one wall, up to a corner where another wall meets them.
     void make_runs() {
         std::vector<Edge>& edges = net_.edges();
         std::vector<bool> taken(edges.size(), false);
@@ -279,7 +280,7 @@ private:
         return most;
     }
 
-    // Cuts the gaps into the door's own wall and into walls that coincide with it.
+    // Cuts the gaps of doors into the door's own wall and into walls that coincide with it.
     void cut_gaps() {
         std::vector<Aabb> run_boxes;
         for (const WallRun& run : made_.runs)
@@ -318,7 +319,7 @@ private:
     const FloorPlan& plan_;
     std::size_t level_;
     const std::vector<std::size_t>& here_;
-    double corner_m_;  // length at each end of a wall that the wall around the corner covers
+    double corner_m_;  // length at each end of a wall that belongs to the wall around the corner
     BoxIndex index_;
     std::vector<std::uint32_t> near_;
     Net net_;

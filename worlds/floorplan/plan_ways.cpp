@@ -1,4 +1,4 @@
-// Doors, stairs, lifts and outdoor ways of a drawn plan: everything that people move along.
+// Builds doors, stairs, lifts and outdoor ways of a drawn plan: everything that people move through or along.
 #include <algorithm>
 #include <array>
 
@@ -32,7 +32,7 @@ bool lies_on(const std::vector<Ring>& rings, const Vec2& at) {
     return distance_to_outline(rings, at) < kNear_m;
 }
 
-// A floor along a line that rises evenly.
+// Returns a floor along a line that rises evenly from `from_m` to `to_m`.
 std::optional<ConvexSolid> sloped(const Vec2& from, const Vec2& to, double half_width_m, double from_m, double to_m) {
     const std::optional<ConvexSolid> level =
         upright(strip(from, to, half_width_m), std::min(from_m, to_m) - kFloorThick_m, std::max(from_m, to_m));
@@ -50,7 +50,7 @@ std::optional<ConvexSolid> sloped(const Vec2& from, const Vec2& to, double half_
 
 }  // namespace
 
-// Decides where stairs and cabins go, before floors are laid around them.
+// Decides where stairs and cabins are, before floors are laid around them.
 void PlanBuilder::plan_vertical_spaces() {
     for (std::size_t s = 0; s < plan_.spaces.size(); ++s) {
         const PlanSpace& space = plan_.spaces[s];
@@ -77,7 +77,7 @@ void PlanBuilder::plan_vertical_spaces() {
     }
 }
 
-// Adds a floor that moves up and down, as a feature. Afterwards it is the last entry of the movers.
+// Adds the floor of a lift, which moves up and down, as a feature. Its mover is then the last entry of Scene::movers.
 FeatureId PlanBuilder::add_cabin(const Ring& floor, double low_m, double way_m, const std::string& name,
                                  std::vector<double> halts) {
     const FeatureId feature = add_feature(FeatureKind::Lift, "lift", name);
@@ -94,7 +94,7 @@ FeatureId PlanBuilder::add_cabin(const Ring& floor, double low_m, double way_m, 
     return feature;
 }
 
-// Adds the floors of cabins at their lowest level. Each cabin stops at all levels of its space.
+// Adds the floors of lift cabins, each at its lowest level. A cabin stops at all levels of its space.
 void PlanBuilder::add_lifts() {
     for (std::size_t s = 0; s < plan_.spaces.size(); ++s) {
         const PlanSpace& space = plan_.spaces[s];
@@ -122,7 +122,7 @@ void PlanBuilder::add_lifts() {
     }
 }
 
-// Adds lifts without a shaft, in the lower of the two rooms that they join.
+// Adds lifts without a shaft. Each is in the lower of the two rooms that it connects.
 void PlanBuilder::add_platforms() {
     for (const PlanLift& lift : plan_.lifts) {
         const double low_m = floor_of(lift.from, lift.low), way_m = floor_of(lift.to, lift.high) - low_m;
@@ -149,7 +149,7 @@ void PlanBuilder::add_leaf(const PlanDoor& door, const DoorGap& gap, double floo
     Mover mover;
     mover.feature = feature;
     mover.group = group;
-    mover.wait_s = -1.0;  // the walker has to shut it again
+    mover.wait_s = -1.0;  // the door stays open until the walker shuts it
     mover.travel_s = kLeafTravel_s;
     mover.pivot_m = leaf->bounds_m.centre_m();
     if (door.kind == PlanDoorKind::Sliding || lift != kNoLift) {
@@ -174,7 +174,7 @@ void PlanBuilder::add_leaf(const PlanDoor& door, const DoorGap& gap, double floo
         mover.lift = lift;
         mover.lift_part = (floor_m - cabin.max_m.z) / of.slide_m.z;
         mover.wait_s = kLiftDoorWait_s;
-        mover.approach_m = cabin;  // opens for anyone inside, so that nobody is shut in
+        mover.approach_m = cabin;  // the door opens for anyone inside, so that nobody is shut in
         mover.approach_m.min_m.z = floor_m;
         mover.approach_m.max_m.z = floor_m + kStandingRoom_m;
     }
@@ -207,7 +207,8 @@ void PlanBuilder::add_doors(std::size_t level, const LevelWalls& walls) {
         widened_ += door.width_m && *door.width_m < kLeastWay_m ? 1 : 0;
         moved_ += gap.moved ? 1 : 0;
         narrow_ += gap.in_wall && gap.width_m < kLeastWay_m ? 1 : 0;
-        const bool open_there = !gap.in_wall && portal.rooms.size() > 1;  // the spaces are open to each other there
+        // The spaces are open to each other at the door, so it needs no wall.
+        const bool open_there = !gap.in_wall && portal.rooms.size() > 1;
         off_walls_ += !gap.in_wall && !open_there ? 1 : 0;
         if (open_there) portal.passable = true;
         const bool outside = gap.in_wall && portal.rooms.size() == 1;
@@ -215,7 +216,7 @@ void PlanBuilder::add_doors(std::size_t level, const LevelWalls& walls) {
         if (nowhere) portal.passable = false;
         to_nowhere_ += nowhere ? 1 : 0;
         portal.outside = outside && at_ground;
-        // The leaf swings towards the smaller room, and inwards from outside.
+        // The leaf swings into the smaller of the two rooms. A door that leads outside swings inwards.
         const auto area = [&](std::size_t side) {
             const std::uint32_t room = room_at(gap.sides[side], level);
             return room == kNotStated ? 1e300 : stated_->rooms[room].area_m2;
@@ -252,7 +253,7 @@ void PlanBuilder::add_doors(std::size_t level, const LevelWalls& walls) {
     }
 }
 
-// Adds two flights with a landing between them, from each level of the space to the next.
+// Adds two flights with a landing between them, from each level of the space to the next level.
 void PlanBuilder::add_stairs(std::size_t s) {
     const PlanSpace& space = plan_.spaces[s];
     if (!is_stairs(space.kind) || space.levels.size() < 2) return;
@@ -292,7 +293,7 @@ void PlanBuilder::add_stairs(std::size_t s) {
         stated_->portals.push_back(std::move(portal));
     }
     if (!wells_[s]) return;
-    // Keeps people from falling: low walls around the well and between the flights.
+    // Adds low walls around the well and between the flights, so that nobody falls.
     const StairWell& well = *wells_[s];
     const double half = 0.5 * well.width_m, flight = well.length_m - well.landing_m;
     const auto rail = [&](double from, double to, double right, double left, double from_m) {
@@ -305,7 +306,7 @@ void PlanBuilder::add_stairs(std::size_t s) {
     rail(-kRailThick_m, 0.0, -half - kRailThick_m, 0.0, top_m);
 }
 
-// Adds floors along the lines of ways, with steps if stairs climb.
+// Adds floors along the lines of ways. Stairs get steps.
 void PlanBuilder::add_ways() {
     std::vector<FeatureId> features;
     std::vector<std::uint32_t> rooms;
@@ -327,7 +328,7 @@ void PlanBuilder::add_ways() {
     join_ways(features, rooms);
 }
 
-// Returns the rectangles that the floor of the way covers.
+// Adds the floors of a way and returns the rectangles that they cover.
 std::vector<Ring> PlanBuilder::add_strips(const PlanWay& way, FeatureId feature) {
     std::vector<Ring> parts;
     const double half = 0.5 * way.width_m;
@@ -351,7 +352,7 @@ std::vector<Ring> PlanBuilder::add_strips(const PlanWay& way, FeatureId feature)
         }
         parts.push_back(strip(a, b, half));
     }
-    // Fills the corners with discs.
+    // Fills the corners of the line with discs, because rectangles leave gaps there.
     for (std::size_t i = 0; i < way.line.size() && !way.steps; ++i) {
         Ring disc;
         for (int k = 0; k < 8; ++k)

@@ -12,7 +12,7 @@ namespace handrail::ifc {
 namespace {
 
 constexpr CutTolerance kTolerance{1e-6, 1e-5};
-constexpr double kLeast_m3 = 1e-9;  // smaller solids are left out
+constexpr double kLeast_m3 = 1e-9;  // solids with less volume than this are left out
 
 Vec3 snapped(Vec3 normal) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -24,7 +24,8 @@ Vec3 snapped(Vec3 normal) {
     return normal;
 }
 
-// Sets the plane through the middle of the polygon, with the polygon's normal. Returns false if the area is zero.
+// Sets `plane` to the plane through the middle of the polygon that has the polygon's normal. Returns false if the
+// polygon has no area.
 bool plane_of(std::span<const Vec3> points_m, Plane& plane) {
     const Vec3 area = area_vector_m2(points_m);
     const double length = glm::length(area);
@@ -40,7 +41,7 @@ bool plane_of(std::span<const Vec3> points_m, Plane& plane) {
 
 Plane turned_round(const Plane& plane) { return {-plane.normal, -plane.offset_m}; }
 
-// Returns the part behind the plane, or nothing if no part is thicker than kFlush_m.
+// Returns the part of the solid behind the plane. Nothing if that part is nowhere thicker than kFlush_m.
 std::optional<ConvexSolid> behind(const ConvexSolid& solid, const Plane& plane) {
     const Reach reach = reach_along(solid, plane.normal);
     if (reach.least >= plane.offset_m - kFlush_m) return {};
@@ -50,14 +51,15 @@ std::optional<ConvexSolid> behind(const ConvexSolid& solid, const Plane& plane) 
     return solid_within(std::move(planes), solid.bounds_m.centre_m(), glm::length(solid.bounds_m.size_m()));
 }
 
-// A sheet that lies in the cutting plane itself, facing the same way, does not count as behind it.
+// Splits a sheet by a plane. A sheet that lies in the plane and faces in its direction does not count as behind it.
 void split_sheet(const Polygon& sheet, const Plane& plane, Polygon& back, Polygon& front) {
     split(sheet.points_m, plane, kTolerance.cut_m, back.points_m, front.points_m);
     tidy(back.points_m, kTolerance.merge_m);
     tidy(front.points_m, kTolerance.merge_m);
 }
 
-// The box bounded by the axis-aligned planes, for a quick rejection test; unbounded directions reach very far.
+// Returns the box that the axis-aligned planes bound, for a quick rejection test. In unbounded directions it extends
+// very far.
 Aabb box_of(std::span<const Plane> planes) {
     Aabb box{Vec3{-1e9}, Vec3{1e9}};
     for (const Plane& p : planes)
@@ -103,8 +105,8 @@ std::optional<ConvexSolid> prism(const Ring& outline, const Vec3& way_m, const F
             if (!is_finite(p)) return {};
             box.include(p);
         }
-    // The centre of the bounding box may be outside a slanted prism, so the outline's orientation decides which way
-    // each face looks.
+    // The centre of the bounding box may be outside a slanted prism. So the direction of each face follows from the
+    // orientation of the outline.
     const bool turned = ((signed_area(outline) < 0.0) != (way_m.z < 0.0)) != frame.mirrored();
     std::vector<Plane> planes;
     std::vector<std::vector<Vec3>> sides;
@@ -122,7 +124,7 @@ std::optional<ConvexSolid> prism(const Ring& outline, const Vec3& way_m, const F
     std::optional<ConvexSolid> built = solid_within(planes, box.centre_m(), glm::length(box.size_m()));
     const double holds_m3 = std::abs(glm::dot(area_vector_m2(low), frame.turned(way_m)));
     if (built || planes.size() != sides.size() || !(holds_m3 > kLeast_m3)) return built;
-    // The prism is too thin to be found from its planes, so the given corners are kept.
+    // The prism is too thin to be built from its planes, so the given corners are used.
     ConvexSolid exact{std::move(planes), {}, box};
     for (std::vector<Vec3>& side : sides) {
         if (turned) std::reverse(side.begin(), side.end());
@@ -152,7 +154,7 @@ bool same_body(const Body& a, const Body& b) {
 std::uint64_t number_of(const Body& body) {
     std::uint64_t number = 0xCBF29CE484222325U;
     const auto put = [&number](double value) {
-        number = (number ^ std::bit_cast<std::uint64_t>(value + 0.0)) * 0x100000001B3U;  // turns -0 into 0
+        number = (number ^ std::bit_cast<std::uint64_t>(value + 0.0)) * 0x100000001B3U;  // adding 0.0 turns -0 into 0
         number ^= number >> 29;
     };
     for (const ConvexSolid& solid : body.solids)
@@ -179,7 +181,8 @@ std::optional<double> enclosed_m3(const std::vector<FlatFace>& faces) {
         const Vec3 scaled = glm::clamp(p * 1e5, Vec3(-9e17), Vec3(9e17));
         return Corner{std::llround(scaled.x), std::llround(scaled.y), std::llround(scaled.z)};
     };
-    std::map<std::pair<Corner, Corner>, int> edges;  // how many more times an edge runs one way than the other
+    // For each edge: how much more often the faces use it in one direction than in the other.
+    std::map<std::pair<Corner, Corner>, int> edges;
     double six_volumes = 0.0;
     const Vec3* origin = nullptr;
     for (const FlatFace& face : faces) {

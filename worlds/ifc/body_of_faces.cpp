@@ -1,4 +1,4 @@
-// Turns shells of flat faces into convex solids or prisms if they are such, else into sheets.
+// Turns shells of flat faces into convex solids where they are convex or prisms, and into sheets otherwise.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -12,7 +12,7 @@ namespace handrail::ifc {
 namespace {
 
 constexpr double kFlat_m = 1e-4;
-constexpr double kAlikeShare = 0.01;  // share of an area within which two areas count as equal
+constexpr double kAlikeShare = 0.01;  // two areas count as equal if they differ by less than this share
 
 struct Face {
     std::vector<std::vector<Vec3>> rings;
@@ -22,7 +22,7 @@ struct Face {
 
 Vec3 unit(const Vec3& v) { return v / std::max(glm::length(v), 1e-300); }
 
-// Axes of a plane with the given normal.
+// Returns axes of which z is the given normal.
 Frame frame_on(const Vec3& normal, const Vec3& origin_m) {
     Frame frame;
     frame.origin_m = origin_m;
@@ -65,7 +65,8 @@ void add_sheets(const Face& face, std::vector<Polygon>& sheets) {
     }
 }
 
-// The length of the outer border of adjacent flat pieces. Edges that two pieces share are inside and do not count.
+// Returns the length of the outer border of adjacent flat pieces. Edges that two pieces share are inside and do not
+// count.
 double border_m(const std::vector<Ring>& rings) {
     using Corner = std::pair<long long, long long>;
     const auto corner = [](const Vec2& p) {
@@ -125,15 +126,16 @@ private:
         if (!solid) return false;
         double closed_m2 = 0.0;
         for (const Polygon& face : solid->faces) closed_m2 += area_m2(face);
-        if (std::abs(closed_m2 - all_m2_) > kAlikeShare * all_m2_) return false;  // an open shell, such as a tray
+        if (std::abs(closed_m2 - all_m2_) > kAlikeShare * all_m2_) return false;  // the shell is open, like a tray
         body.solids.push_back(std::move(*solid));
         return true;
     }
 
-    // Tests for a prism: all corners on two parallel planes, the same outline on both, and side faces all round.
+    // True if the shell is a prism: all corners are on two parallel planes, the outline is the same on both, and there
+    // are side faces all round.
     bool prism_of(Body& body) const {
         if (faces_.size() < 5 || points_.size() > 40'000) return false;
-        std::vector<std::pair<double, Vec3>> directions;  // with the area of the faces that have this normal
+        std::vector<std::pair<double, Vec3>> directions;  // normals, each with the total area of the faces that have it
         for (const Face& face : faces_) {
             const Vec3 normal = unit(face.area);
             const auto known = std::find_if(directions.begin(), directions.end(), [&](const auto& d) {
@@ -192,11 +194,11 @@ private:
     double all_m2_ = 0.0;
 };
 
-// The triangles of the sheets, in the form that closed_mesh.h takes.
+// The triangles of the sheets, in the form that closed_mesh.h expects.
 struct Skin {
     std::vector<Vec3> points_m;
     std::vector<MeshCorners> triangles;
-    Vec3 open_m2{0.0};  // the sum of their area vectors; zero for a closed skin
+    Vec3 open_m2{0.0};  // sum of the area vectors of all sheets; zero for a closed skin
     double area_m2 = 0.0, six_volumes_m3 = 0.0;
 };
 
@@ -227,7 +229,7 @@ bool encloses(const Body& body) {
 void fill(Body& body) {
     if (body.sheets.empty() || !encloses(body)) return;
     Skin skin = skin_of(body.sheets);
-    if (skin.six_volumes_m3 < 0.0)  // the triangles face inwards
+    if (skin.six_volumes_m3 < 0.0)  // if the triangles face inwards, turns them round
         for (MeshCorners& corners : skin.triangles) std::swap(corners[1], corners[2]);
     std::vector<std::uint32_t> all(skin.triangles.size());
     for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;

@@ -8,12 +8,12 @@
 namespace handrail::ifc {
 namespace {
 
-// The size of the walker.
+// Measures of the walker: half of the width, height, and the highest step up and down.
 constexpr double kBodyHalf_m = 0.25, kBodyTall_m = 1.8, kBodyStep_m = 0.25, kBodyDrop_m = 1.0;
-constexpr double kOnlyTouch_m = 0.01;   // overlaps up to this depth count as mere contact
+constexpr double kOnlyTouch_m = 0.01;   // an overlap of at most this depth counts as contact only
 constexpr double kTrialPace_m = 0.1;    // distance between two tested positions
-constexpr double kStandsAway_m = 0.25;  // the walker starts and ends this far from the wall's faces
-constexpr double kFloorAway_m = 0.6;    // there must be a floor this far from the wall's faces
+constexpr double kStandsAway_m = 0.25;  // distance from the faces of the wall at which the walk starts and ends
+constexpr double kFloorAway_m = 0.6;    // distance from the faces of the wall at which there must be a floor
 constexpr double kDeepestWay_m = 6.0;   // greatest thickness of a wall that a door leads through
 
 std::vector<Aabb> boxes_of_solids(const Scene& scene) {
@@ -33,7 +33,7 @@ std::vector<Aabb> boxes_of_triangles(const Scene& scene) {
     return boxes;
 }
 
-// The range of heights that a flat piece covers between four vertical planes.
+// Returns the range of heights of the part of a flat piece that is between four vertical planes.
 std::optional<Reach> height_within(std::vector<Vec3> points, const std::array<Plane, 4>& square) {
     std::vector<Vec3> scratch;
     for (const Plane& plane : square) {
@@ -112,7 +112,7 @@ DoorTrial DoorTrials::walk(const WallGap& gap, double x_m, bool back) const {
         for (const Stretch& one : here)
             if (one.high_m > feet_m + kOnlyTouch_m && one.low_m < feet_m + kBodyTall_m - kOnlyTouch_m) {
                 met.lines.push_back(one.line);
-                // Measures a step only if the obstacle is lower than a lintel, so that a walker could stand on it.
+                // Measures a step only if the obstacle is lower than a lintel, that is, if a walker could stand on it.
                 if (one.high_m < level_m + kBodyDrop_m) met.step_m = std::max(met.step_m, one.high_m - feet_m);
                 else met.step_m = 1e9;
             }

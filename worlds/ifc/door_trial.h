@@ -1,5 +1,6 @@
-// Moves a walker's body through a door from both sides, against everything in the finished scene except door leaves.
-// The caller owns the DoorTrials, and one reading thread uses it. Costs a few milliseconds for each door.
+// Moves a walker's body through a door from both sides, and tests it against everything in the finished scene except
+// door leaves. The caller owns the DoorTrials; they are used on the reading thread only. Each door costs a few
+// milliseconds.
 #pragma once
 
 #include <string>
@@ -11,20 +12,20 @@
 
 namespace handrail::ifc {
 
-// Why the walker does not get through a door.
+// The result of a trial: Passed, or the reason why the walker cannot get through.
 enum class DoorTrialEnd : std::uint8_t {
     Passed,
-    InTheWay,  // an obstacle, although the door is high enough for the walker
-    Small,     // the opening is narrower or lower than the walker, or too deep
-    Step,      // a step higher than the walker climbs
-    NoFloor,   // no floor on one side of the door, or in the doorway
+    InTheWay,  // an obstacle is in the way, although the opening is large enough
+    Small,     // the opening is narrower or lower than the walker, or it is too deep
+    Step,      // a step is higher than the walker can climb
+    NoFloor,   // there is no floor on one side of the door, or in the doorway
 };
-// The key of the sentence that states the reason; empty if the walker passed.
+// Returns the key of the sentence that states the reason; empty if the walker passed.
 std::string_view key_of(DoorTrialEnd end);
 
 struct DoorTrial {
     DoorTrialEnd end = DoorTrialEnd::Passed;
-    std::vector<int> lines;  // lines of the file that define the obstacles, in rising order
+    std::vector<int> lines;  // the lines of the file that define the obstacles, in rising order
     double step_m = 0.0;
 };
 
@@ -35,7 +36,7 @@ public:
     DoorTrial try_door(const WallGap& gap) const;
 
 private:
-    // One obstacle above a small square of the floor: its lowest and highest point there, and its line in the file.
+    // An obstacle above a small square of the floor: its lowest and highest point there, and its line in the file.
     struct Stretch {
         double low_m = 0.0, high_m = 0.0;
         int line = 0;

@@ -1,7 +1,8 @@
 #include "worlds/ifc/exact_cut.h"
 
-// Without this, every program that links this file would check at its start that the processor rounds up and down.
-// Valgrind does not round so, and the tests compare volumes anyway.
+// Without this, every program that links this file would check at its start that the processor can round up and down.
+// That check fails under Valgrind, which does not support such rounding. The check is not needed, because the tests
+// compare volumes.
 #define CGAL_DISABLE_ROUNDING_MATH_CHECK
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
@@ -27,8 +28,9 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-constexpr double kGrid = 1048576.0;  // corners per metre, a power of two: corners on it are exact and short numbers
-constexpr double kOnEdge_m = 2e-6;   // a corner this close to an edge becomes one of its corners
+// Corners per metre; a power of two, so that corners on the grid are exact and have short numbers.
+constexpr double kGrid = 1048576.0;
+constexpr double kOnEdge_m = 2e-6;  // a corner this close to an edge is inserted into that edge
 
 struct Refused {};
 
@@ -37,7 +39,7 @@ void count(ExactLimits& limits, std::size_t steps, const std::stop_token& stop) 
     limits.steps_left -= steps;
 }
 
-// CGAL calls this visitor at each step. It ends the work with an exception when the limits are reached.
+// CGAL calls this visitor at each step. The visitor stops CGAL with an exception when a limit is reached.
 struct Counter : pmp::Corefinement::Default_visitor<Mesh> {
     ExactLimits* limits = nullptr;
     std::stop_token stop;
@@ -53,7 +55,7 @@ struct Counter : pmp::Corefinement::Default_visitor<Mesh> {
     void after_subface_created(Mesh::Face_index, Mesh&) const { step(); }
 };
 
-// Failed CGAL checks throw. Their texts on standard error would help nobody, so they are silenced.
+// Makes failed CGAL checks throw without a message on standard error, because such messages would help nobody.
 class QuietChecks {
 public:
     QuietChecks() : before_(CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {})) {}
@@ -82,7 +84,7 @@ Soup soup_of(const std::vector<Polygon>& polygons) {
         std::vector<std::size_t> corners;
         for (const Vec3& p : polygon.points_m) {
             if (!is_finite(p) || glm::length(p) > kFarthestPart_m) throw Refused{};
-            const Vec3 on_grid = glm::round(p * kGrid) / kGrid + Vec3(0.0);  // turns -0 into 0
+            const Vec3 on_grid = glm::round(p * kGrid) / kGrid + Vec3(0.0);  // adding 0.0 turns -0 into 0
             const auto [found, is_new] = numbers.try_emplace(on_grid, soup.points_m.size());
             if (is_new) soup.points_m.push_back(on_grid);
             if (corners.empty() || corners.back() != found->second) corners.push_back(found->second);
@@ -93,8 +95,8 @@ Soup soup_of(const std::vector<Polygon>& polygons) {
     return soup;
 }
 
-// Faces were cut into convex parts without regard to their neighbours. So a corner that lies on another polygon's edge
-// is inserted into that edge.
+// Faces were cut into convex parts without regard to their neighbours. So where a corner lies on the edge of another
+// polygon, the corner is inserted into that edge.
 void share_corners(Soup& soup, ExactLimits& limits, const std::stop_token& stop) {
     std::vector<Aabb> boxes;
     for (const Vec3& p : soup.points_m) boxes.push_back({p, p});
@@ -125,7 +127,8 @@ void share_corners(Soup& soup, ExactLimits& limits, const std::stop_token& stop)
     }
 }
 
-// Polygons with collinear corners are divided around their centre, so that no triangle is flat.
+// Divides polygons into triangles. A polygon with collinear corners is divided around its centre, so that no triangle
+// is degenerate.
 void cut_into_triangles(Soup& soup) {
     std::vector<std::vector<std::size_t>> triangles;
     for (const std::vector<std::size_t>& polygon : soup.polygons) {
@@ -147,7 +150,7 @@ void cut_into_triangles(Soup& soup) {
     soup.polygons = std::move(triangles);
 }
 
-// Counts the pairs of nearby triangles of two meshes, because they cost time whatever the result is.
+// Counts the pairs of nearby triangles of two meshes as steps, because each pair costs time whatever the result is.
 void count_pairs(const std::vector<Aabb>& some, const std::vector<Aabb>& others, ExactLimits& limits,
                  const std::stop_token& stop) {
     const BoxIndex index(others);
@@ -193,7 +196,7 @@ std::vector<Piece> pieces_of(const Body& body, ExactLimits& limits, const std::s
     return pieces;
 }
 
-// Tells whether points are inside a mesh, and the outward direction of its surface at points on it.
+// Finds whether points are inside a mesh, and the outward direction of its surface at points on the surface.
 class Inside {
 public:
     explicit Inside(const Mesh& mesh) : mesh_(mesh), tree_(faces(mesh).begin(), faces(mesh).end(), mesh), side_(tree_) {
@@ -225,8 +228,9 @@ struct ExactSoup {
     std::vector<std::vector<std::size_t>> triangles;
 };
 
-// CGAL only refines the two meshes along each other; the faces to keep are chosen here. CGAL's own choice needs a
-// result that is a manifold, so it refuses solids that merely touch. Its version 5.5 may never end on some of them.
+// Combines two meshes. CGAL only splits both along the lines where they meet; this function then chooses the faces to
+// keep. CGAL's own choice requires a result that is a manifold, so it refuses solids that merely touch. Moreover,
+// version 5.5 may never end on some of them.
 ExactSoup combined(const Mesh& a, const Mesh& b, ExactCut kind, ExactLimits& limits, const std::stop_token& stop) {
     constexpr std::size_t kStepsForPlace = 10;
     Mesh first = a, second = b;
@@ -270,20 +274,20 @@ ExactSoup combined(const Mesh& a, const Mesh& b, ExactCut kind, ExactLimits& lim
 
 Mesh mesh_of(ExactSoup soup) {
     Mesh mesh;
-    pmp::orient_polygon_soup(soup.points, soup.triangles);  // splits edges where more than two triangles meet
+    pmp::orient_polygon_soup(soup.points, soup.triangles);  // splits edges at which more than two triangles meet
     pmp::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
     return mesh;
 }
 
-// Returns true for a thin film, less than a flush contact. It remains if two faces were meant to share a plane but
-// differ in their last digits.
+// Returns true for a film thinner than a flush contact. Such a film remains if two faces were meant to be in the same
+// plane but differ in their last digits.
 bool is_film(const ConvexSolid& solid) {
     double largest_m2 = 0.0;
     for (const Polygon& face : solid.faces) largest_m2 = std::max(largest_m2, area_m2(face.points_m));
     return mass_properties(solid).volume_m3 < kFlush_m * largest_m2;
 }
 
-// Rounds the exact coordinates to double.
+// Rounds the exact coordinates to double and turns the result into a body.
 Body body_of(const ExactSoup& soup, ExactLimits& limits, const std::stop_token& stop) {
     std::vector<Vec3> points;
     for (const Kernel::Point_3& p : soup.points)
@@ -354,7 +358,7 @@ std::optional<Body> cut_exactly(const Body& body, const Body& by, ExactCut kind,
         return cut(body, pieces_of(by, limits, stop), kind, limits, stop);
     } catch (const Refused&) {
         return std::nullopt;
-    } catch (const std::logic_error&) {  // CGAL's own checks, for example if the result is no surface
+    } catch (const std::logic_error&) {  // a check of CGAL failed, for example because the result is not a surface
         return std::nullopt;
     }
 }

@@ -12,7 +12,8 @@
 namespace handrail::ifc {
 namespace {
 
-// Some programs write the file's path as the name of the building: "D:\temp\file.ifc" becomes "file".
+// Removes the path from a name. Some programs write the path of the file as the name of the building:
+// "D:\temp\file.ifc" becomes "file".
 std::string without_path(std::string name) {
     if (name.find('\\') == std::string::npos && !name.starts_with('/')) return name;
     name.erase(0, name.find_last_of("\\/") + 1);
@@ -21,14 +22,15 @@ std::string without_path(std::string name) {
     return name;
 }
 
-constexpr double kThrough_m = 1.0;  // an opening is lengthened by this much at each end, to cut through its wall
-// Otherwise the door is drawn open, or the shape is not a leaf.
+// Length by which an opening is extended at each end, so that it cuts through its wall.
+constexpr double kThrough_m = 1.0;
+// Limits for a door leaf. A shape that is narrower or thicker than this is not a leaf, or shows the door open.
 constexpr double kNarrowestLeaf_m = 0.4, kThickestLeaf_m = 0.6;
 
 bool is_part(PartRole role) { return role != PartRole::Opening && role != PartRole::Space && role != PartRole::Storey; }
 
-// Returns whether a part cannot swing or slide out of the way. Furniture next to a door is not cut: the trial with the
-// walker reports it.
+// Returns true if a part cannot swing or slide out of the way. Furniture next to a door returns false: it is not cut,
+// but the trial with the walker reports it.
 bool blocks(PartRole role) {
     switch (role) {
         case PartRole::Wall:
@@ -47,7 +49,7 @@ bool blocks(PartRole role) {
     }
 }
 
-// Makes the frame upright, so that a door's width runs level whatever its placement states.
+// Makes the frame upright, so that a door's width is horizontal whatever its placement states.
 Frame upright(const Frame& frame) {
     Frame axes = frame;
     axes.z = {0, 0, 1};
@@ -105,7 +107,8 @@ private:
         frame.origin_m -= building_.origin_m;
         return frame;
     }
-    // Compares what the file states about a part with what was built.
+    // Compares the shape that the file states for a part with the shape that was built. Notes the part as missing if
+    // too much is lost.
     void note_missing(const IfcPart& part, double own_m3, int far) {
         constexpr double kLostShare = 0.05, kLeastStated_m3 = 1e-6, kLeastStated_m2 = 1e-4;
         const IfcShapes::Account& account = shapes_.account();
@@ -145,8 +148,9 @@ private:
         return body;
     }
 
-    // Georeferenced files lie thousands of kilometres from zero. Doubles are still precise there, but planes are far
-    // from their points. The origin comes from the site or building, else from the first part.
+    // Chooses the world's origin. Georeferenced files are thousands of kilometres from zero. Doubles are still precise
+    // there, but planes that far from the origin lose accuracy. The origin comes from the site or building, or else
+    // from the first part.
     void find_origin() {
         const auto consider = [&](const Vec3& at) {
             if (building_.origin_m == Vec3(0.0) && is_finite(at) && glm::length(at) > kFarAway_m)
@@ -233,8 +237,8 @@ private:
         }
     }
 
-    // Faulty exports contain the same part many times, and the hand cannot tell the copies apart. Doors and windows in
-    // openings are exempt: each is tested separately.
+    // Finds parts that repeat an earlier one. Faulty exports contain the same part many times, and a hand cannot
+    // distinguish the copies. Doors and windows in openings are exempt, because each is tested separately.
     void note_repetition(IfcPart& part) {
         const bool leaf = part.role == PartRole::Door || part.role == PartRole::Window;
         if ((part.body.empty() && !leaf) || relations_.opening_of.contains(part.id)) return;
@@ -256,7 +260,8 @@ private:
         alike.push_back(building_.parts.size());
     }
 
-    // IFC has one class for everything that carries people; a word states the kind.
+    // Returns the kind of something that carries people. IFC has one class for all kinds, so the words about the part
+    // decide.
     PartRole kind_of_transport(const IfcPart& part, const Values& v) const {
         for (const std::string& word : kind_words(part, v)) {
             if (word == "ESCALATOR") return PartRole::Escalator;
@@ -265,8 +270,8 @@ private:
         return PartRole::Lift;
     }
 
-    // Furniture with a place and a kind but no shape gets the prefab of its kind, with its front towards the
-    // placement's y.
+    // Furniture that has a position and a kind but no shape gets the prefab of its kind. The front of the prefab faces
+    // the y axis of the placement.
     void take_prefab(IfcPart& part, const Values& v) {
         if (part.role != PartRole::Furniture && part.role != PartRole::Fixture && part.role != PartRole::Lift) return;
         if (!reference_at(v, 5) || !is_finite(part.frame.origin_m)) return;
@@ -284,8 +289,8 @@ private:
         }
     }
 
-    // The words that state the kind of a part, most reliable first: predefined types, then the names of its type and of
-    // the part itself.
+    // Returns the words that state the kind of a part, the most reliable first: predefined types, then the name of its
+    // type and its own name.
     std::vector<std::string> kind_words(const IfcPart& part, const Values& v) const {
         std::vector<std::string> words;
         const auto type = relations_.type_of.find(part.id);
@@ -306,7 +311,7 @@ private:
         return std::string(word_at(of_type, model_.name(type->second) == "IFCDOORSTYLE" ? 8 : 10));
     }
 
-    // Flights, landings and stringers count as part of their stairs.
+    // Makes flights, landings and stringers belong to their stairs.
     void join_to_whole(std::size_t i) {
         IfcPart& part = building_.parts[i];
         std::uint64_t at = part.id;
@@ -328,7 +333,8 @@ private:
         if (openings == relations_.openings.end()) return;
         for (const std::uint64_t opening : openings->second) {
             if (stop_.stop_requested()) return;
-            const bool building = blocks(host.role);  // the niche of a cabinet does not count
+            // A niche in a cabinet does not count as an opening of the building.
+            const bool building = blocks(host.role);
             building_.openings += building ? 1 : 0;
             Body shape = body_of(opening, frame_of(opening));
             fill(shape);
@@ -351,8 +357,8 @@ private:
             if (!cut && building) building_.openings_uncut.push_back(static_cast<std::size_t>(model_.line(opening)));
         }
     }
-    // Returns whether the opening already exists: it lies within the extent of its host, and nothing fills it. Many
-    // programs export their walls already cut, and the openings as well.
+    // Returns true if the opening exists already: it is within the extent of its host, and nothing fills it. Many
+    // programs export walls that are already cut, and the openings as well.
     bool is_open_already(const IfcPart& host, const std::vector<ConvexSolid>& solids, const Frame& axes) const {
         if (solids.empty()) return false;
         std::vector<const Body*> of_host{&host.body};
@@ -371,7 +377,7 @@ private:
         }
         return true;
     }
-    // The host itself, or its pieces if it has no shape of its own.
+    // Returns the host itself, or its pieces if it has no shape of its own.
     std::vector<IfcPart*> bodies_of(IfcPart& host) {
         if (!host.body.empty()) return {&host};
         std::vector<IfcPart*> bodies;
@@ -380,7 +386,7 @@ private:
                 if (!building_.parts[i].body.empty()) bodies.push_back(&building_.parts[i]);
         return bodies;
     }
-    // Cuts an opening that convex solids do not represent, such as a round arch. Returns whether something was cut, or
+    // Cuts an opening that convex solids cannot represent, such as a round arch. Returns whether something was cut, or
     // nothing if the cut cannot be computed.
     std::optional<bool> cut_skin(IfcPart& host, Body shape, const Frame& opening, bool passage) {
         constexpr double kAtEnd_m = 1e-3, kCut_m3 = 1e-6;
@@ -402,7 +408,8 @@ private:
         return cut;
     }
 
-    // Returns whether a door or window fills the opening. Behind a cupboard or a radiator in a niche, the wall stays.
+    // Returns true if a door or window fills the opening. If a cupboard or a radiator fills it, it is a niche, and the
+    // wall behind it stays.
     bool is_passage(std::uint64_t opening) const {
         const auto filling = relations_.filled_by.find(opening);
         if (filling == relations_.filled_by.end()) return false;
@@ -410,7 +417,8 @@ private:
         return role == PartRole::Door || role == PartRole::Window;
     }
 
-    // An opening that encloses no volume is replaced by the box around its corners, in the axes of its placement.
+    // Returns the solids of an opening. If the opening encloses no volume, returns the box around its corners, in the
+    // axes of its placement.
     static std::vector<ConvexSolid> solids_around(const Body& shape, const Frame& opening) {
         if (!shape.solids.empty() || shape.sheets.empty()) return shape.solids;
         const Frame axes = upright(opening);
@@ -425,7 +433,7 @@ private:
         return {};
     }
 
-    // Returns whether a solid reaches from one face of a wall to the other where the two meet.
+    // Returns true if a solid extends from one face of a wall to the other at the place where the two meet.
     static bool reaches_both_faces(const Body& body, const ConvexSolid& solid, const Vec3& way) {
         constexpr double kNearFace_m = 0.03;
         std::vector<Plane> beside = solid.planes;
@@ -437,8 +445,8 @@ private:
         return host && own.least < host->least + kNearFace_m && own.most > host->most - kNearFace_m;
     }
 
-    // The direction through the host: vertical for slabs and roofs. For walls it is the level axis of the opening along
-    // which the wall is thinner.
+    // Returns the direction in which openings go through the host. It is vertical for slabs and roofs. For walls it is
+    // the horizontal axis of the opening along which the wall is thinner.
     static Vec3 way_through_host(const Body& body, const Frame& axes, PartRole role) {
         if (role == PartRole::Slab || role == PartRole::Roof) return {0, 0, 1};
         const std::optional<Reach> x = reach_along(body, axes.x), y = reach_along(body, axes.y);
@@ -460,8 +468,8 @@ private:
         if (hollow && host) add_jambs(body, planes, way, *host);
         return true;
     }
-    // Adds the faces of the doorway. Without them, a wall that consists only of its surface would be open to its
-    // inside.
+    // Adds the faces of the doorway as sheets. Without them, a wall that consists only of its surface would be open to
+    // its inside.
     static void add_jambs(Body& body, const std::vector<Plane>& planes, const Vec3& way, const Reach& host) {
         std::vector<Plane> within = planes;
         std::erase_if(within, [&](const Plane& p) { return std::abs(glm::dot(p.normal, way)) > 0.9; });
@@ -474,8 +482,8 @@ private:
             if (std::abs(glm::dot(gap->planes[i].normal, way)) < 0.9) body.sheets.push_back(gap->faces[i]);
     }
 
-    // The gap comes from the opening, if there is one, narrowed to the wall's thickness; else from the door's own
-    // shape.
+    // Finds the gap of a door or window. The gap comes from its opening, if there is one, and is then narrowed to the
+    // thickness of the wall. Otherwise it comes from the shape of the door or window itself.
     void find_gap(std::size_t i) {
         const IfcPart& part = building_.parts[i];
         if ((part.role != PartRole::Door && part.role != PartRole::Window) || part.same_as != i) return;
@@ -490,7 +498,7 @@ private:
                     host = &building_.parts[building_.parts[at->second].same_as];
         }
         if (shape.empty()) shape = part.body;
-        if (host && !host->body.empty())  // handles a door that runs along y of its placement
+        if (host && !host->body.empty())  // turns the axes of a door whose width is along y of its placement
             if (const auto x = reach_along(shape, gap.axes.x), y = reach_along(shape, gap.axes.y);
                 x && y && y->most - y->least > 1.5 * (x->most - x->least)) {
                 const auto hx = reach_along(host->body, gap.axes.x), hy = reach_along(host->body, gap.axes.y);
@@ -518,7 +526,8 @@ private:
             building_.gaps.emplace(i, gap);
     }
 
-    // A door without an opening is cut, as the outline of its leaf, through the walls that it is in or close to.
+    // Cuts a door that has no opening through the walls that it is in or close to. The cut has the outline of the
+    // door's leaf.
     void cut_leaf(std::size_t i, WallGap& gap) {
         constexpr double kNear_m = 0.1, kWithin_m = 1.0, kThickest_m = 1.5;
         Vec3 least = gap.least_m, most = gap.most_m;
@@ -553,16 +562,16 @@ private:
     const std::function<void(double)>& progress_;
     IfcShapes shapes_;
     std::stop_token stop_;
-    int boxed_ = 0;  // openings cut as the box around their shape
+    int boxed_ = 0;  // number of openings that were cut as the box around their shape
     IfcBuilding building_;
-    std::unordered_map<std::uint64_t, std::size_t> place_;  // index into `parts` of each instance
+    std::unordered_map<std::uint64_t, std::size_t> place_;  // index into `parts` by the id of the instance
     std::unordered_map<std::uint64_t, std::vector<std::size_t>> pieces_of_;
-    // First part of each shape, by the shape's hash.
+    // The first part with each shape, by the hash of the shape.
     std::unordered_map<std::uint64_t, std::vector<std::size_t>> by_body_;
 };
 
-// The space that a walker needs to pass through a gap: 0.5 m wide and up to 1.8 m tall, above a threshold. `standing`:
-// the walker may stand on the threshold.
+// Returns the space that a walker needs to pass through a gap: 0.5 m wide and up to 1.8 m tall, above a threshold. With
+// `standing`, the walker may stand on the threshold.
 std::optional<ConvexSolid> way_through(const WallGap& gap, bool standing = false) {
     constexpr double kWide_m = 0.5, kTall_m = 1.8, kThreshold_m = 0.2, kBeyond_m = 0.1;
     const double middle = 0.5 * (gap.least_m.x + gap.most_m.x),
@@ -583,7 +592,7 @@ IfcBuilding read_building(IfcModel& model, const IfcRelations& relations, const 
 
 namespace {
 
-// The parts that are in the walker's way, in file order.
+// Returns the parts that are in the walker's way, in file order.
 std::vector<std::uint32_t> blocking(const IfcBuilding& building, const ConvexSolid& body) {
     std::vector<std::uint32_t> near;
     building.by_place->find(body.bounds_m, near);
@@ -603,7 +612,7 @@ bool can_pass(const IfcBuilding& building, const WallGap& gap) {
 
 double sky_side(const IfcBuilding& building, const WallGap& gap) {
     constexpr double kOver_m = 1.0, kSky_m = 200.0, kBeyondFace_m = 0.05;
-    // Tries several distances, because a porch or a balcony may cover the first ones.
+    // Tests several distances in front of the gap, because a porch or a balcony may cover the first ones.
     constexpr std::array kAway_m{1.0, 1.5, 2.0, 2.5};
     const double middle = 0.5 * (gap.least_m.x + gap.most_m.x);
     const auto is_free = [&](const Vec3& from, const Vec3& to) {
@@ -612,7 +621,7 @@ double sky_side(const IfcBuilding& building, const WallGap& gap) {
         return std::none_of(near.begin(), near.end(),
                             [&](std::uint32_t i) { return crosses(building.parts[i].body, from, to); });
     };
-    // Checks the line straight out from the door and then up.
+    // Tests the line that leads straight out from the door and then up.
     const auto is_open = [&](double face, double out) {
         const double y = face + out;
         const Vec3 door = gap.axes.at({middle, face + std::copysign(kBeyondFace_m, out), gap.least_m.z + kOver_m}),

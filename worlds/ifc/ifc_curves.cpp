@@ -10,7 +10,7 @@ constexpr std::size_t kMostPoints = 20'000;
 
 double arc_step(double radius_m) { return radians_from_degrees(radius_m < 0.5 ? 15.0 : 7.5); }
 
-// Adds an arc that begins at angle `from` and turns by `turn`, with both ends.
+// Adds an arc with both of its ends. The arc begins at the angle `from` and turns by `turn`.
 void add_arc(std::vector<Vec3>& points, const Frame& frame, double a_m, double b_m, double from, double turn) {
     const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(turn) / arc_step(std::max(a_m, b_m)) - 1e-9)));
     for (int i = 0; i <= steps; ++i) {
@@ -19,7 +19,7 @@ void add_arc(std::vector<Vec3>& points, const Frame& frame, double a_m, double b
     }
 }
 
-// Adds the arc through three points, or a straight line if they are collinear.
+// Adds the arc through three points, or a straight line if the points are collinear.
 void add_arc_through(std::vector<Vec3>& points, const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 ab = b - a, ac = c - a, normal = glm::cross(ab, ac);
     const double square = glm::dot(normal, normal);
@@ -71,7 +71,7 @@ public:
             }
         } else if (kind.starts_with("IFCBSPLINECURVE") || kind.starts_with("IFCRATIONALBSPLINECURVE")) {
             for (const std::uint64_t p : references_at(values, 1))
-                found.push_back(model_.point(p));  // only the control points are used
+                found.push_back(model_.point(p));  // the curve is replaced with the line through its control points
         }
         if (found.size() > kMostPoints) return {};
         std::vector<Vec3> kept;
@@ -96,7 +96,7 @@ private:
         if (segments.items.empty()) return all;
         std::vector<Vec3> found;
         for (const StepValue& segment : segments.items) {
-            // IFCLINEINDEX((1,2,3)) and IFCARCINDEX((1,2,3)) are a list within a typed list.
+            // IFCLINEINDEX((1,2,3)) and IFCARCINDEX((1,2,3)) contain a list within a typed list.
             std::vector<double> indices = numbers_of(segment);
             if (indices.empty() && !segment.items.empty()) indices = numbers_of(segment.items[0]);
             std::vector<Vec3> at;
@@ -109,7 +109,7 @@ private:
         return found;
     }
 
-    // A trim is a parameter, a point or both.
+    // One end of a trimmed curve. The file states a parameter, a point or both.
     struct Trim {
         std::optional<double> parameter;
         std::optional<Vec3> at;

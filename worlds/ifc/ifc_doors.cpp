@@ -1,5 +1,5 @@
-// Doors and connections of an IFC building: door leaves, window panes, which rooms join, the ground outside, and the
-// starting points.
+// Builds the doors and connections of an IFC building: door leaves, window panes, the connections between rooms, the
+// ground outside, and the starting points.
 #include <algorithm>
 #include <array>
 
@@ -19,10 +19,10 @@ namespace {
 constexpr double kPaneThick_m = 0.06, kClear_m = 0.005;
 constexpr double kLeafTravel_s = 1.0;
 constexpr double kGroundThick_m = 0.2;
-constexpr double kCeiling_m = 1.0;           // greatest thickness between the rooms of two storeys
-constexpr std::size_t kMostCellars = 2'000;  // at most this many rooms cut away the ground above them
+constexpr double kCeiling_m = 1.0;           // greatest thickness of what is between the rooms of two storeys
+constexpr std::size_t kMostCellars = 2'000;  // greatest number of rooms that cut away the ground above them
 
-// What people walk or ride along, and the kind of portal that it becomes.
+// Parts along which people walk or ride, each with the kind of portal that it becomes.
 constexpr std::array<std::pair<PartRole, StatedPortalKind>, 5> kFlights{
     {{PartRole::Stairs, StatedPortalKind::Stairs},
      {PartRole::Ramp, StatedPortalKind::Ramp},
@@ -39,7 +39,7 @@ std::string joined(const std::vector<std::string>& names) {
     return all;
 }
 
-// An edge of an outline seen from above.
+// An edge of an outline, seen from above.
 struct Edge {
     Vec2 from{0.0}, to{0.0};
 };
@@ -54,7 +54,7 @@ std::vector<Edge> edges_of(const StatedRoom& room) {
 constexpr double kLeastBorder_m = 0.5, kFarthestBorder_m = 200.0, kBesideBorder_m = 0.05, kOneFloor_m = 0.3;
 constexpr double kBorderStep_m = 0.25, kBorderBody_m = 0.6;
 
-// The part of an edge along which the other edge runs; nothing if the two share no border.
+// Returns the part of `edge` along which `other` runs. Nothing if the two edges share no border.
 std::optional<Reach> shared_stretch(const Edge& edge, const Edge& other) {
     const double length = glm::length(edge.to - edge.from);
     if (!(length >= kLeastBorder_m && length <= kFarthestBorder_m)) return std::nullopt;
@@ -68,8 +68,8 @@ std::optional<Reach> shared_stretch(const Edge& edge, const Edge& other) {
     return shared;
 }
 
-// The point of the shared stretch nearest to its middle at which a walker can pass, below a ceiling `height_m` above
-// the floor.
+// Returns the point of the shared stretch nearest to its middle at which a walker can pass. `height_m` is the height of
+// the ceiling above the floor.
 std::optional<Vec3> way_across(const IfcBuilding& building, const Edge& edge, const Reach& shared, double floor_m,
                                double height_m) {
     const Vec2 way = (edge.to - edge.from) / glm::length(edge.to - edge.from), left(-way.y, way.x);
@@ -88,7 +88,7 @@ std::optional<Vec3> way_across(const IfcBuilding& building, const Edge& edge, co
     return std::nullopt;
 }
 
-// The widest passage between two rooms on one floor level, where their outlines run along each other.
+// Returns the widest passage between two rooms on one floor level, where their outlines run along each other.
 std::optional<StatedPortal> open_border(const IfcBuilding& building, const StatedRoom& room, const StatedRoom& other) {
     if (std::abs(other.floor_m - room.floor_m) > kOneFloor_m) return std::nullopt;
     StatedPortal portal;
@@ -125,7 +125,7 @@ void IfcScene::add_leaf(const WallGap& gap, double from, double to, bool hinge_a
     Mover mover;
     mover.feature = feature;
     mover.group = group;
-    mover.wait_s = -1.0;  // the walker has to shut it again
+    mover.wait_s = -1.0;  // the door stays open until the walker shuts it
     mover.travel_s = kLeafTravel_s;
     if (part.operation.find("SLIDING") != std::string::npos) {
         mover.pivot_m = leaf->bounds_m.centre_m();
@@ -134,7 +134,7 @@ void IfcScene::add_leaf(const WallGap& gap, double from, double to, bool hinge_a
         mover.pivot_m = leaf->bounds_m.centre_m();
         mover.slide_m = {0.0, 0.0, most.z - least.z};
     } else {
-        // The leaf swings towards +y, as IFC defines it, about the edge on that side.
+        // The leaf swings towards +y, as IFC defines it, about its edge on that side.
         mover.pivot_m = gap.axes.at({hinge_at_least ? least.x : most.x, most.y, least.z});
         mover.swing_rad = hinge_at_least ? 0.5 * kPi : -0.5 * kPi;
         Feature& named = scene_.features[feature.value];
@@ -163,14 +163,14 @@ void IfcScene::add_door(std::size_t i, const WallGap& gap) {
     }
     if (scene_.features.size() > before) portal.feature = {static_cast<std::uint32_t>(before)};
     doors_.push_back({stated_->portals.size(), i});
-    // A door with only one room leads outside. In a file without rooms, doors with open sky on one side do; if none
-    // has, any door may.
+    // A door with only one room leads outside. In a file without rooms, a door leads outside if one side of it is under
+    // the open sky. If no door is, every door counts.
     if (portal.rooms.size() == 1 || (stated_->rooms.empty() && (sky_side_.empty() || sky_side_.contains(i))))
         outer_doors_.push_back({stated_->portals.size(), i});
     stated_->portals.push_back(std::move(portal));
 }
 
-// The file states a door but neither its shape, nor its size, nor an opening. So nothing can be opened.
+// Adds a door for which the file states neither shape nor size nor opening, so that no gap can be cut for it.
 void IfcScene::add_door_without_place(std::size_t i) {
     const IfcPart& part = building_.parts[i];
     StatedPortal portal;
@@ -187,7 +187,7 @@ void IfcScene::add_door_without_place(std::size_t i) {
 
 void IfcScene::add_window(std::size_t i, const WallGap& gap) {
     const IfcPart& part = building_.parts[i];
-    if (!gap.cut) {  // the wall is unknown, so the window's own shape is used
+    if (!gap.cut) {  // the wall is unknown, so the shape of the window itself is used
         add_part(i);
         return;
     }
@@ -218,8 +218,8 @@ StatedPortal IfcScene::portal_of(std::size_t i, const WallGap& gap) {
     std::sort(beside.begin(), beside.end());
     std::sort(stated.begin(), stated.end());
     portal.by_boundaries = !stated.empty();
-    // A boundary that names a third room belongs to a wall that runs on. Then the rooms found on the two sides are
-    // used.
+    // If a boundary names a third room, it belongs to a wall that continues beyond the door. Then the rooms found on
+    // the two sides are used.
     const bool within = std::includes(stated.begin(), stated.end(), beside.begin(), beside.end());
     portal.rooms = stated.empty() || (stated.size() > 2 && within && !beside.empty()) ? beside : stated;
     if (!stated.empty() && portal.rooms != beside) ++differing_;
@@ -236,10 +236,10 @@ StatedPortal IfcScene::portal_of(std::size_t i, const WallGap& gap) {
     return portal;
 }
 
-// Tests every door with a walker, once everything that it could hit is in the scene.
+// Tests every door with a walker, after everything that the walker could hit has been added to the scene.
 void IfcScene::try_doors() {
     const DoorTrials trials(scene_);
-    std::map<int, const std::string*> names;  // by line in the file
+    std::map<int, const std::string*> names;  // names by the line in the file
     for (const IfcPart& part : building_.parts) names.emplace(part.line, &part.name);
     for (const DoorPortal& door : doors_) {
         if (options_.stop.stop_requested()) return;
@@ -267,7 +267,7 @@ void IfcScene::note_impassable(const StatedPortal& portal) {
          phrase("ifc.then_left_as_is"));
 }
 
-// Finds the rooms that a flight of stairs or a ramp joins, by the rooms at its two ends.
+// Finds the rooms that a flight of stairs or a ramp connects: the rooms at its two ends.
 void IfcScene::join_flights() {
     for (const auto& [i, feature] : thing_) {
         const IfcPart& part = building_.parts[i];
@@ -286,7 +286,8 @@ void IfcScene::join_flights() {
         portal.width_m = std::min(box.size_m().x, box.size_m().y);
         portal.height_m = box.size_m().z;
         for (const double z : {box.min_m.z + 0.1, box.max_m.z + 0.1}) {
-            if (part.prefab && z > box.max_m.z) continue;  // the true height of a prefab is unknown
+            // The height of a prefab is only assumed, so higher places are ignored.
+            if (part.prefab && z > box.max_m.z) continue;
             std::map<std::uint32_t, int> votes;
             for (int ix = 0; ix < 7; ++ix)
                 for (int iy = 0; iy < 7; ++iy) {
@@ -306,10 +307,10 @@ void IfcScene::join_flights() {
     }
 }
 
-// Rooms that share a border without a wall. Their outlines run along each other, the file states such a border for
-// both, and a walker can pass.
+// Returns portals between rooms that share a border without a wall. Their outlines must run along each other, the file
+// must state such a border for both, and a walker must be able to pass.
 std::vector<StatedPortal> IfcScene::open_borders() const {
-    std::map<std::uint32_t, int> open;  // room, and the line that states the border
+    std::map<std::uint32_t, int> open;  // each room with the line that states its open border
     for (const auto& [space, boundary] : relations_.open_at)
         if (const auto room = building_.room_of_id.find(space); room != building_.room_of_id.end())
             open.emplace(room->second, model_.line(boundary));
@@ -331,7 +332,7 @@ std::vector<StatedPortal> IfcScene::open_borders() const {
     return borders;
 }
 
-// Adds the borders between rooms that no door joins already.
+// Adds portals for those borders whose rooms no door connects.
 void IfcScene::join_open_rooms(std::vector<StatedPortal> borders) {
     for (StatedPortal& border : borders)
         if (std::none_of(stated_->portals.begin(), stated_->portals.end(), [&](const StatedPortal& known) {
@@ -340,7 +341,7 @@ void IfcScene::join_open_rooms(std::vector<StatedPortal> borders) {
             stated_->portals.push_back(std::move(border));
 }
 
-// Marks the rooms that the stairs fill by more than half.
+// Marks the rooms of which the stairs fill more than half.
 void IfcScene::note_stairwell(const Aabb& stairs) {
     for (const std::uint32_t r : rooms_.near(stairs)) {
         StatedRoom& room = stated_->rooms[r];
@@ -356,15 +357,15 @@ void IfcScene::note_stairwell(const Aabb& stairs) {
     }
 }
 
-// Files end at the outer walls, but a walker who steps outside needs ground. It is as high as the storey with the most
-// outer doors.
+// Adds ground around the building, because files end at the outer walls, but a walker who steps outside needs ground.
+// It is at the height of the storey with the most outer doors.
 void IfcScene::add_ground() {
     double level_m = scene_.bounds_m.min_m.z;
     std::vector<double> heights;
     for (const DoorPortal& door : outer_doors_) heights.push_back(stated_->portals[door.portal].place_m.z);
     std::sort(heights.begin(), heights.end());
     std::ptrdiff_t most = 0;
-    for (const double here_m : heights) {  // of equal counts, the lowest height wins
+    for (const double here_m : heights) {  // if two heights have as many doors, the lower one is used
         const auto first = std::upper_bound(heights.begin(), heights.end(), here_m - 0.6),
                    last = std::lower_bound(heights.begin(), heights.end(), here_m + 0.6);
         if (last - first > most) most = last - first, level_m = here_m;
@@ -375,7 +376,7 @@ void IfcScene::add_ground() {
     if (std::optional<ConvexSolid> slab =
             box_solid({box.min_m.x, box.min_m.y, level_m - kGroundThick_m}, {box.max_m.x, box.max_m.y, level_m}, {}))
         ground.solids.push_back(std::move(*slab));
-    // Keep the ground out of basement rooms, and away from the stairs that lead up from them.
+    // Cuts the ground away above basement rooms, and around the stairs that lead up from them.
     std::size_t cuts = 0;
     for (const StatedRoom& room : stated_->rooms) {
         if (room.floor_m > level_m - 0.3 || room.floor_m + room.height_m < level_m - kCeiling_m) continue;
@@ -397,9 +398,9 @@ void IfcScene::add_ground() {
     scene_.bounds_m.include(scene_.features[feature.value].bounds_m);
 }
 
-// Adds a start before each outer door, facing it; the first is at the height of most outer doors. Without outer doors,
-// the start is in the largest room of the lowest storey with rooms. Without rooms, it is on the ground to the south,
-// facing the building.
+// Adds a start in front of each outer door, facing the door. The first start is at the height at which most outer doors
+// are. If there are no outer doors, the start is in the largest room of the lowest storey with rooms. If there are no
+// rooms either, it is on the ground to the south, facing the building.
 void IfcScene::add_starts() {
     for (const DoorPortal& door : outer_doors_) {
         const StatedPortal& portal = stated_->portals[door.portal];
@@ -417,7 +418,7 @@ void IfcScene::add_starts() {
         start.source = portal.source;
         scene_.starts.push_back(std::move(start));
     }
-    // Sorts doors at ground level first, then those to a sunken yard or a balcony.
+    // Sorts starts at ground level to the front. Others are in a sunken yard or on a balcony.
     const auto off_ground = [&](const Start& start) { return std::abs(start.feet_m.z - ground_m_) > 0.6; };
     std::stable_sort(scene_.starts.begin(), scene_.starts.end(),
                      [&](const Start& a, const Start& b) { return !off_ground(a) && off_ground(b); });

@@ -1,4 +1,4 @@
-// Shells, loops and tessellations of IFC.
+// Reads the shells, loops and tessellations of IFC.
 #include <algorithm>
 
 #include "worlds/geometry/clip.h"
@@ -8,7 +8,8 @@
 namespace handrail::ifc {
 namespace {
 
-// Pairs the corners of a curved face's outline across it, so that the strips are as narrow as possible.
+// Cuts a curved face into strips. It pairs the corners of the outline across the face so that the strips are as narrow
+// as possible.
 std::vector<FlatFace> strips_of(const std::vector<Vec3>& ring) {
     const std::size_t n = ring.size();
     std::size_t best = 0;
@@ -103,7 +104,7 @@ void IfcShapes::add_faces(std::uint64_t shell, std::vector<FlatFace>& faces) {
         if (spent()) return;
         FlatFace one = face(id);
         if (one.rings.empty()) continue;
-        // A curved face has no single plane, so it becomes strips across its outline.
+        // A curved face has no single plane, so it is cut into strips across its outline.
         if (one.rings.size() == 1 && one.rings[0].size() > 3 && one.rings[0].size() <= 200 &&
             off_plane(one.rings[0]) > 2e-3) {
             ++approximated_;
@@ -144,7 +145,7 @@ std::vector<Vec3> IfcShapes::point_list(std::uint64_t id) const {
 std::vector<FlatFace> IfcShapes::tessellated_faces(std::string_view kind, const Values& values) {
     const std::vector<Vec3> points = point_list(reference_at(values, 0));
     const bool triangles = kind != "IFCPOLYGONALFACESET";
-    std::vector<double> through;  // PnIndex: maps the indices of the faces to indices of points
+    std::vector<double> through;  // PnIndex, which maps the indices in the faces to indices of points
     for (const double n : numbers_of(value_at(values, triangles ? 4 : 3))) through.push_back(n);
     const auto ring_of = [&](const std::vector<double>& indices) {
         std::vector<Vec3> ring;
@@ -178,7 +179,7 @@ std::vector<FlatFace> IfcShapes::tessellated_faces(std::string_view kind, const 
     return faces;
 }
 
-// Adds the volume that a closed skin encloses, by its faces alone, or the area of the faces of an open skin.
+// Adds the volume within a closed skin, computed from its faces alone. For an open skin, adds the area of its faces.
 void IfcShapes::weigh_faces(const std::vector<FlatFace>& faces, const Body& body) {
     const std::optional<double> enclosed = enclosed_m3(faces);
     if (!enclosed) {
@@ -189,7 +190,7 @@ void IfcShapes::weigh_faces(const std::vector<FlatFace>& faces, const Body& body
                 sum_m2 += std::isfinite(ring_m2) ? ring_m2 : 0.0;
                 largest_m2 = std::max(largest_m2, std::isfinite(ring_m2) ? ring_m2 : 0.0);
             }
-            account_.stated_m2 += std::max(0.0, 2.0 * largest_m2 - sum_m2);  // all rings but the largest are holes
+            account_.stated_m2 += std::max(0.0, 2.0 * largest_m2 - sum_m2);  // every ring except the largest is a hole
         }
         for (const Polygon& sheet : body.sheets) account_.made_m2 += glm::length(area_vector_m2(sheet.points_m));
         for (const ConvexSolid& solid : body.solids)

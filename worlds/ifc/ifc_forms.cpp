@@ -1,6 +1,6 @@
-// Evaluates what the file states for a boolean result, point by point, without building a solid. Outlines of sweeps,
-// planes of half-spaces and faces of closed skins are tested for whether they contain a point. The answers are compared
-// with the shape that was built.
+// Evaluates a boolean result of the file point by point, without building a solid. It tests whether the outlines of
+// sweeps, the planes of half-spaces and the faces of closed skins contain a point. The answers are compared with the
+// shape that was built.
 #include <algorithm>
 #include <array>
 
@@ -11,17 +11,18 @@ namespace handrail::ifc {
 namespace {
 
 constexpr int kDeepestForm = 40;
-constexpr std::size_t kMostLooks = 60'000'000;  // triangle tests for one part
+constexpr std::size_t kMostLooks = 60'000'000;  // greatest number of triangle tests for one part
 
 bool is_result(std::string_view kind) { return kind == "IFCBOOLEANRESULT" || kind == "IFCBOOLEANCLIPPINGRESULT"; }
 
-// The position in the axes of a placement.
+// Returns the position in the axes of a placement.
 Vec3 within(const Frame& frame, const Vec3& at_m) {
     const Vec3 off = at_m - frame.origin_m;
     return {glm::dot(off, frame.x), glm::dot(off, frame.y), glm::dot(off, frame.z)};
 }
 
-// Evenly spread points in a box, the same each time: multiples of powers of the root of x^4 = x + 1.
+// Returns the i-th of a sequence of evenly spread points in a box. The sequence is always the same: it uses multiples
+// of powers of the root of x^4 = x + 1.
 Vec3 place_in(const Aabb& box, std::size_t i) {
     constexpr std::array kSteps{0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
     Vec3 at = box.min_m;
@@ -34,14 +35,14 @@ Vec3 place_in(const Aabb& box, std::size_t i) {
 
 }  // namespace
 
-// One operand. A boolean result is a chain of them, the first with operation Take.
+// One operand of a boolean result. The result is a chain of operands, of which the first has the operation Take.
 struct IfcShapes::Form {
     enum class Operation : std::uint8_t { Take, Add, Less, Common };
     enum class Kind : std::uint8_t { Sweep, Turn, Pipe, HalfSpace, Skin, Result };
     Operation operation = Operation::Take;
     Kind kind = Kind::Sweep;
-    Frame frame;        // of a sweep or turn, or of a half-space's outline
-    Vec3 way{0.0};      // of a sweep, or the axis of a turn
+    Frame frame;        // frame of a sweep or a turn, or of the outline of a half-space
+    Vec3 way{0.0};      // path of a sweep, or direction of the axis of a turn
     Vec3 axis_at{0.0};  // a point on the axis of a turn, in `frame`
     double turn_rad = 0.0;
     std::vector<Vec3> line;                // centre line of a pipe
@@ -76,7 +77,7 @@ struct IfcShapes::Form {
         }
         return held;
     }
-    // Turns the point back into the plane of the profile, where it may be on either side of the axis.
+    // Turns the point back into the plane of the profile, where it may end up on either side of the axis.
     bool in_turn(const Vec3& at) const {
         const Vec3 arm = at - axis_at, along = way * glm::dot(way, arm), off = arm - along;
         const Vec3 side = glm::cross(Vec3(0.0, 0.0, 1.0), way);
@@ -98,7 +99,8 @@ struct IfcShapes::Form {
         }
         return false;
     }
-    // Counts how often a ray from the point crosses the skin. The direction is chosen so that no edge runs along it.
+    // Counts how often a ray from the point crosses the skin. The direction of the ray is unusual, so that edges hardly
+    // ever run along it.
     int crossings(const Vec3& at_m) const {
         const Vec3 way_out(0.5377, 0.2893, 0.7919);
         int count = 0;
@@ -126,7 +128,7 @@ std::optional<IfcShapes::Form> IfcShapes::skin_form(const std::vector<FlatFace>&
     if (!enclosed_m3(faces)) return {};
     Form form;
     form.kind = Form::Kind::Skin;
-    for (const FlatFace& face : faces)  // each point of a hole is counted twice, so it cancels out
+    for (const FlatFace& face : faces)  // a point in a hole is counted twice, so it cancels out
         for (const std::vector<Vec3>& ring : face.rings)
             for (std::size_t k = 1; k + 1 < ring.size(); ++k) form.skin.push_back({ring[0], ring[k], ring[k + 1]});
     return form;
@@ -155,7 +157,8 @@ std::optional<IfcShapes::Form> IfcShapes::form_of(std::uint64_t id, int depth) {
         form.areas = {{outline}};
         return form;
     }
-    const Account before = account_;  // these faces were already counted when the solids were built
+    // Restored below, because these faces were already counted when the solids were built.
+    const Account before = account_;
     std::vector<FlatFace> faces;
     if (kind == "IFCTRIANGULATEDFACESET" || kind == "IFCPOLYGONALFACESET" ||
         kind == "IFCTRIANGULATEDIRREGULARNETWORK") {
@@ -197,7 +200,7 @@ std::optional<IfcShapes::Form> IfcShapes::solid_form(std::string_view kind, cons
         form.way = model_.direction(reference_at(axis, 1), {0, 0, 1});
         form.turn_rad = std::clamp(number_at(values, 3) * model_.radians_per_unit(), -2.0 * kPi, 2.0 * kPi);
         form.areas = profile_rings(model_, reference_at(values, 0));
-        if (std::abs(form.way.z) > 1e-9) return {};  // the axis is outside the profile's plane
+        if (std::abs(form.way.z) > 1e-9) return {};  // the axis is not parallel to the plane of the profile
         return form;
     } else if (kind.starts_with("IFCSWEPTDISKSOLID")) {
         form.kind = Form::Kind::Pipe;
@@ -210,7 +213,7 @@ std::optional<IfcShapes::Form> IfcShapes::solid_form(std::string_view kind, cons
     return form;
 }
 
-// First operands can form a long chain, so it is walked without recursion.
+// The first operands can form a long chain, so it is followed without recursion.
 std::optional<IfcShapes::Form> IfcShapes::result_form(std::uint64_t id, int depth) {
     constexpr std::size_t kMostOperands = 5'000;
     Form form;
@@ -237,7 +240,7 @@ void IfcShapes::compare_result(std::uint64_t id, const Body& body, Aabb box) {
     constexpr std::size_t kPlaces = 3'000, kLeastHeld = 200;
     if (!body.sheets.empty() && !encloses(body)) return;
     const std::optional<Form> form = form_of(id, 0);
-    Form skin;  // the sheets that did not become solids
+    Form skin;  // the sheets of the body that did not become solids
     for (const Polygon& sheet : body.sheets)
         for (std::size_t k = 1; k + 1 < sheet.points_m.size(); ++k)
             skin.skin.push_back({sheet.points_m[0], sheet.points_m[k], sheet.points_m[k + 1]});
@@ -257,7 +260,7 @@ void IfcShapes::compare_result(std::uint64_t id, const Body& body, Aabb box) {
         lost += said && !made ? 1 : 0;
         surplus += made && !said ? 1 : 0;
     }
-    if (stated < kLeastHeld) return;  // too few points for a judgement
+    if (stated < kLeastHeld) return;  // too few points are inside for a comparison
     const double share = (static_cast<double>(lost) - static_cast<double>(surplus)) / static_cast<double>(stated);
     if (std::abs(share) > std::abs(account_.result_share)) account_.result_share = share;
 }

@@ -11,9 +11,10 @@ namespace {
 
 constexpr double kFloorThick_m = 0.1, kWallThick_m = 0.05;
 constexpr double kBelow_m = 0.9,
-                 // Above and below a room's level: anything in this range counts as its floor, also a sunken one.
+                 // Range below and above the level of a room. Anything within it counts as the floor of the room,
+                 // including a sunken floor.
     kAbove_m = 0.2;
-constexpr double kStepDown_m = 0.05;  // furniture that reaches this far below the level is on a sunken floor
+constexpr double kStepDown_m = 0.05;  // furniture that extends this far below the level is on a sunken floor
 constexpr double kLeastRoom_m2 = 0.5, kLeastHigh_m = 1.5;
 
 bool carries(PartRole role) {
@@ -29,19 +30,19 @@ bool leads_up(PartRole role) {
     return role == PartRole::Stairs || role == PartRole::Ramp || role == PartRole::Lift || role == PartRole::Escalator;
 }
 
-// Returns whether a room has no floor on purpose, judged by its name in English or German.
+// Returns true if a room has no floor on purpose. Its name in English or German decides.
 bool is_open_below(const StatedRoom& room) {
     constexpr std::array<std::string_view, 8> kWords{"void",    "shaft",  "below", "luftraum",
                                                      "schacht", "atrium", "stair", "treppe"};
     const std::string name = lower_ascii(room.name);
-    // Only at the beginning of a word: "upstairs" does not mean stairs.
+    // A word counts only where a word of the name begins: "upstairs" does not mean stairs.
     return std::any_of(kWords.begin(), kWords.end(), [&](std::string_view word) {
         const std::size_t at = name.find(word);
         return at != std::string::npos && (at == 0 || name[at - 1] < 'a' || name[at - 1] > 'z');
     });
 }
 
-// Evenly spread points within the outline.
+// Returns evenly spread points within the outline.
 std::vector<Vec3> places_in(const StatedRoom& room) {
     constexpr int kAcross = 7;
     Aabb box;
@@ -57,7 +58,8 @@ std::vector<Vec3> places_in(const StatedRoom& room) {
     return places;
 }
 
-// Returns true if nothing is under any point of the room. Stairs and lifts that come up into it do not count as floor.
+// Returns true if there is no floor below any point of the room. Stairs and lifts that come up into the room do not
+// count as floor.
 bool lacks_floor(const IfcBuilding& building, const BoxIndex& index, const StatedRoom& room) {
     const std::vector<Vec3> places = places_in(room);
     if (places.empty()) return false;
@@ -86,7 +88,7 @@ void add_part(IfcBuilding& building, PartRole role, const StatedRoom& room, std:
     building.parts.push_back(std::move(part));
 }
 
-// The made floor, left open above everything that comes up through it.
+// Returns the floor that is made for a room. It has holes above everything that comes up through it.
 std::vector<ConvexSolid> floor_of(const IfcBuilding& building, const BoxIndex& index, const StatedRoom& room) {
     Frame frame;
     frame.origin_m = {0.0, 0.0, room.floor_m - kFloorThick_m};
@@ -123,8 +125,8 @@ std::vector<std::uint32_t> make_floors(IfcBuilding& building) {
             continue;
         if (lacks_floor(building, index, room)) made.push_back(r);
     }
-    // All floors are made only after all rooms were examined: rooms of one storey adjoin, so one made floor could count
-    // as another room's.
+    // Floors are added only after all rooms were examined. The rooms of one storey adjoin, so a made floor could
+    // otherwise count as the floor of the next room.
     for (const std::uint32_t r : made)
         add_part(building, PartRole::Slab, building.rooms[r], floor_of(building, index, building.rooms[r]));
     return made;
@@ -148,7 +150,7 @@ int make_walls(IfcBuilding& building) {
                 frame.x = Vec3(along.x, along.y, 0.0) / length_m;
                 frame.y = glm::cross(frame.z, frame.x);
                 frame.origin_m = {from.x, from.y, room.floor_m};
-                // The wall goes on the outer side of the edge, away from the room.
+                // The wall is on the outer side of the edge, away from the room.
                 const Vec2 out = Vec2(frame.y.x, frame.y.y) * kWallThick_m, middle = 0.5 * (from + to);
                 const bool left = !inside(room.rings, middle + out);
                 if (inside(room.rings, middle + out) == inside(room.rings, middle - out)) continue;

@@ -84,7 +84,7 @@ namespace {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
-// The corners of a grid axis, shifted to its left by the given distance.
+// Returns the corners of a grid axis, shifted to its left by the given distance.
 std::vector<Vec2> grid_axis(const IfcModel& model, std::uint64_t axis, double left_m) {
     const Values values = model.values(axis);
     const std::uint64_t curve = reference_at(values, 1);
@@ -111,7 +111,8 @@ struct GridCrossing {
     Vec2 at{0.0}, along{1.0, 0.0};
 };
 
-// The crossing of two axes, which may end before they meet. Takes the pair of pieces that has to be lengthened least.
+// Returns the crossing of two axes, which may end before they meet. It chooses the two pieces that have to be
+// lengthened least to meet.
 std::optional<GridCrossing> crossing_of(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
     std::optional<GridCrossing> best;
     double least_m = 1e300;
@@ -130,7 +131,7 @@ std::optional<GridCrossing> crossing_of(const std::vector<Vec2>& a, const std::v
     return best;
 }
 
-// Right-handed unit axes from a z axis and a preferred x axis.
+// Returns right-handed unit axes from a z axis and a preferred x axis.
 Frame frame_of(const Vec3& z, const Vec3& wish_x, const Vec3& origin_m) {
     Frame frame;
     frame.origin_m = origin_m;
@@ -170,7 +171,7 @@ Frame IfcModel::transformation(std::uint64_t id) const {
     frame.x = glm::length(x) > 1e-9 ? x / glm::length(x) : any_perpendicular(frame.z);
     Vec3 y = glm::cross(frame.z, frame.x);
     if (const std::uint64_t stated = reference_at(values, 1); stated != 0 && glm::dot(direction(stated, y), y) < 0.0)
-        y = -y;  // the operator mirrors
+        y = -y;  // the transformation mirrors
     const bool uneven = kind.ends_with("NONUNIFORM");
     frame.y = y * (uneven ? number_at(values, flat ? 4 : 5, scale) : scale);
     frame.z *= uneven && !flat ? number_at(values, 6, scale) : flat ? 1.0 : scale;
@@ -179,7 +180,8 @@ Frame IfcModel::transformation(std::uint64_t id) const {
     return frame;
 }
 
-// The crossing of two grid axes, shifted sideways by the stated distances; x runs along the first axis.
+// Returns the frame at the crossing of two grid axes. The axes are shifted sideways by the stated distances; x runs
+// along the first axis.
 Frame IfcModel::on_grid(const Values& values) {
     if (grid_of_.empty())
         for (const StepInstance& instance : file_.instances())
@@ -188,7 +190,7 @@ Frame IfcModel::on_grid(const Values& values) {
                 for (const std::size_t axes : {7U, 8U, 9U})
                     for (const std::uint64_t axis : references_at(grid, axes)) grid_of_.emplace(axis, instance.id);
             }
-    // IFC 4.3 puts the reference placement before the two other attributes.
+    // In IFC 4.3 the reference placement comes before the two other attributes.
     std::size_t first = 0;
     while (first < values.size() && name(reference_at(values, first)) != "IFCVIRTUALGRIDINTERSECTION") ++first;
     const Values crossing = this->values(reference_at(values, first));
@@ -218,7 +220,7 @@ Frame IfcModel::on_grid(const Values& values) {
 
 Frame IfcModel::placement(std::uint64_t id) {
     constexpr std::size_t kLongest = 100;
-    // From the inner to the outer placement, each with its own frame.
+    // The placements from the inner to the outer one, each with its own frame.
     std::vector<std::pair<std::uint64_t, Frame>> chain;
     Frame outer;
     for (std::uint64_t at = id; at != 0;) {

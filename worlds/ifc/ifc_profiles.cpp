@@ -1,5 +1,5 @@
-// Profile definitions of IFC as outlines. Fillets and slopes of rolled steel are left out, because they are smaller
-// than a finger.
+// Reads profile definitions of IFC as outlines. Fillets and slopes of rolled steel are left out, because they are
+// smaller than a finger.
 #include <algorithm>
 
 #include "worlds/ifc/ifc_curves.h"
@@ -40,7 +40,7 @@ Ring flat(const std::vector<Vec3>& points) {
     return ring;
 }
 
-// A strip of the given width along a line.
+// Returns a strip of the given width along a line.
 Ring along(const Ring& line, double width) {
     Ring left, right;
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -60,11 +60,12 @@ Ring along(const Ring& line, double width) {
 
 using Parts = std::vector<std::vector<Ring>>;
 
-// The steel profiles. Their dimensions are attributes 3 and following, in metres.
+// Returns the outline of a steel profile. Its dimensions are the attributes from 3 on, in the file's unit; `unit`
+// converts them to metres.
 Ring steel(std::string_view kind, const Values& v, double unit) {
     const auto n = [&](std::size_t i) { return number_at(v, i) * unit; };
     if (kind == "IFCISHAPEPROFILEDEF" || kind == "IFCASYMMETRICISHAPEPROFILEDEF") {
-        // Asymmetric profiles have bottom width, depth, web, bottom flange, fillet, top width and top flange. IFC 2x3
+        // Asymmetric profiles state bottom width, depth, web, bottom flange, fillet, top width and top flange. IFC 2x3
         // has the same numbers in the same places.
         const bool odd = kind.starts_with("IFCASYM");
         const double b = 0.5 * n(3), h = 0.5 * n(4), w = 0.5 * n(5), low = n(6), top = odd ? 0.5 * n(8) : b,

@@ -132,13 +132,13 @@ std::vector<std::string> material_words(const IfcModel& model, const IfcRelation
         const std::string_view kind = model.name(id);
         const Values v = model.values(id);
         if (kind == "IFCMATERIAL") words.push_back(text_at(v, 0));
-        // A layer, constituent or profile names its material; sets and usages contain lists of them.
+        // A layer, constituent or profile refers to its material; sets and usages contain lists of these.
         else if (kind == "IFCMATERIALLAYER" || kind == "IFCMATERIALLAYERSETUSAGE" ||
                  kind == "IFCMATERIALPROFILESETUSAGE")
             open.push_back(reference_at(v, 0));
         else if (kind == "IFCMATERIALCONSTITUENT" || kind == "IFCMATERIALPROFILE") open.push_back(reference_at(v, 2));
         else if (kind == "IFCMATERIALLAYERSET" || kind == "IFCMATERIALLIST")
-            // The stack is processed from its end.
+            // The stack is processed from its end, so the last layer of the list comes first.
             for (const std::uint64_t one : references_at(v, 0)) open.push_back(one);
         else if (kind == "IFCMATERIALCONSTITUENTSET" || kind == "IFCMATERIALPROFILESET")
             for (const std::uint64_t one : references_at(v, 2)) open.push_back(one);

@@ -14,8 +14,8 @@ enum class PartRole : std::uint8_t {
     Slab,
     Roof,
     Cover,
-    Structure,  // the building itself; announced by side, such as "north wall"
-    Panel,      // of a curtain wall, stairs or a roof; alone it makes no building
+    Structure,  // part of the building itself; announced by side, such as "north wall"
+    Panel,      // part of a curtain wall, stairs or a roof; alone it does not make a building
     Door,
     Window,
     Opening,
@@ -34,29 +34,31 @@ enum class PartRole : std::uint8_t {
     Other
 };
 
-// Returns nothing if buildings are not made of this class.
+// Returns the role of parts of this class. Nothing if buildings are not made of such parts.
 std::optional<PartRole> role_of(std::string_view name);
 
 struct IfcRelations {
     explicit IfcRelations(const IfcModel& model);
 
-    std::map<std::uint64_t, std::uint64_t> host_of;                // opening to host
-    std::map<std::uint64_t, std::vector<std::uint64_t>> openings;  // host to its openings, in file order
-    std::map<std::uint64_t, std::uint64_t> opening_of;             // door or window to its opening
-    std::map<std::uint64_t, std::uint64_t> filled_by;              // opening to the element that fills it
-    std::map<std::uint64_t, std::uint64_t> whole_of;               // part to its aggregate, or to its storey
-    std::map<std::uint64_t, std::uint64_t> type_of, material_of;   // of elements; types also have materials
+    std::map<std::uint64_t, std::uint64_t> host_of;                // opening -> the element that it is cut into
+    std::map<std::uint64_t, std::vector<std::uint64_t>> openings;  // element -> its openings, in file order
+    std::map<std::uint64_t, std::uint64_t> opening_of;             // door or window -> the opening that it fills
+    std::map<std::uint64_t, std::uint64_t> filled_by;              // opening -> the element that fills it
+    std::map<std::uint64_t, std::uint64_t> whole_of;               // part -> its aggregate, or its storey
+    // Element -> its type, and element or type -> its material.
+    std::map<std::uint64_t, std::uint64_t> type_of, material_of;
     std::map<std::uint64_t, std::vector<std::uint64_t>>
-        spaces_at;  // door, window or virtual element to the spaces that it bounds
+        spaces_at;  // door, window or virtual element -> the spaces that it bounds
     std::map<std::uint64_t, std::uint64_t>
-        open_at;  // space with a border that is not a wall, to the first such boundary
-    std::map<std::string, int, std::less<>> skipped;  // classes that are not part of a building, with their counts
+        open_at;  // space with a border that is not a wall -> the first such boundary
+    // Classes that are not part of a building, each with its number of instances.
+    std::map<std::string, int, std::less<>> skipped;
 
-    // Course up the aggregates to the first instance of that class; 0 if there is none.
+    // Follows the aggregates upwards to the first instance of that class. Returns 0 if there is none.
     std::uint64_t whole_named(const IfcModel& model, std::uint64_t part, std::string_view name) const;
 };
 
-// The words that state what an element is made of, the innermost layer first. Empty if the file states nothing.
+// Returns the words that state what an element is made of, the innermost layer first. Empty if the file states nothing.
 std::vector<std::string> material_words(const IfcModel& model, const IfcRelations& relations, std::uint64_t element);
 
 }  // namespace handrail::ifc

@@ -15,7 +15,7 @@ constexpr std::size_t kMostSolids = 150'000, kMostTriangles = 1'500'000;
 // The unit in which derive_surfaces measures its tolerances, the same as for maps.
 constexpr double kSurfaceUnit_m = 1.0 / 32.0;
 
-// How a part is named if its own name cannot be spoken or states only its class.
+// The name of a part whose own name cannot be spoken or only states its class.
 struct Called {
     PartRole role;
     std::string_view kind;
@@ -69,7 +69,7 @@ Result<Scene> IfcScene::build(const std::string& file_name) {
     scene_.report.format = "ifc";
     scene_.metres_per_unit = model_.metres_per_unit();
     prove_doors();
-    std::vector<StatedPortal> borders = open_borders();  // must come before the parts lose their shapes
+    std::vector<StatedPortal> borders = open_borders();  // done first, because the parts lose their shapes below
     add_parts();
     if (scene_.solids.empty() && scene_.triangles.empty()) return fail(phrase("ifc.nothing_to_touch"), file_name);
     if (scene_.solids.size() > kMostSolids || scene_.triangles.size() > kMostTriangles || building_.too_large)
@@ -227,7 +227,8 @@ void IfcScene::add_parts() {
     }
 }
 
-// Describes a part by the solids and triangles added since `solids` and `triangles`, the counts before it.
+// Describes a part by the solids and triangles that were added for it. `solids` and `triangles` are the counts before
+// they were added.
 StatedThing IfcScene::stated_thing(std::size_t part, std::size_t solids, std::size_t triangles) const {
     StatedThing thing;
     if (const auto known = thing_.find(building_.parts[part].whole); known != thing_.end())

@@ -1,5 +1,5 @@
 // Turns a building from an IFC file into a Scene: solids, sheets, door leaves, panes, the ground outside, and starting
-// points. One reading thread uses it.
+// points. Used on the reading thread only.
 #pragma once
 
 #include "worlds/ifc/door_trial.h"
@@ -48,27 +48,30 @@ private:
     Scene scene_;
     std::shared_ptr<StatedBuilding> stated_;
     std::vector<std::vector<std::uint32_t>> looks_;
-    std::map<std::size_t, FeatureId> thing_;  // feature of each whole part
+    std::map<std::size_t, FeatureId> thing_;  // feature of each whole, by its index in building_.parts
     std::map<std::string, std::set<std::string>> guessed_from_;
-    std::map<std::string, int> prefabs_;  // number of prefabs that stand for parts without a shape
-    // Names of the parts cut to open a door, by the door's index.
+    std::map<std::string, int> prefabs_;  // number of times that each prefab replaces a part without a shape
+    // Names of the parts that were cut to open a door, by the door's index in building_.parts.
     std::map<std::size_t, std::vector<std::string>> freed_;
     struct DoorPortal {
-        std::size_t portal = 0;  // index in stated_->portals
-        std::size_t part = 0;    // index in building_.parts
+        std::size_t portal = 0;  // index into stated_->portals
+        std::size_t part = 0;    // index into building_.parts
     };
     std::vector<DoorPortal> doors_, outer_doors_;
-    std::map<std::size_t, double> sky_side_;  // Which side of y is under open sky, for doors in a file without rooms.
-    RoomsByPlace rooms_;                      // index of the rooms of stated_
-    double ground_m_ = 0.0;                   // height of the ground around the building
+    // The side of each door that is under the open sky, along y of its gap. Only for files without rooms.
+    std::map<std::size_t, double> sky_side_;
+    RoomsByPlace rooms_;     // index over the rooms of stated_
+    double ground_m_ = 0.0;  // height of the ground around the building
     int differing_ = 0, plain_ = 0;
 };
 
-// The touch material suggested by a file's words for a material, in English and German; empty if none.
+// Returns the touch material that the file's words for a material suggest, in English or German. Empty if they suggest
+// none.
 std::string_view material_of_words(std::string_view words);
-// The prefab for the first known piece of furniture that the words name, in English and German; null if none.
+// Returns the prefab for the first known piece of furniture that the words name, in English or German. Null if they
+// name none.
 const Prefab* prefab_for(const std::vector<std::string>& words);
-// The part of a name that can be spoken: "M_Chair-Breuer:M_Chair-Breuer:174845" becomes "Chair-Breuer".
+// Returns the part of a name that can be spoken: "M_Chair-Breuer:M_Chair-Breuer:174845" becomes "Chair-Breuer".
 std::string spoken_part_name(const std::string& name);
 
 }  // namespace handrail::ifc

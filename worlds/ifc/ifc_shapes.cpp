@@ -1,4 +1,4 @@
-// Representations, mapped copies, sweeps and boolean results. Faces are read in ifc_faces.cpp.
+// Reads representations, mapped copies, sweeps and boolean results. ifc_faces.cpp reads faces.
 #include "worlds/ifc/ifc_shapes.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ constexpr double kFarthest_m = 1e7;
 
 Plane plane_through(const Vec3& normal, const Vec3& at_m) { return {normal, glm::dot(normal, at_m)}; }
 
-// Cutting an outline into parts costs the square of its corners.
+// Returns the cost of cutting an outline into parts, which grows with the square of the number of corners.
 std::size_t cost_of(const std::vector<Ring>& rings) {
     std::size_t corners = 0;
     for (const Ring& ring : rings) corners += ring.size();
@@ -39,7 +39,8 @@ Frame across(const Vec3& from, const Vec3& to) {
 Body IfcShapes::body_of(std::uint64_t shape) {
     const Values values = model_.values(shape);
     const std::vector<std::uint64_t> all = references_at(values, 2);
-    // Representations by their identifiers: the solid form, else any that is neither lines nor a bounding box.
+    // Representations by their identifiers: kWanted are solid forms. If there is none, any representation is used that
+    // is not in kNever, that is, neither lines nor a bounding box.
     constexpr std::array<std::string_view, 4> kWanted{"Body", "Facetation", "Tessellation", "Body-FallBack"};
     constexpr std::array<std::string_view, 14> kNever{
         "Axis",     "FootPrint", "Box",     "Annotation",        "Profile",     "Reference", "Clearance",
@@ -83,7 +84,8 @@ Body IfcShapes::item(std::uint64_t id, int depth) {
     return body;
 }
 
-// Adds the volume of a solid computed from its outline and lengths, independently of the parts that it is made of.
+// Adds the volume of a solid to the account. It is computed from the outline and the lengths, independently of the
+// parts that were built.
 void IfcShapes::weigh(std::string_view kind, const Values& values, const Body& body) {
     const auto n = [&](std::size_t i) { return number_at(values, i) * model_.metres_per_unit(); };
     std::optional<double> stated_m3;
@@ -102,7 +104,7 @@ void IfcShapes::weigh(std::string_view kind, const Values& values, const Body& b
     account_.made_m3 += volume_m3(body);
 }
 
-// The volume is the area times the path of its centroid around the axis (Pappus).
+// Returns the volume of a solid of revolution: its area times the path of the centroid around the axis (Pappus).
 double IfcShapes::turned_m3(const Values& values) const {
     const Values axis = model_.values(reference_at(values, 2));
     const Vec3 at = model_.point(reference_at(axis, 0)), way = model_.direction(reference_at(axis, 1), {0, 0, 1});
@@ -121,7 +123,7 @@ double IfcShapes::turned_m3(const Values& values) const {
             sum += std::abs(of_ring);
             largest = std::max(largest, std::abs(of_ring));
         }
-        moment_m3 += std::max(0.0, 2.0 * largest - sum);  // all rings but the largest are holes
+        moment_m3 += std::max(0.0, 2.0 * largest - sum);  // every ring except the largest is a hole
     }
     return moment_m3 * std::abs(turn);
 }
@@ -139,7 +141,7 @@ double IfcShapes::swept_m3(std::string_view kind, const Values& values) const {
                 area_m2 += ring_m2;
                 largest_m2 = std::max(largest_m2, ring_m2);
             }
-            // The largest ring is the outline; all others are holes in it.
+            // The largest ring is the outline; all other rings are holes in it.
             sum_m2 += std::max(0.0, 2.0 * largest_m2 - area_m2);
         }
         return sum_m2;
@@ -172,7 +174,7 @@ Body IfcShapes::read_item(std::uint64_t id, int depth) {
         std::vector<FlatFace> faces;
         for (const std::uint64_t shell : all) add_faces(shell, faces);
         Body body;
-        // A part with cavities is not a union of solids, so it stays sheets.
+        // A part with cavities is not the union of its shells, so its faces stay sheets.
         for (const FlatFace& one : faces) body.add(body_of_faces({one}));
         weigh_faces(faces, body);
         return body;
@@ -192,7 +194,7 @@ Body IfcShapes::mapped(const Values& values, int depth) {
     std::shared_ptr<const Mapped>& known = maps_[source];
     const Values of_source = model_.values(source);
     if (!known) {
-        known = std::make_shared<const Mapped>();  // placeholder, so that a map that contains itself ends here
+        known = std::make_shared<const Mapped>();  // placeholder that ends the recursion if a map contains itself
         const Account before = std::exchange(account_, {});
         Mapped made{representation(reference_at(of_source, 1), depth + 1), {}};
         made.account = std::exchange(account_, before);
@@ -214,7 +216,7 @@ Body IfcShapes::mapped(const Values& values, int depth) {
     const double wider = std::cbrt(larger * larger);
     account_.stated_m2 += map.account.stated_m2 * wider;
     account_.made_m2 += map.account.made_m2 * wider;
-    // Counts what got lost in the copy, even if the original lost nothing.
+    // Also counts what was lost in the copy, even if the original lost nothing.
     account_.made_m3 += map.account.made_m3 * larger - (volume_m3(map.body) * larger - volume_m3(body));
     return body;
 }
@@ -235,7 +237,7 @@ Body IfcShapes::extruded(std::string_view kind, const Values& values) {
     return body;
 }
 
-// A revolution about an axis in the profile's own plane, as wedges between two angles.
+// Returns a solid of revolution about an axis in the plane of its profile, as wedges between two angles.
 Body IfcShapes::revolved(const Values& values) {
     const Frame frame = model_.axes(reference_at(values, 1));
     const Values axis = model_.values(reference_at(values, 2));
@@ -270,7 +272,7 @@ Body IfcShapes::revolved(const Values& values) {
 
 Body IfcShapes::swept_disk(const Values& values) {
     const std::vector<Vec3> line = curve_points(model_, reference_at(values, 0));
-    // An octagon with the same area as the circle.
+    // The circle is replaced with an octagon of the same area.
     const double wider = std::sqrt(kPi / (4.0 * std::sin(0.25 * kPi)));
     const double radius = number_at(values, 1) * model_.metres_per_unit(),
                  inner = number_at(values, 2) * model_.metres_per_unit();
@@ -334,7 +336,7 @@ IfcShapes::Cutter IfcShapes::cutter(std::uint64_t id, int depth) {
         return half_space(kind, model_.values(id));
     }
     Cutter cutter;
-    const Account before = account_;  // the operand that is taken away does not count
+    const Account before = account_;  // the operand that is taken away does not count in the account
     Body body = item(id, depth + 1);
     account_ = before;
     fill(body);
@@ -344,7 +346,7 @@ IfcShapes::Cutter IfcShapes::cutter(std::uint64_t id, int depth) {
     return cutter;
 }
 
-// A wall with many openings is a long chain of first operands, so it is walked without recursion.
+// Follows the chain of first operands without recursion, because a wall with many openings is a long chain.
 Body IfcShapes::boolean(std::uint64_t id, int depth) {
     std::vector<std::uint64_t> chain;
     std::set<std::uint64_t> seen;
@@ -379,7 +381,8 @@ void IfcShapes::combine(Body& first, const Values& values, int depth) {
         combine_exactly(first, second, takes_away ? ExactCut::TakeAway : ExactCut::KeepWithin))
         return;
     // An open skin has no inside, so only its surface is cut.
-    if (!second.known || (!convex && (!second.skin.empty() || encloses(first)))) {  // the shape stays uncut
+    // In these cases the shape stays uncut.
+    if (!second.known || (!convex && (!second.skin.empty() || encloses(first)))) {
         ++approximated_;
         account_.uncut = model_.name(reference_at(values, 2));
         return;
@@ -398,7 +401,7 @@ void IfcShapes::combine(Body& first, const Values& values, int depth) {
     first = std::move(common);
 }
 
-// Half-spaces are bounded a little beyond the first operand.
+// Half-spaces are bounded slightly beyond the first operand, so that they become closed solids.
 bool IfcShapes::combine_exactly(Body& first, const Cutter& second, ExactCut cut) {
     constexpr double kBeyond_m = 1.0;
     Body by = second.skin;

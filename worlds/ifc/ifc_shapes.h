@@ -1,5 +1,5 @@
-// Reads IFC shape representations as solids and sheets, in metres and in the product's own frame. Unsupported classes
-// are counted by name. One reading thread uses it.
+// Reads IFC shape representations as solids and sheets, in metres and in the product's own frame. Classes that are not
+// supported are counted by name. Used on the reading thread only.
 #pragma once
 
 #include <map>
@@ -15,38 +15,42 @@ namespace handrail::ifc {
 
 class IfcShapes {
 public:
-    // Greatest depth of nested mapped items and second operands. First operands may be nested without limit.
+    // Greatest depth of nested mapped items and second operands. The depth of first operands is not limited.
     static constexpr int kDeepest = 200;
-    static constexpr std::size_t kMostItems = 400'000;  // items read in the whole file
+    static constexpr std::size_t kMostItems = 400'000;  // greatest number of items that are read in the whole file
     static constexpr std::size_t kMostFaces = 3'000'000;
 
     IfcShapes(const IfcModel& model, std::stop_token stop) : model_(model), stop_(std::move(stop)) {}
 
-    // The shape of an IfcProductDefinitionShape: its solid representation, else any other that encloses a volume.
+    // Returns the shape of an IfcProductDefinitionShape: its solid representation, or else any other representation
+    // that encloses a volume.
     Body body_of(std::uint64_t shape);
-    // Accounts for the last call of body_of: the volume of sweeps and closed shells by their outlines and faces, and
-    // the volume of the solids built. Neither includes cuts.
+    // The account of the last call of body_of. It compares the volume that the file states for sweeps and closed
+    // shells, computed from outlines and faces, with the volume of the solids that were built. Neither volume takes
+    // cuts into account.
     struct Account {
         double stated_m3 = 0.0, made_m3 = 0.0;
-        double stated_m2 = 0.0, made_m2 = 0.0;  // the same for the faces of open skins
-        int lost_faces = 0;                     // with too many corners, or with missing corners
-        std::string unread;                     // name of a class that is not supported
-        double result_share = 0.0;  // Share of the boolean results' volume that is missing; negative: surplus.
-        std::string uncut;          // class of an operand that could not be taken away
-        bool formed = false;        // there is a solid representation
+        double stated_m2 = 0.0, made_m2 = 0.0;  // the areas of the faces of open skins, stated and built
+        int lost_faces = 0;                     // number of faces with too many corners, or with missing corners
+        std::string unread;                     // name of a class that the shape uses and that is not supported
+        // The share of the volume of boolean results that is missing. Negative: there is too much volume.
+        double result_share = 0.0;
+        std::string uncut;    // class of an operand that could not be taken away
+        bool formed = false;  // the file has a solid representation
     };
     const Account& account() const { return account_; }
     const std::map<std::string, int, std::less<>>& not_read() const { return not_read_; }
-    int approximated() const { return approximated_; }  // curved faces, and cuts of shapes that enclose no volume
+    // Returns the number of curved faces, and of cuts of shapes that enclose no volume.
+    int approximated() const { return approximated_; }
     bool too_large() const { return items_ >= kMostItems || faces_ >= kMostFaces; }
-    // The remaining budget for exact cuts, shared by all parts of the file.
+    // Returns the remaining budget for exact cuts, which all parts of the file share.
     ExactLimits& exact_limits() { return exact_limits_; }
 
 private:
     struct Cutter {
-        std::vector<std::vector<Plane>> parts;  // each is a convex region, which may be unbounded
+        std::vector<std::vector<Plane>> parts;  // convex regions that together are the operand; each may be unbounded
         bool known = true;
-        Body skin;  // the whole operand, if convex parts cannot represent it
+        Body skin;  // the skin of the whole operand, if convex parts cannot represent it
     };
     Body item(std::uint64_t id, int depth);
     Body read_item(std::uint64_t id, int depth);
@@ -87,13 +91,14 @@ private:
         Body body;
         Account account;
     };
-    std::map<std::uint64_t, std::shared_ptr<const Mapped>> maps_;  // mapped representations, in their own frames
+    // Mapped representations by their id, in their own frames.
+    std::map<std::uint64_t, std::shared_ptr<const Mapped>> maps_;
     Account account_;
     std::map<std::string, int, std::less<>> not_read_;
     ExactLimits exact_limits_;
     std::size_t items_ = 0, faces_ = 0;
     int approximated_ = 0;
-    bool within_result_ = false;  // set while reading operands: a boolean result is compared as a whole
+    bool within_result_ = false;  // true while operands are read, because a boolean result is compared only as a whole
 };
 
 }  // namespace handrail::ifc

@@ -10,9 +10,10 @@
 namespace handrail::ifc {
 namespace {
 
-constexpr double kLowest_m = 0.05;  // faces this close to a space's lowest point belong to its floor
+constexpr double kLowest_m = 0.05;  // faces within this height of a space's lowest point belong to its floor
 
-// The outline of a space comes from the faces of its floor. Its solid is not used: in real files it is often open.
+// Sets the outline of a room from the faces of its floor. The solid of the space is not used, because in real files it
+// is often open.
 void outline(const Body& body, StatedRoom& room) {
     if (body.empty()) return;
     const Aabb box = body.bounds_m();
@@ -45,7 +46,8 @@ bool all_equal(const std::vector<StatedStorey>& storeys) {
                        [&](const StatedStorey& one) { return one.floor_m == storeys.front().floor_m; });
 }
 
-// Some programs place every storey at the building's own height and state only its elevation above the lowest storey.
+// Sets the heights of storeys from their elevations. Some programs place every storey at the height of the building and
+// state only the elevation above the lowest storey.
 void lay_by_elevation(std::vector<StatedStorey>& storeys, const std::vector<double>& elevations_m) {
     if (storeys.empty()) return;
     const double lowest_m = *std::min_element(elevations_m.begin(), elevations_m.end());
@@ -54,8 +56,8 @@ void lay_by_elevation(std::vector<StatedStorey>& storeys, const std::vector<doub
             storeys[i].floor_m += above_m;
 }
 
-// Some programs give national coordinates to the parts but leave the storeys at zero. Then the lowest storey is moved
-// to where the lowest part begins.
+// Moves the storeys to the parts. Some programs give national coordinates to the parts but leave the storeys at zero.
+// Then the lowest storey is moved to where the lowest part begins.
 void lay_under_parts(std::vector<StatedStorey>& storeys, const std::vector<IfcPart>& parts) {
     double least_part_m = std::numeric_limits<double>::infinity(), least_storey_m = least_part_m;
     for (const IfcPart& part : parts)
@@ -125,7 +127,8 @@ void read_spaces(IfcBuilding& building, IfcModel& model, const IfcRelations& rel
 
 namespace {
 
-// The box in which `holds` may be true for a room: its outline, from a step below the floor to the ceiling.
+// Returns for each room the box outside of which `holds` is always false. It contains the outline, from a step below
+// the floor up to the ceiling.
 std::vector<Aabb> boxes_of(const std::vector<StatedRoom>& rooms) {
     constexpr double kStep_m = 0.4;
     std::vector<Aabb> boxes;

@@ -1,4 +1,4 @@
-// Storeys and rooms of an IFC file. One reading thread uses them.
+// Reads the storeys and rooms of an IFC file. Used on the reading thread only.
 #pragma once
 
 #include "worlds/ifc/ifc_building.h"
@@ -12,11 +12,11 @@ void read_spaces(IfcBuilding& building, IfcModel& model, const IfcRelations& rel
 class RoomsByPlace {
 public:
     explicit RoomsByPlace(const std::vector<StatedRoom>& rooms);
-    // The first room in file order that contains the place; kNotStated if none does.
+    // Returns the first room in file order that contains the place; kNotStated if there is none.
     std::uint32_t first_at(const Vec3& at_m) const;
-    // All rooms that contain the place, in file order.
+    // Returns all rooms that contain the place, in file order.
     std::vector<std::uint32_t> all_at(const Vec3& at_m) const;
-    // The rooms whose boxes meet the given box, in file order.
+    // Returns the rooms whose boxes meet the given box, in file order.
     std::vector<std::uint32_t> near(const Aabb& box) const;
 
 private:
@@ -24,8 +24,8 @@ private:
     BoxIndex boxes_;
 };
 
-// The rooms on both sides of a gap, searched from 0.15 to 1.2 m from its middle: first behind it (-y), then before it
-// (+y). kNotStated if there is none.
+// Returns the rooms on both sides of a gap: first the one behind it (-y), then the one in front of it (+y). Each is
+// searched from 0.15 to 1.2 m from the middle of the gap, and is kNotStated if there is none.
 std::array<std::uint32_t, 2> rooms_beside(const RoomsByPlace& rooms, const WallGap& gap);
 
 }  // namespace handrail::ifc

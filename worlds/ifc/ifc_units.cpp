@@ -1,4 +1,4 @@
-// The length and angle units of the file: IfcUnitAssignment with SI and conversion-based units.
+// Reads the units of length and angle of the file: an IfcUnitAssignment with SI units and conversion-based units.
 #include <array>
 
 #include "worlds/base/text.h"
@@ -27,7 +27,7 @@ double prefix(std::string_view word) {
     return 1.0;
 }
 
-// Factor of a unit that states none.
+// Returns the factor of a unit by its name, for units that do not state their factor.
 double known_unit(const std::string& name) {
     if (name.find("foot") != std::string::npos || name.find("feet") != std::string::npos) return 0.3048;
     if (name.find("inch") != std::string::npos) return 0.0254;

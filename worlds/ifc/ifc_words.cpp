@@ -1,4 +1,4 @@
-// Translates words of a file into touch materials, prefabs and names that can be spoken.
+// Translates the words of a file into touch materials, prefabs and names that can be spoken.
 #include <algorithm>
 #include <array>
 
@@ -11,8 +11,8 @@ namespace {
 struct Rule {
     std::string_view part, material;
 };
-// The first rule whose text is part of the word, in lower case, applies. If one text contains another, the longer comes
-// first.
+// The first rule applies whose text occurs in the word, in lower case. If one text contains another, the longer one
+// comes first.
 constexpr std::array kRules{
     Rule{"kunststoff", "plastic"}, Rule{"plastic", "plastic"},   Rule{"pvc", "plastic"},
     Rule{"vinyl", "plastic"},      Rule{"linoleum", "plastic"},  Rule{"gypsum", "plaster"},
@@ -36,12 +36,13 @@ constexpr std::array kRules{
     Rule{"grass", "grass"},
 };
 
-enum class Found { Anywhere, AtStart, Alone };  // anywhere in a word, at the start of a word, or as the whole word
+// Where the text must occur: anywhere in a word, at the start of a word, or as the whole word.
+enum class Found { Anywhere, AtStart, Alone };
 struct KindRule {
     std::string_view part, prefab;
     Found found = Found::Anywhere;
 };
-// The same for furniture.
+// The rules for furniture. The first rule that matches applies.
 constexpr std::array kKindRules{
     KindRule{"elevator", "lift_cabin"},
     KindRule{"aufzug", "lift_cabin"},
@@ -92,7 +93,7 @@ constexpr std::array kKindRules{
     KindRule{"bett", "bed"},
     KindRule{"bed", "bed", Found::AtStart},
 };
-// Words for things on, at or next to furniture, or for something else altogether.
+// Words for things on, at or next to furniture, and for things that are no furniture at all.
 constexpr std::array<std::string_view, 11> kNoKind{"bedroom",   "lamp",    "leuchte",   "light",
                                                    "cloth",     "mirror",  "spiegel",   "wheelchair",
                                                    "rollstuhl", "bedside", "nachttisch"};

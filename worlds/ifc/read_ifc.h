@@ -1,4 +1,4 @@
-// Reads IFC (2x3, 4, 4x2, 4x3) as a Scene. The building is solid if the file contains solids; rooms and doors are those
+// Reads IFC (2x3, 4, 4x2, 4x3) as a Scene. The building is solid if the file contains solids. Rooms and doors are those
 // that the file states. Any thread may call it.
 #pragma once
 
@@ -13,15 +13,15 @@
 namespace handrail::ifc {
 
 struct IfcOptions {
-    std::string world_name;       // used if the file has no name that can be spoken
-    bool guess_materials = true;  // from the names in the file
+    std::string world_name;       // name of the world if the file has none that can be spoken
+    bool guess_materials = true;  // guess materials from the names in the file
     std::function<void(double fraction)> progress;
-    std::function<void(std::string_view stage)> stage;  // receives the key of a text
+    std::function<void(std::string_view stage)> stage;  // called with the current stage, as the key of a text
     std::stop_token stop;
 };
 
-// The same bytes always give the same Scene. Fails with one sentence if the file is damaged, cut short, of another
-// schema, without a building, or too large.
+// Reads the building. The same bytes always give the same Scene. Fails with one sentence if the file is damaged, cut
+// short, in another schema, without a building, or too large.
 Result<Scene> read_ifc_building(std::string_view bytes, const std::string& file_name, const IfcOptions& options = {});
 
 }  // namespace handrail::ifc

@@ -15,8 +15,9 @@ bool is_name(char c) {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
 }
 
-// How many characters after \S\ belong to it. An apostrophe there is a shifted one (a section sign), which some
-// programs double. It ends the text instead if a comma or a bracket follows, as in a path that was not escaped.
+// Returns how many characters after \S\ belong to it. An apostrophe there is a shifted character (a section sign),
+// which some programs double. But if a comma or a bracket follows, the apostrophe ends the text, as in a path that was
+// not escaped.
 int shifted_length(std::string_view after) {
     if (!after.starts_with('\'')) return after.empty() ? 0 : 1;
     const auto ends_text = [&](std::size_t from) {
@@ -27,7 +28,7 @@ int shifted_length(std::string_view after) {
     return after.starts_with("''") && !ends_text(2) ? 2 : 1;
 }
 
-// Walks over the bytes and counts lines.
+// Reads the bytes one after the other and counts lines.
 class Cursor {
 public:
     explicit Cursor(std::string_view bytes) : bytes_(bytes) {}
@@ -75,7 +76,7 @@ public:
         }
         return false;
     }
-    // Moves past the next semicolon outside strings and comments, and sets `text` to what comes before it. Returns
+    // Moves past the next semicolon that is outside texts and comments. Sets `text` to everything before it. Returns
     // false if the file ends first.
     bool statement(std::string_view& text) {
         const std::size_t begin = at_;
@@ -109,7 +110,7 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-// Splits "NAME(...)" into name and values; "(A(...)B(...))" has no name.
+// Splits "NAME(...)" into name and values. For "(A(...)B(...))", the name is empty.
 bool split_record(std::string_view text, std::string_view& name, std::string_view& values) {
     text = trimmed(text);
     Cursor cursor(text);
@@ -120,7 +121,7 @@ bool split_record(std::string_view text, std::string_view& name, std::string_vie
     return true;
 }
 
-// Parses commas and brackets into values, with an explicit stack instead of recursion.
+// Parses commas and brackets into values. It uses an explicit stack instead of recursion.
 class ValueParser {
 public:
     explicit ValueParser(std::string_view text) : text_(text), cursor_(text) {}
@@ -145,7 +146,7 @@ public:
 private:
     struct Open {
         std::vector<StepValue>* into = nullptr;
-        bool typed = false;  // the brackets belong to a typed value, not to a list
+        bool typed = false;  // true if the brackets belong to a typed value and not to a list
     };
 
     bool open_list(std::string_view type, bool typed) {
@@ -195,7 +196,7 @@ private:
             const std::string_view digits = cursor_.name();
             const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value.reference);
             if (error != std::errc{} || end != digits.data() + digits.size()) return false;
-        } else if (c == '"') {  // binary values are not used
+        } else if (c == '"') {  // skips binary values, which are not used
             cursor_.step();
             while (!cursor_.at_end() && cursor_.peek() != '"') cursor_.step();
             if (cursor_.at_end()) return false;

@@ -1,7 +1,7 @@
-// Reads STEP files (ISO 10303-21): the header, and an index of numbered instances made in one pass over the bytes. An
-// instance's values are parsed only when they are requested. The reader accepts any bytes, never recurses, and rejects
-// damaged files with one sentence. Immutable after reading, so any thread may use it. Source: ISO 10303-21:2016,
-// clauses 5 to 8.
+// Reads STEP files (ISO 10303-21): the header, and an index of the numbered instances, which is made in one pass over
+// the bytes. The values of an instance are parsed only when they are requested. The reader accepts any bytes, never
+// recurses, and rejects damaged files with one sentence. A StepFile never changes after reading, so any thread may use
+// it. Source: ISO 10303-21:2016, clauses 5 to 8.
 #pragma once
 
 #include <cstdint>
@@ -15,29 +15,33 @@
 
 namespace handrail::ifc {
 
-// One value of an instance. `$` and `*` are Nothing. A typed value such as IFCLABEL('x') is the value inside.
+// One value of an instance. `$` and `*` become Nothing. A typed value such as IFCLABEL('x') becomes the value within
+// it.
 struct StepValue {
     enum class Kind : std::uint8_t { Nothing, Number, Text, Word, Reference, List };
     Kind kind = Kind::Nothing;
-    double number = 0.0;           // for Number
-    std::uint64_t reference = 0;   // for Reference
-    std::string_view text;         // Text: raw, as between the apostrophes; Word: .T. without its dots
-    std::string_view type;         // name of a typed value, else empty
-    std::vector<StepValue> items;  // for List
+    double number = 0.0;          // the value if kind is Number
+    std::uint64_t reference = 0;  // the number of the instance if kind is Reference
+    // For Text: the raw text between the apostrophes; for Word: the word of .T. without its dots.
+    std::string_view text;
+    std::string_view type;         // type name of a typed value; else empty
+    std::vector<StepValue> items;  // the values if kind is List
 };
 
 struct StepInstance {
     std::uint64_t id = 0;
-    std::string_view name;    // upper case as the standard requires, "IFCWALL"; empty if the instance has several names
-    std::string_view values;  // between the outer brackets; the whole record if there are several names
+    // In upper case, as the standard requires: "IFCWALL"; empty if the instance has several names.
+    std::string_view name;
+    std::string_view values;  // the text between the outer brackets; the whole record if the instance has several names
     int line = 0;
 };
 
 class StepFile {
 public:
-    static constexpr int kDeepest = 32;  // depth of nested lists
+    static constexpr int kDeepest = 32;  // greatest depth of nested lists
 
-    // Views point into `bytes`, which must outlive the file. Fails if the file is not STEP, is cut short or is damaged.
+    // Reads a file. Views in the StepFile point into `bytes`, which must outlive it. Fails if the file is not STEP, is
+    // cut short or is damaged.
     static Result<StepFile> read(std::string_view bytes, const std::string& file_name,
                                  const std::stop_token& stop = {});
 
@@ -45,7 +49,7 @@ public:
     const std::string& schema() const { return schema_; }                      // as in the header, such as "IFC2X3"
     const std::vector<StepInstance>& instances() const { return instances_; }  // in file order
     const StepInstance* find(std::uint64_t id) const;
-    // The values of an instance of this file with one name. The list ends at the first damaged value.
+    // Returns the values of an instance that has one name. The list ends at the first damaged value.
     std::vector<StepValue> values_of(const StepInstance& instance) const;
 
 private:
@@ -54,8 +58,8 @@ private:
     std::unordered_map<std::uint64_t, std::uint32_t> place_of_;
 };
 
-// Decodes a string of the file as UTF-8: doubled apostrophes, doubled backslashes, \S\, \P.\, \X\hh, \X2\...\X0\ and
-// \X4\...\X0\. A byte above 127 that is not UTF-8 is read as Latin-1.
+// Decodes a string of the file to UTF-8. Handles doubled apostrophes, doubled backslashes, \S\, \P.\, \X\hh,
+// \X2\...\X0\ and \X4\...\X0\. A byte above 127 that is not UTF-8 is read as Latin-1.
 std::string decoded(std::string_view raw);
 
 }  // namespace handrail::ifc

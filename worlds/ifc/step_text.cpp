@@ -1,4 +1,4 @@
-// Strings of STEP files, by ISO 10303-21, clause 6.4.3.
+// Decodes strings of STEP files, by ISO 10303-21, clause 6.4.3.
 #include <array>
 #include <cstdint>
 
@@ -26,7 +26,7 @@ int hex(char c) {
                                   : -1;
 }
 
-// Parses exactly `digits` hexadecimal digits; returns false if they are missing or invalid.
+// Parses exactly `digits` hexadecimal digits. Returns false if they are missing or invalid.
 bool hex_number(std::string_view text, std::size_t digits, std::uint32_t& value) {
     if (text.size() < digits) return false;
     value = 0;
@@ -37,8 +37,8 @@ bool hex_number(std::string_view text, std::size_t digits, std::uint32_t& value)
     return true;
 }
 
-// The code points where a part of ISO 8859 differs from Latin-1 for \S\: Cyrillic (5), Greek (7), Hebrew (8), and six
-// characters of Turkish (9). All other parts are read as Latin-1.
+// Returns the character for \S\ in a part of ISO 8859 that differs from Latin-1: Cyrillic (5), Greek (7), Hebrew (8),
+// and six characters of Turkish (9). All other parts are read as Latin-1.
 std::uint32_t of_page(char page, std::uint32_t code) {
     if (page == 'E' && code >= 0xa1 && code != 0xad) return code == 0xf0 ? 0x2116 : code == 0xfd ? 0xa7 : code + 0x360;
     if (page == 'G' && code >= 0xb4 && code != 0xb7 && code != 0xbb && code != 0xbd) return code + 0x2d0;
@@ -68,7 +68,7 @@ std::string decoded(std::string_view raw) {
             const std::size_t digits = rest[2] == '2' ? 4 : 8;
             i += 4;
             for (std::uint32_t high = 0; hex_number(raw.substr(i), digits, code); i += digits) {
-                if (digits == 4 && code >= 0xd800 && code < 0xdc00) {  // a UTF-16 surrogate pair
+                if (digits == 4 && code >= 0xd800 && code < 0xdc00) {  // a surrogate pair of UTF-16
                     high = code;
                     continue;
                 }
@@ -83,7 +83,7 @@ std::string decoded(std::string_view raw) {
             i += 5;
         } else if (rest.starts_with("\\S\\") && rest.size() > 3) {
             add_utf8(text, of_page(page, 0x80 | (static_cast<unsigned char>(rest[3]) & 0x7fU)));
-            i += rest.substr(3).starts_with("''") ? 5 : 4;  // some programs double an apostrophe here too
+            i += rest.substr(3).starts_with("''") ? 5 : 4;  // some programs double the apostrophe here too
         } else if (rest.size() >= 4 && rest.starts_with("\\P") && rest[3] == '\\') {
             page = rest[2];
             i += 4;
