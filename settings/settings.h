@@ -34,9 +34,9 @@ struct DeviceProfile {
     // is effective.
     std::optional<double> ceiling_n;
     std::optional<double> gentlest_n;                   // the weakest force that the person noticed, in N, 0.02 to 2
-    std::optional<HoldingHand> hand;                    // the hand that holds the device
-    std::optional<double> scale;                        // as workspace.scale
-    std::optional<double> offset_ahead_m, offset_up_m;  // as the fields of workspace with these names
+    std::optional<HoldingHand> hand;                    // the hand in which the person holds the device
+    std::optional<double> scale;                        // the value of workspace.scale for this person and device
+    std::optional<double> offset_ahead_m, offset_up_m;  // the values of the workspace fields with these names
     // Size of the space that the hand reaches comfortably, in hand metres, 0.01 to 1.
     std::optional<double> width_m, depth_m, height_m;
 };
@@ -101,7 +101,7 @@ struct Settings {
         bool rounded = true;
         bool rooms = true;    // the name of a room is announced when the walker enters it
         bool braille = true;  // announcements are also shown on a braille display
-        // The built-in voice comes from the direction of the thing or part of a route that it names.
+        // the built-in voice is heard from the direction of the object or part of a route that it names
         bool from_places = false;
         bool crowding_hint = false;  // entering a world announces where many materials are close together
     } speech;
@@ -128,14 +128,15 @@ struct Settings {
         bool wall_tone = true, contact = true, slide = true, splash = true, door = true, footstep = true, bump = true,
              world = true, denied = true, forces = true, turn = true, frame = true, arrived = true;
         bool corner = true, drop = true,
-             ways = true;         // further cues: corners and openings; edges; doors and stairs ahead
+             // Further cues: drop for edges, corner for corners and openings, ways for doors and stairs ahead.
+            ways = true;
         bool swap_sides = false;  // exchanges left and right, for headphones that are worn or wired the wrong way round
         bool as_text = false;   // describes every cue in a few words of text, for people who read instead of listening
         bool workspace = true;  // a cue: scrolling at the rim, or moving with the grip, begins or ends
         bool desk = true;       // a cue: clicks at the wall of the desk and at its controls
         bool marks = true;      // a cue: marks, landmarks and clues nearby
         bool beacon = true;     // a cue: the beacon, and the sounds "warmer" and "colder"
-        bool guide = true;      // a cue: leading the hand begins or ends
+        bool guide = true;      // a cue: a sound when leading the hand begins or ends
     } sound;
     struct Desk {
         // Pulling the hand through a wall towards the body, or pressing the desk's key, brings it to the desk.
@@ -172,9 +173,9 @@ struct Settings {
     } keyboard;
     struct Welcome {
         bool done = false;  // the introduction, which runs at the first start, is finished
-        int step = 0;       // the step at which the introduction continues, 0 to 20
+        int step = 0;       // the step at which the introduction continues after a restart, 0 to 20
     } welcome;
-    std::map<std::string, DeviceProfile> profiles;  // keyed by profile_key()
+    std::map<std::string, DeviceProfile> profiles;  // profiles by their profile_key()
     // Profiles in the person's file that are damaged and therefore not used. Their devices get the light force ceiling.
     std::set<std::string> damaged_profiles;
     // The key names of commands, by command name. Contains only the commands whose keys differ from the built-in table.
@@ -226,8 +227,8 @@ public:
     void take_layer(SettingSource source, SettingsStore other);
     // Returns all settings in table order, then the entries of [workspace.device], [profile] and [keys].
     std::vector<SettingRow> explain() const;
-    // Saves live changes into the person's file and keeps everything else in it, including unknown keys and comments.
-    // Does nothing if there are no live changes. A file that cannot be read or understood is never replaced.
+    // Saves live changes into the person's file. Everything else in the file stays, including unknown keys and
+    // comments. Does nothing if there are no live changes. A file that cannot be read or understood is never replaced.
     Result<void> save_user_file();
     // save_user_file() in two steps, so that another thread can write the file. Returns what save_user_file() would
     // write now, or nothing if the file already has this content.
@@ -251,7 +252,7 @@ Result<void> change_setting(Settings& settings, std::string_view key, std::strin
 // Returns the path of the file for a world's own settings: house.settings.toml next to house.map. Empty if the world
 // has no file.
 std::filesystem::path settings_beside(const std::filesystem::path& world);
-// True if a world file may set this key.
+// Returns true if a world's settings file may set this key.
 bool world_may_set(std::string_view key);
 
 // Returns the name of a device's profile in lower case: "falcon a9001", or "sim-t" if the device has no serial number.

@@ -328,7 +328,7 @@ Result<void> apply(const SettingInfo& info, const SettingValue& value, Settings&
 }
 
 SettingValue current_value(const SettingInfo& info, const Settings& settings) {
-    // The accessors return references, but nothing is written through them here.
+    // The accessors need a non-const reference, but nothing is written through them here.
     Settings& s = const_cast<Settings&>(settings);
     return std::visit(Overloaded{[&](const NumberField& f) -> SettingValue { return f.at(s); },
                                  [&](const WholeField& f) -> SettingValue { return std::int64_t{f.at(s)}; },

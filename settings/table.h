@@ -72,8 +72,8 @@ std::string range_of(const ProfileInfo& info);
 std::string meaning_of(const SettingInfo& info);
 std::string meaning_of(const ProfileInfo& info);
 std::string spoken_unit(std::string_view unit);
-// Writes the value into the profile. If it is illegal, fails with one sentence that states the legal range, and changes
-// nothing.
+// Writes the value into the profile. If the value is illegal, fails with one sentence that states the legal range, and
+// changes nothing.
 Result<void> apply(std::string_view key, const ProfileInfo& info, const SettingValue& value, DeviceProfile& profile);
 SettingValue value_from_word(const ProfileInfo& info, std::string_view word);
 
@@ -84,7 +84,7 @@ std::string range_of(const SettingInfo& info);
 Result<void> apply(const SettingInfo& info, const SettingValue& value, Settings& settings);
 // Returns the value if it is a decimal number within the range of `plain`; else fails with an error about `key`.
 Result<double> number_in_range(std::string_view key, const SettingInfo& plain, const SettingValue& value);
-// True for 1 to 64 printable characters of valid UTF-8.
+// True if the text is well-formed UTF-8 and has 1 to 64 printable characters.
 bool is_short_text(std::string_view text);
 // Returns the value if it is a text of 1 to 64 printable characters; else fails.
 Result<std::string> short_text(std::string_view key, const SettingValue& value);

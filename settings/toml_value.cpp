@@ -79,7 +79,7 @@ TomlValue value_of(const toml::node& node, int depth) {
 toml::array array_of(const TomlValue::Array& items);
 toml::table table_of(const TomlValue& value);
 
-// Calls `add` with the value in toml++'s own type.
+// Calls `add` with the value, converted to the type that toml++ uses for it.
 template <class Add>
 void add_node(const TomlValue& value, const Add& add) {
     std::visit(

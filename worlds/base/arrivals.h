@@ -17,10 +17,10 @@ class Arrivals {
     enum class Mode : std::uint8_t { Outside, Counts, LooksOnly };
 
 public:
-    // For a live session: a result is available as soon as it is done. `tell` receives the count of each query that was
-    // answered with yes.
+    // Makes the object for a live session, in which a result is available as soon as it is done. `tell` receives the
+    // count of each query that was answered with yes.
     explicit Arrivals(std::function<void(std::uint64_t asked)> tell) : tell_(std::move(tell)) {}
-    // For a replay: the queries with these counts are answered with yes, and no others.
+    // Makes the object for a replay. The queries with the counts in `came` are answered with yes, and no others.
     explicit Arrivals(std::set<std::uint64_t> came) : came_(std::move(came)) {}
 
     // While a Turn exists, queries are counted and answered as described above. While none exists, results are

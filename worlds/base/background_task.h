@@ -47,7 +47,8 @@ public:
     }
     // True if the task begun last is done. take() then returns its result, or nothing if memory ran out.
     bool ready() const { return !next_ && run_ && run_->done.load(std::memory_order_acquire); }
-    // True if a task that was not cancelled is waiting to start, running, or done with its result not yet taken.
+    // True if a task is waiting to start, is running, or is done but take() has not yet returned its result. Cancelled
+    // tasks do not count.
     bool busy() const { return next_ || (run_ && !run_->stop.stop_requested()); }
     // Returns the result of the task begun last, once that task is done. If the task ran out of memory, take() never
     // returns a result.

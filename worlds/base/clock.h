@@ -13,7 +13,7 @@ public:
     virtual void sleep_until_s(double time_s) = 0;  // sleeps until `time_s`; returns at once if that time has passed
 };
 
-// Uses CLOCK_MONOTONIC and sleeps until absolute times, so that pacing does not drift.
+// The real clock of the system. It uses CLOCK_MONOTONIC and sleeps until absolute times, so that pacing does not drift.
 class SteadyClock final : public Clock {
 public:
     double now_s() const override;

@@ -1,4 +1,4 @@
-// Combines several lambdas into one visitor for std::visit: std::visit(Overloaded{[](int) {...}, [](bool) {...}},
+// Combines several lambdas into one visitor for std::visit, as in std::visit(Overloaded{[](int) {...}, [](bool) {...}},
 // value).
 #pragma once
 

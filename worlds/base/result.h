@@ -16,7 +16,7 @@ struct Error {
     int column = 0;
     std::string message;
 
-    // "house.map, line 12, column 4: message"; unknown parts are left out.
+    // Returns the error as text, such as "house.map, line 12, column 4: message". Leaves out unknown parts.
     std::string sentence() const;
 };
 
@@ -39,7 +39,8 @@ struct Diagnostic {
     std::string message;
     std::string action;
 
-    // "house.map, line 4752, column 41: error: a face ends early. This brush was left out."
+    // Returns the fault as text, such as "house.map, line 4752, column 41: error: a face ends early. This brush was
+    // left out."
     std::string sentence() const;
 };
 

@@ -1,4 +1,4 @@
-// Small text helpers for the readers, the settings and the command line.
+// Small functions on text for the readers, the settings and the command line.
 #pragma once
 
 #include <optional>

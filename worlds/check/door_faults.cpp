@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kJamb_m = 0.06;       // greatest distance between the side of a leaf and its wall or frame
 constexpr double kBesideDoor_m = 1.0;  // distance on both sides of a door within which floors are considered
-constexpr double kTallest_m = 4.0;     // greatest height of a door, if no floors are known
+constexpr double kTallest_m = 4.0;     // greatest height of a door; used if no floors are known
 constexpr double kInFront_m = 0.5;     // a thing nearer to the door than this may block it
 
 // One or more leaves that are next to each other and open together.

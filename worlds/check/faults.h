@@ -27,10 +27,10 @@ enum class FaultKind : std::uint8_t {
     DoorOverLevels,    // a door that extends across the floors of two storeys
     FloorEnds,         // an edge of the floor with nothing below and nothing to hold on to
     UnguardedDrop,     // an edge that is too high for routes to lead a walker down
-    CrossingOutline,   // the outline of a room, as the file states it, crosses itself
+    CrossingOutline,   // the outline that the file states for a room crosses itself
     OverlappingRooms,  // two rooms in the same place
     OpenToOutside,     // an opening without a door from a covered room into the open
-    OpenRoof,          // a part of a covered room is under the sky
+    OpenRoof,          // a part of a covered room has no roof
     Crack,             // a gap between two walls or floors that nearly touch
     DoorToNoRoom,      // a door with no room of the file on either side
     UnlikeFile,        // the file connects two rooms here, but nobody can walk from one to the other

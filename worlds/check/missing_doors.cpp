@@ -13,8 +13,8 @@ namespace handrail::check {
 namespace {
 
 constexpr double kThickest_m = 0.8, kThinnest_m = 0.03;
-constexpr double kWidth_m = 0.9;      // width of a doorway, if the wall is long enough
-constexpr double kNarrowest_m = 0.7;  // least width that people can pass
+constexpr double kWidth_m = 0.9;      // width of a made doorway, if the wall is long enough
+constexpr double kNarrowest_m = 0.7;  // least width of a made doorway that people can pass
 constexpr double kSameFloor_m = 0.15;
 // Base of the scores of walls near the given place; greater than the length of any wall.
 constexpr double kNear_m = 1e6;

@@ -14,7 +14,7 @@
 namespace handrail::check {
 
 struct MissingDoor {
-    std::uint32_t to = navigation::kNothing;  // index of the room on the other side
+    std::uint32_t to = navigation::kNothing;  // index of the room on the other side of the door
     MadeDoor door;                            // the door to make; its name is empty
 };
 

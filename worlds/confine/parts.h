@@ -1,4 +1,4 @@
-// The two halves of `confine`. Private to this folder.
+// The two parts of `confine`: system calls and files. Private to this folder.
 #pragma once
 
 #include "worlds/confine/confine.h"

@@ -26,7 +26,7 @@ struct PlanSpace {
     PlanSpaceKind kind = PlanSpaceKind::Room;
     bool walled = true;               // the space has walls on all sides, like a room, whatever its kind
     std::string name;                 // for speech; may be empty
-    std::string number;               // such as "A101"; may be empty
+    std::string number;               // number of the space, such as "A101"; may be empty
     std::string id;                   // identifier from the file, in the form that is reported to the person: "way 12"
     std::vector<Ring> rings;          // outline and holes by the even-odd rule
     std::vector<std::size_t> levels;  // rising indices into FloorPlan::levels; stairs and lifts connect these levels
@@ -80,7 +80,7 @@ struct PlanThing {
     bool window = false;   // the object is a pane on a wall
     bool fixture = false;  // the object is part of the building, not furniture
     bool landmark = false, clue = false;
-    std::string material;  // name in the material library; may be empty
+    std::string material;  // material of the object: a name in the material library; may be empty
     int line = 0;
 };
 
@@ -122,7 +122,7 @@ struct PlanWay {
     bool area = false;            // the way is a level area, and `line` is its outline
     Ring line;                    // points in order; ways that share a point lead into each other
     std::vector<Ring> further;    // further outlines of an area; the even-odd rule applies to all outlines together
-    std::vector<double> floor_m;  // height of each point
+    std::vector<double> floor_m;  // height of the floor at each point of `line`
     double width_m = 2.0;
     std::vector<std::string> facts;
 };
@@ -134,7 +134,7 @@ inline std::vector<Ring> rings_of_way(const PlanWay& way) {
     return rings;
 }
 
-// Another building, or a part of one that is above the ground, as one solid.
+// Another building, or a part of one that is above the ground. It becomes a single solid.
 struct PlanBlock {
     std::string name;
     std::vector<Ring> rings;
@@ -143,7 +143,7 @@ struct PlanBlock {
 
 struct FloorPlan {
     std::string name;    // name of the building; may be empty
-    std::string format;  // for ReadReport::format
+    std::string format;  // name of the format, for ReadReport::format
     std::string schema;  // version of the file's format, in the form that is reported to the person
     double storey_m = 3.0;
     double wall_m = 0.12;           // thickness of walls; half of it is on each side of an outline

@@ -14,7 +14,7 @@ namespace handrail::floorplan {
 namespace {
 
 constexpr std::size_t kMostSolids = 150'000;
-// The unit in which derive_surfaces measures its tolerances, the same as for maps.
+// The unit for the tolerances of derive_surfaces, the same as for maps.
 constexpr double kSurfaceUnit_m = 1.0 / 32.0;
 constexpr double kSlab_m = 0.2, kCeiling_m = 0.1, kFacts_m = 2.0;
 constexpr double kLeastStorey_m = 2.2;

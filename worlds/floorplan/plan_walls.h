@@ -28,7 +28,7 @@ struct DoorGap {
     Vec2 at{0.0};          // the middle of the door
     Vec2 along{1.0, 0.0};  // unit vector along the wall
     double width_m = 0.9;
-    bool in_wall = false;              // false if no wall is near
+    bool in_wall = false;              // true if the door is in a wall; false if no wall is near
     bool moved = false;                // the door was moved away from a corner of walls
     std::vector<std::size_t> spaces;   // the spaces that the door connects, as rising indices
     std::array<std::size_t, 2> sides;  // the spaces to the left and to the right of `along`; kNoSpace: none

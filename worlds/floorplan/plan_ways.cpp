@@ -26,7 +26,7 @@ bool joins(const PlanDoor& door, std::size_t space) {
     });
 }
 
-// Returns whether the point is on the outline or within kNear_m of it.
+// Returns true if the point is on the outline or within kNear_m of it.
 bool lies_on(const std::vector<Ring>& rings, const Vec2& at) {
     constexpr double kNear_m = 0.3;
     return distance_to_outline(rings, at) < kNear_m;

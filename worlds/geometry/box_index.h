@@ -19,7 +19,7 @@ class BoxIndex {
 public:
     struct Node {
         Aabb box;
-        // Of a leaf: index into items(); of an inner node: the first of its two adjacent children.
+        // in a leaf: index into items(); in an inner node: the first of its two adjacent children
         std::uint32_t first = 0;
         std::uint32_t items = 0;  // number of items in a leaf; 0: the node is an inner node
     };

@@ -8,7 +8,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kAxisSnap = 1e-12;       // a normal this near to an axis is set to the axis
+constexpr double kAxisSnap = 1e-12;       // a normal that differs from an axis by less than this becomes that axis
 constexpr double kSameDirection = 1e-10;  // two normals whose dot product differs from 1 by less count as the same
 
 // Moves the point onto an axis-aligned plane by setting the one coordinate that the plane determines.

@@ -20,7 +20,7 @@ constexpr double kMeshSameTurn = 1.0 - 1e-4;
 constexpr double kThinnest_m = 1e-4;  // a mesh thinner than this is degenerate and has no inside
 constexpr std::size_t kMostFragments = 200'000;
 constexpr std::size_t kPlanesTried = 16;  // number of planes that are compared to choose each cut
-constexpr std::size_t kFewFaces = 8;      // a convex part with no more faces than this is not halved further
+constexpr std::size_t kFewFaces = 8;      // a convex part with at most this many faces is not halved further
 
 // Returns a number for each point. Points at exactly the same position get the same number.
 std::vector<std::uint32_t> joined_points(std::span<const Vec3> points_m) {
@@ -342,7 +342,8 @@ std::vector<MeshShell> shells_of(std::span<const Vec3> points_m, std::span<const
     for (std::size_t i = 1; i < edges.size(); ++i)
         if (edges[i][0] == edges[i - 1][0] && edges[i][1] == edges[i - 1][1]) pieces.join(edges[i][2], edges[i - 1][2]);
     constexpr std::uint32_t kNew = 0xffffffffU;
-    std::vector<std::uint32_t> shell_of(triangles.size(), kNew);  // indexed by the root of the piece
+    // For each triangle that represents a piece: the index of its shell.
+    std::vector<std::uint32_t> shell_of(triangles.size(), kNew);
     std::vector<MeshShell> shells;
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
         std::uint32_t& shell = shell_of[pieces.find(t)];

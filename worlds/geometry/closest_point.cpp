@@ -9,7 +9,8 @@
 namespace handrail {
 namespace {
 
-constexpr double kStraight_m = 1e-9;  // a corner of a polygon this near to the line between its neighbours is dropped
+// A corner of a polygon is dropped if it is this close to the line between its neighbours.
+constexpr double kStraight_m = 1e-9;
 // A triangle whose height over its longest edge is below this is treated as a segment.
 constexpr double kLowestTriangle_m = 1e-7;
 

@@ -19,10 +19,10 @@ namespace handrail {
 inline constexpr double kSideless_m = 1e-12;
 
 struct ClosestPoint {
-    Vec3 point_m{0.0};  // on the shape's surface
+    Vec3 point_m{0.0};  // the nearest point on the surface of the shape
     // Unit length, pointing away from the shape: dot(normal, o) <= dot(normal, point_m) for every point o of the shape.
     Vec3 normal{0.0, 0.0, 1.0};
-    double distance_m = 0.0;  // negative inside solids
+    double distance_m = 0.0;  // distance from the query point to the surface; negative inside solids
 };
 
 // A triangle prepared for queries. It is a two-sided sheet. If its height over the longest edge is less than 1e-7 m, it
@@ -81,14 +81,15 @@ ClosestPoint closest_point(const TriangleShape& triangle, const Vec3& point_m) n
 ClosestPoint closest_point_of_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const Vec3& point_m) noexcept;
 // Like closest_point for a triangle. The cost grows with the number of edges.
 ClosestPoint closest_point(const PolygonShape& polygon, const Vec3& point_m) noexcept;
-// For an axis-aligned box. If the point is inside, the nearest face determines the answer.
+// Returns the point of an axis-aligned box nearest to `point_m`. If `point_m` is inside, the nearest face determines
+// the result.
 ClosestPoint closest_point(const Aabb& box, const Vec3& point_m) noexcept;
-// For a bounded convex solid that is given by its planes (at least 4). If the point is inside, the nearest plane
-// determines the answer.
+// Returns the point nearest to `point_m` of a bounded convex solid, which is given by its planes (at least 4). If
+// `point_m` is inside, the nearest plane determines the result.
 ClosestPoint closest_point(std::span<const Plane> solid, const Vec3& point_m) noexcept;
-// For the same solids with every edge and corner rounded. The rounded solid consists of all points within rounding_m of
-// the solid that remains if each face moves inwards by rounding_m. Over a face the answer is bit-identical to that of
-// the sharp solid. Expects that every face still has an area after it has moved.
+// Return the nearest point of the same solids after every edge and corner was rounded. The rounded solid consists of
+// all points within rounding_m of the solid that remains if each face moves inwards by rounding_m. Over a face the
+// result is bit-identical to that of the sharp solid. Expects that every face still has an area after it has moved.
 ClosestPoint closest_point(const Aabb& box, double rounding_m, const Vec3& point_m) noexcept;
 ClosestPoint closest_point(std::span<const Plane> solid, double rounding_m, const Vec3& point_m) noexcept;
 

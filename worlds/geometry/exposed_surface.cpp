@@ -176,7 +176,7 @@ private:
     double cut_m_;
     std::array<int, 2> axes_{};
     std::size_t side_ = 1, left_in_all_ = 0;
-    std::vector<Part> parts_;  // linked lists by `next`
+    std::vector<Part> parts_;  // linked lists, connected by Part::next
     std::vector<std::vector<std::uint32_t>> cells_;
     std::vector<std::uint32_t> met_;
     std::vector<std::vector<Vec3>> left_;

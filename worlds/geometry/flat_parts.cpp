@@ -113,7 +113,7 @@ void join_neighbours(std::vector<Ring>& parts) {
             }
             parts[i] = std::move(both);
             parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(j));
-            j = i + 1;  // parts that did not fit before may fit now
+            j = i + 1;  // starts again, because parts that could not be joined before may be joined now
         }
 }
 
@@ -268,7 +268,7 @@ private:
 
     std::vector<Vec2> corners_;
     std::vector<Ring> rings_;
-    std::map<std::size_t, std::vector<std::size_t>> ways_;  // the borders: from each corner to the next corners
+    std::map<std::size_t, std::vector<std::size_t>> ways_;  // borders as a graph: from each corner to the next corners
 };
 
 }  // namespace

@@ -36,7 +36,8 @@ template <class Real>
 struct BasicProjectionBasis {
     int count = 0;
     std::array<int, 3> index{};
-    std::array<Real, 3> multiplier_m{};  // >= 0; point - goal == sum of multiplier * normal
+    // Multipliers of the half-spaces, >= 0; point - goal == sum of multiplier * normal.
+    std::array<Real, 3> multiplier_m{};
     glm::vec<3, Real> point_m{0};
 };
 using ProjectionBasis = BasicProjectionBasis<double>;

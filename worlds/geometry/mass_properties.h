@@ -30,7 +30,7 @@ MassProperties mass_properties(const RoundShape& shape) noexcept;
 MassProperties together(const MassProperties& a, const MassProperties& b) noexcept;
 
 struct PrincipalAxes {
-    Rotation rotation;     // from the principal frame to the frame of the solid
+    Rotation rotation;     // rotation from the principal frame to the frame of the solid
     Vec3 inertia_m5{0.0};  // moment of inertia about each axis of the principal frame, for a density of 1
 };
 // Finds the principal axes by Jacobi's method (1846). Axes of the solid's frame that are principal already are kept.

@@ -27,7 +27,7 @@ inline Rotation normalized(const Rotation& q) noexcept {
     return {q.w * k, q.x * k, q.y * k, q.z * k};
 }
 
-// The product first applies `b`, then `a`: (a * b)(v) == a(b(v)).
+// Composes two rotations: the product first applies `b`, then `a`, so (a * b)(v) == a(b(v)).
 inline Rotation operator*(const Rotation& a, const Rotation& b) noexcept {
     return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
             a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};

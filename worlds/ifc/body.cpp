@@ -277,7 +277,7 @@ bool cut_away(Body& body, std::span<const Plane> planes) {
         if (overlap(box, solid.bounds_m) && left.size() < kMostPieces) rest = solid;
         for (const Plane& plane : planes)
             if (rest) rest = behind(*rest, plane);
-        if (!rest) {  // the solid and the cutter do not meet
+        if (!rest) {  // the solid and the cutter do not overlap
             left.push_back(std::move(solid));
             continue;
         }

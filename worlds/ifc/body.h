@@ -69,7 +69,7 @@ inline constexpr double kFarthestPart_m = 1e6;
 // Removes the pieces that extend beyond kFarthestPart_m from the world's origin. Returns how many were removed.
 int drop_far(Body& body);
 
-// The interval that the points cover along a direction.
+// The interval that points cover along a direction.
 struct Reach {
     double least = 0.0, most = 0.0;
 };
@@ -82,7 +82,7 @@ bool cut_away(Body& body, std::span<const Plane> planes);
 void keep_within(Body& body, std::span<const Plane> planes);
 // Returns true if something crosses the vertical line from `low` up to `high`.
 bool crosses(const Body& body, const Vec3& low, const Vec3& high);
-// Returns true if `shape` and the body overlap by more than a flush contact.
+// Returns true if `shape` and the body overlap. A flush contact of two faces does not count.
 bool meets(const Body& body, const ConvexSolid& shape);
 
 }  // namespace handrail::ifc

@@ -16,7 +16,7 @@ constexpr double kAlikeShare = 0.01;  // two areas count as equal if they differ
 
 struct Face {
     std::vector<std::vector<Vec3>> rings;
-    Vec3 area{0.0};  // area vector of the outline; holes are not subtracted
+    Vec3 area{0.0};  // area vector of the outline, from which holes are not subtracted
     double size_m2 = 0.0;
 };
 

@@ -11,7 +11,7 @@ namespace {
 // Measures of the walker: half of the width, height, and the highest step up and down.
 constexpr double kBodyHalf_m = 0.25, kBodyTall_m = 1.8, kBodyStep_m = 0.25, kBodyDrop_m = 1.0;
 constexpr double kOnlyTouch_m = 0.01;   // an overlap of at most this depth counts as contact only
-constexpr double kTrialPace_m = 0.1;    // distance between two tested positions
+constexpr double kTrialPace_m = 0.1;    // distance between two positions at which the walker is tested
 constexpr double kStandsAway_m = 0.25;  // distance from the faces of the wall at which the walk starts and ends
 constexpr double kFloorAway_m = 0.6;    // distance from the faces of the wall at which there must be a floor
 constexpr double kDeepestWay_m = 6.0;   // greatest thickness of a wall that a door leads through

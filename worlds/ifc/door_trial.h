@@ -31,7 +31,7 @@ struct DoorTrial {
 
 class DoorTrials {
 public:
-    // `scene` must outlive this object and must not change meanwhile.
+    // `scene` must outlive this object and must not change during its life.
     explicit DoorTrials(const Scene& scene);
     DoorTrial try_door(const WallGap& gap) const;
 

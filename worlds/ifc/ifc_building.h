@@ -29,8 +29,8 @@ struct IfcPart {
     // Index of the whole to which this part belongs when it is touched, for example the stairs of a flight. Its own
     // index if it is no part of a whole.
     std::size_t whole = 0;
-    // Index of an earlier part with the same shape in the same place, which represents both. The `body` of this part is
-    // then empty. Its own index if there is no such part.
+    // Index of an earlier part with the same shape in the same place, which represents both parts. The `body` of this
+    // part is then empty. Its own index if there is no such earlier part.
     std::size_t same_as = 0;
     double width_m = 0.0, height_m = 0.0;  // size of a door or window as the file states it; 0: not stated
     std::string operation;                 // how a door operates, such as "SINGLE_SWING_LEFT"
@@ -72,8 +72,8 @@ struct IfcBuilding {
 IfcBuilding read_building(IfcModel& model, const IfcRelations& relations, const std::function<void(double)>& progress,
                           const std::stop_token& stop);
 
-// Sweeps a walker's body through a gap and cuts everything free that is in its way, except doors, with a box. Returns
-// the names of the parts that were cut; empty if the walker passed at once.
+// Sweeps a walker's body through a gap. Cuts a box out of every part that is in its way, except doors. Returns the
+// names of the parts that were cut; empty if the walker passed without a cut.
 std::vector<std::string> free_the_way(IfcBuilding& building, const WallGap& gap);
 // Returns true if a walker 0.5 m wide can pass through the gap.
 bool can_pass(const IfcBuilding& building, const WallGap& gap);

@@ -19,7 +19,7 @@ namespace {
 constexpr double kPaneThick_m = 0.06, kClear_m = 0.005;
 constexpr double kLeafTravel_s = 1.0;
 constexpr double kGroundThick_m = 0.2;
-constexpr double kCeiling_m = 1.0;           // greatest thickness of what is between the rooms of two storeys
+constexpr double kCeiling_m = 1.0;           // greatest thickness of the structure between the rooms of two storeys
 constexpr std::size_t kMostCellars = 2'000;  // greatest number of rooms that cut away the ground above them
 
 // Parts along which people walk or ride, each with the kind of portal that it becomes.

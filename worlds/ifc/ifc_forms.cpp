@@ -46,7 +46,7 @@ struct IfcShapes::Form {
     Vec3 axis_at{0.0};  // a point on the axis of a turn, in `frame`
     double turn_rad = 0.0;
     std::vector<Vec3> line;                // centre line of a pipe
-    double inner_m = 0.0, outer_m = 0.0;   // radii of a pipe
+    double inner_m = 0.0, outer_m = 0.0;   // inner and outer radius of a pipe
     std::vector<std::vector<Ring>> areas;  // profile of a sweep or turn, or the outline that bounds a half-space
     bool bounded = false;
     Plane plane;

@@ -12,7 +12,7 @@ namespace handrail::ifc {
 namespace {
 
 constexpr std::size_t kMostSolids = 150'000, kMostTriangles = 1'500'000;
-// The unit in which derive_surfaces measures its tolerances, the same as for maps.
+// The unit for the tolerances of derive_surfaces, the same as for maps.
 constexpr double kSurfaceUnit_m = 1.0 / 32.0;
 
 // The name of a part whose own name cannot be spoken or only states its class.

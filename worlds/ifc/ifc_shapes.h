@@ -35,7 +35,7 @@ public:
         std::string unread;                     // name of a class that the shape uses and that is not supported
         // The share of the volume of boolean results that is missing. Negative: there is too much volume.
         double result_share = 0.0;
-        std::string uncut;    // class of an operand that could not be taken away
+        std::string uncut;    // IFC class of an operand that could not be taken away
         bool formed = false;  // the file has a solid representation
     };
     const Account& account() const { return account_; }

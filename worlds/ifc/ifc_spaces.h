@@ -5,7 +5,7 @@
 
 namespace handrail::ifc {
 
-// Fills storeys, rooms and room_of_id.
+// Fills the members storeys, rooms and room_of_id of `building`.
 void read_spaces(IfcBuilding& building, IfcModel& model, const IfcRelations& relations, IfcShapes& shapes);
 
 // Finds the rooms at a place quickly. The rooms must outlive this object and must not change.

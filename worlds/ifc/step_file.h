@@ -22,7 +22,7 @@ struct StepValue {
     Kind kind = Kind::Nothing;
     double number = 0.0;          // the value if kind is Number
     std::uint64_t reference = 0;  // the number of the instance if kind is Reference
-    // For Text: the raw text between the apostrophes; for Word: the word of .T. without its dots.
+    // for Text: the raw text between the apostrophes; for Word: the word of .T. without its dots
     std::string_view text;
     std::string_view type;         // type name of a typed value; else empty
     std::vector<StepValue> items;  // the values if kind is List
@@ -46,7 +46,7 @@ public:
                                  const std::stop_token& stop = {});
 
     const std::string& file_name() const { return file_name_; }
-    const std::string& schema() const { return schema_; }                      // as in the header, such as "IFC2X3"
+    const std::string& schema() const { return schema_; }  // version of IFC, as the header states it: "IFC2X3"
     const std::vector<StepInstance>& instances() const { return instances_; }  // in file order
     const StepInstance* find(std::uint64_t id) const;
     // Returns the values of an instance that has one name. The list ends at the first damaged value.

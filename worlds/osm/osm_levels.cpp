@@ -18,7 +18,7 @@ bool take_level(std::string_view& text, double& level) {
     if (digits.empty() || digits.front() < '0' || digits.front() > '9') return false;
     const auto taken = take_number(text, false);
     if (!taken || !taken->in_range) return false;
-    level = taken->value + 0.0;  // turns -0 into 0
+    level = taken->value + 0.0;  // adding 0.0 turns -0 into 0
     return level >= kLowest && level <= kHighest;
 }
 

@@ -78,7 +78,7 @@ bool OsmPlan::add_lift_at(std::int64_t node, std::size_t rooms) {
     const Vec2 middle = place_of(node);
     for (const Vec2& off : kAside_m) {
         const Vec2 at = middle + off;
-        std::vector<std::size_t> around;  // surrounding space on each level
+        std::vector<std::size_t> around;  // the space that surrounds the lift on each level
         for (const std::size_t level : levels)
             for (std::size_t s = 0; s < rooms; ++s) {
                 const floorplan::PlanSpace& space = plan_.spaces[s];

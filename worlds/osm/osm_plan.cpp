@@ -356,8 +356,8 @@ void OsmPlan::lay_levels() {
     for (const double number : numbers) plan_.levels.push_back(level_made(number));
 }
 
-// A level is named after its own relation or outline. If it has none, its name comes from the way in which outlines
-// refer to it ("Level B1").
+// A level is named after its own relation or outline. If it has neither, its name is made of the tag level:ref of its
+// outlines ("Level B1").
 void OsmPlan::find_level_names() {
     const auto take = [&](std::string_view level, const std::string& name) {
         const OsmLevels levels = levels_of(level);

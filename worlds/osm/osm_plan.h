@@ -21,7 +21,7 @@ private:
     struct Outline {
         std::string id;
         const OsmTags* tags = nullptr;
-        std::vector<std::vector<std::int64_t>> rings;  // node ids; the first is not repeated at the end
+        std::vector<std::vector<std::int64_t>> rings;  // each ring as node ids; the first id is not repeated at the end
         std::vector<double> levels;
         std::size_t building = kNone;
     };
@@ -32,7 +32,7 @@ private:
         // For a line: the ids of its nodes. For an area: those of its outlines, without repetition of the first node.
         std::vector<std::vector<std::int64_t>> lines;
         bool area = false;
-        std::string_view level;  // as the file states it
+        std::string_view level;  // the level as the file states it
 
         bool steps() const { return tags->is("highway", "steps"); }
         std::vector<double> levels() const;  // returns at least one level

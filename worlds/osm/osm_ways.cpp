@@ -148,8 +148,8 @@ std::vector<OsmPlan::Walked> OsmPlan::find_walked() {
     return walked;
 }
 
-// A level that has only ways becomes a storey too, but only if some point of a way is at its height. A footway that
-// merely slopes up to the level does not make one.
+// Adds a storey for each level that has only ways, but only if a point of a way is at its height. A footway that merely
+// slopes up to the level is not enough.
 void OsmPlan::add_levels(const std::vector<Walked>& walked, const std::unordered_map<std::int64_t, double>& height_m) {
     std::vector<floorplan::PlanLevel> levels = plan_.levels;
     for (const Walked& way : walked) {

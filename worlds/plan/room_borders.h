@@ -24,7 +24,7 @@ struct RoomGrid {
 // A connected piece of the border between two rooms, as adjacent squares of these rooms.
 struct RoomBorder {
     std::array<std::uint32_t, 2> rooms{};  // the room with the lower index first
-    std::vector<std::size_t> squares;      // squares on both sides of the border
+    std::vector<std::size_t> squares;      // the squares next to the border, on both of its sides
 };
 
 // Gives every free square the room from which a flood fill reaches it first. The fill moves across the sides of

@@ -25,7 +25,7 @@ constexpr double kThingFrom_m = 0.25, kLeastThing_m = 0.05;
 constexpr double kPartitionThin_m = 0.2;
 constexpr double kPaneThin_m = 0.12, kPaneLong_m = 0.4, kPaneHigh_m = 1.2;
 constexpr double kStep_m = 0.6;
-constexpr double kLongestTread_m = 1.5;  // longest tread of a wide solid step; a longer part is a stage
+constexpr double kLongestTread_m = 1.5;  // greatest length of a tread of a wide solid step; a longer part is a stage
 // Greatest distance, in steps of 5 cm, between a gap and the place where the rooms meet.
 constexpr int kBesideSteps = 8;
 constexpr double kWidestGap_m = 4.0;  // greatest distance between the jambs; a wider opening is not a gap in a wall
@@ -884,7 +884,7 @@ private:
     const navigation::WalkSpace& space_;
     int level_;
     std::set<std::uint32_t> upper_;
-    std::vector<double> floor_height_m_;        // height of the floor for each cell of StoreyFloor::room
+    std::vector<double> floor_height_m_;        // height of the floor in each cell of StoreyFloor::room
     std::set<std::uint32_t> trodden_, moving_;  // features that a person walks on, and features that move
     std::vector<PlanOutline> climbed_m_;        // outlines that would be walls if people did not walk up on them
     std::vector<Barrier> barriers_;

@@ -16,13 +16,13 @@ namespace handrail::plan {
 
 struct StoreyRoom {
     std::uint32_t room = 0;  // index of the room in the RoomGraph
-    std::string name;        // in the spoken language
+    std::string name;        // name of the room in the spoken language
     navigation::RoomKind kind = navigation::RoomKind::Room;
     // The outline of the area where the middle of a walker can be, so it is a walker's radius inside the walls (see
     // RoomOutline).
     std::vector<std::vector<Vec2>> loops_m;
     double area_m2 = 0.0;
-    Vec2 min_m{0.0}, max_m{0.0};  // bounds of the loops
+    Vec2 min_m{0.0}, max_m{0.0};  // bounds of loops_m
     // Centroid of the largest piece of the room. If that point is in another room, the nearest place on the room's own
     // floor.
     Vec2 middle_m{0.0};
@@ -34,7 +34,7 @@ struct StoreyRoom {
 // A thing on the floor that is not part of the building.
 struct StoreyThing {
     FeatureId feature = kNoFeature;
-    std::string name;  // in the spoken language
+    std::string name;  // name of the thing in the spoken language
     PlanBox box;
     bool landmark = false;
 };
@@ -44,7 +44,7 @@ struct StoreyGap {
     navigation::PassageKind kind = navigation::PassageKind::Door;
     std::string name;  // name of the door; empty for an opening
     Vec2 place_m{0.0};
-    Vec2 along{1.0, 0.0};  // direction from jamb to jamb
+    Vec2 along{1.0, 0.0};  // direction from one jamb to the other
     double width_m = 0.0;
     double deep_m = 0.0;  // how far the gap extends from place_m to each side of the wall; 0: it is as deep as the wall
     std::array<std::uint32_t, 2> rooms{navigation::kNothing,
@@ -56,7 +56,7 @@ struct StoreyGap {
 // A portal between two rooms of the storey, as in RoomGraph::portals.
 struct StoreyPortal {
     navigation::PassageKind kind = navigation::PassageKind::Door;
-    std::array<std::uint32_t, 2> rooms{};  // indices into Storey::rooms
+    std::array<std::uint32_t, 2> rooms{};  // the two rooms, as indices into Storey::rooms
     Vec2 place_m{0.0};
     double width_m = 0.0;
 };
@@ -70,7 +70,7 @@ struct StoreyStairs {
 // the rooms at their ends. Drops are not included.
 struct StoreyExit {
     navigation::PassageKind kind = navigation::PassageKind::Opening;
-    std::uint32_t room = 0;  // index into Storey::rooms
+    std::uint32_t room = 0;  // the room on this storey, as an index into Storey::rooms
     std::string to;          // name of the room on the other storey, in the spoken language
     Vec2 place_m{0.0};
     double width_m = 0.0;

@@ -101,7 +101,7 @@ public:
     }
 
 private:
-    // Returns false, with a warning, if the length is zero or less.
+    // Returns false, with a warning, if the value of `key` is a number that is zero or less.
     bool has_size(std::string_view key, std::string_view lack) {
         double value = 1.0;
         const MapKey* found = entity_.find(key);

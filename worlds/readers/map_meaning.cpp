@@ -110,7 +110,7 @@ MapMeaning MapMeanings::read(const MapEntity& entity, const std::string& class_n
     return meaning;
 }
 
-// Reads the key `shape`.
+// Returns the exact shape that the key `shape` requests; empty if there is none.
 std::optional<PrimitiveKind> MapMeanings::shape_of(const MapEntity& entity, bool world, const MapMeaning& meaning) {
     const MapKey* key = entity.find("shape");
     if (!key) return std::nullopt;

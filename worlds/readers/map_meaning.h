@@ -19,15 +19,15 @@ struct MapMeaning {
     std::optional<PrimitiveKind> exact;
     // True: the brushes are part of the building and not one thing; their walls are named by side.
     bool structure = false;
-    bool liquid = false;  // cs_name is "liquid"
-    Feature feature;      // not used if `structure` is true
+    bool liquid = false;  // true if cs_name is "liquid"
+    Feature feature;      // feature of the whole entity; not used if `structure` is true
     std::optional<double> viscosity_ns_per_m;
     double buoyancy_n = 0.0, film_n = 0.0;
     Vec3 flow_hand_m_per_s{0.0};
     std::optional<SoftWish> soft;
     std::optional<BodyWish> body;  // set if the entity is free to move
     Material surface;              // what the keys say about the surface; its name is a library material or empty
-    std::string look;              // equal for surfaces with the same keys
+    std::string look;              // a text that is equal for surfaces with the same keys
     SourcePlace source;
 };
 

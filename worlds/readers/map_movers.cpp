@@ -67,7 +67,7 @@ Aabb grown_by(Aabb box, const Vec3& by) {
 void hang(ReadMover& read, const std::string& hinge) {
     const Aabb& box = read.bounds_m;
     const Vec3 size = box.size_m();
-    const bool along_x = size.x >= size.y;  // whether the closed leaf runs along x
+    const bool along_x = size.x >= size.y;  // true if the closed leaf runs along x
     const bool at_far_end = along_x ? hinge.find("east") != std::string::npos || hinge == "right"
                                     : hinge.find("north") != std::string::npos || hinge == "left";
     const bool to_far_side = read.wish.empty() || read.wish == (along_x ? "north" : "east");
@@ -403,7 +403,8 @@ void note_mover(ReadMovers& found, const MapEntity& entity, std::string_view cla
         read.has_speed = speed_units.has_value();
         read.speed_units = speed_units.value_or(usual_speed_units);
     }
-    if (read.speed_units <= 0.0) read.speed_units = kButtonSpeed_units_per_s;  // in the game, 0 means the usual speed
+    // A speed of 0 in the file means the usual speed, as in the game.
+    if (read.speed_units <= 0.0) read.speed_units = kButtonSpeed_units_per_s;
     read.lip_units = keys.number_of(entity, "lip", -1e5, 1e5, "map.range_units")
                          .value_or(lift     ? kLiftLip_units
                                    : button ? kButtonLip_units

@@ -13,8 +13,8 @@ namespace handrail::readers {
 struct SoftWish {
     SoftFace face;             // a depth of 0 stands for half of the thickness
     Vec3 side{0.0, 0.0, 1.0};  // direction of the face that is soft
-    TextPlace place;           // where the key `soft` is
-    TextPlace depth_place;     // where the key `soft_depth` is
+    TextPlace place;           // place of the key `soft` in the file
+    TextPlace depth_place;     // place of the key `soft_depth` in the file
 };
 
 // Reads the keys. Returns nothing if the key `soft` is missing. Also returns nothing, and reports it, if the value is

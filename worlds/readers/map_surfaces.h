@@ -41,7 +41,7 @@ private:
     Diagnostics& diagnostics_;
     const MapKeys& keys_;
     std::function<BuiltSolid(const MapBrush&)> built_;
-    // The pictures read so far, by file name. Null: the file was unusable, which has been reported.
+    // The pictures that have been read, by file name. Null: the file was unusable, which has been reported.
     std::map<std::string, std::shared_ptr<const HeightPicture>> pictures_;
 };
 

@@ -313,8 +313,8 @@ private:
         read_faces(entity, place);
     }
 
-    // Reads patchDef2 { texture ( width height ... ) ( width rows of ( height points of ( x y z u v ) ) ) } and the
-    // brush's own closing brace.
+    // Reads a patch and the closing brace of its brush. The form is patchDef2 { texture ( width height ... ) ( width
+    // rows of ( height points of ( x y z u v ) ) ) }.
     void read_patch(MapEntity& entity, TextPlace place) {
         lexer_.take();
         MapPatch patch;
@@ -507,7 +507,7 @@ private:
         return true;
     }
 
-    // Skips "( ( 1 0 0 ) ( 0 1 0 ) )" in brushDef.
+    // Skips the texture matrix of brushDef, such as "( ( 1 0 0 ) ( 0 1 0 ) )".
     bool skip_texture_matrix() {
         if (!lexer_.peek().is('(')) return false;
         lexer_.take();

@@ -1,7 +1,8 @@
 // The grammar of .map files of the Quake family, without its meaning: entities with keys, brushes and curved patches. A
-// brush face is given by three points (in the Standard or the Valve 220 form, which may differ from face to face, plain
-// or within brushDef) or by a plane of brushDef3 (Doom 3). The parser accepts any bytes; it reports damage and keeps
-// what is complete. It uses no recursion. Time and memory are proportional to the size of the file.
+// brush face is given by three points or by a plane. Faces with points have the Standard or the Valve 220 form, which
+// may differ from face to face, plain or within brushDef. Faces with planes are those of brushDef3 (Doom 3). The parser
+// accepts any bytes; it reports damage and keeps what is complete. It uses no recursion. Time and memory are
+// proportional to the size of the file.
 #pragma once
 
 #include <array>
@@ -18,7 +19,7 @@ namespace handrail::readers {
 // A key of an entity with its value. The string views point into the parsed bytes.
 struct MapKey {
     std::string_view key, value;  // the text between the quotes, with its backslashes
-    TextPlace place;              // where the value is
+    TextPlace place;              // place of the value in the file
 };
 
 struct MapFace {

@@ -33,7 +33,7 @@ bool is_particles(std::string_view class_name);
 // Returns the key of the text that names the sound of such an entity. Empty if the class has no sound.
 std::string_view sound_of_class(std::string_view class_name);
 
-// What a texture says about the brush that it covers.
+// The meaning that a texture gives to the brush that it covers.
 enum class TextureSense { Ordinary, Water, Slime, Lava, Teleport, Clip, Trigger, LeftOut };
 
 struct TextureFacts {

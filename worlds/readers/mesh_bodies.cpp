@@ -157,7 +157,7 @@ private:
     std::stop_token stop_;
     std::vector<ShellPlace> shells_;
     std::vector<Aabb> boxes_;
-    std::vector<std::vector<std::size_t>> hollows_;  // indexed by shell
+    std::vector<std::vector<std::size_t>> hollows_;  // indexed by shell: the shells of its hollows
     std::vector<std::size_t> holders_;
     std::vector<std::uint32_t> near_;
     std::size_t looks_ = 0, filling_left_ = kMostFilling;

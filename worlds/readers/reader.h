@@ -15,8 +15,8 @@
 namespace handrail::readers {
 
 struct ReadOptions {
-    double map_metres_per_unit = 1.0 / 32.0;  // for .map files (Quake: 1/32)
-    double obj_metres_per_unit = 1.0;         // for .obj, .ply and .stl files
+    double map_metres_per_unit = 1.0 / 32.0;  // unit of .map files (Quake: 1/32)
+    double obj_metres_per_unit = 1.0;         // unit of .obj, .ply and .stl files
     // The person stated the unit. So read_world does not warn about a very wide or narrow world.
     bool unit_is_known = false;
     bool guess_materials = true;  // guess materials from texture names; true for exploring, false for replay
@@ -53,43 +53,45 @@ struct MapReader {
 //   material         a name                    from material_library()
 //   stiffness        0 to 1                    share of what the device can render
 //   friction         0 to 2                    Coulomb's mu while sliding
-//   friction_static  0 to 2                    the same at rest
-//   damping          0 to 10 Ns/m              per hand speed
-//   texture_wave     sine, square or none
-//   texture_period   1 to 100 mm
-//   texture_depth    0 to 5 mm
-//   friction_wave    0 to 0.3
-//   texture_angle    degrees
+//   friction_static  0 to 2                    Coulomb's mu at rest
+//   damping          0 to 10 Ns/m              force per speed of the hand
+//   texture_wave     sine, square or none      soft ridges, bars, or no waves
+//   texture_period   1 to 100 mm               distance from ridge to ridge
+//   texture_depth    0 to 5 mm                 depth of the texture below the plain surface
+//   friction_wave    0 to 0.3                  share by which the friction rises and falls
+//   texture_angle    degrees                   counter-clockwise turn of the texture
 //   texture_picture  file name                 a PNG next to the map
 //   texture_size     map units                 width of one copy of the picture
 //   landmark, clue   0 or 1
-//   hinge, handle    north, north-east, ...,   of a door
+//   hinge, handle    north, north-east, ...,   side of a door on which its hinge or handle is
 //                    left, right, top, bottom
 //   message          text                      a longer description; for a trigger, announced on entering it
 //   cs_name          liquid, dynamic_box,      any other value is a name
 //                    dynamic_sphere,
 //                    dynamic_cylinder
-//   viscosity        0 to 100 Ns/m             of a liquid, per hand speed
+//   viscosity        0 to 100 Ns/m             drag of a liquid per speed of the hand
 //   shape            box, sphere, cylinder,    one exact shape in the box around the entity's brushes
 //                    cone, capsule
 //   axis             x, y, z, -x, -y, -z       direction of that shape
 //   sound            text                      makes the entity a sound source, at its origin or at the middle of its
 //                                              brushes; ambient_* classes and particles (particle*, torches, flames,
-//                                              env_fire, env_spark*, env_steam, env_smoke*) are sources without it
+//                                              env_fire, env_spark*, env_steam, env_smoke*) are sources without this
+//                                              key
 //   volume           0 to 1                    loudness of that sound
-//   free             0 or 1                    1: a separate thing is free to move; dynamic_* are free without this key
-//                                              unless it is 0; the next six rows apply to free bodies
+//   free             0 or 1                    1: a separate object is free to move; dynamic_* are free unless this
+//                                              key is 0; the next six rows apply to free bodies
 //   mass             0.01 to 10,000 kg         if missing, it follows from the density
 //   density          20 to 20,000 kg/m3 (600)
 //   elasticity       0 to 0.95 (0.2)
 //   rolling          0 to 1 (0.1)
 //   friction         as above (0.4)
 //   friction_static  as above                  (1.25 times the friction)
-//   building         0 or 1                    on worldspawn only; 1: a building with a person's body, 0: a game map
+//   building         0 or 1                    on worldspawn only; 1: a building, with a walker of human size; 0: a
+//                                              game map
 //
 // Without the key `building`, a map with things of a game is a game map, unless it has a `thing` or a cs_name. Things
-// of a game are wad or worldtype on worldspawn, lights, items, monsters, weapons, ambients and deathmatch starts.
-// A start's origin is 24 units above the soles. The base is info_player_start, else the first start.
+// of a game are the keys wad or worldtype on worldspawn, lights, items, monsters, weapons, ambients and deathmatch
+// starts. A start's origin is 24 units above the soles. The base is info_player_start, else the first start.
 Result<Scene> read_quake_map(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 // Reads Wavefront .obj: z up, in metres unless the options state another unit. `o` and `g` name features, `usemtl`
 // names materials. Closed meshes are solid, as described below for glTF; everything else becomes Scene::triangles.

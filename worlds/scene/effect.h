@@ -35,7 +35,7 @@ const EffectSpec* find_effect(std::string_view name);
 // Explains in a sentence what strength and width mean for this kind.
 std::string effect_meaning(const EffectSpec& spec);
 
-// What a magnet pulls the hand to.
+// The part of its surroundings to which a magnet pulls the hand.
 enum class MagnetPull {
     Point,    // the middle of the magnet's volume
     Line,     // the longest middle line of its volume

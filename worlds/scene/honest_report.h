@@ -21,7 +21,7 @@ enum class ToCheck : std::uint8_t {
     DoorToNoRoom,     // a door with no room of the file on either side
     OddName,          // a room that contains stairs, although its name does not say so
     RoomWithoutName,  // a room with neither a name nor a number
-    DoorCutFree,      // a door in whose way something was cut away
+    DoorCutFree,      // a doorway from which an obstacle was cut away
     RoomWithoutWay,   // a room that no door or stairs of the file lead to; it may be open to the room next to it
 };
 

@@ -16,7 +16,7 @@ struct LabyrinthPlan {
         SourcePlace source;
     };
     int level = 0;                   // 1 is the easiest level; 0: this world has no labyrinth game
-    FeatureId ball = kNoFeature;     // a free body; always set if level > 0
+    FeatureId ball = kNoFeature;     // the free body that the player rolls; always set if level > 0
     std::vector<Place> holes;        // boxes below real gaps in the floor; a ball that falls into one is lost
     std::vector<Place> goals;        // the ball must get into one of these; at least one if level > 0
     std::vector<FeatureId> planks;   // free bodies that the player lays over holes

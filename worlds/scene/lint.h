@@ -48,7 +48,7 @@ struct LintReport {
 // Returns a sentence about the view with the most materials, if it contains more than kMostMaterialsInView named ones;
 // else empty.
 std::string crowded_view(const Scene& scene);
-// Checks the named materials that a hand can reach in this world.
+// Checks whether a hand can distinguish the named materials that it can reach in this world.
 LintReport lint_materials(const Scene& scene);
 
 }  // namespace handrail

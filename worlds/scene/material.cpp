@@ -39,7 +39,7 @@ constexpr std::array kLibrary{
 struct TextureRule {
     std::string_view part;
     std::string_view material;
-    bool at_start = false;  // the texture's name must begin with the pattern
+    bool at_start = false;  // the pattern matches only at the beginning of the texture's name
 };
 
 // The first rule that matches decides. So "wizwood" is wood, although a name that begins with "wiz" is stone; and

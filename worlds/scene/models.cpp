@@ -156,7 +156,7 @@ Scene with_movers_apart(const Scene& world, std::size_t most_things, std::vector
     Scene scene = world;
     thing_of_mover.assign(world.movers.size(), -1);
     std::vector<bool> leaves(world.features.size(), false);
-    std::vector<std::uint32_t> movable;  // indices of the movable solids; most solids are not
+    std::vector<std::uint32_t> movable;  // only the movable solids, as indices, because most solids cannot move
     for (std::uint32_t s = 0; s < world.solids.size(); ++s)
         if (world.solids[s].role == SolidRole::Mover) movable.push_back(s);
     for (std::size_t i = 0; i < world.movers.size(); ++i) {

@@ -30,7 +30,7 @@ struct Mover {
     // not swing.
     double swing_rad = 0.0;
     Vec3 pivot_m{0.0};      // origin of the mover's own frame, in world metres
-    double travel_s = 1.0;  // time for the whole travel
+    double travel_s = 1.0;  // time for the whole travel from one end to the other
     // How long the mover waits at the other end before it returns automatically; negative: it stays there.
     double wait_s = 3.0;
     // The mover rests at the other end (like a lift that waits below) and goes to its place in the file when something
@@ -39,8 +39,8 @@ struct Mover {
     // The person can start the mover by touch or key. If false, only movers and switches that list it in `sets_going`
     // can start it.
     bool by_hand = true;
-    Aabb approach_m;                        // a person who enters this box starts it; empty: nobody does
-    std::uint32_t group = 0;                // movers with the same group move together
+    Aabb approach_m;          // if a person enters this box, the mover starts; empty: there is no such box
+    std::uint32_t group = 0;  // movers with the same group move together
     std::vector<std::uint32_t> sets_going;  // other movers that this one starts, as indices into Scene::movers
     // Movers with the same value of `passes` may pass through each other, as the map's author intended. With kNoMover,
     // only movers of the same group may.
@@ -77,7 +77,7 @@ struct Mover {
 
 // A volume that has an effect when the person enters it.
 struct Switch {
-    FeatureId volume = kNoFeature;          // the feature of a trigger or teleporter
+    FeatureId volume = kNoFeature;          // the feature of the trigger or teleporter
     std::vector<std::uint32_t> sets_going;  // the movers that the switch starts, as indices into Scene::movers
     bool once = false;
     bool leads_elsewhere = false;  // true: the switch moves the person to feet_m, facing heading_rad

@@ -103,7 +103,7 @@ Result<Solid> make_solid(const Primitive& primitive, MaterialId material) {
     const Vec3 size = primitive.size_m * primitive.stretch * primitive.at.scale;
     if (std::string why = refusal(primitive, size); !why.empty()) return fail(std::move(why));
     const PlacedFrame frame(Placement{primitive.at.position_m, normalized(primitive.at.rotation), 1.0});
-    // Faces are computed at size 1, which suits the tolerances, and then scaled and placed.
+    // Faces are computed at a size of 1, for which the tolerances are made. Then they are scaled and placed.
     const double unit = std::max({size.x, size.y, size.z});
     BuiltSolid built = solid_from_planes(planes_of(primitive.kind, size / unit), Vec3(0.0), 4.0);
     if (built.fault != SolidFault::None)

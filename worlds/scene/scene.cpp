@@ -63,7 +63,7 @@ using MaybeWrong = std::optional<WrongPart>;
 
 bool finite_box(const Aabb& box) { return box.empty() || (is_finite(box.min_m) && is_finite(box.max_m)); }
 
-// Finds the first fault of a scene, in the order of its parts.
+// Checks the parts of a scene in order and stops at the first fault.
 class SceneCheck {
 public:
     explicit SceneCheck(const Scene& scene) : scene_(scene) {}

@@ -54,7 +54,7 @@ struct Feature {
 enum class SolidRole : std::uint8_t {
     Solid,     // stops the hand and the walker
     Mover,     // stops both, but may move: a door, lift or button; it is placed where the file has it
-    BodyClip,  // stops the walker, never the hand
+    BodyClip,  // stops the walker, but never the hand
     Liquid,    // a volume that both can move through; the hand feels its viscosity
     Trigger,   // a volume whose feature's message is announced once when the person enters it
     Teleport,  // a surface that leads elsewhere, like a doorway; not solid
@@ -63,7 +63,7 @@ enum class SolidRole : std::uint8_t {
 
 // A soft layer over one face of a solid; the rest of the solid stays hard.
 struct SoftFace {
-    std::uint32_t face = 0;  // index of the face in the solid
+    std::uint32_t face = 0;  // index of the soft face in the solid
     bool plastic = false;    // true: the face keeps a dent; false: it recovers
     double depth_m = 0.0;
     double stiffness_fraction = 0.2;
@@ -117,7 +117,7 @@ struct SoundSource {
     Vec3 position_m{0.0};
     std::string name;       // for speech: "computer hum"
     std::string sound;      // selects the sound: a class name or the value of the key `sound`
-    double loudness = 1.0;  // 0 to 1
+    double loudness = 1.0;  // loudness of the source, 0 to 1
     OtherLanguages name_in = {};
     bool made_name = false;  // the map gave no name, so `name` is the key of one of our own texts
 };

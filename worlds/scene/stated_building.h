@@ -19,12 +19,12 @@ inline constexpr std::uint32_t kNotStated = 0xffffffffU;
 struct StatedStorey {
     std::string name;  // for speech, as the file states it: "Level 1"
     double floor_m = 0.0;
-    int rooms = 0;  // number of rooms on it
+    int rooms = 0;  // number of rooms on the storey
 };
 
 struct StatedRoom {
     std::string name;    // for speech: the long name, else the number
-    std::string number;  // "A101"; may be empty
+    std::string number;  // number of the room, such as "A101"; may be empty
     std::string guid;    // identifier, as the file states it
     std::uint32_t storey = kNotStated;
     // Outline and holes by the even-odd rule; at least one ring, each with at least 3 points.
@@ -32,7 +32,7 @@ struct StatedRoom {
     double floor_m = 0.0, height_m = 0.0;
     Vec3 at_m{0.0};  // on the floor of the room, within the outline
     double area_m2 = 0.0;
-    bool holds_stairs = false;  // stairs occupy more than half of it
+    bool holds_stairs = false;  // stairs occupy more than half of the room
     bool is_way = false;        // true for a footway, street or platform that is not in a room
     SourcePlace source;
 };
@@ -66,11 +66,11 @@ struct MissingPart {
     std::string reason;              // the key of the text about the reason: "ifc.lost_unread"
     std::string detail;              // a value for that text: the IFC class that Handrail does not read
     double share = 0.0;              // the share of the part's volume that is missing
-    Vec3 at_m{0.0};                  // where the file places it
+    Vec3 at_m{0.0};                  // position of the part, as the file states it
     SourcePlace source;
 };
 
-// A window or a piece of furniture, counted as in the file.
+// A window or a piece of furniture, counted once as in the file.
 struct StatedThing {
     FeatureId feature = kNoFeature;  // the feature of the whole thing, if this is only a part of it
     Aabb bounds_m;                   // empty if the file gives the thing no shape

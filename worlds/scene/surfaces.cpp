@@ -29,7 +29,7 @@ FeatureKind kind_of_face(const Vec3& normal) {
 
 // Sizes in metres that decide how a flat surface or a small thing is named.
 constexpr double kNarrow = 0.4;     // a level strip narrower than this is a ledge, not a floor
-constexpr double kSmallArea = 0.3;  // square metres; a level surface smaller than this is a ledge, too
+constexpr double kSmallArea = 0.3;  // in square metres; a level surface smaller than this is a ledge, not a floor
 constexpr double kStepDepth[] = {0.15, 1.1};
 constexpr double kStepHeight[] = {0.08, 0.6};
 constexpr double kThingWidth = 2.5;  // a free-standing solid wider than this is part of the building and not a thing
@@ -170,7 +170,7 @@ private:
         index_.find(box, near_);
         return std::none_of(near_.begin(), near_.end(), [&](std::uint32_t s) {
             if (!is_touchable(scene_.solids[s].role)) return false;
-            double enter = 0.0, leave = 1.0;  // the part of the line inside the solid
+            double enter = 0.0, leave = 1.0;  // the range of the line that is inside the solid
             for (const Plane& plane : scene_.solids[s].shape.planes) {
                 const double a = signed_distance(plane, from_m), b = signed_distance(plane, to_m);
                 if (a > 0.0 && b > 0.0) return false;
@@ -232,7 +232,7 @@ private:
         for (const std::uint32_t s : solids) box.include(scene_.solids[s].shape.bounds_m);
         const Vec3 size = box.size_m();
         if (std::max(size.x, size.y) > kThingWidth) return;
-        std::array<double, 4> seen_m2{};  // area visible from the east, west, north and south
+        std::array<double, 4> seen_m2{};  // areas of the surface visible from the east, west, north and south
         bool top = false, bottom = false, sky = false;
         for (const std::uint32_t s : solids) {
             for (std::uint32_t i = first_piece_[s]; i < first_piece_[s + 1]; ++i) {
@@ -460,7 +460,7 @@ private:
         }
     }
 
-    // 9. Fills the drawn surfaces, and the area, bounds and material of things.
+    // 9. Fills the list of drawn surfaces, and the area, bounds and material of things.
     void finish() {
         std::map<std::uint32_t, double> largest_m2;
         for (std::uint32_t i = 0; i < pieces_.size(); ++i) {

@@ -17,29 +17,32 @@ enum class WordLanguage { English, German };
 enum class Statement {
     Size2,       // numbers: the sizes from west to east and from south to north
     Size3,       // numbers: the sizes from west to east and from south to north, and the height
-    High,        // numbers[0] is the height
-    Wide,        // numbers[0] is the width
+    High,        // numbers[0] is the height of the subject
+    Wide,        // numbers[0] is the width of the subject
     AboveFloor,  // numbers[0] is the height above the floor
     SideOf,      // next to room `name`, on its side sides[0]; numbers[0], if given, is the distance
-    Above,       // above or below room `name`
+    Above,       // above or below room `name`, on another storey
     Further,     // moved by numbers[0] towards sides[0]
     Flush,       // aligned with the end of the other room at sides[0]
-    // Position of the south-west corner: numbers[0] towards sides[0] and numbers[1] towards sides[1], from the origin.
+    // the position of the south-west corner: numbers[0] towards sides[0] and numbers[1] towards sides[1], from the
+    // origin
     CornerAt,
-    At,          // position of the middle, in the form of CornerAt
-    Offset,      // position of the middle in the form of CornerAt, but from the south-west corner of the room
-    CornerList,  // numbers: pairs of metres east and north of the origin; one such part for each piece of the outline
-    Hole,        // pairs of metres as in CornerList, for a hole in the outline; holes that touch are joined
-    Along,       // numbers[0] along the wall at sides[0], if the sentence names one
-    FromWall,    // at a distance of numbers[0] from the wall or end at sides[0]
-    InWall,      // in the wall at sides[0]
-    MiddleOf,    // in the middle of the wall at sides[0]
-    Middle,      // in the middle of the room
-    InCorner,    // in the corner at sides[0]
+    At,      // position of the middle, in the form of CornerAt
+    Offset,  // position of the middle in the form of CornerAt, but from the south-west corner of the room
+    // Corners of the outline, as pairs of metres east and north of the origin; one such part for each piece of the
+    // outline.
+    CornerList,
+    Hole,      // pairs of metres as in CornerList, for a hole in the outline; holes that touch are joined
+    Along,     // numbers[0] along the wall at sides[0], if the sentence names one
+    FromWall,  // at a distance of numbers[0] from the wall or end at sides[0]
+    InWall,    // in the wall at sides[0]
+    MiddleOf,  // in the middle of the wall at sides[0]
+    Middle,    // in the middle of the room
+    InCorner,  // in the corner at sides[0]
     ByWindow,
     ByDoor,  // next to a door; if `name` is given, next to the door to that room
     NextTo,  // next to `name`
-    To,      // to room `name`
+    To,      // leads to room `name`
     Outside,
     In,      // in room `name`
     Stairs,  // stairs to room `name`
@@ -47,7 +50,7 @@ enum class Statement {
     UpTo,    // reaches up to `name`
     Landmark,
     Clue,
-    Called,    // called `name`
+    Called,    // a name for the subject: `name`
     MadeOf,    // made of the library's material `name`
     Floor,     // its floor is made of the library's material `name`
     Walls,     // its walls are made of the library's material `name`

@@ -207,7 +207,7 @@ std::string WordsPlan::room_words(const WordRoom& room) const { return one_line(
 std::size_t WordsPlan::room_named(const std::string& name, std::size_t but) const {
     const auto found = by_name_.find(name_key(name, speaker_.language));
     if (found == by_name_.end()) return kNoRoom;
-    // Rooms of the same storey are preferred.
+    // Prefers rooms of the same storey.
     std::size_t best = kNoRoom;
     for (const std::size_t r : found->second) {
         if (r == but) continue;

@@ -131,7 +131,7 @@ private:
     std::map<std::string, Placed> placed_things_;  // things in the current room, by their folded names
     std::vector<Placed> placed_here_;              // all things in the current room, with or without a name
     std::vector<Opening> windows_here_, doors_here_;
-    std::vector<std::vector<Opening>> doors_of_;  // indexed by room
+    std::vector<std::vector<Opening>> doors_of_;  // doors of each room, indexed by room
     std::vector<Diagnostic> warnings_;
     int warnings_in_all_ = 0, usual_sizes_ = 0, without_place_ = 0, middle_doors_ = 0;
     bool steps_ = false, left_and_right_ = false;

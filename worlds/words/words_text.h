@@ -12,7 +12,7 @@ struct WordToken {
     enum class Kind { Word, Number, Name, Comma, Colon };  // Name is text in quotation marks
     Kind kind = Kind::Word;
     std::string text;    // spelled as in the text, without quotation marks
-    std::string folded;  // in lower case, for comparisons
+    std::string folded;  // the text in lower case, for comparisons
     double number = 0.0;
 };
 
