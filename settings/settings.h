@@ -127,9 +127,8 @@ struct Settings {
         // dictionary), are always audible.
         bool wall_tone = true, contact = true, slide = true, splash = true, door = true, footstep = true, bump = true,
              world = true, denied = true, forces = true, turn = true, frame = true, arrived = true;
-        bool corner = true, drop = true,
-             // Further cues: drop for edges, corner for corners and openings, ways for doors and stairs ahead.
-            ways = true;
+        // Further cues: `corner` for corners and openings, `drop` for edges, `ways` for doors and stairs ahead.
+        bool corner = true, drop = true, ways = true;
         bool swap_sides = false;  // exchanges left and right, for headphones that are worn or wired the wrong way round
         bool as_text = false;   // describes every cue in a few words of text, for people who read instead of listening
         bool workspace = true;  // a cue: scrolling at the rim, or moving with the grip, begins or ends

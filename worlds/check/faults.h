@@ -62,9 +62,8 @@ struct WorldFault {
     Vec3 at_m{0.0};
     SourcePlace source = {};         // line 0: unknown
     FeatureId feature = kNoFeature;  // the door or thing with the fault
-    std::uint32_t room =
-        // Index in the graph of the room with the fault, or of the room that it is in; kNothing: none.
-        navigation::kNothing;
+    // Index in the graph of the room with the fault, or of the room that it is in; kNothing: none.
+    std::uint32_t room = navigation::kNothing;
     // Spoken names for the sentence: the room or thing, and a second one if the sentence needs it.
     std::string name = {}, other = {};
     std::string why = {};  // for an impassable door that was tested: the reason, as a part of a sentence

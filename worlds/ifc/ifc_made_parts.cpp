@@ -10,10 +10,9 @@ namespace handrail::ifc {
 namespace {
 
 constexpr double kFloorThick_m = 0.1, kWallThick_m = 0.05;
-constexpr double kBelow_m = 0.9,
-                 // Range below and above the level of a room. Anything within it counts as the floor of the room,
-                 // including a sunken floor.
-    kAbove_m = 0.2;
+// Range below and above the level of a room. Anything within it counts as the floor of the room, including a sunken
+// floor.
+constexpr double kBelow_m = 0.9, kAbove_m = 0.2;
 constexpr double kStepDown_m = 0.05;  // furniture that extends this far below the level is on a sunken floor
 constexpr double kLeastRoom_m2 = 0.5, kLeastHigh_m = 1.5;
 

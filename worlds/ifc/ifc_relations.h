@@ -47,10 +47,10 @@ struct IfcRelations {
     std::map<std::uint64_t, std::uint64_t> whole_of;               // part -> its aggregate, or its storey
     // Element -> its type, and element or type -> its material.
     std::map<std::uint64_t, std::uint64_t> type_of, material_of;
-    std::map<std::uint64_t, std::vector<std::uint64_t>>
-        spaces_at;  // door, window or virtual element -> the spaces that it bounds
-    std::map<std::uint64_t, std::uint64_t>
-        open_at;  // space with a border that is not a wall -> the first such boundary
+    // Door, window or virtual element -> the spaces that it bounds.
+    std::map<std::uint64_t, std::vector<std::uint64_t>> spaces_at;
+    // Space with a border that is not a wall -> the first boundary of this kind.
+    std::map<std::uint64_t, std::uint64_t> open_at;
     // Classes that are not part of a building, each with its number of instances.
     std::map<std::string, int, std::less<>> skipped;
 

@@ -47,10 +47,8 @@ struct StoreyGap {
     Vec2 along{1.0, 0.0};  // direction from one jamb to the other
     double width_m = 0.0;
     double deep_m = 0.0;  // how far the gap extends from place_m to each side of the wall; 0: it is as deep as the wall
-    std::array<std::uint32_t, 2> rooms{navigation::kNothing,
-                                       // The two rooms, as indices into Storey::rooms; kNothing: the room is on another
-                                       // storey.
-                                       navigation::kNothing};
+    // The two rooms, as indices into Storey::rooms; kNothing: the room is on another storey.
+    std::array<std::uint32_t, 2> rooms{navigation::kNothing, navigation::kNothing};
 };
 
 // A portal between two rooms of the storey, as in RoomGraph::portals.

@@ -17,7 +17,8 @@ namespace handrail::readers {
 struct ReadMover {
     Mover mover;
     Aabb bounds_m;
-    // Linked: the door moves together with doors that touch it, unless the map forbids that.
+    // `door` is true for a door. If `linked` is true, the door moves together with doors that touch it; the map may
+    // forbid that.
     bool door = false, linked = true;
     std::string name, target;  // the keys targetname and target, in lower case
     std::string wish;          // value of the key `opens`: a side, "up", "down", "slide", or empty
