@@ -101,7 +101,7 @@ struct Settings {
         bool rounded = true;
         bool rooms = true;    // the name of a room is announced when the walker enters it
         bool braille = true;  // announcements are also shown on a braille display
-        // the built-in voice is heard from the direction of the object or part of a route that it names
+        // The built-in voice is heard from the direction of the object or part of a route that it names.
         bool from_places = false;
         bool crowding_hint = false;  // entering a world announces where many materials are close together
     } speech;

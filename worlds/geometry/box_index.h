@@ -19,7 +19,7 @@ class BoxIndex {
 public:
     struct Node {
         Aabb box;
-        // in a leaf: index into items(); in an inner node: the first of its two adjacent children
+        // For a leaf: index into items(). For an inner node: the first of its two adjacent children.
         std::uint32_t first = 0;
         std::uint32_t items = 0;  // number of items in a leaf; 0: the node is an inner node
     };

@@ -147,8 +147,8 @@ int most_violated_of(int count, const HalfSpaceAt& at, const glm::vec<3, Real>& 
     return entering;
 }
 
-// Returns the bit-identical result for offsets that are each increased by grown_m. It processes four half-spaces at a
-// time, which takes half the instructions.
+// Like most_violated_of above, with a bit-identical result, for half-spaces in an array whose offsets are each
+// increased by grown_m. It processes four half-spaces at a time, which takes half the instructions.
 inline int most_violated_of(std::span<const HalfSpace> all, double grown_m, const Vec3& point_m) noexcept {
     using Two = double __attribute__((vector_size(16)));
     static_assert(sizeof(HalfSpace) == 4 * sizeof(double));

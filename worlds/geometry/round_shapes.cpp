@@ -26,7 +26,7 @@ AroundAxis around_axis(const Vec3& origin, const Vec3& axis, const Vec3& p) noex
                                 : AroundAxis{along, 0.0, any_perpendicular(axis)};
 }
 
-// The result if the nearest point is a corner of the profile. `out` and `along` lead from that corner to the query
+// Returns the closest point if it is a corner of the profile. `out` and `along` lead from that corner to the query
 // point. If the two coincide, the normal is `sideless`.
 ClosestPoint from_profile_corner(const Vec3& corner, double out, double along, const AroundAxis& at, const Vec3& axis,
                                  const Vec3& sideless) noexcept {

@@ -380,8 +380,8 @@ void IfcShapes::combine(Body& first, const Values& values, int depth) {
     if (second.known && !convex &&
         combine_exactly(first, second, takes_away ? ExactCut::TakeAway : ExactCut::KeepWithin))
         return;
-    // The shape stays uncut if the operand is unknown, or if a shape that encloses a volume cannot be cut exactly. An
-    // open skin has no inside, so below only its surface is cut.
+    // The shape stays uncut if the operand is unknown, or if an exact cut was needed and failed. An open skin has no
+    // inside, so below only its surface is cut.
     if (!second.known || (!convex && (!second.skin.empty() || encloses(first)))) {
         ++approximated_;
         account_.uncut = model_.name(reference_at(values, 2));

@@ -22,7 +22,7 @@ struct StepValue {
     Kind kind = Kind::Nothing;
     double number = 0.0;          // the value if kind is Number
     std::uint64_t reference = 0;  // the number of the instance if kind is Reference
-    // for Text: the raw text between the apostrophes; for Word: the word of .T. without its dots
+    // For Text: the raw text between the apostrophes. For Word: the word of .T. without its dots.
     std::string_view text;
     std::string_view type;         // type name of a typed value; else empty
     std::vector<StepValue> items;  // the values if kind is List

@@ -24,8 +24,7 @@ enum class Statement {
     Above,       // above or below room `name`, on another storey
     Further,     // moved by numbers[0] towards sides[0]
     Flush,       // aligned with the end of the other room at sides[0]
-    // the position of the south-west corner: numbers[0] towards sides[0] and numbers[1] towards sides[1], from the
-    // origin
+    // Position of the south-west corner: numbers[0] towards sides[0] and numbers[1] towards sides[1], from the origin.
     CornerAt,
     At,      // position of the middle, in the form of CornerAt
     Offset,  // position of the middle in the form of CornerAt, but from the south-west corner of the room
