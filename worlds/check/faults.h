@@ -36,7 +36,7 @@ enum class FaultKind : std::uint8_t {
     UnlikeFile,        // the file connects two rooms here, but nobody can walk from one to the other
     StairsInOneGo,   // stairs on which nobody can walk step by step, so that a single movement leads from foot to head
     OddName,         // a room that contains stairs, although its name does not say so
-    DoorCutFree,     // a door in whose way something was cut away
+    DoorCutFree,     // a doorway from which an obstacle was cut away
     AlikeMaterials,  // materials that a hand cannot distinguish
     ThingOutside,    // a thing that is far from every place that a person can reach
     ThingTwice,      // two equal things in exactly the same place

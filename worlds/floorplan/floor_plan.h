@@ -47,7 +47,7 @@ struct PlanDoor {
     PlanDoorKind kind = PlanDoorKind::Hinged;
     Vec2 at{0.0};
     std::optional<Vec2> along;      // unit vector along the wall; empty if the file does not state it
-    std::optional<double> width_m;  // empty if the file does not state it
+    std::optional<double> width_m;  // width of the door; empty if the file does not state it
     std::string name, id;
     PlanEntrance entrance = PlanEntrance::Plain;
     bool by_itself = false;           // the door opens automatically when a person comes near

@@ -103,7 +103,7 @@ public:
         take_portals();
         take_walls();
         if (!made_.rooms.empty()) drop_spaces_under_steps();
-        take_things();  // some of the things close windows
+        take_things();  // also adds to the walls the things that close windows
         take_low_roofs();
         if (!made_.rooms.empty()) close_rooms();
         if (!made_.rooms.empty()) drop_ledges();

@@ -9,7 +9,7 @@
 namespace handrail::readers {
 namespace {
 
-// How the bytes of a file show its format.
+// By what the format of a file is recognised.
 enum class Sign {
     None,    // the bytes do not show it; only the ending of the file name does
     Begins,  // the bytes begin with `mark`

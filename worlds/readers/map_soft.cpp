@@ -85,7 +85,7 @@ std::optional<SoftFace> soft_face_of(const SoftWish& wish, const ConvexSolid& sh
         diagnostics.warn(wish.place, "map.then_hard", "map.soft_no_face", {{"name", what}});
         return std::nullopt;
     }
-    double lowest = 0.0;  // the corner that is lowest below the face
+    double lowest = 0.0;  // signed distance from the face to the corner farthest below it
     for (const Polygon& face : shape.faces)
         for (const Vec3& corner : face.points_m)
             lowest = std::min(lowest, signed_distance(shape.planes[soft.face], corner));

@@ -17,7 +17,7 @@
 namespace handrail::readers {
 namespace {
 
-constexpr double kSurfaceUnit_m = 1.0 / 32.0;  // unit for derive_surfaces, the same as for maps
+constexpr double kSurfaceUnit_m = 1.0 / 32.0;  // unit for the tolerances of derive_surfaces, the same as for maps
 constexpr std::size_t kMostShells = 1000;      // greatest number of shells that are examined, in the file's order
 
 // A body, or the triangles of a mesh that belong to no body.

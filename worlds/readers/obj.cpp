@@ -21,7 +21,7 @@
 namespace handrail::readers {
 namespace {
 
-constexpr double kObjSurfaceUnit_m = 1.0 / 32.0;  // unit for derive_surfaces, the same as for maps
+constexpr double kObjSurfaceUnit_m = 1.0 / 32.0;  // unit for the tolerances of derive_surfaces, the same as for maps
 // Greatest number of corners of a polygon; splitting a larger one would take minutes.
 constexpr std::size_t kMostCorners = 4096;
 

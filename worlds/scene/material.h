@@ -98,7 +98,7 @@ struct MaterialSpec {
     double stiffness_fraction = 0.8;
     double friction_static = 0.3;
     double friction_mu = 0.3;        // Coulomb coefficient while sliding
-    double damping_ns_per_m = -1.0;  // negative: the person's own setting is used
+    double damping_ns_per_m = -1.0;  // force per speed of the hand; negative: the person's own setting is used
     TextureWave wave{};
 };
 

@@ -196,7 +196,7 @@ std::string spoken_message(const Feature& feature);
 // unchanged.
 std::string spoken_kind(std::string_view name);
 std::string spoken_material(std::string_view name);
-// Returns "north wall, plaster", always in English, for tables and comparisons.
+// Returns the name and material, such as "north wall, plaster", always in English. For tables and comparisons.
 std::string stored_name(const Scene& scene, FeatureId id);
 
 // Returns the index of this material in the scene; adds the material if it is new. Returns the default wall if there

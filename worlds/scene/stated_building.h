@@ -79,11 +79,11 @@ struct StatedThing {
 struct StatedBuilding {
     std::string schema;                             // the version of the format: "IFC2X3"
     std::vector<StatedStorey> storeys;              // ordered from the lowest up
-    std::vector<StatedRoom> rooms;                  // in file order
-    std::vector<StatedPortal> portals;              // in file order
-    std::vector<MissingPart> missing;               // in file order
+    std::vector<StatedRoom> rooms;                  // rooms in file order
+    std::vector<StatedPortal> portals;              // doors, openings, stairs and other portals in file order
+    std::vector<MissingPart> missing;               // missing parts in file order
     double wall_m = 0.0;                            // thickness of the walls if all are alike; 0: unknown
-    std::vector<StatedThing> windows, furnishings;  // in file order
+    std::vector<StatedThing> windows, furnishings;  // things in file order
     int openings = 0, openings_cut = 0, stairs = 0, ramps = 0, lifts = 0, escalators = 0, walkways = 0, skipped = 0;
 };
 

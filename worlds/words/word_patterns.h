@@ -56,7 +56,7 @@ enum class Statement {
     Thick,     // numbers[0] is the thickness of the walls
     Facing,    // faces sides[0]
     ByItself,  // a door that opens automatically when somebody comes near
-    Raised,    // the floor of the room is numbers[0] higher than that of its storey
+    Raised,    // subject is a door that opens automatically when somebody comes near
     Sunk,      // the floor of the room is numbers[0] lower than that of its storey
     FromRoom,  // a lift, stairs or a drop begins in room `name`
     DropOf,    // numbers[0] is the height of the drop
