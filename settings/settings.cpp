@@ -181,7 +181,7 @@ std::string with_value(std::string text, std::span<const std::string> path, cons
     } catch (const toml::parse_error&) {
         return text;
     }
-    std::string header = "[" + path[0];  // [walk], [profile."NAME"] or [workspace.device."NAME"]
+    std::string header = "[" + path[0];  // header of the table: [walk], [profile."NAME"] or [workspace.device."NAME"]
     if (path.size() == 4) header += "." + path[1];
     if (path.size() > 2) header += "." + toml_text(path[path.size() - 2]);
     header += "]";

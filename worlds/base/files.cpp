@@ -38,7 +38,8 @@ constexpr int kOpenFlags = O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
 
 // Checks what openat opened. `file` is the result of openat, and errno must still have the value that openat set.
 Result<OpenFile> as_open_file(Descriptor file, const std::string& name) {
-    if (file.get() < 0 && errno == ENXIO) return fail(phrase("files.no_file"), name);  // the file is a socket
+    // ENXIO means that the file is a socket.
+    if (file.get() < 0 && errno == ENXIO) return fail(phrase("files.no_file"), name);
     if (file.get() < 0) return fail(phrase("files.cannot_open", {{"reason", reason_of(errno)}}), name);
     struct stat info {};
     if (::fstat(file.get(), &info) != 0) return fail(phrase("files.cannot_read", {{"reason", reason_of(errno)}}), name);

@@ -131,7 +131,7 @@ struct Compiled {
     std::unordered_map<const std::string*, std::unique_ptr<const icu::MessageFormat>> formats;
 };
 Compiled& compiled() {
-    static auto& all = *new Compiled;  // never destroyed, like the languages
+    static auto& all = *new Compiled;  // never destroyed, for the same reason as the languages
     return all;
 }
 

@@ -60,7 +60,7 @@ struct WorldFault {
     // World metres. If people walk at the place, it is on the floor. For stairs and for a room out of reach, it is
     // where the route lacks something.
     Vec3 at_m{0.0};
-    SourcePlace source = {};         // line 0: unknown
+    SourcePlace source = {};         // place in the file; line 0: unknown
     FeatureId feature = kNoFeature;  // the door or thing with the fault
     // Index in the graph of the room with the fault, or of the room that it is in; kNothing: none.
     std::uint32_t room = navigation::kNothing;

@@ -14,7 +14,7 @@ namespace handrail::floorplan {
 
 struct PlanLevel {
     double number = 0.0;  // number of the level as in the file; 0 is at the ground
-    std::string name;     // for speech
+    std::string name;     // name for speech
     double floor_m = 0.0;
 };
 
@@ -25,7 +25,7 @@ enum class PlanSpaceKind : std::uint8_t { Room, Corridor, Area, Stairs, Escalato
 struct PlanSpace {
     PlanSpaceKind kind = PlanSpaceKind::Room;
     bool walled = true;               // the space has walls on all sides, like a room, whatever its kind
-    std::string name;                 // for speech; may be empty
+    std::string name;                 // name for speech; may be empty
     std::string number;               // number of the space, such as "A101"; may be empty
     std::string id;                   // identifier from the file, in the form that is reported to the person: "way 12"
     std::vector<Ring> rings;          // outline and holes by the even-odd rule
@@ -70,7 +70,7 @@ enum class PlanThingKind : std::uint8_t { Object, Pillar, Guidance };
 // An object in a space. Guidance is a tactile strip in the floor that people follow with their feet.
 struct PlanThing {
     PlanThingKind kind = PlanThingKind::Object;
-    std::string name;        // for speech
+    std::string name;        // name for speech
     bool made_name = false;  // the name is one of Handrail's own, with a text under kind.NAME
     std::string message;
     std::vector<Ring> parts;  // convex outlines, counter-clockwise
@@ -159,7 +159,8 @@ struct FloorPlan {
     std::vector<PlanWay> ways;
     std::vector<PlanBlock> blocks;
     std::vector<PlanStart> starts;
-    std::vector<std::string> guessed, simplified, left_out;     // sentences for the report
+    // Sentences for the report about what was guessed, simplified and left out.
+    std::vector<std::string> guessed, simplified, left_out;
     std::vector<std::pair<std::string, std::string>> warnings;  // each with the fault and what was done about it
 };
 

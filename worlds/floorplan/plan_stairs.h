@@ -28,7 +28,7 @@ struct StairWell {
 // nothing if the outline is less than 0.3 metres long or wide. It tests 4,096 cells.
 struct InnerBox {
     Vec2 origin{0.0}, along{1.0, 0.0};
-    Vec2 least{0.0}, most{0.0};  // corners relative to the origin
+    Vec2 least{0.0}, most{0.0};  // least and greatest corner, relative to the origin
 };
 std::optional<InnerBox> inner_box(const std::vector<Ring>& rings, const Vec2& along);
 // Returns the direction of the outline's longest side.

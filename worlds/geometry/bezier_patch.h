@@ -15,7 +15,7 @@ namespace handrail {
 // The control points of a patch, row by row. The numbers of rows and columns are odd and at least 3.
 struct PatchGrid {
     int rows = 0, columns = 0;
-    std::vector<Vec3> points_m;  // rows * columns points
+    std::vector<Vec3> points_m;  // rows * columns points, row by row
 
     const Vec3& at(int row, int column) const { return points_m[static_cast<std::size_t>(row * columns + column)]; }
 };

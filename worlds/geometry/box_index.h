@@ -29,7 +29,7 @@ public:
     explicit BoxIndex(std::span<const Aabb> boxes);
 
     bool empty() const noexcept { return nodes_.empty(); }
-    // Node 0 is the root.
+    // Returns all nodes; node 0 is the root.
     const std::vector<Node>& nodes() const noexcept { return nodes_; }
     const std::vector<std::uint32_t>& items() const noexcept { return items_; }
 

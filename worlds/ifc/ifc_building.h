@@ -60,7 +60,7 @@ struct IfcBuilding {
     int openings = 0, openings_cut = 0;
     std::vector<std::size_t> openings_uncut;  // lines in the file of the openings that could not be cut
     std::map<std::string, int, std::less<>> skipped, not_read;
-    std::vector<MissingPart> missing;  // in file order
+    std::vector<MissingPart> missing;  // missing parts in file order
     // Names of the rooms that had no floor below them, for which a floor was made.
     std::vector<std::string> floors_made;
     int walls_made = 0;  // number of rooms that got walls because the file contains none

@@ -171,7 +171,7 @@ Frame IfcModel::transformation(std::uint64_t id) const {
     frame.x = glm::length(x) > 1e-9 ? x / glm::length(x) : any_perpendicular(frame.z);
     Vec3 y = glm::cross(frame.z, frame.x);
     if (const std::uint64_t stated = reference_at(values, 1); stated != 0 && glm::dot(direction(stated, y), y) < 0.0)
-        y = -y;  // the transformation mirrors
+        y = -y;  // turns y round, because the transformation mirrors
     const bool uneven = kind.ends_with("NONUNIFORM");
     frame.y = y * (uneven ? number_at(values, flat ? 4 : 5, scale) : scale);
     frame.z *= uneven && !flat ? number_at(values, 6, scale) : flat ? 1.0 : scale;

@@ -47,7 +47,7 @@ public:
 
     const std::string& file_name() const { return file_name_; }
     const std::string& schema() const { return schema_; }  // version of IFC, as the header states it: "IFC2X3"
-    const std::vector<StepInstance>& instances() const { return instances_; }  // in file order
+    const std::vector<StepInstance>& instances() const { return instances_; }  // returns all instances in file order
     const StepInstance* find(std::uint64_t id) const;
     // Returns the values of an instance that has one name. The list ends at the first damaged value.
     std::vector<StepValue> values_of(const StepInstance& instance) const;

@@ -15,7 +15,7 @@
 namespace handrail::osm {
 
 struct OsmTags {
-    std::vector<std::pair<std::string, std::string>> all;  // in file order
+    std::vector<std::pair<std::string, std::string>> all;  // keys and values in file order
 
     // Returns an empty text if the key is missing.
     std::string_view operator[](std::string_view key) const;
@@ -45,7 +45,7 @@ struct OsmArea {
 
 struct OsmData {
     std::unordered_map<std::int64_t, OsmNode> nodes;  // by id; never iterated, because the order is arbitrary
-    std::vector<std::int64_t> tagged_nodes;           // in file order
+    std::vector<std::int64_t> tagged_nodes;           // ids of the nodes with tags, in file order
     std::vector<OsmWay> ways;
     std::unordered_map<std::int64_t, std::size_t> way_number;  // by id; never iterated, because the order is arbitrary
     std::vector<OsmArea> areas;

@@ -32,7 +32,7 @@ struct PlanShape {
 
 struct PlanCut {
     double feet_height_m = 0.0;
-    std::vector<PlanShape> shapes;              // sorted by kind
+    std::vector<PlanShape> shapes;              // sections of solids, sorted by kind
     std::vector<std::array<Vec2, 2>> sheets_m;  // sections of mesh triangles at the same height
 };
 

@@ -132,7 +132,7 @@ std::string decoded_base64(std::string_view letters) {
                           : c == '+'             ? 62
                           : c == '/'             ? 63
                                                  : -1;
-        if (value < 0) continue;  // skips padding and line ends
+        if (value < 0) continue;  // skips padding characters and line ends
         held = held << 6 | static_cast<std::uint32_t>(value);
         bits += 6;
         if (bits < 8) continue;

@@ -63,7 +63,7 @@ void note_name(ReadMovers& found, const MapEntity& entity);
 // the middle of the entity's brush with the texture "origin".
 void note_mover(ReadMovers& found, const MapEntity& entity, std::string_view class_name, FeatureId feature,
                 const MapKeys& keys, const std::optional<Vec3>& origin_units = {});
-// Notes a path_corner.
+// Notes a path_corner, which may be a stop of a train.
 void note_corner(ReadMovers& found, const MapEntity& entity, const MapKeys& keys);
 // note_switch notes the volume of a trigger or teleporter. note_destination notes a place that teleporters lead to.
 void note_switch(ReadMovers& found, const MapEntity& entity, std::string_view class_name, FeatureId feature);

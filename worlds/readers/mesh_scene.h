@@ -20,7 +20,7 @@ struct MeshPart {
     std::string name;         // name as the file states it
     std::string material;     // name of the material as the file states it
     std::vector<Vec3> points_m;
-    std::vector<std::array<std::uint32_t, 3>> triangles;  // indices into points_m
+    std::vector<std::array<std::uint32_t, 3>> triangles;  // corners of each triangle, as indices into points_m
 };
 
 struct MeshFile {

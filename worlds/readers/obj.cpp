@@ -292,7 +292,7 @@ private:
         struct Thing {
             std::vector<Vec3> points_m;
             std::vector<MeshCorners> corners;
-            std::vector<std::size_t> triangles;  // indices into the scene's triangles
+            std::vector<std::size_t> triangles;  // triangles of the thing, as indices into the scene's triangles
             bool two_sided = true;
         };
         std::vector<Thing> things(scene_.features.size());

@@ -63,7 +63,7 @@ struct Effect {
     double strength_n = 0.0;
     double width_hand_m = 0.0;
     double edge_hand_m = 0.010;
-    Vec3 direction{0.0, 0.0, 1.0};  // unit length
+    Vec3 direction{0.0, 0.0, 1.0};  // direction of the effect, unit length
     double frequency_hz = 100.0;
     double mass_kg = 0.1;
     MagnetPull pull = MagnetPull::Point;

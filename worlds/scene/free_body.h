@@ -17,7 +17,7 @@ struct FreeBody {
     static constexpr double kLeast_kg = 0.01, kMost_kg = 10000.0;
 
     FeatureId feature = kNoFeature;
-    double mass_kg = 1.0;  // from kLeast_kg to kMost_kg
+    double mass_kg = 1.0;  // mass of the body, from kLeast_kg to kMost_kg
     // Coefficients of friction while sliding and at rest, each from 0 to 2. Each is multiplied by the coefficient of
     // the other surface; a plain floor has 1.
     double friction = 0.4, friction_static = 0.5;

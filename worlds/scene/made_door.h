@@ -11,9 +11,9 @@ namespace handrail {
 
 struct MadeDoor {
     Vec3 place_m{0.0};         // the middle of the wall, at floor height
-    double heading_rad = 0.0;  // direction straight through the wall
+    double heading_rad = 0.0;  // direction in which a walker goes straight through the wall
     double width_m = 0.9;
-    double through_m = 0.3;  // thickness of the wall there
+    double through_m = 0.3;  // thickness of the wall at the door
     std::string name;        // the names of what the doorway connects: "Hall, kitchen"
 };
 

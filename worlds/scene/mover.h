@@ -60,7 +60,7 @@ struct Mover {
     int after_last = -1;            // index of the stop that follows the last one; -1: the train ends at the last stop
     double speed_m_per_s = 0.0;     // speed of a train
     double turn_rad_per_s = 0.0;    // angular speed of a turning part, right-handed about turn_axis through pivot_m
-    Vec3 turn_axis{0.0, 0.0, 1.0};  // unit length
+    Vec3 turn_axis{0.0, 0.0, 1.0};  // axis of a turning part, unit length
     // For a train or a turning part: it moves from the beginning. If false, something must start it.
     bool starts_going = true;
 

@@ -125,7 +125,7 @@ struct SoundSource {
 // The name that the map gives to the room that contains the place at_m.
 struct RoomName {
     Vec3 at_m{0.0};
-    std::string name;  // for speech
+    std::string name;  // name of the room for speech
     OtherLanguages name_in = {};
 };
 
@@ -149,9 +149,10 @@ struct ReadReport {
     int brushes = 0, polygons = 0, polygons_kept = 0, polygons_hidden = 0, triangles = 0;
     int liquids = 0, movers = 0, doors = 0, starts = 0;
     int patches = 0;  // number of curved patches that were read; the counts above do not include their triangles
-    std::vector<std::string> guessed, simplified, left_out;  // sentences for the person
-    std::vector<Diagnostic> warnings;                        // the first warnings, at most 20
-    int warnings_in_all = 0;  // number of all warnings, including those beyond the first 20
+    // Sentences for the person about what was guessed, simplified and left out.
+    std::vector<std::string> guessed, simplified, left_out;
+    std::vector<Diagnostic> warnings;  // the first warnings, at most 20
+    int warnings_in_all = 0;           // number of all warnings, including those beyond the first 20
 };
 
 struct Scene {
@@ -162,7 +163,7 @@ struct Scene {
     double metres_per_unit = 1.0;
     Aabb bounds_m;                    // bounds of the solids where the file has them
     std::vector<Material> materials;  // materials[0] is the default wall
-    std::vector<Feature> features;    // indexed by FeatureId::value
+    std::vector<Feature> features;    // features, indexed by FeatureId::value
     std::vector<Solid> solids;
     std::vector<MeshTriangle> triangles;
     std::vector<PlacedModel> placed;

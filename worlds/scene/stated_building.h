@@ -78,7 +78,7 @@ struct StatedThing {
 
 struct StatedBuilding {
     std::string schema;                             // the version of the format: "IFC2X3"
-    std::vector<StatedStorey> storeys;              // ordered from the lowest up
+    std::vector<StatedStorey> storeys;              // storeys, ordered from the lowest up
     std::vector<StatedRoom> rooms;                  // rooms in file order
     std::vector<StatedPortal> portals;              // doors, openings, stairs and other portals in file order
     std::vector<MissingPart> missing;               // missing parts in file order

@@ -194,7 +194,7 @@ private:
         }
         outside_.assign(pieces_.size(), false);
         for (std::size_t i = 0; i < pieces_.size() && !stop_.stop_requested(); ++i) {
-            if (!is_building(pieces_[i].solid)) continue;  // things do not need this
+            if (!is_building(pieces_[i].solid)) continue;  // only pieces of the building need this test
             const Vec3& normal = plane_of(pieces_[i]).normal;
             const Vec3 middle_m = centre_of(pieces_[i].polygon);
             const auto looks_out = [&](const Vec3& p) {
@@ -501,17 +501,17 @@ private:
     std::span<const std::vector<FaceLook>> looks_;
     double unit_m_ = 1.0;
     std::stop_token stop_;
-    BoxIndex index_;   // index of the solids
-    BoxIndex sheets_;  // index of the triangles
+    BoxIndex index_;   // index over the boxes of the solids
+    BoxIndex sheets_;  // index over the boxes of the triangles
     Aabb all_m_;
     std::vector<ExposedPiece> pieces_;
-    std::vector<double> areas_m2_;                 // indexed by piece
+    std::vector<double> areas_m2_;                 // area of each piece
     std::vector<std::uint32_t> first_piece_;       // index of each solid's first piece, with one more entry at the end
-    std::vector<bool> outside_;                    // indexed by piece
+    std::vector<bool> outside_;                    // for each piece: whether it faces away from the building
     std::vector<std::uint32_t> surface_of_piece_;  // indexed by piece; kNone for things and volumes
     std::map<std::uint32_t, std::uint32_t> folded_into_;  // outer pieces, each with the inner surface that it joined
     std::vector<Surface> surfaces_;
-    std::vector<bool> step_;           // indexed by surface
+    std::vector<bool> step_;           // for each surface: whether it is part of a step
     std::vector<std::uint32_t> near_;  // results of queries, kept to reuse their memory
 };
 

@@ -22,7 +22,7 @@ enum class Statement {
     AboveFloor,  // numbers[0] is the height above the floor
     SideOf,      // next to room `name`, on its side sides[0]; numbers[0], if given, is the distance
     Above,       // above or below room `name`, on another storey
-    Further,     // moved by numbers[0] towards sides[0]
+    Further,     // position moved by numbers[0] towards sides[0]
     Flush,       // aligned with the end of the other room at sides[0]
     // Position of the south-west corner: numbers[0] towards sides[0] and numbers[1] towards sides[1], from the origin.
     CornerAt,
@@ -34,19 +34,19 @@ enum class Statement {
     Hole,      // pairs of metres as in CornerList, for a hole in the outline; holes that touch are joined
     Along,     // numbers[0] along the wall at sides[0], if the sentence names one
     FromWall,  // at a distance of numbers[0] from the wall or end at sides[0]
-    InWall,    // in the wall at sides[0]
+    InWall,    // position in the wall at sides[0]
     MiddleOf,  // in the middle of the wall at sides[0]
     Middle,    // in the middle of the room
     InCorner,  // in the corner at sides[0]
     ByWindow,
     ByDoor,  // next to a door; if `name` is given, next to the door to that room
-    NextTo,  // next to `name`
+    NextTo,  // position next to `name`
     To,      // leads to room `name`
     Outside,
-    In,      // in room `name`
+    In,      // position in room `name`
     Stairs,  // stairs to room `name`
     Lift,    // a lift to room `name`
-    UpTo,    // reaches up to `name`
+    UpTo,    // subject reaches up to `name`
     Landmark,
     Clue,
     Called,    // a name for the subject: `name`
@@ -54,7 +54,7 @@ enum class Statement {
     Floor,     // its floor is made of the library's material `name`
     Walls,     // its walls are made of the library's material `name`
     Thick,     // numbers[0] is the thickness of the walls
-    Facing,    // faces sides[0]
+    Facing,    // subject faces sides[0]
     ByItself,  // a door that opens automatically when somebody comes near
     Raised,    // subject is a door that opens automatically when somebody comes near
     Sunk,      // the floor of the room is numbers[0] lower than that of its storey

@@ -45,7 +45,7 @@ private:
         std::vector<Ring> rings;  // outlines of the room; empty if it has not been placed yet
         Vec2 least{0.0}, most{0.0}, size_m{4.0};
         std::optional<double> raised_m;   // height of the room's floor above that of its storey
-        std::vector<std::size_t> levels;  // indices into FloorPlan::levels
+        std::vector<std::size_t> levels;  // levels of the room, as indices into FloorPlan::levels
     };
     // A straight part of an outline: a wall, or the border that two rooms share.
     struct Border {
