@@ -48,8 +48,8 @@ Splits splits_of(const PatchGrid& grid, double chord_m) {
                   std::vector<int>(static_cast<std::size_t>(rows), 1)};
     for (int r = 0; r < rows; ++r)
         for (int c = 0; c < columns; ++c) {
-            // bend_u and bend_v are half of the second derivatives along u and v, from the control net. `twist` is half
-            // of the mixed derivative, by which a cell is twisted out of its plane.
+            // bend_u and bend_v are an eighth of the greatest second derivatives along u and v, from the control net.
+            // `twist` is the greatest twist of a cell of the control net, which bounds the mixed derivative.
             double bend_u = 0.0, bend_v = 0.0, twist = 0.0;
             for (int k = 0; k < 3; ++k) {
                 bend_u = std::max(bend_u, bend_of({grid.at(2 * r + k, 2 * c), grid.at(2 * r + k, 2 * c + 1),

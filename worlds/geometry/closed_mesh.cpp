@@ -281,7 +281,7 @@ private:
         if (built.fault == SolidFault::None && !built.was_inside_out) solids_.push_back(std::move(built.solid));
     }
 
-    // Halves the cell by a plane through the middle of its faces.
+    // Halves the cell at the middle of the box around its faces.
     bool halve(const Cell& cell, const std::vector<std::uint32_t>& own, std::vector<Cell>& open,
                std::size_t& fragments) {
         Aabb box;

@@ -1,6 +1,6 @@
 // Reads OpenStreetMap as a Scene. It reads the rooms, corridors, doors, stairs and lifts of a building from Simple
-// Indoor Tagging. If the rooms of a site are not joined, it also reads the outdoor ways. Any thread may call it; it
-// uses two more threads during the call.
+// Indoor Tagging, and the outdoor ways near them. If doors do not join the rooms of a site, it reads all ways of the
+// site. Any thread may call it; it uses two more threads during the call.
 #pragma once
 
 #include "worlds/floorplan/plan_scene.h"

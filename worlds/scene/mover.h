@@ -56,7 +56,7 @@ struct Mover {
     // the other end.
     double sends_to = -1.0;
 
-    std::vector<TrainStop> stops;   // for a train: its stops in order, beginning with the first one that it waits at
+    std::vector<TrainStop> stops;   // for a train: its stops in order; the train starts at the first one
     int after_last = -1;            // index of the stop that follows the last one; -1: the train ends at the last stop
     double speed_m_per_s = 0.0;     // speed of a train
     double turn_rad_per_s = 0.0;    // angular speed of a turning part, right-handed about turn_axis through pivot_m
