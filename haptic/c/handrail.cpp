@@ -31,7 +31,8 @@ namespace {
 constexpr double kFarthest_m = 1e6;
 constexpr double kLongestTick_s = 1.0;
 
-// Truncates at a whole UTF-8 character and always adds the final zero; writes nothing if there is no room.
+// Copies `text` to `out`, cut at a whole UTF-8 character if it is too long, and always adds the final zero. Writes
+// nothing if `out` has no room for it.
 void copy_text(const std::string& text, char* out, std::size_t size) noexcept {
     if (!out || size == 0) return;
     std::size_t length = std::min(text.size(), size - 1);
@@ -62,7 +63,8 @@ bool take_feel(const handrail_feel* feel, handrail_hand& hand) noexcept {
     return true;
 }
 
-// No C++ exception crosses the C interface: it becomes a sentence and a null result.
+// Catches every C++ exception, because none may cross the C interface. Reports the exception as a sentence in `error`
+// and returns null.
 template <class Read>
 handrail_world* world_of(Read read, char* error, std::size_t error_size) noexcept {
     try {

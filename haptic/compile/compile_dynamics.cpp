@@ -15,7 +15,8 @@ render::DynamicsPiece piece_of(const Solid& solid, FeatureId feature) {
     return render::make_piece(solid.shape, feature, material);
 }
 
-// The feature that names a part of the building when a body meets it: the whole, or else its first named face.
+// Returns the feature that is named when a body meets this solid: the solid's own feature, or else that of its first
+// named face.
 FeatureId feature_of(const Solid& solid) {
     if (solid.feature) return solid.feature;
     for (const FeatureId face : solid.face_features)
@@ -56,7 +57,7 @@ std::shared_ptr<const render::DynamicsScene> compile_dynamics(const Scene& scene
         else if (done.bodies[free[i].placed] == render::kNoBody)
             fault =
                 builder.add_body(pieces, placed.feature, static_cast<std::uint32_t>(free[i].placed), placed.at, nature);
-        else continue;  // requested twice
+        else continue;  // The thing was requested twice.
         if (fault != render::BodyFault::None) {
             done.refused.push_back({i, fault});
             continue;

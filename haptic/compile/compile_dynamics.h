@@ -1,5 +1,5 @@
-// Scene -> DynamicsScene: the still building, the placed models that are driven, and those that are free. App or
-// background thread.
+// Compiles a Scene to a DynamicsScene: the still building, the placed models that Handrail drives, and those that can
+// move freely. App thread or background thread.
 #pragma once
 
 #include <cstdint>
@@ -16,24 +16,25 @@ namespace handrail::compile {
 struct FreeThing {
     std::size_t placed = 0;  // index in Scene::placed, and so in HapticScene::bodies
     render::BodyNature nature;
-    double density_kg_per_m3 = 0.0;  // > 0: the mass is computed from the volume instead
+    double density_kg_per_m3 = 0.0;  // if > 0, the mass is computed from the volume and this density
 };
 
 struct DynamicsReport {
     struct Refused {
-        std::size_t thing = 0;  // index among the requested things
+        std::size_t thing = 0;  // index among the things passed as `free`
         render::BodyFault fault = render::BodyFault::None;
     };
-    std::vector<Refused> refused;  // these stay driven
-    // For each placed model its index in DynamicsScene::driven; kNoBody: it is free, or has no volume.
+    std::vector<Refused> refused;  // things that cannot be free bodies; they stay driven
+    // For each placed model, its index in DynamicsScene::driven, or kNoBody if it is free or has no volume.
     std::vector<std::uint32_t> driven;
     std::vector<std::uint32_t> bodies;  // for each placed model its index in DynamicsScene::bodies, or kNoBody
-    std::vector<double> mass_kg;        // for each body
+    std::vector<double> mass_kg;        // for each body in DynamicsScene::bodies
 };
 
-// Solids and movers that are still part of the building become fixed, with their round shapes; triangles become fixed
-// sheets. A free thing needs solids, because a model of triangles alone has no volume. Returns null if nothing is free
-// in the end; then there is no engine, no thread and no cost. origin_m: HapticScene::origin_m.
+// Solids, and movers that are not free, become fixed parts of the building and keep their round shapes. Mesh triangles
+// become fixed sheets. A free thing needs solids, because a model made only of triangles has no volume. If no thing is
+// free in the end, the function returns null, and no physics engine or thread is started. `origin_m` is
+// HapticScene::origin_m.
 std::shared_ptr<const render::DynamicsScene> compile_dynamics(const Scene& scene, std::span<const FreeThing> free,
                                                               const Vec3& origin_m, DynamicsReport* report = nullptr);
 

@@ -90,7 +90,7 @@ render::EffectLaw law_of(const Effect& effect, const Scene& scene) {
     return render::VibrationLaw{effect.direction, effect.strength_n, effect.frequency_hz};
 }
 
-// Converts the effect to the frame of a body at that pose.
+// Converts the effect from world coordinates to the frame of a body with the pose `frame`.
 void bring_into(render::EffectVolume& effect, const PlacedFrame& frame) {
     const auto plane = [&](const Vec3& normal, double offset_m) {
         return Plane{frame.turned_back(normal), (offset_m - glm::dot(normal, frame.position_m)) / frame.scale};

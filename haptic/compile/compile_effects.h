@@ -1,4 +1,4 @@
-// Effects of a Scene -> effect volumes with their laws. App or background thread.
+// Compiles the effects of a Scene to effect volumes with their force laws. App thread or background thread.
 #pragma once
 
 #include "haptic/render/haptic_scene.h"
@@ -6,8 +6,8 @@
 
 namespace handrail::compile {
 
-// Call it after the bodies were added: an effect that belongs to a body is attached to it, in its frame. Effects that a
-// reader has accepted are sound and are all added.
+// Call it after the bodies were added, because an effect that belongs to a body is attached to it, in the body's frame.
+// All effects are added without a further check, since the reader of the file has validated them.
 void add_effects(render::HapticSceneBuilder& builder, const Scene& scene);
 
 }  // namespace handrail::compile

@@ -25,7 +25,7 @@ render::Relief relief_of(const TextureWave& wave) {
     return relief;
 }
 
-// The reliefs of the scene. Many materials may use the same picture; its levels are made once.
+// Cache of the scene's reliefs. Many materials may use the same picture, whose levels are computed only once.
 class Reliefs {
 public:
     std::int32_t add(const Material& material, const MaterialSpec* known) {
@@ -75,9 +75,9 @@ render::HapticMaterial compile_material(const Material& material, MaterialSource
     return compiled;
 }
 
-// The axis along which textures are projected on a mesh: the one in which its thing is thinnest, so that the texture is
-// continuous over every edge, whatever the facets. z if two are equal. For a moving thing its own axes count, and the
-// texture moves with it.
+// Returns for each feature the axis along which textures are projected on its mesh: the axis in which the feature is
+// thinnest, or z if two are equal. The texture is then continuous over every edge, however the mesh is divided into
+// facets. A moving thing uses the axes of its own frame, so its texture moves with it.
 std::vector<std::uint8_t> mesh_axes(const Scene& scene) {
     std::vector<Aabb> boxes(scene.features.size());
     const auto include = [&](FeatureId feature, const MeshTriangle& t) {
@@ -97,7 +97,8 @@ std::vector<std::uint8_t> mesh_axes(const Scene& scene) {
     return axes;
 }
 
-// An object, mover or volume has one name as a whole; a wall has one for each face.
+// Returns one label for each face. All faces of an object, mover or volume have the same name, while each face of a
+// wall has a name of its own.
 std::vector<render::SurfaceLabel> labels_of(const Solid& solid) {
     std::vector<render::SurfaceLabel> labels(solid.shape.planes.size());
     for (std::size_t face = 0; face < labels.size(); ++face) {
@@ -117,8 +118,9 @@ void add_coarser(std::vector<CoarserMesh>& all, const CoarserMesh& one) {
     known->off_m = std::max(known->off_m, one.off_m);
 }
 
-// Triangles of one feature and material that are touched from the same side are one surface. label: instead of their
-// own. scale: how much larger they are in the world.
+// Adds mesh triangles. Those of one feature and material that are touched from the same side form one surface. If
+// `label` is given, it replaces the labels of the triangles. `scale` is the factor by which the triangles are larger in
+// the world.
 void add_triangles_of(render::HapticSceneBuilder& builder, const std::vector<MeshTriangle>& triangles, TouchSide side,
                       const render::SurfaceLabel* label, double scale, const CompileOptions& options,
                       CompileReport& report) {
@@ -162,7 +164,7 @@ void add_triangles(render::HapticSceneBuilder& builder, const std::vector<MeshTr
         add_triangles_of(builder, triangles, side, label, scale, options, report);
 }
 
-// A round solid keeps its exact shape, under the name of its first face.
+// Adds one touchable solid. A round solid keeps its exact shape and gets the name of its first face.
 void add_touchable(render::HapticSceneBuilder& builder, const Solid& solid,
                    std::span<const render::SurfaceLabel> labels, const RoundedSolid* rounded) {
     std::visit(Overloaded{[&](std::monostate) {
@@ -177,7 +179,7 @@ void add_touchable(render::HapticSceneBuilder& builder, const Solid& solid,
                solid.round);
 }
 
-// Adds the hard rest of a solid, and the patch that gives way above it.
+// Adds the hard part of a solid, and above it the soft patch that yields to pressure.
 void add_soft_solid(render::HapticSceneBuilder& builder, const Solid& solid) {
     const SoftFace& soft = *solid.soft;
     std::vector<Plane> planes = solid.shape.planes;
@@ -195,7 +197,7 @@ void add_soft_solid(render::HapticSceneBuilder& builder, const Solid& solid) {
     patch.recovery_s = soft.recovery_s;
     patch.yield_n = soft.yield_n;
     patch.outline_m = corners;
-    // u points along the longest edge.
+    // The patch's axis u points along its longest edge.
     double longest = 0.0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Vec3 edge = corners[(i + 1) % corners.size()] - corners[i];
@@ -220,7 +222,7 @@ void add_soft_solid(render::HapticSceneBuilder& builder, const Solid& solid) {
     builder.add_soft(std::move(patch));
 }
 
-// Returns nothing if edges stay sharp.
+// Returns the rounded solids, or an empty vector if edges stay sharp.
 std::vector<RoundedSolid> rounded_solids(const Scene& scene, double radius_m, const std::stop_token& stop,
                                          CompileReport& report) {
     if (!(radius_m > 0.0)) return {};
@@ -230,8 +232,8 @@ std::vector<RoundedSolid> rounded_solids(const Scene& scene, double radius_m, co
     return solids;
 }
 
-// The touchable parts of a model, all with one name and one material. The rounding is for the hand, so a model that is
-// placed enlarged gets a smaller rounding in its own metres.
+// Compiles the touchable parts of a model, all with one name and one material. The rounding has a fixed size for the
+// hand, so a model that is placed enlarged gets a smaller rounding in its own metres.
 std::shared_ptr<const render::HapticScene> compile_model(const PlacedModel& placed, const CompileOptions& options,
                                                          CompileReport& report) {
     const Scene& model = *placed.model;

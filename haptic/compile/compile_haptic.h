@@ -1,4 +1,4 @@
-// Scene -> HapticScene: the only haptic code that knows Scene. App or background thread.
+// Compiles a Scene to a HapticScene. This is the only haptic code that knows Scene. App thread or background thread.
 #pragma once
 
 #include <cstdint>
@@ -14,40 +14,44 @@
 
 namespace handrail::compile {
 
-// Where surfaces get the values that the file does not set.
+// Where a surface takes the material values that the world file does not set.
 enum class MaterialSource {
-    KeysOnly,  // only keys written in the world count, as `touch` requires
-    Library,   // a named or guessed material contributes its library values, for exploring
+    KeysOnly,  // no source: only values written in the world file count, as `touch` requires
+    Library,   // the library values of a named or guessed material; used for exploring
 };
 
 struct CompileOptions {
     MaterialSource materials = MaterialSource::KeysOnly;
     std::uint32_t world =
-        0;  // HapticScene::world of the scene that this one follows with something added or removed; 0: another world
+        // Number of the world: HapticScene::world of the earlier scene if this scene is that one with things added or
+        // removed. 0: a new world.
+        0;
     MeshOptions mesh =
-        kExactMesh;  // what is done to mesh triangles of one feature and material, of the scene and of each model
-    bool shade_meshes = false;     // let facets be felt as the curve they stand for (mesh_shading.h)
-    double edge_rounding_m = 0.0;  // of convex edges of solids, world metres (round_edges.h); 0: sharp, at no cost
-    // Requested from another thread if the scene is not wanted any more: null is then returned soon.
+        // Simplifications of the mesh triangles of each feature and material, in the scene and in each model.
+        kExactMesh;
+    bool shade_meshes = false;  // shade facets so that the hand feels the curve that they approximate (mesh_shading.h)
+    // Radius of the convex edges of solids in world metres (round_edges.h); 0: sharp, at no cost.
+    double edge_rounding_m = 0.0;
+    // Another thread requests a stop if the scene is no longer needed. compile_haptic() then soon returns null.
     std::stop_token stop;
-    // Called before a dense mesh is simplified, which may take seconds.
+    // compile_haptic() calls it before it simplifies a dense mesh, which may take seconds.
     std::function<void(FeatureId feature, std::size_t triangles)> simplifies;
 };
-// As somebody who explores feels a world. mesh_tolerance_m: how far dense meshes may be off in the world; 0: not at
-// all.
+// Returns the options for exploring a world. `mesh_tolerance_m` is the greatest distance in the world by which a
+// simplified dense mesh may differ from the original; 0: no simplification.
 CompileOptions exploring(double edge_rounding_m, std::uint32_t world = 0, double mesh_tolerance_m = 0.0);
 
-// Meshes with at least this many triangles in one surface are dense. Fewer cost a tick of the hand little, and can be
-// felt one by one at scales for details.
+// Meshes with at least this many triangles in one surface are dense. Fewer triangles cost little time in a tick, and a
+// hand at a scale for details can feel each of them.
 inline constexpr std::size_t kDenseFrom = 10'000;
-// Is there a mesh that exploring() may simplify?
+// Returns true if the scene has a mesh that exploring() may simplify.
 bool has_dense_mesh(const Scene& scene);
 
-// A thing whose mesh the hand feels with fewer triangles than it has.
+// A thing whose mesh was simplified, so that the hand feels fewer triangles than the file contains.
 struct CoarserMesh {
     FeatureId feature;
-    std::size_t before = 0, after = 0;  // triangles, of its dense surfaces alone
-    double off_m = 0.0;                 // measured between both, in the world
+    std::size_t before = 0, after = 0;  // numbers of triangles, counting only the thing's dense surfaces
+    double off_m = 0.0;                 // measured distance between the original and the simplified mesh, in the world
 
     bool operator==(const CoarserMesh&) const = default;
 };
@@ -55,16 +59,16 @@ struct CoarserMesh {
 struct CompileReport {
     MeshReport mesh;
     RoundingReport rounding;
-    std::vector<CoarserMesh> coarser;  // each thing once
+    std::vector<CoarserMesh> coarser;  // one entry for each thing
 };
 
-// Placed models become bodies, in their order; those beyond HapticScene::kMostBodies are left out. Solids and movers
+// Placed models become bodies in the same order; those beyond HapticScene::kMostBodies are left out. Solids and movers
 // become convex obstacles (boxes are recognised as boxes), mesh triangles become sheets, liquids become volumes. The
-// generation is unique among the compiled scenes of this process. What was done is added to the report, if one is
-// given.
+// generation number is unique among the compiled scenes of this process. If `report` is given, the function adds its
+// simplifications and roundings to it.
 std::shared_ptr<const render::HapticScene> compile_haptic(const Scene& scene, const CompileOptions& options,
                                                           CompileReport* report = nullptr);
-// Compiles everything sharp and exact; with a library's materials also with shading.
+// Compiles the scene with sharp edges and exact meshes. With MaterialSource::Library, meshes are also shaded.
 std::shared_ptr<const render::HapticScene> compile_haptic(const Scene& scene, MaterialSource materials);
 
 }  // namespace handrail::compile

@@ -10,9 +10,10 @@ namespace handrail::compile {
 namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
-// Tolerance for points on one line, seen along the normal; corners may be off the plane by a thousandth of it.
+// Tolerance for points on one line, seen along the patch's normal. Corners may be off the patch's plane by this divided
+// by a thousand.
 constexpr double kRim_m = 1e-9;
-constexpr double kLowestSeed_m = 1e-7;  // a triangle lower than this does not define a plane
+constexpr double kLowestSeed_m = 1e-7;  // a triangle of less height than this does not define a plane
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
@@ -48,7 +49,7 @@ public:
     }
 
 private:
-    // Half-edge 3 t + k goes from corner k of triangle t to the next corner.
+    // Half-edge 3 t + k goes from corner k of triangle t to the triangle's next corner.
     std::uint32_t origin(std::uint32_t h) const { return mesh_.triangles[h / 3][h % 3]; }
     std::uint32_t target(std::uint32_t h) const { return mesh_.triangles[h / 3][(h % 3 + 1) % 3]; }
     const Vec3& corner(std::uint32_t t, std::size_t k) const { return mesh_.points_m[mesh_.triangles[t][k]]; }
@@ -88,8 +89,8 @@ private:
         }
     }
 
-    // A small triangle gives a poor estimate of a large patch's plane. While more triangles are found, the search is
-    // repeated with the mean plane of the patch.
+    // Finds the triangles of a patch, and its plane. A small seed triangle gives a poor estimate of a large patch's
+    // plane. The search is therefore repeated with the mean plane of the patch while it finds more triangles.
     void find_patch(std::uint32_t seed) {
         constexpr int kRounds = 8;
         std::size_t found = 0;
@@ -124,8 +125,9 @@ private:
         return true;
     }
 
-    // Collects all triangles connected to the seed that are within the bound of a plane and face the same way. Returns
-    // true if some were left out because they are too far off it.
+    // Collects all triangles that are connected to the seed, face the same way and are within the bound of the plane
+    // through `base` with this normal. Returns true if some connected triangles were left out because they are too far
+    // off that plane.
     bool grow_patch(std::uint32_t seed, const Vec3& normal, const Vec3& base) {
         normal_ = normal;
         base_ = base;
@@ -167,8 +169,8 @@ private:
     double height(std::uint32_t t, std::size_t k) const { return glm::dot(corner(t, k) - base_, normal_); }
     double flat_area(std::uint32_t t) const { return 0.5 * glm::dot(twice_area(t), normal_); }
 
-    // The convex hull of points (indices of the mesh), counter-clockwise, without points on its edges. Andrew's
-    // monotone chain.
+    // Returns the convex hull of points, given as indices of the mesh, counter-clockwise and without points on its
+    // edges. Uses Andrew's monotone chain.
     std::vector<std::uint32_t> hull_of(std::vector<std::uint32_t> points) const {
         std::sort(points.begin(), points.end(), [&](std::uint32_t a, std::uint32_t b) {
             const Vec2 p = flat_[a], q = flat_[b];
@@ -208,8 +210,8 @@ private:
         return false;
     }
 
-    // Makes a polygon of triangles whose border is given by half-edges, if their union is convex: the whole border is
-    // on the hull and no area is missing.
+    // Makes one polygon of these triangles, whose border consists of these half-edges, if their union is convex. The
+    // union is convex if the whole border is on the hull and the hull has the same area. Returns true on success.
     bool take(const std::vector<std::uint32_t>& border, const std::vector<std::uint32_t>& triangles, double area) {
         std::vector<std::uint32_t> points;
         points.reserve(border.size());
@@ -238,7 +240,8 @@ private:
 
     // Returns true if the patch continues into a neighbouring triangle without a crease.
     bool on_curve() const {
-        constexpr double kCreaseCosine = 0.8660254037844386;  // 30 degrees, as for shading
+        // Cosine of 30 degrees, the crease angle that shading uses too.
+        constexpr double kCreaseCosine = 0.8660254037844386;
         for (const std::uint32_t t : patch_)
             for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
                 if (twin_[h] == kNone) continue;
@@ -262,15 +265,16 @@ private:
         return take(border, patch_, area);
     }
 
-    // Polygons of the patch as rings of half-edges; ring_ finds the polygon of a triangle (union-find over triangles).
+    // Returns the polygon of half-edge `h`. The polygons of the patch are rings of half-edges; ring_ finds the polygon
+    // of a triangle by union-find over triangles.
     std::uint32_t ring_of(std::uint32_t h) {
         std::uint32_t t = h / 3;
         while (ring_[t] != t) t = ring_[t] = ring_[ring_[t]];
         return t;
     }
 
-    // Joins the polygons on both sides of a half-edge, over all consecutive edges that they share, if the result is
-    // convex.
+    // Joins the polygons on both sides of half-edge `h` if the result is convex. Removes all consecutive edges that the
+    // two polygons share. Returns true if it joined them.
     bool join(std::uint32_t h) {
         const std::uint32_t here = ring_of(h), there = ring_of(twin_[h]);
         if (here == there) return false;
@@ -281,7 +285,8 @@ private:
             first = prev_[first];
         const std::uint32_t before = prev_[first], after = next_[last], there_after = next_[twin_[first]],
                             there_before = prev_[twin_[last]];
-        if (before == last || there_before == twin_[first]) return false;  // one of them consists only of shared edges
+        // One of the polygons consists only of shared edges.
+        if (before == last || there_before == twin_[first]) return false;
         const auto convex = [&](std::uint32_t in, std::uint32_t out) {
             const Vec2 a = flat_[target(in)] - flat_[origin(in)], b = flat_[target(out)] - flat_[origin(out)];
             const double longer = std::max(glm::length(a), glm::length(b));
@@ -309,7 +314,8 @@ private:
                 else if (twin_[h] != kNone && h < twin_[h]) inner.push_back(h);
             }
         }
-        // Edges that leave the patch count as its border; their twins are restored below.
+        // Edges to triangles outside the patch count as its border, so they lose their twins here. They get them back
+        // below.
         std::vector<std::uint32_t> cut_off;
         for (const std::uint32_t h : outside_) cut_off.push_back(std::exchange(twin_[h], kNone));
         const auto length2 = [&](std::uint32_t h) {
@@ -352,10 +358,10 @@ private:
     const std::uint32_t count_;
     std::vector<std::uint32_t> twin_, next_, prev_, ring_;
     std::vector<std::uint32_t> patch_of_;  // the patch of each triangle, named by its seed
-    std::vector<Vec2> flat_;               // points in the plane of the current patch
+    std::vector<Vec2> flat_;               // mesh points projected to the plane of the current patch
     FlatMerge result_;
 
-    // The current patch.
+    // The current patch: its triangles, its neighbours outside, and the frame of its plane.
     std::vector<std::uint32_t> patch_, outside_;
     Vec3 normal_{0.0}, base_{0.0}, across_{0.0}, along_{0.0};
     double size_m_ = 0.0, rim_m_ = 0.0;

@@ -13,9 +13,10 @@ namespace handrail::compile {
 namespace {
 
 constexpr std::uint32_t kNoPoint = 0xFFFFFFFFU;
-constexpr double kLowest_m = 1e-7;  // a triangle lower than this over its longest edge feels like that edge
+// A triangle whose height over its longest edge is less than this feels like that edge.
+constexpr double kLowest_m = 1e-7;
 
-// Finds points by a key of three integers: a table with open addressing that contains indices.
+// Finds points by a key of three integers. It is a hash table with open addressing, which stores indices of points.
 class PointTable {
 public:
     using Key = std::array<std::int64_t, 3>;
@@ -31,7 +32,7 @@ public:
             if (keys_[point] == key) visit(point);
         }
     }
-    // Call it for points in rising order from 0.
+    // Adds the next point with its key. Call it for points in rising order from 0.
     void add(const Key& key) {
         std::size_t i = hash(key);
         while (slots_[i & (slots_.size() - 1)] != kNoPoint) ++i;
@@ -59,7 +60,8 @@ Sorted sorted(const Corners& t) {
     return s;
 }
 
-// The corners of a triangle's longest edge, the lower index first; equal for a triangle that is a point.
+// Returns the corners of a triangle's longest edge, the lower index first. Both are equal if the triangle is only a
+// point.
 std::pair<std::uint32_t, std::uint32_t> longest_edge(const TriangleMesh& mesh, const Corners& t) {
     double longest = -1.0;
     std::pair<std::uint32_t, std::uint32_t> edge{t[0], t[0]};
@@ -91,8 +93,9 @@ void keep(TriangleMesh& mesh, std::vector<std::uint32_t>& surfaces, const std::v
     surfaces.resize(kept);
 }
 
-// Drops triangles without area whose longest edge is also an edge of a triangle with area (or, for a point, a corner),
-// so that nothing is lost. Also drops all but the first of the triangles with the same corners and surface.
+// Drops degenerate triangles without area, but only if their longest edge is also an edge of a triangle with area, so
+// that no edge disappears. If such a triangle is only a point, that point must be a corner of a triangle with area. Of
+// several triangles with the same corners and surface, only the first stays.
 void tidy_triangles(TriangleMesh& mesh, std::vector<std::uint32_t>& surfaces, MeshReport& report) {
     std::vector<bool> dropped(mesh.triangles.size(), false), flat(mesh.triangles.size(), false),
         used(mesh.points_m.size(), false);
@@ -129,7 +132,7 @@ void tidy_triangles(TriangleMesh& mesh, std::vector<std::uint32_t>& surfaces, Me
     keep(mesh, surfaces, dropped);
 }
 
-// The triangles of each surface, by their numbers.
+// Returns for each surface the indices of its triangles.
 std::vector<std::vector<std::uint32_t>> by_surface(std::span<const std::uint32_t> surfaces) {
     std::vector<std::vector<std::uint32_t>> triangles;
     for (std::uint32_t t = 0; t < surfaces.size(); ++t) {
@@ -139,10 +142,10 @@ std::vector<std::vector<std::uint32_t>> by_surface(std::span<const std::uint32_t
     return triangles;
 }
 
-// One surface of a mesh alone. Its borders with others are fixed.
+// The mesh of one surface alone. Points on its borders with other surfaces are fixed.
 struct SurfaceAlone {
     TriangleMesh mesh;
-    std::vector<std::uint32_t> point_of;  // of the whole mesh
+    std::vector<std::uint32_t> point_of;  // for each point, its index in the whole mesh
     std::vector<bool> fixed;
 };
 SurfaceAlone surface_alone(const TriangleMesh& whole, std::span<const std::uint32_t> triangles,
@@ -165,7 +168,8 @@ SurfaceAlone surface_alone(const TriangleMesh& whole, std::span<const std::uint3
     return alone;
 }
 
-// Makes each dense surface coarser. The triangles of the others come first, in their order.
+// Simplifies each dense surface. In the resulting mesh, the triangles of the other surfaces come first, in their old
+// order.
 void simplify_surfaces(TriangleMesh& mesh, std::vector<std::uint32_t>& surfaces, const MeshOptions& options,
                        const std::stop_token& stop, const SurfaceBegins& begins, PreparedMesh& out) {
     MeshReport& report = out.report;
@@ -222,7 +226,8 @@ void compact(TriangleMesh& mesh) {
     mesh.points_m.shrink_to_fit();
 }
 
-// Two digits for values below a millimetre; values below a millionth of a millimetre become 0.
+// Converts to millimetres and rounds values below a millimetre to two digits. Values below a millionth of a millimetre
+// become 0.
 double in_millimetres(double m) {
     if (m < 1e-9) return 0.0;
     if (m >= 1e-3) return 1e3 * m;
@@ -238,7 +243,7 @@ TriangleMesh weld_corners(std::span<const Vec3> corners_m, double tolerance_m, M
     TriangleMesh mesh;
     mesh.triangles.resize(corners_m.size() / 3);
     PointTable table(corners_m.size());
-    // For weld_corners with a tolerance: the distinct positions, which the table contains too.
+    // The distinct positions seen before and, for each, the welded point that replaces it.
     std::vector<Vec3> distinct;
     std::vector<std::uint32_t> stands_for;
     const auto bits = [](double v) { return std::bit_cast<std::int64_t>(v == 0.0 ? 0.0 : v); };

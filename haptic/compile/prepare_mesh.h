@@ -1,7 +1,7 @@
-// A soup of triangles from a file becomes what a hand should meet: points that are one are made one, what has no area
-// and lies on its neighbours goes, flat patches become convex polygons, and on request dense surfaces become coarser
-// within a stated error. What was done is counted. Pure functions, worker thread; 2 to 4 us per triangle without
-// simplification, which costs 0.1 to 1 ms per triangle.
+// Prepares the loose triangles of a file for the hand. It welds identical points and drops degenerate triangles that
+// lie on their neighbours. It merges flat patches into convex polygons and, on request, simplifies dense surfaces
+// within a stated error. A report counts these changes. Pure functions, worker thread. They take 2 to 4 us per
+// triangle; simplification takes 0.1 to 1 ms per triangle more.
 #pragma once
 
 #include <cstdint>
@@ -17,20 +17,20 @@
 namespace handrail::compile {
 
 struct MeshOptions {
-    // Points at most this far apart are merged into the first of them; 0: only identical points. Above a millimetre,
-    // thin objects close up.
+    // Points at most this far apart are merged into the first of them. 0: only identical points are merged. Values
+    // above a millimetre close the gaps of thin objects.
     double weld_m = 0.0;
-    bool tidy = true;   // drop triangles that only repeat their neighbours
+    bool tidy = true;   // drop triangles that only repeat their neighbours or have no area
     bool merge = true;  // merge flat patches into convex polygons
-    // How far a corner may be from its polygon's plane. The default covers the noise of coordinates written with 5 or 6
-    // digits. Above 1e-4 m, facets of tessellated curves become larger, and their edges are felt.
+    // Greatest distance of a corner from its polygon's plane. The default covers the rounding of coordinates written
+    // with 5 or 6 digits. Above 1e-4 m, facets of tessellated curves become larger, and the hand feels their edges.
     double flat_m = 1e-5;
-    bool keep_curves = true;  // facets that shading rounds stay triangles
-    double simplify_m = 0.0;  // largest distance between a surface as it was and a coarser one; 0: as fine as it is
-    std::size_t simplify_from = 0;  // triangles; surfaces with fewer stay as fine as they are
+    bool keep_curves = true;        // facets that shading rounds are not merged
+    double simplify_m = 0.0;        // largest distance between a surface and its simplified form; 0: no simplification
+    std::size_t simplify_from = 0;  // least number of triangles of a surface that is simplified
 };
 
-// What `touch` uses: nothing moves by more than rounding.
+// The options of `touch`: no point moves by more than rounding.
 inline constexpr MeshOptions kExactMesh{.weld_m = 0.0,
                                         .tidy = false,
                                         .merge = true,
@@ -40,51 +40,55 @@ inline constexpr MeshOptions kExactMesh{.weld_m = 0.0,
                                         .simplify_from = 0};
 
 struct MeshReport {
-    std::size_t triangles = 0;      // number before processing
+    std::size_t triangles = 0;      // number of triangles before processing
     std::size_t points_welded = 0;  // points merged into another one
     double farthest_weld_m = 0.0;
-    std::size_t without_area = 0;  // dropped, because their neighbours cover them
-    std::size_t repeated = 0;      // dropped, because another has the same corners and surface
+    std::size_t without_area = 0;  // triangles dropped because they have no area and their neighbours cover them
+    std::size_t repeated = 0;      // triangles dropped because another has the same corners and surface
     std::size_t simplified = 0;    // number of triangles removed by simplification
     double simplify_bound_m = 0.0;
-    double simplify_measured_m = 0.0;  // Hausdorff distance in both directions, measured at samples
-    // Distance between samples: the true Hausdorff distance is at most this much / sqrt(3) greater.
+    // Hausdorff distance between the original and the simplified mesh, measured in both directions at samples.
+    double simplify_measured_m = 0.0;
+    // Distance between these samples. The true Hausdorff distance is at most this much / sqrt(3) greater.
     double simplify_spacing_m = 0.0;
     std::size_t merged = 0;  // triangles replaced by polygons
     std::size_t polygons = 0;
     double flat_bound_m = 0.0, flat_measured_m = 0.0;
 
     MeshReport& operator+=(const MeshReport& other);
-    // Sentences for the honesty report, with the bounds; none if nothing was done.
+    // Returns sentences for the honesty report, with the bounds of the changes. Returns none if nothing was changed.
     std::vector<std::string> sentences() const;
 };
 
-// A surface with fewer triangles than it had.
+// A surface that was simplified to fewer triangles.
 struct CoarserSurface {
     std::uint32_t surface = 0;
     std::size_t before = 0, after = 0;
-    double measured_m = 0.0;  // Hausdorff distance, both ways, at samples
+    double measured_m = 0.0;  // Hausdorff distance in both directions, measured at samples
 };
 
 struct PreparedMesh {
-    TriangleMesh mesh;                    // the triangles that remain
-    std::vector<std::uint32_t> surfaces;  // for each of these triangles
-    std::vector<FlatPolygon> polygons;    // `triangles` is empty in these
+    TriangleMesh mesh;                    // the triangles that were not merged
+    std::vector<std::uint32_t> surfaces;  // surface of each triangle in `mesh`
+    std::vector<FlatPolygon> polygons;    // merged patches; the field `triangles` of each is empty
     std::vector<std::uint32_t> polygon_surfaces;
-    std::vector<CoarserSurface> coarser;  // in rising order of the surfaces
+    std::vector<CoarserSurface> coarser;  // in rising order of the surface numbers
     MeshReport report;
 };
 
-// corners: three for each triangle. surfaces: one number for each; only what has the same is joined, and no border
-// between different ones moves. stop: soon after a request from another thread the mesh comes back less simplified.
-// begins: called before a surface is simplified, with its number and its triangles.
+// Prepares a mesh.
+// - corners_m: three for each triangle.
+// - surfaces: one number for each triangle. Only triangles of the same surface are merged, and no border between
+//   surfaces moves.
+// - stop: after a request from another thread, the function soon returns the mesh, less simplified.
+// - begins: called before a surface is simplified, with its number and its count of triangles.
 using SurfaceBegins = std::function<void(std::uint32_t surface, std::size_t triangles)>;
 PreparedMesh prepare_mesh(std::span<const Vec3> corners_m, std::span<const std::uint32_t> surfaces,
                           const MeshOptions& options, const std::stop_token& stop = {},
                           const SurfaceBegins& begins = {});
 
-// Merges points that are at most tolerance_m apart into the first of them (0: only identical ones; -0 counts as 0).
-// Triangles keep their order.
+// Merges points that are at most `tolerance_m` apart into the first of them. 0: only identical points are merged, and
+// -0 counts as 0. Triangles keep their order.
 TriangleMesh weld_corners(std::span<const Vec3> corners_m, double tolerance_m, MeshReport& report);
 
 }  // namespace handrail::compile

@@ -12,19 +12,20 @@
 namespace handrail::compile {
 namespace {
 
-constexpr double kOfThickness = 0.25;  // a solid is rounded by at most this share of its thickness
-// Share of the requested radius; a smaller rounding is not felt, so the solid stays sharp.
+constexpr double kOfThickness = 0.25;  // greatest rounding radius as a share of the solid's thickness
+// Least rounding as a share of the requested radius. The hand would not feel a smaller one, so the solid stays sharp.
 constexpr double kLeastShare = 0.25;
-constexpr double kFlush = 1e-6;  // sine of the angle below which two faces count as one
-// Most cuts of one solid's extension by its neighbours before it counts as not covered.
+constexpr double kFlush = 1e-6;  // sine of the angle between two faces below which they count as one
+// When covered() subtracts neighbours from a solid's extension, it gives up after this many cuts. The extension then
+// counts as not covered.
 constexpr int kMostCuts = 300;
 
 enum class Edges : std::uint8_t { Apart, Rounded, TooThin, AtSeam };  // Apart: the solid is not to be rounded
 
-// An edge with the direction that the face on its left gives it: counter-clockwise seen from outside.
+// An edge of a solid. It runs counter-clockwise around the face on its left, seen from outside.
 struct Edge {
     Vec3 from_m, to_m;
-    std::uint32_t face, beyond;  // beyond: the face on the other side
+    std::uint32_t face, beyond;  // `face` is on the left of the edge, `beyond` on its right
 };
 
 struct Part {
@@ -35,8 +36,8 @@ struct Part {
     std::vector<std::uint32_t> near;
 
     bool rounded() const { return edges == Edges::Rounded; }
-    // How far beyond a face's plane the flat part of the adjacent faces extends; negative if the edge is rounded off
-    // there.
+    // Returns how far the flat part of the adjacent faces extends beyond the plane of `face`. The result is negative if
+    // the edge is rounded off before that plane.
     double flat_beyond_m(std::uint32_t face) const { return rounded() ? out_m[face] - radius_m : 0.0; }
     double felt_radius_m() const { return rounded() ? radius_m : 0.0; }
 };
@@ -46,7 +47,8 @@ bool is_touchable(const Solid& solid) {
            std::holds_alternative<std::monostate>(solid.round);
 }
 
-// The smallest distance between a face and the corner farthest behind it.
+// Returns the smallest thickness of the solid: the least distance, over all faces, to the corner farthest behind the
+// face.
 double thickness_m(const ConvexSolid& solid) {
     double least = std::numeric_limits<double>::infinity();
     for (const Plane& plane : solid.planes) {
@@ -74,7 +76,7 @@ public:
         for (std::uint32_t i = 0; i < parts_.size() && !stopped(); ++i) extend(i);
         if (stopped()) return {};
         find_seams();
-        // A solid that turns sharp may open a seam to the next one.
+        // A solid that becomes sharp may open a seam to its neighbour, so this is repeated until nothing changes.
         for (bool changed = true; changed && !stopped();) {
             changed = false;
             for (const Seam& seam : seams_)
@@ -135,12 +137,13 @@ private:
     void choose_radius(std::uint32_t i) {
         Part& part = parts_[i];
         if (!is_touchable(solid(i)) || solid(i).soft) return;
-        // A solid that nobody can touch needs no rounding.
+        // If no face of a solid can be touched, it needs no rounding.
         if (std::find(solid(i).face_hidden.begin(), solid(i).face_hidden.end(), false) == solid(i).face_hidden.end())
             return;
         part.radius_m = std::min(radius_m_, kOfThickness * thickness_m(shape(i)));
         part.edges = Edges::TooThin;
-        // No face may vanish. The faces of a bevel leave less room than the solid's thickness does.
+        // Rounding must not make a face vanish. The bevelled faces of a solid leave less room than its thickness, so
+        // the radius is halved until all faces remain.
         for (; part.radius_m >= kLeastShare * radius_m_; part.radius_m *= 0.5) {
             std::vector<Plane> inner = shape(i).planes;
             for (Plane& plane : inner) plane.offset_m -= part.radius_m;
@@ -151,8 +154,9 @@ private:
         }
     }
 
-    // 3. Extends wholly covered faces into the solids that cover them: as far as the neighbours' own rounding reaches
-    //   plus their own radius, or else by their own radius alone.
+    // 3. Extends a solid through each wholly covered face into the solids that cover it. The extension is the
+    //   rounding
+    //   radius of those neighbours plus the solid's own radius, or else the solid's own radius alone.
     void extend(std::uint32_t i) {
         Part& part = parts_[i];
         if (!part.rounded()) return;
@@ -175,8 +179,8 @@ private:
         part.edges = Edges::AtSeam;
     }
 
-    // How far a neighbour that touches this face is rounded off there. It is zero where the neighbour's own face is
-    // also wholly covered.
+    // Returns how far the neighbours that touch this face are rounded off there. A neighbour whose own touching face is
+    // also wholly covered counts as 0.
     double rounded_off_beyond_m(std::uint32_t i, std::uint32_t face) const {
         double farthest = 0.0;
         for (const std::uint32_t j : parts_[i].near)
@@ -193,12 +197,13 @@ private:
         return glm::dot(one.normal, other.normal) < -1.0 + kFlush * kFlush;
     }
 
-    // A thing that may move away can cover only parts of itself.
+    // Returns the group of a solid, within which solids may cover each other. Each mover is a group by itself, because
+    // it may move away from the building.
     std::uint32_t group(std::uint32_t i) const {
         return solid(i).role == SolidRole::Mover ? solid(i).feature.value : kNoFeature.value;
     }
 
-    // The solid behind these planes; it has no faces if there is none.
+    // Builds the solid behind these planes. It has no faces if the planes leave no space.
     ConvexSolid built(const std::vector<Plane>& planes, std::uint32_t near_solid) const {
         const Aabb& around = shape(near_solid).bounds_m;
         BuiltSolid made =
@@ -215,7 +220,7 @@ private:
         });
     }
 
-    // Returns true if all of a piece is inside the union of these solids.
+    // Returns true if the whole of `piece` is inside the union of these solids, from index `next` on.
     bool covered(const ConvexSolid& piece, const std::vector<std::uint32_t>& solids, std::size_t next) {
         if (piece.faces.empty()) return true;
         for (std::size_t k = next; k < solids.size(); ++k)
@@ -242,10 +247,11 @@ private:
         return true;
     }
 
-    // 4. Finds where a groove would open between two solids: in any case, or unless both extend far enough.
+    // 4. Finds pairs of solids between which rounding may open a groove.
     struct Seam {
         std::uint32_t one, other;
-        const Edge *of_one, *of_other;  // null: both can stay flush only if they are sharp
+        // The edges that run together; null: the solids share a face and stay flush only if both are sharp.
+        const Edge *of_one, *of_other;
     };
 
     void find_seams() {
@@ -296,16 +302,17 @@ private:
     bool opens_seam(std::uint32_t i, const Edge& a, std::uint32_t j, const Edge& b) const {
         const Plane &face_a = shape(i).planes[a.face], &face_b = shape(j).planes[b.face];
         const Plane &end_a = shape(i).planes[a.beyond], &end_b = shape(j).planes[b.beyond];
-        // These are the faces that touch; the seam's other pair of faces decides.
+        // The solids touch with these two faces, so the seam's other pair of faces decides.
         if (face_to_face(face_a, face_b)) return false;
-        // They meet only in this line: either flush with a wedge of air below, or each with its own edge.
+        // The solids meet only in this line. Either both faces are flush with a wedge of air below, or each solid has
+        // an edge of its own.
         if (!face_to_face(end_a, end_b))
             return glm::dot(face_a.normal, face_b.normal) > 1.0 - kFlush * kFlush || !lies_beyond_a_face(i, j);
         const Vec3 onwards = end_a.normal - face_b.normal * glm::dot(end_a.normal, face_b.normal);
         const double rises = glm::dot(face_a.normal, onwards);
         if (rises > kFlush) return false;  // an inner corner: the proxy cannot enter the groove
         if (rises < -kFlush) return true;  // an outer edge between two solids
-        // Names and materials change exactly at the border, so neither surface may continue below the other.
+        // Names and materials change exactly at the border, so neither solid may extend below the other's surface.
         const auto goes_on = [](const Part& part, const Edge& edge) {
             return part.rounded() && part.flat_beyond_m(edge.beyond) > 0.0;
         };
@@ -321,7 +328,7 @@ private:
                solid(i).face_features[f] == solid(j).face_features[g];
     }
 
-    // Returns true if one of two solids is wholly in front of a face of the other.
+    // Returns true if one of the two solids is wholly in front of a face of the other.
     bool lies_beyond_a_face(std::uint32_t i, std::uint32_t j) const {
         const auto in_front = [this](const ConvexSolid& solid, const ConvexSolid& other) {
             return std::any_of(solid.planes.begin(), solid.planes.end(), [&](const Plane& plane) {
@@ -331,7 +338,7 @@ private:
         return in_front(shape(i), shape(j)) || in_front(shape(j), shape(i));
     }
 
-    // Returns true if faces in one plane that face the same way overlap.
+    // Returns true if the two solids have overlapping faces in one plane that face the same way.
     bool share_a_face(std::uint32_t i, std::uint32_t j) const {
         std::vector<Vec3> rest, scratch;
         for (std::uint32_t f = 0; f < shape(i).planes.size(); ++f)
@@ -351,7 +358,7 @@ private:
                std::abs(signed_distance(a.planes[f], b.faces[g].points_m.front())) <= touch_m_;
     }
 
-    // 5. Closes holes: where corners of flush solids meet, each seam may be closed and a hole may still remain
+    // 5. Closes holes where the corners of several flush solids meet. Even if each seam is closed, a hole may remain
     //   between them, for example among four solids in a windmill pattern.
     bool close_holes(std::uint32_t i) {
         const ConvexSolid& s = shape(i);
@@ -380,8 +387,9 @@ private:
         std::uint32_t solid, face;
     };
 
-    // Samples places around a corner, in its plane. Each place on one of the original solids must be on the flat part
-    // of a rounded one, unless it is so near to an edge of the whole building that rounding is expected there.
+    // Returns true if rounding leaves a hole around the corner `at`. Samples points in the plane of the corner. Each
+    // point on one of the original solids must be on the flat part of a rounded solid. Points near an edge of the whole
+    // building are exempt, because rounding is expected there.
     bool leaves_hole(const Vec3& at, const Vec3& normal, double widest_m, const std::vector<SolidFace>& here) {
         constexpr int kWays = 12;
         const Vec3 u = any_perpendicular(normal), v = glm::cross(normal, u);
@@ -406,13 +414,13 @@ private:
         return false;
     }
 
-    // Returns true if a ball that touches the surface here from within is wholly inside the building, judged by sample
-    // points on the ball.
+    // Returns true if a ball that touches the surface at `p` from inside is wholly inside the building. The test uses
+    // sample points on the ball.
     bool ball_reaches(const Vec3& p, const Vec3& normal, double radius_m) {
         constexpr int kPlaces = 60;
         const Vec3 middle = p - normal * radius_m;
         index_.find(grown(Aabb{middle, middle}, radius_m), around_);
-        for (int k = 0; k < kPlaces; ++k) {  // points on a spiral over the sphere
+        for (int k = 0; k < kPlaces; ++k) {  // sample points along a spiral over the sphere
             const double z = 1.0 - 2.0 * (k + 0.5) / kPlaces, angle = 2.399963 * k, out = std::sqrt(1.0 - z * z);
             const Vec3 place = middle + Vec3(out * std::cos(angle), out * std::sin(angle), z) * (0.99 * radius_m);
             if (std::none_of(around_.begin(), around_.end(), [&](std::uint32_t j) {
@@ -462,7 +470,7 @@ private:
     std::vector<Part> parts_;
     std::vector<Seam> seams_;
     BoxIndex index_;                     // index of the solids' boxes
-    std::vector<std::uint32_t> around_;  // query results
+    std::vector<std::uint32_t> around_;  // scratch memory for query results
     int cuts_left_ = 0;
 };
 

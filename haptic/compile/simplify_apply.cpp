@@ -1,4 +1,4 @@
-// Makes the scene that a plan of simplify_scene describes.
+// Builds the scene that a plan of simplify_scene describes.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -18,8 +18,8 @@ namespace {
 
 using namespace doorway;
 
-// For a new face, where two pieces of one solid meet or a face is cut: returns the face of the solid that faces most in
-// its direction. The new face takes its name and feel.
+// Returns the face of the solid whose normal is closest to `way`. A new face, where a solid was cut or divided, takes
+// that face's name and material.
 std::size_t face_towards(const ConvexSolid& solid, const Vec3& way) {
     std::size_t best = 0;
     for (std::size_t f = 1; f < solid.planes.size(); ++f)
@@ -29,11 +29,11 @@ std::size_t face_towards(const ConvexSolid& solid, const Vec3& way) {
 
 struct PlaneFrom {
     Plane plane;
-    int face = -1;  // face of the solid; -1: made by a cut
+    int face = -1;  // index of the solid's face; -1: the plane comes from a cut
     bool covered = false;
 };
 
-// The part of a solid behind the planes; nothing if it is empty.
+// Returns the part of a solid behind the planes, or nothing if that part is empty.
 std::optional<Solid> piece_of(const Solid& solid, const std::vector<PlaneFrom>& from) {
     std::vector<Plane> planes;
     for (const PlaneFrom& one : from) planes.push_back(one.plane);
@@ -54,7 +54,8 @@ std::optional<Solid> piece_of(const Solid& solid, const std::vector<PlaneFrom>& 
     return piece;
 }
 
-// The pieces of a solid after everything behind all planes of `box` is removed; the solid itself if the box misses it.
+// Returns the pieces of a solid that remain after the box is removed. `box` is the planes of that box. If the box
+// misses the solid, the result is the solid itself.
 std::vector<Solid> without(const Solid& solid, const std::vector<Plane>& box) {
     std::vector<PlaneFrom> rest;
     for (std::size_t f = 0; f < solid.shape.planes.size(); ++f)
@@ -65,7 +66,7 @@ std::vector<Solid> without(const Solid& solid, const std::vector<Plane>& box) {
         outside.push_back({{-plane.normal, -plane.offset_m}, -1, false});
         if (std::optional<Solid> piece = piece_of(solid, outside)) {
             pieces.push_back(std::move(*piece));
-            rest.push_back({plane, -1, true});  // the next cut-off piece meets this one there
+            rest.push_back({plane, -1, true});  // The next piece that is cut off meets this piece at this plane.
         }
         if (!piece_of(solid, rest)) return pieces;
     }
@@ -81,7 +82,8 @@ Vec3* centre_of_round(Shape& shape) {
     else return nullptr;
 }
 
-// Stretches the solid by `times` along `way`, then shifts it by plus_m. Round parts move along and keep their shape.
+// Stretches the solid by the factor `times` along `way`, then shifts it by `plus_m`. Round parts are moved but keep
+// their shape.
 void draw_out(Solid& solid, const Vec3& way, double times, double plus_m) {
     const auto moved = [&](const Vec3& p) { return p + way * ((times - 1.0) * glm::dot(way, p) + plus_m); };
     if (!std::holds_alternative<std::monostate>(solid.round)) {
@@ -115,7 +117,7 @@ void draw_out(MeshTriangle& t, const Vec3& way, double times, double plus_m) {
     for (Vec3* p : {&t.a_m, &t.b_m, &t.c_m}) *p += way * ((times - 1.0) * glm::dot(way, *p) + plus_m);
 }
 
-// Marks faces as touchable again if only removed parts covered them.
+// Marks a solid's faces as touchable again if they were covered only by parts that were removed.
 void uncover(Solid& solid, const std::vector<Plane>& gone) {
     std::vector<Vec3> rest, scratch;
     for (std::size_t f = 0; f < solid.face_hidden.size(); ++f) {
@@ -200,7 +202,7 @@ Scene simplified(const Scene& scene, const Simplification& plan) {
     for (const auto& [planes, box] : cuts) cut_boxes.push_back(box);
     const BoxIndex cut_index(cut_boxes);
     std::vector<std::uint32_t> near;
-    std::map<std::uint32_t, const NarrowOpening*> opening_of;  // by the door's feature
+    std::map<std::uint32_t, const NarrowOpening*> opening_of;  // for each widened door's feature number, its opening
     for (const NarrowOpening& opening : plan.openings)
         for (const FeatureId door : opening.doors)
             if (opening.widened()) opening_of.try_emplace(door.value, &opening);
@@ -253,7 +255,7 @@ Scene simplified(const Scene& scene, const Simplification& plan) {
     for (PlacedModel& placed : felt.placed) {
         const NarrowOpening* opening = of_door(placed.feature);
         if (is_out(placed.feature)) {
-            // An empty model keeps its place in the list, because the app moves things by their index.
+            // An omitted model is replaced by an empty one, because the app addresses placed models by their index.
             auto nothing = std::make_shared<Scene>();
             nothing->materials = placed.model->materials;
             placed.model = std::move(nothing);

@@ -1,6 +1,6 @@
 #include "haptic/compile/simplify_mesh.h"
 
-// The library's headers trigger these warnings.
+// OpenMesh's headers trigger these warnings.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #pragma GCC diagnostic ignored "-Wshadow"
@@ -30,7 +30,7 @@ struct Traits : OpenMesh::DefaultTraits {
 };
 using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 
-// Ends the collapses when somebody requests it.
+// Ends the edge collapses when another thread requests a stop.
 class StopObserver final : public OpenMesh::Decimater::Observer {
 public:
     explicit StopObserver(const std::stop_token& stop) : Observer(kCollapses), stop_(stop) {}
@@ -38,14 +38,14 @@ public:
     bool abort() const override { return stop_.stop_requested(); }
 
 private:
-    static constexpr std::size_t kCollapses = 64;  // between two looks
+    static constexpr std::size_t kCollapses = 64;  // collapses between two checks for a stop request
     const std::stop_token& stop_;
 };
 
 SimplifiedMesh collapsed(const TriangleMesh& mesh, const std::vector<bool>& fixed, double bound_m,
                          const std::stop_token& stop) {
-    // What does not fit the library's structure is an answer here and no message. Never enabled again, since the
-    // stream is shared by all threads.
+    // OpenMesh prints a message for each triangle that does not fit its half-edge structure. The result already says
+    // so, so its error stream is disabled. It is never enabled again, because all threads share it.
     [[maybe_unused]] static const bool kQuiet = (omerr().disable(), true);
     HalfEdgeMesh half;
     half.request_vertex_status();
@@ -82,7 +82,7 @@ SimplifiedMesh collapsed(const TriangleMesh& mesh, const std::vector<bool>& fixe
     decimater.set_observer(&observer);
     if (decimater.initialize()) decimater.decimate();
 
-    // Points keep their numbers; points that are gone are no longer used.
+    // Points keep their indices. Removed points stay in the list but no triangle uses them.
     out.mesh.points_m = mesh.points_m;
     for (const auto face : half.faces()) {  // skips the deleted faces
         Corners c{};
@@ -107,7 +107,7 @@ double measured_distance(const TriangleMesh& a, const TriangleMesh& b, double sp
     }
     const Bvh bvh(boxes);
     double farthest = 0.0;
-    std::uint32_t last = 0;  // neighbouring points of a have neighbouring places in b
+    std::uint32_t last = 0;  // index of the nearest triangle of b; the next sample of a is probably near it too
     for (const Corners& t : a.triangles) {
         if (stop.stop_requested()) return farthest;
         const Vec3 p = a.points_m[t[0]], q = a.points_m[t[1]], r = a.points_m[t[2]];
@@ -146,7 +146,7 @@ SimplifiedMesh simplify_mesh(const TriangleMesh& mesh, const std::vector<bool>& 
     const double spacing_m = std::max(bound_m, std::sqrt(area / kMostSamples));
     double allowed = bound_m;
     for (int i = 0; i < kTries;
-         ++i, allowed *= 0.75) {  // what is checked on the way are corners; faces lie up to a third farther off
+         ++i, allowed *= 0.75) {  // Collapses are checked only at corners, but faces may be up to a third farther off.
         SimplifiedMesh coarse = collapsed(mesh, fixed, allowed, stop);
         if (stop.stop_requested()) return as_it_was;
         if (coarse.mesh.triangles.size() >= mesh.triangles.size() || coarse.mesh.triangles.empty()) return as_it_was;

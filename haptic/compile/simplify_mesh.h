@@ -1,8 +1,7 @@
 // Simplifies a mesh by collapsing edges, within a stated distance of the original, and measures the distance. Pure
-// functions, background thread; 0.1 to 1 ms per triangle. Only the source file knows the half-edge library. Source:
-// Garland & Heckbert, Surface simplification using quadric error metrics, SIGGRAPH 1997 (order of the collapses);
-// Klein, Liebich & Strasser, Mesh reduction with error control, Visualization 1996 (the distance at which a collapse is
-// refused).
+// functions, background thread; 0.1 to 1 ms per triangle. Only the source file includes OpenMesh. Sources: Garland &
+// Heckbert, Surface simplification using quadric error metrics, SIGGRAPH 1997 (order of the collapses); Klein, Liebich
+// & Strasser, Mesh reduction with error control, Visualization 1996 (distance at which a collapse is refused).
 #pragma once
 
 #include <stop_token>
@@ -13,20 +12,21 @@
 namespace handrail::compile {
 
 struct SimplifiedMesh {
-    TriangleMesh mesh;        // with the points of the given one; some are not used any more
-    double measured_m = 0.0;  // the greater of both directions; at most the bound
-    double spacing_m = 0.0;   // between samples
+    TriangleMesh mesh;        // has the points of the given mesh, some of which no triangle uses
+    double measured_m = 0.0;  // Hausdorff distance: the greater of both directions; at most the bound
+    double spacing_m = 0.0;   // distance between the samples of the measurement
 };
 
-// fixed: points that stay, one flag for each point; empty: none. Every point of a triangle that does not fit a
-// half-edge structure (more than two at an edge, fans that only touch) stays, too. If the measured distance is above
-// the bound after all, a smaller one is tried; at worst the mesh comes back as it was. So it does soon after a stop
-// request.
+// `fixed` has one flag for each point that must stay; empty: none. Points of triangles that do not fit a half-edge
+// structure stay, too: more than two triangles at an edge, or fans that only touch. If the measured distance still
+// exceeds `bound_m`, the function tries again with a smaller bound. It returns the mesh unchanged if all attempts fail,
+// and soon after a stop request.
 SimplifiedMesh simplify_mesh(const TriangleMesh& mesh, const std::vector<bool>& fixed, double bound_m,
                              const std::stop_token& stop = {});
 
-// The farthest that a point of a lies from b, taken at a's corners and at samples no farther than spacing_m apart. The
-// true value is at most spacing_m / sqrt(3) greater. After a stop request the value means nothing.
+// Returns the greatest distance of a point of `a` from `b`. It is measured at the corners of `a` and at samples at most
+// `spacing_m` apart. The true value is at most spacing_m / sqrt(3) greater. After a stop request the result is
+// meaningless.
 double measured_distance(const TriangleMesh& a, const TriangleMesh& b, double spacing_m,
                          const std::stop_token& stop = {});
 

@@ -14,25 +14,27 @@
 namespace handrail::compile {
 namespace {
 
-constexpr double kDeepest_m = 1.5;  // greatest depth of a wall; a deeper passage is a corridor and stays as it is
-constexpr double kFrame_m = 0.1;    // depth of frames and skirtings next to a doorway, which are cut with the wall
-// Depth of the strips before and behind the wall, beyond the frames, in which crossing walls are looked for.
+constexpr double kDeepest_m = 1.5;  // greatest depth of a wall; a deeper passage is a corridor and is not widened
+constexpr double kFrame_m = 0.1;    // depth of frames and skirtings at a doorway, which are cut together with the wall
+// Depth of the strips in front of and behind the wall, beyond the frames, in which the plan looks for crossing walls.
 constexpr double kStrip_m = 0.15;
 constexpr double kLeastLeaf_m = 1.0;  // least height of a leaf; lower ones are hatches and flaps
 // How far the opening may extend beyond its leaf on each side, in addition to half the leaf's width.
 constexpr double kBesideLeaf_m = 0.5;
-constexpr double kWidestChord_m = 6.0;  // longest line across an opening without a door
-constexpr int kPlacesBeside = 4;        // number of places to try in each of eight directions from where the rooms meet
-constexpr double kBeside_m = 0.15;      // distance between these places
-constexpr double kHighest_m = 4.0;      // greatest distance from the middle of an opening to its floor or ceiling
-constexpr double kAtAThing_m = 0.25;    // greatest distance from a mark or sound to the thing that it belongs to
-// A thing with at least this share of the whole world's width is the subject of the world.
+constexpr double kWidestChord_m = 6.0;  // longest line across an opening without a door, from wall to wall
+// Number of distances at which the search steps aside, in each of eight directions, from the point where the rooms
+// meet.
+constexpr int kPlacesBeside = 4;
+constexpr double kBeside_m = 0.15;    // distance between two such steps
+constexpr double kHighest_m = 4.0;    // greatest distance from the middle of an opening to its floor or ceiling
+constexpr double kAtAThing_m = 0.25;  // greatest distance from a mark or sound source to the thing that it belongs to
+// A thing with at least this share of the whole world's width is what the world is about, so it is never left out.
 constexpr double kOfTheWorld = 0.1;
-constexpr double kLevel = 0.1;  // sine of the greatest tilt of a face that counts as upright
+constexpr double kLevel = 0.1;  // sine of the greatest tilt of a face that counts as vertical
 
 using namespace doorway;
 
-// Upright faces of one leaf, as it is in the closed doorway.
+// The vertical faces of one leaf, in its closed position.
 struct Leaf {
     FeatureId feature;
     std::vector<Vec3> points_m;
@@ -83,7 +85,7 @@ public:
     }
 
 private:
-    // Called before each piece of work.
+    // Called before each step of the work. Returns false if a stop was requested.
     bool goes_on() {
         if (stop_.stop_requested()) return false;
         if (looks_) looks_();
@@ -109,7 +111,7 @@ private:
         return *index_;
     }
 
-    // The first part of the building that a straight line meets.
+    // Finds the first part of the building on the straight line from `from` along `way`.
     Probe probe(const Vec3& from, const Vec3& way, double reach_m) {
         Aabb box{from, from};
         box.include(from + way * reach_m);
@@ -167,7 +169,7 @@ private:
             const auto mover = std::find_if(scene_.movers.begin(), scene_.movers.end(),
                                             [&](const Mover& m) { return m.feature == placed.feature; });
             if (mover == scene_.movers.end()) continue;
-            // As it is in the closed doorway, wherever it is now.
+            // The leaf is placed as in the closed doorway, wherever it is now.
             Leaf& leaf = *leaf_of(placed.feature);
             for (const Solid& solid : placed.model->solids) add_solid(leaf, solid, mover->pivot_m);
             for (const MeshTriangle& t : placed.model->triangles) add_triangle(leaf, t, mover->pivot_m);
@@ -194,7 +196,7 @@ private:
                         Vec3(0.0, 0.0, z[0] + length(z) * (0.2 + 0.3 * static_cast<double>(i)));
         const double reach_m = 1.5 * length(s) + kBesideLeaf_m;
         Sides sides = look_aside(opening.along, places, reach_m);
-        // If the leaf is sunk into its frame, its own width counts.
+        // If the leaf is sunk into its frame, its own width counts as the width of the opening.
         if (!sides.inside) {
             if (sides.low) opening.low_m = middle_s - *sides.low;
             if (sides.high) opening.high_m = middle_s + *sides.high;
@@ -244,8 +246,8 @@ private:
     }
 
     void find_opening(int number) {
-        // Rooms meet as often before or behind the wall as in it. So this finds the shortest line that ends at walls on
-        // both sides, then turns it square to the wall that it meets.
+        // Two rooms may meet in the wall, but often they meet before or behind it. So this finds the shortest line that
+        // ends at walls on both sides, then turns it square to the wall that it meets.
         const Vec3 told = options_.openings_m[static_cast<std::size_t>(number)];
         Vec3 soles = told, way(0.0);
         double shortest_m = kWidestChord_m;
@@ -292,13 +294,14 @@ private:
 
     // ---- widening ----
 
-    // places: the points from which both sides were measured; t, z: where the leaf is, or the point on the floor.
+    // Plans how far to widen an opening. `places` are the points from which the distances to both sides were measured.
+    // `t` and `z` are the leaf's ranges, or without a leaf those of the point on the floor.
     void widen(NarrowOpening opening, std::span<const Vec3> places, const Range& t, const Range& z,
                const Sides& sides) {
         opening.wanted_m = gap_m_;
         const Vec3 middle = places[places.size() / 2];
         const Probe below = probe(middle, {0, 0, -1}, kHighest_m), above = probe(middle, {0, 0, 1}, kHighest_m);
-        // A hole under the door, for example where floors end at the wall, does not belong to the doorway.
+        // A hole under the door does not belong to the doorway, for example where floors end at the wall.
         opening.floor_m = below.hit ? middle.z - below.hit->way_m : z[0];
         if (opening.floor_m < z[0] - kFrame_m) opening.floor_m = z[0];
         opening.top_m = above.hit ? middle.z + above.hit->way_m : -std::numeric_limits<double>::infinity();
@@ -323,8 +326,8 @@ private:
         opening.back_m = t[1];
         if (opening.top_m < z[1]) opening.top_m = z[1];
         if (wall[0] > wall[1]) {
-            // No wall on either side: it is not a doorway. Walls all along: it is a corridor, which is reported if it
-            // has a door.
+            // If there is no wall on either side, it is not a doorway. If there are walls all along, it is a corridor,
+            // which is reported if it has a door.
             const bool corridor = low_room_m == 0.0 || high_room_m == 0.0;
             if (corridor && !opening.doors.empty()) plan_.openings.push_back(std::move(opening));
             return;
@@ -337,7 +340,7 @@ private:
         plan_.openings.push_back(std::move(opening));
     }
 
-    // The depth range of a solid next to the opening.
+    // Returns the depth range of a solid next to the opening.
     Range depth_of(std::uint32_t solid, const NarrowOpening& opening, const Range& beside, const Range& z) {
         const Vec3 up(0.0, 0.0, 1.0);
         const ConvexSolid part =
@@ -346,7 +349,7 @@ private:
         return part.faces.empty() ? kNoRange : along(part, opening.left());
     }
 
-    // Includes further layers, because a wall may be built of several.
+    // Extends the depth range by the further layers of the wall, because a wall may consist of several.
     Range with_layers(const NarrowOpening& opening, bool high, const Range& beside, Range depth, const Range& z) {
         constexpr double kFlush_m = 0.05;
         for (bool grew = true; grew && length(depth) <= kDeepest_m;) {
@@ -367,8 +370,8 @@ private:
         return depth;
     }
 
-    // How far the opening may be widened to one side. It must not pass a crossing wall before or behind this one,
-    // because another room may be beyond it, and must not reach a solid that cannot be cut.
+    // Returns how far the opening may be widened to one side. It must not pass a crossing wall before or behind this
+    // wall, because another room may be beyond the crossing wall. Nor may it reach a solid that cannot be cut.
     double room_m(const NarrowOpening& opening, bool high, const Range& wall) {
         const double edge_m = high ? opening.high_m : opening.low_m;
         const Range s = high ? Range{edge_m, edge_m + gap_m_} : Range{edge_m - gap_m_, edge_m};
@@ -403,8 +406,8 @@ private:
         return std::find(opening.doors.begin(), opening.doors.end(), solid.feature) != opening.doors.end();
     }
 
-    // Between two openings in one wall, enough wall must stay that it can be felt. Apart from that, each opening grows
-    // equally to both sides, or more to the side that has room.
+    // Distributes the widening. The wall between two openings must stay wide enough to be felt. Within that limit, each
+    // opening grows equally to both sides, or more to the side that has room.
     void share_walls() {
         for (Room& of_a : rooms_) {
             if (!goes_on()) return;
@@ -456,7 +459,8 @@ private:
         };
         for (const Mover& mover : scene_.movers) keep(mover.feature);
         for (const Effect& effect : scene_.effects) keep(effect.belongs_to);
-        for (const MeshTriangle& t : scene_.triangles) keep(t.feature);  // triangles are often pieces of one surface
+        // Mesh triangles are often pieces of one surface, so their features stay.
+        for (const MeshTriangle& t : scene_.triangles) keep(t.feature);
         std::vector<Vec3> wanted = options_.kept_m;
         for (const SoundSource& sound : scene_.sounds) wanted.push_back(sound.position_m);
         for (std::size_t i = 0; i < small.size(); ++i) {
@@ -480,8 +484,8 @@ private:
         }
     }
 
-    // Returns true if the wall would have a hole without this thing: there are walls on two opposite sides, as with a
-    // window, or it is a piece of the wall itself.
+    // Returns true if the wall would have a hole without this thing. That is so for a window, which has walls on two
+    // opposite sides, and for a piece of the wall itself.
     bool closes_a_gap(FeatureId id) {
         constexpr double kTouch_m = 0.02;
         const Feature& thing = scene_.features[id.value];
@@ -517,7 +521,7 @@ private:
     double gap_m_, thing_m_;
     struct Room {
         std::size_t opening;
-        double low_m, high_m;  // how far it may be widened on each side
+        double low_m, high_m;  // how far the opening may be widened on each side
     };
     Simplification plan_;
     std::vector<Room> rooms_;

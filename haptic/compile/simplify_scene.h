@@ -1,9 +1,11 @@
-// Changes what is too small to feel at a scale, for the hand alone (G2). Doorways narrower than a fingertip can find
-// are widened, with their leaves; things too small to distinguish from the wall are left out. Walking, sound, routes
-// and drawing keep the true scene. Walls are never made thicker: the proxy cannot pass even a thin one, and each side
-// has its own name. Pure functions over a Scene; app or background thread. World metres, unless a name says hand.
+// Changes details that are too small to feel at a scale, but only in the scene for the hand (G2). Doorways narrower
+// than a fingertip can find are widened, with their leaves. Things too small to distinguish from the wall are left out.
+// Walking, sound, routes and drawing keep the true scene. Walls are never made thicker: the proxy cannot pass even a
+// thin wall, and each side has its own name. Pure functions over a Scene; app thread or background thread. World
+// metres, unless a name says hand.
 //
-// There is first a plan and then a scene: most scales change nothing in most worlds, and then nothing is copied.
+// A plan is made first, then the scene is built from it. At most scales the plan changes nothing in most worlds, so the
+// scene need not be copied.
 #pragma once
 
 #include <cstddef>
@@ -16,27 +18,28 @@
 
 namespace handrail::compile {
 
-// A quarter and an eighth of an inch, from tactile graphics: the smallest gap that people find, and the smallest thing
-// that they feel at all.
+// Sizes from tactile graphics, a quarter and an eighth of an inch: the smallest gap that people find, and the smallest
+// thing that people feel at all.
 inline constexpr double kLeastGap_hand_m = 0.0064, kLeastThing_hand_m = 0.0032;
 
 struct SimplifyOptions {
     double world_m_per_hand_m = 0.0;  // 0: nothing counts as too small
-    std::vector<Vec3> openings_m;     // for each doorway without a door a point on its floor
-    std::vector<Vec3> kept_m;  // things at these places stay, however small: marks, and the destination of a route
+    std::vector<Vec3> openings_m;     // for each opening without a door, a point on its floor
+    std::vector<Vec3> kept_m;  // Things at these places are never left out: marks, and the destination of a route.
 };
 
-// A doorway that is too narrow to feel. Offsets are along `along` and along left(); the others are heights.
+// A doorway that is too narrow to feel. low_m and high_m are offsets along `along`, front_m and back_m along left();
+// floor_m and top_m are heights.
 struct NarrowOpening {
-    std::vector<FeatureId> doors;  // its leaves; empty: an opening without a door
+    std::vector<FeatureId> doors;  // doors whose leaves close it; empty: an opening without a door
     int place = -1;                // for an opening without a door, its index in SimplifyOptions::openings_m
-    Vec3 along{1.0, 0.0, 0.0};     // unit vector, level, across the opening
+    Vec3 along{1.0, 0.0, 0.0};     // horizontal unit vector from one side of the opening to the other
     double low_m = 0.0, high_m = 0.0;
-    double felt_low_m = 0.0, felt_high_m = 0.0;  // after widening
-    double front_m = 0.0, back_m = 0.0;          // range of the cut, along left()
+    double felt_low_m = 0.0, felt_high_m = 0.0;  // the two sides after widening
+    double front_m = 0.0, back_m = 0.0;          // depth range of the cut, along left()
     double floor_m = 0.0, top_m = 0.0;
-    // Wanted width. Greater than the felt one if widening had to stop at another wall, another opening, or a solid that
-    // cannot be cut.
+    // Intended width. It is greater than felt_width_m() if widening had to stop at another wall, another opening, or a
+    // solid that cannot be cut.
     double wanted_m = 0.0;
 
     bool operator==(const NarrowOpening&) const = default;
@@ -50,34 +53,35 @@ struct NarrowOpening {
     }
     // The volume that is removed from the walls.
     std::vector<Plane> cut() const;
-    // Everything at the doorway is stretched along `along` by this factor, so that a leaf still closes it from hinge to
-    // handle.
+    // Factor by which everything at the doorway is stretched along `along`, so that a leaf still closes it from hinge
+    // to handle.
     double times() const { return felt_width_m() / width_m(); }
     Vec3 drawn_apart(const Vec3& p) const;
 };
 
 struct Simplification {
-    std::vector<NarrowOpening> openings;  // includes those that could not be changed
+    std::vector<NarrowOpening> openings;  // includes openings that could not be widened
     std::vector<FeatureId> left_out;
 
     bool operator==(const Simplification&) const = default;
     bool changes_nothing() const;
     std::size_t widened() const;
-    std::size_t staying_narrow() const;                  // includes those that were widened partly
-    const NarrowOpening* of_door(FeatureId door) const;  // null: not widened
+    // Number of openings still too narrow, including those that were widened partly.
+    std::size_t staying_narrow() const;
+    const NarrowOpening* of_door(FeatureId door) const;  // null if the door's opening was not widened
 };
 
-// Cost: O(things + doors x what is near them). The result does not depend on the order of the solids. If a stop is
-// requested from another thread, the plan stays empty and the call returns soon. `looks` is called before each piece of
-// the world, opening and thing.
+// Plans the simplification. The time is proportional to the number of things, plus for each door the number of things
+// near it. The result does not depend on the order of the solids. If another thread requests a stop, the plan stays
+// empty and the call returns soon. The function calls `looks` before it examines each part, opening and thing.
 Simplification plan_simplification(const Scene& scene, const SimplifyOptions& options, const std::stop_token& stop = {},
                                    const std::function<void()>& looks = {});
 
-// The scene as the hand should feel it: without surfaces, starts and sounds; features and indices of placed things are
-// as in the true scene. Only for a plan that changes something.
+// Returns the scene as the hand should feel it, without surfaces, starts and sounds. Features and the indices of placed
+// things are those of the true scene. Call it only if the plan changes something.
 Scene simplified(const Scene& scene, const Simplification& plan);
 
-// The felt pose of a placed thing whose true pose is `at`.
+// Returns the pose at which the hand feels a placed thing whose true pose is `at`.
 Placement felt_placement(const Simplification& plan, FeatureId thing, const Placement& at);
 
 }  // namespace handrail::compile

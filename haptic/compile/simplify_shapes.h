@@ -1,5 +1,5 @@
-// Shared by the plan of a simplification and the code that applies it: ranges along a direction, boxes around a
-// doorway, and the test for walls. Only for simplify_scene and simplify_apply.
+// Helpers shared by simplify_scene, which plans a simplification, and simplify_apply, which applies it: ranges along a
+// direction, boxes around a doorway, and the test for walls. Only these two files use it.
 #pragma once
 
 #include <array>
@@ -12,7 +12,8 @@
 
 namespace handrail::compile::doorway {
 
-inline constexpr double kStep_m = 0.3;  // lower parts count as floor, and are neither cut nor in the way
+// Parts lower than this count as floor; they are not cut and do not limit widening.
+inline constexpr double kStep_m = 0.3;
 inline constexpr CutTolerance kTolerance{1e-7, 1e-6};
 
 using Range = std::array<double, 2>;
@@ -26,22 +27,22 @@ Range along(const ConvexSolid& solid, const Vec3& way);
 inline Vec3 left_of(const Vec3& way) { return {-way.y, way.x, 0.0}; }
 inline Vec3 pointing_east(const Vec3& way) { return way.x < 0.0 || (way.x == 0.0 && way.y < 0.0) ? -way : way; }
 
-// Six planes around these ranges: along `way`, to its left, and upwards.
+// Returns the six planes of the box with these ranges: `s` along `way`, `t` to its left, and `z` upwards.
 std::vector<Plane> box_planes(const Vec3& way, const Range& s, const Range& t, const Range& z);
 Aabb box_around(const Vec3& way, const Range& s, const Range& t, const Range& z);
-// `around`: a box that contains the solid.
+// Builds the solid behind these planes. `around` is a box that contains it.
 BuiltSolid built(std::span<const Plane> planes, const Aabb& around);
-// The part of a solid behind all these planes; it has no faces if there is none.
+// Returns the part of a solid behind all these planes. The result has no faces if there is no such part.
 ConvexSolid common(const ConvexSolid& solid, const std::vector<Plane>& planes);
 
 bool is_kind(const Scene& scene, FeatureId id, FeatureKind kind);
 bool is_leaf(const Scene& scene, const Solid& solid);
-// Returns true for a thing that stands in the building; the rest is the building itself. Pieces of a wall between two
-// doorways count as things elsewhere in the program, with a made name, but not here.
+// Returns true for a thing that is inside the building, false for a part of the building itself. Elsewhere in the
+// program, a piece of wall between two doorways counts as a thing with a generated name, but here it does not.
 bool is_thing(const Scene& scene, FeatureId id);
-// Returns true for a part of the building of which a piece can be removed.
+// Returns true for a part of the building that may be cut.
 bool is_wall(const Scene& scene, const Solid& solid);
-// Returns true for a solid that stands still and stops the hand, except a door's leaf.
+// Returns true for a solid that does not move and stops the hand, except a door's leaf.
 bool is_standing(const Scene& scene, const Solid& solid);
 
 }  // namespace handrail::compile::doorway

@@ -8,10 +8,10 @@
 namespace handrail::compile {
 namespace {
 
-// In the order of ObstacleKind.
+// Names in the order of ObstacleKind.
 constexpr std::array<std::string_view, render::kObstacleKinds> kKinds{
     "triangles", "polygons", "boxes", "brushes", "spheres", "capsules", "cylinders", "cones", "shapes_of_their_own"};
-// In the order of EffectLaw's alternatives.
+// Names in the order of EffectLaw's alternatives.
 constexpr std::array<std::string_view, std::variant_size_v<render::EffectLaw>> kLaws{
     "magnets", "detents", "buttons", "fly_papers", "masses", "steady_forces", "vibrations", "custom_effects"};
 

@@ -1,6 +1,6 @@
-// Counts what the hand's tick has to look at in a world, to show that features which a world does not contain are not
-// modelled. `handrail info` prints it. Pure function of a compiled scene; looks at everything once; any thread but the
-// servo's.
+// Counts the parts of a world that a tick of the servo has to process. This shows that features which a world does not
+// contain cost nothing. `handrail info` prints it. Pure function that visits each part of a compiled scene once. Any
+// thread but the servo thread.
 #pragma once
 
 #include <string>
@@ -13,17 +13,17 @@ namespace handrail::compile {
 
 struct TouchModel {
     struct Part {
-        std::string_view key;  // as in `info --json`, for example "liquids_with_drag"
+        std::string_view key;  // name in `info --json`, for example "liquids_with_drag"
         std::size_t count = 0;
     };
     std::vector<Part> parts;  // in a fixed order; includes those with count 0
-    // Stages of the tick that only some worlds need, by their names in `info --json`: those that this world switches
-    // on, and those that cost it nothing.
+    // Optional stages of the tick, by their names in `info --json`: those that this world needs, and those that cost it
+    // nothing.
     std::vector<std::string_view> stages_on, stages_off;
 };
 TouchModel touch_model(const render::HapticScene& scene);
 
-// Suitable for speech: "3 liquids with drag", "liquid surfaces".
+// Return phrases suitable for speech: "3 liquids with drag", "liquid surfaces".
 std::string spoken_part(const TouchModel::Part& part);
 std::string spoken_stage(std::string_view stage);
 

@@ -11,11 +11,12 @@ namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-// Peak force, rating and radius of real models: from the device profiles of CHAI3D 3.x, unless another source is given.
-// Damping of 0.2 Ns/m and a delay of 1 ms are placeholders if no measurement is published. Quanta: 450 dpi of the Touch
-// from its data sheet; the Falcon's from its kinematics, 0.06 mm at the middle. We measured none of these.
+// Data of real devices. Peak force, rated stiffness and radius come from the device profiles of CHAI3D 3.x, unless
+// another source is given. Damping of 0.2 Ns/m and a delay of 1 ms are placeholders if no measurement is published. The
+// encoder quantum of the Touch (450 dpi) is from its data sheet, that of the Falcon (0.06 mm at the middle) from its
+// kinematics. We measured none of these values.
 constexpr std::array kSpecs{
-    // A mathematical device, which replays use. It has no force limit and no rate, and answers at once.
+    // A mathematical device for replays. It has no force limit and no least rate, and answers at once.
     DeviceSpec{"ideal", kNoLimit, 1000.0, 0.08, 0.0, 0.0, 0.0, 0.0},
     // Simulated: a Touch and a Falcon with the values of their profiles.
     DeviceSpec{"sim-t", 3.3, 400.0, 0.075, 0.2, 1e-3, 600.0, 0.055e-3},
@@ -27,21 +28,21 @@ constexpr std::array kSpecs{
     // x 267 x 191 mm.
     DeviceSpec{"phantom-desktop", 7.9, 1000.0, 0.06, 0.2, 1e-3, 600.0},
     DeviceSpec{"phantom-premium", 8.5, 800.0, 0.095, 0.2, 1e-3, 600.0},
-    // Novint. CHAI3D rates it 8 N and 3000 N/m. Its gain in newtons per motor count is unpublished, so an uncalibrated
-    // one is limited to 3 N and 1000 N/m. Its serial chip answers 300 to 1000 times a second.
+    // Novint. CHAI3D rates the Falcon at 8 N and 3000 N/m. Its gain in newtons per motor count is unpublished, so an
+    // uncalibrated Falcon is limited to 3 N and 1000 N/m. Its serial chip answers 300 to 1000 times a second.
     DeviceSpec{"falcon", 3.0, 1000.0, 0.04, 0.2, 1e-3, 300.0, 0.06e-3},
     // Force Dimension. The whole family shares one rated stiffness.
     DeviceSpec{"omega", 12.0, 5000.0, 0.075, 0.2, 1e-3, 600.0},
     DeviceSpec{"sigma", 12.0, 5000.0, 0.075, 0.2, 1e-3, 600.0},
     DeviceSpec{"lambda", 12.0, 5000.0, 0.112, 0.2, 1e-3, 600.0},
     DeviceSpec{"delta", 20.0, 5000.0, 0.15, 0.2, 1e-3, 600.0},
-    // Haply. Its maker states about 10 N for moments and far less for long, and publishes no rating; limited until one
-    // is measured.
+    // Haply. The maker states about 10 N for short moments and far less for long use, but publishes no rated stiffness.
+    // These lower limits apply until somebody measures it.
     DeviceSpec{"inverse3", 3.0, 500.0, 0.1, 0.2, 2e-3, 300.0},
-    // Any joystick with a constant force. Reports say 5 to 10 N at the grip, so 3 N is below all of them; the rest is a
-    // guess.
+    // Any joystick with a constant-force effect. Reports say 5 to 10 N at the grip, so 3 N is below all of them. The
+    // other values are guesses.
     DeviceSpec{"force-stick", 3.0, 150.0, 0.04, 0.2, 5e-3, 100.0},
-    // Open hardware: its CHAI3D fork declares 5 N and 0.1 m; the rating is a guess until one is measured.
+    // Open hardware. Its CHAI3D fork declares 5 N and 0.1 m. The rated stiffness is a guess until somebody measures it.
     DeviceSpec{"wooden-haptics", 5.0, 1000.0, 0.1, 0.2, 1e-3, 600.0},
 };
 

@@ -1,4 +1,4 @@
-// Facts about device models as data: one row per model, no code. Sources are next to each row. Immutable, any thread.
+// Facts about device models as data: one row per model. Each row names its sources. Immutable; any thread.
 #pragma once
 
 #include <span>
@@ -9,34 +9,38 @@
 namespace handrail::device {
 
 struct DeviceSpec {
-    std::string_view name;                    // as `--device` accepts it, case-insensitive: "sim-t", "falcon"
-    double peak_force_n = 0.0;                // infinity: no limit
-    double rated_stiffness_n_per_m = 1000.0;  // stiffness that a fraction of 1.0 stands for, before the delay formula
-    double workspace_radius_m = 0.08;         // of the largest sphere that the hand can reach, device frame
+    std::string_view name;      // as `--device` accepts it, case-insensitive: "sim-t", "falcon"
+    double peak_force_n = 0.0;  // greatest force; infinity: no limit
+    // Stiffness of a wall with fraction 1.0, before the formula for the delay reduces it.
+    double rated_stiffness_n_per_m = 1000.0;
+    double workspace_radius_m = 0.08;  // radius of the largest sphere that the hand can reach, device frame
     double device_damping_ns_per_m = 0.2;
-    double delay_s = 1e-3;           // t_d: from reading the position to the force on the hand, beyond the hold
-    double min_rate_hz = 600.0;      // a slower rate for 20 ms fades the force; 0: no limit
+    // t_d: time from reading the position to the force on the hand, without the hold of half a period.
+    double delay_s = 1e-3;
+    double min_rate_hz = 600.0;      // if the device answers more slowly for 20 ms, the force fades out; 0: no limit
     double encoder_quantum_m = 0.0;  // step of the measured position along each axis; 0: unknown or none
     bool kinesthetic = true;
-    // Share of the peak force that the motors bear as root mean square over ten seconds.
+    // Root mean square force over ten seconds that the motors tolerate, as a share of the peak force.
     double sustained_share = 0.8;
 
-    std::string spoken_name() const;  // such as "simulated Touch"; not on the servo's thread
+    std::string spoken_name() const;  // such as "simulated Touch"; not for the servo thread
 };
 
 std::span<const DeviceSpec> device_specs();
-// Case-insensitive; nullptr if unknown.
+// Finds a model by its name, in any case. Returns nullptr if the name is unknown.
 const DeviceSpec* find_device_spec(std::string_view name);
 std::vector<std::string> device_names();
-// No limits at all, rating 1000 N/m: the default of `touch` replays.
+// A device without limits and with a rated stiffness of 1000 N/m. `touch` replays use it by default.
 const DeviceSpec& ideal_device_spec();
 
-// The stiffness, in N per hand metre, that a fraction of 1 stands for: min(rating, 0.5 b_eff / (T/2 + t_d) / 0.8) with
-// b_eff = b_device + 1 Ns/m of a light grip + 0.7 B. Dividing by 0.8 puts the default wall (fraction 0.8) at half the
-// highest stiffness that stayed stable in simulations of a hand, a held force and a delay. A full wall (fraction 1) is
-// then at five eighths of it. period_s: measured time between device answers, > 0. damping_ns_per_m: B that the
-// renderer adds along the normal, >= 0. Sources: Colgate & Schenkel, Passivity of a class of sampled-data systems,
-// 1997; Diolaiti et al., Stability of haptic rendering, 2006.
+// Returns the stiffness in N per hand metre that a fraction of 1 stands for: min(rating, 0.5 b_eff / (T/2 + t_d) / 0.8)
+// with b_eff = b_device + 1 Ns/m of a light grip + 0.7 B. Because of the division by 0.8, the default wall (fraction
+// 0.8) has half the highest stiffness that stayed stable in simulations of a hand, a held force and a delay. A wall
+// with fraction 1 has five eighths of that stiffness.
+// - period_s: T, the measured time between device answers, > 0.
+// - damping_ns_per_m: B, the damping that the renderer adds along the normal, >= 0.
+// Sources: Colgate & Schenkel, Passivity of a class of sampled-data systems, 1997; Diolaiti et al., Stability of haptic
+// rendering, 2006.
 double effective_stiffness_n_per_m(const DeviceSpec& spec, double period_s, double damping_ns_per_m) noexcept;
 
 }  // namespace handrail::device

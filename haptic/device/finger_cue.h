@@ -1,20 +1,20 @@
-// A cue about the world for fingers on a game pad; it is not a wall. Made by audio-cues/plan, rendered by the pads of
-// haptic/drivers. Plain data.
+// A cue about the world for fingers on a game pad, which indicates a wall but cannot render one. audio-cues/plan makes
+// it, the pads of haptic/drivers render it. Plain data.
 #pragma once
 
 namespace handrail::device {
 
-// All values are 0 to 1 except the frequency. On a pad with triggers, the right one resists by nearness and hardness,
-// clicks at a doorway and trembles by material; the left one resists on a slope. Coils give knocks and grain; a pad
-// without triggers has only these.
+// All values are 0 to 1 except the frequency. On a pad with resisting triggers, the right trigger shows nearness and
+// hardness by resistance, a doorway by a click and the material by trembling. The left trigger resists on a slope. The
+// coils give knocks and grain. A pad without such triggers has only the coils.
 struct FingerCue {
     double nearness = 0.0;  // 0 far, 1 touching
     double hardness = 1.0;  // 0 soft, 1 hard
     bool doorway = false;
-    double material_hz = 0.0;  // 0: smooth
-    double slope = 0.0;        // 0 level, 1 as steep as stairs
+    double material_hz = 0.0;  // frequency at which the trigger trembles; 0: a smooth material
+    double slope = 0.0;        // 0: level; 1: as steep as stairs
     double knock = 0.0;
-    double grain = 0.0;  // of a material that the person walks on or slides along
+    double grain = 0.0;  // strength of the roughness of a material that the person walks on or slides along
     bool operator==(const FingerCue&) const = default;
 };
 

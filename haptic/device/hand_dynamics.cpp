@@ -10,7 +10,8 @@ void advance_hand(HandBody& hand, const HandMechanics& mechanics, const Vec3& ta
     const Vec3 force = force_n + mechanics.spring_n_per_m * (target_m - hand.position_m) -
                        mechanics.damping_ns_per_m * hand.velocity_m_per_s;
     Vec3 velocity = hand.velocity_m_per_s + force * (step_s / mechanics.mass_kg);
-    // Dry friction reduces the speed but never reverses it: below the friction's own impulse the device stops.
+    // Dry friction reduces the speed but never reverses it. If the friction's impulse exceeds the remaining momentum,
+    // the device stops.
     const double speed = std::sqrt(glm::dot(velocity, velocity));
     const double taken = mechanics.dry_friction_n * step_s / mechanics.mass_kg;
     velocity = speed > taken ? velocity * (1.0 - taken / speed) : Vec3(0.0);

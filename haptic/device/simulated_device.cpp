@@ -12,14 +12,16 @@ namespace {
 constexpr double kHandMassKg = 0.3;
 constexpr double kHandDampingNsPerM = 3.0;
 constexpr double kHandSpringNPerM = 300.0;
-constexpr double kFollowDampingNsPerM = 18.0;  // with only 3 Ns/m, the hand overshoots a mouse's step by two thirds
+// Damping of a hand that follows the mouse. With only 3 Ns/m, the hand overshoots a step of the mouse by two thirds.
+constexpr double kFollowDampingNsPerM = 18.0;
 constexpr double kRestSpringNPerM = 20.0;
 constexpr double kDeviceMassKg = 0.1;
 constexpr double kDryFrictionN = 0.05;
 constexpr double kSubstepS = 1e-4;
-constexpr double kLongestGapS = 0.5;  // after a longer pause of the loop, the missed steps are skipped
+constexpr double kLongestGapS = 0.5;  // after a longer pause of the servo loop, the missed steps are not simulated
 
-// Counts down the samples of a trouble; a negative number never runs out.
+// Counts down the samples for which a simulated failure lasts. Returns true while it lasts; a negative number never
+// runs out.
 bool take_one(int& samples) noexcept {
     if (samples == 0) return false;
     if (samples > 0) --samples;

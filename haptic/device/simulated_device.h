@@ -1,7 +1,7 @@
 // A force-feedback device made of equations, with the hand that holds it. Handrail uses it without hardware: in
-// scenarios, in tests and with mouse and keys. Deterministic: the same commands at the same times give bit-identical
-// samples. Push and Rest use the hand of the closed-loop studies behind the stiffness rule: 0.3 kg and 3 Ns/m, on a
-// device of 0.1 kg with its DeviceSpec's damping and 0.05 N of dry friction. Follow is a hand that knows its
+// scenarios, in tests, and for mouse and keys. It is deterministic: the same commands at the same times give
+// bit-identical samples. Push and Rest use the hand of the closed-loop studies behind the stiffness rule: 0.3 kg and 3
+// Ns/m, on a device of 0.1 kg with its DeviceSpec's damping and 0.05 N of dry friction. Follow is a hand that knows its
 // destination: a spring of 300 N/m, damped to a ratio of 0.8.
 #pragma once
 
@@ -15,30 +15,31 @@
 namespace handrail::device {
 
 enum class HandMode : std::uint8_t {
-    // The device's point moves to target_m in a straight line at speed_m_per_s, whatever force acts, and stays exactly
-    // there.
+    // The hand moves to target_m in a straight line at speed_m_per_s, whatever force acts, and stays exactly there.
     Move,
-    Follow,  // a hand that wants to be at target_m, by a spring of 300 N/m; used for mouse and keys
-    Push,    // a hand that presses with push_n and has no target
-    Rest,    // Push, with a spring of 20 N/m towards target_m: an arm that leans
+    Follow,  // A spring of 300 N/m pulls the hand towards target_m. Used for mouse and keys.
+    Push,    // the hand presses with the force push_n and has no target
+    Rest,    // like Push, with a spring of 20 N/m towards target_m, as if the arm leaned on the device
 };
 
-// What the simulated person does from now on. Device frame, metres and newtons.
+// How the simulated person moves the hand, until the next command. Device frame, metres and newtons.
 struct HandCommand {
     HandMode mode = HandMode::Follow;
     Vec3 target_m{0.0};
-    double speed_m_per_s = 0.0;  // for Move only; 0 or less: arrives at once
+    double speed_m_per_s = 0.0;  // for Move only; 0 or less: the hand arrives at once
     Vec3 push_n{0.0};
     std::uint32_t buttons = 0;
     Vec3 gimbal_rad{0.0};
 };
 
-// Simulated failures, for tests and scenarios. Each counts samples from the moment it is published; 0 means healthy.
+// Simulated failures, for tests and scenarios. Each counter says for how many samples the failure lasts, from the
+// moment it is published. 0: no failure.
 struct DeviceTrouble {
     int not_a_number_samples = 0;
-    int jump_samples = 0;  // jump_m is added to the position; negative: permanently
+    int jump_samples = 0;  // samples in which jump_m is added to the position; negative: for ever
     Vec3 jump_m{0.0};
-    int silent_samples = 0;  // no new answer: the last position again, fresh = false; negative: permanently
+    // Samples without a new answer: the last position is repeated and `fresh` is false. Negative: for ever.
+    int silent_samples = 0;
     bool unplugged = false;
     bool hot = false;     // the motors report that they are too warm
     bool failed = false;  // the driver reports that the device does not obey commands
@@ -50,18 +51,20 @@ struct HandState {
     double time_s = 0.0;
     Vec3 position_m{0.0};
     Vec3 velocity_m_per_s{0.0};
-    Vec3 force_n{0.0};  // from the motors
+    Vec3 force_n{0.0};  // force from the motors
 };
 
-// Channels between the thread that moves the hand and the servo thread. Each value has one producer and one consumer.
+// Channels between the thread that moves the hand (the app) and the servo thread. Each value has one producer and one
+// consumer.
 struct SimulatedHand {
     LatestValue<HandCommand> command;    // app to servo
     LatestValue<DeviceTrouble> trouble;  // app to servo
     LatestValue<HandState> state;        // servo to app
 };
 
-// Computes steps of at most 0.1 ms between reads. The last written force is held and, in modes other than Move, felt
-// delay_s later. The point leaves the sphere of workspace_radius_m only by Move. About 0.5 us per 1 ms tick.
+// Simulates the time between two reads in steps of at most 0.1 ms. The motors hold the last written force. In modes
+// other than Move, the hand feels it `delay_s` later. Only Move can take the hand out of the sphere of
+// workspace_radius_m. About 0.5 us per 1 ms tick.
 class SimulatedDevice final : public HapticDevice {
 public:
     // The hand starts at rest at `start_m`. `hand` is shared with the code that moves it; never null.
@@ -80,7 +83,7 @@ private:
 
     DeviceSpec spec_;
     std::shared_ptr<SimulatedHand> hand_;
-    // All members below: servo thread only.
+    // Only the servo thread uses the members below.
     HandCommand command_;
     DeviceTrouble trouble_;
     bool started_ = false;
