@@ -30,14 +30,14 @@ std::uint32_t translated(std::uint32_t buttons, const std::array<ButtonPlace, N>
     return out;
 }
 
-// From bit 0 on: square cross circle triangle L1 R1 L2 R2 create options L3 R3.
+// Buttons from bit 0 on: square cross circle triangle L1 R1 L2 R2 create options L3 R3.
 constexpr std::array kPadButtons{
     ButtonPlace{0, CompanionButton::West},         ButtonPlace{1, CompanionButton::South},
     ButtonPlace{2, CompanionButton::East},         ButtonPlace{3, CompanionButton::North},
     ButtonPlace{4, CompanionButton::LeftShoulder}, ButtonPlace{5, CompanionButton::RightShoulder},
     ButtonPlace{8, CompanionButton::LeftSpecial},  ButtonPlace{9, CompanionButton::RightSpecial},
     ButtonPlace{10, CompanionButton::LeftStick},   ButtonPlace{11, CompanionButton::RightStick}};
-// The kernel's game pad buttons, counted from its first joystick button.
+// Game pad buttons of the Linux kernel, counted from its first joystick button.
 constexpr std::array kEventButtons{
     ButtonPlace{16, CompanionButton::South},        ButtonPlace{17, CompanionButton::East},
     ButtonPlace{19, CompanionButton::North},        ButtonPlace{20, CompanionButton::West},
@@ -46,7 +46,8 @@ constexpr std::array kEventButtons{
     ButtonPlace{29, CompanionButton::LeftStick},    ButtonPlace{30, CompanionButton::RightStick}};
 constexpr std::array kPuckButtons{ButtonPlace{0, CompanionButton::South}, ButtonPlace{1, CompanionButton::West}};
 
-// The hat counts eighths of a turn, clockwise from up; 8 means none.
+// Converts the hat's position to button bits. The hat counts eighths of a turn, clockwise from up; 8 means that it is
+// not pressed.
 std::uint32_t hat_buttons(int hat) noexcept {
     std::uint32_t out = 0;
     if (hat == 7 || hat == 0 || hat == 1) out |= bit(CompanionButton::Up);
@@ -92,8 +93,8 @@ private:
     SpaceMouse puck_;
 };
 
-// A pad with vibration only: strong pulses for knocks, weak ones for grain. It hums for nearness, because it has no
-// trigger to show it.
+// A pad that only vibrates: strong pulses for knocks, weak ones for grain. It indicates nearness by a hum, because it
+// has no trigger that could resist.
 class RumbleCompanion final : public Companion {
 public:
     explicit RumbleCompanion(std::unique_ptr<FfLink> link) : link_(std::move(link)) {}

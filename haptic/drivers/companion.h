@@ -1,6 +1,6 @@
-// A device used in addition to the haptic one: sticks, buttons or a puck for walking and turning, and coils or triggers
-// that give cues to the fingers. It never pushes the hand, so it needs no guard and no servo. One separate thread owns
-// it. No function waits; a reading or a cue takes a system call or two.
+// A device used in addition to the haptic one. Its sticks, buttons or puck are for walking and turning; its coils or
+// triggers give cues to the fingers. It never pushes the hand, so it needs neither the guard nor the servo. One
+// separate thread owns it. No function waits; a reading or a cue takes one or two system calls.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace handrail::drivers {
 
-// Buttons, named by their place on most pads; a device has only some of them. The value is the bit in
+// Buttons, named by their place on most pads. A device may lack some of them. The value is the bit number in
 // CompanionState::buttons.
 enum class CompanionButton : std::uint8_t {
     South,
@@ -34,38 +34,38 @@ enum class CompanionButton : std::uint8_t {
 };
 
 struct CompanionState {
-    double ahead = 0.0, right = 0.0, turn_right = 0.0;  // -1 to 1, after dead band and curve
+    double ahead = 0.0, right = 0.0, turn_right = 0.0;  // deflections from -1 to 1, after dead band and curve
     std::uint32_t buttons = 0;
     bool pressed(CompanionButton button) const { return (buttons >> static_cast<unsigned>(button) & 1U) != 0; }
 };
 
 class Companion {
 public:
-    virtual ~Companion() = default;  // stops the vibration and loosens the triggers
-    // Returns the newest state in `state`; false if the device is gone.
+    virtual ~Companion() = default;  // stops the vibration and releases the triggers
+    // Stores the newest state in `state`. Returns false if the device is gone.
     virtual bool read(CompanionState& state, double now_s) noexcept = 0;
-    // Returns false if the device is gone. A device without coils ignores the cue.
+    // Renders a cue. Returns false if the device is gone. A device without coils ignores the cue.
     virtual bool cue(const device::FingerCue& cue) noexcept = 0;
 };
 
 struct FoundCompanion {
-    std::string name;   // as --device accepts it: "dualsense", "spacemouse", "rumble-pad"
-    std::string model;  // "DualSense"
-    std::string path;   // identifies it while it is plugged in
+    std::string name;   // name for --device: "dualsense", "spacemouse", "rumble-pad"
+    std::string model;  // for example "DualSense"
+    std::string path;   // path of the device node; valid while the device is plugged in
     bool permitted = true;
-    std::string how_to;  // what it does, suitable for speech: "The left stick walks, ..."
+    std::string how_to;  // how to use the device, suitable for speech: "The left stick walks, ..."
 };
 
-// Finds all devices that are plugged in, without sending them anything: a device that another program has open is not
-// disturbed.
+// Finds all companion devices that are plugged in. It sends them nothing, so it does not disturb another program that
+// has opened one.
 std::vector<FoundCompanion> find_companions();
 Result<std::unique_ptr<Companion>> open_companion(const FoundCompanion& found);
-// The possible values of FoundCompanion::name, and the model for such a name.
+// Return the possible values of FoundCompanion::name, and the model for one of these names.
 std::vector<std::string> companion_names();
 std::string companion_model(std::string_view name);
 
-// Shapes a stick's deflection: a dead band of a tenth, then a square, so that it steers finely and a worn stick stays
-// at rest.
+// Shapes a stick's deflection: a dead band of a tenth, then a square. The person can then steer finely, and a worn
+// stick stays at rest.
 double stick_curve(double share) noexcept;
 
 }  // namespace handrail::drivers

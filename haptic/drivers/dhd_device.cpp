@@ -14,7 +14,7 @@ namespace {
 
 constexpr char kDefaultDevice = -1;
 constexpr int kButtons = 8;
-// In units of 10 ms without a force command, after which the device brakes automatically.
+// After this time without a force command, in units of 10 ms, the device brakes automatically.
 constexpr std::uint8_t kWatchdogTens = 2;
 
 struct Model {
@@ -74,7 +74,7 @@ public:
         return sample;
     }
 
-    // After an impossible position the force is zero until a possible one arrives.
+    // After the device reported an impossible position, the force is zero until it reports a possible one.
     void write(const device::ForceCommand& command) noexcept override {
         if (!open_) return;
         const Vec3 force = believed_ ? held_to(command.force_n, spec_.peak_force_n) : Vec3(0.0);

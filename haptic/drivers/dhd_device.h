@@ -1,7 +1,7 @@
-// Force Dimension's omega, sigma, lambda and delta through their maker's library libdhd, loaded if it is installed. The
-// library paces itself and may block, so this class runs in the guard process. If the guard dies, the end of the
-// library and the device's own watchdog stop the force. Owned by one thread. Source: the public description of the DHD
-// interface, SDK 3.17. Library axes: x towards the person, y right, z up; metres, newtons.
+// Force Dimension's omega, sigma, lambda and delta, driven through their maker's library libdhd, which is loaded if it
+// is installed. The library limits the rate itself and may block, so this class runs in the guard process. If the guard
+// dies, the library's exit code and the device's own watchdog stop the force. One thread owns it. Source: the public
+// description of the DHD interface, SDK 3.17. Library axes: x towards the person, y right, z up; metres, newtons.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,8 @@
 
 namespace handrail::drivers {
 
-// `library`: a path that replaces the installed one, for tests. The spec is the row of the model that is found.
+// Opens the first such device. `library` is a path that replaces the installed library, for tests. The device gets the
+// DeviceSpec of the model that the library reports.
 Result<std::unique_ptr<device::HapticDevice>> open_dhd_device(const std::string& library = {});
 
 }  // namespace handrail::drivers

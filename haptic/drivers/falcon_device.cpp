@@ -25,16 +25,17 @@ constexpr std::uint16_t kEightBits = 8;
 
 constexpr std::size_t kPacketBytes = 64, kStatusBytes = 2, kPieceBytes = 62;
 constexpr double kWriteDeadlineS = 0.005;
-// A piece of 62 bytes takes 4 ms to the device and back, and the chip may hold it for 16 ms.
+// Time limit for each piece of the firmware. A piece of 62 bytes takes 4 ms to the device and back, and the chip may
+// hold it for 16 ms.
 constexpr double kLoadingDeadlineS = 0.25;
 constexpr double kHelloDeadlineS = 0.030;
 constexpr int kHelloTries = 100;
 constexpr int kPokes = 5, kPokesAfterUpload = 25;
 constexpr double kPokeDeadlineS = 0.020;
-// The hand moves between the place that the torques were computed for and the place where they act: an error of 1 % at
-// 0.2 m/s and 2 ms.
+// Share of the peak force that is used. The hand moves on between the moment for which the torques were computed and
+// the moment when they act. At 0.2 m/s and 2 ms the force is therefore wrong by 1 %.
 constexpr double kShareOfPeak = 0.95;
-constexpr std::size_t kLargestImage = 1 << 17;  // the processor has no more memory
+constexpr std::size_t kLargestImage = 1 << 17;  // size of the processor's memory in bytes
 
 Result<std::string> read_firmware(const fs::path& file) {
     auto content = read_whole_file(file, kLargestImage);
@@ -48,7 +49,7 @@ Result<std::string> read_firmware(const fs::path& file) {
 }  // namespace
 
 fs::path falcon_firmware_folder() {
-    // Only absolute paths count, so that firmware is never loaded from the current folder.
+    // Relative paths are ignored, so that firmware is never loaded from the current folder.
     const char* data = std::getenv("XDG_DATA_HOME");
     if (data && data[0] == '/') return fs::path(data) / "handrail" / "falcon";
     const char* home = std::getenv("HOME");
@@ -89,7 +90,8 @@ bool FalconDevice::run_mode() noexcept {
            link_->control(kReset, kPurgeOut);
 }
 
-// Payload bytes of one packet, without the two bytes that the chip puts in front; 0 if none came by the deadline.
+// Reads one packet into `room`, without the two status bytes that the chip puts in front. Returns the number of bytes,
+// 0 if no packet came by the deadline.
 std::size_t FalconDevice::take(std::span<std::uint8_t> room, double deadline_s) noexcept {
     std::array<std::uint8_t, kPacketBytes> packet;
     for (;;) {
@@ -116,14 +118,14 @@ void FalconDevice::send(const std::array<int, 3>& motors) noexcept {
     if (taken == ByteLink::kLost) {
         lost_ = true;
     } else if (taken < static_cast<int>(frame.size())) {
-        link_->control(kReset, kPurgeOut);  // half a frame must not join with the next
+        link_->control(kReset, kPurgeOut);  // the first half of a frame must not be joined to the next frame
     } else {
         ++in_flight_;
     }
 }
 
-// Reads until every frame in flight is answered or the time is up; the newest answer counts. If more than one is in
-// flight, an answer was late, and reading on catches up.
+// Reads until every frame in flight is answered or the time is up, and keeps the newest answer. If more than one frame
+// is in flight, an answer was late; reading on catches up. Returns true if an answer arrived.
 bool FalconDevice::wait_for_answer(double deadline_s) noexcept {
     bool answered = false;
     std::array<std::uint8_t, kPieceBytes> bytes;
@@ -138,7 +140,8 @@ bool FalconDevice::wait_for_answer(double deadline_s) noexcept {
         if (got == 0) break;
         reader_.push({bytes.data(), got});
     }
-    // Answers that did not come in time are given up: the rest of a late answer must never join with the next one.
+    // Drops the answers that did not come in time, because the rest of a late answer must never be joined to the next
+    // one.
     in_flight_ = 0;
     reader_.clear();
     return answered && !lost_;
@@ -257,7 +260,7 @@ void FalconDevice::forget_place() noexcept {
 }
 
 bool FalconDevice::is_stuck(const std::array<int, 3>& encoders) noexcept {
-    int farthest = 0;  // how far another leg has turned while one stood still
+    int farthest = 0;  // how far another leg has turned while one leg stood still
     for (std::size_t leg = 0; leg < 3; ++leg) {
         Stillness& still = stillness_[leg];
         if (!watches_legs_ || encoders[leg] != still.count) {
@@ -295,7 +298,7 @@ device::DeviceSample FalconDevice::read(double) noexcept {
     sample.buttons = status_.buttons;
     sample.homed = status_.homed_legs == 7;
     sample.homed_legs = status_.homed_legs;
-    if (!sample.homed) {  // the counts are not valid yet, and jump when they become so
+    if (!sample.homed) {  // the counts are not valid yet and jump once all legs are homed
         forget_place();
         sample.position_m = Vec3(0.0);
         return sample;
@@ -326,7 +329,8 @@ void FalconDevice::write(const device::ForceCommand& command) noexcept {
 }
 
 void FalconDevice::close() noexcept {
-    // Sent more than once, because a frame may be lost on the way and the firmware may hold the last force for ever.
+    // Sends the zero several times, because a frame may be lost on the way and the firmware may hold the last force for
+    // ever.
     for (int i = 0; i < 3 && !lost_; ++i) {
         send({0, 0, 0});
         wait_for_answer(clock_.now_s() + kAnswerDeadlineS);

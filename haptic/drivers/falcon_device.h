@@ -1,8 +1,9 @@
-// The Novint Falcon: sends its firmware, watches it home, and exchanges one force against one position at a time. Its
-// owner calls from one thread. read() waits for the answer to the force that write() sent, at most kAnswerDeadlineS,
-// and its USB calls allocate. With a live device it therefore belongs in the guard process (hand_guard.h), never on the
-// servo thread. It gives no force before all three legs are homed, after 20 ms without an answer, or at a position that
-// the legs cannot reach, and never more than the spec's peak.
+// The Novint Falcon. The driver sends its firmware, waits until its legs are homed, and exchanges one force against one
+// position at a time. All calls come from one thread. read() waits for the answer to the force that write() sent, at
+// most kAnswerDeadlineS, and its USB calls allocate. With a real Falcon the driver therefore belongs in the guard
+// process (hand_guard.h), never on the servo thread. It gives no force before all three legs are homed, after 20 ms
+// without an answer, or at a position that the legs cannot reach. It never gives more than the peak force of the
+// DeviceSpec.
 #pragma once
 
 #include <filesystem>
@@ -18,19 +19,21 @@
 namespace handrail::drivers {
 
 struct FalconOptions {
-    std::vector<std::filesystem::path> firmware_files;  // tried in this order; needed only if none runs yet
-    // Motor counts per newton metre. The true figure is unpublished; 10,000 is what the open driver uses. Sources
-    // differ by a factor of four.
+    // Tried in this order; needed only if no firmware runs on the device yet.
+    std::vector<std::filesystem::path> firmware_files;
+    // Motor counts per newton metre. The true figure is unpublished, and sources differ by a factor of four. The open
+    // driver uses 10,000.
     double counts_per_nm = 10000.0;
-    std::function<void(const std::string&)> tell;  // gets progress sentences while the device starts; may be empty
+    std::function<void(const std::string&)> tell;  // receives progress sentences while the device starts; may be empty
 };
 
-// The usual places of the firmware file: HANDRAIL_FALCON_FIRMWARE, the person's data folder, the machine's,
-// /lib/firmware/novint, libnifalcon's.
+// Returns the usual paths of the firmware file: HANDRAIL_FALCON_FIRMWARE, the person's data folder, the machine's data
+// folders, /lib/firmware/novint, and libnifalcon's folder.
 std::vector<std::filesystem::path> falcon_firmware_files();
 // Returns true if the file is a complete boot image.
 bool falcon_firmware_is_sound(const std::filesystem::path& file);
-// The folder to put the file in, for a sentence: the first of the folders above.
+// Returns the folder where a person should put the firmware file; sentences for the person name it. It is the first of
+// these paths' folders.
 std::filesystem::path falcon_firmware_folder();
 
 class FalconDevice final : public device::HapticDevice {
@@ -38,14 +41,16 @@ public:
     static constexpr double kAnswerDeadlineS = 0.005;
     static constexpr double kZeroAfterSilenceS = 0.020;
     static constexpr int kUploadTries = 3;
-    // A leg whose count does not change while another turns by this much (about 5 mm of the grip) is stuck: no hand is
-    // that still. Needed over several answers, so that two of them cannot agree by chance.
+    // A leg counts as stuck if its count does not change while another leg turns by this much (about 5 mm of the grip),
+    // because no hand keeps a leg that still. Several answers must confirm it, so that two equal counts by chance are
+    // not enough.
     static constexpr int kStuckCounts = 150;
     static constexpr int kStuckAnswers = 10;
-    // Three encoders for three directions leave nothing to check against, and a hand may well move a few millimetres
-    // along a line on which one leg stands still. Suspicion therefore first reduces the force instead of raising a
-    // fault. From kSuspectCounts (about 2 mm) on the force falls, and at kDistrustCounts it is zero. It returns over 20
-    // answers once the leg moves by a single count. A movement that would turn only the stuck leg cannot be noticed.
+    // Three encoders measure three directions, so there is no redundancy to check them against. A hand may well move a
+    // few millimetres along a line on which one leg stands still. Suspicion therefore first reduces the force instead
+    // of raising a fault. From kSuspectCounts (about 2 mm) on the force falls, and at kDistrustCounts it is zero. It
+    // returns over 20 answers once the leg moves by a single count. If a movement turns only the stuck leg, the driver
+    // cannot notice the fault.
     static constexpr int kSuspectCounts = 50;
     static constexpr int kDistrustCounts = 100;
     static constexpr double kTrustPerAnswer = 0.05;
@@ -55,7 +60,7 @@ public:
     ~FalconDevice() override;
 
     const device::DeviceSpec& spec() const override { return spec_; }
-    // Takes up to a few seconds if the firmware must be sent. Errors are sentences.
+    // Takes up to a few seconds if the firmware must be sent. Each error is a sentence for the person.
     Result<void> open() override;
     device::DeviceSample read(double now_s) noexcept override;
     void write(const device::ForceCommand& command) noexcept override;
@@ -64,7 +69,7 @@ public:
     bool firmware_was_running() const { return firmware_was_running_; }
     std::uint8_t homed_legs() const { return status_.homed_legs; }
     std::uint64_t skipped_bytes() const { return reader_.skipped(); }
-    // Checks, without starting the device, whether its firmware runs and answers. Sends no force and no firmware.
+    // Checks whether the firmware runs and answers, without starting the device. Sends no force and no firmware.
     bool answers();
 
 private:
@@ -90,13 +95,13 @@ private:
     int in_flight_ = 0;
     double answered_s_ = 0.0;
     bool knows_place_ = false;
-    Vec3 grip_m_{0.0}, leg_angles_rad_{0.0};  // from the last answer, Falcon axes
+    Vec3 grip_m_{0.0}, leg_angles_rad_{0.0};  // values of the last answer, Falcon axes
     struct Stillness {
         int count = 0;
-        int answers = 0;  // number of answers that showed the count unchanged
+        int answers = 0;  // number of answers in a row with an unchanged count
         std::array<int, 3> others_low{}, others_high{};
     };
-    double trust_ = 1.0;  // share of the force that is left while a leg is suspected
+    double trust_ = 1.0;  // factor for the force, less than 1 while a leg is suspected to be stuck
     bool watches_legs_ = false;
     std::array<Stillness, 3> stillness_{};
 };

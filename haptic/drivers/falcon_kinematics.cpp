@@ -6,8 +6,8 @@ namespace handrail::drivers {
 namespace {
 
 constexpr double kThighM = 0.060;
-constexpr double kRodM = 0.1025;     // length of the parallelogram
-constexpr double kJointsM = 0.0225;  // both joint offsets of the rod together
+constexpr double kRodM = 0.1025;     // length of the rods of the parallelogram
+constexpr double kJointsM = 0.0225;  // sum of both joint offsets of the rod
 constexpr double kGripOutM = 0.01443, kGripAsideM = -0.025;
 constexpr double kShoulderOutM = 0.0400, kShoulderAsideM = -0.02309;
 constexpr double kRadPerCount = (0.01425 / 0.110) * 2.0 * kPi / 1280.0;
@@ -19,13 +19,13 @@ constexpr double kSameAngleRad = 1e-6;
 struct LegPlane {
     double cosine, sine;
 };
-// Directions 105, -15 and -135 degrees around z.
+// The planes of the legs are at 105, -15 and -135 degrees around z.
 const std::array<LegPlane, 3> kLegs{LegPlane{std::cos(105.0 * kPi / 180.0), std::sin(105.0 * kPi / 180.0)},
                                     LegPlane{std::cos(-15.0 * kPi / 180.0), std::sin(-15.0 * kPi / 180.0)},
                                     LegPlane{std::cos(-135.0 * kPi / 180.0), std::sin(-135.0 * kPi / 180.0)}};
 
-// The grip as seen from one leg's shoulder: u outwards, v sideways, w along z. reach: distance from knee to grip in the
-// leg's plane.
+// Position of the grip relative to one leg's shoulder: u outwards, v sideways, w along z. `reach` is the distance from
+// knee to grip in the leg's plane.
 struct SeenByLeg {
     double u, v, w;
     double rod_in_plane;
@@ -44,7 +44,8 @@ std::optional<SeenByLeg> seen_by_leg(const Vec3& p, const LegPlane& leg) noexcep
     return seen;
 }
 
-// The closure of a leg, |grip - knee|^2 - reach^2, and its derivatives by the grip's position.
+// Closure error of a leg, |grip - knee|^2 - reach^2, with its derivatives with respect to the grip's position and the
+// leg's angle.
 struct Closure {
     double value;
     Vec3 by_place;
@@ -81,8 +82,8 @@ std::optional<Vec3> newton(const Vec3& angles, Vec3 p) noexcept {
     return std::nullopt;
 }
 
-// Newton's method may find the solution in which the legs are folded the other way. The inverse knows only the real
-// way.
+// Returns true if the legs are folded as on the real device. Newton's method may find the other solution, but
+// falcon_inverse() returns only the real one.
 bool is_built_so(const Vec3& p, const Vec3& angles) noexcept {
     const auto back = falcon_inverse(p);
     return back && p.z > 0.0 && std::abs(back->x - angles.x) < kSameAngleRad &&

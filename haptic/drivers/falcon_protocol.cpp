@@ -8,7 +8,7 @@
 namespace handrail::drivers {
 namespace {
 
-constexpr std::uint8_t kZero = 0x41;  // added to every small number on the wire
+constexpr std::uint8_t kZero = 0x41;  // offset that is added to every small number in a frame
 constexpr std::uint8_t kBegin = '<', kEnd = '>';
 
 }  // namespace
@@ -30,7 +30,7 @@ FalconFrame pack_falcon_command(const FalconCommand& command) noexcept {
 }
 
 std::array<int, 3> falcon_motor_counts(const Vec3& torques_nm, double counts_per_nm) noexcept {
-    // The sign is reversed, because the motors turn against the thighs.
+    // The motors turn against the thighs, so the sign is reversed.
     const double highest = std::max({std::abs(torques_nm.x), std::abs(torques_nm.y), std::abs(torques_nm.z)});
     if (!is_finite(torques_nm) || !std::isfinite(counts_per_nm) || !(highest > 0.0)) return {0, 0, 0};
     const Vec3 direction = torques_nm / highest;
@@ -72,7 +72,7 @@ std::optional<FalconStatus> FalconFrameReader::next() noexcept {
             }
             status.encoders[leg] = static_cast<std::int16_t>(bits);
         }
-        // Wraps, because it is not a small number like the others.
+        // The flags may wrap, because they are a byte and not a small number like the other fields.
         const auto flags = static_cast<std::uint8_t>(bytes_[13] - kZero);
         sound = sound && flags < 0x80;
         if (sound) {
@@ -101,13 +101,13 @@ Result<void> check_falcon_firmware(std::span<const std::uint8_t> image, const st
     };
     if (word() != 0x08AA || cut) return fail(phrase("drivers.no_firmware"), name);
     for (int i = 0; i < 8; ++i) word();
-    word();  // entry address, high word first
+    word();  // skips the entry address, high word first
     word();
     for (;;) {
         const unsigned words = word();
         if (cut) return fail(phrase("drivers.firmware_cut", {{"bytes", image.size()}}), name);
         if (words == 0) break;
-        word();  // load address
+        word();  // skips the load address
         word();
         at += 2 * std::size_t{words};
         if (cut || at > image.size()) return fail(phrase("drivers.firmware_cut", {{"bytes", image.size()}}), name);

@@ -1,6 +1,7 @@
-// The wire protocol of the Novint Falcon: frames of 16 bytes each way, and the boot image that its processor takes
-// after power-on. Pure values, any thread; nothing allocates except the sentences about a refused image. Source: what
-// the open driver libnifalcon and its users published about the wire. The image is TI's 8-bit boot table for the C28x.
+// The wire protocol of the Novint Falcon: frames of 16 bytes in each direction, and the boot image that its processor
+// needs after power-on. Pure functions and values, any thread; nothing allocates except the sentences about a rejected
+// image. Source: what the open driver libnifalcon and its users published about the protocol. The image is TI's 8-bit
+// boot table for the C28x.
 #pragma once
 
 #include <array>
@@ -25,19 +26,19 @@ struct FalconCommand {
 
 struct FalconStatus {
     std::array<int, 3> encoders{};
-    std::uint8_t buttons = 0;     // bit 0 plus, 1 forward, 2 centre, 3 minus
-    std::uint8_t homed_legs = 0;  // bits 0 to 2
+    std::uint8_t buttons = 0;     // bit 0: plus, 1: forward, 2: centre, 3: minus
+    std::uint8_t homed_legs = 0;  // bits 0 to 2, one for each leg
 };
 
 using FalconFrame = std::array<std::uint8_t, kFalconFrameBytes>;
-// Motor values out of range are clamped, so that no value can wrap.
+// Packs a command into a frame. Motor values out of range are clamped, so that no value can wrap.
 FalconFrame pack_falcon_command(const FalconCommand& command) noexcept;
 
-// Motor counts for thigh torques in Nm. Torques that are not finite give zero. Torques that are too large are scaled
-// down, all three by the same factor, so that the direction of the force stays. Counts are rounded towards zero.
+// Converts thigh torques in Nm to motor counts. Torques that are not finite give zero. If a torque is too large, all
+// three are reduced by the same factor, so that the direction of the force stays. Counts are rounded towards zero.
 std::array<int, 3> falcon_motor_counts(const Vec3& torques_nm, double counts_per_nm) noexcept;
 
-// Finds the frames in a stream of bytes. A byte that cannot belong to a frame is skipped, and the search continues at
+// Finds frames in a sequence of received bytes. Skips a byte that cannot belong to a frame and continues the search at
 // the next '<'.
 class FalconFrameReader {
 public:
@@ -49,15 +50,15 @@ public:
 private:
     void drop(std::size_t bytes) noexcept;
 
-    // Room for sixteen frames, while at most one is in flight; the oldest bytes are dropped.
+    // Room for sixteen frames, although at most one is in flight. If it is full, the oldest bytes are dropped.
     std::array<std::uint8_t, 256> bytes_{};
     std::size_t size_ = 0;
     std::uint64_t skipped_ = 0;
 };
 
-// Walks the boot table: key 0x08AA, eight reserved words, entry address, blocks of word count, address and data, a zero
-// count at the very end. Refuses, with one sentence, an image that is truncated, too long, or something else. `name` is
-// the name of the file.
+// Checks a boot table: key 0x08AA, eight reserved words, entry address, blocks of word count, address and data, and a
+// zero count at the very end. Rejects, with one sentence, an image that is truncated, too long, or something else.
+// `name` is the name of the file in that sentence.
 Result<void> check_falcon_firmware(std::span<const std::uint8_t> image, const std::string& name);
 
 }  // namespace handrail::drivers

@@ -104,7 +104,7 @@ private:
     }
     bool upload_and_play() noexcept {
         const bool is_new = effect_.id < 0;
-        effect_.replay.length = 0;  // lasts until it is replaced or stopped
+        effect_.replay.length = 0;  // 0: the effect lasts until it is replaced or stopped
         if (::ioctl(fd_, EVIOCSFF, &effect_) < 0) return false;
         return !is_new || tell(EV_FF, static_cast<std::uint16_t>(effect_.id), 1);
     }
@@ -138,7 +138,8 @@ std::vector<FfDeviceInfo> list_ff_devices(const std::string& folder) {
         info.path = it->path().string();
         if (!it->path().filename().string().starts_with("event")) continue;
         const int fd = ::open(info.path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
-        // Keyboards and similar devices; the system's own rule gives game pads to the person at the seat.
+        // Skips nodes that may not be opened, such as keyboards. The system's udev rule gives game pads to the person
+        // at the seat.
         if (fd < 0) continue;
         std::array<char, 128> name{};
         if (::ioctl(fd, EVIOCGNAME(sizeof name), name.data()) > 0) info.name = name.data();

@@ -1,5 +1,5 @@
-// A device with Linux force feedback: what a driver needs of an evdev node, and what an emulator can replace. One
-// thread at a time; each call takes a system call and does not wait. Private to haptic/drivers.
+// A device with Linux force feedback. Drivers use this interface for evdev nodes; an emulator can implement it, too.
+// One thread at a time; each call takes a system call and does not wait. Private to haptic/drivers.
 #pragma once
 
 #include <cstdint>
@@ -12,24 +12,25 @@
 namespace handrail::drivers {
 
 struct FfAbilities {
-    bool rumble = false, constant = false, gain = false, stick = false;  // stick: it has the axes x and y
+    // `stick` is true if the device has the axes x and y.
+    bool rumble = false, constant = false, gain = false, stick = false;
 };
 
-// Plays one effect at a time, replaced in place. Levels 0 to 1.
+// Plays one effect at a time; a new effect replaces the last one in place. Levels are 0 to 1.
 class FfLink {
 public:
     virtual ~FfLink() = default;
     virtual FfAbilities abilities() const = 0;
-    // Drives both coils until the next call. Returns false if the device is gone or refuses.
+    // Drives both coils until the next call. Returns false if the device is gone or rejects the effect.
     virtual bool rumble(double strong, double weak) noexcept = 0;
-    // A force of this level in the direction of an angle: 0 is towards the person, then clockwise seen from above, so
-    // 1/4 turn is left.
+    // Gives a force of this level in the direction of an angle. The angle counts clockwise, seen from above, from 0
+    // towards the person; a quarter turn is left.
     virtual bool constant(double level, double towards_rad) noexcept = 0;
     virtual bool stop() noexcept = 0;
-    // Share of its strength that the device may use, 0 to 1.
+    // Sets the share of its strength that the device may use, 0 to 1.
     virtual bool gain(double share) noexcept = 0;
-    // Takes all input since the last call; returns false if the device is gone. Axes -1 to 1, positive to the right and
-    // towards the person, as in the kernel.
+    // Takes all input since the last call. Returns false if the device is gone. Axes are -1 to 1, positive to the right
+    // and towards the person, as in the kernel.
     struct Stick {
         double x = 0.0, y = 0.0;
         std::uint32_t buttons = 0;
@@ -42,7 +43,7 @@ struct FfDeviceInfo {
     FfAbilities abilities;
 };
 
-// Every event node under `folder` that has force feedback and may be opened.
+// Lists every event node under `folder` that supports force feedback and may be opened.
 std::vector<FfDeviceInfo> list_ff_devices(const std::string& folder = "/dev/input");
 Result<std::unique_ptr<FfLink>> open_ff_link(const std::string& path);
 

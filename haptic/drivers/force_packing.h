@@ -1,5 +1,5 @@
-// The last step of every driver: no force leaves for a device if it is not finite, or exceeds what the device may give.
-// Pure; real-time safe.
+// The last check in every driver. It ensures that a driver sends its device no force that is not finite or exceeds the
+// device's peak. Pure functions; real-time safe.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,13 @@
 
 namespace handrail::drivers {
 
-// Returns the force unchanged if it is at most the peak, otherwise the peak in the same direction, however large the
-// force was. Returns zero if it is not finite.
+// Returns the force unchanged if it is at most the peak, otherwise a force of the size of the peak in the same
+// direction, however large the given force was. Returns zero if it is not finite.
 inline Vec3 held_to(const Vec3& force_n, double peak_n) noexcept {
     if (!is_finite(force_n) || !(peak_n > 0.0)) return Vec3(0.0);
     const double largest = std::max({std::abs(force_n.x), std::abs(force_n.y), std::abs(force_n.z)});
     if (largest == 0.0) return Vec3(0.0);
-    const Vec3 direction = force_n / largest;  // scaled so that squares neither overflow nor vanish
+    const Vec3 direction = force_n / largest;  // scaled so that the squares neither overflow nor underflow
     const double length = std::sqrt(glm::dot(direction, direction));
     return largest <= peak_n / length ? force_n : direction * (peak_n / length);
 }

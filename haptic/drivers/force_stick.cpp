@@ -21,7 +21,7 @@ device::DeviceSample ForceStick::read(double) noexcept {
     if (open_ && !lost_) lost_ = !link_->poll(stick);
     device::DeviceSample sample;
     sample.connected = sample.fresh = open_ && !lost_;
-    // The kernel's y is positive towards the person.
+    // In the kernel's convention, y is positive towards the person.
     sample.position_m = {stick.x * spec_.workspace_radius_m, -stick.y * spec_.workspace_radius_m, 0.0};
     sample.buttons = stick.buttons;
     return sample;
@@ -29,7 +29,7 @@ device::DeviceSample ForceStick::read(double) noexcept {
 
 void ForceStick::write(const device::ForceCommand& command) noexcept {
     if (!open_ || lost_) return;
-    // The stick cannot give an upward force. A command that is not finite is rejected as a whole.
+    // The stick cannot give an upward force. If any component is not finite, the whole command is replaced by zero.
     if (!is_finite(command.force_n)) {
         lost_ = !link_->constant(0.0, 0.0);
         return;

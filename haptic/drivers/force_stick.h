@@ -1,7 +1,7 @@
-// A force-feedback joystick as a hand that moves in a plane: right and forward, not up. Its constant force is renewed
-// in each tick, and the kernel reports its position. Walls are therefore softer and later than on a device built for
-// it. Runs in the guard process. Owned by one thread. Source: the kernel's force feedback interface; USB PID 1.0 behind
-// it.
+// A force-feedback joystick used as a haptic device. The hand moves in a plane: right and forward, but not up. Each
+// tick sends a new constant force, and the kernel reports the position. Walls are therefore softer, and respond later,
+// than on a device built for haptics. Runs in the guard process; one thread owns it. Source: the kernel's force
+// feedback interface, which is based on USB PID 1.0.
 #pragma once
 
 #include <memory>

@@ -22,7 +22,8 @@
 namespace handrail::drivers {
 namespace {
 
-constexpr int kZeroExchanges = 5;  // most exchanges of zero force, until two of them are answered
+// Greatest number of exchanges with zero force until the device has answered two of them.
+constexpr int kZeroExchanges = 5;
 
 constexpr std::array kFalconIds{UsbId{0x0403, 0xcb48}};
 
@@ -34,14 +35,14 @@ std::string place_of(const UsbDeviceInfo& usb) {
     return phrase("device.usb_place", {{"bus", usb.bus}, {"device", usb.address}});
 }
 
-// The first valid firmware file; empty if there is none.
+// Returns the first valid firmware file, or an empty path if there is none.
 std::filesystem::path falcon_firmware_file() {
     for (const std::filesystem::path& file : falcon_firmware_files())
         if (falcon_firmware_is_sound(file)) return file;
     return {};
 }
 
-// Sends a neutral frame or two: no force, no firmware.
+// Queries a Falcon by one or two neutral frames. Sends no force and no firmware.
 void look_at_falcon(const UsbDeviceInfo& usb, FoundDevice& found) {
     auto link = open_usb_link(usb);
     if (!link) {
@@ -104,7 +105,7 @@ void look_at_pad(const HidDeviceInfo& hid, const PadIdentity& id, FoundDevice& d
     device.usable = device.problem.empty();
 }
 
-// Returns true if at least one was found.
+// Adds the HID devices to `found`. Returns true if there is at least one.
 bool find_hid_devices(std::vector<FoundDevice>& found) {
     const std::size_t before = found.size();
     for (const HidDeviceInfo& hid : list_hid_devices()) {
@@ -131,8 +132,8 @@ bool find_hid_devices(std::vector<FoundDevice>& found) {
     return found.size() > before;
 }
 
-// Devices that only their maker's library can control. Their USB numbers show that one is plugged in. The library
-// itself is loaded only in the guard, when the device is chosen.
+// Devices that only their maker's library can control. Their USB numbers show whether one is plugged in. Only the guard
+// loads the library itself, when the person chooses the device.
 struct Maker {
     UsbId id;
     std::string_view name, default_device;
@@ -208,7 +209,8 @@ void find_inverse3(std::vector<FoundDevice>& found) {
     found.push_back(std::move(device));
 }
 
-// Pads that one of our drivers controls over hidapi (`known`) have event nodes too; they are reported only once.
+// Adds force-feedback event nodes. A pad that one of our drivers controls over hidapi also has an event node. If there
+// is such a pad (`known`), its event node is skipped so that the pad is reported only once.
 void find_ff_devices(std::vector<FoundDevice>& found, bool known) {
     for (const FfDeviceInfo& ff : list_ff_devices()) {
         const bool stick = ff.abilities.constant && ff.abilities.stick;
@@ -238,7 +240,7 @@ Result<std::unique_ptr<device::HapticDevice>> open_force_stick() {
     return fail(phrase("drivers.no_force_stick"));
 }
 
-// Without `firmware_files` this opens only a Falcon whose firmware runs.
+// Opens a Falcon. If `firmware_files` is empty, it opens only a Falcon whose firmware already runs.
 Result<std::unique_ptr<device::HapticDevice>> open_falcon(std::string_view serial, Clock& clock,
                                                           std::vector<std::filesystem::path> firmware_files,
                                                           const std::function<void(const std::string&)>& tell) {
@@ -329,7 +331,7 @@ Result<std::unique_ptr<device::HapticDevice>> open_device(std::string_view name,
 }
 
 Result<void> zero_device(std::string_view name, std::string_view serial, Clock& clock) {
-    // A Falcon without firmware holds no force, and sending the firmware takes seconds.
+    // For a Falcon no firmware is sent here: without firmware it gives no force, and sending would take seconds.
     auto device = name == "falcon" ? open_falcon(serial, clock, {}, nullptr)
                                    : open_device(name, serial, clock, [](const std::string&) {});
     if (!device) return tl::unexpected(device.error());

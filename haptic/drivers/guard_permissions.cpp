@@ -12,13 +12,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What libusb and udev read about devices, and what the C library reads about the process itself.
+// Permits reading the files that libusb and udev read about devices, and those that the C library reads about the
+// process itself.
 void permit_finding_devices(confine::Permissions& permissions) {
     permissions.read.insert(permissions.read.end(), {"/sys", "/run/udev", "/etc/udev", "/proc/self"});
     permissions.device_events = true;
 }
 
-// Permits link targets as well, because a library is often a link to a version installed elsewhere.
+// Permits a folder, and the targets of the links in it, because a library is often a link to a version installed
+// elsewhere.
 void permit_folder_with_links(const fs::path& folder, std::vector<fs::path>& paths) {
     paths.push_back(folder);
     std::error_code none;
@@ -35,7 +37,8 @@ void permit_folders_of(const char* variable, std::vector<fs::path>& paths) {
     }
 }
 
-// A maker's library is loaded after the guard is confined, and reads its settings where its installer put them.
+// Permits what a maker's library needs. The guard loads the library after it is confined, and the library reads its
+// settings where its installer put them.
 void permit_makers_library(confine::Permissions& permissions) {
     permissions.read.insert(permissions.read.end(), {"/usr", "/lib", "/lib64", "/opt", "/etc", "/var/lib"});
     for (const char* variable : {"LD_LIBRARY_PATH", "GTDD_HOME", "OH_SDK_BASE"})
@@ -54,7 +57,7 @@ confine::Permissions guard_permissions(std::string_view device) {
     confine::Permissions permissions;
     permissions.calls = confine::Calls::Drive;
 #if defined(HANDRAIL_SANITIZED)
-    permissions.read.emplace_back("/proc");  // a sanitizer looks for leaks there
+    permissions.read.emplace_back("/proc");  // there a sanitizer looks for memory leaks
 #endif
     if (device == "inverse3") {
         permissions.tcp_ports.push_back(kHaplyPort);
@@ -64,7 +67,7 @@ confine::Permissions guard_permissions(std::string_view device) {
     if (device == "falcon") permit_falcon(permissions);
     else if (device == "force-stick") permissions.read_and_write.emplace_back("/dev/input");
     else permit_makers_library(permissions);
-    // Such devices are on USB, FireWire, serial and parallel ports, and Ethernet.
+    // These devices may be on USB, FireWire, serial and parallel ports, and Ethernet.
     if (is_found_only_by_opening(device)) {
         permissions.read_and_write.emplace_back("/dev");
         permissions.any_internet = true;

@@ -9,7 +9,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
-extern "C" {  // missing in the headers of glibc 2.36
+extern "C" {  // declared here because glibc 2.36's headers lack it
 #include <sys/pidfd.h>
 }
 
@@ -27,18 +27,18 @@ extern "C" {  // missing in the headers of glibc 2.36
 namespace handrail::drivers {
 namespace {
 
-constexpr int kGuardPriority = 71;   // just above the servo thread, which waits for it
-constexpr int kReliefPriority = 72;  // above the guard, which it watches
-// Longest single attempt to take the force away; more than a device takes to open.
+constexpr int kGuardPriority = 71;   // real-time priority just above the servo thread, which waits for the guard
+constexpr int kReliefPriority = 72;  // priority above the first guard, which this process watches
+// Longest single attempt to remove the force. It is longer than a device takes to open.
 constexpr unsigned kMostOfOneTryS = 40;
 constexpr rlim_t kMostDescriptors = 256;
 constexpr rlim_t kMostFileBytes = rlim_t{16} << 20;
 constexpr rlim_t kMostMemoryBytes = rlim_t{1} << 30;
-constexpr std::size_t kStackBytes = std::size_t{1}  // Stack of each thread that a library starts. Kept small, because
-                                                    // locked stacks count in full.
-                                    << 20;
+// Stack of each thread that a library starts. It is small, because a locked stack counts in full.
+constexpr std::size_t kStackBytes = std::size_t{1} << 20;
 constexpr std::size_t kProbeBytes = std::size_t{32} << 20;
-constexpr std::string_view kNever = "-1000", kLikeAnyOther = "0";  // scores for being killed when memory runs out
+// Scores that tell the kernel how readily to kill a process when memory runs out.
+constexpr std::string_view kNever = "-1000", kLikeAnyOther = "0";
 
 void lower_limit(__rlimit_resource what, rlim_t most) noexcept {
     rlimit limit{};
@@ -49,14 +49,14 @@ void lower_limit(__rlimit_resource what, rlim_t most) noexcept {
 }
 
 #if defined(HANDRAIL_SANITIZED)
-// A sanitizer reserves terabytes of addresses, which can be neither limited nor locked.
+// A sanitizer reserves terabytes of address space, which can be neither limited nor locked.
 constexpr bool kKeepsShadow = true;
 #else
 constexpr bool kKeepsShadow = false;
 #endif
 
-// Locks all current pages, and later ones when they are first touched. Under a memory limit every allocation would fail
-// once the limit is reached, so a limit without room counts as not permitted.
+// Locks all current memory pages, and each later page when it is first used. Returns false if that is not permitted. A
+// memory limit that is too low counts as not permitted, because every allocation would fail once it is reached.
 bool lock_all_memory() noexcept {
     if (kKeepsShadow || ::mlockall(MCL_CURRENT) != 0) return false;
     if (::mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0) {
@@ -75,9 +75,9 @@ bool write_oom_score(std::string_view score) noexcept {
     return file.get() >= 0 && ::write(file.get(), score.data(), score.size()) == static_cast<ssize_t>(score.size());
 }
 
-// When memory runs out, the kernel kills the process that frees the most. A guard frees little, and killing it could
-// leave a force on. Only administrators may go below zero, but every process may drop the raised score that desktops
-// give their programs.
+// Asks the kernel not to kill this process when memory runs out. The kernel kills the process that frees the most
+// memory. A guard frees little, but without it a force could remain on. Only administrators may set a score below zero,
+// but every process may lower the raised score that desktops give their programs.
 bool ask_to_be_spared() noexcept { return write_oom_score(kNever) || (write_oom_score(kLikeAnyOther), false); }
 
 void protect(HandMailbox& mailbox, int priority) {
@@ -95,10 +95,12 @@ void protect(HandMailbox& mailbox, int priority) {
     if (!ask_to_be_spared()) mailbox.spared = false;
     sched_param wish{};
     wish.sched_priority = priority;
-    ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wish);  // ordinary scheduling works too, less evenly
+    // If the system refuses, ordinary scheduling works too, but less evenly.
+    ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wish);
 }
 
-// Returns null if it is not a mailbox, or if another process could shrink it while it is mapped.
+// Maps the mailbox. Returns null if the descriptor is not a mailbox, or if another process could shrink it while it is
+// mapped.
 HandMailbox* map_mailbox(int fd) noexcept {
     struct stat facts {};
     const int seals = ::fcntl(fd, F_GET_SEALS);
@@ -132,9 +134,9 @@ int guard_process(int argc, char** argv, const NamedDevices& devices) {
     for (const int number :
          {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGTSTP, SIGTTIN, SIGTTOU, SIGUSR1, SIGUSR2, SIGXFSZ})
         ::signal(number, SIG_IGN);
-    ::setsid();  // signals to the program's group must not reach the guards
-    // The guards must not keep the program's input and output open either: a process that reads its output to the end
-    // must wait for the program alone.
+    ::setsid();  // signals to the program's process group must not reach the guards
+    // The guards must not keep the program's input and output open. A process that reads the program's output to its
+    // end must wait only for the program.
     if (const Descriptor nowhere(::open("/dev/null", O_RDWR | O_CLOEXEC)); nowhere.get() > STDOUT_FILENO) {
         ::dup2(nowhere.get(), STDIN_FILENO);
         ::dup2(nowhere.get(), STDOUT_FILENO);
@@ -142,13 +144,14 @@ int guard_process(int argc, char** argv, const NamedDevices& devices) {
     HandMailbox* mailbox = map_mailbox(std::atoi(argv[2]));
     if (!mailbox) return 2;
     const int life_fd = std::atoi(argv[3]), third_fd = std::atoi(argv[4]);
-    // The program has already reported a fault in that file. If it is no longer readable, the guard speaks English.
+    // The program has already reported any fault in the language file. If the file is no longer readable, the guard
+    // speaks English.
     (void)speak_language(argv[5], argv[6]);
     const std::string name = argv[7], serial = argc > 8 ? argv[8] : "";
     if (role == kRelieveRole) {
         protect(*mailbox, kReliefPriority);
         (void)confine::confine(devices.permissions(name));
-        // A driver that does not return must not keep this process for ever.
+        // If a driver does not return, the alarm ends this process.
         const auto zero_in_time = [&] {
             ::alarm(kMostOfOneTryS);
             auto zeroed = devices.zero(name, serial);
@@ -159,7 +162,8 @@ int guard_process(int argc, char** argv, const NamedDevices& devices) {
                              [third_fd] { ::pidfd_send_signal(third_fd, SIGKILL, nullptr, 0); });
     }
     protect(*mailbox, kGuardPriority);
-    (void)confine::confine(devices.permissions(name));  // `handrail devices` reports what the kernel lacks
+    // If the kernel lacks a protection, `handrail devices` reports it.
+    (void)confine::confine(devices.permissions(name));
     return guard_hand(
         *mailbox, third_fd, life_fd,
         [&](const std::function<void(const std::string&)>& tell) { return devices.open(name, serial, tell); },

@@ -11,7 +11,7 @@
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
-extern "C" {  // missing in the headers of glibc 2.36
+extern "C" {  // declared here because glibc 2.36's headers lack it
 #include <sys/pidfd.h>
 }
 
@@ -35,14 +35,14 @@ namespace handrail::drivers {
 namespace fs = std::filesystem;
 namespace {
 
-// First number of the descriptors that a guard inherits.
+// Lowest number of the file descriptors that a guard inherits.
 constexpr int kFirstFd = 3;
 constexpr std::string_view kGuardProgram = "handrail-guard";
 constexpr std::size_t kLongestSentence = 4096;
-constexpr int kGivenUpMs = 50;      // how often a waiting open() checks whether it was given up
-constexpr int kWatchPriority = 71;  // the priority of the first guard, above the servo
-// A second guard beats at every look. It counts as frozen after 50 ms, so that a replacement is there within 100 ms.
-// Until its first beat it has 2 s to load.
+constexpr int kGivenUpMs = 50;      // how often a waiting open() checks whether give_up() was called
+constexpr int kWatchPriority = 71;  // priority of the watch thread: the same as the first guard's, above the servo
+// Limits for the second guard, in checks. It counts a beat at each of its own checks. Without a beat for 50 ms it
+// counts as frozen, so that a replacement is there within 100 ms. Until its first beat it has 2 s to start.
 constexpr int kReliefStillLooks = 5;
 constexpr int kReliefLoadLooks = 200;
 
@@ -81,7 +81,7 @@ Result<void> GuardedDevice::start(const char* role, int third_fd, int& life_fd, 
     Descriptor ours(ends[0]);
     const Descriptor theirs(ends[1]);
 
-    // First moves them to numbers other than 3, 4 and 5, so that no descriptor is overwritten before it is passed on.
+    // Descriptors are first moved away from the numbers 3, 4 and 5, so that none is overwritten before it is passed on.
     std::array<int, 3> high{};
     const std::array<int, 3> passed{memory_fd_, theirs.get(), third_fd};
     for (std::size_t i = 0; i < passed.size(); ++i) high[i] = ::fcntl(passed[i], F_DUPFD_CLOEXEC, 64);
@@ -116,8 +116,8 @@ Result<void> GuardedDevice::start_guards() {
     if (guard_program_.empty()) return fail(phrase("guard.no_program", {{"program", kGuardProgram}}));
     memory_fd_ = ::memfd_create("handrail-hand", MFD_CLOEXEC | MFD_ALLOW_SEALING);
     if (memory_fd_ < 0 || ::ftruncate(memory_fd_, sizeof(HandMailbox)) != 0) return problem(errno);
-    // Processes with this descriptor may write the memory, but never shrink it: the others have it mapped and would die
-    // of SIGBUS.
+    // Processes with this descriptor may write the shared memory, but never shrink it. Otherwise the other processes
+    // that have mapped it would die of SIGBUS.
     if (::fcntl(memory_fd_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0) return problem(errno);
     void* mapped = ::mmap(nullptr, sizeof(HandMailbox), PROT_READ | PROT_WRITE, MAP_SHARED, memory_fd_, 0);
     if (mapped == MAP_FAILED) return problem(errno);
@@ -230,8 +230,8 @@ void GuardedDevice::write(const device::ForceCommand& command) noexcept {
     [[maybe_unused]] const ssize_t written = ::write(wake_fd_, &one, sizeof one);
 }
 
-// Waits at most this long for the process, then kills it. A process stuck in a driver, which even that does not end, is
-// left behind.
+// Waits at most this long for the process to end, then kills it. If a driver has blocked it so that even the kill does
+// not end it, the process is left behind.
 void GuardedDevice::end_process(pid_t& process, double seconds) noexcept {
     if (process <= 0) return;
     SteadyClock clock;
@@ -267,8 +267,9 @@ void GuardedDevice::close() noexcept {
                                             mailbox_->relief.load(std::memory_order_acquire) == ReliefState::Watching)
         (void)start_relief();
     if (life_fd_ >= 0) ::close(std::exchange(life_fd_, -1));
-    // The guard may still be starting a device. It checks for the program only between two steps of that, and then
-    // zeroes the force. With a device open it has 100 ms for each round, or the second guard ends it.
+    // The guard may still be starting a device. It checks whether the program exists only between two steps of the
+    // start, and then sets the force to zero. With an open device, each round of the guard may take 100 ms; after that
+    // the second guard ends it.
     end_process(guard_, kEndS);
     if (mailbox_ && relief_process() > 0 && mailbox_->holds.load(std::memory_order_acquire)) await_zero();
     watch_ = {};
@@ -302,8 +303,8 @@ std::vector<std::string> GuardedDevice::take_news() {
     return std::exchange(news_, {});
 }
 
-// A second guard that hangs in a driver, or the last of the permitted replacements that failed, never reports its
-// failure.
+// Notices when zeroing takes too long. A second guard that hangs in a driver never reports its failure. The same holds
+// if the last permitted replacement has failed.
 void GuardedDevice::notice_long_zeroing() {
     const double now_s = SteadyClock().now_s();
     const auto zero_is_due = [this] {
@@ -318,10 +319,11 @@ void GuardedDevice::notice_long_zeroing() {
 void GuardedDevice::watch_guards(const std::stop_token& end) {
     sched_param wish{};
     wish.sched_priority = kWatchPriority;
-    ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wish);  // ordinary scheduling works too, less evenly
+    // If the system refuses, ordinary scheduling works too, but less evenly.
+    ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wish);
     StillCount guard(mailbox_->beats.load(std::memory_order_acquire));
     StillCount relief(mailbox_->relief_beats.load(std::memory_order_acquire));
-    bool relief_beats = true;  // it has beaten since it was started
+    bool relief_beats = true;  // the second guard has beaten since its start
     int looks = 0;
     for (SteadyClock clock; !end.stop_requested(); clock.sleep_until_s(clock.now_s() + kLookMs * 1e-3)) {
         const bool guard_holds = mailbox_->holds.load(std::memory_order_acquire) && guard_lives();
@@ -341,7 +343,7 @@ void GuardedDevice::watch_guards(const std::stop_token& end) {
     }
 }
 
-// Kills the present one if it still exists, because two must never hold the device.
+// Starts a new second guard. Kills the present one first if it still exists, because two must never hold the device.
 void GuardedDevice::replace_relief() {
     if (reliefs_left_ == 0) return;
     --reliefs_left_;

@@ -18,7 +18,8 @@ namespace {
 
 constexpr int kTickMs = 5;
 
-// Ends the process if an exchange does not return: a vendor's library may block for ever with the force still on.
+// Ends the process if an exchange with the device does not return: a maker's library may block for ever with the force
+// still on.
 class StuckWatch {
 public:
     explicit StuckWatch(std::function<void()> stuck)
@@ -60,10 +61,10 @@ private:
     std::mutex mutex_;
     std::condition_variable changed_;
     bool end_ = false;
-    std::thread thread_;  // last, so that it starts when everything else is initialised
+    std::thread thread_;  // declared last, so that it starts when all other members are initialised
 };
 
-// Returns true if a command waits. Sets `gone` if the program closed its end.
+// Returns true if a new command is waiting. Sets `gone` if the program has closed its end of the socket.
 bool wait_for_command(int wake_fd, int life_fd, int timeout_ms, bool& gone) {
     std::array<pollfd, 2> watched{pollfd{wake_fd, POLLIN, 0}, pollfd{life_fd, POLLRDHUP, 0}};
     ::poll(watched.data(), watched.size(), timeout_ms);
@@ -77,7 +78,7 @@ bool wait_for_command(int wake_fd, int life_fd, int timeout_ms, bool& gone) {
 
 void send_message(int life_fd, GuardMessage kind, const std::string& sentence) {
     const std::string message = static_cast<char>(kind) + sentence;
-    // A program that does not listen must not block the guard.
+    // MSG_DONTWAIT: a program that does not read its messages must not block the guard.
     [[maybe_unused]] const ssize_t sent = ::send(life_fd, message.data(), message.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
 }
 

@@ -1,12 +1,13 @@
-// The guard process: small, separate from the program, and the only one that holds a real device. It exchanges the
-// newest force against the newest sample. When the program dies, freezes or ends, the guard is still there to send
-// zero. Libraries that allocate, lock, block or crash do so here, where the servo thread never waits for them.
+// The guard process: small, separate from the program, and the only process that holds a real device. In each round it
+// sends the newest force and reads a new sample. When the program dies, freezes or ends, the guard is still there to
+// send zero. A maker's library may allocate, lock, block or crash here, because the servo thread never waits for the
+// guard.
 //
-// The force becomes zero if no new command comes for kZeroAfterS (a frozen program, a servo that hangs), or if the
-// program's end of the socket closes (it ended in some way; kill -9 closes it too). The second guard watches this one
-// (relief_guard.h): if this one dies or freezes with a device open, the second guard sends zero. If the driver itself
-// hangs for kStuckS and nothing ended the guard, it ends itself. After the device is unplugged, the guard looks for it
-// twice a second.
+// The guard sets the force to zero if no new command comes for kZeroAfterS, because the program has frozen or its servo
+// hangs. It also does so if the program's end of the socket closes, which happens however the program ended, even by
+// kill -9. The second guard watches this one (relief_guard.h): if this one dies or freezes with a device open, the
+// second guard sends zero. If a driver hangs for kStuckS and nothing else has ended the guard, it ends itself. After
+// the device is unplugged, the guard looks for it twice a second.
 #pragma once
 
 #include <functional>
@@ -23,19 +24,21 @@ inline constexpr double kZeroAfterS = 0.020;
 inline constexpr double kLookAgainS = 0.5;
 inline constexpr double kStuckS = 0.25;
 
-// Finds and opens the device, also after it was unplugged. Reports progress in sentences.
+// Finds and opens the device, also after it was unplugged and plugged in again. Reports progress in sentences.
 using OpenDevice =
     std::function<Result<std::unique_ptr<device::HapticDevice>>(const std::function<void(const std::string&)>& tell)>;
 
-// The first byte of each message from the guard to the program; the rest is a sentence.
+// The first byte of each message from the guard to the program. A sentence follows it.
 enum class GuardMessage : char { News = 'n', Ready = 'r', Failed = 'f' };
 
-// Sends a message without waiting, because a program that does not listen must not block its guard.
+// Sends a message without waiting, because a program that does not read its messages must not block its guard.
 void send_message(int life_fd, GuardMessage kind, const std::string& sentence);
 
-// Runs the guard for its whole life, on the calling thread. wake_fd: eventfd that counts new commands. life_fd: socket
-// to the program. stuck: called from another thread if one exchange lasts longer than kStuckS; it ends the process, or
-// notifies a test. Returns the exit status.
+// Runs the guard for its whole life, on the calling thread. Returns the exit status.
+// - wake_fd: an eventfd that counts new commands.
+// - life_fd: the socket to the program.
+// - stuck: called from another thread if one exchange lasts longer than kStuckS. It ends the process, or notifies a
+//   test.
 int guard_hand(HandMailbox& mailbox, int wake_fd, int life_fd, const OpenDevice& open_device,
                const std::function<void()>& stuck);
 

@@ -1,6 +1,7 @@
-// Shared memory of the program and its two guard processes: the newest force one way, the newest sample the other way,
-// and the state of each guard. No process waits for another or takes a lock. A process trusts nothing in it beyond the
-// range of a force or a sample. All are built from the same sources; kMailboxMark is compared all the same.
+// Memory shared by the program and its two guard processes. It contains the newest force for the device, the newest
+// sample from the device, and the state of each guard. No process waits for another or takes a lock. Each process
+// validates the forces and samples that it reads and trusts nothing else. All three are built from the same sources,
+// but they compare kMailboxMark anyway.
 #pragma once
 
 #include <atomic>
@@ -12,12 +13,12 @@
 
 namespace handrail::drivers {
 
-// What the second guard is doing.
+// State of the second guard.
 enum class ReliefState : std::uint8_t {
-    Watching,  // the first guard holds the device, or there is nothing to hold yet
-    Zeroing,   // the first guard is gone or is being killed; the device may push
+    Watching,  // the first guard holds the device, or no device is open yet
+    Zeroing,   // the first guard has ended or is being killed; the device may push
     Zero,      // the device accepted a force of zero, or the first guard released it before it ended
-    Failed,    // the device could not be reached; it may push
+    Failed,    // the second guard could not reach the device, which may push
 };
 
 struct HandMailbox {
@@ -26,13 +27,15 @@ struct HandMailbox {
 
     std::uint64_t mark = kMailboxMark;
     LatestValue<device::ForceCommand> command;  // program to guard; device frame
-    LatestValue<device::DeviceSample> answer;   // guard to program; one for each exchange
-    std::atomic<std::uint32_t> beats{0};  // counts the guard's rounds, at least one in 5 ms while it holds the device
-    std::atomic<std::uint32_t> relief_beats{0};              // counts the second guard's looks, one in 10 ms
-    std::atomic<bool> holds{false};                          // set by the guard: a device is open, so it may push
+    LatestValue<device::DeviceSample> answer;   // guard to program; one sample for each exchange
+    // Number of the guard's rounds, at least one in 5 ms while it holds the device.
+    std::atomic<std::uint32_t> beats{0};
+    std::atomic<std::uint32_t> relief_beats{0};  // number of the second guard's checks, one in 10 ms
+    std::atomic<bool> holds{false};              // set by the guard while a device is open, which may then push
     std::atomic<ReliefState> relief{ReliefState::Watching};  // set by the second guard
     std::atomic<bool> memory_locked{true},
-        // A guard sets false if its memory may be swapped out, or if it may be killed when memory runs out.
+        // The guards set memory_locked to false if their memory may be swapped out, and spared to false if the kernel
+        // may kill them when memory runs out.
         spared{true};
 };
 

@@ -52,7 +52,8 @@ std::string force_message(const std::string& device_id, const Vec3& force_n) {
         .dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-// The firmware version, such as "2.1", if the first snapshot's device information states it; otherwise empty.
+// Returns the firmware version, such as "2.1", from the device information of the first message. Empty if it states
+// none.
 std::string firmware_of(const Json& device) {
     const Json* config = member(device, "config");
     const Json* info = config ? member(*config, "device_info") : nullptr;
@@ -85,7 +86,7 @@ public:
             run_until(kOpenDeadlineS, [&] { return problem != boost::asio::error::would_block; });
             if (problem) return fail(phrase("drivers.haply_other"));
             open_ = true;
-            // The service sends a first snapshot without a request.
+            // The service sends a first message with its state without a request.
             for (const double deadline_s = clock_.now_s() + kOpenDeadlineS; clock_.now_s() < deadline_s && !lost_;)
                 if (receive(deadline_s) && !device_id_.empty()) return {};
             return fail(phrase("drivers.haply_no_device"));
@@ -109,7 +110,7 @@ public:
     }
 
     void write(const device::ForceCommand& command) noexcept override {
-        // The service answers every message; more of them would only queue up.
+        // The service answers every message, so sending more of them would only fill a queue.
         if (!open_ || lost_ || in_flight_ > 1) return;
         const bool allowed = state_.homed && clock_.now_s() - answered_s_ <= kZeroAfterSilenceS;
         const Vec3 force = allowed ? held_to(command.force_n, spec_.peak_force_n) : Vec3(0.0);
@@ -166,7 +167,8 @@ private:
         });
         run_until(kAnswerDeadlineS, [this] { return written_; });
         if (!written_)
-            // A local service that accepts no message for this long has hung. Its buffer must not outlive this call.
+            // A service on this computer that accepts no message for this long has hung. The connection must end,
+            // because the buffer is only valid during this call.
             lost_ = true;
         if (!lost_) {
             ++in_flight_;
@@ -175,7 +177,7 @@ private:
         return !lost_;
     }
 
-    // Receives one message, valid or not. A read that is unfinished at the deadline continues in the next call.
+    // Receives one message, valid or not. If a read has not finished at the deadline, the next call continues it.
     bool receive(double deadline_s) {
         if (!reading_) {
             reading_ = true;
@@ -191,7 +193,7 @@ private:
         const std::string text = beast::buffers_to_string(incoming_.data());
         incoming_.consume(incoming_.size());
         if (in_flight_ > 0) --in_flight_;
-        if (device_id_.empty()) note_firmware(text);  // only the first message contains it
+        if (device_id_.empty()) note_firmware(text);  // only the first message contains the firmware version
         return parse_haply_state(text, device_id_, state_);
     }
 

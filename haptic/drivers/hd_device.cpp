@@ -25,7 +25,8 @@ constexpr Handle kInvalid = 0xFFFFFFFFU;
 constexpr Enum kButtonsParameter = 0x2000, kPosition = 0x2050, kGimbal = 0x2150, kModel = 0x2501,
                kCalibrationStyle = 0x2555, kStiffness = 0x2602, kMaxForce = 0x2603, kForce = 0x2700,
                kForceOutput = 0x4000, kForceClamping = 0x4001, kCalibrated = 0x5000,
-               kCalibrationNeedsUpdate = 0x5001;  // any other value: calibrated by hand, for example in the inkwell
+               // Any other value means that the person calibrates the device by hand, for example in the inkwell.
+    kCalibrationNeedsUpdate = 0x5001;
 constexpr unsigned short kPriority = 32767;
 constexpr unsigned kFirstForceError = 0x0200, kWarmMotors = 0x0200, kLastForceError = 0x0204,
                    kFirstDeviceError = 0x0300, kLastDeviceError = 0x0304;
@@ -79,7 +80,7 @@ public:
         const bool fresh = sample_.refresh();
         device::DeviceSample sample = sample_.read();
         sample.fresh = fresh;
-        // lost_ is read before hot_ and failed_, because the library's thread sets the reason first.
+        // lost_ must be read before hot_ and failed_, because the library's thread sets the reason before lost_.
         sample.connected = handle_ != kInvalid && !lost_.load(std::memory_order_acquire);
         sample.hot = hot_.load(std::memory_order_acquire);
         sample.failed = failed_.load(std::memory_order_acquire);
@@ -107,7 +108,8 @@ public:
     }
 
 private:
-    // Runs on the library's thread, between the begin and end of one of its frames.
+    // Exchanges one force and one sample. Runs on the library's thread, between the begin and the end of a frame of the
+    // library.
     unsigned int tick() noexcept {
         call_.begin_frame(handle_);
         Vec3 theirs{0.0};
@@ -138,8 +140,8 @@ private:
         sample.homed = calibration == kCalibrated;
         sample_.publish(sample);
         for (ErrorInfo error = call_.get_error(); error.code != 0; error = call_.get_error()) {
-            // The library has switched the motors off: too warm, too fast or too strong. They stay off until the device
-            // is opened again.
+            // The library has switched the motors off because they were too warm, too fast or too strong. They stay off
+            // until the device is opened again.
             if (error.code >= kFirstForceError && error.code <= kLastForceError) {
                 (error.code == kWarmMotors ? hot_ : failed_).store(true, std::memory_order_release);
                 stopped_ = true;
@@ -165,7 +167,7 @@ private:
         value = 0.0;
         call_.get_double(kStiffness, &value);
         if (value > 0.0 && std::isfinite(value))
-            // The library states it per mm.
+            // The library states the stiffness per mm.
             spec_.rated_stiffness_n_per_m = std::min(spec_.rated_stiffness_n_per_m, value * 1000.0);
         while (call_.get_error().code != 0) {
         }
@@ -177,10 +179,10 @@ private:
     Handle handle_ = kInvalid;
     unsigned long scheduled_ = 0;
     bool running_ = false;
-    bool stopped_ = false;  // library thread only
+    bool stopped_ = false;  // used by the library's thread only
     std::atomic<bool> ending_{false}, lost_{false}, hot_{false}, failed_{false};
-    LatestValue<Vec3> force_{Vec3(0.0)};        // owner to library thread
-    LatestValue<device::DeviceSample> sample_;  // library thread to owner
+    LatestValue<Vec3> force_{Vec3(0.0)};        // from the owner to the library's thread
+    LatestValue<device::DeviceSample> sample_;  // from the library's thread to the owner
 };
 
 }  // namespace

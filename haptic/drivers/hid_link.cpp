@@ -37,13 +37,14 @@ private:
     std::unique_ptr<hid_device, DeviceEnd> device_;
 };
 
-// Needed because hidapi stores its last error in one place for all threads, and lists and opens devices through it.
+// Protects hidapi's functions for listing and opening devices, because hidapi stores its last error in one place for
+// all threads.
 std::mutex& hidapi_lock() {
     static std::mutex lock;
     return lock;
 }
 
-// Names are Latin enough for a sentence; any other character becomes a question mark.
+// Converts a device's name to ASCII for use in sentences. Any other character becomes a question mark.
 std::string narrow(const wchar_t* text) {
     std::string out;
     for (; text && *text; ++text) out += *text >= 32 && *text < 127 ? static_cast<char>(*text) : '?';

@@ -20,7 +20,7 @@ constexpr unsigned kImprovedRumbleFrom = 0x0224;
 
 std::uint16_t zones_from(int first) noexcept { return static_cast<std::uint16_t>((0x3ff << first) & 0x3ff); }
 
-// Writes a zone mask, then 3 bits of strength - 1 for each zone.
+// Writes the mask of the zones from `first` on, then 3 bits with strength - 1 for each zone.
 void put_zones(TriggerEffect& effect, int first, int strength) noexcept {
     const std::uint16_t mask = zones_from(first);
     std::uint32_t packed = 0;
@@ -116,11 +116,12 @@ std::vector<std::uint8_t> pad_output_report(PadModel model, PadBus bus, const Pa
                                             int sequence) {
     std::vector<std::uint8_t> report;
     if (model == PadModel::DualShock4) {
-        // Sets only the flag of the coils, so that the light stays as the kernel set it.
+        // Only the flag of the coils is set, so that the light stays as the kernel set it.
         report.resize(bus == PadBus::Usb ? kDualShockUsbOutput : kBluetoothReport);
         const std::size_t at = bus == PadBus::Usb ? 1 : 3;
         report[0] = bus == PadBus::Usb ? 0x05 : 0x11;
-        if (bus == PadBus::Bluetooth) report[1] = 0xC0 | 4;  // 0xC0: with a checksum; 4: input every 4 ms
+        // 0xC0: the report has a checksum; 4: the pad sends input every 4 ms.
+        if (bus == PadBus::Bluetooth) report[1] = 0xC0 | 4;
         report[at] = 0x01;
         report[at + 3] = output.weak;
         report[at + 4] = output.strong;
@@ -128,7 +129,7 @@ std::vector<std::uint8_t> pad_output_report(PadModel model, PadBus bus, const Pa
         return report;
     }
     std::array<std::uint8_t, kCommonOutput> common{};
-    // Flags of both triggers and of the coils as rumble.
+    // Flags for both triggers and for using the coils as rumble.
     common[0] = 0x04 | 0x08 | 0x02 | (improved_rumble ? 0x00 : 0x01);
     common[2] = output.weak;
     common[3] = output.strong;
@@ -169,7 +170,7 @@ std::optional<PadInput> parse_pad_input(PadModel model, PadBus bus, std::span<co
     input.left_y = -stick(block[1]);
     input.right_x = stick(block[2]);
     input.right_y = -stick(block[3]);
-    // The DualShock 4 sends buttons first, the DualSense triggers and a counter.
+    // In its report, the DualShock 4 has the buttons first, the DualSense the triggers and a counter.
     const auto keys = block.subspan(sense ? 7 : 4, 3), triggers = block.subspan(sense ? 4 : 7, 2);
     input.left_trigger = triggers[0] / 255.0;
     input.right_trigger = triggers[1] / 255.0;
@@ -188,7 +189,8 @@ PlaystationPad::~PlaystationPad() { close(); }
 
 Result<void> PlaystationPad::open() {
     if (bus_ == PadBus::Bluetooth) {
-        // A fresh connection sends short reports until this one was requested; its content, the calibration, is unused.
+        // After it connects, a pad on Bluetooth sends short reports until this report is requested. Its content, the
+        // calibration, is not used.
         std::array<std::uint8_t, 64> calibration{};
         calibration[0] = model_ == PadModel::DualSense ? 0x05 : 0x02;
         if (link_->feature(calibration) < 0) return fail(phrase("drivers.pad_silent"));

@@ -1,8 +1,8 @@
-// Sony's DualSense and DualShock 4: reads their sticks, triggers and buttons, and gives cues to the fingers by two
-// voice coils and, on the DualSense, two triggers that resist. It renders no walls; a cue only indicates one. Over USB,
-// or over Bluetooth, where each report carries a checksum. Any one thread. The pad is read at most 250 times a second
-// and written at most 125 times; read() and write() cost a system call each. Sources: the Linux drivers hid-playstation
-// and hid-sony for reports and checksum; published descriptions of the trigger effects.
+// Sony's DualSense and DualShock 4. Reads their sticks, triggers and buttons, and gives cues to the fingers by two
+// voice coils and, on the DualSense, by two triggers that resist. It renders no walls; a cue only indicates one. Over
+// USB, or over Bluetooth, where each report carries a checksum. Any one thread. The pad is read at most 250 times a
+// second and written at most 125 times; read() and write() cost a system call each. Sources: the Linux drivers
+// hid-playstation and hid-sony for reports and checksum; published descriptions of the trigger effects.
 #pragma once
 
 #include <array>
@@ -25,22 +25,24 @@ enum class PadBus : std::uint8_t { Usb, Bluetooth };
 // A Sony pad identified by its USB or Bluetooth numbers.
 struct PadIdentity {
     PadModel model = PadModel::DualSense;
-    std::string_view name, spoken;  // "dualsense", "DualSense Edge"
+    std::string_view name, spoken;  // for example "dualsense" and "DualSense Edge"
 };
 std::optional<PadIdentity> playstation_pad(std::uint16_t vendor, std::uint16_t product) noexcept;
 
-// The kernel also creates event nodes for such a pad, under the pad's own name.
+// Returns true if an event node with this name belongs to such a pad. The kernel creates event nodes for the pad under
+// the pad's own name.
 bool is_event_node_of_a_playstation_pad(std::string_view name) noexcept;
 
 struct PadInput {
     double left_x = 0.0, left_y = 0.0, right_x = 0.0, right_y = 0.0;  // range -1 to 1, right and forward positive
     double left_trigger = 0.0, right_trigger = 0.0;                   // range 0 to 1
-    int hat = 8;                                                      // 0 up, then clockwise to 7; 8 none
+    int hat = 8;                                                      // 0: up, then clockwise to 7; 8: not pressed
     // From bit 0 on: square cross circle triangle L1 R1 L2 R2 create options L3 R3 PS touch mute.
     std::uint32_t buttons = 0;
 };
 
-// Ten zones along the pull of a trigger, 0 to 9. Built by the functions below, which clamp values out of range.
+// Effect of a trigger. Its pull is divided into ten zones, 0 to 9. The functions below build effects and clamp values
+// out of range.
 using TriggerEffect = std::array<std::uint8_t, 11>;
 TriggerEffect trigger_off() noexcept;
 TriggerEffect trigger_resists(int from_zone, int strength_1_to_8) noexcept;
@@ -54,30 +56,30 @@ struct PadOutput {
 
 PadOutput pad_output_for(const device::FingerCue& cue) noexcept;
 
-// Convert reports to and from bytes. A Bluetooth input with a wrong checksum, and anything that is not a full input
-// report, gives nothing.
+// Convert reports to and from bytes. Parsing returns nothing for a Bluetooth input with a wrong checksum, and for
+// anything that is not a full input report.
 std::vector<std::uint8_t> pad_output_report(PadModel model, PadBus bus, const PadOutput& output, bool improved_rumble,
                                             int sequence);
 std::optional<PadInput> parse_pad_input(PadModel model, PadBus bus, std::span<const std::uint8_t> report) noexcept;
-// CRC-32 as in zip, over one leading byte (0xA2 output, 0xA1 input, 0xA3 feature) and the report without its last four
-// bytes.
+// Returns the CRC-32 (as in zip) of one leading byte and the report without its last four bytes. The leading byte is
+// 0xA2 for output, 0xA1 for input and 0xA3 for feature reports.
 std::uint32_t pad_checksum(std::uint8_t leading, std::span<const std::uint8_t> bytes) noexcept;
 
 class PlaystationPad {
 public:
     PlaystationPad(std::unique_ptr<HidLink> link, PadModel model, PadBus bus);
-    ~PlaystationPad();  // loosens the triggers and stops the coils
+    ~PlaystationPad();  // releases the triggers and stops the coils
     PlaystationPad(const PlaystationPad&) = delete;
     PlaystationPad& operator=(const PlaystationPad&) = delete;
 
-    // Requests full reports over Bluetooth, and the firmware version from a DualSense.
+    // Requests full reports from a pad on Bluetooth, and the firmware version from a DualSense.
     Result<void> open();
-    // Returns the newest input that is waiting, or that comes in time; nothing if there was none.
+    // Returns the newest input that has arrived or arrives in time; nothing if there is none.
     std::optional<PadInput> read(double timeout_s) noexcept;
     bool write(const PadOutput& output);
     void close() noexcept;
     bool lost() const { return lost_; }
-    // "2.36" on a DualSense, otherwise empty.
+    // Returns for example "2.36" for a DualSense, and an empty string for a DualShock 4.
     const std::string& firmware() const { return firmware_; }
 
 private:

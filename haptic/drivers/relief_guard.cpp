@@ -13,14 +13,16 @@
 namespace handrail::drivers {
 namespace {
 
-// Time for the kernel to end the first guard, which may be in a driver that does not return.
+// Time in ms that the kernel may take to end the first guard, which may be in a driver that does not return.
 constexpr int kDyingMs = 500;
 constexpr auto kBetweenTries = std::chrono::milliseconds(10);
 constexpr auto kBetweenLateTries = std::chrono::milliseconds(500);
-// More than a device takes to open. If the first guard has lost its program and has not ended by then, it hangs.
+// If the first guard has lost its program and has not ended after this time, it hangs. A device takes less time to
+// open.
 constexpr double kOrphanS = 35.0;
 
-// Returns true if the first guard has ended; false if it holds a device and froze, or hangs without a program.
+// Watches the first guard. Returns true if it has ended. Returns false if it froze while it held a device, or hangs
+// after the program has ended.
 bool watch(HandMailbox& mailbox, int guard_fd, int life_fd) {
     const SteadyClock clock;
     std::array<pollfd, 2> watched{pollfd{guard_fd, POLLIN, 0}, pollfd{life_fd, POLLRDHUP, 0}};
@@ -30,13 +32,13 @@ bool watch(HandMailbox& mailbox, int guard_fd, int life_fd) {
         const int events = ::poll(watched.data(), watched.size(), kLookMs);
         mailbox.relief_beats.fetch_add(1, std::memory_order_release);
         if (watched[0].revents != 0) return true;
-        // The program is gone. The first guard notices that as well, releases the device and ends.
+        // The program has ended. The first guard notices that as well, releases the device and ends.
         if (events > 0 && watched[1].revents != 0) {
             watched[1].fd = -1;
             orphaned_s = clock.now_s();
             continue;
         }
-        if (events != 0) continue;  // interrupted by a signal: does not count as a look
+        if (events != 0) continue;  // poll() was interrupted by a signal, so this was no check
         if (orphaned_s >= 0.0 && clock.now_s() - orphaned_s > kOrphanS) return false;
         still =
             guard.look(mailbox.beats.load(std::memory_order_acquire), !mailbox.holds.load(std::memory_order_acquire));
@@ -44,7 +46,8 @@ bool watch(HandMailbox& mailbox, int guard_fd, int life_fd) {
     return false;
 }
 
-// Beats on a separate thread while a driver opens, zeroes and closes the device, which may take seconds.
+// Counts beats on a separate thread while a driver opens the device, zeroes the force and closes it, which may take
+// seconds.
 std::jthread beat_meanwhile(HandMailbox& mailbox) noexcept {
     try {
         return std::jthread([&mailbox](const std::stop_token& end) {
@@ -53,7 +56,7 @@ std::jthread beat_meanwhile(HandMailbox& mailbox) noexcept {
                 mailbox.relief_beats.fetch_add(1, std::memory_order_release);
         });
     } catch (const std::system_error&) {
-        return {};  // the program then replaces this process if the driver takes longer than the program waits
+        return {};  // Without this thread, the program replaces this process if the driver takes too long.
     }
 }
 
@@ -85,7 +88,8 @@ int relieve_guard(HandMailbox& mailbox, int guard_fd, int life_fd, const ZeroDev
         }
         const double tried_s = clock.now_s() - begun_s;
         if (tried_s > kZeroTriesS && !std::exchange(told, true)) {
-            // The reason is sent first, because a reader that sees the state reads it at once.
+            // The reason is sent before the state changes, because a reader that sees the new state reads the reason at
+            // once.
             send_message(life_fd, GuardMessage::Failed, zeroed.error().sentence());
             mailbox.relief = ReliefState::Failed;
         }

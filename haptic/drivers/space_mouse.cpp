@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kFullDeflection = 350.0;
 
-// Applies a dead band, then a cube, so that light pressure steers finely.
+// Applies a dead band, then a cube, so that the person can steer finely with light pressure.
 double curve(int raw) noexcept {
     const double share = std::clamp(raw / kFullDeflection, -1.0, 1.0);
     const double beyond = (std::abs(share) - SpaceMouse::kDeadBand) / (1.0 - SpaceMouse::kDeadBand);
@@ -16,7 +16,7 @@ double curve(int raw) noexcept {
     return std::copysign(beyond * beyond * beyond, share);
 }
 
-// Converts the puck's own axes: x right, y towards the person, z down.
+// Converts from the puck's own axes: x right, y towards the person, z down.
 Vec3 three(std::span<const std::uint8_t> bytes) noexcept {
     const auto axis = [&](std::size_t i) {
         return curve(static_cast<std::int16_t>(bytes[2 * i] | bytes[2 * i + 1] << 8));

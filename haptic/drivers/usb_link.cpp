@@ -29,7 +29,7 @@ Context make_context() {
     return Context(libusb_init(&context) == 0 ? context : nullptr);
 }
 
-// Calls visit(device, descriptor) for every device until it returns true.
+// Calls visit(device, descriptor) for each device until visit returns true.
 template <class Visit>
 void for_each_device(libusb_context* context, Visit&& visit) {
     libusb_device** devices = nullptr;
@@ -48,7 +48,7 @@ std::string text_of(libusb_device_handle* handle, std::uint8_t index) {
     return length > 0 ? std::string(text.begin(), text.begin() + length) : std::string();
 }
 
-// The usual reasons in the language of the program, the others in libusb's words.
+// Returns the reason for a USB error. The usual reasons are translated; the others are in libusb's words.
 std::string reason_of_usb(int status) {
     switch (status) {
         case LIBUSB_ERROR_IO:
@@ -67,7 +67,7 @@ std::string reason_of_usb(int status) {
 }
 
 unsigned milliseconds(double seconds) noexcept {
-    // At least 1, because 0 would wait for ever.
+    // At least 1, because libusb waits for ever if it gets 0.
     return static_cast<unsigned>(std::clamp(std::ceil(seconds * 1000.0), 1.0, 10000.0));
 }
 

@@ -1,5 +1,5 @@
-// USB devices through libusb: lists which of the known ones are plugged in, and opens a ByteLink to one of them. Any
-// one thread. Calls allocate and lock.
+// Lists which of the known USB devices are plugged in, through libusb, and opens a ByteLink to one of them. Any one
+// thread. Calls allocate and lock.
 #pragma once
 
 #include <cstdint>
@@ -21,15 +21,17 @@ struct UsbId {
 struct UsbDeviceInfo {
     UsbId id;
     int bus = 0, address = 0;
-    std::string serial, product_name;  // empty if it may not be queried
-    bool permitted = true;             // may be opened
+    std::string serial, product_name;  // empty if the device may not be queried
+    bool permitted = true;             // true if this process may open the device
     std::string problem;               // why it cannot be opened, in libusb's words; empty if it can
 };
 
-// The devices among `wanted` that are plugged in, by bus and address. Fails if USB cannot be queried at all.
+// Returns the devices among `wanted` that are plugged in, sorted by bus and address. Fails if USB cannot be queried at
+// all.
 Result<std::vector<UsbDeviceInfo>> list_usb_devices(std::span<const UsbId> wanted);
 
-// Claims interface 0; bulk endpoints 0x02 out and 0x81 in, vendor requests to the device, as on the FTDI chips.
+// Opens the device and claims interface 0. Uses the bulk endpoints 0x02 out and 0x81 in, and vendor requests to the
+// device, as on the FTDI chips.
 Result<std::unique_ptr<ByteLink>> open_usb_link(const UsbDeviceInfo& device);
 
 }  // namespace handrail::drivers

@@ -1,6 +1,6 @@
-// A maker's closed library, loaded if it is installed and never linked or shipped. Symbols are looked up by name; a
-// missing one gives a sentence, not a crash. Any thread. Loading runs the library's own start-up code, so it happens in
-// the guard process.
+// A maker's closed library. It is loaded if it is installed, and never linked or shipped. Symbols are looked up by
+// name; a missing one leads to an error sentence, not a crash. Any thread. Loading runs the library's own start-up
+// code, so it happens in the guard process.
 #pragma once
 
 #include <initializer_list>
@@ -12,13 +12,14 @@ namespace handrail::drivers {
 
 class VendorLibrary {
 public:
-    // Loads the first of the names that the loader finds. Fails with a sentence about what is missing.
+    // Loads the first library in `names` that the loader finds. If it finds none, the error sentence says what is
+    // missing.
     static Result<VendorLibrary> load(std::initializer_list<std::string> names, const std::string& maker);
     VendorLibrary(VendorLibrary&& other) noexcept;
     VendorLibrary& operator=(VendorLibrary&&) = delete;
     ~VendorLibrary();
 
-    // Looks a function up into `function`; remembers the first one that is missing.
+    // Looks up a function by name and stores it in `function`. Remembers the first name that is missing.
     template <class Function>
     VendorLibrary& get(const char* name, Function*& function) {
         function = reinterpret_cast<Function*>(find(name));

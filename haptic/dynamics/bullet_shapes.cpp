@@ -10,8 +10,8 @@
 namespace handrail::dynamics {
 namespace {
 
-// Bullet rounds its convex shapes by a margin, 40 mm by default; thin shapes get less. The outer surface stays where it
-// is.
+// Rounding margin of convex shapes. Bullet rounds them by 40 mm by default; thin shapes get less than this value.
+// Corners are moved inwards by the margin, so the outer surface stays where it is.
 constexpr double kMargin_m = 2e-3;
 
 btTransform upright(const Vec3& middle_m, const Vec3& axis) {
@@ -26,8 +26,8 @@ bool is_box(const ConvexSolid& solid) {
            });
 }
 
-// The corners of the solid with its faces moved inwards, relative to its middle. No corners if nothing is left or a
-// face vanishes.
+// Returns the corners of the solid, relative to its middle, after its faces were moved inwards by `by_m`. Returns none
+// if nothing is left of the solid or a face vanishes.
 std::vector<Vec3> corners_moved_in(const ConvexSolid& solid, double by_m) {
     std::vector<Plane> planes = solid.planes;
     const Vec3 middle = solid.bounds_m.centre_m();

@@ -1,5 +1,5 @@
-// Bullet's shapes for parts of the dynamics scene. Private to this folder, because Bullet's headers must stay in it.
-// Source: Bullet 3.24, double precision.
+// Bullet's shapes for the parts of a dynamics scene. Private to this folder, because no other folder may include
+// Bullet's headers. Source: Bullet 3.24, double precision.
 #pragma once
 
 #include <BulletCollision/CollisionShapes/btTriangleInfoMap.h>
@@ -22,19 +22,20 @@ inline Placement ours(const btTransform& at) {
     return {ours(at.getOrigin()), {q.w(), q.x(), q.y(), q.z()}, 1.0};
 }
 
-// Owns the shapes that it made; must outlive the world that uses them.
+// Creates and owns the shapes. It must outlive the world that uses them.
 class BulletShapes {
 public:
-    // One part, and its pose in the frame of its own coordinates.
+    // One part: its shape, and its pose in the frame of the part's coordinates.
     struct Part {
         btCollisionShape* shape = nullptr;
         btTransform at = btTransform::getIdentity();
     };
     Part part(const render::DynamicsPiece& piece);
-    // Combines all parts into one shape; child i is pieces[i]. A single part at zero without rotation stays as it is,
-    // unless `compound` is set.
+    // Combines all parts into one compound shape, whose child i is pieces[i]. A single part at the origin without
+    // rotation is returned as a plain shape, unless `compound` is set.
     btCollisionShape* together(const std::vector<render::DynamicsPiece>& pieces, bool compound);
-    // Null if the mesh is empty. The shape knows its inner edges.
+    // Returns the shape of a mesh, or null if the mesh is empty. The shape stores which edges are inner ones, so that
+    // bodies do not catch on them.
     btCollisionShape* sheets(const TriangleMesh& mesh);
 
     ~BulletShapes();
@@ -47,7 +48,7 @@ private:
         return raw;
     }
 
-    std::vector<std::unique_ptr<btCollisionShape>> shapes_;  // parts come before the shapes made of them
+    std::vector<std::unique_ptr<btCollisionShape>> shapes_;  // parts come before the compound shapes that use them
     std::unique_ptr<btTriangleIndexVertexArray> triangles_;
     std::unique_ptr<btTriangleInfoMap> edges_;
 };

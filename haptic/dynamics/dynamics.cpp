@@ -18,20 +18,21 @@ namespace handrail::dynamics {
 namespace {
 
 constexpr double kH = Dynamics::kStep_s;
-constexpr double kMostReach_m = 0.1;         // contacts are found this far ahead; the hand's model depends on it
-constexpr double kMostSpeed_m_per_s = 20.0;  // 83 mm a step, which is less than kMostReach_m
+// Distance at which Bullet already reports contacts; the hand's model depends on it.
+constexpr double kMostReach_m = 0.1;
+constexpr double kMostSpeed_m_per_s = 20.0;  // greatest speed of a body: 83 mm a step, which is less than kMostReach_m
 constexpr double kMostTurn_rad_per_s = 60.0;
-constexpr double kJammed_m = 3e-3;      // a body this deep in a driven thing is jammed
-constexpr double kMostDrive_n = 400.0;  // no door or train pushes harder than this
-constexpr double kCatchUp_m = 2e-3;     // movement of a driven thing in each step after it waited
-constexpr int kJammedSteps = 60;        // steps before it tries again
-constexpr double kOutside_m = 5.0;      // a body this far outside of everything is put back
+constexpr double kJammed_m = 3e-3;      // depth in a driven thing from which on a body counts as jammed
+constexpr double kMostDrive_n = 400.0;  // greatest force with which a door or train pushes a body
+constexpr double kCatchUp_m = 2e-3;     // how far a driven thing moves in each step after it waited for a jammed body
+constexpr int kJammedSteps = 60;        // number of steps that a driven thing waits before it tries to move again
+constexpr double kOutside_m = 5.0;      // a body this far outside the scene's bounds is put back at its start
 constexpr double kHit_m_per_s = 0.15;
 constexpr double kHitAgain_s = 0.05;
-constexpr double kPressed_m = 1e-3;  // a body this deep in the walker is carried along
+constexpr double kPressed_m = 1e-3;  // overlap with the walker from which on the walker's motion carries a body along
 constexpr double kWhole = 1e-6;
-constexpr int kMovingSteps = 12;   // steps between two events of rolling or sliding: 20 a second
-constexpr int kFallingSteps = 24;  // steps without touching anything
+constexpr int kMovingSteps = 12;   // steps between two sound events of a rolling or sliding body: 20 a second
+constexpr int kFallingSteps = 24;  // number of steps without contact after which a body counts as falling
 
 enum Kind : int { kBuilding, kSheets, kDriven, kBody, kWalker };
 Kind kind_of(const btCollisionObject& object) { return static_cast<Kind>(object.getUserIndex2()); }
@@ -40,21 +41,22 @@ const btSphereShape* ball_of(const btCollisionShape& shape) {
     return shape.getShapeType() == SPHERE_SHAPE_PROXYTYPE ? static_cast<const btSphereShape*>(&shape) : nullptr;
 }
 
-// The point of a rolling part that is lowest along a normal. Any point ahead of it would come down while the part
-// rolls, and throw the part up.
+// Returns the point of a rolling part (a ball or a cylinder) that is lowest along `normal`. Any contact point ahead of
+// the lowest one would come down while the part rolls, and throw the part up.
 btVector3 lowest(const btCollisionObjectWrapper& part, const btVector3& on_body, const btVector3& normal) {
     const btTransform& at = part.getWorldTransform();
     if (const btSphereShape* ball = ball_of(*part.getCollisionShape()))
         return at.getOrigin() - normal * ball->getRadius();
     if (part.getCollisionShape()->getShapeType() != CYLINDER_SHAPE_PROXYTYPE) return on_body;
     const btVector3 axis = at.getBasis().getColumn(2), out = normal - axis * axis.dot(normal);
-    if (out.length2() < 0.25) return on_body;  // it stands upright
+    if (out.length2() < 0.25) return on_body;  // the cylinder stands upright
     const double along = axis.dot(on_body - at.getOrigin());
     return at.getOrigin() + axis * along -
            out.normalized() * static_cast<const btCylinderShape*>(part.getCollisionShape())->getRadius();
 }
 
-// Moves a contact of a body with part `piece` of the building to a face that can be touched.
+// Moves a contact between a body and part `piece` of the building to a face that can be touched. Removes the contact if
+// there is no such face.
 void put_on_open_face(const render::DynamicsScene& scene, std::uint32_t piece, btManifoldPoint& contact,
                       const btCollisionObjectWrapper& body, const btCollisionObject& building, bool building_is_b) {
     const btVector3 on_building = building_is_b ? contact.m_positionWorldOnB : contact.m_positionWorldOnA;
@@ -64,7 +66,8 @@ void put_on_open_face(const render::DynamicsScene& scene, std::uint32_t piece, b
                                            ours(body.getCollisionObject()->getWorldTransform().getOrigin()));
     if (verdict.kind == SeamVerdict::Kind::True) return;
     btVector3 face_normal = normal,
-              on_face = on_building - normal;  // not a contact: set a metre apart, so that the next refresh drops it
+              // The default, for a false contact: a metre away, so that Bullet drops it at its next refresh.
+        on_face = on_building - normal;
     if (verdict.kind == SeamVerdict::Kind::Face) {
         const Plane& face = scene.building[piece].solid.planes[verdict.face];
         face_normal = bullet(face.normal);
@@ -80,8 +83,8 @@ void put_on_open_face(const render::DynamicsScene& scene, std::uint32_t piece, b
     contact.m_distance1 = (on_body - on_face).dot(face_normal);
 }
 
-// Bullet calls this for every contact that it finds or refreshes. There is one callback for the whole process, so the
-// scene comes with the object.
+// Bullet calls this function for every contact that it finds or refreshes. There is only one callback for the whole
+// process, so each object carries a pointer to its scene.
 bool contact_added(btManifoldPoint& contact, const btCollisionObjectWrapper* a, int part_a, int index_a,
                    const btCollisionObjectWrapper* b, int part_b, int index_b) {
     const btCollisionObject &object_a = *a->getCollisionObject(), &object_b = *b->getCollisionObject();
@@ -112,8 +115,8 @@ void set_up_bullet() {
     });
 }
 
-// Bullet merges contacts that are nearer to each other than the threshold of their pair, so small bodies need a small
-// one.
+// Chooses the contact threshold of each pair of objects. Bullet merges contacts that are nearer to each other than this
+// threshold, so small bodies need a small one.
 class Dispatcher final : public btCollisionDispatcher {
 public:
     explicit Dispatcher(btCollisionConfiguration* configuration) : btCollisionDispatcher(configuration) {
@@ -136,19 +139,20 @@ private:
 struct Body {
     std::unique_ptr<btRigidBody> rigid;
     render::Stick stick;
-    double inertial_kg = 0.0;  // effective mass at present; pushes of two hands may raise it above the body's mass
-    bool waiting = false;      // held still until fewer bodies move
-    bool forced = false;       // some of the forces below act in this step
-    bool told = false;         // its pose was reported since it last moved
+    // Present mass for the inertia. While both hands push the body, it may be greater than the body's mass.
+    double inertial_kg = 0.0;
+    bool waiting = false;  // the engine holds it still until fewer bodies move
+    bool forced = false;   // at least one of the forces below acts in this step
+    bool told = false;     // the engine has reported its pose since it last moved
     Vec3 kept_m_per_s{0.0}, kept_rad_per_s{0.0};
-    std::optional<btTransform> sleeps_at;  // pose since it fell asleep
-    // Forces in this step.
+    std::optional<btTransform> sleeps_at;  // pose at which it fell asleep; empty while it is awake
+    // Forces and torques in this step, from each hand, from the keyboard's grip (lead) and from the walker (shove).
     std::array<Vec3, 2> hand_n{Vec3(0.0), Vec3(0.0)}, hand_nm{Vec3(0.0), Vec3(0.0)};
-    std::array<double, 2> pushed_s{-1e9, -1e9};  // when each hand last pushed it
-    double near_s = -1e9;                        // when a hand was last near
+    std::array<double, 2> pushed_s{-1e9, -1e9};  // time at which each hand last pushed the body
+    double near_s = -1e9;                        // time at which a hand was last near the body
     std::array<double, 2> least_kg{0.0, 0.0};
     Vec3 lead_n{0.0}, lead_nm{0.0}, shove_n{0.0};
-    // State for its sound events.
+    // State from which its sound events are detected.
     Vec3 speed_before{0.0};
     double hit_s = -1e9;
     int moving = 0, airborne = 0;
@@ -157,25 +161,25 @@ struct Body {
 
 struct Driven {
     std::unique_ptr<btRigidBody> rigid;
-    Placement to;  // local
+    Placement to;  // commanded pose, scene's local coordinates
     bool present = true, blocked = false;
-    int jammed = 0;           // steps that it still waits
-    bool catches_up = false;  // it was held up, so it approaches its commanded pose gradually
-    double way_m = 0.0;       // distance moved in the last step
-    Vec3 pushed{0.0};         // direction in which it pressed the jammed body; it may move back
+    int jammed = 0;           // number of steps that it still waits for a jammed body
+    bool catches_up = false;  // It had to wait for a jammed body, so it approaches its commanded pose gradually.
+    double way_m = 0.0;       // distance that it moved in the last step
+    Vec3 pushed{0.0};         // Direction in which it pressed the jammed body. It may move away from that body.
 };
 
 struct Lead {
     std::uint32_t body = render::kNoBody;
-    Vec3 to_m{0.0};  // local
+    Vec3 to_m{0.0};  // target in the scene's local coordinates
     double most_n = 0.0;
     Rotation turn;
 };
 
-// A push by the walker.
+// A push with which the walker moves a body.
 struct Shove {
     std::uint32_t body = render::kNoBody;
-    Vec3 speed_m_per_s{0.0};  // level, not zero
+    Vec3 speed_m_per_s{0.0};  // horizontal, never zero
     double most_n = 0.0, left_s = 0.0;
 };
 
@@ -188,7 +192,7 @@ struct Touched {
     bool any = false;
 };
 
-// The small rotation that leads from one orientation to another, as a vector.
+// Returns the small rotation from one orientation to the other as a vector along its axis.
 Vec3 turn_between(const Rotation& from, const Rotation& to) {
     const Rotation d = to * Rotation{from.w, -from.x, -from.y, -from.z};
     const double two = d.w < 0.0 ? -2.0 : 2.0;
@@ -200,7 +204,7 @@ Vec3 at_most(const Vec3& v, double most) {
     return length > most ? v * (most / length) : v;
 }
 
-// Bullet's world with everything in it. The members are destroyed in reverse order.
+// Bullet's world and all objects in it. Declared in this order because C++ destroys members in reverse.
 struct World {
     BulletShapes shapes;
     btDefaultCollisionConfiguration configuration;
@@ -229,7 +233,8 @@ struct World {
                            const render::DynamicsScene& scene, Kind kind, int index, const Placement& at);
 };
 
-constexpr int kStillGroup = 2, kFreeGroup = 1;  // still and driven objects do not collide with each other
+// Collision groups; still and driven objects do not collide with each other.
+constexpr int kStillGroup = 2, kFreeGroup = 1;
 
 void mark(btCollisionObject& object, const render::DynamicsScene& scene, Kind kind, int index) {
     object.setUserPointer(const_cast<render::DynamicsScene*>(&scene));
@@ -257,7 +262,7 @@ World::World(const render::DynamicsScene& scene) {
     world.setGravity(bullet(scene.gravity_m_per_s2));
     world.setLatencyMotionStateInterpolation(false);
     world.setForceUpdateAllAabbs(false);
-    // A body that overlaps another object is pushed out without gaining speed.
+    // Bullet pushes a body out of an object that it overlaps, without giving it speed.
     world.getSolverInfo().m_splitImpulsePenetrationThreshold = -1e-4;
     const auto add_still = [&](btCollisionShape* shape, Kind kind) {
         auto object = std::make_unique<btCollisionObject>();
@@ -265,7 +270,7 @@ World::World(const render::DynamicsScene& scene) {
         mark(*object, scene, kind, 0);
         object->setFriction(1.0);
         object->setRestitution(1.0);
-        // Otherwise bodies that rest on it would be collided with it for ever.
+        // If the object were active, Bullet would test resting bodies against it for ever.
         object->setActivationState(ISLAND_SLEEPING);
         world.addCollisionObject(object.get(), kStillGroup, kFreeGroup);
         still.push_back(std::move(object));
@@ -294,9 +299,11 @@ World::World(const render::DynamicsScene& scene) {
         rigid.setRollingFriction(body.nature.rolling * body.half_width_m);
         rigid.setSpinningFriction(body.nature.rolling * body.half_width_m);
         rigid.setRestitution(body.nature.elasticity);
-        rigid.setSleepingThresholds(0.01, 0.02);  // Bullet's defaults would stop bodies that a hand pushes slowly
-        // The centre is swept whenever it could pass through an object that the rest of the body already overlaps. The
-        // sphere is so small that it seldom overlaps too: a sweep that begins inside an object finds nothing.
+        // With Bullet's default thresholds, a body that a hand pushes slowly would fall asleep.
+        rigid.setSleepingThresholds(0.01, 0.02);
+        // Bullet sweeps a small sphere at the body's centre, so that a fast body cannot pass through an object that the
+        // rest of the body already overlaps. The sphere is so small that it seldom overlaps the object, too: a sweep
+        // that begins inside an object finds nothing.
         rigid.setCcdMotionThreshold(0.1 * body.half_width_m);
         rigid.setCcdSweptSphereRadius(0.1 * body.half_width_m);
         world.addRigidBody(&rigid, kFreeGroup, kStillGroup | kFreeGroup);
@@ -324,7 +331,7 @@ struct Dynamics::Impl {
     double begin_s = 0.0;
     std::uint64_t steps = 0;
     std::uint32_t game = 1;
-    std::vector<Placement> things;  // poses that were last reported
+    std::vector<Placement> things;  // poses of the driven things that were last reported
 
     double now_s() const { return begin_s + static_cast<double>(steps) * kH; }
     Vec3 local(const Vec3& world_m) const { return world_m - scene->origin_m; }
@@ -344,7 +351,7 @@ struct Dynamics::Impl {
     void limit_awake(render::DynamicsFrame& out);
     void put_back(std::size_t body, std::vector<render::BodyEvent>& events);
     double gap_to_m(std::size_t body, const Vec3& local_m) const;
-    // Returns true if the body rests or is held still, and that was reported.
+    // Returns true if the body rests or is held still and its last event said so.
     bool is_silent(std::size_t i) const {
         const Body& body = world->bodies[i];
         return !body.rigid->isActive() && (body.rested || body.waiting);
@@ -359,7 +366,8 @@ struct Dynamics::Impl {
     void jam(const btCollisionObject& thing, const btVector3& to_body, const btManifoldPoint& contact);
 };
 
-// Applies the part of each push that is in this step or before it.
+// Applies the pushes of hand `hand`. A push that reaches beyond this step is divided: the part in this step, or before
+// it, acts now.
 void Dynamics::Impl::take_pushes(unsigned hand) {
     const double end_s = now_s() + kH;
     std::vector<render::HandPush>& list = world->pushes[hand];
@@ -369,8 +377,8 @@ void Dynamics::Impl::take_pushes(unsigned hand) {
         double part = (end_s - push.time_s) / push.dt_s;
         part = part < kWhole         ? 0.0
                : part > 1.0 - kWhole ? 1.0
-                                     // Snapped, because a rest from rounding of a tick that ends with the step does not
-                                     // count.
+                                     // If a push ends with the step, rounding can leave a tiny rest for the next one;
+                                     // such a rest is ignored.
                                      : part;
         if (part > 0.0) {
             body.forced = true;
@@ -393,9 +401,10 @@ void Dynamics::Impl::take_pushes(unsigned hand) {
     list.resize(kept);
 }
 
-// Critically damped. The force also carries the body's weight, as far as it suffices.
+// Pulls a body to its target like a critically damped spring. The force also carries the body's weight, unless it would
+// exceed `most_n`.
 void Dynamics::Impl::apply_lead(const Lead& lead) {
-    constexpr double kRate = 12.0;  // 1/s
+    constexpr double kRate = 12.0;  // rate of the spring, 1/s
     Body& body = world->bodies[lead.body];
     const render::DynamicsBody& is = scene->bodies[lead.body];
     const btRigidBody& r = *body.rigid;
@@ -413,7 +422,7 @@ void Dynamics::Impl::apply_lead(const Lead& lead) {
     wake(lead.body);
 }
 
-// Reaches the wanted speed within a few steps; the force includes what friction takes.
+// Pushes a body so that it reaches the requested speed within a few steps. The force also overcomes friction.
 void Dynamics::Impl::apply_shove(Shove& shove) {
     constexpr double kWithin_s = 4.0 * kH;
     Body& body = world->bodies[shove.body];
@@ -428,8 +437,8 @@ void Dynamics::Impl::apply_shove(Shove& shove) {
     shove.left_s -= kH;
 }
 
-// A light body between two hands gets more inertia, with unchanged weight, because at this step rate two hands could
-// not move it stably otherwise.
+// Gives a light body between two hands more inertia, but unchanged weight. At this step rate, two hands could not move
+// such a light body stably.
 void Dynamics::Impl::weigh(std::size_t i) {
     Body& body = world->bodies[i];
     const render::DynamicsBody& is = scene->bodies[i];
@@ -533,8 +542,8 @@ void Dynamics::Impl::drive_things() {
     }
 }
 
-// If too many bodies move, holds some still and lets them continue when there is room: first those that a person moves
-// or is about to touch, then in the order of the scene.
+// Limits the number of moving bodies to kMostAwake. If more move, it holds some of them still until there is room
+// again. Bodies that a person moves or is about to touch continue first, the others in the order of the scene.
 void Dynamics::Impl::limit_awake(render::DynamicsFrame& out) {
     std::size_t active = 0;
     for (const Body& body : world->bodies) active += body.rigid->isActive();
@@ -556,13 +565,14 @@ void Dynamics::Impl::limit_awake(render::DynamicsFrame& out) {
     };
     for (std::size_t i = 0; i < world->bodies.size(); ++i)
         if (world->bodies[i].waiting && wanted(i)) go_on(world->bodies[i]);
-    // Bullet wakes every body near one that moves. Bodies that rest sleep on. If newcomers had to wait for them
-    // instead, they would wake them again at each of their turns, and none of the bodies would ever sleep.
+    // Bullet wakes every body near a moving one. Of these, bodies that rest are put to sleep again at once. If they
+    // waited like moving bodies, they would wake each other whenever it was their turn, and none of them would ever
+    // sleep.
     for (std::size_t i = world->bodies.size(); i-- > 0 && active > kMostAwake;) {
         btRigidBody& r = rigid(i);
         if (r.getActivationState() != WANTS_DEACTIVATION || wanted(i)) continue;
-        // A body that is woken for single steps again and again would creep: contacts lift it by amounts that gravity
-        // has no time to reverse.
+        // A resting body that is woken for single steps again and again would creep: contacts lift it by amounts that
+        // gravity has no time to reverse. So it returns to the pose at which it fell asleep.
         constexpr double kCreep_m = 2e-4;
         if (const auto& slept_at = world->bodies[i].sleeps_at;
             slept_at && r.getWorldTransform().getOrigin().distance2(slept_at->getOrigin()) < kCreep_m * kCreep_m) {
@@ -598,7 +608,7 @@ void Dynamics::Impl::limit_awake(render::DynamicsFrame& out) {
 void Dynamics::Impl::put_back(std::size_t i, std::vector<render::BodyEvent>& events) {
     Body& body = world->bodies[i];
     btRigidBody& r = *body.rigid;
-    if (!r.isActive()) return;  // it did not move
+    if (!r.isActive()) return;  // the body did not move
     const Vec3 at = ours(r.getWorldTransform().getOrigin());
     const Vec3 v = ours(r.getLinearVelocity()), w = ours(r.getAngularVelocity());
     const bool finite = is_finite(at) && is_finite(v) && is_finite(w);
@@ -622,7 +632,8 @@ void Dynamics::Impl::put_back(std::size_t i, std::vector<render::BodyEvent>& eve
                       scene->origin_m + scene->bodies[i].start.position_m});
 }
 
-// A body that rests on a lift may be of any weight; a body in front of a door may not.
+// Jams a driven thing if a body overlaps it too deeply or resists it too hard. The force limit counts only for bodies
+// at its side, for example in front of a door. A body that rests on a lift may have any weight.
 void Dynamics::Impl::jam(const btCollisionObject& thing, const btVector3& to_body, const btManifoldPoint& contact) {
     Driven& driven = world->driven[static_cast<std::size_t>(thing.getUserIndex())];
     const bool deep = contact.getDistance() < -kJammed_m - driven.way_m,
@@ -632,7 +643,7 @@ void Dynamics::Impl::jam(const btCollisionObject& thing, const btVector3& to_bod
     driven.pushed = ours(to_body);
 }
 
-// Finds the strongest contact of each body.
+// Finds the strongest contact of each body in this step, and notices jammed bodies.
 void Dynamics::Impl::note_touched() {
     const auto silent = [this](const btCollisionObject& object) {
         return kind_of(object) == kBody && is_silent(static_cast<std::size_t>(object.getUserIndex()));
@@ -663,7 +674,7 @@ void Dynamics::Impl::note_touched() {
     }
 }
 
-// child: which part of the building or of its sheets; negative: none.
+// `child` is the index of the part of the building or of its sheets; negative: no part.
 FeatureId Dynamics::Impl::feature_of(const btCollisionObject& object, int child) const {
     const auto part = static_cast<std::size_t>(child), which = static_cast<std::size_t>(object.getUserIndex());
     switch (kind_of(object)) {
@@ -686,7 +697,8 @@ void Dynamics::Impl::hear(std::vector<render::BodyEvent>& events) {
         if (!is_silent(i)) hear_body(i, std::exchange(world->touched[i], {}), events);
 }
 
-// Detects impacts by a change of speed that no force explains; rolling, sliding, falling and resting by the contacts.
+// Detects the sound events of one body. An impact is a change of speed that no force explains. Rolling, sliding,
+// falling and resting follow from the contacts.
 void Dynamics::Impl::hear_body(std::size_t i, const Touched& t, std::vector<render::BodyEvent>& events) {
     Body& body = world->bodies[i];
     const Vec3 v = ours(body.rigid->getLinearVelocity()), w = ours(body.rigid->getAngularVelocity());
@@ -732,7 +744,7 @@ void Dynamics::Impl::tell_near(render::DynamicsFrame& out, unsigned hand) {
     if (!hands[hand].present()) return;
     auto& order = world->order;
     for (std::size_t i = 0; i < world->bodies.size(); ++i) {
-        // Bodies that this hand pushes or holds come first.
+        // Bodies that this hand has just pushed come first.
         const bool mine = now_s() - world->bodies[i].pushed_s[hand] < 0.5;
         order[i] = {gap_to_m(i, local(hands[hand].at_m)) - (mine ? 1e6 : 0.0), static_cast<std::uint32_t>(i)};
     }
@@ -768,7 +780,7 @@ void Dynamics::Impl::tell_near(render::DynamicsFrame& out, unsigned hand) {
     out.near_count[hand] = static_cast<std::uint8_t>(count);
 }
 
-// Adds the contacts of the reported bodies. If there are too many, the deepest stay.
+// Adds the contacts of the reported bodies as planes. If there are too many, the deepest stay.
 void Dynamics::Impl::add_planes(render::DynamicsFrame& out) {
     const auto gap = [](const render::RigidBodyState& word, const render::ContactPlane& plane) {
         return glm::dot(plane.normal, PlacedFrame(word.at).to_world(plane.own_m)) - plane.offset_m;
@@ -905,8 +917,8 @@ void Dynamics::walker(const Vec3& feet_m, double radius_m, double height_m) {
     }
     const double way = glm::length(at.position_m - ours(w.walker->getWorldTransform().getOrigin()));
     w.walker->setWorldTransform(bullet(at));
-    // The walker stops just short of a body. With a speed of its own it would throw even the heaviest. Only a body that
-    // overlaps the walker is carried along.
+    // Without a velocity, the walker stops just short of a body; with one, it would throw even the heaviest body. So
+    // the walker gets a velocity only while a body overlaps it and has to be carried along.
     if (way > 0.5 || !w.walker_pressed()) w.walker->setInterpolationWorldTransform(bullet(at));
     w.walker->forceActivationState(way > 1e-9 ? ACTIVE_TAG : ISLAND_SLEEPING);
     w.world.updateSingleAabb(w.walker.get());

@@ -1,9 +1,11 @@
-// The authoritative state of all free bodies: Bullet 3.24 in double precision behind plain values, stepped 240 times a
-// second. One owner; no thread, no clock. Steps always have the same length, so the same calls give bit-identical
-// results, also after restart(). World metres. A world without free bodies has none. For the cost of a step by the
-// number of bodies see docs/results.md; no more than kMostAwake move at once. Sources: Coumans, Bullet 3.24; Stewart &
-// Trinkle, An implicit time-stepping scheme for rigid body dynamics with inelastic collisions and Coulomb friction,
-// 1996.
+// The authoritative state of all free bodies of a world, computed by Bullet 3.24 in double precision, 240 steps a
+// second.
+// It has one owner, and no thread or clock of its own. All steps have the same length, so the same calls give
+// bit-identical results, also after restart(). World metres. A world without free bodies has no Dynamics. The cost of a
+// step for different numbers of bodies is in docs/results.md; at most kMostAwake bodies move at once. Sources: Coumans,
+// Bullet 3.24; Stewart & Trinkle, An implicit time-stepping scheme for rigid body dynamics with inelastic collisions
+// and
+// Coulomb friction, 1996.
 #pragma once
 
 #include <memory>
@@ -24,40 +26,41 @@ public:
     Dynamics(const Dynamics&) = delete;
     Dynamics& operator=(const Dynamics&) = delete;
 
-    // A push from hand 0 or 1. It counts for the part of its tick that is in a step; if it comes late, it counts in the
-    // next step. Ignores pushes from before the last restart, of bodies that do not exist, or that are not finite.
+    // Adds a push of hand 0 or 1. Each step applies the part of the push that falls within it; a late push acts in the
+    // next step. Ignores a push that is not finite, belongs to a body that does not exist, or was made before the last
+    // restart.
     void push(unsigned hand, const render::HandPush& push);
-    // Wakes the bodies that the hand approaches, and decides which bodies are reported first.
+    // Sets the position of a hand. The engine wakes the bodies that the hand approaches, and reports the bodies near it
+    // first.
     void place_hand(unsigned hand, const render::HandPlace& place);
-    // Sets the pose of a driven thing from the next step on; index as in DynamicsScene::driven. More than half a metre
-    // or 60 degrees in a step is a jump, which pushes nothing.
+    // Sets the pose of a driven thing from the next step on. `thing` is an index of DynamicsScene::driven. A movement
+    // of more than half a metre or 60 degrees in a step counts as a jump, which pushes no bodies.
     void drive(std::uint32_t thing, const Placement& at, bool present = true);
-    // Sets the walker: an upright capsule that free bodies cannot enter. A height of 0: no walker.
+    // Places the walker, an upright capsule that free bodies cannot enter. A height of 0 removes the walker.
     void walker(const Vec3& feet_m, double radius_m, double height_m);
-    // The grip of the keyboard: pulls a body's centre to a place with at most this force, and keeps its orientation
-    // unless it is a ball. kNoBody or 0 N: lets go.
+    // Grips a body with the keyboard: pulls its centre to `to_m` with a force of at most `most_n`. The body keeps the
+    // orientation `turn` unless it is a ball. kNoBody or 0 N releases it.
     void lead(std::uint32_t body, const Vec3& to_m, double most_n, const Rotation& turn = {});
 
-    // The walker pushes the body along for for_s seconds: towards that level speed, with at most this force. Another
-    // call before the end replaces this one.
+    // Lets the walker push a body for `for_s` seconds, towards the horizontal velocity `speed_m_per_s`, with a force of
+    // at most `most_n`. A later call for the same body replaces the push.
     void shove(std::uint32_t body, const Vec3& speed_m_per_s, double most_n, double for_s);
 
-    // One step of kStep_s. Adds to events and overwrites `out`.
+    // Computes one step of kStep_s. Overwrites `out` and appends to `events`.
     void step(render::DynamicsFrame& out, std::vector<render::BodyEvent>& events);
-    // Restores the start while time goes on. Builds Bullet's world again, because its internal state from the last game
-    // would change the next one.
+    // Puts all bodies back to their start, while the time continues. Builds Bullet's world again, because its internal
+    // state would otherwise influence what follows.
     void restart();
 
-    double time_s() const;  // end of the last step
-    // Lets time pass without a step, and drops the pushes in it. For joining a clock that runs already, or after a
-    // stall.
+    double time_s() const;  // end time of the last step
+    // Lets time pass without a step, and drops the pushes in that time. Used to join a running clock, or after a stall.
     void skip(double seconds);
     const render::DynamicsScene& scene() const;
-    // The pose of a body's frame, and its motion; for tests and for drawing.
+    // Return the pose and the velocity of a body's frame; for tests and for drawing.
     Placement middle(std::uint32_t body) const;
     Vec3 speed_m_per_s(std::uint32_t body) const;
     bool awake(std::uint32_t body) const;
-    // A body is jammed in front of it, and it waits where it is.
+    // Returns true if a body is jammed in front of the driven thing, so that the thing waits.
     bool blocked(std::uint32_t thing) const;
 
 private:

@@ -1,6 +1,6 @@
-// Drives Dynamics on a separate thread at 240 Hz, paced by a Clock, and does every hand-over to and from it. Each
-// channel has one producer and one consumer. Without start(), the owner steps the same loop in virtual time. Everything
-// handed over before a step counts in it, so the same calls give bit-identical results.
+// Runs Dynamics on a separate thread at 240 Hz, paced by a Clock, and passes all data to and from it. Each channel has
+// one producer and one consumer. Without start(), the owner steps the same loop in virtual time. A step takes account
+// of all data that arrived before it, so the same calls give bit-identical results.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace handrail::dynamics {
 
-// Carry out a request of the app, and set the poses of driven things.
+// Carry out a request of the app, or set the poses of all driven things.
 void carry_out(Dynamics& dynamics, const BodyEngine::Order& order);
 void carry_out(Dynamics& dynamics, const std::vector<render::BodyPose>& driven);
 
@@ -27,36 +27,35 @@ class DynamicsLoop : public BodyEngine {
 public:
     using EventRing = SpscRing<render::BodyEvent, 256>;
 
-    // recording: gets each step, and must outlive the loop; null: no recording.
+    // `recording` receives a row for each step and must outlive the loop. Null: no recording.
     explicit DynamicsLoop(std::shared_ptr<const render::DynamicsScene> scene, double begin_s = 0.0,
                           EngineRecording* recording = nullptr);
     ~DynamicsLoop() override;
 
-    // Starts the thread. The clock must outlive the loop and be the clock of the hands. stop() joins; further calls do
-    // no harm.
+    // start() starts the thread. The clock must outlive the loop and be the same as that of the hands. stop() ends and
+    // joins the thread; it may be called again.
     void start(Clock& clock);
     void stop();
-    // Runs every whole step that has ended by now_s; called by the thread, or by the owner of virtual time. After a
-    // stall at most kMostBehind steps are made up for, and the rest of the time is dropped. Bodies then move slower
-    // than the clock; a person who touches them cannot distinguish this from heavier bodies. Returns false if no step
-    // was due.
+    // Computes every step that has ended by `now_s`. The loop's thread calls it, or the owner in virtual time. After a
+    // stall it makes up for at most kMostBehind steps and drops the rest of the time. Bodies then move more slowly than
+    // the clock, which feels as if they were heavier. Returns false if no step was due.
     bool step_until(double now_s);
 
-    // Servo thread of each hand.
+    // The servo thread of each hand calls these functions.
     std::shared_ptr<render::HandChannel> hand(unsigned which) const override { return hands_[which]; }
     render::HandPushRing& pushes(unsigned hand) { return hands_[hand]->pushes; }
     void place_hand(unsigned hand, const render::HandPlace& place) { hands_[hand]->place.publish(place); }
     bool newer_frame(unsigned hand) { return hands_[hand]->frame.refresh(); }
     const render::DynamicsFrame& frame(unsigned hand) const { return hands_[hand]->frame.read(); }
 
-    // App thread.
+    // The app thread calls these functions.
     bool order(const Order& order) override;
     void drive(const DrivenPoses& poses) override { driven_.publish({poses, ++drives_}); }
     bool newer_frame_for_app() override { return for_app_.refresh(); }
     const render::DynamicsFrame& frame_for_app() const override { return for_app_.read(); }
     bool take_event(render::BodyEvent& event) override { return events_.pop(event); }
 
-    // Steps made up for late, and seconds dropped, since the start; any thread.
+    // Number of steps that were made up for late, and seconds that were dropped, since the start. Any thread.
     std::uint64_t late_steps() const { return late_steps_.load(std::memory_order_relaxed); }
     double lost_s() const { return lost_s_.load(std::memory_order_relaxed); }
 
@@ -65,7 +64,7 @@ public:
 private:
     struct Driven {
         DrivenPoses poses;
-        std::uint32_t number = 0;  // counts the calls of drive(), this one included
+        std::uint32_t number = 0;  // which call of drive() these poses come from, counted from 1
     };
 
     void take();
@@ -78,10 +77,10 @@ private:
     LatestValue<render::DynamicsFrame> for_app_;
     SpscRing<Order, 64> orders_;
     LatestValue<Driven> driven_;
-    std::uint32_t drives_ = 0;  // app thread
+    std::uint32_t drives_ = 0;  // number of drive() calls; app thread
     EventRing events_;
     render::DynamicsFrame now_;
-    EngineRow row_;  // row of the current step
+    EngineRow row_;  // row of the recording for the current step
     std::vector<render::BodyEvent> heard_;
     std::atomic<std::uint64_t> late_steps_{0};
     std::atomic<double> lost_s_{0.0};

@@ -1,7 +1,8 @@
-// Where convex parts of a building meet flush, an engine finds contacts on their hidden sides: a sliding box gets
-// caught, a rolling ball bumps. This code judges a contact on one part: it is real, it belongs on an open face instead,
-// or it is no contact at all. Pure; any thread. It looks at the few parts that the compiled scene names as neighbours.
-// A reference version that checks every part of the building is in tests/unit/dynamics.
+// Judges contacts near the seams of a building. Where convex parts meet flush, a physics engine also finds contacts on
+// their hidden sides, so that a sliding box gets caught and a rolling ball bumps. A contact is either real, or belongs
+// on an open face instead, or is no contact. Pure functions, any thread. Each call examines the few parts that the
+// compiled scene names as neighbours. tests/unit/dynamics has a reference version that checks every part of the
+// building.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +13,23 @@ namespace handrail::dynamics {
 
 struct SeamVerdict {
     enum class Kind : std::uint8_t {
-        True,  // a face, edge or corner that can be touched
-        None,  // inside the building
-        Face,  // it belongs on this face
+        True,  // the contact is on a face, edge or corner that can be touched
+        None,  // the contact is inside the building, so it is none
+        Face,  // the contact belongs on the face with index `face`
     };
     Kind kind = Kind::True;
     std::uint32_t face = 0;
 };
 
-constexpr double kSeamAhead_m = 4e-3;  // a face is shut where the point this far in front of it is inside another part
-constexpr double kSeamOn_m = 3e-3;     // a contact belongs to faces that are this near
-// Depth to which a body may be pressed into an object next to the one it stands on.
+// A face counts as covered at a point if the point this far in front of it is inside another part.
+constexpr double kSeamAhead_m = 4e-3;
+constexpr double kSeamOn_m = 3e-3;  // greatest distance of a contact from the faces that it belongs to
+// Greatest depth to which a body on the floor may be pressed into an object next to it.
 constexpr double kSeamPressed_m = 0.02;
 
-// covered(face, point): whether the point is inside another part, grown by kLip_m, that may cover this face. A body
-// pressed slightly into a wall stands on floor that the wall covers. A face therefore also counts as open if it is open
-// slightly nearer to the body's centre.
+// Judges a contact on `piece`. covered(face, point) returns true if the point is inside another part that may cover
+// this face, grown by kLip_m. A body pressed slightly into a wall stands on floor that the wall covers. A face
+// therefore also counts as open if it is open slightly nearer to the body's centre.
 template <class Covered>
 SeamVerdict judge_seam(const render::DynamicsPiece& piece, const Vec3& at_m, const Vec3& normal, const Vec3& body_m,
                        Covered&& covered) {
@@ -57,13 +59,13 @@ SeamVerdict judge_seam(const render::DynamicsPiece& piece, const Vec3& at_m, con
     return verdict;
 }
 
-// Returns true if the point is in the solid grown by kLip_m.
+// Returns true if the point is in the piece's solid, grown by kLip_m.
 inline bool in_grown(const render::DynamicsPiece& piece, const Vec3& point_m) noexcept {
     return contains(piece.solid, point_m, render::DynamicsScene::kLip_m);
 }
 
-// Local coordinates of the scene; normal: away from the building; body_m: the body's centre. Round parts have no faces,
-// so a contact on them is always real.
+// Judges a contact on part `piece` of the building, in local coordinates of the scene. `normal` points away from the
+// building; `body_m` is the body's centre. Round parts have no faces, so a contact on them is always real.
 inline SeamVerdict judge_seam(const render::DynamicsScene& scene, std::uint32_t piece, const Vec3& at_m,
                               const Vec3& normal, const Vec3& body_m) noexcept {
     return judge_seam(scene.building[piece], at_m, normal, body_m, [&](std::uint32_t face, const Vec3& p) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTremor_hz[3] = {8.0, 10.0, 12.0};
 
-// One section of a high-pass filter (Robert Bristow-Johnson's cookbook).
+// Filters `signal` by one second-order section of a high-pass filter (Robert Bristow-Johnson's cookbook).
 void high_pass(std::vector<double>& signal, double cut_hz, double period_s, double quality) {
     const double w = 2.0 * kPi * cut_hz * period_s, alpha = std::sin(w) / (2.0 * quality), c = std::cos(w);
     const double b0 = (1.0 + c) / 2.0, b1 = -(1.0 + c), a0 = 1.0 + alpha, a1 = -2.0 * c, a2 = 1.0 - alpha;
@@ -39,7 +39,7 @@ ClosedLoop::ClosedLoop(const LoopSettings& settings, const Vec3& start_m)
 
 double ClosedLoop::unit() { return static_cast<double>(random_()) / 4294967296.0; }
 
-// Twelve uniform numbers give one that is normal up to three sigma and identical with every standard library.
+// The sum of twelve uniform numbers is nearly normal up to three sigma, and identical with every standard library.
 Vec3 ClosedLoop::noise_m() {
     if (settings_.noise_m == 0.0) return Vec3(0.0);
     Vec3 sum(-6.0);
