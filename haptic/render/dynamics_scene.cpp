@@ -10,8 +10,8 @@
 namespace handrail::render {
 namespace {
 
-// A contact is at most this far from the face that it belongs to, and is queried this far in front of it
-// (haptic/dynamics/seams.h).
+// A contact may be this far from the face that it belongs to, and contacts are already queried this far in front of the
+// face (haptic/dynamics/seams.h).
 constexpr double kReach_m = 10e-3;
 
 Aabb bounds_of_round(const RoundShape& round) {
@@ -32,7 +32,7 @@ double farthest_m(const DynamicsPiece& piece) noexcept {
     return glm::length(glm::max(glm::abs(piece.bounds_m.min_m), glm::abs(piece.bounds_m.max_m)));
 }
 
-// An upper bound for half the width of the piece in its thinnest direction.
+// Returns an upper bound for half the width of the piece in its thinnest direction.
 double half_width_m(const DynamicsPiece& piece) noexcept {
     return std::visit(
         Overloaded{[&](std::monostate) {
@@ -52,8 +52,8 @@ double half_width_m(const DynamicsPiece& piece) noexcept {
         piece.round);
 }
 
-// Returns true if no part of the face, moved slightly outwards, can be inside the solid grown by kReach_m: all of the
-// face is in front of some plane.
+// Returns true if the face, moved slightly outwards, surely has no part in the solid grown by kReach_m. That is so if
+// the whole face is in front of one of the solid's planes.
 bool apart(const Polygon& face, const ConvexSolid& solid) noexcept {
     for (const Plane& plane : solid.planes)
         if (std::all_of(face.points_m.begin(), face.points_m.end(),
@@ -261,7 +261,7 @@ BodyFault DynamicsSceneBuilder::add_body(std::span<const DynamicsPiece> pieces, 
     const PrincipalAxes axes = principal_axes(whole.spread_m5);
     body.middle_in_thing = {whole.middle_m * start.scale, axes.rotation, 1.0};
     body.inertia_kg_m2 = axes.inertia_m5 * (nature.mass_kg / whole.volume_m3 * start.scale * start.scale);
-    // Scales the pieces, then moves them to the frame of the centre of mass.
+    // Scales the pieces, then converts them to the frame of the centre of mass.
     const Rotation& r = axes.rotation;
     const Rotation back{r.w, -r.x, -r.y, -r.z};
     const Vec3 shift = PlacedFrame(Placement{Vec3(0.0), back, 1.0}).turned(-body.middle_in_thing.position_m);

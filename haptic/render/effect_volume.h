@@ -1,9 +1,9 @@
-// Effects: forces in space without visible geometry. A table row gives a region with soft edges and a law. Plain data,
-// built off the real-time path and then only read. Regions and targets are in world metres, or in the body's own frame
-// for an effect attached to a body. Felt lengths are in hand metres and grow with the scale, so zooming never changes
-// how an effect feels. Forces act per hand travel. Every law is either the slope of a bounded potential or a point that
-// yields along its own spring, so it gives no energy. Constant force, flow and vibration are sources of stated, bounded
-// power. The laws are in effects.cpp.
+// Effects: forces in space without visible geometry. A row of the effect table gives a region with soft edges and a
+// force law. Plain data, built at set-up and then only read. Regions and targets are in world metres, or in the body's
+// own frame for an effect attached to a body. Felt lengths are in hand metres and grow with the scale, so zooming never
+// changes how an effect feels; forces act per hand travel. Most laws give no energy, because they are either the slope
+// of a bounded potential or a point that yields along its own spring. The exceptions are constant force, liquid flow
+// and vibration, which are sources of stated, bounded power. The laws are in effects.cpp.
 #pragma once
 
 #include <cstdint>
@@ -29,24 +29,25 @@ struct CapsuleRegion {
     double radius_m = 0.0;
 };
 struct ConvexRegion {
-    std::vector<Plane> planes;  // the planes must enclose a bounded volume
+    std::vector<Plane> planes;  // the region is the intersection behind these planes, which must be bounded
 };
 using EffectRegion = std::variant<Aabb, SphereRegion, CapsuleRegion, ConvexRegion>;
 
 // ---- laws ----
 
-// A point, a line or a flat rectangle: the centre and up to two half axes at right angles. Zero axes are absent.
+// A point, a line or a flat rectangle, given by its centre and up to two half axes at right angles. A zero vector means
+// that there is no such axis.
 struct MagnetTarget {
     Vec3 centre_m{0.0};
     Vec3 half_u_m{0.0}, half_v_m{0.0};
 };
-// Pulls towards the nearest target, or pushes away from it: F = (F0/w) exp((1 - u^2)/2) e, with e the vector to the
-// target and u = |e|/w. Strongest at u = 1. Between targets the potentials blend, so that no edge is felt where the
-// nearest target changes.
+// Pulls towards the nearest target, or pushes away from it: F = (F0/w) exp((1 - u^2)/2) e, where e is the vector to the
+// target and u = |e|/w. The force is greatest at u = 1. Between targets the potentials blend, so that the hand feels no
+// edge where the nearest target changes.
 struct MagnetLaw {
     std::vector<MagnetTarget> targets;
-    double force_n = 2.0;  // F0; negative pushes away; at most 4
-    // Width w, at least 1 mm; within a small region it shrinks to 0.4 of the region's inner radius.
+    double force_n = 2.0;  // F0; a negative value pushes away; at most 4
+    // Width w, at least 1 mm. In a small region it is reduced to 0.4 of the region's inner radius.
     double width_hand_m = 0.010;
 };
 // A row of detents along a direction: F = -F0 sin(2 pi s / l). The hand rests at the origin and at every multiple of l
@@ -57,24 +58,24 @@ struct DetentLaw {
     double force_n = 1.5;           // F0, at most 4
     double pitch_hand_m = 0.010;    // l, at least 2 mm
 };
-// A button that snaps between two positions, half a travel before and behind the origin. A quartic double well whose
-// outer walls fade away.
+// A button that snaps between two positions, half its travel before and behind the origin. Its potential is a quartic
+// double well whose outer walls fade out.
 struct ButtonLaw {
     Vec3 origin_m{0.0};
     Vec3 direction{1.0, 0.0, 0.0};  // unit vector
     double force_n = 1.0;           // largest force between the two positions, at most 4
     double travel_hand_m = 0.020;   // distance between the two positions, at least 2 mm
 };
-// Holds the hand where it is until the hand tears free.
+// Holds the hand where it is until the hand tears itself free.
 struct FlyPaperLaw {
-    double break_n = 3.0;  // at most 4
+    double break_n = 3.0;  // force at which the hand tears free; at most 4
 };
 // A mass attached to the hand by a spring.
 struct InertiaLaw {
     double mass_kg = 0.1;  // range 0.05 to 0.3
     double damping_ns_per_m = 0.2;
 };
-// Wind: a steady force. It is a source of energy: it gives at most force times the region's length.
+// Wind: a steady force. It is a source of energy and gives at most the force times the region's length.
 struct ForceLaw {
     Vec3 direction{1.0, 0.0, 0.0};  // unit vector
     double force_n = 1.0;           // at most 2
@@ -86,22 +87,22 @@ struct VibrationLaw {
     double frequency_hz = 100.0;    // range 20 to 250
 };
 
-// What a custom law may read.
+// The input of a custom law.
 struct EffectPoint {
     Vec3 at_m{0.0};       // position of the hand, in the region's coordinates
     double scale = 1.0;   // world metres per hand metre
     double weight = 0.0;  // 0 at the region's edge, 1 inside
-    Vec3 velocity{0.0};   // speed of the hand through the region, hand metres per second, unfiltered
-    double time_s = 0.0;  // time since the hand entered
+    Vec3 velocity{0.0};   // velocity of the hand through the region, hand metres per second, unfiltered
+    double time_s = 0.0;  // time since the hand entered the region
     double dt_s = 0.0;
 };
-// A force computed in each tick by code outside this library. The function must be real-time safe. The force is
-// multiplied by the region's weight, so it fades at the edge. Its stated stiffness counts in the sum that is kept below
-// the device's limit. The function itself must ensure that it gives no energy.
+// A force that code outside this library computes in each tick. The function must be real-time safe. Its force is
+// multiplied by the region's weight, so it fades at the edge. The stated stiffness is added to that of the other
+// effects, and the sum is kept below the device's limit. The function itself must ensure that it gives no energy.
 struct CustomLaw {
     Vec3 (*force_n)(const EffectPoint& point, const void* data) noexcept = nullptr;
     std::shared_ptr<const void> data;
-    double stiffness_n_per_m = 0.0;  // must be no smaller than the steepest slope of the force over hand travel
+    double stiffness_n_per_m = 0.0;  // upper bound for the slope of the force over hand travel
 };
 
 using EffectLaw =
@@ -112,27 +113,29 @@ struct EffectVolume {
 
     FeatureId feature = kNoFeature;
     EffectRegion region;
-    // Depth inside the border at which the law has its full strength; less if the region is smaller.
+    // Depth inside the border from which on the law has its full strength; less if the region is smaller.
     double edge_hand_m = 0.010;
     EffectLaw law;
-    // Index in HapticScene::bodies of the body it is attached to; region and targets are then in that body's frame.
+    // Index in HapticScene::bodies of the body that the effect is attached to. Region and targets are then in that
+    // body's frame.
     std::uint32_t body = kNoBody;
 
     // Computed when the scene is built.
-    double inner_radius_m = 0.0;           // radius of a ball that fits into the region
-    double stiffness_n_per_m = 0.0;        // upper bound for the slope of the force
-    double crowd_stiffness_n_per_m = 0.0;  // sum of this effect's bound and those of all that overlap it
-    bool by_obstacle = false;              // an obstacle may be touched inside the region
+    double inner_radius_m = 0.0;     // radius of a ball that fits into the region
+    double stiffness_n_per_m = 0.0;  // upper bound for the slope of the force
+    // Sum of the stiffness bounds of this effect and of all effects that overlap it.
+    double crowd_stiffness_n_per_m = 0.0;
+    bool by_obstacle = false;  // an obstacle may be felt inside the region
 };
 
-// Bounds of a region, in world or body coordinates; empty for a region without a size.
+// Returns the bounds of a region, in world or body coordinates. They are empty for a region without a size.
 Aabb bounds_of(const EffectRegion& region);
-// The radius of a ball that fits into the region; for convex regions nearly the largest.
+// Returns the radius of a ball that fits into the region. For convex regions it is nearly the largest such radius.
 double inner_radius_m(const EffectRegion& region);
-// Returns true if every number is finite and within the ranges above, the region is closed and has a size, and
-// directions have length 1.
+// Returns true if the effect is valid: every number is finite and within the ranges above, the region is bounded and
+// has a size, and directions have length 1.
 bool is_sound(const EffectVolume& effect);
-// The steepest slope that the law can have anywhere and at any scale, in N per hand metre.
+// Returns an upper bound for the slope of the law, in N per hand metre, at any place and any scale.
 double stiffness_bound_n_per_m(const EffectLaw& law);
 
 }  // namespace handrail::render

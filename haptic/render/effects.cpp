@@ -1,4 +1,4 @@
-// The laws of the effects. Each is written in hand metres: either a potential U with its slope, or an inner point p
+// The laws of the effects, written in hand metres. Each is either a potential U with its slope, or an inner point p
 // with F = K (p - x) that moves only along F.
 #include "haptic/render/effects.h"
 
@@ -12,23 +12,25 @@ namespace {
 
 constexpr double kFlyPaper_n_per_m = 400.0;
 constexpr double kFlyPaperRelease_s = 0.030;
-constexpr double kFlyPaperStuck_hand_m = 0.2e-3;  // a torn hold sticks again once its point is this near
+// After the hand tore free, the fly paper holds it again once the held point is this near.
+constexpr double kFlyPaperStuck_hand_m = 0.2e-3;
 constexpr double kInertia_n_per_m = 300.0;
-// At this step K T^2 is a seventh of the smallest mass, so the integration is stable.
+// With this step, K T^2 is a seventh of the smallest mass, so the integration is stable.
 constexpr double kInertiaLongestStep_s = 5e-3;
 constexpr double kForceRamp_s = 0.100;
 constexpr double kVibrationRamp_s = 0.010;
-// Share of the device's stiffness, for effects near a wall that may add its own.
+// Share of the device's stiffness that effects may use near a wall, which adds its own stiffness.
 constexpr double kBesideObstacle = 0.6;
 
-// A potential and its slope over hand travel.
+// A potential energy and its slope over hand travel.
 struct Potential {
     double energy_j = 0.0;
     Vec3 slope_n{0.0};
 };
 
-// How far inside a region a place is, from 0 at the border to 1 at `edge_m` inside, and the slope of this weight over
-// world metres. Each side has its own factor, so there is no crease where two sides are equally near.
+// The weight of a position in a region, from 0 at the border to 1 at the depth `edge_m`, and the slope of the weight
+// over world metres. Each side of the region contributes its own factor, so there is no crease where two sides are
+// equally near.
 struct Inside {
     double weight = 1.0;
     Vec3 slope_per_m{0.0};
@@ -72,7 +74,7 @@ Inside inside_of(const EffectRegion& region, const Vec3& at_m, double edge_m) no
     return in;
 }
 
-// ---- sizes that a small region allows; hand metres ----
+// ---- lengths of the laws, reduced in small regions; hand metres ----
 
 double magnet_width(const MagnetLaw& law, double room) noexcept { return std::min(law.width_hand_m, 0.4 * room); }
 double detent_pitch(const DetentLaw& law, double room) noexcept { return std::min(law.pitch_hand_m, 2.0 * room); }
@@ -80,14 +82,15 @@ double button_half_travel(const ButtonLaw& law, double room) noexcept {
     return std::min(0.5 * law.travel_hand_m, 0.35 * room);
 }
 
-// The force of a magnet for each metre of its width. Shrunken magnets are weaker, so that none is stiffer than its
-// bound.
+// Least ratio of a magnet's force to its width. A magnet whose width is reduced also gets weaker, so that its stiffness
+// never exceeds its bound.
 constexpr double kLeastMagnet_n_per_m = 200.0;
 double magnet_steepness(const MagnetLaw& law) noexcept {
     return std::max(std::abs(law.force_n) / law.width_hand_m, kLeastMagnet_n_per_m);
 }
 
-// The edge over which a law fades: wide enough that fading pushes no harder than the law itself does.
+// Returns the width of the edge over which a law fades. It is so wide that the fading pushes no harder than the law
+// itself.
 double edge_hand_m(const EffectVolume& effect, double room) noexcept {
     const double wanted =
         std::visit(Overloaded{[&](const MagnetLaw& law) { return 2.5 * magnet_width(law, room); },
@@ -112,7 +115,8 @@ Vec3 nearest_of(const MagnetTarget& target, const Vec3& at_m) noexcept {
 Potential magnet(const MagnetLaw& law, const Vec3& at_m, double scale, double room) noexcept {
     const double width = magnet_width(law, room);
     const double force = std::min(std::abs(law.force_n), magnet_steepness(law) * width);
-    // Potentials that differ by less than this are blended: the force then turns round over about one width.
+    // Two potentials are blended if they differ by less than this. The force then changes its direction over about one
+    // width.
     const double blend = force * width;
     constexpr double kRootE = 1.64872127070012815;  // exp(1/2)
     Potential lowest;
@@ -126,7 +130,7 @@ Potential magnet(const MagnetLaw& law, const Vec3& at_m, double scale, double ro
             first = false;
             continue;
         }
-        // The smaller of the two potentials with its corner rounded: min - (k - |a - b|)^2 / 4k.
+        // The minimum of the two potentials with a rounded corner: min - (k - |a - b|)^2 / 4k.
         const double lead = std::clamp((one.energy_j - lowest.energy_j) / blend, -1.0, 1.0);
         const double share = 0.5 * (1.0 - lead);  // weight of `one`
         const double dip = 0.25 * blend * (1.0 - std::abs(lead)) * (1.0 - std::abs(lead));
@@ -143,16 +147,16 @@ Potential detent(const DetentLaw& law, const Vec3& at_m, double scale, double ro
     return {-force * pitch / (2.0 * kPi) * turn.cosine, law.direction * (force * turn.sine)};
 }
 
-// With x = s / q: U = U0 (x^2 - 1)^2 up to x = 2 / sqrt 3, where the force is F0 again. From there the force fades to
-// zero within one q.
+// The button's potential, with x = s / q: U = U0 (x^2 - 1)^2 up to x = 2 / sqrt 3, where the force is F0 again. From
+// there the force fades to zero within one q.
 Potential button(const ButtonLaw& law, const Vec3& at_m, double scale, double room) noexcept {
     constexpr double kFrom = 1.15470053837925153;    // 2 / sqrt 3
-    constexpr double kDepth = 0.649519052838328987;  // 3 sqrt 3 / 8: U0 / (F0 q)
+    constexpr double kDepth = 0.649519052838328987;  // 3 sqrt 3 / 8: the ratio U0 / (F0 q)
     const double q = button_half_travel(law, room), force = law.force_n * (2.0 * q / law.travel_hand_m);
     const double x = glm::dot(at_m - law.origin_m, law.direction) / (scale * q), size = std::abs(x);
-    // The value far outside, where U is defined as 0.
+    // Value of the formula far outside. It is subtracted, so that U is 0 there.
     const double top = kDepth * (kFrom * kFrom - 1.0) * (kFrom * kFrom - 1.0) + 0.5;
-    double energy = 0.0, slope = 0.0;  // in units of F0 q and of F0
+    double energy = 0.0, slope = 0.0;  // energy in units of F0 q, slope in units of F0
     if (size < kFrom) {
         energy = kDepth * (x * x - 1.0) * (x * x - 1.0) - top;
         slope = 4.0 * kDepth * x * (x * x - 1.0);
@@ -164,7 +168,7 @@ Potential button(const ButtonLaw& law, const Vec3& at_m, double scale, double ro
     return {force * q * energy, law.direction * (force * slope)};
 }
 
-// The force of a law that a region fades: minus the slope of weight times potential.
+// Returns the force of a law that fades at its region's border: the negative slope of weight times potential.
 Vec3 faded(const Potential& potential, const Inside& in, double scale) noexcept {
     return potential.slope_n * -in.weight - in.slope_per_m * (scale * potential.energy_j);
 }
@@ -191,7 +195,7 @@ Aabb bounds_of(const EffectRegion& region) {
         ball(capsule->b_m, capsule->radius_m);
     }
     if (const auto* convex = std::get_if<ConvexRegion>(&region)) {
-        // The corners of the region: points where three planes meet and that no other plane cuts off.
+        // Finds the corners of the region: points where three planes meet and that no other plane cuts off.
         const std::vector<Plane>& planes = convex->planes;
         double farthest = 1.0;
         for (const Plane& plane : planes) farthest = std::max(farthest, std::abs(plane.offset_m));
@@ -218,7 +222,8 @@ double inner_radius_m(const EffectRegion& region) {
         return 0.5 * std::min({box->size_m().x, box->size_m().y, box->size_m().z});
     if (const auto* sphere = std::get_if<SphereRegion>(&region)) return sphere->radius_m;
     if (const auto* capsule = std::get_if<CapsuleRegion>(&region)) return capsule->radius_m;
-    // Moves away from the nearest plane, by ever smaller steps (the subgradient method), from the middle of the bounds.
+    // Finds a centre by the subgradient method: starts in the middle of the bounds and moves away from the nearest
+    // plane, by ever smaller steps.
     const auto& planes = std::get<ConvexRegion>(region).planes;
     const Aabb bounds = bounds_of(region);
     if (bounds.empty() || planes.empty()) return 0.0;
@@ -253,7 +258,8 @@ bool is_sound(const EffectVolume& effect) {
     const double inner = inner_radius_m(effect.region);
     if (!(inner > 0.0) || !std::isfinite(inner) || !within(effect.edge_hand_m, 1e-3, 1.0)) return false;
     if (const auto* convex = std::get_if<ConvexRegion>(&effect.region)) {
-        // A region is open if it extends without end at some corner: the normals then leave a direction free.
+        // The region is unbounded if it extends without end from some corner, because the normals of the planes leave a
+        // direction free.
         Vec3 low(0.0), high(0.0);
         for (const Plane& plane : convex->planes) {
             if (!unit(plane.normal) || !std::isfinite(plane.offset_m)) return false;
@@ -290,7 +296,7 @@ bool is_sound(const EffectVolume& effect) {
         effect.law);
 }
 
-// ---- the tick ----
+// ---- computing a tick ----
 
 void EffectState::reset() noexcept {
     used_ = 0;
@@ -314,7 +320,7 @@ Vec3 EffectState::one_force(const EffectVolume& effect, Slot& slot, const Vec3& 
     if (hand.held) slot.time_s += hand.dt_s;
     else slot.time_s = 0.0;
 
-    // The inner point starts where the hand enters.
+    // When the hand enters the region, the inner point starts at the hand.
     const Vec3 step_m = slot.fresh ? Vec3(0.0) : hand.step_m;
     slot.fresh = false;
     return std::visit(
@@ -338,7 +344,7 @@ Vec3 EffectState::one_force(const EffectVolume& effect, Slot& slot, const Vec3& 
                 const double stiffness = kInertia_n_per_m * share;
                 slot.offset_hand_m = shortened(slot.offset_hand_m - step_m, in.weight * kLargestEffect_n / stiffness);
                 const Vec3 force = slot.offset_hand_m * stiffness;
-                // The force is computed first, then the mass moves; the other order gives energy.
+                // The force is computed before the mass moves. In the opposite order, the law would give energy.
                 const double dt = std::min(hand.dt_s, kInertiaLongestStep_s);
                 slot.speed_hand_m_per_s +=
                     (force + slot.speed_hand_m_per_s * law.damping_ns_per_m) * (-dt / law.mass_kg);
@@ -372,7 +378,7 @@ Vec3 EffectState::force_n(const HapticScene& scene, const HandMotion& hand) noex
     }
     const Vec3 at = hand.goal_m - scene.origin_m;
 
-    // The effects whose region contains the hand, in the table's order.
+    // Finds the effects whose region contains the hand, in the order of the table.
     std::array<std::uint32_t, kMostActive> active;
     std::size_t count = 0;
     const auto meet = [&](std::uint32_t item, const Vec3& place_m) {
@@ -393,7 +399,7 @@ Vec3 EffectState::force_n(const HapticScene& scene, const HandMotion& hand) noex
         if (pose.present) meet(item, PlacedFrame(pose.at).to_own(hand.goal_m));
     }
 
-    // Forgets all others, so that an effect that the hand has left keeps no state.
+    // Drops the slots of all other effects, so that an effect that the hand has left keeps no state.
     for (std::size_t i = used_; i-- > 0;)
         if (std::find(active.begin(), active.begin() + count, slots_[i].effect) == active.begin() + count)
             slots_[i] = slots_[--used_];
@@ -406,8 +412,8 @@ Vec3 EffectState::force_n(const HapticScene& scene, const HandMotion& hand) noex
             sum += one_force(effect, slot, at, hand);
             continue;
         }
-        // In the frame of the body: a body that carries its effect past a still hand feels like a hand that passes a
-        // still effect.
+        // Converts the hand's motion to the frame of the body. A moving body that carries its effect past a still hand
+        // thus feels the same as a hand that passes a still effect.
         const PlacedFrame frame(pose_of(scene, hand, effect.body).at);
         HandMotion seen = hand;
         const Vec3 place_m = frame.to_own(hand.goal_m);

@@ -34,7 +34,7 @@ Vec3 ForceLimiter::limit(const Vec3& wanted_n, double ceiling_n, ForceFlow flow,
         return last_n_;
     }
 
-    // Scaled by the largest component first, so that squaring a force near the largest double does not overflow.
+    // Divided by the largest component first, so that squaring a force near the largest double does not overflow.
     const double largest = std::max({std::abs(wanted_n.x), std::abs(wanted_n.y), std::abs(wanted_n.z)});
     if (!(largest > 0.0)) {
         resume_pending_ = false;
@@ -53,9 +53,9 @@ Vec3 ForceLimiter::limit(const Vec3& wanted_n, double ceiling_n, ForceFlow flow,
         resume_pending_ = false;
     } else {
         resume_offset_n_ *= kResumeDecayS / (kResumeDecayS + dt_s);
-        if (resume_offset_n_ < 1e-6) resume_offset_n_ = 0.0;  // far below one step of a motor
+        if (resume_offset_n_ < 1e-6) resume_offset_n_ = 0.0;  // far below one step of the motor's force
     }
-    // An unchanged force passes bit-identical: it is not rounded by splitting it into length and direction.
+    // A force that needs no change passes bit-identical. Splitting it into length and direction would round it.
     const bool untouched = resume_offset_n_ == 0.0 && gain == 1.0 && wanted_length <= ceiling_n;
     last_n_ = untouched ? wanted_n : direction * std::max(0.0, allowed - resume_offset_n_);
     tick_assert(gain_ >= 0.0 && gain_ <= 1.0 && resume_offset_n_ >= 0.0);

@@ -9,8 +9,8 @@ namespace {
 constexpr int kDirections = 128;
 constexpr double kShellGrowth = 1.25;
 
-// Points spread evenly over the surface of a unit ball. Source: Gonzalez, Measurement of areas on a sphere using
-// Fibonacci and latitude-longitude lattices, 2010.
+// Returns point i of a set that is spread evenly over the unit sphere. Source: Gonzalez, Measurement of areas on a
+// sphere using Fibonacci and latitude-longitude lattices, 2010.
 Vec3 direction(int i) {
     const double golden_turn = kPi * (3.0 - std::sqrt(5.0));
     const double z = 1.0 - 2.0 * (i + 0.5) / kDirections, ring = std::sqrt(1.0 - z * z), angle = golden_turn * i;
@@ -52,7 +52,7 @@ std::optional<Vec3> nearest_free_place(const HapticScene& scene, std::span<const
         for (int i = 0; i < kDirections; ++i) {
             const Vec3 way = direction(i);
             if (!clear(from_m + way * best_m)) continue;
-            // Moves back towards the start as far as the place stays free.
+            // Moves the place back towards the start as far as it stays free.
             double blocked = inner, free = best_m;
             while (free - blocked > 0.1 * clearance_m) {
                 const double middle = 0.5 * (free + blocked);

@@ -1,6 +1,6 @@
-// Finds the way out for a hand that is inside an obstacle: the nearest place where the proxy fits. It searches growing
-// shells and takes up to a few milliseconds, so it is meant for a command and not for the servo tick. Pure function of
-// its arguments; any thread; its allocations do not depend on the size of the scene.
+// Finds the nearest place where the proxy fits, for a hand that is inside an obstacle. It searches growing shells and
+// takes up to a few milliseconds, so it is for a command of the person and not for the servo tick. Pure function of its
+// arguments; any thread; it allocates the same however large the scene is.
 #pragma once
 
 #include <optional>
@@ -10,17 +10,19 @@
 
 namespace handrail::render {
 
-// Signed distance from a world place to the nearest obstacle, bodies included; negative inside a solid. `far_m` if
-// nothing is nearer than that. Names the feature of the obstacle, or of the deepest of several.
+// Signed distance from a place in the world to the nearest obstacle, bodies included. It is negative inside a solid,
+// and `far_m` if no obstacle is nearer than that. The feature is that of this obstacle, or of the solid that contains
+// the place most deeply.
 struct Surrounding {
     double distance_m = 0.0;
     FeatureId feature = kNoFeature;
 };
 Surrounding surrounding_of(const HapticScene& scene, std::span<const BodyPose> bodies, const Vec3& at_m, double far_m);
 
-// Returns the place nearest to `from_m` that is at least clearance_m (> 0) away from every obstacle; `from_m` itself if
-// it is free. Accurate to a tenth of the clearance in the tried directions. Returns nothing if there is no such place
-// within farthest_m. bodies: poses in the scene's order, or empty for the scene's own.
+// Returns the place nearest to `from_m` that is at least `clearance_m` (> 0) away from every obstacle. That is `from_m`
+// itself if it is free. The search tries a fixed set of directions and is accurate to a tenth of the clearance in each.
+// Returns nothing if there is no such place within `farthest_m`. `bodies`: poses in the scene's order; if empty, the
+// poses of the scene apply.
 std::optional<Vec3> nearest_free_place(const HapticScene& scene, std::span<const BodyPose> bodies, const Vec3& from_m,
                                        double clearance_m, double farthest_m);
 

@@ -1,5 +1,5 @@
-// The channel between the engine of movable bodies and the servo of one hand. Each member has one producer and one
-// consumer, and neither side waits, allocates or fails. Both sides own it, so either may end first.
+// The channel between the engine of the free bodies and the servo of one hand. Each member has one producer and one
+// consumer, and neither of them waits, allocates or fails. Both own the channel, so either may end first.
 #pragma once
 
 #include "haptic/render/rigid_body_state.h"
@@ -11,10 +11,10 @@ namespace handrail::render {
 using HandPushRing = SpscRing<HandPush, 64>;
 
 struct HandChannel {
-    std::uint32_t engine = 0;          // EngineRow::engine; 0: no recording; set before either side begins
-    HandPushRing pushes;               // servo to engine
-    LatestValue<HandPlace> place;      // servo to engine
-    LatestValue<DynamicsFrame> frame;  // engine to servo
+    std::uint32_t engine = 0;          // EngineRow::engine; 0: no recording. Set before the engine and the servo start.
+    HandPushRing pushes;               // from servo to engine
+    LatestValue<HandPlace> place;      // from servo to engine
+    LatestValue<DynamicsFrame> frame;  // from engine to servo
 };
 
 }  // namespace handrail::render

@@ -12,17 +12,18 @@
 namespace handrail::render {
 namespace {
 
-// Bounds of brushes come from computed corners. They are enlarged by this much, so that rounding cannot hide a solid
-// from the hierarchy.
+// The bounds of brushes come from computed corners. They are enlarged by this much, so that rounding errors cannot
+// place a solid outside its bounds.
 constexpr double kBoundsSlack = 1e-9;
-// Below this distance from the world's zero, neighbouring doubles are at most 2e-13 m apart, so moving the origin gains
+// Below this distance from the origin, neighbouring doubles are at most 2e-13 m apart, so moving the origin gains
 // nothing.
 constexpr double kNearZero_m = 1024.0;
 
-// A face of a liquid counts as facing up if its normal rises by more than 45 degrees.
+// A face of a liquid can be its open surface if its normal is less than 45 degrees from vertical. This is the least
+// vertical component.
 constexpr double kLooksUp = 0.7071;
-// Steepest slopes of the laws in liquids.cpp. The first is the drag's spring. The others are per newton, for a film 4
-// mm thick and a buoyancy that rises over 20 mm.
+// Steepest slopes of the laws in liquids.cpp. The first is the stiffness of the drag's spring. The others are per
+// newton, for a film 4 mm thick and a buoyancy that rises over 20 mm.
 constexpr double kDragStiffness_n_per_m = 400.0;
 constexpr double kFilmStiffness_per_m = 583.0;
 constexpr double kBuoyancyStiffness_per_m = 75.0;
@@ -57,7 +58,7 @@ Aabb grown(Aabb box) {
     return box;
 }
 
-// 0 to 5 for -x +x -y +y -z +z; -1 for a slanted plane.
+// Returns 0 to 5 for the directions -x +x -y +y -z +z, and -1 for a slanted plane.
 int axis_side(const Vec3& normal) {
     for (int axis = 0; axis < 3; ++axis)
         if (std::abs(normal[axis]) == 1.0 && normal[(axis + 1) % 3] == 0.0 && normal[(axis + 2) % 3] == 0.0)
@@ -272,8 +273,8 @@ bool is_sound(const CustomObstacle& obstacle) {
     if (!obstacle.closest || box.empty() || !is_finite(size) || !is_finite(obstacle.position_m) ||
         !(std::min({size.x, size.y, size.z}) > 0.0))
         return false;
-    // Samples the surfaces of boxes around it: a grid of 7 x 7 x 7 places without the inner ones, and the same with a
-    // larger box.
+    // Samples positions around the solid: a grid of 7 x 7 x 7 points without its inner ones, on two boxes of different
+    // size.
     constexpr int kSteps = 6;
     const double slack = 1e-9 * glm::length(size);
     std::vector<ClosestPoint> found;
@@ -335,7 +336,8 @@ void HapticSceneBuilder::add_solid(std::span<const Plane> planes, const Aabb& bo
     scene_.planes.insert(scene_.planes.end(), planes.begin(), planes.end());
 }
 
-// A world has few different roundings. Once the table is full, the next smaller one is used.
+// Returns the index of a rounding radius. A world has few different radii; once the table is full, the next smaller
+// radius is used.
 std::uint16_t HapticSceneBuilder::rounding(double rounding_m) {
     if (!(rounding_m > 0.0)) return 0;
     std::vector<double>& known = scene_.roundings_m;
@@ -396,9 +398,9 @@ bool HapticSceneBuilder::add_effect(EffectVolume effect) {
     return true;
 }
 
-// Precomputes what every tick would otherwise have to find out again. Needs the final bounds.
+// Precomputes what each tick needs to know about the effects, such as overlaps. Needs the final bounds.
 void HapticSceneBuilder::prepare_effects() {
-    // An effect attached to a body has no bounds here, because it may go anywhere.
+    // An effect attached to a body has no bounds here, because the body may go anywhere.
     const auto overlap = [](const Aabb& a, const Aabb& b) {
         if (a.empty() || b.empty()) return true;
         return glm::all(glm::lessThanEqual(a.min_m, b.max_m)) && glm::all(glm::lessThanEqual(b.min_m, a.max_m));
@@ -450,7 +452,7 @@ void HapticSceneBuilder::prepare_effects() {
     }
 }
 
-// A round place near the middle if coordinates would be large; otherwise zero.
+// Chooses the scene's origin: a rounded position near the middle if coordinates would otherwise be large, else zero.
 void HapticSceneBuilder::choose_origin() {
     Aabb all;
     for (const std::vector<Aabb>* boxes : {&obstacle_bounds_, &liquid_bounds_, &effect_bounds_})
@@ -478,7 +480,7 @@ void HapticSceneBuilder::make_polygons() {
     scene_.polygon_corners = std::move(corners);
 }
 
-// A surface without area has no sides.
+// Makes surfaces without area touchable from both sides, because they have no front.
 void HapticSceneBuilder::settle_sides() {
     for (Obstacle& o : scene_.obstacles) {
         if (o.side == TouchSide::Both) continue;
@@ -519,7 +521,8 @@ void HapticSceneBuilder::move_to_origin() {
 }
 
 std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world) {
-    // The one number that must differ between all scenes, wherever they are built; scenes share nothing else.
+    // Source of the generation numbers, which differ between all scenes wherever they are built. Scenes share nothing
+    // else.
     static std::atomic<std::uint32_t> next_generation{1};
     choose_origin();
     for (Vec3& p : scene_.mesh.points_m) p -= scene_.origin_m;
@@ -528,7 +531,7 @@ std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world
     move_to_origin();
     if (shades_ && !scene_.mesh.triangles.empty()) {
         scene_.shading = shade_mesh(scene_.mesh.points_m, scene_.mesh.triangles);
-        if (scene_.shading.highest_m <= 0.0) scene_.shading = {};  // nothing in this mesh is curved
+        if (scene_.shading.highest_m <= 0.0) scene_.shading = {};  // no facet of this mesh is part of a curve
     }
     scene_.fields = !scene_.reliefs.empty() || !scene_.shading.facets.empty();
     for (const HapticBody& body : scene_.bodies) scene_.fields = scene_.fields || body.shape->fields;

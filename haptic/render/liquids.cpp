@@ -9,19 +9,19 @@ namespace {
 
 constexpr double kDrag_n_per_m = 400.0;
 constexpr double kLargestDrag_n = 4.0;
-// Limit of the drag in a flowing liquid. A stream is a source of energy, and its power stays below this force times its
-// speed.
+// Limit of the drag in a flowing liquid. A current is a source of energy, and its power stays below this force times
+// its speed.
 constexpr double kLargestFlow_n = 2.0;
 constexpr double kRounding_m = 1e-9;
-constexpr double kLook_hand_m = 0.1;    // distance within which liquids are looked for, beyond where they are felt
+constexpr double kLook_hand_m = 0.1;    // distance, beyond the reach of their forces, within which liquids are searched
 constexpr double kFilm_hand_m = 0.004;  // half the thickness of the surface film
-// Greatest value of F = (2 A / w) y exp(-y^2), in units of A / w. It converts the film's key, which is its largest
-// force, to A.
+// Greatest value of the film's force F = (2 A / w) y exp(-y^2), in units of A / w. It converts the film's greatest
+// force, as given in the world file, to A.
 constexpr double kFilmSteepest = 0.857763884960707;
 constexpr double kFloatRamp_s = 0.100;
 
-// How deep a point is below the surface of a liquid, measured to its exposed faces if it has any. Negative outside.
-// `all`: lower bound for how far the point is outside the volume; not positive inside.
+// Returns how deep a point is below the surface of a liquid, measured to its exposed faces if it has any; negative
+// outside. Sets `all` to a lower bound for the distance of a point outside the volume; zero or negative inside.
 double depth_in(const LiquidVolume& liquid, const Vec3& local_m, double& all) noexcept {
     double exposed = -std::numeric_limits<double>::infinity();
     all = exposed;
@@ -30,15 +30,15 @@ double depth_in(const LiquidVolume& liquid, const Vec3& local_m, double& all) no
         all = std::max(all, out);
         if (!liquid.hidden[i]) exposed = std::max(exposed, out);
     }
-    // Next to or beyond a covered face there is no liquid, however deep the point is below the exposed faces.
+    // Behind a covered face there is no liquid, however deep the point is below the exposed faces.
     const bool any_exposed = exposed > -std::numeric_limits<double>::infinity();
     return any_exposed && all <= 0.0 ? -exposed : -all;
 }
 
-// The properties of all volumes that reach the proxy, weighted by their shares.
+// The properties of all volumes that reach the proxy, weighted by the volumes' shares.
 struct Bath {
     double viscosity_ns_per_m = 0.0;
-    double weakest_share = 1.0;  // share of the drag's stiffness that is allowed next to other effects
+    double weakest_share = 1.0;  // share of the drag's stiffness that is permitted, because other effects act as well
     Vec3 flow_hand_m_per_s{0.0};
 };
 
@@ -51,8 +51,8 @@ void LiquidState::reset() noexcept {
 
 Vec3 LiquidState::drag_n(const HapticScene& scene, const HandMotion& hand, const Vec3& at, FeatureId& in) noexcept {
     const double reach = kImmersion_hand_m * hand.scale;
-    // Among overlapping volumes the one listed last counts first. Where it thins out towards its own surface, the next
-    // takes the rest, so neighbouring volumes form one pool.
+    // Overlapping volumes count in reverse order of the list. Where one of them thins out towards its own surface, the
+    // next takes the rest, so that neighbouring volumes form one pool.
     constexpr std::size_t kMost = 8;
     struct WetVolume {
         std::uint32_t volume;
@@ -95,9 +95,9 @@ Vec3 LiquidState::drag_n(const HapticScene& scene, const HandMotion& hand, const
         drag_offset_hand_m_ = Vec3(0.0);
         return Vec3(0.0);
     }
-    // p <- p + (x - p) a with a = u / (1 + u), u = K T / c. This share, unlike 1 - exp(-u), makes the steady force
-    // exactly c v. The point moves only along its own force, so the liquid never gives energy. A stream moves the point
-    // in addition.
+    // The dragged point moves by p <- p + (x - p) a with a = u / (1 + u), u = K T / c. With this a, unlike 1 - exp(-u),
+    // the steady force is exactly c v. The point moves only along its own force, so the liquid never gives energy. A
+    // current moves the point in addition.
     const bool flows = hand.held && bath.flow_hand_m_per_s != Vec3(0.0);
     const double stiffness = kDrag_n_per_m * bath.weakest_share;
     const double u = stiffness * hand.dt_s / bath.viscosity_ns_per_m;
@@ -111,8 +111,8 @@ Vec3 LiquidState::surface_n(const HapticScene& scene, const HandMotion& hand, co
     const double a = kImmersion_hand_m * hand.scale;
     const Vec3 goal = hand.goal_m - scene.origin_m;
 
-    // A pool lifts the hand only while the proxy is in it or just above it. Nothing else distinguishes a goal deep in
-    // the pool's wall from one next to the pool.
+    // A pool lifts the hand only while the proxy is in the pool or just above it. The hand alone cannot decide this: it
+    // may be deep in the pool's wall or next to the pool.
     const auto carries = [&](const LiquidVolume& liquid) {
         for (std::size_t i = 0; i < liquid.planes.size(); ++i)
             if (signed_distance(liquid.planes[i], ball_local_m) >
@@ -133,8 +133,8 @@ Vec3 LiquidState::surface_n(const HapticScene& scene, const HandMotion& hand, co
         while (k < float_count_ && floats_[k].volume != item) ++k;
         if (k == kMostFloats) return;
         if (k == float_count_) floats_[float_count_++] = {item, 0.0};
-        // A hand coming from above feels nothing yet, so the gate may open at once: the work done going down then comes
-        // back going up. Elsewhere the gate opens gradually.
+        // A hand that comes from above feels no buoyancy yet, so the gate may open at once. The work that the hand does
+        // on its way down comes back on its way up. Anywhere else, the gate opens gradually.
         const double depth = -signed_distance(liquid.planes[static_cast<std::size_t>(liquid.surface)], goal);
         floats_[k].gate = depth <= -a ? 1.0 : std::min(1.0, floats_[k].gate + hand.dt_s / kFloatRamp_s);
     });
@@ -145,8 +145,8 @@ Vec3 LiquidState::surface_n(const HapticScene& scene, const HandMotion& hand, co
         force += surface.normal * (floats_[k].gate * liquid.buoyancy_n * smooth_step((depth + a) / (2.0 * a)));
     }
 
-    // The film is a potential well over the hand's own position: U = -A W exp(-(h/w)^2), with W fading towards the
-    // pool's sides.
+    // The film is a potential well that depends on the hand's own position: U = -A W exp(-(h/w)^2), where W fades
+    // towards the pool's sides.
     const double w = kFilm_hand_m * hand.scale;
     scene.liquid_bvh.within(goal, 4.0 * w, [&](std::uint32_t item, double&) {
         const LiquidVolume& liquid = scene.liquids[item];
@@ -164,7 +164,7 @@ Vec3 LiquidState::surface_n(const HapticScene& scene, const HandMotion& hand, co
         if (weight <= 0.0) return;
         const Plane& surface = liquid.planes[static_cast<std::size_t>(liquid.surface)];
         const double y = -signed_distance(surface, goal) / w, bell = exp_minus(y * y);
-        const double energy = liquid.film_n * kFilm_hand_m / kFilmSteepest;  // A
+        const double energy = liquid.film_n * kFilm_hand_m / kFilmSteepest;  // A in the formula above
         force +=
             surface.normal * (energy / kFilm_hand_m * 2.0 * y * bell * weight) + slope * (hand.scale * energy * bell);
     });

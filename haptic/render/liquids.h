@@ -1,8 +1,8 @@
-// The forces of liquids on the hand: drag at the proxy; buoyancy and a surface film at the hand; a stream that carries
-// it. Drag is a point pulled behind the hand by a spring, which yields as fast as the liquid allows (a Maxwell
-// element). No speed is measured, and the steady force is exactly viscosity times hand speed at every tick length.
-// Buoyancy and film are potentials of the depth below the open surface. Owned by TouchState, one thread; fixed size,
-// noexcept, never allocates.
+// The forces of liquids on the hand: drag at the proxy, buoyancy and a surface film at the hand, and a current that
+// pushes the hand. The drag pulls a point behind the hand by a spring, and the point yields as fast as the liquid
+// permits (a Maxwell element). No speed is measured, and the steady force is exactly viscosity times hand speed at
+// every tick length. Buoyancy and film are potentials of the depth below the open surface. TouchState owns it; one
+// thread; fixed size, noexcept, never allocates.
 #pragma once
 
 #include <array>
@@ -14,11 +14,11 @@ namespace handrail::render {
 class LiquidState {
 public:
     void reset() noexcept;
-    // ball_local_m: centre of the proxy in the scene's own coordinates. `in`: the volume that contains the proxy; where
-    // volumes overlap, the last one listed.
+    // Returns the force on the hand. `ball_local_m` is the centre of the proxy in the scene's own coordinates. Sets
+    // `in` to the volume that contains the proxy; where volumes overlap, to the last one listed.
     Vec3 force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_local_m, FeatureId& in) noexcept;
-    // Returns true, at little cost, if force_n would find and change nothing: the proxy is still where the last look
-    // found no liquid near. May miss such cases.
+    // Returns true, at little cost, if force_n() would find no liquid and change nothing. That is so while the proxy
+    // stays where the last search found no liquid near. May return false even if force_n() would find none.
     bool surely_dry(const HapticScene& scene, const Vec3& ball_local_m, double scale) const noexcept {
         const Vec3 way = ball_local_m - looked_from_m_;
         const double free = nearest_m_ - kImmersion_hand_m * scale;
@@ -27,24 +27,26 @@ public:
     }
 
 private:
-    // Half the depth over which the force of a liquid sets in at its surface.
+    // Half the depth over which the force of a liquid rises below its surface.
     static constexpr double kImmersion_hand_m = 0.01;
-    static constexpr std::size_t kMostFloats = 8;  // most volumes at once whose buoyancy rises, holds or fades
+    // Greatest number of volumes whose buoyancy can rise, act or fade at once.
+    static constexpr std::size_t kMostFloats = 8;
     struct Float {
         std::uint32_t volume = 0;
-        double gate = 0.0;  // rises over 100 ms while the proxy is in the pool, falls while it is not
+        double gate = 0.0;  // rises over 100 ms while the proxy is in the pool, and falls while it is outside
     };
 
     Vec3 drag_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_local_m, FeatureId& in) noexcept;
     Vec3 surface_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_local_m) noexcept;
 
-    Vec3 drag_offset_hand_m_{0.0};  // dragged point minus hand; zero if no liquid is near
-    Vec3 looked_from_m_{0.0};       // no liquid of the scene looked_generation_ is nearer to this place than nearest_m_
+    Vec3 drag_offset_hand_m_{0.0};  // position of the dragged point relative to the hand; zero if no liquid is near
+    // In the scene with generation looked_generation_, no liquid is nearer to this place than nearest_m_.
+    Vec3 looked_from_m_{0.0};
     double nearest_m_ = 0.0;
     std::uint32_t looked_generation_ = 0;
     std::array<Float, kMostFloats> floats_{};
     std::size_t float_count_ = 0;
-    std::uint32_t world_ = 0;  // the world that the floats belong to, and how many liquids it had
+    std::uint32_t world_ = 0;  // the world that floats_ belongs to, and its number of liquids
     std::size_t liquids_ = 0;
 };
 

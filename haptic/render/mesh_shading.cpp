@@ -9,7 +9,7 @@
 namespace handrail::render {
 namespace {
 
-constexpr double kFlat_m = 1e-9;  // smaller rises are rounding errors
+constexpr double kFlat_m = 1e-9;  // a smaller rise counts as a rounding error
 
 std::vector<std::uint32_t> welded(std::span<const Vec3> points) {
     std::map<std::tuple<double, double, double>, std::uint32_t> known;
@@ -24,7 +24,7 @@ double angle_between(const Vec3& a, const Vec3& b) {
     return lengths > 0.0 ? std::acos(std::clamp(glm::dot(a, b) / lengths, -1.0, 1.0)) : 0.0;
 }
 
-// The slope of a facet's rise at its steepest corner.
+// Returns the slope of a facet's rise at its steepest corner.
 double steepest(const std::array<Vec3, 3>& p, const MeshShading::Facet& facet) {
     const Vec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
     const double size2 = glm::dot(normal, normal);
@@ -54,8 +54,9 @@ MeshShading shade_mesh(std::span<const Vec3> points, std::span<const Corners> tr
         const Vec3 n = glm::cross(corners[t][1] - corners[t][0], corners[t][2] - corners[t][0]);
         if (const double size = glm::length(n); size > 0.0) normals[t] = n / size;
     }
-    // 1. Edges by their ends. An edge is smooth if two facets use it in opposite directions and the angle between
-    //   them is small.
+    // 1. Finds the edges by their ends. An edge is smooth if two facets use it in opposite directions and the angle
+    //   between
+    //   the facets is small.
     struct EdgeSide {
         std::uint32_t triangle, edge;
         bool forward;
@@ -66,7 +67,7 @@ MeshShading shade_mesh(std::span<const Vec3> points, std::span<const Corners> tr
             const std::uint32_t a = weld[triangles[t][k]], b = weld[triangles[t][(k + 1) % 3]];
             if (a != b) edges[std::minmax(a, b)].push_back({t, k, a < b});
         }
-    // 2. Groups of corners that share a normal, joined over smooth edges.
+    // 2. Groups corners that share a normal, by joining them over smooth edges.
     std::vector<std::uint32_t> root(std::size_t{3} * count);
     std::iota(root.begin(), root.end(), 0U);
     const auto find = [&root](std::uint32_t i) {
@@ -92,7 +93,7 @@ MeshShading shade_mesh(std::span<const Vec3> points, std::span<const Corners> tr
                                                                           corners[t][(k + 2) % 3] - corners[t][k]);
     for (Vec3& n : corner_normals)
         if (const double size = glm::length(n); size > 0.0) n /= size;
-    // 3. Rises of the edges.
+    // 3. Computes the rises of the edges.
     for (const auto& [one, other] : smooth) {
         const std::uint32_t next = (one.edge + 1) % 3;
         const Vec3 way = corners[one.triangle][next] - corners[one.triangle][one.edge];
@@ -105,8 +106,9 @@ MeshShading shade_mesh(std::span<const Vec3> points, std::span<const Corners> tr
             shading.facets[side.triangle].across[side.edge] = opposite.triangle;
         }
     }
-    // 4. Facets that would be too steep are flattened, along with their neighbours' halves of those edges. Flattening
-    //   never makes another facet steeper than its own edges do, so a few passes are enough.
+    // 4. Flattens facets that would be too steep, with the halves of those edges on the neighbouring facets.
+    //   Flattening
+    //   never makes another facet steeper than its own edges require, so a few passes are enough.
     for (bool changed = true; changed;) {
         changed = false;
         for (std::uint32_t t = 0; t < count; ++t) {
@@ -123,7 +125,7 @@ MeshShading shade_mesh(std::span<const Vec3> points, std::span<const Corners> tr
     }
     for (const MeshShading::Facet& facet : shading.facets)
         for (const float s : facet.sagitta_m)
-            // The sum of l_i l_j is at most 1/3.
+            // The sum of the products l_i l_j is at most 1/3.
             shading.highest_m = std::max(shading.highest_m, 4.0 / 3.0 * std::abs(static_cast<double>(s)));
     return shading;
 }

@@ -1,9 +1,9 @@
 // Time-domain passivity control (Hannaford & Ryu, Time-domain passivity control of haptic interfaces, 2002). It
 // measures the energy that the held force gives to the hand during a touch, from the measured positions and the force
-// that was really on the motor. It adds damping if the hand gets more than it gave. The pole, the allowance and the
-// bound on the surface's own damping prevent steps. The published form cost up to 0.29 N per tick on a clean sweep, and
-// on a surface damped by 2 Ns/m or more it allowed no stiffer wall (docs/results.md). Plain state of TouchState;
-// noexcept, no allocation; about 20 flops a tick while it watches, none otherwise.
+// that the motor really gave. It adds damping if the hand gets more energy than it gave. The filter pole, the allowance
+// and the bound on the surface's own damping prevent force steps, unlike the published form. That form cost up to 0.29
+// N per tick on a clean sweep, and on a surface damped by 2 Ns/m or more it allowed no stiffer wall (docs/results.md).
+// Plain state of TouchState; noexcept, no allocation; about 20 flops a tick while it watches a touch, none otherwise.
 #pragma once
 
 #include <algorithm>
@@ -17,11 +17,11 @@ namespace handrail::render {
 
 class PassivityGuard {
 public:
-    // On a surface with at least this damping the guard has nothing to add.
+    // On a surface with at least this damping, the guard would add nothing useful.
     static constexpr double kNotNeeded_ns_per_m = 2.0;
 
-    // Returns the damping to add now, in Ns/m. own_step_m: movement of the hand since the last tick, hand metres.
-    // delay_s: delay from the end of the hold until a force is felt.
+    // Returns the damping to add now, in Ns/m. `own_step_m` is the displacement of the hand since the last tick, in
+    // hand metres. `delay_s` is the delay from the end of the hold until the hand feels a force.
     double watch(const Vec3& own_step_m, double dt_s, double delay_s) noexcept {
         tick_assert(dt_s > 0.0 && delay_s >= 0.0);
         const auto late = static_cast<std::size_t>(std::clamp(delay_s / dt_s + 0.5, 0.0, kMostLate - 1.0));
@@ -35,7 +35,7 @@ public:
         tick_assert(damping_ns_per_m_ >= 0.0 && damping_ns_per_m_ <= kMost_ns_per_m);
         return damping_ns_per_m_;
     }
-    // Takes the final force of this tick.
+    // Records the final force of this tick.
     void given(const Vec3& force_n) noexcept {
         newest_ = (newest_ + 1) % kMostLate;
         given_n_[newest_] = force_n;
@@ -49,10 +49,11 @@ public:
 private:
     static constexpr double kMost_ns_per_m = 20.0;
     static constexpr double kPole_s = 0.02;
-    static constexpr double kAllowance_j = 1e-3;  // energy that the steps of a held force may give back without damping
-    static constexpr std::size_t kMostLate = 16;  // ticks
+    // Energy that the steps of a held force may give to the hand without added damping.
+    static constexpr double kAllowance_j = 1e-3;
+    static constexpr std::size_t kMostLate = 16;  // greatest delay in ticks
 
-    double energy_j_ = 0.0;  // energy taken from the hand since the contact began; negative: given
+    double energy_j_ = 0.0;  // energy taken from the hand since the contact began; negative: energy given to it
     double damping_ns_per_m_ = 0.0;
     std::array<Vec3, kMostLate> given_n_{};
     std::size_t newest_ = 0;

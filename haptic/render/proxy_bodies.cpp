@@ -10,13 +10,14 @@ using namespace proxy_parts;
 
 namespace {
 
-// Limit for a body's movement within one move; a faster one vanishes here and appears there.
+// Greatest number of sub-steps for a body in one move. A body that would need more jumps: it vanishes here and appears
+// there.
 constexpr int kMostSubSteps = 64;
-constexpr int kLongestWait = 500;  // most moves by which a body may lag behind its commanded pose
+constexpr int kLongestWait = 500;  // greatest number of moves by which a body may lag behind its commanded pose
 
-// Lead distances for following bodies: bodies are followed if they are nearer than this plus what the proxy can be
-// pushed or move in a tick. The lead covers a fast hand (2 m/s) for 100 ms. It is also so large that no body beyond it
-// can reach the proxy without a jump (kMostSubSteps).
+// Lead distances for following bodies. The solver follows bodies that are nearer than the lead plus the distance that
+// the proxy can move or be pushed in a tick. The lead covers a fast hand (2 m/s) for 100 ms. It is also so large that
+// no body beyond it can reach the proxy without a jump (kMostSubSteps).
 constexpr double kLeadMargins = 10.0, kLeadRadii = 40.0;
 
 }  // namespace
@@ -25,7 +26,9 @@ void ProxySolver::spend_on_tracked(int work) noexcept {
     if (tracks_.count > kFewBodies && !tracks_.all) spend(static_cast<int>(tracks_.count) * work);
 }
 
-// Bodies that were looked at share one bound while none of them moves. For every other body its own position counts.
+// Returns the distance around a place within which every obstacle of the bodies is a candidate, at most `known`. While
+// no body moves, all bodies whose obstacles were gathered share one bound. For every other body its own position
+// counts.
 double ProxySolver::known_of_bodies(const Vec3& at_m, double known) noexcept {
     spend_on_tracked(kKnownWork);
     const Vec3 at = anchor_m_ + at_m;
@@ -37,7 +40,7 @@ double ProxySolver::known_of_bodies(const Vec3& at_m, double known) noexcept {
     return tracks_.far_short ? std::min(known, tracks_.far_m - glm::length(at - tracks_.far_from_m)) : known;
 }
 
-// A lower bound for the distance from a place to any point of a body during the movements of this request.
+// Returns a lower bound for the distance from a place to any point of a body during the movements of this request.
 double ProxySolver::least_distance_m(const HapticScene& scene, const Request& request, std::size_t body,
                                      const Vec3& from_m) const noexcept {
     constexpr double kNever = 1e300;
@@ -57,7 +60,7 @@ double ProxySolver::least_distance_m(const HapticScene& scene, const Request& re
     return glm::length(begin + way * part) - b.reach_m * std::max(from.at.scale, to.at.scale);
 }
 
-// Returns false if no track is left.
+// Gives a body a track. Returns false if no track is left.
 bool ProxySolver::track_body(const HapticScene& scene, const Request& request, std::size_t body) noexcept {
     if (tracks_.follows(body)) return true;
     ProxyTrack* const added = tracks_.add(static_cast<std::uint16_t>(body));
@@ -67,14 +70,14 @@ bool ProxySolver::track_body(const HapticScene& scene, const Request& request, s
     stand(scene, track, pose.at);
     track.wanted = pose.at;
     track.reach_m = scene.bodies[body].reach_m * track.frame.scale;
-    // A body that is near right away has appeared or jumped here; advance_bodies() handles it as such.
+    // A body that is already near at this moment has appeared or jumped here; advance_bodies() treats it so.
     const bool near = track.known_around_m(local_m()) <= request.radius_m + request.path_cap_m;
     track.present = pose.present && !near;
     tracks_.behind = tracks_.behind || near;
     return true;
 }
 
-// Stops following bodies that are farther away and have no part in what is felt.
+// Stops following bodies that are farther away than `far_m` and do not affect the force.
 void ProxySolver::untrack_far(const HapticScene& scene, double far_m) noexcept {
     const Vec3 at = local_m();
     tracks_.keep_those([&](std::uint16_t b, const ProxyTrack& track) {
@@ -83,9 +86,9 @@ void ProxySolver::untrack_far(const HapticScene& scene, double far_m) noexcept {
     });
 }
 
-// Looks at every body of the scene once. Most ticks skip this, as long as the hand stays within 0.2 m and the bodies'
-// movements are known. If more bodies are near than there are tracks, only those within half the distance are followed,
-// and so on.
+// Examines every body of the scene once and follows those that are near. Most ticks skip this, because it is not needed
+// while the hand stays within 0.2 m and the bodies' movements are known. If more bodies are near than there are tracks,
+// the distance is halved until the tracks suffice.
 void ProxySolver::track_near(const HapticScene& scene, const Request& request) noexcept {
     tracks_.far_from_m = local_m();
     tracks_.far_m = tracks_.all
@@ -107,18 +110,18 @@ void ProxySolver::track_near(const HapticScene& scene, const Request& request) n
     }
     for (std::size_t b = 0; b < tracks_.bodies; ++b)
         if (wants_track(b) && !track_body(scene, request, b)) {
-            tracks_.far_m = -1.0;  // nothing is known
+            tracks_.far_m = -1.0;  // no distance is known to be free of other bodies
             break;
         }
 }
 
-// The same, but only for the bodies that begin a new movement.
+// Like track_near(), but only for the bodies that begin a new movement.
 void ProxySolver::track_coming(const HapticScene& scene, const Request& request) noexcept {
     const Vec3 here = scene.origin_m + tracks_.far_from_m;
     for (const MovingBody& moving : request.bodies->ways->moving) {
         const std::size_t b = moving.body;
         if (b >= tracks_.bodies) continue;
-        // A first check, from the middle of its movement, shows that most bodies are far away.
+        // A cheap first check, with the middle of the movement, excludes most bodies because they are far away.
         const Vec3 off = moving.middle_m - here;
         const double beyond = tracks_.far_m + moving.half_way_m + scene.bodies[b].reach_m * moving.most_scale;
         if (glm::dot(off, off) > beyond * beyond || tracks_.follows(b)) continue;
@@ -128,7 +131,7 @@ void ProxySolver::track_coming(const HapticScene& scene, const Request& request)
     }
 }
 
-// Called once a move: makes sure that every body that may come near is followed.
+// Ensures that every body that may come near is followed. Called once in each move.
 void ProxySolver::watch_bodies(const HapticScene& scene, const Request& request, double radius_m) noexcept {
     const std::uint64_t number = request.bodies ? request.bodies->ways_number() : 0;
     const double near_m = near_for(radius_m, request.margin_m, request.path_cap_m);
@@ -138,7 +141,7 @@ void ProxySolver::watch_bodies(const HapticScene& scene, const Request& request,
     const BodyPaths* const ways = request.bodies ? request.bodies->ways : nullptr;
     const bool follows = ways && ways->number_before != 0 && ways->number_before == tracks_.ways;
     if (went || (number != tracks_.ways && !follows)) {
-        // With a margin, so that a hand that gets only a little faster needs no new look.
+        // The distance gets a margin, so that no new search is needed if the hand becomes only a little faster.
         tracks_.near_m = 1.5 * near_m;
         track_near(scene, request);
     } else {
@@ -161,7 +164,7 @@ bool ProxySolver::bodies_are_far(const HapticScene& scene, const Request& reques
     return true;
 }
 
-// Takes every body near the proxy at its current pose, without a movement in between.
+// Places every body near the proxy at its current pose, without a movement in between.
 void ProxySolver::take_bodies(const HapticScene& scene, const Request& request, double radius_m) noexcept {
     tracks_.clear();
     tracks_.bodies = std::min(scene.bodies.size(), tracks_.slots.size());
@@ -199,7 +202,7 @@ void ProxySolver::drop_candidates(std::uint16_t body) noexcept {
     drop_candidates_of([body](std::uint16_t owner) { return owner == body; });
 }
 
-// Moves every body to its wanted pose, and the proxy out of its way, as far as the work budget allows.
+// Moves every body to its commanded pose and pushes the proxy out of its way, as far as the work budget allows.
 void ProxySolver::advance_bodies(const HapticScene& scene, const Request& request, double radius_m) noexcept {
     tracks_.number = request.bodies ? request.bodies->number : 0;
     const double margin = std::max(request.margin_m, 2.0 * request.path_cap_m);
@@ -223,7 +226,8 @@ void ProxySolver::advance_bodies(const HapticScene& scene, const Request& reques
         const double reach = scene.bodies[id].reach_m;
         const double travel = farthest_travel_m(track.at, pose.at, reach);
         const double needs = travel / (0.5 * radius_m_);
-        // A jump is judged from one single command, not from the distance that adds up while the body waits.
+        // Whether a body jumps is judged from a single command. The distance that adds up while the body waits does not
+        // count.
         track.waited = tracks_.behind ? track.waited + 1 : 0;
         track.jumped =
             track.jumped ||
@@ -232,10 +236,11 @@ void ProxySolver::advance_bodies(const HapticScene& scene, const Request& reques
         track.wanted = pose.at;
         const double gap = glm::length(track.frame.position_m - local_m()) - reach * track.frame.scale - travel;
         const bool near = gap <= radius_m + request.path_cap_m;
-        // A body that is far from the proxy before and after the move has no effect, even if it is not followed there.
+        // A body that is far from the proxy before and after the move has no effect, even if it passes the proxy in
+        // between.
         const double gap_there = glm::length(pose.at.position_m - scene.origin_m - local_m()) - reach * pose.at.scale;
         const bool met = track.looked_at || gap_there <= radius_m + request.path_cap_m;
-        // A body that could not move for a long time, and is far by now, is released.
+        // If a body has been unable to move for a long time and its commanded pose is far away, it is released.
         const bool gone = track.waited > kLongestWait && gap_there > radius_m + request.path_cap_m + request.margin_m &&
                           work_.left > 0;
         if (track.present != pose.present || (near && track.jumped) || gone) {
@@ -282,7 +287,8 @@ void ProxySolver::advance_bodies(const HapticScene& scene, const Request& reques
     step_.waits = step_.waits || tracks_.behind;
 }
 
-// Returns false and changes nothing if there was no time to look at what the bodies bring near.
+// Moves all bodies by one sub-step. Returns false and moves no body if there was no time to gather the obstacles that
+// come near.
 bool ProxySolver::sub_step(const HapticScene& scene, const Request& request, double radius_m, double part) noexcept {
     Vec3 wish = ball_m_;
     bool any = false;
@@ -302,13 +308,14 @@ bool ProxySolver::sub_step(const HapticScene& scene, const Request& request, dou
     spend(kSubStepWork);
     spend_on_tracked(kCarryWork);
     const double carried = glm::length(wish - ball_m_);
-    const double needed = 2.0 * radius_m + carried;  // a push of half a radius, and the radius itself
+    // Half a radius for the push by a body, the radius itself, and a reserve of half a radius.
+    const double needed = 2.0 * radius_m + carried;
     if (known_around(ball_m_) < needed) {
         const Vec3 was = ball_m_;
         gather(scene, needed + std::max(request.margin_m, 2.0 * request.path_cap_m), needed);
         wish += ball_m_ - was;
     }
-    // What arrives in a sub-step must be known, or the proxy would meet it too late.
+    // Everything that comes near in a sub-step must be a candidate; otherwise the proxy would meet it too late.
     if (tracks_.unknown || known_around(ball_m_) < 1.5 * radius_m_ + carried) {
         for (const std::uint16_t b : tracks_.ids())
             if (ProxyTrack& track = tracks_.of(b); track.moved) stand(scene, track, track.before);
@@ -320,8 +327,8 @@ bool ProxySolver::sub_step(const HapticScene& scene, const Request& request, dou
     return true;
 }
 
-// Moves the cuts of bodies that have just moved to their new place. Cuts that the proxy would violate are renewed at
-// the proxy.
+// Moves the cuts of the bodies that have just moved to the bodies' new poses. A cut that the proxy would violate is
+// renewed at the proxy.
 void ProxySolver::renew_moved_cuts(const HapticScene& scene) noexcept {
     for (int i = 0; i < cuts_.count; ++i) {
         const auto at = static_cast<std::size_t>(i);
@@ -339,8 +346,8 @@ void ProxySolver::renew_moved_cuts(const HapticScene& scene) noexcept {
     spend(0);
 }
 
-// Moves the proxy to the free place nearest to wish_m. If there is none, it shrinks as little as possible. If it is
-// crushed completely, it lets the bodies pass.
+// Moves the proxy to the free place nearest to `wish_m`. If there is none, the proxy shrinks as little as possible. If
+// it does not fit even with the smallest radius, the moving bodies pass through it.
 void ProxySolver::make_room(const HapticScene& scene, const Vec3& wish_m) noexcept {
     ProjectionBasis room;
     const auto fits = [&] {
@@ -354,7 +361,8 @@ void ProxySolver::make_room(const HapticScene& scene, const Vec3& wish_m) noexce
     if (fits()) return take();
     for (int i = 0; i < cuts_.count; ++i) {
         if (cuts_.asleep(i)) continue;
-        // If time is short, renews only the cuts that the proxy violates; with them it fits where it is, if smaller.
+        // If time is short, renews only the cuts that the proxy violates. A smaller proxy then fits at its present
+        // place.
         const HalfSpace held = wall(i);
         if (work_.left <= 0 && glm::dot(held.normal, ball_m_) >= held.offset_m) continue;
         double distance = 0.0;

@@ -1,6 +1,7 @@
-// What the proxy stores about the obstacles near it: for each candidate one cut, a half-space that supports it; and the
-// obstacles that it is inside of and does not feel. Plain values with fixed room: they allocate in their constructors
-// only. Owned by ProxySolver, with the same thread and rules.
+// The proxy's data about the obstacles near it. For each candidate obstacle it stores one cut, which is a half-space
+// that supports the obstacle. It also stores the obstacles that contain the proxy and are therefore not felt. Plain
+// values of fixed size: they allocate only in their constructors. ProxySolver owns them; the same thread and rules
+// apply.
 #pragma once
 
 #include <algorithm>
@@ -13,16 +14,16 @@
 
 namespace handrail::render {
 
-// An obstacle of a body, or of the still scene.
+// An obstacle of a body, or of the still part of the scene.
 struct OwnedObstacle {
-    static constexpr std::uint16_t kStill = 0xFFFF;  // value of `body` for an obstacle that stands still
+    static constexpr std::uint16_t kStill = 0xFFFF;  // value of `body` for an obstacle that belongs to no body
 
     std::uint32_t obstacle = 0;
     std::uint16_t body = kStill;
     bool operator==(const OwnedObstacle&) const = default;
 };
 
-// The obstacles that the proxy started inside of and has not left yet.
+// The ghosts: obstacles in which the proxy started and that it has not left yet.
 class ProxyGhosts {
 public:
     static constexpr int kMost = 256;
@@ -33,11 +34,11 @@ public:
         return list_[static_cast<std::size_t>(i)];
     }
     void clear() noexcept { count_ = 0; }
-    // Ghosts beyond kMost are ignored.
+    // Adds a ghost. Ghosts beyond kMost are ignored.
     void add(const OwnedObstacle& ghost) noexcept {
         if (count_ < kMost) list_[static_cast<std::size_t>(count_++)] = ghost;
     }
-    // The last one takes its place.
+    // Removes ghost i; the last one moves to its place.
     void remove(int i) noexcept {
         tick_assert(i >= 0 && i < count_);
         list_[static_cast<std::size_t>(i)] = list_[static_cast<std::size_t>(--count_)];
@@ -60,27 +61,27 @@ private:
     int count_ = 0;
 };
 
-// One element of each vector is one candidate; the first `count` are in use.
+// The candidates. Element i of each vector belongs to candidate i; the first `count` are in use.
 struct ProxyCuts {
-    static constexpr int kMost = 1024;  // 32 kB of cuts
-    // A one-sided sheet sleeps, without a cut, while the proxy is not on its side.
+    static constexpr int kMost = 1024;  // needs 32 kB for the cuts
+    // State of a one-sided sheet. It sleeps, without a cut, while the proxy is not on its touchable side.
     enum class Sheet : std::uint8_t { No, Awake, Asleep };
-    // Offset of a half-space that contains everything, used for a sleeping sheet.
+    // Offset of a half-space that contains all points. A sleeping sheet has such a cut.
     static constexpr double kNoCut_m = -1e30;
 
     int count = 0;
     int one_sided = 0;  // number of candidates that are one-sided sheets
-    // Supporting planes of the bare obstacles, without the proxy's radius, which may grow. Relative to the solver's
-    // anchor.
+    // Planes that support the obstacles themselves, without the proxy's radius, because the radius may grow. Relative
+    // to the solver's anchor.
     std::vector<HalfSpace> planes = std::vector<HalfSpace>(kMost);
     std::vector<std::uint32_t> obstacles = std::vector<std::uint32_t>(kMost);
     std::vector<std::uint16_t> owners = std::vector<std::uint16_t>(kMost, OwnedObstacle::kStill);
-    // For obstacles of bodies, in the body's frame and metres.
+    // The same planes in the body's frame and metres; only for obstacles of bodies.
     std::vector<HalfSpace> own_planes = std::vector<HalfSpace>(kMost);
-    // The number of the move in which the cut was last renewed from a place ahead.
+    // Number of the move in which the solver last renewed the cut from a place ahead of the proxy.
     std::vector<std::uint64_t> looked_ahead = std::vector<std::uint64_t>(kMost);
     std::vector<Sheet> sheets = std::vector<Sheet>(kMost);
-    // One-sided sheets that were awake when candidates were last gathered.
+    // One-sided sheets that were awake when the last gathering began.
     std::vector<OwnedObstacle> awake = std::vector<OwnedObstacle>(kMost);
     int awake_count = 0;
 
@@ -89,7 +90,7 @@ struct ProxyCuts {
         return std::span(planes).first(static_cast<std::size_t>(count));
     }
     OwnedObstacle of(std::size_t i) const noexcept { return {obstacles[i], owners[i]}; }
-    // The cut with the proxy's radius added: the condition for the proxy's centre.
+    // Returns the cut moved outwards by the proxy's radius, which limits the proxy's centre.
     HalfSpace wall(int i, double radius_m) const noexcept {
         tick_assert(i >= 0 && i < count);
         const HalfSpace& cut = planes[static_cast<std::size_t>(i)];
@@ -97,7 +98,7 @@ struct ProxyCuts {
     }
     bool asleep(int i) const noexcept { return one_sided > 0 && sheets[static_cast<std::size_t>(i)] == Sheet::Asleep; }
 
-    // Requires count < kMost. A one-sided sheet begins asleep.
+    // Adds a candidate. Requires count < kMost. A one-sided sheet is asleep at first.
     void add(const OwnedObstacle& what, const HalfSpace& plane, bool is_one_sided) noexcept {
         tick_assert(count < kMost);
         const auto i = static_cast<std::size_t>(count++);
@@ -111,8 +112,8 @@ struct ProxyCuts {
         ++one_sided;
     }
 
-    // Call before candidates are gathered again. Awake sheets then stay awake, even if a moving body has just come
-    // nearer than the proxy's radius.
+    // Call it before candidates are gathered again. Sheets that are awake then stay awake, even if a moving body has
+    // just come nearer than the proxy's radius.
     void remember_awake() noexcept {
         awake_count = 0;
         for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
@@ -123,7 +124,7 @@ struct ProxyCuts {
         return std::find(awake.begin(), end, of(i)) != end;
     }
 
-    // Drops the cuts of every body for which leaves(owner) is true. The others keep their order.
+    // Drops the cuts of every body for which leaves(owner) returns true. The others keep their order.
     template <class Leaves>
     void drop_of(const Leaves& leaves) noexcept {
         std::size_t to = 0;

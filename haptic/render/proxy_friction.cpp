@@ -11,17 +11,17 @@ using namespace proxy_parts;
 
 namespace {
 
-// Limits how often the contacts are examined where friction stops the proxy; flat surfaces need two rounds, round ones
-// three.
+// Greatest number of rounds in which rub() examines the contacts. Flat surfaces need two rounds, round surfaces three.
 constexpr int kMostRubs = 6;
-// Share of the proxy's radius; the path may have bridged a surface that is nearer than this.
+// Gap, as a share of the proxy's radius, up to which the proxy counts as hanging over a surface, because its path has
+// bridged a curve of that surface.
 constexpr double kHangs = 0.1;
 
 }  // namespace
 
-// Finds the first contact on the hand's straight path. Up to there the proxy moved freely, so friction must ignore that
-// part; the solver's path leads straight to the resting place and touches only there. A cut that is met without
-// touching is renewed from there.
+// Moves the proxy to the first contact on the hand's straight path. Up to there it moved freely, so friction must
+// ignore that part. The solver's own path cannot be used, because it leads straight to the resting place and touches
+// only there. If the proxy meets a cut without touching its obstacle, the cut is renewed from there.
 template <class Has>
 void ProxySolver::touch_down(const HapticScene& scene) noexcept {
     ball_m_ = path_[0];
@@ -44,8 +44,8 @@ void ProxySolver::touch_down(const HapticScene& scene) noexcept {
     path_.rubs_from = 1;
 }
 
-// Renews every cut that the proxy is behind, which can happen if it was renewed further along. Returns the surfaces
-// that the proxy touches where it is.
+// Renews every cut whose plane the proxy is behind, which can happen to a cut that was renewed further along. Fills
+// `surfaces` with those that the proxy touches at its place, and returns their number.
 template <class Has>
 int ProxySolver::touched(const HapticScene& scene, std::array<HalfSpace, kMostTouched>& surfaces) noexcept {
     int count = 0;
@@ -63,8 +63,9 @@ int ProxySolver::touched(const HapticScene& scene, std::array<HalfSpace, kMostTo
     return count;
 }
 
-// Finds the surface that the proxy hangs slightly above, for example where its path bridged a round one. The proxy then
-// goes straight down to it. Hanging a hair above and touching must give the same result.
+// Finds the surface over which the proxy hangs at a small distance, for example where its path bridged a curve. The
+// proxy then goes straight down to it, so that hanging slightly above gives the same result as touching. Returns the
+// number of such surfaces, 0 or 1.
 template <class Has>
 int ProxySolver::hangs_over(const HapticScene& scene, const Vec3& goal_m, HalfSpace& surface) noexcept {
     double least = kHangs * radius_m_;
@@ -83,7 +84,8 @@ int ProxySolver::hangs_over(const HapticScene& scene, const Vec3& goal_m, HalfSp
     return count;
 }
 
-// Rounds towards a goal like those of move(), as far as candidates are known; gathers nothing.
+// Moves the proxy towards goal_m_ by rounds like those of move(), as far as candidates are known. Gathers no
+// candidates.
 template <class Has>
 void ProxySolver::draw(const HapticScene& scene) noexcept {
     ++moves_;
@@ -108,9 +110,10 @@ void ProxySolver::draw(const HapticScene& scene) noexcept {
     }
 }
 
-// Friction where the proxy is. It depends on the press against what the proxy touches there, not on what it would meet
-// further along, and is zero in the air. The proxy stays if its lag is less than that friction can hold. Otherwise it
-// continues until its lag is that much: to where it would rest without friction if the hand were drawn back by the lag.
+// Applies friction at the proxy's place. The friction depends on the press against the surfaces that the proxy touches
+// there, not on those further along, and is zero in the air. The lag is the proxy's distance from where it would rest
+// without friction. If friction can hold that lag, the proxy stays. Otherwise it continues until its lag is as much as
+// friction can hold.
 template <class Has>
 void ProxySolver::rub(const HapticScene& scene, double share) noexcept {
     const ProjectionBasis rest = basis_;
@@ -152,8 +155,8 @@ void ProxySolver::hold_back(const HapticScene& scene, double reach_m) noexcept {
         return false;
     };
     bool rubs = path_.rounds_left > 0;
-    // If not all of that straight path is known, because a gathering was cut short or was centred further along, the
-    // path that the proxy took is used instead.
+    // If candidates on that straight path are missing, because a gathering was cut short or was centred further along,
+    // the proxy's actual path is used instead.
     const auto knows_the_way = [&] {
         return known_around<Has>(path_[0]) - radius_m_ >= std::min(path_.longest_m, glm::length(goal_m_ - path_[0]));
     };
@@ -161,7 +164,7 @@ void ProxySolver::hold_back(const HapticScene& scene, double reach_m) noexcept {
         touch_down<Has>(scene);
     } else {
         if (beyond(ball_m_) >= 0.0) return;
-        const bool bent = path_.size > 2;  // the pieces of such a path bridge round surfaces
+        const bool bent = path_.size > 2;  // a bent path has straight pieces that cut across curved surfaces
         while (path_.size > 1) {
             const Vec3 from = path_[path_.size - 2];
             const double outside = beyond(from);
@@ -181,7 +184,7 @@ void ProxySolver::hold_back(const HapticScene& scene, double reach_m) noexcept {
     }
     const double press_m = glm::length(target - goal_m_);
     if (rubs && press_m > 0.0) rub<Has>(scene, reach_m / press_m);
-    // Cuts renewed further along may exclude the place where the proxy stopped.
+    // A cut that was renewed further along may exclude the place where the proxy stopped.
     for (int i = 0; i < cuts_.count; ++i) {
         const HalfSpace h = wall(i);
         if (glm::dot(h.normal, ball_m_) >= h.offset_m - 0.1 * kProjectionTolerance_m) continue;

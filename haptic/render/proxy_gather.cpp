@@ -10,18 +10,18 @@ using namespace proxy_parts;
 
 namespace {
 
-// The free distance is needed only as a lower bound L with kLoose * distance <= L. An exact answer has no useful worst
-// case: in the middle of a round room everything is equally near. This one visits a few nodes.
+// The free distance is needed only as a lower bound L with kLoose * distance <= L. Finding the exact distance could
+// take very long: in the middle of a round room all walls are equally near. Finding this bound takes a few nodes.
 constexpr double kLoose = 0.7;
 
-// Share of the range between what is needed now and how far is looked. Nearer obstacles get the cut at their closest
-// point, farther ones a quick one. With 0 the proxy meets loose cuts and takes more rounds. With 1 a tick takes 1,000
+// Share of the range from `needed_m` to the full reach, within which obstacles get an exact cut at their closest point.
+// Farther ones get a quick cut. With 0, the proxy meets loose cuts and takes more rounds. With 1, a tick takes 1,000
 // more instructions on a sphere of a million triangles.
 constexpr double kExact = 0.3;
-constexpr double kFarther = 1.03;  // factor on the range of the last gathering, where obstacles are dense
+constexpr double kFarther = 1.03;  // where obstacles are dense, factor on the range of the last gathering
 
-constexpr int kLeastLooks = 128;  // so that a move that has begun to look makes progress
-// Factor on the needed range: how far candidates are gathered if more are near than are comfortable.
+constexpr int kLeastLooks = 128;  // least number of visits, so that a move that has begun to gather makes progress
+// Range of a gathering, as a factor on the needed range, if there are more near obstacles than kComfortableCandidates.
 constexpr double kCrowdedReach = 1.15;
 
 bool nearer(double distance_a, std::uint32_t a, double distance_b, std::uint32_t b) noexcept {
@@ -30,7 +30,7 @@ bool nearer(double distance_a, std::uint32_t a, double distance_b, std::uint32_t
 
 }  // namespace
 
-// Starts the proxy among the obstacles of one body that has just appeared, or of the still scene.
+// Starts the proxy among the obstacles of one body that has just appeared, or of the still part of the scene.
 void ProxySolver::place_in(const HapticScene& scene, std::uint16_t body, double radius_m) noexcept {
     if (body != kStill && !tracks_.of(body).present) return;
     const HapticScene& shape = body == kStill ? scene : *scene.bodies[body].shape;
@@ -50,13 +50,13 @@ void ProxySolver::place_in(const HapticScene& scene, std::uint16_t body, double 
         });
     work_.looks += most_looks - looks;
     spend((most_looks - looks) * kLookWork);
-    // If there was too much to look at, unseen obstacles may begin at this distance.
+    // If the visits ran out, obstacles that were not visited may begin at this distance.
     if (looks <= 0) radius_m_ = std::min(radius_m_, std::max(known * scale, kSmallestRadius_m));
 }
 
-// Collects the `most` nearest obstacles of a shape within reach into nearest_, each with a cut. Obstacles that are not
-// near are ranked by the distance of their cut. Returns the distance up to which all are known: reach_m, or less if
-// there were more or the looks ran out. The shape's own metres.
+// Collects the `most` nearest obstacles of a shape within `reach_m` into nearest_, each with a cut. Obstacles that are
+// not very near are ranked by the distance of their cut. Returns the distance within which all obstacles were found:
+// reach_m, or less if there were too many or the visits ran out. All lengths are in the shape's own metres.
 double ProxySolver::gather_nearest(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m,
                                    double needed_m, std::size_t most) noexcept {
     const auto before = [](const Candidate& a, const Candidate& b) {
@@ -73,7 +73,7 @@ double ProxySolver::gather_nearest(const HapticScene& shape, std::uint16_t body,
     double known =
         shape.obstacle_bvh.nearest_first(at, reach_m, work_.looks_left, queue_, [&](std::uint32_t item, double& reach) {
             if (ghosts_.count() > 0 && ghosts_.has({item, body})) return;
-            // Entries behind the kept ones contain numbers of normals that are free again.
+            // The entries behind those that were kept still contain numbers of normals, which are now free for reuse.
             Candidate& candidate = nearest_[nearest_count_];
             if (nearest_count_ == normals) candidate.normal = normals++;
             Vec3& normal = nearest_normals_[candidate.normal];
@@ -94,8 +94,9 @@ double ProxySolver::gather_nearest(const HapticScene& shape, std::uint16_t body,
     return known;
 }
 
-// Adds the obstacles of one shape within reach_m of a place to the candidates, each with a fresh cut. If there are too
-// many, it adds the nearest. Returns the distance up to which all are candidates. The shape's own metres.
+// Adds the obstacles of one shape within `reach_m` of a place to the candidates, each with a new cut. If there are too
+// many, it adds the nearest. Returns the distance within which all obstacles are candidates. All lengths are in the
+// shape's own metres.
 double ProxySolver::collect(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m,
                             double needed_m, std::size_t room) noexcept {
     const std::size_t comfortable = std::min<std::size_t>(kComfortableCandidates, room);
@@ -110,8 +111,8 @@ double ProxySolver::collect(const HapticScene& shape, std::uint16_t body, const 
     };
     double known = 0.0;
     if (!crowded) {
-        // Where obstacles are dense, looks about as far as the last time. Looking farther, only to drop what was found,
-        // would double the time.
+        // Where obstacles are dense, this searches about as far as the last time. Searching farther, only to drop what
+        // it found, would double the time.
         const double likely =
             body == kStill ? std::clamp(kFarther * dense_m_, needed_m, std::max(reach_m, needed_m)) : reach_m;
         known = look(likely, comfortable);
@@ -119,7 +120,7 @@ double ProxySolver::collect(const HapticScene& shape, std::uint16_t body, const 
         if (body == kStill) dense_m_ = known;
     }
     if (known < needed_m) {
-        // Every candidate costs time in every round, so this looks only a little farther than needed.
+        // Every candidate costs time in every round, so this searches only a little farther than needed.
         known = look(std::min(std::max(reach_m, needed_m), kCrowdedReach * needed_m), room);
         crowded = nearest_count_ > comfortable;
         step_.truncated = step_.truncated || known < needed_m;
@@ -132,7 +133,7 @@ double ProxySolver::collect(const HapticScene& shape, std::uint16_t body, const 
     return known;
 }
 
-// Makes every obstacle within reach_m of the proxy a candidate.
+// Makes every obstacle within `reach_m` of the proxy a candidate.
 void ProxySolver::gather(const HapticScene& scene, double reach_m, double needed_m) noexcept {
     ++gatherings_;
     if (gathers_on_) return gather_waiting(scene, reach_m, needed_m);
@@ -166,7 +167,8 @@ void ProxySolver::gather(const HapticScene& scene, double reach_m, double needed
         track.looked_at = track.known_around_m(at) <= reach_m;  // otherwise no part of it is nearer than reach_m
         if (track.looked_at) ++near;
     }
-    // Looks at all of these bodies at once if the budget allows; otherwise the remaining ones follow in the next moves.
+    // Gathers the obstacles of all these bodies now if the budget allows. Otherwise the remaining bodies follow in the
+    // next moves.
     for (std::size_t k = 0; near > 0; ++k) {
         ProxyTrack& track = tracks_.of(tracks_.followed[k]);
         if (!track.present || !track.looked_at) continue;
@@ -185,7 +187,7 @@ void ProxySolver::gather(const HapticScene& scene, double reach_m, double needed
     cuts_.awake_count = 0;
 }
 
-// Makes candidates of the near obstacles of one body; `share` bodies share the room that is left.
+// Makes the near obstacles of one body candidates. `share` bodies divide the remaining room equally.
 void ProxySolver::look_at_body(const HapticScene& scene, std::uint16_t body, double reach_m, double needed_m,
                                std::size_t share) noexcept {
     ProxyTrack& track = tracks_.of(body);
@@ -202,18 +204,19 @@ void ProxySolver::look_at_body(const HapticScene& scene, std::uint16_t body, dou
                     frame.scale;
     track.short_of_room = track.known_m < needed_m;
     for (int i = first; i < cuts_.count; ++i) {
-        // The shape's own axes and metres, relative to `own`.
+        // Converts the cut to the shape's own axes and metres, relative to `own`.
         const HalfSpace cut = cuts_.planes[static_cast<std::size_t>(i)];
         const Vec3 normal = frame.turned(cut.normal);
         keep_cut(i, {normal, cut.offset_m * frame.scale + glm::dot(normal, ball_m_)});
     }
 }
 
-// Continues a gathering that takes more than one move. Of the still scene and of each body it looks only at what was
-// not looked at yet, or of which too little is known by now. What is known of the others stays valid.
+// Continues a gathering that takes more than one move. It searches the still scene and each body only if they have not
+// been searched yet, or if the known distance has become too small. The candidates of the others stay valid.
 void ProxySolver::gather_waiting(const HapticScene& scene, double reach_m, double needed_m) noexcept {
     reach_m = std::min(reach_m, 1.5 * needed_m);
-    const double enough_m = 0.01 * radius_m_;  // from a nearer place another look would find nothing new
+    // If the proxy has moved less than this, another search would find nothing new.
+    const double enough_m = 0.01 * radius_m_;
     const Vec3 at = local_m();
     const double still_known = known_m_ - glm::length(ball_m_);
     const bool look_at_still = still_known < needed_m && (glm::length(ball_m_) > enough_m || known_m_ < 0.0);
@@ -228,7 +231,7 @@ void ProxySolver::gather_waiting(const HapticScene& scene, double reach_m, doubl
     known_m_ = still_known;
     basis_.count = 0;
     tracks_.unknown = false;
-    tracks_.moved = true;  // makes known_around() query each body
+    tracks_.moved = true;  // makes known_around() query each body separately
     if (look_at_still) {
         drop_candidates(kStill);
         known_m_ =

@@ -1,6 +1,6 @@
-// Shared by the parts of ProxySolver: proxy_solver.cpp makes a move and its rounds, proxy_gather.cpp finds candidates,
-// proxy_bodies.cpp follows moving bodies, proxy_sheets.cpp wakes one-sided sheets, proxy_friction.cpp walks back from
-// where a move ends. Only these five include it; the same thread and rules as proxy_solver.h.
+// Definitions that the parts of ProxySolver share: proxy_solver.cpp makes a move and its rounds, proxy_gather.cpp finds
+// candidates, proxy_bodies.cpp follows moving bodies, proxy_sheets.cpp wakes one-sided sheets, proxy_friction.cpp moves
+// the proxy back for friction. Only these five files include it; the thread and rules are those of proxy_solver.h.
 #pragma once
 
 #include "haptic/render/proxy_solver.h"
@@ -8,30 +8,31 @@
 
 namespace handrail::render::proxy_parts {
 
-inline constexpr double kTouching_m = 1e-8;     // a cut that is this near to its obstacle touches it
-inline constexpr double kFarthestLook_m = 4.0;  // bounds on the free distance beyond this save nothing more
+inline constexpr double kTouching_m = 1e-8;  // a cut counts as touching its obstacle if it is at most this far from it
+inline constexpr double kFarthestLook_m = 4.0;  // greatest useful lower bound for the free distance
 
-// The costs of the parts of a move, in units of seven instructions: about a nanosecond on a processor of 2020 if
-// everything is in its caches. They come from callgrind counts in the worst places (tests/bench/compare.sh, worst),
-// where a unit came to 5 to 9 instructions. Only their sum against kMostWork matters.
-inline constexpr int kLookWork = 50;     // to look at a node or an obstacle while gathering
-inline constexpr int kPlaneWork = 12;    // for each plane of a solid, in addition
-inline constexpr int kSupportWork = 60;  // to renew a cut
-inline constexpr int kRoundWork = 100;   // to project, without looking through the candidates
-inline constexpr int kHoldWork = 50;     // to renew the holding cuts, times the square of their number
-inline constexpr int kScanWork = 2;      // to look at a cut
-inline constexpr int kDropWork = 6;      // for each candidate, when some of them are dropped
-inline constexpr int kGlanceWork = 30;   // to look at a body and decide whether it must be followed
-inline constexpr int kKnownWork = 12;    // to find how much is known around a followed body
+// Costs of the parts of a move, in units of seven instructions. A unit takes about a nanosecond on a processor of 2020
+// if all data are in its caches. The costs come from callgrind counts in the worst places (tests/bench/compare.sh,
+// worst), where a unit came to 5 to 9 instructions. Only their sum matters, which is compared with kMostWork.
+inline constexpr int kLookWork = 50;     // visiting a node or an obstacle while gathering
+inline constexpr int kPlaneWork = 12;    // for each plane of a visited solid, in addition
+inline constexpr int kSupportWork = 60;  // renewing a cut
+inline constexpr int kRoundWork = 100;   // a projection, without scanning the candidates
+inline constexpr int kHoldWork = 50;     // renewing the holding cuts, times the square of their number
+inline constexpr int kScanWork = 2;      // examining a cut
+inline constexpr int kDropWork = 6;      // for each candidate when some of them are dropped
+inline constexpr int kGlanceWork = 30;   // examining a body and deciding whether it must be followed
+inline constexpr int kKnownWork = 12;    // finding how much is known around a followed body
 inline constexpr int kCarryWork = 25;    // for each followed body in each sub-step
-// Candidates that a projection looks through for one unit, four at a time: about a nanosecond each.
+// Number of candidates that a projection scans for one unit. It scans four at a time, which takes about a nanosecond
+// each.
 inline constexpr int kCutsOfAWork = 2;
 inline constexpr int kExchangeWork = 30;       // for each scan of a projection, in addition
-inline constexpr int kSubStepWork = 300;       // for a sub-step of bodies, without their candidates
-inline constexpr int kTurnWork = 20;           // to turn a cut of a moving body
-inline constexpr std::size_t kFewBodies = 16;  // up to this many bodies the work is not counted
+inline constexpr int kSubStepWork = 300;       // a sub-step of bodies, without their candidates
+inline constexpr int kTurnWork = 20;           // rotating a cut of a moving body
+inline constexpr std::size_t kFewBodies = 16;  // for at most this many bodies, the work is not counted
 
-// Moves that the proxy takes to reach its goal after the thing in its way vanished.
+// Number of moves that the proxy takes to reach its goal after the obstacle in its way has vanished.
 inline constexpr int kHurryMoves = 8;
 
 }  // namespace handrail::render::proxy_parts
@@ -49,7 +50,7 @@ HalfSpace ProxySolver::support(const HapticScene& scene, int candidate, const Ve
     return {found.normal, glm::dot(found.normal, found.point_m - anchor_m_)};
 }
 
-// A body's cut is also stored in the body's frame, where it stays valid however the body moves.
+// Stores a renewed cut. A body's cut is also stored in the body's frame, where it stays valid however the body moves.
 template <class Has>
 void ProxySolver::keep_cut(int candidate, const HalfSpace& cut) noexcept {
     tick_assert(candidate >= 0 && candidate < cuts_.count);

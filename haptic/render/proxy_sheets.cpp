@@ -8,8 +8,9 @@ using namespace proxy_parts;
 
 namespace {
 
-// The proxy belongs to a side if its centre is not behind the sheet by more than rounding. The two thresholds differ so
-// that a proxy that rests at the border does not switch back and forth.
+// Tolerances for the side of a sheet that the proxy is on. A sheet falls asleep if the proxy's centre is more than the
+// first behind it, and may wake if it is less than the second behind it. They differ so that a proxy that rests at the
+// border does not switch back and forth.
 constexpr double kSleeps_m = 1e-9;
 constexpr double kWakes_m = 1e-10;
 
@@ -24,8 +25,9 @@ double ProxySolver::in_front_m(const HapticScene& scene, int candidate, const Pl
     return shape.in_front_m(cuts_.obstacles[i], frame.to_own(local) - shape.origin_m) * frame.scale;
 }
 
-// A one-sided sheet acts while the proxy is on its side, but only after the proxy was there without touching it. A
-// proxy that comes through from behind is thus not pushed out. Returns true if a sheet woke or fell asleep.
+// Wakes one-sided sheets, or puts them to sleep. A sheet acts while the proxy is on its touchable side, but only after
+// the proxy has been there without touching it. A proxy that comes through from behind is thus not pushed out. Returns
+// true if a sheet woke or fell asleep.
 bool ProxySolver::turn_sheets(const HapticScene& scene) noexcept {
     bool turned = false;
     for (int i = 0; i < cuts_.count; ++i) {
@@ -48,9 +50,9 @@ bool ProxySolver::turn_sheets(const HapticScene& scene) noexcept {
     return turned;
 }
 
-// Called after a sub-step of a body: wakes its sleeping sheets whose plane has passed over the proxy. Sub-steps are at
-// most half a radius long. A sheet whose own surface passed is therefore still nearer than that, and any other had
-// enough distance.
+// Wakes the sleeping sheets of a body whose planes have passed over the proxy; called after a sub-step of the body. A
+// sub-step is at most half a radius long. So if the sheet itself passed over the proxy, it is still nearer than half a
+// radius. If it is farther away, only its plane passed, beside the proxy, and the sheet may wake.
 void ProxySolver::turn_sheets_of(const HapticScene& scene, std::uint16_t body, const PlacedFrame& before) noexcept {
     for (int i = 0; i < cuts_.count; ++i) {
         const auto at = static_cast<std::size_t>(i);
@@ -64,9 +66,9 @@ void ProxySolver::turn_sheets_of(const HapticScene& scene, std::uint16_t body, c
     }
 }
 
-// The fraction of a step that the proxy may move before it reaches the front of a sleeping sheet without touching it,
-// so that the sheet must wake there. Along a straight line the distance to a sheet first falls and then rises. So this
-// matters only where the line crosses the sheet's plane and the proxy then goes on to touch it.
+// Returns the fraction of a step after which the proxy reaches the front of a sleeping sheet without touching it, so
+// that the sheet must wake there. Along a straight line the distance to a sheet first falls and then rises. So the
+// sheet must wake only if the line crosses its plane and the proxy then touches it further along.
 double ProxySolver::fraction_to_waking(const HapticScene& scene, const Vec3& step) const noexcept {
     double fraction = 1.0;
     for (int i = 0; i < cuts_.count; ++i) {

@@ -39,8 +39,8 @@ Vec3 ProxySolver::to_own(const HapticScene& scene, const Hold& hold, const Vec3&
                                : tracks_.of(hold.body).frame.to_own(local) - scene.bodies[hold.body].shape->origin_m;
 }
 
-// Starts the proxy at a place: solids around it become ghosts; any other obstacle nearer than the radius shrinks the
-// proxy.
+// Starts the proxy at a place. Solids that contain the place become ghosts. Any other obstacle nearer than the radius
+// makes the proxy shrink.
 void ProxySolver::place(const HapticScene& scene, const Request& request, const Vec3& local_m,
                         double radius_m) noexcept {
     placed_ = true;
@@ -60,9 +60,9 @@ void ProxySolver::place(const HapticScene& scene, const Request& request, const 
     for (const std::uint16_t b : tracks_.ids()) place_in(scene, b, radius_m);
 }
 
-// A ghost becomes solid again as soon as the whole proxy is outside it, wherever the goal is: a proxy that has been
-// outside must never enter. The hand feels no knock, because the new cut holds the proxy where it is: a proxy that
-// rests nearest to its goal stays there.
+// Makes a ghost solid again as soon as the whole proxy is outside it, wherever the goal is, because a proxy that has
+// been outside must never enter. The hand feels no knock, because a proxy that already rests nearest to its goal stays
+// there when the new cut is added.
 void ProxySolver::release_ghosts(const HapticScene& scene) noexcept {
     for (int i = ghosts_.count() - 1; i >= 0; --i) {
         const OwnedObstacle ghost = ghosts_[i];
@@ -78,7 +78,7 @@ void ProxySolver::release_ghosts(const HapticScene& scene) noexcept {
 
 bool ProxySolver::project() noexcept {
     spend(kRoundWork);
-    // At least one, and not more than comfortable.
+    // There is at least one candidate, but no more than kComfortableCandidates.
     if (static_cast<unsigned>(cuts_.count - 1) < static_cast<unsigned>(kComfortableCandidates))
         return project_on_half_spaces(goal_m_, cuts_.in_use(), radius_m_, basis_);
     if (cuts_.count > 0) return project_many(goal_m_, basis_);
@@ -87,7 +87,7 @@ bool ProxySolver::project() noexcept {
     return true;
 }
 
-// Projects on all walls and counts the work.
+// Projects a goal on the walls of all candidates and counts the work.
 bool ProxySolver::project_many(const Vec3& goal_m, ProjectionBasis& basis) noexcept {
     const auto walls = cuts_.in_use();
     int scans = 0;
@@ -102,10 +102,10 @@ bool ProxySolver::project_many(const Vec3& goal_m, ProjectionBasis& basis) noexc
     return solved;
 }
 
-// A proxy that had to shrink grows while there is room: its own cuts push it out, and it never goes through another
-// obstacle.
+// Lets a proxy that had to shrink grow again while there is room. Its own cuts push it out, and it never goes through
+// another obstacle.
 void ProxySolver::grow(const HapticScene& scene, double radius_m, double growth_m) noexcept {
-    if (growth_m <= 0.0 || work_.left <= 0 || step_.truncated) return;  // never into unknown space
+    if (growth_m <= 0.0 || work_.left <= 0 || step_.truncated) return;  // the proxy never grows into unknown space
     for (int i = 0; i < cuts_.count; ++i) {
         if (cuts_.asleep(i)) continue;
         double distance = 0.0;
@@ -118,8 +118,7 @@ void ProxySolver::grow(const HapticScene& scene, double radius_m, double growth_
         radius_m_ = before + growth;
         ProjectionBasis grown;
         const bool fits = project_many(ball_m_, grown);
-        // In a corner the proxy is pushed out farther than it grows. The push, too, must be no longer than the
-        // requested growth.
+        // In a corner the proxy is pushed farther than it grows. The push, too, must be no longer than `growth_m`.
         if (fits && glm::dot(grown.point_m - ball_m_, grown.point_m - ball_m_) <= growth_m * growth_m * (1.0 + 1e-9)) {
             ball_m_ = grown.point_m;
             return;
@@ -142,9 +141,9 @@ double ProxySolver::fraction_inside(const Vec3& step, int* met) const noexcept {
     return fraction;
 }
 
-// Renews the cuts that hold the proxy from where it is. Returns true if one of them did not touch or has turned, so
-// that another round is due. Once per move, a cut that does not touch is renewed from where the proxy would go without
-// it. Sliding over a tessellated plane then takes one round per triangle instead of 5 to 20.
+// Renews the cuts that hold the proxy, from where the proxy is. Returns true if another round is due, because a cut did
+// not touch its obstacle or has turned. A cut that does not touch is renewed, once in each move, from where the proxy
+// would go without it. Sliding over a tessellated plane then takes one round for each triangle instead of 5 to 20.
 template <class Has>
 bool ProxySolver::renew_holding_cuts(const HapticScene& scene) noexcept {
     std::array<Vec3, 3> ahead{goal_m_, goal_m_, goal_m_};
@@ -187,10 +186,10 @@ bool ProxySolver::renew_holding_cuts(const HapticScene& scene) noexcept {
     return stale;
 }
 
-// Rolls round the edge of a solid in one step. If a single solid holds the proxy, and the goal is within the proxy's
-// radius outside it or below a smooth part of it, the nearest place is known. Two straight pieces lead there, the first
-// in the cut at the proxy, the second in the cut at the goal. Without this step, an edge pressed 4.5 mm deep by a 5 mm
-// proxy takes 45 rounds.
+// Rolls round the edge of a solid in one step. It applies if a single solid holds the proxy and the goal is either
+// outside it, within the proxy's radius, or below a smooth part of it. Then the final place of the proxy is known. A
+// path of two straight pieces leads there, the first in the cut at the proxy, the second in the cut at the goal.
+// Without this step, an edge pressed 4.5 mm deep by a 5 mm proxy takes 45 rounds.
 bool ProxySolver::arc_step(const HapticScene& scene, double way_left_m) noexcept {
     if (basis_.count != 1 || cuts_.one_sided > 0) return false;
     const int i = basis_.index[0];
@@ -203,8 +202,8 @@ bool ProxySolver::arc_step(const HapticScene& scene, double way_left_m) noexcept
     const HalfSpace ball_cut = support(scene, i, ball_m_, at_ball);
     const double turn = glm::dot(ball_cut.normal, goal_cut.normal);
     if (!(turn > 0.5 && turn < 1.0 - 1e-14)) return false;
-    // A goal inside the solid may be nearer to another face than to the one that the proxy would roll to, unless no
-    // edge is between them.
+    // A goal inside the solid may be nearer to another face than to the one to which the proxy would roll, unless the
+    // two faces are one smooth surface.
     const auto own = [&](const Vec3& normal) {
         return body == kStill ? normal : tracks_.of(body).frame.turned_back(normal);
     };
@@ -247,8 +246,8 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
     work_.left = kMostWork;
     work_.most_rounds = std::clamp(request.most_rounds, 1, kMaxIterations);
     if (scene_ != &scene || generation_ != scene.generation) {
-        // The same world with something added or removed: the proxy stays where it was, and what kept it from its goal
-        // may be gone.
+        // The scene is the same world with something added or removed. The proxy stays where it was, and an obstacle
+        // between it and its goal may have vanished.
         scene_ = &scene;
         generation_ = scene.generation;
         if (placed_) hurry_ = kHurryMoves;
@@ -269,8 +268,8 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
     carrier_ = kStill;
     step_.ghosted = ghosts_.count() > 0;
 
-    // Everything that the proxy can meet in this move is within the path's length plus the radius. If that is more than
-    // fits, the move is made in stages, each as far as the candidates are known.
+    // The proxy can meet only obstacles within the path's length plus its radius. If these are too many, the move is
+    // made in stages, each as far as the candidates are known.
     double way_left = request.path_cap_m;
     if (hurry_ > 0) {
         way_left = std::max(way_left, glm::length(goal_local - local_m()) / hurry_--);

@@ -1,16 +1,16 @@
-// The free-cell proxy: a ball kept outside a set of convex obstacles. Each candidate obstacle owns one cut, a
-// half-space that supports it. Any cut of a still obstacle stays valid for ever, so the proxy may move freely in the
-// intersection of the cuts. No swept test is needed at any speed; overlapping, doubled and cracked geometry needs no
-// special case; stopping anywhere on the path is safe.
+// The free-cell proxy: a ball that stays outside a set of convex obstacles. Each candidate obstacle owns one cut, a
+// half-space that supports it. A cut of a still obstacle stays valid for ever, so the proxy may move freely in the
+// intersection of the cuts. No swept test is needed at any speed. Overlapping, doubled and cracked geometry needs no
+// special case, and the proxy may stop anywhere on its path.
 //
-// One move projects the goal on the intersection, renews the cuts that act, and repeats until they truly touch.
-// Candidates come from a cache that is refreshed inside the move, decided by the samples alone. The cuts of a moving
-// body are fixed in its own frame. Where the body approaches, it pushes the proxy in sub-steps of at most half the
-// proxy's radius; where it leaves too little room, the proxy shrinks.
+// One move projects the goal on the intersection, renews the cuts that act, and repeats both until the acting cuts
+// truly touch their obstacles. Candidates come from a cache. The move refreshes it when the samples require it, which
+// depends on nothing else. The cuts of a moving body are fixed in the body's frame. A body that approaches pushes the
+// proxy in sub-steps of at most half the proxy's radius. If the body leaves too little room, the proxy shrinks.
 //
-// Owned by TouchState, one thread. Allocates only in its constructor; noexcept; reads no clock. Lengths in world
-// metres. Sources: Zilles & Salisbury, A constraint-based god-object method, IROS 1995; Ruspini et al., The haptic
-// display of complex graphical environments, SIGGRAPH 1997 (finite radius); supporting cuts and their lazy renewal:
+// TouchState owns it; one thread. Allocates only in its constructor; noexcept; reads no clock. Lengths in world metres.
+// Sources: Zilles & Salisbury, A constraint-based god-object method, IROS 1995; Ruspini et al., The haptic display of
+// complex graphical environments, SIGGRAPH 1997 (finite radius); supporting cuts and their lazy renewal:
 // docs/architecture.md.
 #pragma once
 
@@ -31,37 +31,41 @@ namespace handrail::render {
 
 class ProxySolver {
 public:
-    // If there are more, the nearest are kept and Step::truncated is set.
+    // Greatest number of candidates. If more obstacles are near, the nearest are kept and Step::truncated is set.
     static constexpr int kMaxCandidates = ProxyCuts::kMost;
-    // With more than this, the margin shrinks first: each candidate costs 6 instructions in every scan.
+    // If there are more candidates than this, the solver first reduces the margin, because each candidate costs 6
+    // instructions in every scan.
     static constexpr int kComfortableCandidates = 38;
-    static constexpr int kSpareCandidates = 16;  // extra candidates that are found before the farthest are dropped
+    // How many more candidates a search collects before it drops the farthest.
+    static constexpr int kSpareCandidates = 16;
     static constexpr int kMaxIterations = ProxyPath::kMostRounds;
-    static constexpr int kMaxStages = 8;  // most gatherings within one move, for leaps through crowded places
-    // Most nodes and obstacles that one gathering looks at in one shape; what is farther counts as unknown.
+    // Greatest number of gatherings within one move, for long moves through crowded places.
+    static constexpr int kMaxStages = 8;
+    // Greatest number of nodes and obstacles that one gathering visits in one shape. Farther ones count as unknown.
     static constexpr int kMostLooks = 2048;
     static constexpr double kSmallestRadius_m = 1e-5;
-    // The work budget of one move. It is counted and not timed, so that every machine does the same, in units of about
-    // a nanosecond (see kLookWork and the others). Once it is spent, unknown space counts as occupied and the existing
-    // cuts stay in use. The proxy, or a body that approaches it, waits for the next move.
+    // The work budget of one move, in units of about a nanosecond (see kLookWork and the others). The work is counted
+    // and not timed, so that every machine does the same. Once the budget is spent, unknown space counts as occupied
+    // and the existing cuts stay in use. The proxy, or a body that approaches it, waits for the next move.
     static constexpr int kMostWork = 88'000;
-    // Part of the budget that gatherings leave for the rounds: cuts that are found and not used help nobody.
+    // Part of the budget that gatherings leave for the rounds, because cuts are useless without rounds that use them.
     static constexpr int kRoundsWork = 18'000;
 
     struct Request {
-        Vec3 goal_m{0.0};  // world
+        Vec3 goal_m{0.0};  // goal of the proxy, world
         double radius_m = 0.005;
         double path_cap_m = 0.0;  // longest path of the proxy in this move
         double margin_m = 0.02;   // desired distance that the proxy may move before candidates are gathered again
         double growth_m = 0.0;    // how much a shrunken proxy grows in this move
-        // Most rounds, up to kMaxIterations. Fewer never let the proxy through anything; it only lags (tests: I17). 0:
-        // uses the cuts as they are, renews and gathers none, like a move with no time to look at the scene (tests:
-        // I18).
+        // Greatest number of rounds, up to kMaxIterations. With fewer rounds the proxy never goes through an obstacle
+        // but only lags (tests: I17). With 0, the move uses the cuts as they are; it renews none and gathers none, as
+        // if it had no time (tests: I18).
         int most_rounds = kMaxIterations;
-        const BodyPoses* bodies = nullptr;  // each scale > 0; null: all bodies as the scene has them
+        const BodyPoses* bodies = nullptr;  // poses, each with a scale > 0; null: each body has its pose from the scene
     };
 
-    static constexpr std::uint16_t kStill = OwnedObstacle::kStill;  // the obstacle belongs to no body
+    // Value of `body` for an obstacle that belongs to no body.
+    static constexpr std::uint16_t kStill = OwnedObstacle::kStill;
 
     // One surface that holds the proxy.
     struct Hold {
@@ -76,11 +80,11 @@ public:
         int count = 0;
         int iterations = 0;
         bool converged = true, truncated = false, capped = false, ghosted = false;
-        bool waits = false;     // the move had more work than kMostWork; the rest follows in the next moves
+        bool waits = false;     // the move had more work than kMostWork; the next moves do the rest
         bool pushed = false;    // a body moved the proxy
         bool squeezed = false;  // the proxy had to shrink
 
-        // Prepares for the next move. The holds are overwritten up to the count anyway.
+        // Prepares for the next move. `holds` needs no clearing, because only the first `count` are valid.
         void begin() noexcept {
             count = iterations = 0;
             converged = true;
@@ -90,13 +94,13 @@ public:
 
     // Makes the next move start at its goal.
     void reset() noexcept;
-    // Has: AllFeatures, or PlainFeatures if scene.plain.
+    // Makes one move. `Has` is AllFeatures, or PlainFeatures if scene.plain.
     template <class Has = AllFeatures>
     const Step& move(const HapticScene& scene, const Request& request) noexcept;
-    // Call before move(). Returns true if no body is near enough to matter, so that the move can be made without
-    // bodies.
+    // Call it before move(). Returns true if no body is near enough to matter, so that the move may ignore bodies.
     bool bodies_are_far(const HapticScene& scene, const Request& request) noexcept;
-    // A quick version for a tick in which nothing about the bodies has changed; false means unknown.
+    // A quick version of bodies_are_far() for a tick in which nothing about the bodies has changed. False means that
+    // they may be near.
     bool bodies_stay_far(const HapticScene& scene, const BodyPoses& bodies, double radius_m, double margin_m,
                          double path_cap_m) noexcept {
         if (all_far_in_ != &scene || generation_ != scene.generation) return false;
@@ -107,15 +111,16 @@ public:
         tracks_.number = bodies.number;
         return true;
     }
-    // The friction cone; call after move() with at least one hold. Walks back along the path until the proxy is reach_m
-    // from where the goal pulls it, or to the start of the path, but never off the surfaces. A proxy that was free goes
-    // straight to its first contact, and friction begins there.
+    // Applies the friction cone. Call it after move() with at least one hold. Moves the proxy back along its path until
+    // it is reach_m from where the goal pulls it, or to the start of the path, but never off the surfaces. A proxy that
+    // was free first goes straight to its first contact, where friction begins.
     template <class Has = AllFeatures>
     void hold_back(const HapticScene& scene, double reach_m) noexcept;
-    // Call after move(): until the next move friction makes the proxy ride on this body (kStill: on none).
+    // Call it after move(). Until the next move, friction makes the proxy move along with this body (kStill: with
+    // none).
     void ride(std::uint16_t body) noexcept { carrier_ = body; }
 
-    // Converts to the frame of the body that holds, or of the still scene, in world metres.
+    // Converts a direction to the frame of the holding body, or of the still scene.
     Vec3 turned_to_own(const Hold& hold, const Vec3& direction) const noexcept {
         return hold.body == kStill ? direction : tracks_.of(hold.body).frame.turned_back(direction);
     }
@@ -128,28 +133,30 @@ public:
     static const HapticScene& shape_of(const HapticScene& scene, const Hold& hold) noexcept {
         return hold.body == kStill ? scene : *scene.bodies[hold.body].shape;
     }
-    // Converts a world place to the coordinates of the shape that holds, those of its triangles, boxes and planes.
+    // Converts a position in the world to the coordinates of the holding shape, which its triangles, boxes and planes
+    // use.
     Vec3 to_own(const HapticScene& scene, const Hold& hold, const Vec3& world_m) const noexcept;
 
     // Valid after move().
     // - offset_m: from the goal to the proxy; exactly zero in free space.
-    // - slide_m: from where the proxy was before the move to where it is now.
-    // - press_m: as offset_m, but without friction and speed cap: to where the surfaces alone would let the proxy go.
+    // - slide_m: from the proxy's place before the move to its place now.
+    // - press_m: from the goal to where the proxy would rest without friction and without the speed cap.
     Vec3 offset_m() const noexcept { return ball_m_ - goal_m_; }
     Vec3 slide_m() const noexcept { return ball_m_ - path_[0]; }
-    // Like slide_m, without the free movement up to the first contact; valid after hold_back().
+    // Displacement since the first contact of the move, without the free movement before it. Valid after hold_back().
     Vec3 rubbed_m() const noexcept { return ball_m_ - path_[path_.rubs_from]; }
     Vec3 press_m() const noexcept { return basis_.point_m - goal_m_; }
-    // The end point of press_m, in the scene's own coordinates.
+    // The place where the proxy would rest without friction, in the scene's own coordinates.
     Vec3 rest_m() const noexcept { return anchor_m_ + basis_.point_m; }
     double radius_m() const noexcept { return radius_m_; }
-    Vec3 local_m() const noexcept { return anchor_m_ + ball_m_; }  // in the scene's own coordinates
+    // Centre of the proxy, in the scene's own coordinates.
+    Vec3 local_m() const noexcept { return anchor_m_ + ball_m_; }
     Vec3 world_m() const noexcept { return scene_origin_m_ + anchor_m_ + ball_m_; }
-    // For checks: every point of the last path, in world metres.
+    // For checks: the points of the last path, in world metres.
     int path_size() const noexcept { return path_.size; }
     Vec3 path_m(int i) const noexcept { return scene_origin_m_ + anchor_m_ + path_[i]; }
     // For checks: the candidates with their cuts, in the scene's own coordinates, and the number of gatherings since
-    // the reset.
+    // reset().
     int candidates() const noexcept { return cuts_.count; }
     std::uint32_t candidate(int i) const noexcept { return cuts_.obstacles[static_cast<std::size_t>(i)]; }
     HalfSpace cut(int i) const noexcept {
@@ -157,23 +164,23 @@ public:
         return {cut.normal, cut.offset_m + glm::dot(cut.normal, anchor_m_)};
     }
     std::uint64_t gatherings() const noexcept { return gatherings_; }
-    // Nodes and obstacles that the last move looked at for starting and gathering, and its work without the cheap
-    // parts.
+    // Number of nodes and obstacles that the last move visited, and the work that it counted, without the cheap parts.
     int looks() const noexcept { return work_.looks; }
     int work() const noexcept { return kMostWork - work_.left; }
-    // The bodies that the tick follows, and the pose at which it has one of them, which lags while that body waits.
+    // The bodies that the solver follows, and the pose at which it has one of them. That pose lags while the body
+    // waits.
     std::size_t tracked() const noexcept { return tracks_.count; }
     bool tracks(std::size_t body) const noexcept { return tracks_.follows(body); }
     Placement body_at(std::size_t body) const noexcept { return tracks_.of(body).at; }
-    // For checks: follows every body of the scene, however far, as far as there is room. The results stay bit-identical
-    // at a higher cost, with one exception: while the proxy hurries after an obstacle vanished, a solver that follows
-    // few bodies stops sooner.
+    // For checks: makes the solver follow every body of the scene, however far, as long as there are tracks. The
+    // results stay bit-identical at a higher cost, with one exception: while the proxy hurries after an obstacle
+    // vanished, a solver that follows few bodies stops sooner.
     void track_all() noexcept { tracks_.all = true; }
     bool hurries() const noexcept { return hurry_ > 0; }
 
 private:
     struct Candidate {
-        double distance_m;  // distance of its cut; at most that of the obstacle
+        double distance_m;  // distance of its cut, which is at most the distance of the obstacle
         std::uint32_t obstacle;
         std::uint32_t normal;  // index in nearest_normals_
     };
@@ -181,8 +188,8 @@ private:
 
     void place(const HapticScene& scene, const Request& request, const Vec3& local_m, double radius_m) noexcept;
     void place_in(const HapticScene& scene, std::uint16_t body, double radius_m) noexcept;
-    // The distance around the proxy within which bodies must have a track. It covers a push of 64 sub-steps by bodies
-    // that carry the proxy, plus the range in which candidates are gathered.
+    // Returns the distance around the proxy within which bodies must have a track. It covers a push of 64 sub-steps by
+    // bodies that carry the proxy, plus the range in which candidates are gathered.
     static double near_for(double radius_m, double margin_m, double path_cap_m) noexcept {
         return 70.0 * radius_m + 2.0 * margin_m + 5.0 * path_cap_m;
     }
@@ -201,28 +208,28 @@ private:
     void renew_moved_cuts(const HapticScene& scene) noexcept;
     void make_room(const HapticScene& scene, const Vec3& wish_m) noexcept;
     void drop_body(std::uint16_t body) noexcept;
-    // The distance around a place within which every obstacle is a candidate.
+    // Returns the distance around a place within which every obstacle is a candidate.
     template <class Has = AllFeatures>
     double known_around(const Vec3& at_m) noexcept {
         const double known = known_m_ - glm::length(at_m);
         return !Has::kBodies || (tracks_.count == 0 && !tracks_.far_short) ? known : known_of_bodies(at_m, known);
     }
     double known_of_bodies(const Vec3& at_m, double known_m) noexcept;
-    // Counts work for each followed body. A few bodies are not counted.
+    // Counts work for each followed body. The work for only a few bodies is not counted.
     void spend_on_tracked(int work) noexcept;
     void gather(const HapticScene& scene, double reach_m, double needed_m) noexcept;
     void gather_waiting(const HapticScene& scene, double reach_m, double needed_m) noexcept;
     void look_at_body(const HapticScene& scene, std::uint16_t body, double reach_m, double needed_m,
                       std::size_t share) noexcept;
     void drop_candidates(std::uint16_t body) noexcept;
-    // Drops the candidates of every body for which leaves(owner) is true.
+    // Drops the candidates of every body for which leaves(owner) returns true.
     template <class Leaves>
     void drop_candidates_of(const Leaves& leaves) noexcept;
-    // Call after costly work: once over the budget, the rounds end.
+    // Counts work; call it after each costly step. Once the budget is spent, the rounds end.
     void spend(int work) noexcept {
         work_.left -= work;
         if (work_.left > 0) return;
-        work_.most_rounds = 1;  // at least one round, with what is known
+        work_.most_rounds = 1;  // one round always remains, with the existing cuts
         step_.waits = true;
     }
     bool project_many(const Vec3& goal_m, ProjectionBasis& basis) noexcept;
@@ -243,7 +250,7 @@ private:
     bool project() noexcept;
     template <class Has>
     bool renew_holding_cuts(const HapticScene& scene) noexcept;
-    // For one-sided sheets.
+    // Returns how far a place is in front of the touchable side of a one-sided sheet.
     double in_front_m(const HapticScene& scene, int candidate, const PlacedFrame& frame,
                       const Vec3& at_m) const noexcept;
     double in_front_m(const HapticScene& scene, int candidate, const Vec3& at_m) const noexcept {
@@ -254,10 +261,10 @@ private:
     void turn_sheets_of(const HapticScene& scene, std::uint16_t body, const PlacedFrame& before) noexcept;
     double fraction_to_waking(const HapticScene& scene, const Vec3& step) const noexcept;
     bool arc_step(const HapticScene& scene, double way_left_m) noexcept;
-    // The fraction of a step from the proxy before it leaves the first cut. met, if given, receives that cut; it stays
-    // unchanged if the step leaves none.
+    // Returns the fraction of a step that the proxy can move before it leaves the first cut. If `met` is given, it
+    // receives the index of that cut, and stays unchanged if the step leaves none.
     double fraction_inside(const Vec3& step, int* met = nullptr) const noexcept;
-    // Parts of hold_back.
+    // Parts of hold_back().
     static constexpr int kMostTouched = 16;
     template <class Has>
     void touch_down(const HapticScene& scene) noexcept;
@@ -271,12 +278,12 @@ private:
     void rub(const HapticScene& scene, double share) noexcept;
     template <class Has = AllFeatures>
     HalfSpace support(const HapticScene& scene, int candidate, const Vec3& at, double& distance_m) const noexcept;
-    // The cut with the proxy's radius added: the condition for the proxy's centre.
+    // Returns the cut of candidate i moved outwards by the proxy's radius, which limits the proxy's centre.
     HalfSpace wall(int i) const noexcept { return cuts_.wall(i, radius_m_); }
 
-    // The vectors below, and those of the cuts and the path, are relative to anchor_m_: the proxy's place (scene
-    // coordinates) when candidates were last gathered. The numbers stay small, so rounding errors do not grow with the
-    // size of the building.
+    // The vectors below, and those of the cuts and the path, are relative to anchor_m_. That is the proxy's place, in
+    // scene coordinates, when candidates were last gathered. The numbers stay small, so rounding errors do not grow
+    // with the size of the building.
     Vec3 scene_origin_m_{0.0}, anchor_m_{0.0}, ball_m_{0.0}, goal_m_{0.0};
     double radius_m_ = 0.0;
     ProjectionBasis basis_;
@@ -286,21 +293,23 @@ private:
     ProxyPath path_;
     ProxyWork work_;
     Step step_;
-    // Buffers for gathering.
+    // Buffers that a gathering uses.
     std::vector<Candidate> nearest_ = std::vector<Candidate>(kMaxCandidates + kSpareCandidates);
     std::vector<Vec3> nearest_normals_ = std::vector<Vec3>(kMaxCandidates + kSpareCandidates);
     std::size_t nearest_count_ = 0;
     Bvh::Queue queue_{kMostLooks};
-    double known_m_ = -1.0;    // every obstacle nearer to the anchor than this is a candidate
-    double dense_m_ = 4.0;     // range of the last gathering of the still scene
-    bool crowded_ = false;     // at the last look, more still obstacles were near than are comfortable
+    double known_m_ = -1.0;  // every obstacle nearer to the anchor than this is a candidate
+    double dense_m_ = 4.0;   // range of the last gathering of the still scene
+    bool crowded_ = false;   // the last search found more near obstacles of the still scene than kComfortableCandidates
     bool gathers_on_ = false;  // a gathering is in progress over several moves
     // State that lasts from move to move.
-    const HapticScene* scene_ = nullptr;       // only compared, together with the generation
-    const HapticScene* all_far_in_ = nullptr;  // the scene whose bodies were all far at the last look; only compared
+    const HapticScene* scene_ = nullptr;  // used only for comparison, together with the generation
+    // Scene whose bodies were all far at the last check; used only for comparison.
+    const HapticScene* all_far_in_ = nullptr;
     std::uint32_t generation_ = 0;
     std::uint16_t carrier_ = kStill;
-    int hurry_ = 0;  // moves left in which the proxy may hurry to a goal that a vanished obstacle kept it from
+    // Number of moves left in which the proxy may hurry to its goal after the obstacle in between vanished.
+    int hurry_ = 0;
     bool placed_ = false;
     std::uint64_t moves_ = 0, gatherings_ = 0;
 };

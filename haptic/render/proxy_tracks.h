@@ -1,7 +1,7 @@
-// The moving bodies that the proxy follows: those near enough to be met soon. All others are known to stay farther than
-// far_m from far_from_m during their current movements. Bodies that come nearer are found when their next movement
-// begins, or when the proxy has moved on. Plain values with fixed room: they allocate in their constructors only. Owned
-// by ProxySolver, with the same thread and rules.
+// The moving bodies that the proxy follows, because they are near enough to be met soon. All other bodies stay farther
+// than far_m from far_from_m during their current movements. The solver finds a body that comes nearer when the body's
+// next movement begins, or when the proxy has moved on. Plain values of fixed size: they allocate only in their
+// constructors. ProxySolver owns them; the same thread and rules apply.
 #pragma once
 
 #include <algorithm>
@@ -14,27 +14,28 @@
 
 namespace handrail::render {
 
-// A body as the proxy last met it.
+// A body's state when the proxy last considered it.
 struct ProxyTrack {
-    Placement at, from, to;  // world: the pose now, and the start and end of this move
-    Placement before;        // pose before this sub-step
-    Placement wanted;        // the pose of the last command; `at` is behind it while the body waits
+    Placement at, from, to;  // in the world: the pose now, and the poses at the start and end of this move
+    Placement before;        // pose before the current sub-step
+    Placement wanted;        // last commanded pose; while the body waits, `at` differs from it
     PlacedFrame frame;       // the frame of `at`, in the scene's own coordinates
     bool present = false;
-    bool moved = false;          // in this sub-step
-    bool jumped = false;         // the command is farther away than the body can move in one go
-    bool short_of_room = false;  // there was no room for all of its near obstacles
-    int waited = 0;              // number of moves
-    bool unknown = false;        // there was no time yet to look for its candidates
-    bool crowded = false;        // at the last look, more of its obstacles were near than are comfortable
-    bool leaves = false;         // while gathering: its candidates are dropped, to be looked at again or not at all
-    bool looked_at = false;      // some of its obstacles may be candidates; otherwise the sphere below bounds all of it
-    double reach_m = 0.0;        // radius of a sphere around its frame's zero that contains it, world metres
-    // If looked_at, in its own frame: every obstacle nearer to this place than known_m is a candidate.
+    bool moved = false;          // it moves in the current sub-step
+    bool jumped = false;         // its commanded pose is too far away for the sub-steps of one move
+    bool short_of_room = false;  // some of its near obstacles could not become candidates
+    int waited = 0;              // number of moves for which the body has waited
+    bool unknown = false;        // there was no time yet to gather its obstacles
+    bool crowded = false;        // at the last search, more of its obstacles were near than kComfortableCandidates
+    bool leaves = false;         // while gathering: its candidates are to be dropped and perhaps gathered again
+    // Some of its obstacles may be candidates; if false, the sphere with radius reach_m bounds them all.
+    bool looked_at = false;
+    double reach_m = 0.0;  // radius of a sphere around its frame's origin that contains it, world metres
+    // If looked_at is true, every obstacle nearer to this place than known_m is a candidate. In the body's own frame.
     Vec3 known_from_m{0.0};
     double known_m = -1.0;  // world metres
 
-    // The distance around a place, in the scene's own coordinates, within which every obstacle of the body is a
+    // Returns the distance around a place, in the scene's own coordinates, within which every obstacle of the body is a
     // candidate.
     double known_around_m(const Vec3& local_m) const noexcept {
         return looked_at ? known_m - glm::length(frame.to_own(local_m) - known_from_m) * frame.scale
@@ -43,38 +44,41 @@ struct ProxyTrack {
 };
 
 struct ProxyTracks {
-    // If there are more near bodies, the nearest are followed and the proxy stops short of the others.
+    // Greatest number of followed bodies. If more are near, the nearest are followed and the proxy stops before it
+    // reaches the others.
     static constexpr int kMost = 1024;
     static constexpr std::uint16_t kNoSlot = 0xFFFF;
 
     std::vector<ProxyTrack> by_slot = std::vector<ProxyTrack>(kMost);
     std::vector<std::uint16_t> slots =  // for each body the slot of its track, or kNoSlot
         std::vector<std::uint16_t>(HapticScene::kMostBodies, kNoSlot);
-    // For each body, while all are looked at.
+    // For each body, a lower bound of its distance; used only while track_near() examines all bodies.
     std::vector<double> least_m = std::vector<double>(HapticScene::kMostBodies);
     std::vector<std::uint16_t> followed = std::vector<std::uint16_t>(kMost);  // indices of bodies, in rising order
     std::vector<std::uint16_t> free_slots = std::vector<std::uint16_t>(kMost);
     std::size_t count = 0;
     std::size_t bodies = 0;  // number of bodies in the scene
 
-    Vec3 far_from_m{0.0};  // scene coordinates
+    Vec3 far_from_m{0.0};  // in scene coordinates
     double far_m = 0.0;
     double near_m = 0.0;  // distance around the proxy within which bodies must have a track
-    // Square of how far the proxy may move from far_from_m before bodies are looked for again.
+    // Square of the distance that the proxy may move from far_from_m before the solver searches for near bodies again.
     double far_enough_m2 = -1.0;
-    bool far_short = false;    // the proxy might leave the range that far_m covers, where it must stop
-    bool all = false;          // for checks: every body has a track, as long as there is room
-    std::uint64_t ways = 0;    // the number of the current movements
-    std::uint64_t number = 0;  // number of the poses that were taken last
-    double known_m = 0.0;      // known distance around the anchor over all bodies looked at, at the last gathering
-    bool moved = false;        // some of those bodies have moved since then
-    bool unknown = false;      // some body still waits to be looked at
-    bool behind = false;       // some body is not yet at its commanded pose
+    // The proxy might leave the range that far_m covers. It must stop at the end of that range.
+    bool far_short = false;
+    bool all = false;          // for checks: follow every body as long as there are tracks
+    std::uint64_t ways = 0;    // number of the current movements (BodyPaths)
+    std::uint64_t number = 0;  // number of the poses (BodyPoses) that the solver used last
+    // Distance around the anchor that was known after the last gathering, over all searched bodies.
+    double known_m = 0.0;
+    bool moved = false;    // some of the searched bodies have moved since then
+    bool unknown = false;  // the obstacles of at least one body have not been gathered yet
+    bool behind = false;   // at least one body has not reached its commanded pose
 
     ProxyTracks() { free_all(); }
 
     bool follows(std::size_t body) const noexcept { return slots[body] != kNoSlot; }
-    // Requires that the body is followed.
+    // Returns the track of a body that is followed.
     ProxyTrack& of(std::size_t body) noexcept {
         tick_assert(follows(body));
         return by_slot[slots[body]];
@@ -83,7 +87,7 @@ struct ProxyTracks {
         tick_assert(follows(body));
         return by_slot[slots[body]];
     }
-    // The followed bodies.
+    // Indices of the followed bodies.
     std::span<const std::uint16_t> ids() const noexcept { return std::span(followed).first(count); }
 
     void clear() noexcept {
@@ -91,7 +95,7 @@ struct ProxyTracks {
         free_all();
         count = 0;
     }
-    // Requires that the body has no track. Returns null if no track is left.
+    // Gives a body a track; it must not have one. Returns null if no track is left.
     ProxyTrack* add(std::uint16_t body) noexcept {
         tick_assert(!follows(body));
         if (count == followed.size()) return nullptr;
@@ -104,7 +108,7 @@ struct ProxyTracks {
         track = {};
         return &track;
     }
-    // Keeps the tracks for which stays(body, track) is true.
+    // Keeps only the tracks for which stays(body, track) returns true.
     template <class Stays>
     void keep_those(const Stays& stays) noexcept {
         std::size_t kept = 0;

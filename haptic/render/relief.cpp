@@ -41,8 +41,8 @@ HeightField::Level averaged(const HeightField::Level& fine, int width, int heigh
     return coarse;
 }
 
-// Largest first and second differences. They bound the spline's slopes, because a B-spline's derivatives are averages
-// of its coefficients' differences.
+// Computes the largest first and second differences. They bound the spline's slopes and curvatures, because a
+// B-spline's derivatives are averages of the differences of its coefficients.
 void bound(HeightField::Level& level, double aspect) {
     const int w = level.width, h = level.height;
     const auto at = [&](int x, int y) {
@@ -64,7 +64,7 @@ void bound(HeightField::Level& level, double aspect) {
     level.curvature = std::max(uu * per_u * per_u, vv * per_v * per_v) + uv * per_u * per_v;
 }
 
-// smooth_step() and its slope for arguments already between 0 and 1, without a check.
+// smooth_step() and its slope for arguments that are already between 0 and 1, without clamping.
 double flank_step(double x) noexcept { return x * x * (3.0 - 2.0 * x); }
 double flank_step_slope(double x) noexcept { return 6.0 * x * (1.0 - x); }
 
@@ -73,8 +73,8 @@ struct Wave {
     double value, slope;
 };
 
-// (1 + sin(2 pi p)) / 2 by an odd polynomial. Its value, slope and curvature at the crest are exact, so the wave has no
-// kink. It is within 2e-5 of the sine.
+// (1 + sin(2 pi p)) / 2, approximated by an odd polynomial to within 2e-5. Its value, slope and curvature at the crest
+// are exact, so the wave has no kink.
 Wave sine_wave(double p) noexcept {
     double x = p - std::floor(p + 0.5), sense = 1.0;
     if (x > 0.25) {
@@ -92,7 +92,8 @@ Wave sine_wave(double p) noexcept {
     return {0.5 + 0.5 * sine, 2.0 * sense * slope};
 }
 
-// 0 in the first half of the period, 1 in the second; flank: width of each flank as a share of the period.
+// A square wave: 0 in the first half of the period, 1 in the second. `flank` is the width of each flank as a share of
+// the period.
 Wave square_wave(double p, double flank) noexcept {
     const double x = p - std::floor(p);
     const bool second = x >= 0.5;
@@ -103,14 +104,14 @@ Wave square_wave(double p, double flank) noexcept {
     return second ? Wave{1.0 - value, -slope} : Wave{value, slope};
 }
 
-// The lowest coordinate of the relief's box along a direction.
+// Returns the lowest coordinate of the relief's box along a direction.
 double least(const Vec3& along, const Relief& relief) noexcept {
     const Vec3 a = along * relief.low_m, b = along * relief.high_m;
     return std::min(a.x, b.x) + std::min(a.y, b.y) + std::min(a.z, b.z);
 }
 
 constexpr double kTwoPi = 2.0 * kPi;
-constexpr double kAtBorder_m = 1e-9;  // nearer to a border than this counts as on it
+constexpr double kAtBorder_m = 1e-9;  // a point nearer to a border than this counts as on the border
 
 }  // namespace
 
@@ -133,7 +134,7 @@ HeightField::HeightField(int width, int height, std::span<const float> depths) {
 }
 
 HeightField::Value HeightField::at(const Level& level, double u, double v) const noexcept {
-    // Sample centres are half a sample inside the border; rows run downwards.
+    // The centre of a sample is half a sample inside the border. Rows run downwards.
     const double x = u * level.width - 0.5, y = (1.0 - v / aspect_) * level.height - 0.5;
     const double fx = std::floor(x), fy = std::floor(y);
     const auto weights = [](double t, std::array<double, 4>& w, std::array<double, 4>& d) {
@@ -172,7 +173,8 @@ HeightField::Value HeightField::at(const Level& level, double u, double v) const
 }
 
 ReliefAxes relief_axes(const Vec3& n) noexcept {
-    // On walls, u points to the right as seen from outside. On faces that are more level than upright, it points east.
+    // On walls, u points to the right as seen from outside. On faces that are more horizontal than vertical, u points
+    // east.
     Vec3 u = std::abs(n.z) < 0.8 ? Vec3(-n.y, n.x, 0.0) : Vec3(1.0, 0.0, 0.0) - n * n.x;
     u /= std::sqrt(glm::dot(u, u));
     return {u, glm::cross(n, u)};
@@ -189,7 +191,7 @@ ReliefValue relief_at(const Relief& relief, const ReliefAxes& axes, const Vec3& 
         const Wave wave = relief.kind == ReliefKind::Square ? square_wave(phase, 0.5) : sine_wave(phase);
         out.friction = 1.0 + relief.friction_share * (2.0 * wave.value - 1.0);
     }
-    // How much curvature a texture may add to the stiffness, in 1 per hand metre.
+    // Curvature that a texture may have, in 1 per hand metre, so that it raises the stiffness by at most half.
     const double bend = 0.5 * stiffness / Relief::kFullForce_n;
     double depth = relief.depth_hand_m;
     switch (relief.kind) {
@@ -204,7 +206,7 @@ ReliefValue relief_at(const Relief& relief, const ReliefAxes& axes, const Vec3& 
                 depth = std::min({depth, 2.0 * Relief::kSteepest / turn, 2.0 * bend / (turn * turn)});
                 wave = sine_wave(phase);
             } else {
-                // A smooth step over w has a slope of at most 1.5 / w and a curvature of at most 6 / w^2.
+                // A smooth step over the width w has a slope of at most 1.5 / w and a curvature of at most 6 / w^2.
                 const double flank = std::min(
                     0.5 * period,
                     std::max(1.5 * depth / Relief::kSteepest, bend > 0.0 ? std::sqrt(6.0 * depth / bend) : period));
@@ -241,7 +243,8 @@ ReliefValue relief_at(const Relief& relief, const ReliefAxes& axes, const Vec3& 
     return out;
 }
 
-// b(d) = 0.3 d^2 / (d + start): flat at the border, with a slope of 0.3 further in.
+// Bound for the depth at distance d from a border: b(d) = 0.3 d^2 / (d + start). It is flat at the border and has a
+// slope of 0.3 further in.
 void ReliefBorder::add(double distance_m, const Vec3& away) noexcept {
     if (distance_m <= kAtBorder_m || value_.depth_m <= 0.0) {
         outside_ = true;
@@ -255,8 +258,8 @@ void ReliefBorder::add(double distance_m, const Vec3& away) noexcept {
     gradient_ += away * (slope * fourth * ratio);
 }
 
-// A smooth minimum of depth and bounds: (sum of their -4th powers)^(-1/4). Its gradient mixes theirs with weights whose
-// sum never exceeds 1, so nothing becomes steeper.
+// Combines the depth and the bounds by a smooth minimum, (sum of their -4th powers)^(-1/4). Its gradient mixes their
+// gradients with weights whose sum never exceeds 1, so the depth never becomes steeper.
 void ReliefBorder::apply() noexcept {
     if (outside_) {
         value_.depth_m = value_.swing_to_depth = 0.0;

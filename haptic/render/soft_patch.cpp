@@ -11,9 +11,10 @@
 namespace handrail::render {
 namespace {
 
-constexpr double kShear = 0.5;                // c, for each neighbour
-constexpr double kLeastFootprintCells = 3.0;  // with fewer, the sum over cells no longer approximates the integral
-constexpr double kBack_hand_m = 1e-6;         // a cell nearer than this to its rest position has recovered
+constexpr double kShear = 0.5;  // c, the coupling to each neighbouring cell
+// Least radius of the footprint, in cells. With fewer, the sum over the cells no longer approximates the integral.
+constexpr double kLeastFootprintCells = 3.0;
+constexpr double kBack_hand_m = 1e-6;  // a cell counts as recovered if it is nearer than this to its rest position
 
 }  // namespace
 
@@ -77,9 +78,9 @@ Vec3 SoftState::press(const SoftPatch& patch, bool& awake, const HandMotion& han
                  height = glm::dot(from_corner, normal);
     const double step_u = patch.size_u_m / patch.cells_u, step_v = patch.size_v_m / patch.cells_v;
     const double footprint = std::max(radius_m, kLeastFootprintCells * std::max(step_u, step_v));
-    const double deep = radius_m - height;  // e, in world metres like everything here
-    // From behind or below the hard floor nothing is soft. The proxy cannot get there through the floor, only around
-    // it.
+    const double deep = radius_m - height;  // e, in world metres like all lengths here
+    // From behind or below the hard floor, the patch gives no force. The proxy cannot get there through the floor, only
+    // around it.
     const double above_floor = glm::dot(ball_m - patch.corner_m, normal) + patch.depth_m;
     const double front = smooth_step(1.0 + above_floor / radius_m);
     const bool near = deep > 0.0 && front > 0.0 && at_u > -footprint && at_u < patch.size_u_m + footprint &&
@@ -92,7 +93,7 @@ Vec3 SoftState::press(const SoftPatch& patch, bool& awake, const HandMotion& han
     const auto absent = [&](std::uint32_t i) { return !patch.part.empty() && patch.part[i] == 0; };
     const double stiffness = patch.stiffness_fraction * hand.stiffest_n_per_m;
 
-    // A rectangular range of cells under the footprint.
+    // The range of cells under the footprint, along one axis.
     struct Range {
         std::uint32_t first, end;
     };
@@ -105,12 +106,12 @@ Vec3 SoftState::press(const SoftPatch& patch, bool& awake, const HandMotion& han
     const auto weight_of = [&](std::uint32_t iu, std::uint32_t iv, double& du, double& dv) {
         du = (iu + 0.5) * step_u - at_u;
         dv = (iv + 0.5) * step_v - at_v;
-        return std::max(0.0, 1.0 - (du * du + dv * dv) / (footprint * footprint));  // its square is g
+        return std::max(0.0, 1.0 - (du * du + dv * dv) / (footprint * footprint));  // the square of this is g
     };
 
-    // 1. The surface gives way to the proxy at its current position.
+    // 1. Updates the cells: the surface yields to the proxy at its current position.
     std::fill_n(load_.begin(), cells, 0.0);
-    const double squeeze = std::min(deep, patch.depth_m);  // the hard floor carries the rest
+    const double squeeze = std::min(deep, patch.depth_m);  // the hard floor carries the rest of the pressure
     for (std::uint32_t iv = rv.first; iv < rv.end; ++iv)
         for (std::uint32_t iu = ru.first; iu < ru.end; ++iu) {
             double du = 0.0, dv = 0.0;
@@ -140,7 +141,7 @@ Vec3 SoftState::press(const SoftPatch& patch, bool& awake, const HandMotion& han
                 const double drive = g * (squeeze - s) + kShear * (neighbours - links * s);
                 if (drive > yields) s = std::min(s + (drive - yields) / (g + kShear * links), patch.depth_m);
             } else {
-                // Implicit in the cell's own value, so a step of any length is stable.
+                // Implicit in the cell's new value, so a step of any length is stable.
                 s = (s + share * (g * squeeze + kShear * neighbours)) / (1.0 + share * (g + 1.0 + kShear * links));
             }
             tick_assert(s >= 0.0 && s <= patch.depth_m * (1.0 + 1e-9));
@@ -150,7 +151,7 @@ Vec3 SoftState::press(const SoftPatch& patch, bool& awake, const HandMotion& han
     if (!awake && !patch.plastic && !near) std::fill_n(set, cells, 0.0);
     if (!near) return Vec3(0.0);
 
-    // 2. The force: the slope of the stored energy, K sum k_i (e - s_i)^2 / 2.
+    // 2. Computes the force: the slope of the stored energy, K sum k_i (e - s_i)^2 / 2.
     const double per_cell = 3.0 * step_u * step_v / (kPi * footprint * footprint);
     double up = 0.0, along_u = 0.0, along_v = 0.0;
     for (std::uint32_t iv = rv.first; iv < rv.end; ++iv)
@@ -161,7 +162,7 @@ Vec3 SoftState::press(const SoftPatch& patch, bool& awake, const HandMotion& han
             double du = 0.0, dv = 0.0;
             const double root = weight_of(iu, iv, du, dv);
             up += root * root * spring;
-            const double slope = root * spring * spring;  // dg/du = 4 root du / R^2
+            const double slope = root * spring * spring;  // the slope is dg/du = 4 root du / R^2
             along_u += slope * du;
             along_v += slope * dv;
         }

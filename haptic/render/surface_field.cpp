@@ -8,14 +8,15 @@
 namespace handrail::render {
 namespace {
 
-constexpr double kFlat = 1.0 - 1e-12;  // least cosine between a hold's and its face's normal; less is an edge
+// Least cosine between the normals of a hold and its face; below it, the proxy is at an edge.
+constexpr double kFlat = 1.0 - 1e-12;
 
-// Distances along this face to the other faces of a solid. A border is ignored if the solid continues there under
-// another one.
+// Adds the distances along this face to the other faces of the solid. A border is ignored if the solid continues under
+// another solid there.
 void borders_of_box(const HapticScene& shape, const Obstacle& o, std::uint32_t face, const Vec3& at,
                     ReliefBorder& border) noexcept {
     const Aabb& box = shape.boxes[o.shape];
-    const double rounding = shape.rounding_m(o);  // the rounded part is no longer flat
+    const double rounding = shape.rounding_m(o);  // the rounded margin does not belong to the flat face
     for (std::uint32_t side = 0; side < 6; ++side) {
         if (side / 2 == face / 2 || shape.labels[o.first_label + side].hidden) continue;
         const auto axis = static_cast<int>(side / 2);
@@ -36,15 +37,16 @@ void borders_of_brush(const HapticScene& shape, const Obstacle& o, std::uint32_t
         const double turn = glm::dot(other.normal, own.normal);
         const Vec3 along = other.normal - own.normal * turn;
         const double sine = std::sqrt(glm::dot(along, along));
-        if (sine < 1e-6) continue;  // the opposite face
+        if (sine < 1e-6) continue;  // skips the opposite face
         border.add((-signed_distance(other, on_face) - rounding * (1.0 - turn)) / sine, along / -sine);
     }
 }
 
-// Shading sets in over this depth of press, so that a touch begins without a jump; over more if facets rise high.
+// Depth of press over which the shading rises to its full strength, so that a touch begins without a jump. The depth is
+// greater if facets rise high.
 constexpr double kShadingSetsIn_hand_m = 1e-3;
 constexpr double kSetInPerRise = 4.0;
-// Squared cosine between the normals of hold and facet; less is an edge or corner.
+// Least squared cosine between the normals of hold and facet; below it, the proxy is at an edge or corner.
 constexpr double kFlatFacet = 1.0 - 1e-10;
 
 struct Rise {
@@ -72,13 +74,13 @@ Rise rise_over_facet(const std::array<Vec3, 3>& p, const MeshShading::Facet& fac
     return rise;
 }
 
-// While the proxy rolls round a smooth edge, a term is added that makes the potential depend only on the distance along
-// the edge's own normal m. The force thus stays along m. With d from the edge to the hand, rho = d.n the distance and c
-// the cosine from m to the facets, the term is rho - d.m / c, which is 0 where the facets begin. It fades towards the
-// edge's ends, because round a corner the proxy simply rolls.
+// Returns the rise while the proxy rolls round a smooth edge. A term is added to the potential that makes it depend
+// only on the distance along the edge's own normal m, so the force stays along m. Let d be the vector from the edge to
+// the hand, rho = d.n the distance, and c the cosine from m to the facets. Then the term is rho - d.m / c, which is 0
+// where the facets begin. It fades towards the edge's ends, because round a corner the proxy simply rolls.
 Rise rise_over_edge(const HapticScene& shape, const std::array<Vec3, 3>& p, const MeshShading::Facet& facet,
                     const Vec3& across, double side, const FieldRequest& request) noexcept {
-    constexpr double kRunOut = 0.1;  // share of the edge's length over which it fades
+    constexpr double kRunOut = 0.1;  // share of the edge's length, at each end, over which the term fades
     const Vec3 foot = request.ball_m - request.normal * request.radius_m;
     std::size_t edge = 0;
     double nearest = 0.0;
@@ -168,11 +170,11 @@ SurfaceField surface_field(const HapticScene& scene, const HapticScene& shape, c
             case ObstacleKind::Cylinder:
             case ObstacleKind::Cone:
             case ObstacleKind::Custom:
-                onto.z = 1.0;  // projected straight from above
+                onto.z = 1.0;  // projects straight from above
                 break;
         }
         const bool has_borders = o.kind == ObstacleKind::Box || o.kind == ObstacleKind::Brush;
-        // On an edge the surface stays plain, because textures have faded where a face ends.
+        // At an edge the surface stays plain, because textures have faded out at the border of a face.
         if (has_borders && glm::dot(onto, request.normal) < kFlat) return field;
         ReliefValue value = relief_at(relief, relief_axes(onto), request.hand_m, request.world_m_per_hand_m,
                                       request.stiffness_n_per_m, request.swing);

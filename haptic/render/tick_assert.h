@@ -1,6 +1,6 @@
-// Checks an invariant of the servo tick in the presets debug, asan and tsan: a failure prints its place on standard
-// error and ends the program. In all other builds the condition is not even computed, and if anything is wrong, the
-// hand gets zero force.
+// Checks an invariant of the servo tick in the presets debug, asan and tsan. If the check fails, it prints file and
+// line on standard error and ends the program. In all other builds the condition is not even computed; other checks
+// then give the hand zero force if something is wrong.
 #pragma once
 
 #include "worlds/base/contract.h"

@@ -1,5 +1,5 @@
-// The few functions that force laws need in a servo tick. They use only + - * /, so that every machine and build gives
-// bit-identical results. Pure, noexcept, a few nanoseconds each.
+// The few mathematical functions that force laws need in a servo tick. They use only + - * /, so that every machine and
+// build gives bit-identical results. Pure, noexcept, a few nanoseconds each.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,15 @@
 
 namespace handrail::render {
 
-// exp(-u) for u >= 0: within 0.4 % for u <= 1, falling for every u. For shares and recovery, where only the trend
-// matters.
+// Returns exp(-u) for u >= 0, within 0.4 % for u <= 1, and falling for every u. Used where only the trend matters, as
+// for shares and recovery.
 inline double decay(double u) noexcept {
     tick_assert(!(u < 0.0));
     return 1.0 / (1.0 + u * (1.0 + u * (0.5 + u * (1.0 / 6.0 + u * (1.0 / 24.0)))));
 }
 
-// exp(-u) for u >= 0, relative error below 1e-8 up to u = 40, 0 beyond. For forces that must be the slope of an energy.
+// Returns exp(-u) for u >= 0, with a relative error below 1e-8 up to u = 40, and 0 beyond. Used for forces that must be
+// the exact slope of an energy.
 inline double exp_minus(double u) noexcept {
     tick_assert(!(u < 0.0));
     if (!(u < 40.0)) return 0.0;
@@ -32,11 +33,11 @@ inline double exp_minus(double u) noexcept {
 struct SineCosine {
     double sine, cosine;
 };
-// Sine and cosine of an angle given in whole turns, error below 1e-11. The nearest whole turn is subtracted first, so
-// large numbers lose only their own rounding.
+// Returns sine and cosine of an angle given in whole turns, with an error below 1e-11. The nearest whole turn is
+// subtracted first, so a large number loses no more precision than its own rounding.
 inline SineCosine sine_of_turns(double turns) noexcept {
-    const double rest = turns - std::floor(turns + 0.5);  // -0.5 to 0.5
-    const double half = 0.5 * kPi * rest;                 // a quarter of the angle; at most 0.79 in size
+    const double rest = turns - std::floor(turns + 0.5);  // range -0.5 to 0.5
+    const double half = 0.5 * kPi * rest;                 // a quarter of the angle in radians; at most 0.79 in size
     const double x2 = half * half;
     double sine = 1.0, cosine = 1.0;
     for (int k = 8; k >= 1; --k) {
@@ -52,7 +53,7 @@ inline SineCosine sine_of_turns(double turns) noexcept {
     return {sine, cosine};
 }
 
-// u^2 (3 - 2u) between 0 and 1: a step without corners.
+// Returns u^2 (3 - 2u), with u limited to 0 to 1: a step without corners.
 inline double smooth_step(double u) noexcept {
     u = std::clamp(u, 0.0, 1.0);
     return u * u * (3.0 - 2.0 * u);
@@ -61,7 +62,7 @@ inline double smooth_step_slope(double u) noexcept {
     u = std::clamp(u, 0.0, 1.0);
     return 6.0 * u * (1.0 - u);
 }
-// The integral of smooth_step from 0, for any u.
+// Returns the integral of smooth_step from 0 to u, for any u.
 inline double smooth_step_area(double u) noexcept {
     const double inside = std::clamp(u, 0.0, 1.0);
     return inside * inside * inside * (1.0 - 0.5 * inside) + std::max(0.0, u - 1.0);
@@ -69,7 +70,7 @@ inline double smooth_step_area(double u) noexcept {
 
 inline double length_of(const Vec3& v) noexcept { return std::sqrt(glm::dot(v, v)); }
 
-// The vector, shortened to the length `longest` if it is longer.
+// Returns the vector, shortened to the length `longest` if it is longer.
 inline Vec3 shortened(const Vec3& v, double longest) noexcept {
     tick_assert(!(longest < 0.0));
     const double length = length_of(v);

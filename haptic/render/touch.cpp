@@ -17,22 +17,24 @@
 namespace handrail::render {
 namespace {
 
-// Hand lengths and times of the touch law. Every length is multiplied by the scale before the solver sees it.
+// Lengths and times of the touch law, for the hand. Every length is multiplied by the scale before the solver uses it.
 constexpr double kCandidateMargin_hand_m = 0.02;
 constexpr double kGrowth_hand_m_per_s = 0.02;
-constexpr double kSlip_hand_m = 2e-3;      // slide over which static friction weakens by 1/e
-constexpr double kHealing_s = 0.3;         // rest after which it has recovered by 1 - 1/e
-constexpr double kSpeedPole_hz = 50.0;     // for the hand speed that damping uses
-constexpr double kSmallestForce_n = 1e-9;  // a smaller force is a rounding error
+constexpr double kSlip_hand_m = 2e-3;      // slide distance over which static friction falls by a factor e
+constexpr double kHealing_s = 0.3;         // time of rest after which static friction has recovered by 1 - 1/e
+constexpr double kSpeedPole_hz = 50.0;     // pole of the filter for the hand speed that damping uses
+constexpr double kSmallestForce_n = 1e-9;  // a smaller force counts as a rounding error
 
-// A wave fades once the hand is so fast that fewer than 8 ticks fall on a period, and is level below 4.
+// A wave has its full swing while a period takes at least 8 ticks. With faster hands it fades, and is level below 4
+// ticks.
 constexpr double kTicksOfFullWave = 8.0;
 constexpr double kSwingChange_per_s = 50.0;
-// Squared sine or determinant below which the holds' normals have no dual directions.
+// Squared sine or determinant below which the normals of the holds count as parallel, so that they have no dual
+// directions.
 constexpr double kParallel = 1e-12;
 
-// The combined properties of the surfaces that hold the proxy, blended by how hard each holds, so that seams do not
-// click.
+// The combined properties of the surfaces that hold the proxy, each weighted by how hard it holds, so that the hand
+// feels no click at a seam.
 struct Feel {
     double stiffness_n_per_m = 0.0;
     double damping_ns_per_m = 0.0;
@@ -64,29 +66,31 @@ struct TouchState::Impl {
     Vec3 last_goal_m{0.0};
     bool has_goal = false;         // false before the first tick and after reset()
     bool has_speed = false;        // false also after reset_filters()
-    Vec3 hand_speed_m_per_s{0.0};  // filtered
-    double grip = 1.0;             // 1: static friction, 0: kinetic
-    Feel feel;                     // of the last contact; also used for the return to a goal that slipped off
+    Vec3 hand_speed_m_per_s{0.0};  // filtered velocity of the hand
+    double grip = 1.0;             // 1: static friction; 0: kinetic friction
+    Feel feel;  // properties of the last contact; also used while the proxy returns to its goal after the contact
     LiquidState liquids;
     EffectState effects;
     SoftState soft;
     PassivityGuard guard;
     double swing = 1.0;  // amplitude factor of waves in the surface; 0 while the hand is too fast for them
 
-    // The press after the surfaces' fields have acted.
+    // The press, corrected by the fields of the surfaces.
     struct FieldPress {
-        Vec3 rest_m{0.0};       // from the hand to where the proxy would rest on the shifted surfaces
-        Vec3 pull_m{0.0};       // force divided by stiffness: rest_m plus the part from the fields' slopes
-        bool touching = false;  // false if the hand hovers in a hollow
+        Vec3 rest_m{0.0};  // from the hand to where the proxy would rest on the shifted surfaces
+        Vec3 pull_m{0.0};  // force divided by stiffness: rest_m plus the part that comes from the slopes of the fields
+        bool touching = false;  // false if the hand is above the bottom of a hollow, so that it touches nothing
         double friction = 1.0;
     };
 
     FieldPress field_press(const HapticScene& scene, const TouchTuning& tuning, const ProxySolver::Step& step,
                            const std::array<std::uint32_t, 3>& faces, double dt_s) noexcept;
-    // The force of liquids, effects and soft patches on the hand, bounded together. Fills in their part of the result.
+    // Returns the force of liquids, effects and soft patches on the hand, with one limit for all together. Fills in
+    // their part of the result.
     Vec3 media_n(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, const Vec3& goal_step_m,
                  double dt_s, const BodyPoses& bodies, TouchResult& result) noexcept;
-    // How far the goal moved since the last tick, and the longest path of the proxy in this one.
+    // goal_step_m() returns how far the goal moved since the last tick. The function after it returns the longest path
+    // that the proxy may take in this tick.
     Vec3 goal_step_m(const Vec3& goal_m) const noexcept { return has_goal ? goal_m - last_goal_m : Vec3(0.0); }
     static double path_cap_m(const TouchTuning& tuning, const Vec3& goal_step_m) noexcept {
         return std::max(tuning.slide_cap_hand_m * tuning.world_m_per_hand_m, 2.0 * glm::length(goal_step_m));
@@ -113,11 +117,11 @@ struct TouchState::Impl {
                                                    const BodyPoses& bodies) noexcept;
 };
 
-// The surfaces' shifts, weighted by how hard each holds, shorten the press P to P - s with s = sum(multiplier * shift)
-// / P. This is a potential 1/2 K (P - s)^2 over the hand's position, continuous wherever a surface begins or stops to
-// hold. The pull is its gradient: (P - s)(p + grad s), p the direction of the press. The multipliers' own gradients are
-// the vectors dual to the normals. Rejected alternative: shift each surface and press against all of them again. A
-// surface that only the lowered proxy meets then comes in with a jump.
+// The shifts of the surfaces, weighted by how hard each holds, reduce the press P to P - s with s = sum(multiplier *
+// shift) / P. This is a potential 1/2 K (P - s)^2 over the hand's position, continuous wherever a surface begins or
+// stops to hold. The pull is its gradient: (P - s)(p + grad s), where p is the direction of the press. The gradients of
+// the multipliers are the vectors dual to the normals. The alternative, to shift each surface and press against all of
+// them again, was rejected. With it, a surface that only the lowered proxy meets would come in with a jump.
 TouchState::Impl::FieldPress TouchState::Impl::field_press(const HapticScene& scene, const TouchTuning& tuning,
                                                            const ProxySolver::Step& step,
                                                            const std::array<std::uint32_t, 3>& faces,
@@ -183,8 +187,8 @@ TouchState::Impl::FieldPress TouchState::Impl::field_press(const HapticScene& sc
         out.rest_m = towards * left;
         out.pull_m = (towards * (1.0 + shift / press_length) + gradient / press_length) * left;
     }
-    // The swing of waves follows the hand's speed, but only in ticks in which that lowers the surfaces, because fading
-    // must not give the hand energy.
+    // The swing of waves follows the hand's speed. It changes only in ticks in which the change lowers the surfaces,
+    // because fading must not give the hand energy.
     if (shortest_period > 0.0) {
         const double per_period = glm::length(hand_speed_m_per_s) * dt_s * kTicksOfFullWave / shortest_period;
         const double wish = std::clamp(2.0 - per_period, 0.0, 1.0);
@@ -222,12 +226,12 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
                                    const Vec3& goal_step, double path_cap_m, double dt_s, const Vec3& carried_m,
                                    const BodyPoses& bodies) noexcept {
     const double scale = tuning.world_m_per_hand_m;
-    // Movement of the hand itself, without that of a workspace that moves with the walker.
+    // Movement of the hand itself, without the movement of a workspace that the walker carries.
     const Vec3 own_step = (goal_step - carried_m) / scale;
     last_goal_m = goal_m;
     has_goal = true;
 
-    // 1. The proxy.
+    // 1. Moves the proxy.
     ProxySolver::Request request;
     request.goal_m = goal_m;
     request.radius_m = tuning.radius_m;
@@ -282,7 +286,8 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
         blend.friction_kinetic += share * one.friction_kinetic;
     }
 
-    // 2. Friction: Coulomb's cone on the proxy's path. Static friction weakens with the distance slid, so it never
+    // 2. Friction: Coulomb's cone applied to the proxy's path. Static friction weakens with the distance slid, so it
+    //   never
     //   drops at once.
     const double press_length = glm::length(press);
     if (contacts.count > 0) {
@@ -303,7 +308,7 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
         grip += (1.0 - grip) * (1.0 - decay(dt_s / kHealing_s));
     }
 
-    // 3. Force of the coupling, per metre of hand travel.
+    // 3. Computes the force of the coupling, per metre of hand travel.
     Vec3 offset = solver.offset_m();
     const bool together = offset == Vec3(0.0);
     result.proxy_m = together ? goal_m : solver.world_m();
@@ -314,7 +319,7 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
     result.radius_m = solver.radius_m();
     Vec3 force = offset * (feel.stiffness_n_per_m / scale);
 
-    // 4. Damping and passivity guard, along the normal only and never pulling into the surface.
+    // 4. Adds damping and the passivity guard, along the normal only. They never pull the hand into the surface.
     if (has_speed) {
         const double u = 2.0 * kPi * kSpeedPole_hz * dt_s;
         hand_speed_m_per_s += (own_step / dt_s - hand_speed_m_per_s) * (u / (1.0 + u));
@@ -329,8 +334,8 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
         const double normal_force = glm::dot(force, normal);
         double damping = feel.damping_ns_per_m;
         if (guarding) damping += guard.watch(own_step, dt_s, tuning.force_delay_s);
-        // Bounded by the spring in both directions. A hand that arrives fast thus meets no step of damping times speed,
-        // and a hand that leaves is not held.
+        // The damping force is at most as large as the spring's force in both directions. A hand that arrives fast thus
+        // feels no step of damping times speed, and a hand that leaves is not held back.
         if (normal_force > 0.0)
             force += normal * std::clamp(-damping * glm::dot(hand_speed_m_per_s, normal), -normal_force, normal_force);
     }
@@ -339,7 +344,7 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
     result.contact_force_n = force;
     if (guarding) guard.given(force);
 
-    // 5. Liquids, effects and soft patches.
+    // 5. Adds the forces of liquids, effects and soft patches.
     if (scene.media && (Has::kMedia || !liquids.surely_dry(scene, solver.local_m(), scale))) {
         force += media_n(scene, tuning, goal_m, goal_step, dt_s, bodies, result);
         if (glm::dot(force, force) < kSmallestForce_n * kSmallestForce_n) force = Vec3(0.0);
@@ -377,7 +382,7 @@ TouchResult touch_tick_with(TouchState& state, const HapticScene& scene, const T
     const Vec3 goal_step_m = impl.goal_step_m(goal_m);
     const double path_cap_m = impl.path_cap_m(tuning, goal_step_m);
     if constexpr (Has::kBodies) {
-        // Movable bodies that are far cost nothing beyond the check that they are far.
+        // Movable bodies that are far away cost only the check that they are far.
         if (scene.plain_afar && impl.bodies_are_far(scene, tuning, path_cap_m, bodies))
             return impl.tick<PlainFeatures>(scene, tuning, goal_m, goal_step_m, path_cap_m, dt_s, carried_m, bodies);
     }

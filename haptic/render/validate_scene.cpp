@@ -17,7 +17,7 @@ bool are_planes(std::span<const Plane> planes) {
 }
 bool is_size(double length_m) { return length_m >= 0.0 && std::isfinite(length_m); }
 
-// The number of an obstacle's own labels, and what is wrong with its shape.
+// The result of examining one obstacle: its number of labels, and the fault of its shape.
 struct Looked {
     std::size_t labels = 1;
     const char* fault = nullptr;
