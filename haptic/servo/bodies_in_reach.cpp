@@ -11,8 +11,9 @@ namespace {
 
 constexpr double kStrain_n = 1.2, kStrainShare = 0.9, kStrain_s = 0.6, kStrainMoves_hand_m = 1e-3;
 constexpr double kSame_hand_m = 0.05e-3;
-constexpr double kWrist_per_s = 30.0;  // how fast a held body turns back to the orientation in which it was taken
-// The least mass that a contact may feel like: two hands can still move it stably.
+// Rate at which a held body turns back to the orientation in which the hand took it.
+constexpr double kWrist_per_s = 30.0;
+// Least mass that a body shows to a contact. Two hands can still move a body of this mass stably.
 constexpr double kLeastFelt_kg = 0.2;
 
 }  // namespace
@@ -38,8 +39,8 @@ void BodiesInReach::forget() noexcept {
     heavy_ = render::kNoBody;
 }
 
-// Marks that the body moved since the frame before. lively_ never holds more than all bodies, for which room is
-// reserved.
+// Notes that the body moved since the last frame. lively_ never holds more entries than there are bodies, and has room
+// for all of them.
 void BodiesInReach::moved(std::uint32_t body) noexcept {
     if (moved_at_[body] == 0) lively_.push_back(body);
     moved_at_[body] = heard_;
@@ -68,7 +69,7 @@ void BodiesInReach::hear(const render::DynamicsFrame& frame) noexcept {
     } else if (follows) {
         for (const std::uint32_t body : frame.moved)
             if (body < count) moved(body);
-    } else {  // some frames were missed
+    } else {  // the engine published frames that this hand missed
         for (std::uint32_t body = 0; body < count; ++body)
             if (!(frame.things[body] == frames_[before].things[body])) moved(body);
     }
@@ -92,7 +93,7 @@ const BodyModel* BodiesInReach::model_of(std::uint32_t body) const noexcept {
     return nullptr;
 }
 
-// Requires known_ > 0.
+// Returns the state of a body at the time `play_s`, interpolated between the received frames. Requires known_ > 0.
 BodyModel::State BodiesInReach::played(std::size_t body, double play_s) const noexcept {
     std::size_t later = newest_, earlier = newest_;
     for (std::size_t back = 1; back < known_; ++back) {
@@ -137,8 +138,8 @@ bool BodiesInReach::place(double now_s, const Vec3& hand_m, const BodyFeel& feel
             if (Slot* slot = slot_of(words_[i].body)) slot->touched_s = std::max(slot->touched_s, now_s);
             else open(words_[i], now_s);
         }
-    // In the order of the scene, so that carried_m_ adds up in a fixed order. Sorted by insertion, because GCC 14
-    // wrongly warns that std::sort would go out of bounds on so short an array.
+    // The used slots in the order of the scene, so that carried_m_ adds up in a fixed order. Sorted by insertion,
+    // because GCC 14 wrongly warns that std::sort would go out of bounds on so short an array.
     std::array<Slot*, kMost> used{};
     std::size_t used_count = 0;
     for (Slot& slot : slots_) {
@@ -157,7 +158,8 @@ bool BodiesInReach::place(double now_s, const Vec3& hand_m, const BodyFeel& feel
             if (!slot_of(body)) any = show(body, nullptr, now_s, feel, bodies) || any;
     }
     for (std::size_t i = 0; i < used_count; ++i) any = show(used[i]->model.body(), used[i], now_s, feel, bodies) || any;
-    // A body that stands still in all frames of the ring, and was shown there, needs no look until it moves.
+    // A body that rests in all frames of the ring, and whose pose has been written there, is not examined until it
+    // moves.
     std::erase_if(lively_, [this](std::uint32_t body) {
         if (heard_ - moved_at_[body] < frames_.size() || slot_of(body)) return false;
         moved_at_[body] = 0;
@@ -168,8 +170,8 @@ bool BodiesInReach::place(double now_s, const Vec3& hand_m, const BodyFeel& feel
     return any;
 }
 
-// Returns true if the body is not where it was in the last tick. `slot`: null, or the slot of this body; a slot that is
-// no longer needed is freed.
+// Writes the pose of one body. Returns true if the body has moved since the last tick. `slot` is the slot of this body,
+// or null. Frees a slot that is no longer needed.
 bool BodiesInReach::show(std::uint32_t body, Slot* slot, double now_s, const BodyFeel& feel,
                          std::span<render::BodyPose> bodies) noexcept {
     const double play_s = now_s - kPlayedLate_s, same_m = kSame_hand_m * feel.world_m_per_hand_m;
@@ -264,7 +266,7 @@ Vec3 BodiesInReach::grip_point_m() const noexcept {
 
 Vec3 BodiesInReach::grip_force_n(const Vec3& hand_m, double dt_s, const BodyFeel& feel) noexcept {
     tick_assert(dt_s > 0.0 && feel.world_m_per_hand_m > 0.0 && feel.ceiling_n >= 0.0);
-    // The hand's speed, filtered with one pole at 50 Hz as everywhere else.
+    // The velocity of the hand, filtered with one pole at 50 Hz like the other hand velocities.
     const double u = 2.0 * kPi * 50.0 * dt_s;
     if (has_hand_) hand_m_per_s_ += ((hand_m - last_hand_m_) / dt_s - hand_m_per_s_) * (u / (1.0 + u));
     last_hand_m_ = hand_m;
@@ -276,10 +278,10 @@ Vec3 BodiesInReach::grip_force_n(const Vec3& hand_m, double dt_s, const BodyFeel
     grip_force_n_ = away * (feel.grip_n_per_m / scale) + speeds * (feel.grip_ns_per_m / scale);
     const Vec3 most = at_most(grip_force_n_, feel.ceiling_n);
     if (!(most == grip_force_n_)) {
-        // The grip slips along, which only loses energy.
+        // The grip slips in the direction of the force, which only takes energy.
         grip_offset_m_ += (most - grip_force_n_) * (scale / feel.grip_n_per_m);
         grip_force_n_ = most;
-        // The grip slipped off entirely: farther than a good part of the body's size or of the hand's range.
+        // The grip has slipped off if the offset is much greater than the body's size and the hand's range.
         const render::DynamicsBody& is = scene_->bodies[slots_[held_].model.body()];
         if (glm::length(grip_offset_m_) > 2.0 * is.reach_m + 0.02 * scale) {
             heavy_ = slots_[held_].model.body();
@@ -289,8 +291,8 @@ Vec3 BodiesInReach::grip_force_n(const Vec3& hand_m, double dt_s, const BodyFeel
     return grip_force_n_;
 }
 
-// Critically damped towards the orientation in which the body was taken, because a device with three axes cannot turn
-// it.
+// Returns the moment that turns the body back to the orientation in which the hand took it, like a critically damped
+// spring. A device with three axes cannot turn the body itself.
 Vec3 BodiesInReach::wrist_nm() const noexcept {
     const BodyModel& model = slots_[held_].model;
     if (scene_->bodies[model.body()].ball) return Vec3(0.0);
@@ -365,7 +367,7 @@ void BodiesInReach::react(const render::TouchResult& touch, double share, double
             moment += wrist_nm();
         }
         if (slot.contact || held) slot.touched_s = now_s;
-        // A held body that is too heavy slips out of the grip at the ceiling instead.
+        // A held body that is too heavy needs no such check, because it slips out of the grip at the ceiling.
         if (!held) strain(slot, glm::length(force) * feel.felt_gain, dt_s, feel);
         if (slot.contact || held || leaves || slot.unsent_ns != Vec3(0.0)) {
             render::HandPush push;

@@ -13,7 +13,7 @@ Rotation turned(const Rotation& q, const Vec3& by_rad) noexcept {
     return normalized({q.w + 0.5 * p.w, q.x + 0.5 * p.x, q.y + 0.5 * p.y, q.z + 0.5 * p.z});
 }
 
-// The inverse of the inertia about the centre of mass, in world axes.
+// Inverse of the inertia tensor about the centre of mass, in world axes.
 struct InverseInertia {
     std::array<Vec3, 3> axes;
     Vec3 inverse;
@@ -30,9 +30,10 @@ struct InverseInertia {
 
 // One direction in which a contact acts.
 struct Direction {
-    // Unit vector; arm x along; the change of angular velocity per unit impulse.
+    // The unit vector of the direction; the cross product of arm and direction; the change of angular velocity per unit
+    // impulse.
     Vec3 along{0.0}, turns{0.0}, spins{0.0};
-    double mass_kg = 0.0;  // effective mass in that direction
+    double mass_kg = 0.0;  // effective mass in this direction
 
     void make(const Vec3& direction, const Vec3& arm, double inverse_kg, const InverseInertia& inverse) noexcept {
         along = direction;
@@ -44,7 +45,7 @@ struct Direction {
 
 struct BodyModel::Point {
     std::array<Direction, 3> ways;
-    double want_m_per_s = 0.0;  // least speed along the normal that the solver enforces
+    double want_m_per_s = 0.0;  // least velocity along the normal that the solver enforces
     double friction = 0.0;
 };
 
@@ -60,7 +61,7 @@ void BodyModel::begin(const render::RigidBodyState& word, const State& seen) noe
 
 void BodyModel::hear(const render::RigidBodyState& word) noexcept {
     if (!(word.time_s > word_.time_s)) return;
-    // Contacts that continue keep their impulses, so that a resting body does not sag with every new message.
+    // Contacts that continue keep their impulses. Otherwise a resting body would sag with every new message.
     std::array<Vec3, render::RigidBodyState::kMostPlanes> kept{};
     for (std::size_t i = 0; i < word.count; ++i)
         for (std::size_t k = 0; k < word_.count; ++k)
@@ -71,7 +72,7 @@ void BodyModel::hear(const render::RigidBodyState& word) noexcept {
             }
     impulse_ = kept;
     word_ = word;
-    // The state of the model at that time.
+    // The model's state at the time of the message.
     const State* then = &history_[first_];
     for (std::size_t i = 0; i < count_; ++i) {
         const State& old = history_[(first_ + i) % kHistory];
@@ -85,7 +86,7 @@ void BodyModel::hear(const render::RigidBodyState& word) noexcept {
     apart_m_ = glm::length(owed_m_);
 }
 
-// Applies a part of the owed correction, to the present state and to the past ones in the history.
+// Applies a part of the pending correction to the present state and to the earlier states in the history.
 void BodyModel::correct(double dt_s) noexcept {
     const double part = std::min(1.0, dt_s / kCorrect_s);
     const Vec3 way = owed_m_ * part, speed = owed_m_per_s_ * part, turn = owed_rad_ * part,
@@ -122,7 +123,8 @@ void BodyModel::solve(double dt_s) noexcept {
         const double gap =
             glm::dot(plane.normal, state_.at.position_m + arm) -
             (plane.offset_m + glm::dot(plane.normal, plane.speed_m_per_s) * (state_.time_s - word_.time_s));
-        // In this tick it may approach by at most the gap. If it is already inside, it is pushed out gently.
+        // In this tick, the point may approach the plane by at most the gap. A point that is already behind the plane
+        // is pushed out gently.
         p.want_m_per_s =
             (gap > 0.0 ? -gap / dt_s : std::min(-0.02 * gap / dt_s, 0.2)) + glm::dot(plane.normal, plane.speed_m_per_s);
         p.friction = plane.friction * stick;
@@ -152,7 +154,7 @@ void BodyModel::solve(double dt_s) noexcept {
             done.y = a;
             done.z = b;
         }
-    // Rolling friction of a ball on the floor slows its rotation.
+    // Rolling friction reduces the rotation of a ball on the floor.
     if (word_.rolling_m > 0.0) {
         double pressed = 0.0;
         for (std::size_t i = 0; i < word_.count; ++i)

@@ -1,9 +1,9 @@
 // The servo's own model of one body that a hand touches or holds. In every tick it is moved by exactly the force that
-// the hand feels, by gravity and by the contact planes that the engine sent last. The engine's later messages then
-// correct it. Poses that come from an engine with a delay would give the hand unbounded energy; a model moved in the
-// same tick gives none. Plain state; real-time safe; + - x / and square root only. Cost by contacts: docs/results.md.
-// Sources: Stewart & Trinkle 1996 (contacts as impulses); Catto, Iterative dynamics with temporal coherence, 2005
-// (sequential impulses, warm start).
+// the hand feels, by gravity, and by the contact planes that the engine sent last. Later messages of the engine correct
+// it. If the hand touched the delayed poses of the engine, it would gain unbounded energy; a model that moves in the
+// same tick gives none. Plain state; real-time safe; + - x / and square root only. Cost for different numbers of
+// contacts: docs/results.md. Sources: Stewart & Trinkle 1996 (contacts as impulses); Catto, Iterative dynamics with
+// temporal coherence, 2005 (sequential impulses, warm start).
 #pragma once
 
 #include <array>
@@ -15,22 +15,23 @@ namespace handrail::servo {
 
 class BodyModel {
 public:
-    // The motion of the body at one moment.
+    // The pose and velocity of the body at one moment.
     struct State {
         double time_s = 0.0;
         Placement at;  // pose of the body's frame (RigidBodyState::at)
         Vec3 speed_m_per_s{0.0}, turn_rad_per_s{0.0};
     };
 
-    // Starts from a message of the engine and from where the hand has seen the body until now. The difference is
-    // corrected over kCorrect_s.
+    // Starts the model from a message of the engine and from the state in which the hand has met the body until now.
+    // The model corrects the difference over kCorrect_s.
     void begin(const render::RigidBodyState& word, const State& seen) noexcept;
-    // Takes a message about a moment within the last kHistory ticks or earlier. A message newer than the model's time
-    // also counts. The times of messages must rise.
+    // Takes a message about a moment within the last kHistory ticks. An earlier moment, or one after the model's time,
+    // is accepted too. The times of the messages must rise.
     void hear(const render::RigidBodyState& word) noexcept;
-    // One tick from the state's time on. force_n in world newtons; moment_nm about the centre of mass.
+    // Computes one tick, starting at the state's time. `force_n` is in world newtons; `moment_nm` is about the centre
+    // of mass.
     void tick(const Vec3& force_n, const Vec3& moment_nm, double dt_s) noexcept;
-    // Stops the body until the next message, because the engine is silent.
+    // Stops the body until the next message, because the engine has sent none for too long.
     void rest() noexcept;
     void limit_speed(double most_m_per_s) noexcept;
 
@@ -41,7 +42,7 @@ public:
     Vec3 speed_at(const Vec3& world_m) const noexcept {
         return state_.speed_m_per_s + glm::cross(state_.turn_rad_per_s, world_m - state_.at.position_m);
     }
-    // Distance between the engine's last message and the model at the same moment.
+    // Returns the distance between the engine's last message and the model's state at the same moment.
     double apart_m() const noexcept { return apart_m_; }
 
     static constexpr double kCorrect_s = 0.03;
@@ -55,10 +56,10 @@ private:
 
     State state_;
     render::RigidBodyState word_;
-    std::array<State, kHistory> history_{};  // ring; every correction shifts all of it
+    std::array<State, kHistory> history_{};  // a ring; every correction shifts all of its states
     std::size_t first_ = 0, count_ = 0;
     std::array<Vec3, render::RigidBodyState::kMostPlanes>
-        impulse_{};  // impulses of the last tick: along the normal and two tangents
+        impulse_{};  // for each contact, the impulses of the last tick along the normal and two tangents
     render::Stick stick_;
     Vec3 owed_m_{0.0}, owed_m_per_s_{0.0}, owed_rad_{0.0}, owed_rad_per_s_{0.0};
     double apart_m_ = 0.0;

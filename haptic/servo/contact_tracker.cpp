@@ -21,7 +21,7 @@ void ContactTracker::end(std::size_t index, double now_s, TickEvents& events) no
 
 void ContactTracker::update(const render::TouchResult& touch, const Vec3& velocity_m_per_s, double world_m_per_hand_m,
                             double now_s, double dt_s, TickEvents& events) noexcept {
-    // A surface that gives way counts as a contact like a hard one.
+    // A soft surface counts as a contact like a hard one.
     const double contact_n = length(touch.contact_force_n), soft_n = length(touch.soft_force_n);
     std::array<render::Contact, 4> felt;
     std::size_t count = 0;
@@ -29,7 +29,7 @@ void ContactTracker::update(const render::TouchResult& touch, const Vec3& veloci
     const std::size_t hard = count;
     const auto same = [&](const render::Contact& contact) {
         return contact.feature == touch.soft;
-    };  // also in contact, because it is pressed down to its hard floor
+    };  // true for a soft patch whose hard floor is touched too
     if (soft_n > 0.0 && std::none_of(felt.begin(), felt.begin() + hard, same))
         felt[count++] = {touch.soft, touch.soft_material, touch.soft_force_n / soft_n, 1.0};
     for (std::size_t i = 0; i < count; ++i) {

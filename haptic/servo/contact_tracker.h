@@ -1,6 +1,7 @@
-// Turns the contact set of each tick into events for the audio thread: a surface was met, is slid along or was left; a
-// liquid was entered or left. Debounced only against hand tremor: a contact that is lost for less than 20 ms continues.
-// The cue planner decides which names are spoken, and how often. Plain state, servo thread only; real-time safe.
+// Turns the contact set of each tick into events for the audio thread: the hand met a surface, slid along it or left
+// it; it entered or left a liquid. Only hand tremor is filtered out: a contact that is lost for less than 20 ms
+// continues. The cue planner decides which names are announced, and how often. Plain state, servo thread only;
+// real-time safe.
 #pragma once
 
 #include <array>
@@ -19,13 +20,13 @@ enum class ContactEventKind : std::uint8_t {
     LeaveLiquid,
     FaultRaised,
     FaultCleared,
-    // The hand moves its workspace past the rim, or stops doing so (WorkspaceMover).
+    // The hand began or stopped to move its workspace past the rim (WorkspaceMover).
     RimPassed,
     RimLeft,
     Grabbed,
     LetGo,
-    // The wall towards the person's body let the hand through (PersonalSpace), either by a pull or because the hand's
-    // place was lost.
+    // The wall towards the person's body let the hand through to the desk or back (PersonalSpace). The hand may have
+    // pulled, or its position may have become invalid.
     DeskEntered,
     DeskLeft,
 };
@@ -36,18 +37,18 @@ struct ContactEvent {
     double time_s = 0.0;
     FeatureId feature = kNoFeature;
     MaterialId material = kDefaultMaterial;
-    Vec3 position_m{0.0};  // world, of the proxy
-    // Speed of the hand: the approach for Begin, along the surface for Slide (0: it stopped), through the liquid for
-    // liquids.
+    Vec3 position_m{0.0};  // position of the proxy in the world
+    // Speed of the hand. For Begin, it is the speed of approach. For Slide, it is along the surface; 0 means that the
+    // hand stopped. For liquids, it is the speed through the liquid.
     double speed_m_per_s = 0.0;
-    double force_n = 0.0;  // from this surface, before any force ceiling
+    double force_n = 0.0;  // force of this surface, before any ceiling
     Fault fault = Fault::None;
-    std::uint8_t hand = 0;  // which of the two hands; set by the code that collects the events of both
+    std::uint8_t hand = 0;  // which of the two hands; set by the code that merges the events of both
 };
 
-// The events of one tick, in order. `lost` counts the events that did not fit.
+// The events of one tick, in order. `lost` counts the events for which there was no room.
 struct TickEvents {
-    // Twice the worst case: 3 contacts begin, 8 end, a liquid changes and a fault is raised.
+    // Twice the worst case, in which 3 contacts begin, 8 end, a liquid changes and a fault is raised.
     static constexpr std::size_t kMost = 24;
 
     std::array<ContactEvent, kMost> list{};
@@ -64,15 +65,16 @@ struct TickEvents {
 
 class ContactTracker {
 public:
-    static constexpr double kLetGoS = 0.020;       // a contact or liquid counts as left after this long without touch
+    // A contact or liquid counts as left if the hand has not touched it for this long.
+    static constexpr double kLetGoS = 0.020;
     static constexpr double kSlideEveryS = 0.010;  // shortest time between two Slide events of one surface
-    // Thresholds for the hand's speed along the surface.
+    // Speeds of the hand along a surface at which a slide starts and stops.
     static constexpr double kSlideStartsMPerS = 0.001, kSlideStopsMPerS = 0.0005;
 
-    // velocity_m_per_s: of the hand relative to the world, in world axes, in hand metres per second.
+    // `velocity_m_per_s` is the velocity of the hand relative to the world, in world axes and hand metres per second.
     void update(const render::TouchResult& touch, const Vec3& velocity_m_per_s, double world_m_per_hand_m, double now_s,
                 double dt_s, TickEvents& events) noexcept;
-    // Ends every contact and leaves the liquid, because the hand is gone or somewhere else.
+    // Ends every contact and leaves the liquid, because the hand is absent or in another place.
     void clear(double now_s, TickEvents& events) noexcept;
 
 private:
@@ -82,7 +84,7 @@ private:
         Vec3 position_m{0.0};
         double seen_s = 0.0;
         double told_s = 0.0;         // time of the last Slide event
-        double slide_m_per_s = 0.0;  // filtered with one pole of 5 ms
+        double slide_m_per_s = 0.0;  // speed of the slide, filtered with one pole of 5 ms
         bool sliding = false;
     };
 

@@ -24,7 +24,7 @@ void Guidance::begin(const GuidancePath& path, const Vec3& hand_m) noexcept {
     for (std::uint32_t i = 0; i < path.count; ++i)
         if (!is_finite(path.points_m[i])) return;
     state_.phase = GuidancePhase::Acts;
-    // Starts where the hand is, so that nothing jumps.
+    // The pulling point starts at the hand, so that the force does not jump.
     point_m_ = hand_before_m_ = hand_m;
     next_ = 0;
     velocity_m_per_s_ = Vec3(0.0);
@@ -38,13 +38,14 @@ void Guidance::end(GuidancePhase phase) noexcept {
     fade_ = 1.0;
 }
 
-// Moves the pulling point along the path. It advances at its own speed while the hand keeps up, and with the hand if
-// the hand is ahead.
+// Moves the pulling point along the path. It advances at its own speed while the hand keeps up, and as fast as the hand
+// if the hand is ahead.
 void Guidance::go_on(const GuidancePath& path, const Vec3& hand_m, double scale, double dt_s) noexcept {
     const double own_m = kPointSpeed_m_per_s * dt_s * scale;
     double left_m = std::max(own_m, length(hand_m - hand_before_m_));
     double own_left_m = own_m;
-    // One or two corners in a tick are enough. Without a limit, the tiny steps that rounding leaves would never end.
+    // A tick passes at most kMostCornersATick corners. Without a limit, the tiny steps that rounding leaves would never
+    // end.
     for (int pass = 0; pass < kMostCornersATick && next_ < path.count && left_m > 0.0; ++pass) {
         const Vec3 leg = path.points_m[next_] - point_m_;
         const double leg_m = length(leg);
@@ -77,17 +78,17 @@ Vec3 Guidance::pull(const GuidancePath& path, const Vec3& hand_m, double scale, 
     against_s_ = most_n > 0.0 && state_.counter_n > kLetGo_n ? against_s_ + dt_s : 0.0;
     if (!(away_m > 0.0)) return Vec3(0.0);
     const Vec3 way = away / away_m;
-    // Sideways speed counts as well; otherwise a hand that turns a corner would be faster than either leg allows. A
-    // hand that moves away from the point feels the full force.
+    // Sideways speed counts as well; otherwise a hand that turns a corner would move faster than either leg of the path
+    // allows. A hand that moves away from the point feels the full force.
     const double along = glm::dot(velocity_m_per_s_, way);
     const double aside = length(velocity_m_per_s_ - way * along);
     const double slower = std::clamp(1.0 - (along + aside) / kFastest_m_per_s, 0.0, 1.0);
     return way * (std::min(state_.counter_n, most_n) * slower);
 }
 
-// The force of each line is -F (u/w)(1 - (u/w)^2)^2: the slope of a potential that ends with slope and curvature zero.
+// The force of each line is -F (u/w)(1 - (u/w)^2)^2, the slope of a potential that ends with zero slope and curvature.
 Vec3 Guidance::lines(const GuidancePath& path, const Vec3& hand_m, double scale, double most_n) const noexcept {
-    constexpr double kPeakOfLaw = 0.28621670111997307;  // the greatest value, at u/w = 1/sqrt(5)
+    constexpr double kPeakOfLaw = 0.28621670111997307;  // greatest value of the law, at u/w = 1/sqrt(5)
     const double share = most_n / kMostForce_n;
     Vec3 force(0.0);
     for (int axis = 0; axis < 3; ++axis) {
@@ -100,7 +101,7 @@ Vec3 Guidance::lines(const GuidancePath& path, const Vec3& hand_m, double scale,
 
 namespace {
 
-// Returns the nearest point of a trench, which is everything below the leg from a to b. The set is convex, so the
+// Returns the nearest point of a trench, the vertical strip below the line from `a` to `b`. The strip is convex, so the
 // squared distance to it is smooth everywhere.
 Vec3 nearest_in_trench(const Vec3& a, const Vec3& b, const Vec3& p) noexcept {
     const double x = b.x - a.x, y = b.y - a.y, length = std::sqrt(x * x + y * y);
@@ -109,7 +110,7 @@ Vec3 nearest_in_trench(const Vec3& a, const Vec3& b, const Vec3& p) noexcept {
     const double along = ((p.x - a.x) * x + (p.y - a.y) * y) / length;
     double s = std::clamp(along, 0.0, length);
     double z = p.z;
-    if (p.z > a.z + slope * s) {  // above the trench: the nearest point of its upper edge
+    if (p.z > a.z + slope * s) {  // the point is above the trench, so the nearest point is on its upper edge
         s = std::clamp((along + slope * (p.z - a.z)) / (1.0 + slope * slope), 0.0, length);
         z = a.z + slope * s;
     }
@@ -124,11 +125,11 @@ Vec3 nearest_on_leg(const Vec3& a, const Vec3& b, const Vec3& p) noexcept {
 
 }  // namespace
 
-// The potential is A times the product of 1 - f over all legs, with f = (1 - (d/w)^2)^3 for a leg nearer than w. It is
-// zero on every leg and A far from all of them. It is smooth in between, also where legs meet, because d^2 is. The
-// force is its slope.
+// The potential is A times the product of 1 - f over all legs of the path, with f = (1 - (d/w)^2)^3 for a leg nearer
+// than w. It is zero on every leg and A far from all of them. It is smooth in between, even where legs meet, because
+// d^2 is smooth. The force is its negative slope.
 Vec3 Guidance::grooves(const GuidancePath& path, const Vec3& hand_m, double scale, double most_n) noexcept {
-    constexpr double kPeakOfLaw = 1.7173003580037202;  // the greatest value of 6 u (1 - u^2)^2, at u = 1/sqrt(5)
+    constexpr double kPeakOfLaw = 1.7173003580037202;  // greatest value of 6 u (1 - u^2)^2, at u = 1/sqrt(5)
     std::array<Vec3, GuidancePath::kMostPoints / 2> slopes;
     std::array<double, GuidancePath::kMostPoints / 2> left;
     std::size_t near = 0;
@@ -136,7 +137,7 @@ Vec3 Guidance::grooves(const GuidancePath& path, const Vec3& hand_m, double scal
     const bool lines = path.kind == GuidanceKind::WayLines;
     for (std::uint32_t i = 0; i + 1 < path.count; i += 2) {
         const Vec3 &a = path.points_m[i], &b = path.points_m[i + 1];
-        // Most legs are far away. Comparing with their box finds this out for a tenth of the work.
+        // Most legs are far away. Comparing the hand with their box excludes them at a tenth of the cost.
         if (hand_m.x < std::min(a.x, b.x) - width_m || hand_m.x > std::max(a.x, b.x) + width_m ||
             hand_m.y < std::min(a.y, b.y) - width_m || hand_m.y > std::max(a.y, b.y) + width_m ||
             hand_m.z > std::max(a.z, b.z) + width_m)
@@ -161,13 +162,13 @@ Vec3 Guidance::tick(const GuidancePath& path, const Vec3& hand_m, double scale, 
                     double dt_s) noexcept {
     tick_assert(scale > 0.0 && dt_s > 0.0 && path.count <= GuidancePath::kMostPoints);
     tick_assert(path.strength >= 0.0 && path.strength <= 1.0);
-    // 1. Another path is requested: the current one fades out first, then the next begins.
+    // 1. Another path is requested, or force is not permitted: the current guidance fades out before the next begins.
     if (state_.phase == GuidancePhase::Acts && (path.number != state_.number || !allowed)) end(GuidancePhase::Ended);
     if (path.number != state_.number && fade_ <= 0.0) {
         begin(path, hand_m);
         if (!allowed && state_.phase == GuidancePhase::Acts) end(GuidancePhase::Ended);
     }
-    // 2. Fading out after the end.
+    // 2. After guidance has ended, its force fades out.
     if (state_.phase != GuidancePhase::Acts) {
         state_.force_n = Vec3(0.0);
         if (fade_ > 0.0) {
@@ -176,7 +177,7 @@ Vec3 Guidance::tick(const GuidancePath& path, const Vec3& hand_m, double scale, 
         }
         return state_.force_n;
     }
-    // 3. The force.
+    // 3. Computes the force.
     const Vec3 velocity = (hand_m - hand_before_m_) / (scale * dt_s);
     velocity_m_per_s_ += (velocity - velocity_m_per_s_) * (dt_s / (kVelocityPole_s + dt_s));
     acted_s_ += dt_s;
@@ -188,7 +189,7 @@ Vec3 Guidance::tick(const GuidancePath& path, const Vec3& hand_m, double scale, 
     state_.force_n = at_most(full_n * ramp, most_n);
     tick_assert(glm::length(state_.force_n) <= kMostForce_n * (1.0 + 1e-9));
     hand_before_m_ = hand_m;
-    // 4. Conditions that end it.
+    // 4. Checks the conditions that end a pull.
     if (path.kind != GuidanceKind::Pull) return state_.force_n;
     if (against_s_ >= kLetGo_s) end(GuidancePhase::LetGo);
     else if ((next_ + 1 >= path.count || path.strength == 0.0) &&

@@ -40,7 +40,7 @@ bool HandBodyServo::grip(const BodyTuning& tuning, std::uint32_t buttons, double
     }
     buttons_ = pressed;
     if (quarters_known_ && quarters_ != tuning.quarters) {
-        // Turns four times at most, even if more quarter turns were counted meanwhile.
+        // Makes at most four quarter turns, even if the counter has risen by more.
         for (int i = 0; i < 4 && quarters_ != tuning.quarters; ++i) {
             const bool left = tuning.quarters > quarters_;
             bodies_.turn_held({kHalfRoot, 0.0, 0.0, left ? kHalfRoot : -kHalfRoot});
@@ -73,7 +73,7 @@ render::BodyPoses HandBodyServo::place(const render::BodyPoses& told, const rend
         moved = true;
     } else if (told_ != told.number) {
         moved = true;
-        // Between the same two moments as in the last tick, only the bodies that move between them have changed.
+        // If the movement is the same as in the last tick, only the bodies that move in it have changed.
         if (told.ways && told.ways_number() == told_ways_ && told.ways->number_before != 0) {
             for (const render::MovingBody& moving : told.ways->moving)
                 if (moving.body < count) take(moving.body);

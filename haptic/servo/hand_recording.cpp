@@ -5,14 +5,14 @@
 namespace handrail::servo {
 namespace {
 
-constexpr double kSteps = 1e6;  // steps per metre and per radian
+constexpr double kSteps = 1e6;  // number of steps per metre and per radian
 constexpr double kFarthest = 1e3;
 
 void round_all(Vec3& v) noexcept {
     bool whole = true;
     for (int axis = 0; axis < 3; ++axis) {
         v[axis] = std::round(v[axis] * kSteps) / kSteps;
-        whole = whole && std::abs(v[axis]) <= kFarthest;  // also false if it is not finite
+        whole = whole && std::abs(v[axis]) <= kFarthest;  // false if a value is too large or not finite
     }
     if (!whole) v = Vec3(std::numeric_limits<double>::quiet_NaN());
 }

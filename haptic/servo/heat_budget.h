@@ -1,6 +1,6 @@
-// Estimates how warm a device's motors have become, from the forces that were commanded. A motor heats with the square
-// of its current, and so of the force. It is the only protection for a device that reports no temperature. Plain state,
-// servo thread only; three multiplications a tick.
+// Estimates how warm a device's motors have become, from the commanded forces. A motor heats with the square of its
+// current, and so with the square of the force. It is the only protection for a device that reports no temperature.
+// Plain state, servo thread only; three multiplications a tick.
 #pragma once
 
 #include "haptic/render/tick_assert.h"
@@ -9,21 +9,21 @@ namespace handrail::servo {
 
 class HeatBudget {
 public:
-    static constexpr double kWindowS = 10.0;  // of the running mean; about the thermal time of a motor coil
-    // Share of the allowed heat at which the motors count as cooled. From the limit it takes 7 s without force to get
-    // there.
+    // Time constant of the running mean, about the thermal time of a motor coil.
+    static constexpr double kWindowS = 10.0;
+    // Share of the permitted heat below which the motors count as cooled. From the limit, this takes 7 s without force.
     static constexpr double kCooledShare = 0.5;
 
-    // Adds dt_s of a force of this size. sustained_n: the root mean square over the window that the motors bear;
-    // infinity: no limit.
+    // Adds a force of this size that acted for dt_s. `sustained_n` is the root mean square over the window that the
+    // motors tolerate; infinity: no limit.
     void add(double force_n, double sustained_n, double dt_s) noexcept {
         tick_assert(force_n >= 0.0 && sustained_n > 0.0 && dt_s >= 0.0);
         mean_square_n2_ += (force_n * force_n - mean_square_n2_) * (dt_s / (kWindowS + dt_s));
         warmth_ = mean_square_n2_ / (sustained_n * sustained_n);
         too_warm_ = warmth_ > 1.0 || (too_warm_ && warmth_ > kCooledShare);
     }
-    double warmth() const noexcept { return warmth_; }  // share of the allowed heat
-    // True from a warmth above 1 until it falls below kCooledShare.
+    double warmth() const noexcept { return warmth_; }  // share of the permitted heat; 1 is the limit
+    // Becomes true when the warmth exceeds 1, and false when it falls below kCooledShare.
     bool too_warm() const noexcept { return too_warm_; }
 
 private:

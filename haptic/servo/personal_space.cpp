@@ -13,7 +13,7 @@ PersonalWall personal_wall_of(const device::DeviceSpec& spec, double ceiling_n, 
     wall.stiffness_n_per_m = std::min(kPersonalWallStiffest_n_per_m, wall_n_per_m);
     if (!(wall.stiffness_n_per_m > 0.0)) return {wall.at_m, 0.0, 0.5 * (spec.workspace_radius_m - wall.at_m)};
     const double break_n = std::min(kPersonalWallMost_n, kPersonalWallShare * std::max(0.0, ceiling_n));
-    // On a soft device with a small workspace the wall must break before the device reaches its end stop.
+    // With a low stiffness and a small workspace, the wall must break before the device reaches its end stop.
     wall.depth_m = std::min(break_n / wall.stiffness_n_per_m, 0.5 * (spec.workspace_radius_m - wall.at_m));
     return wall;
 }
@@ -35,7 +35,7 @@ bool PersonalSpace::tick(const Vec3& hand_m, const PersonalWall& wall, bool whol
         return true;
     }
     stretch_m_ = std::max(0.0, stretch_m_ + std::min(0.0, way_m)) * (kReleaseS / (kReleaseS + dt_s));
-    if (stretch_m_ < 1e-7) stretch_m_ = 0.0;  // far below a motor's step
+    if (stretch_m_ < 1e-7) stretch_m_ = 0.0;  // far below one step of the motor's force
     armed_ = whole && inside_m <= -kRearmM;
     return false;
 }

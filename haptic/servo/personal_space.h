@@ -1,11 +1,12 @@
 // The wall between the world and the person's own desk. It stands across the device's workspace, on the side of the
-// person's body. If the person pulls hard enough, it lets the hand through to the desk; the same wall leads back. This
-// file has only the wall and the decay of its force after it breaks; servo_tick keeps the state of the world meanwhile.
+// person's body. If the person pulls hard enough, it lets the hand through to the desk. The same wall leads back. This
+// file contains only the wall and the decay of its force after it breaks; meanwhile, servo_tick keeps the hand's state
+// in
+// the world.
 //
 // Neither part gives the hand energy. The wall is a spring of stretch e <= depth behind its plane. e grows as the hand
-// moves in, but no faster than 0.15 N a tick (the rest slips, as in a fuse), and shrinks as the hand moves out. After
-// the wall has let go, e only shrinks: by 1/tau, and with every movement back. So the wall never returns more energy
-// than it took in.
+// moves in, but by no more than 0.15 N a tick; the rest slips. e shrinks as the hand moves out. After the wall has
+// broken, e only shrinks: by 1/tau, and with every movement back. So the wall never returns more energy than it took.
 //
 //    force    /|          breaks at depth
 //            / |__        falls with tau
@@ -24,36 +25,38 @@
 
 namespace handrail::servo {
 
-// The wall of one device, at one force ceiling and stiffness.
+// The wall of one device, for a given force ceiling and stiffness.
 struct PersonalWall {
-    double at_m = 0.0;  // distance from the device's middle towards the person's body; the plane is y = -at_m
+    // Distance of the wall's plane from the device's middle, towards the person's body. The plane is y = -at_m.
+    double at_m = 0.0;
     double stiffness_n_per_m = 0.0;
-    double depth_m = 0.0;  // depth behind the plane at which it lets the hand through
+    double depth_m = 0.0;  // depth behind the plane at which the wall breaks
 
     double break_n() const noexcept { return stiffness_n_per_m * depth_m; }
 };
 
-inline constexpr double kPersonalWallAt = 0.8;  // share of the workspace radius
+inline constexpr double kPersonalWallAt = 0.8;  // position of the plane as a share of the workspace radius
 inline constexpr double kPersonalWallMost_n = 1.5, kPersonalWallShare = 0.6, kPersonalWallStiffest_n_per_m = 400.0;
 
-// The wall breaks at the least of three forces: 1.5 N, 60 % of the ceiling, and the force of its spring halfway between
-// its plane and the end of the workspace. wall_n_per_m: stiffness of the default wall on this device.
+// Returns the wall, which breaks at the least of three forces: 1.5 N, 60 % of the ceiling, and the force of its spring
+// halfway between its plane and the end of the workspace. `wall_n_per_m` is the stiffness of the default wall on this
+// device.
 PersonalWall personal_wall_of(const device::DeviceSpec& spec, double ceiling_n, double wall_n_per_m) noexcept;
 
 class PersonalSpace {
 public:
-    static constexpr double kReleaseS = 0.040;  // time constant of the decay after it has let go
-    static constexpr double kRearmM = 0.005;  // the wall is whole again once the hand is this far in front of its plane
-    static constexpr double kMostRiseN = 0.15;  // per tick; a faster hand slips through the rest
+    static constexpr double kReleaseS = 0.040;  // time constant with which the force decays after the wall has broken
+    static constexpr double kRearmM = 0.005;    // the wall is restored once the hand is this far in front of its plane
+    static constexpr double kMostRiseN = 0.15;  // greatest rise of the force per tick; a faster hand slips
 
-    // Takes where the hand is. Returns true if the wall lets it through in this tick. `whole`: nothing else moves the
-    // workspace; otherwise the wall is absent until the hand has been in front of it again. A new `wall` takes effect
-    // only once the hand is in front of the plane.
+    // Updates the wall for the hand's new position. Returns true if the wall lets the hand through in this tick.
+    // `whole` says that nothing else moves the workspace. If it is false, the wall is absent until the hand has been in
+    // front of it again. A new `wall` takes effect only once the hand is in front of the plane.
     bool tick(const Vec3& hand_m, const PersonalWall& wall, bool whole, double dt_s) noexcept;
-    // Force on the hand, away from the person's body; at most the wall's break_n().
+    // Returns the force on the hand, away from the person's body. It is at most the wall's break_n().
     Vec3 force_n() const noexcept { return {0.0, wall_.stiffness_n_per_m * stretch_m_, 0.0}; }
     bool armed() const noexcept { return armed_; }
-    // The hand may be anywhere: no force and no wall until the hand was in front of it.
+    // Call it if the hand may be anywhere. There is no force and no wall until the hand has been in front of the plane.
     void reset() noexcept {
         armed_ = false;
         known_ = false;
@@ -63,24 +66,26 @@ public:
 private:
     PersonalWall wall_;
     bool armed_ = false, known_ = false;
-    double inside_m_ = 0.0;  // how far the hand is behind the plane; negative: in front of it
+    double inside_m_ = 0.0;  // distance of the hand behind the plane; negative: in front of it
     double stretch_m_ = 0.0;
 };
 
-// The way to the desk if an object of the world blocks it, such as the back wall of a small room. The person pulls
-// towards the body with the force that breaks the wall, straight and without sliding, for kHold_s. The hand then goes
-// through to the desk. No surface of the world softens by this: the desk is announced by its click, and the hand
-// returns to the same place afterwards.
+// Lets the hand through to the desk if an object of the world blocks it, such as the back wall of a small room. The
+// person pulls towards the body with the force that breaks the wall, straight and without sliding, for kHold_s. The
+// surfaces of the world do not become softer by this: a click announces the desk, and the hand later returns to the
+// same place.
 class PullThrough {
 public:
-    static constexpr double kHold_s = 0.8;      // longer than people press to test how hard a wall is
-    static constexpr double kSlide_m = 0.0015;  // sideways movement of the hand; beyond it the person is exploring
-    static constexpr double kStraight = 0.5;    // most force across, as a share of the force along the pull
-    // Share of the workspace radius: a pull counts only this far on the person's side of the middle.
+    static constexpr double kHold_s = 0.8;  // duration of the pull; longer than people press to test how hard a wall is
+    // Sideways movement of the hand above which the person counts as exploring.
+    static constexpr double kSlide_m = 0.0015;
+    static constexpr double kStraight = 0.5;  // greatest sideways force, as a share of the force along the pull
+    // A pull counts only if the hand is at least this far on the person's side of the middle, as a share of the
+    // workspace radius.
     static constexpr double kNearHalf = 0.1;
 
-    // held_n: force of the touched surfaces on the hand, device frame, before any ceiling. Returns true in the tick in
-    // which the hand is let through.
+    // Returns true in the tick in which the hand is let through. `held_n` is the force of the touched surfaces on the
+    // hand, in the device frame, before any ceiling.
     bool tick(const Vec3& hand_m, const Vec3& held_n, double reach_m, bool whole, double dt_s) noexcept;
     void reset() noexcept { held_s_ = 0.0; }
 
@@ -89,12 +94,12 @@ private:
     Vec3 from_m_{0.0};
 };
 
-// The remainder of a force whose cause disappears at once: a spring along the force that only relaxes, with the time
-// constant tau and with every movement along it.
+// A force that remains when its cause disappears at once. It acts like a spring along the force's direction, which only
+// relaxes: with the time constant tau, and with every movement of the hand along it.
 class LeftoverForce {
 public:
-    // stiffness_n_per_m > 0: stiffness of the stiffest surface that can have caused the force, so that no more energy
-    // is returned than was stored.
+    // `stiffness_n_per_m` (> 0) is the stiffness of the stiffest surface that can have caused the force. With it, the
+    // spring returns no more energy than was stored.
     void begin(const Vec3& force_n, double stiffness_n_per_m) noexcept;
     void tick(const Vec3& hand_step_m, double dt_s) noexcept;
     Vec3 force_n() const noexcept { return direction_ * (stretch_m_ * stiffness_n_per_m_); }
@@ -105,19 +110,19 @@ private:
     double stretch_m_ = 0.0, stiffness_n_per_m_ = 0.0;
 };
 
-// How a hand operates an object on the desk: it touches it, then presses it by a push or by the device's button. A push
-// begins at press_n and ends at half of it, so that it does not flutter. A pressed object stays pressed while the hand
-// slides on.
+// Decides how a hand operates an object on the desk: it touches the object, then presses it by a push or by the
+// device's button. A push begins at the force `needed_n` and ends at half of it, so that it does not flicker. A pressed
+// object stays pressed while the hand slides on.
 class DeskPress {
 public:
     static constexpr double kPressN = 1.2, kPressShare = 0.6, kRelease = 0.5;
 
-    // touched: kNoFeature for none. button: of the device; if it is pressed while nothing is touched, it presses
-    // nothing, even if the hand reaches an object later.
+    // `touched` is the touched object, or kNoFeature. `button` is the device's button. If the person presses it while
+    // nothing is touched, it presses nothing, even if the hand reaches an object later.
     void tick(FeatureId touched, double press_n, bool button, double needed_n) noexcept;
     FeatureId held() const noexcept { return held_; }
     std::uint32_t presses() const noexcept { return presses_; }  // number of presses since the start
-    // Releases the pressed object. A push that continues presses nothing until it has ended.
+    // Releases the pressed object. A push that continues has no effect until it has ended.
     void let_go() noexcept { held_ = kNoFeature; }
 
 private:

@@ -1,4 +1,4 @@
-// Judges how steadily the servo runs, from measured periods alone. Plain state, servo thread only; no clock, no
+// Judges how steadily the servo loop runs, only from measured periods. Plain state, servo thread only; no clock, no
 // allocation.
 #pragma once
 
@@ -7,22 +7,22 @@
 
 namespace handrail::servo {
 
-// Detects a loop that is too slow to hold a wall. A single long gap does not count as slow: a period counts as at most
-// 10 ms, so at least two in a row are needed.
+// Detects a loop that is too slow to render a stable wall. A single long gap does not count as slow: each period counts
+// as at most 10 ms, so at least two in a row are needed.
 struct RateWatch {
     static constexpr double kPatienceS = 0.020;
     static constexpr double kMostPerPeriodS = 0.010;
 
     double counted_s = 0.0;  // sum of the slow periods in a row
-    double elapsed_s = 0.0;  // real time since the first of them began
+    double elapsed_s = 0.0;  // real time since the first of these periods began
 };
 
-// Adds one measured period. Returns true once every period has been longer than 1 / min_rate_hz for 20 ms. min_rate_hz
-// <= 0 disables the check.
+// Adds one measured period. Returns true once all periods of the last 20 ms were longer than 1 / min_rate_hz. The check
+// is disabled if min_rate_hz <= 0.
 bool too_slow(RateWatch& watch, double period_s, double min_rate_hz) noexcept;
 
-// Histogram of measured times. Bucket i holds times up to Edges[i] and above the edge before; the last bucket holds the
-// rest.
+// Histogram of measured times. Bucket i counts times up to Edges[i] and above the previous edge; the last bucket counts
+// all longer times.
 template <const std::array<double, 11>& Edges>
 struct TimeHistogram {
     std::array<std::uint64_t, Edges.size() + 1> counts{};
@@ -39,8 +39,8 @@ struct TimeHistogram {
         for (const std::uint64_t count : counts) sum += count;
         return sum;
     }
-    // Upper edge of the bucket that contains this quantile; share is 0 to 1. In the last bucket it is worst_s; if
-    // empty, 0.
+    // Returns the upper edge of the bucket that contains the quantile `share` (0 to 1). In the last bucket it is
+    // worst_s; for an empty histogram it is 0.
     double quantile_s(double share) const noexcept {
         const double wanted = static_cast<double>(total()) * share;
         std::uint64_t seen = 0;
@@ -56,7 +56,7 @@ inline constexpr std::array<double, 11> kPeriodEdgesS{0.0005, 0.0009, 0.0011, 0.
                                                       0.003,  0.005,  0.010,  0.025,   0.100};
 inline constexpr std::array<double, 11> kDurationEdgesS{2e-6,   5e-6,   10e-6, 20e-6, 50e-6, 100e-6,
                                                         200e-6, 500e-6, 1e-3,  2e-3,  5e-3};
-using PeriodHistogram = TimeHistogram<kPeriodEdgesS>;      // time from tick to tick
-using DurationHistogram = TimeHistogram<kDurationEdgesS>;  // time spent in a tick
+using PeriodHistogram = TimeHistogram<kPeriodEdgesS>;      // times from one tick to the next
+using DurationHistogram = TimeHistogram<kDurationEdgesS>;  // times spent in a tick
 
 }  // namespace handrail::servo

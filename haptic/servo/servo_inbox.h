@@ -1,5 +1,5 @@
-// The inputs that the owner of a session gives to a servo. ServoLoop takes them on its own thread, or when its owner
-// steps it. PlayedServo numbers them, to replay a recording. Call from the app thread.
+// The inputs that the owner of a session gives to a servo. ServoLoop processes them on its own thread, or when its
+// owner steps it. PlayedServo numbers them in order to replay a recording. Call these functions from the app thread.
 #pragma once
 
 #include <memory>
@@ -12,10 +12,10 @@ namespace handrail::servo {
 class ServoInbox {
 public:
     virtual ~ServoInbox() = default;
-    // Takes effect from the next tick on. scene: null for none. engine: this hand's side of the free bodies; null:
-    // there are none. No two servos may use the same engine at the same time.
+    // Sets the scene from the next tick on; null: none. `engine` is this hand's data for the free bodies; null: there
+    // are no free bodies. Two servos must never use the same engine at the same time.
     virtual void set_scene(std::shared_ptr<const render::HapticScene> scene, std::shared_ptr<HandBodyServo> engine) = 0;
-    // The scene of the desk; see servo_tick. Null: there is none.
+    // Sets the scene of the desk (see servo_tick); null: none.
     virtual void set_desk(std::shared_ptr<const render::HapticScene> desk) = 0;
     virtual void set_tuning(const ServoTuning& tuning) = 0;
     virtual void set_pose(const WorkspacePose& pose) = 0;

@@ -13,7 +13,8 @@
 namespace handrail::servo {
 namespace {
 
-constexpr int kRealTimePriority = 70;  // above audio threads (usually 20 to 60), below the kernel's own 99
+// Above the priority of audio threads (usually 20 to 60), below the kernel's own 99.
+constexpr int kRealTimePriority = 70;
 constexpr std::uint64_t kReportEveryTicks = 100;
 
 Scheduling ask_for_real_time() noexcept {
@@ -22,8 +23,9 @@ Scheduling ask_for_real_time() noexcept {
     return pthread_setschedparam(pthread_self(), SCHED_FIFO, &wish) == 0 ? Scheduling::RealTime : Scheduling::Ordinary;
 }
 
-// Locks the memory of the whole process until it ends. Pages are locked when they are first touched, so memory use does
-// not grow. Done only without a memory limit: with one, every allocation would fail once the limit is reached.
+// Locks the memory of the whole process until it ends. Pages are locked when they are first used, so memory use does
+// not grow. This is done only without a memory limit, because with one every allocation would fail once the limit is
+// reached.
 bool lock_memory() noexcept {
     rlimit limit{};
     if (getrlimit(RLIMIT_MEMLOCK, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY) return false;
@@ -146,7 +148,7 @@ bool ServoLoop::step_as() noexcept {
     bodies_.refresh();
     guidance_.refresh();
     const bool stopping = stop_asked_.load(std::memory_order_acquire);
-    // Read once, so that the recording holds the values that took effect.
+    // The switches are read once, so that the recording contains the values that the tick used.
     const std::uint32_t stops = switches_->stops.load(std::memory_order_acquire);
     const bool focused = switches_->focused.load(std::memory_order_acquire);
     ServoTuning tuning = with_switches(tuning_.read().value, stops, focused);
@@ -167,7 +169,7 @@ bool ServoLoop::step_as() noexcept {
     device_->write(command);
     if constexpr (kRecorded) record(start_s, sample, command, stops, focused, stopping);
 
-    // From here on the servo reads no older scene.
+    // From here on the servo does not read any older scene.
     scene_in_use_.store(scene.number, std::memory_order_release);
     for (const ContactEvent& event : state_.events())
         if (!events_->push(event)) ++ring_lost_;
@@ -211,7 +213,7 @@ void ServoLoop::run_as() noexcept {
         next_s += period_s_;
         const double now_s = clock_.now_s();
         if (now_s >= next_s) {
-            // The tick is late. Missed ticks are not made up for in a burst; the schedule continues from now.
+            // The tick is late. Missed ticks are not made up for; the schedule continues from now.
             ++counted_.overruns;
             next_s = now_s + period_s_;
         }

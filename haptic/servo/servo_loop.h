@@ -1,6 +1,6 @@
-// Drives servo_tick on a thread that owns the device, paced by a Clock, and does every hand-over to and from it.
-// Nothing on the servo's side waits, allocates or frees; the app frees the scenes that the servo no longer uses.
-// Without start() its owner steps the same loop in virtual time; the stream of ToolState is bit-identical both ways.
+// Runs servo_tick on a thread that owns the device, paced by a Clock, and passes all data to and from it. The servo's
+// side never waits, allocates or frees; the app frees the scenes that the servo no longer uses. Without start(), its
+// owner steps the same loop in virtual time. The sequence of ToolState values is bit-identical in both cases.
 #pragma once
 
 #include <atomic>
@@ -23,26 +23,29 @@ namespace handrail::servo {
 
 enum class Scheduling : std::uint8_t { NotStarted, RealTime, Ordinary };
 
-// Published ten times a second and once at the end.
+// Measurements of the loop, published ten times a second and once at the end.
 struct ServoReport {
     ServoCounters counters;
-    DurationHistogram durations;  // duration of a tick including reading and writing the device, by the Clock
-    std::uint64_t overruns = 0;   // ticks that ended after the next one was due
+    // Durations of ticks, including reading and writing the device, measured with the Clock.
+    DurationHistogram durations;
+    std::uint64_t overruns = 0;  // number of ticks that ended after the next one was due
     Scheduling scheduling = Scheduling::NotStarted;
-    bool memory_locked = false;  // all memory of the program is locked, so the servo never waits for a page
+    // True if all memory of the program is locked, so that the servo never waits for a page.
+    bool memory_locked = false;
 };
 
 class ServoLoop final : public ServoInbox {
 public:
-    // 1024 events are 3.4 s of sliding along three surfaces at once, so a short stall of the audio thread loses none.
+    // 1024 events cover 3.4 s of sliding along three surfaces at once, so a short stall of the audio thread loses none.
     using EventRing = SpscRing<ContactEvent, 1024>;
 
-    // Objects that outlive the loop, so that they survive when one device replaces another while the program runs. A
-    // ring belongs to one loop at a time. Null: the loop makes its own.
+    // Objects that outlive the loop, so that they stay when one device replaces another while the program runs. Only
+    // one loop may use a ring at a time. If a pointer is null, the loop makes its own object.
     struct Links {
         const ServoSwitches* switches = nullptr;
         EventRing* events = nullptr;
-        HandRing* recording = nullptr;  // gets a row for each tick, with samples rounded for it; null: no recording
+        // Receives a row for each tick, whose samples are then rounded; null: no recording.
+        HandRing* recording = nullptr;
     };
 
     // The clock must outlive the loop.
@@ -54,13 +57,13 @@ public:
 
     const device::DeviceSpec& device_spec() const { return device_->spec(); }
 
-    // App thread. Call open() first; start() makes the thread. stop() fades the force over 75 ms, closes the device and
-    // joins. Further calls do no harm, and the destructor calls it too.
+    // App thread. Call open() first; start() then starts the thread. stop() fades the force out over 75 ms, closes the
+    // device and joins the thread. It may be called again, and the destructor calls it too.
     Result<void> open();
     void start();
     void stop();
 
-    // App thread: see ServoInbox.
+    // App thread. See ServoInbox.
     void set_scene(std::shared_ptr<const render::HapticScene> scene) { set_scene(std::move(scene), engine_); }
     void set_desk(std::shared_ptr<const render::HapticScene> desk) override {
         hand_over(world_, std::move(desk), engine_);
@@ -72,19 +75,19 @@ public:
     void set_pose(const WorkspacePose& pose) override { pose_.publish({pose, ++given_.pose}); }
     void set_bodies(const BodyFrame& bodies) override { bodies_.publish({bodies, ++given_.bodies}); }
     void set_guidance(const GuidancePath& guidance) override { guidance_.publish({guidance, ++given_.guidance}); }
-    // App thread: the newest value of each, valid until the next call.
+    // App thread. Return the newest values, valid until the next call.
     const ToolState& tool();
     const ServoReport& report();
-    // App thread: the number of scenes that are kept alive because the servo may still read them.
+    // App thread. Returns the number of scenes that are kept alive because the servo may still read them.
     std::size_t scenes_kept();
 
-    // Audio thread.
+    // Audio thread. Returns the ring of contact events.
     EventRing& events() { return *events_; }
 
-    // Runs one tick at the clock's time: called by the thread, or by the owner in virtual time. Returns false once a
-    // stop was requested and the force is gone.
+    // Runs one tick at the clock's time. The loop's thread calls it, or the owner in virtual time. Returns false once a
+    // stop was requested and the force has faded out.
     bool step() noexcept;
-    // Makes step() fade the force out; stop() does the same and waits.
+    // Makes step() fade the force out. stop() does the same and waits.
     void ask_to_stop() { stop_asked_.store(true, std::memory_order_release); }
 
 private:
@@ -92,12 +95,12 @@ private:
         const render::HapticScene* scene = nullptr;
         const render::HapticScene* desk = nullptr;
         HandBodyServo* engine = nullptr;
-        std::uint64_t number = 0;  // rises; the servo reports the number that it has reached
+        std::uint64_t number = 0;  // rising number; the servo reports the number of the newest scene that it has used
     };
     template <class T>
     struct Given {
         T value;
-        std::uint32_t number = 0;  // counts the hand-overs, this one included
+        std::uint32_t number = 0;  // how many values the app has passed, including this one
     };
     struct KeptScene {
         std::uint64_t number;
@@ -110,7 +113,7 @@ private:
     void run() noexcept;
     void close() noexcept;
     void publish_report() noexcept;
-    // Chosen once, so that a tick without a recording pays nothing for it (tests/bench/recording_cost.sh).
+    // Chosen once, so that a tick without a recording has no cost for it (tests/bench/recording_cost.sh).
     template <bool kRecorded>
     bool step_as() noexcept;
     template <bool kRecorded>
@@ -121,14 +124,14 @@ private:
 
     Clock& clock_;
     const double period_s_;
-    std::unique_ptr<device::HapticDevice> device_;  // servo thread after start()
+    std::unique_ptr<device::HapticDevice> device_;  // used by the servo thread after start()
     std::thread thread_;
     bool open_ = false;
     std::atomic<bool> stop_asked_{false};
 
     std::vector<KeptScene> kept_;                              // app thread only
-    std::shared_ptr<const render::HapticScene> world_, desk_;  // the scenes that were handed over last
-    std::shared_ptr<HandBodyServo> engine_;                    // the engine that was handed over last
+    std::shared_ptr<const render::HapticScene> world_, desk_;  // the scenes that the app passed last
+    std::shared_ptr<HandBodyServo> engine_;                    // the engine that the app passed last
     std::uint64_t last_scene_ = 0;
     std::atomic<std::uint64_t> scene_in_use_{0};
 
@@ -140,22 +143,23 @@ private:
     ServoReads given_;  // app thread
     LatestValue<ToolState> tool_;
     LatestValue<ServoReport> report_;
-    std::unique_ptr<EventRing> own_events_;  // null if Links supplied a ring
+    std::unique_ptr<EventRing> own_events_;  // null if Links contains a ring
     EventRing* events_;
-    std::unique_ptr<ServoSwitches> own_switches_;  // used if Links supplies none; nobody sets these
+    std::unique_ptr<ServoSwitches> own_switches_;  // used if Links contains no switches; nobody sets these
     const ServoSwitches* switches_;
     HandRing* recording_;
-    std::uint32_t recorded_as_ = 0;  // HandRow::servo
+    std::uint32_t recorded_as_ = 0;  // value for HandRow::servo
 
-    // Servo thread only.
+    // Only the servo thread uses the members below.
     ServoState state_;
     ServoReport counted_;
     std::uint64_t ring_lost_ = 0;
 };
 
-// "Touch runs in real time.", or what is missing for it; suitable for speech and print. Empty before the start.
+// Returns "Touch runs in real time.", or a sentence about what is missing for that. Suitable for speech and print.
+// Empty before the start.
 std::string scheduling_sentence(Scheduling scheduling);
-// Says what is missing if memory could not be locked; empty if it is locked.
+// Returns a sentence about what is missing if the memory could not be locked; empty if it is locked.
 std::string memory_sentence(bool locked);
 
 }  // namespace handrail::servo

@@ -29,7 +29,7 @@ Result<ServoMeasured> measure_servo(std::shared_ptr<const render::HapticScene> s
     const double begun_s = clock.now_s();
     loop.start();
     std::uint64_t samples = 0, touching = 0;
-    // Three frequencies without a common multiple, so that the hand meets what is on all sides.
+    // The hand moves with three frequencies without a common multiple, so that it touches objects on all sides.
     for (double at_s = 0.0; at_s < seconds; at_s = clock.now_s() - begun_s) {
         const double turn = 2.0 * kPi * at_s;
         const Vec3 at(std::sin(turn), std::sin(0.7 * turn), std::cos(0.3 * turn));

@@ -1,5 +1,5 @@
-// Switches that must not wait until the app next reads its keys: the stop key and the loss of the keyboard. The first
-// thread that notices sets them, without waiting; the servo reads them in each tick. Stops are counted instead of
+// Switches that must act before the app next reads its keys: the stop key and the loss of the keyboard focus. The first
+// thread that notices sets them, without waiting; the servo reads them in each tick. The stops are counted instead of
 // flagged, so that a stop pressed while the app releases an earlier one is not lost. The force stays off until the app
 // has confirmed the newest count (ServoTuning::stops_let_go).
 #pragma once
@@ -19,8 +19,8 @@ struct ServoSwitches {
 };
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
-// The tuning after the switches are applied: they only ever reduce the force. The first overload takes values that were
-// read earlier; the second reads the switches itself.
+// Return the tuning after the switches are applied; switches only ever reduce the force. The first overload takes
+// values that were read earlier. The second reads the switches itself.
 inline ServoTuning with_switches(ServoTuning tuning, std::uint32_t stops, bool focused) noexcept {
     tuning.panic = tuning.panic || stops != tuning.stops_let_go;
     tuning.focused = tuning.focused && focused;

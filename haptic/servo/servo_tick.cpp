@@ -11,16 +11,19 @@ namespace {
 
 constexpr double kNominalPeriodS = 1e-3;
 constexpr double kShortestPeriodS = 1e-6;
-constexpr double kFarthestGoalM = 1e6;     // farther away doubles are too coarse for touch
-constexpr double kFastestHandMPerS = 5.0;  // speed limit that extends the allowed distance after a gap
+constexpr double kFarthestGoalM = 1e6;  // farther from the origin, doubles are too coarse for touch
+// Greatest speed of a hand. After a gap, the permitted distance between two samples grows at this speed.
+constexpr double kFastestHandMPerS = 5.0;
 constexpr double kMeanPeriodPoleS = 1.0;
 constexpr double kVelocityPoleS = 1.0 / (2.0 * kPi * 50.0);
 constexpr double kRateWindowS = 1.0;
-// Zero force is due 100 ms after the rate became slow; one tick of 5 ms is subtracted.
+// The force must be zero 100 ms after the rate became too slow. One tick of 5 ms is subtracted.
 constexpr double kZeroAfterSlowS = 0.095;
 constexpr double kLongestTouchStepS = 0.1;
-constexpr double kDeskBallRadiusM = 0.002;  // feels like a diameter of 4 mm, as in a room
-// Share of the workspace radius; limits how deep a push must go on a soft device.
+// Proxy radius at the desk; its diameter of 4 mm feels the same as in a room.
+constexpr double kDeskBallRadiusM = 0.002;
+// Greatest depth of a push that presses an object, as a share of the workspace radius. It limits the push on a device
+// with low stiffness.
 constexpr double kDeskPressDepth = 0.15;
 
 Fault fault_of(device::DeviceLoss loss) noexcept {
@@ -29,8 +32,7 @@ Fault fault_of(device::DeviceLoss loss) noexcept {
                                                   : Fault::Unplugged;
 }
 
-// Faults after which the hand's position does not continue from the one before, or the renderer's state cannot be
-// trusted.
+// Returns true for faults after which the hand's position may have jumped, or the renderer's state cannot be trusted.
 bool loses_place(Fault fault) noexcept {
     return is_gone(fault) || fault == Fault::Jump || fault == Fault::BadSample || fault == Fault::BadForce;
 }
@@ -50,7 +52,7 @@ void ServoState::measure_rate(double dt_s) noexcept {
     }
 }
 
-// A latched fault stays until it is confirmed; only the loss of the device outweighs it.
+// A latched fault stays until the person confirms it; only the loss of the device replaces it.
 void ServoState::raise(Fault fault, bool latched) noexcept {
     if (fault == fault_) {
         fault_latched_ = fault_latched_ || latched;
@@ -69,7 +71,7 @@ void ServoState::raise(Fault fault, bool latched) noexcept {
     }
 }
 
-// The hand touches and holds nothing any more. When the device is back, the hand must move before it feels force.
+// Makes the hand touch and hold nothing. When the device is back, the hand must move before it feels force.
 void ServoState::lose_device() noexcept {
     place_lost_ = true;
     touch_.reset_filters();
@@ -103,8 +105,7 @@ bool ServoState::cause_lasts(const device::DeviceSample& sample) const noexcept 
     return !sample.connected || sample.hot || sample.failed || (fault_ == Fault::TooHot && heat_.too_warm());
 }
 
-// A pause is reported only if it takes a force away, and then its end is reported too. While nothing is felt, both are
-// silent.
+// Reports a pause only if it takes a force away. The end of a pause is reported only if its start was.
 void ServoState::watch_pauses(const ServoTuning& tuning) noexcept {
     const Fault pause = !tuning.focused                               ? Fault::FocusLost
                         : tuning.button_to_feel && tool_.buttons == 0 ? Fault::ButtonReleased
@@ -133,7 +134,7 @@ void ServoState::confirm(const device::DeviceSample& sample, std::uint32_t numbe
     limiter_.restart();
 }
 
-// Discards what was felt before, because the hand is somewhere else in the world or in another world.
+// Discards what the hand felt before, because it is now at another place in the world or in another world.
 void ServoState::start_over() noexcept {
     space_.reset();
     pull_through_.reset();
@@ -153,16 +154,16 @@ void ServoState::start_over() noexcept {
     tool_.liquid = kNoFeature;
 }
 
-// Called for a long gap. If another gap comes while the force still ramps in, the force stays off until a whole ramp's
-// time has passed without one. A wall that grows stiffer while it is pressed feeds energy to the hand; with a gap every
-// 400 ms it would do so forever.
+// Called for a long gap. If the force was still ramping in, it stays off until a whole ramp's time has passed without
+// another gap. Otherwise a device with a gap every 400 ms would gain energy for ever, because a wall that gets stiffer
+// while the hand presses it gives the hand energy.
 void ServoState::lose_time() noexcept { keep_off_s_ = limiter_.gain() < 1.0 ? render::ForceLimiter::kRampS : 0.0; }
 
 ServoState::Answer ServoState::judge(const device::DeviceSample& sample, const WorkspaceFrame& frame, double scale,
                                      double dt_s) noexcept {
     since_answer_s_ += dt_s;
     if (!sample.connected) {
-        // A driver that disconnects its device because of heat or an error reports the reason.
+        // If a driver disconnects its device because of heat or an error, the fault states that reason.
         raise(sample.hot ? Fault::TooHot : sample.failed ? Fault::DriverError : fault_of(sample.loss), true);
         if (connected_) lose_device();
         connected_ = false;
@@ -186,7 +187,7 @@ ServoState::Answer ServoState::judge(const device::DeviceSample& sample, const W
         if (fault_ != Fault::Unhomed) start_over();
         raise(Fault::Unhomed, false);
         tool_.buttons = sample.buttons;
-        tool_.waiting_for_hand = true;  // the hand must move before it feels force, wherever it is
+        tool_.waiting_for_hand = true;  // at whatever place the hand is, it must move before it feels force
         has_first_ = false;
         trusts_last_ = false;
         bad_run_ = 0;
@@ -206,7 +207,8 @@ ServoState::Answer ServoState::judge(const device::DeviceSample& sample, const W
         limiter_.drop_out();
         if (++bad_run_ >= kBadSamplesLatch) {
             raise(bad_kind_, true);
-            trusts_last_ = false;  // the next position is accepted wherever it is, and jumps are judged from there
+            // The next position is accepted wherever it is, and later jumps are judged from that position.
+            trusts_last_ = false;
         }
         return Answer::Bad;
     }
@@ -238,11 +240,11 @@ ServoState::Answer ServoState::judge(const device::DeviceSample& sample, const W
     return Answer::Good;
 }
 
-// Moves the workspace by rim, grab or keys, and reports when that begins and ends.
+// Moves the workspace by rim, grab or keys, and reports when such a movement begins and ends.
 void ServoState::move_workspace(WorkspaceFrame& frame, const ServoTuning& tuning, std::uint32_t buttons, double scale,
                                 double dt_s) noexcept {
     const WorkspaceMotion before = mover_.motion();
-    // While the hand's position is in doubt, it moves nothing.
+    // While the hand's position is in doubt, the hand moves no workspace.
     const bool sound = fault_ == Fault::None && tool_.pause == Fault::None && !tool_.waiting_for_hand;
     mover_.move(frame, sound ? tuning.workspace : WorkspaceTuning{},
                 {tool_.hand_m, buttons, length(wanted_n_), ceiling_n(tuning), &tool_.contacts}, scale, dt_s);
@@ -258,7 +260,7 @@ void ServoState::move_workspace(WorkspaceFrame& frame, const ServoTuning& tuning
     if (now == WorkspaceMotion::Grabbed) tell(ContactEventKind::Grabbed);
 }
 
-// The touch tuning that the device can render at its measured rate.
+// Returns the touch tuning, with the stiffness reduced to what the device can render at its measured rate.
 render::TouchTuning ServoState::tuned(const ServoTuning& tuning) const noexcept {
     render::TouchTuning touch = tuning.touch;
     const double damping =
@@ -275,7 +277,7 @@ double ServoState::ceiling_n(const ServoTuning& tuning) const noexcept {
     return std::min(tuning.force_ceiling_n, spec_.peak_force_n);
 }
 
-// Handles the wall towards the person's body, from whichever side the hand meets it.
+// Handles the wall towards the person's body, whether the hand meets it from the world or from the desk.
 void ServoState::meet_wall(const render::HapticScene* desk, const ServoTuning& tuning, WorkspaceFrame& frame,
                            double scale, double dt_s) noexcept {
     const bool was_at_desk = tool_.desk.open;
@@ -292,16 +294,17 @@ void ServoState::meet_wall(const render::HapticScene* desk, const ServoTuning& t
     const bool whole = there && fault_ == Fault::None && !tool_.waiting_for_hand &&
                        mover_.ceiling_n() == std::numeric_limits<double>::infinity();
     const Vec3 wall_was_n = space_.force_n();
-    // A surface that blocks the way to the desk gives way to a sustained pull.
+    // A surface that blocks the path to the desk lets the hand through after a sustained pull.
     const bool pulled = pull_through_.tick(tool_.hand_m, held_n_, spec_.workspace_radius_m,
                                            whole && !was_at_desk && tool_.pause == Fault::None, dt_s);
     const bool through = space_.tick(tool_.hand_m, wall, whole, dt_s) || pulled;
     if (!through && !(was_at_desk && !there)) return;
-    // Forces on this side other than the wall's decay as the wall's own force does.
+    // The other forces on this side disappear with this step. They decay like the wall's own force.
     const double gain = limiter_.gain();
     leftover_.begin(gain > 0.0 ? limiter_.last_n() / gain - wall_was_n : Vec3(0.0), touch.rated_stiffness_n_per_m);
     if (!was_at_desk) return sit_down();
-    // The proxy is where it was. The workspace shifts so that the hand coincides with it and nothing presses.
+    // The proxy is still at its old place in the world. The workspace is shifted so that the hand coincides with the
+    // proxy and presses nothing.
     stand_up();
     const Vec3 way_m = tool_.proxy_m - frame.to_world(tool_.hand_m, scale);
     mover_.shift(way_m);
@@ -338,7 +341,7 @@ void ServoState::stand_up() noexcept {
         {ContactEventKind::DeskLeft, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0, Fault::None});
 }
 
-// The desk is felt at scale 1, in the device's own frame. The hand's state in the world stays unchanged.
+// Computes the forces of the desk at scale 1, in the device's own frame. The hand's state in the world stays unchanged.
 void ServoState::touch_desk(const render::HapticScene& desk, const ServoTuning& tuning, double dt_s) noexcept {
     render::TouchTuning touch = tuned(tuning);
     touch.world_m_per_hand_m = 1.0;
@@ -346,7 +349,7 @@ void ServoState::touch_desk(const render::HapticScene& desk, const ServoTuning& 
     const render::TouchResult result = render::touch_tick(desk_touch_, desk, touch, tool_.hand_m, dt_s);
     tool_.hip_m = tool_.proxy_m;
     if (!is_finite(result.proxy_m)) {
-        wanted_n_ = Vec3(std::numeric_limits<double>::quiet_NaN());  // the limiter turns this into a fault
+        wanted_n_ = Vec3(std::numeric_limits<double>::quiet_NaN());  // the limiter turns the NaN into a fault
         return;
     }
     wanted_n_ = result.force_n;
@@ -373,7 +376,7 @@ void ServoState::touch(const render::HapticScene& scene, const ServoTuning& tuni
     const double scale = touch.world_m_per_hand_m;
     Vec3 carried_m{0.0};
     if (goal_known_) {
-        // A hand that drags the world along does not move through it.
+        // A hand that drags the world along does not move through the world.
         carried_m = mover_.motion() == WorkspaceMotion::Grabbed ? goal_m - goal_m_
                                                                 : frame.to_world(hand_at_goal_m_, scale) - goal_m_;
         const Vec3 velocity = (goal_m - goal_m_) / (scale * dt_s);
@@ -398,7 +401,7 @@ void ServoState::touch(const render::HapticScene& scene, const ServoTuning& tuni
     held_n_ = frame.turn_to_device(result.contact_force_n);
     if (is_finite(result.proxy_m)) mover_.give_way(goal_m, result.proxy_m, length(result.contact_force_n));
     if (!is_finite(result.proxy_m)) {
-        wanted_n_ = Vec3(std::numeric_limits<double>::quiet_NaN());  // the limiter turns this into a fault
+        wanted_n_ = Vec3(std::numeric_limits<double>::quiet_NaN());  // the limiter turns the NaN into a fault
         return;
     }
     tool_.proxy_m = result.proxy_m;
@@ -412,7 +415,8 @@ void ServoState::touch(const render::HapticScene& scene, const ServoTuning& tuni
     tracker_.update(result, velocity_m_per_s_, scale, tool_.time_s, dt_s, events_);
 }
 
-// Feel of the free bodies, from the person's strength in the world and from what the device can render.
+// Returns the tuning of the free bodies, which depends on the person's strength in the world and on what the device can
+// render.
 BodyFeel ServoState::body_feel(const ServoTuning& tuning, const render::TouchTuning& touch) const noexcept {
     BodyFeel feel;
     feel.world_m_per_hand_m = touch.world_m_per_hand_m;
@@ -423,8 +427,8 @@ BodyFeel ServoState::body_feel(const ServoTuning& tuning, const render::TouchTun
     return feel;
 }
 
-// Moves the free bodies by the part of the force that the limiter let through. A device that is silent for a moment
-// changes nothing.
+// Moves the free bodies by the share of the force that the limiter passed. If the device is silent for a moment,
+// nothing changes.
 void ServoState::move_bodies(HandBodyServo& engine, bool met, bool silent, const Vec3& force_n, double dt_s) noexcept {
     if (met) {
         const double wanted_n = length(wanted_n_);
@@ -439,7 +443,7 @@ void ServoState::move_bodies(HandBodyServo& engine, bool met, bool silent, const
     }
 }
 
-// Adds the guidance to the touch force. The hand is led only if force may act at all.
+// Adds the guidance to the touch force. It guides the hand only while force may act at all.
 void ServoState::guide(const GuidancePath& path, const WorkspaceFrame& frame, double scale, bool allowed,
                        double dt_s) noexcept {
     wanted_n_ += frame.turn_to_device(guidance_.tick(path, tool_.hip_m, scale, spec_.peak_force_n, allowed, dt_s));
@@ -466,7 +470,7 @@ device::ForceCommand servo_tick(ServoState& state, const TickInputs& given) noex
     s.events_.count = 0;
     s.events_.lost = 0;
 
-    // 1. Time.
+    // 1. Measures the time since the last tick.
     const bool first = s.tool_.ticks == 0;
     const double dt_s = first ? kNominalPeriodS : std::max(now_s - s.tool_.time_s, kShortestPeriodS);
     s.tool_.time_s = now_s;
@@ -485,16 +489,16 @@ device::ForceCommand servo_tick(ServoState& state, const TickInputs& given) noex
     }
     s.confirm(sample, tuning.confirm);
 
-    // 2. The workspace in the world, and changes that invalidate everything felt before.
+    // 2. Computes the workspace's pose in the world, and handles changes that make everything felt before invalid.
     const bool jumped = s.playback_.give(pose, now_s);
     WorkspaceFrame frame = s.playback_.at(now_s, dt_s);
     const double scale = tuning.touch.world_m_per_hand_m;
     const std::uint32_t generation = scene ? scene->generation : 0;
     if (jumped || scale != s.scale_ || (!scene && s.tool_.scene_generation != 0)) s.start_over();
     if (jumped) s.mover_.recentre();
-    // A held body does not come along to another place or scale.
+    // A held body stays where it is when the workspace jumps to another place or scale.
     if (engine && (jumped || scale != s.scale_ || long_gap)) engine->leave();
-    // In another world the force ramps in. In the same world with objects added or removed, the proxy prevents a knock.
+    // In another world the force ramps in. In the same world with things added or removed, the proxy prevents a knock.
     const std::uint32_t world = scene ? scene->world : 0;
     if (world != s.tool_.scene_world) {
         s.limiter_.restart();
@@ -504,7 +508,7 @@ device::ForceCommand servo_tick(ServoState& state, const TickInputs& given) noex
     s.scale_ = scale;
     s.tool_.scene_generation = generation;
 
-    // 3. The sample.
+    // 3. Checks the sample.
     const ServoState::Answer answer = s.judge(sample, frame, scale, dt_s);
     if (long_gap) {
         s.raise(Fault::Stalled, false);
@@ -513,20 +517,21 @@ device::ForceCommand servo_tick(ServoState& state, const TickInputs& given) noex
     }
     s.watch_pauses(tuning);
 
-    // 4. Touch.
+    // 4. Computes the touch.
     s.since_touch_s_ = std::min(s.since_touch_s_ + dt_s, kLongestTouchStepS);
     bool meets_bodies = false;
     const double touched_for_s = s.since_touch_s_;
     if (answer == ServoState::Answer::Good) {
         std::uint32_t buttons = s.tool_.buttons;
-        // A button that holds a body does not move the workspace.
+        // A button that holds a body must not move the workspace.
         if (engine && engine->grip(tuning.bodies, buttons, now_s, s.tool_.hip_m))
             buttons &= ~tuning.bodies.grip_buttons;
         if (!s.tool_.desk.open) s.move_workspace(frame, tuning, buttons, scale, s.since_touch_s_);
         const bool wall = tuning.personal_space | s.tool_.desk.open;
         if (wall) s.meet_wall(desk, tuning, frame, scale, s.since_touch_s_);
         if (s.tool_.desk.open) {
-            s.touch_desk(*desk, tuning, s.since_touch_s_);  // the world is paused
+            // While the hand is at the desk, its state in the world is frozen.
+            s.touch_desk(*desk, tuning, s.since_touch_s_);
         } else if (scene) {
             render::BodyPoses poses;
             if (bodies && !scene->bodies.empty()) poses = s.bodies_.at(*bodies, *scene, s.playback_.played_s(), jumped);
@@ -549,7 +554,7 @@ device::ForceCommand servo_tick(ServoState& state, const TickInputs& given) noex
         s.since_touch_s_ = 0.0;
     }
 
-    // 5. The limiter: the only path by which force reaches the device.
+    // 5. Applies the limiter, the only path by which force reaches the device.
     double fade_s = 0.0;
     const render::ForceFlow flow = s.flow(tuning, scene != nullptr, long_gap, fade_s);
     const double ceiling_n = std::min({tuning.force_ceiling_n, s.spec_.peak_force_n, s.mover_.ceiling_n()});
@@ -559,7 +564,7 @@ device::ForceCommand servo_tick(ServoState& state, const TickInputs& given) noex
     s.heat_.add(length(force_n), s.spec_.sustained_share * s.spec_.peak_force_n, dt_s);
     if (s.heat_.too_warm()) s.raise(Fault::TooHot, true);
 
-    // 6. The published state.
+    // 6. Updates the published state.
     ToolState& tool = s.tool_;
     tool.force_n = frame.turn_to_world(force_n);
     tool.force_gain = s.limiter_.gain();

@@ -1,5 +1,5 @@
-// One millisecond of the hand: sample checks, workspace map, touch, faults, ForceLimiter. A plain function over plain
-// state, the same in the servo thread, in scenarios and in tests. Never allocates, locks, throws, logs or reads a
+// One millisecond of the hand: sample checks, workspace map, touch, faults, ForceLimiter. It is a plain function over
+// plain state, which the servo thread, scenarios and tests all use. Never allocates, locks, throws, logs or reads a
 // clock.
 #pragma once
 
@@ -22,63 +22,69 @@
 namespace handrail::servo {
 
 struct ServoTuning {
-    // touch.rated_stiffness_n_per_m is the requested stiffness; the servo lowers it to effective_stiffness_n_per_m at
-    // the measured rate. A change of touch.world_m_per_hand_m has the effect of a jump of the workspace.
+    // Settings of the renderer. touch.rated_stiffness_n_per_m is the requested stiffness; the servo reduces it to
+    // effective_stiffness_n_per_m() at the measured rate. A change of touch.world_m_per_hand_m has the effect of a jump
+    // of the workspace.
     render::TouchTuning touch;
-    double force_ceiling_n = 2.5;  // chosen by the person; the device's peak also limits the force
-    bool forces_on = true;         // f key: true ramps up over 1 s, false fades over 75 ms
-    bool panic = false;            // F12: zero force in this very tick, until cleared
-    bool focused = true;  // the window has the keyboard; on loss the force fades over 75 ms, on return it ramps up
-    // Dead-man mode: force only while a button of the device is held; on release it fades over 75 ms.
+    double force_ceiling_n = 2.5;  // the person's choice; the device's peak force is a limit too
+    bool forces_on = true;         // set by the f key: true ramps the force in over 1 s, false fades it out over 75 ms
+    bool panic = false;            // set by F12: zero force in this very tick, until cleared
+    // The window has the keyboard focus. When it loses the focus, the force fades out over 75 ms; when it returns, the
+    // force ramps in.
+    bool focused = true;
+    // Dead-man mode: there is force only while a button of the device is held. When the button is released, the force
+    // fades out over 75 ms.
     bool button_to_feel = false;
-    std::uint32_t stops_let_go = 0;  // the value of ServoSwitches::stops up to which the person has restored the force
-    std::uint32_t confirm = 0;       // a new number clears a latched fault (ramp of 1 s) if its cause is gone
+    // The number of stops (ServoSwitches::stops) after which the person has restored the force.
+    std::uint32_t stops_let_go = 0;
+    // A new number clears a latched fault if its cause has ended. The force then ramps in over 1 s.
+    std::uint32_t confirm = 0;
     WorkspaceTuning workspace;
-    // Enables the wall towards the person's body and the desk behind it. Without it the tick pays one comparison.
+    // Enables the wall towards the person's body and the desk behind it. If it is off, the tick costs one comparison.
     bool personal_space = false;
-    BodyTuning bodies;  // matters only in a world with free bodies
+    BodyTuning bodies;  // used only in a world with free bodies
 };
 
-// What the hand does at the desk. Device frame, because the desk does not move relative to the person.
+// State of the hand at the desk, in the device frame, because the desk does not move relative to the person.
 struct DeskTouch {
-    // The hand is at the desk; hip_m and proxy_m of ToolState then say where in the world it returns to.
+    // The hand is at the desk. The hip_m and proxy_m of ToolState are then the places in the world to which it returns.
     bool open = false;
-    std::uint32_t visits = 0;  // number of visits
+    std::uint32_t visits = 0;  // number of visits to the desk
     Vec3 hip_m{0.0}, proxy_m{0.0};
-    FeatureId touched = kNoFeature;  // feature of the desk's scene
-    FeatureId held = kNoFeature;     // the feature that is pressed, by a push or the device's button
+    FeatureId touched = kNoFeature;  // touched feature of the desk's scene
+    FeatureId held = kNoFeature;     // the feature that the hand presses, by a push or the device's button
     std::uint32_t presses = 0;       // number of presses since the start
     double press_n = 0.0;            // force of the contact, before any ceiling
 };
 
-// The state of the hand for the app and the audio thread; published each tick.
+// State of the hand for the app and the audio thread, published in each tick.
 struct ToolState {
     double time_s = 0.0;
-    Vec3 hip_m{0.0}, proxy_m{0.0};  // world
-    Vec3 hand_m{0.0};               // device frame, the last good sample
+    Vec3 hip_m{0.0}, proxy_m{0.0};  // in the world
+    Vec3 hand_m{0.0};               // last good sample, device frame
     double ball_radius_m = 0.0;
-    Vec3 force_n{0.0};        // commanded, world axes, after the limiter
-    double force_gain = 0.0;  // of the ramp, 0 to 1
+    Vec3 force_n{0.0};        // commanded force after the limiter, world axes
+    double force_gain = 0.0;  // gain of the ramp, 0 to 1
     render::ContactSet contacts;
-    FeatureId soft = kNoFeature;  // the soft feature that yields under the hand
-    double soft_n = 0.0;          // force of that soft feature, before any ceiling; 0: none yields
+    FeatureId soft = kNoFeature;  // the soft feature that yields to the hand
+    double soft_n = 0.0;          // force of that soft feature, before any ceiling; 0 if there is none
     double contact_n = 0.0;       // force of the contacts, before any ceiling
     FeatureId liquid = kNoFeature;
     std::uint32_t buttons = 0;
-    Vec3 gimbal_rad{0.0};         // angles of the grip, on devices that measure them
+    Vec3 gimbal_rad{0.0};         // angles of the grip, if the device measures them
     std::uint8_t homed_legs = 0;  // DeviceSample::homed_legs
-    Fault fault = Fault::None;    // latched or currently present
-    bool fault_latched = false;   // needs a new ServoTuning::confirm
-    bool fault_lasts = false;     // the cause persists, so a confirmation would have no effect
-    Fault pause = Fault::None;    // FocusLost or ButtonReleased: why the force pauses although nothing is wrong
-    double warmth = 0.0;          // of the motors by the heat budget; at 1 the force fades out
-    // No force until the hand has moved by 3 mm, since the start or since the device was plugged in again.
+    Fault fault = Fault::None;    // the fault that is latched or currently present
+    bool fault_latched = false;   // the fault needs a new ServoTuning::confirm
+    bool fault_lasts = false;     // the cause of the fault persists, so a confirmation would have no effect
+    Fault pause = Fault::None;    // FocusLost or ButtonReleased if the force pauses although nothing is wrong
+    double warmth = 0.0;          // warmth of the motors by the heat budget; at 1 the force fades out
+    // There is no force until the hand has moved by 3 mm, after the start or after the device was plugged in again.
     bool waiting_for_hand = true;
-    double contact_s = 0.0;  // contact time since the start, for the hint to take a break
+    double contact_s = 0.0;  // total time of contact since the start; used for the hint to take a break
     std::uint64_t ticks = 0;
-    double rate_hz = 0.0;  // measured over the last second; 0 during the first
+    double rate_hz = 0.0;  // ticks per second, measured over the last second; 0 during the first second
     std::uint32_t scene_generation = 0, scene_world = 0;
-    // How the hand has moved its workspace since the pose's last jump, and the number of that jump.
+    // How the hand has moved its workspace since the last jump of the pose, and the number of that jump.
     WorkspaceMotion workspace_motion = WorkspaceMotion::Still;
     bool workspace_at_limit = false;
     Vec3 workspace_shift_m{0.0};
@@ -87,12 +93,14 @@ struct ToolState {
     GuidanceState guidance;
     std::uint32_t holds = render::kNoBody;  // the free body that the hand holds; index in DynamicsScene::bodies
     std::uint32_t heavy =
-        render::kNoBody;        // the last body that was pushed or lifted with all available force and did not move
-    std::uint32_t heavies = 0;  // number of such events since the start
+        // The last body that did not move although the hand pushed or lifted it with all available force.
+        render::kNoBody;
+    std::uint32_t heavies = 0;  // number of such bodies since the start
 
-    // Returns true if something resists the hand or yields under it.
+    // Returns true if a surface resists the hand or yields to it.
     bool touches() const noexcept { return contacts.count > 0 || soft_n > 0.0; }
-    // The feature that pushes back hardest; kNoFeature if nothing does, or if it has no name.
+    // Returns the feature that pushes back hardest. Returns kNoFeature if nothing pushes back, or if that surface has
+    // no name.
     FeatureId touched() const noexcept {
         if (soft_n > 0.0 && (contacts.count == 0 || soft_n > contact_n)) return soft;
         return contacts.count > 0 ? contacts.contacts[contacts.strongest].feature : kNoFeature;
@@ -103,37 +111,38 @@ struct ToolState {
     }
 };
 
-// Counted since the start.
+// Counts since the start.
 struct ServoCounters {
     PeriodHistogram periods;
-    std::uint64_t bad_samples = 0;  // not finite, out of reach, or jumped
-    std::uint64_t held_gaps = 0;    // gaps of 5 to 25 ms without a tick or an answer: the force was held, then resumed
-    std::uint64_t long_gaps = 0;    // longer gaps: zero force, then a ramp
+    std::uint64_t bad_samples = 0;  // samples that were not finite, were out of reach or had jumped
+    // Gaps of 5 to 25 ms without a tick or an answer, over which the motors held the force.
+    std::uint64_t held_gaps = 0;
+    std::uint64_t long_gaps = 0;  // longer gaps, after which the force was zero and then ramped in
     std::uint64_t lost_events = 0;
-    std::uint64_t waits = 0;  // ticks that needed more work than their budget (ContactSet::waits)
+    std::uint64_t waits = 0;  // ticks with more work than their budget (ContactSet::waits)
 };
 
-// The inputs of one tick. Nothing is kept beyond the tick.
+// The inputs of one tick. The servo keeps no reference to them after the tick.
 struct TickInputs {
-    const render::HapticScene* scene = nullptr;  // null: none yet, so no contact and no force
+    const render::HapticScene* scene = nullptr;  // null: no scene yet, so no contact and no force
     const ServoTuning& tuning;
-    const WorkspacePose& pose;  // the newest known pose; may be the same as before
+    const WorkspacePose& pose;  // the newest known pose; may be the same as in the last tick
     const device::DeviceSample& sample;
-    double now_s = 0.0;                 // time of the clock of WorkspacePose::time_s; rises from tick to tick
-    const BodyFrame* bodies = nullptr;  // the newest known frame; null: the bodies stand where the scene has them
+    double now_s = 0.0;  // time of the tick, by the clock of WorkspacePose::time_s; rises from tick to tick
+    const BodyFrame* bodies = nullptr;  // the newest known frame; null: each body has its pose from the scene
     const render::HapticScene* desk =
-        nullptr;                             // behind the wall of ServoTuning::personal_space, device frame; null: none
+        nullptr;  // scene of the desk, behind the wall of ServoTuning::personal_space; device frame; null: none
     const GuidancePath* guidance = nullptr;  // the newest known path; null or number 0: no guidance
-    HandBodyServo* engine = nullptr;         // this hand's side of the scene's free bodies; null: there are none
+    HandBodyServo* engine = nullptr;         // this hand's data for the scene's free bodies; null: there are none
 };
 
-// All state that lasts from tick to tick. Allocates when created; after that one thread owns it.
+// All state of the servo that lasts from tick to tick. It allocates when it is created; after that one thread owns it.
 class ServoState {
 public:
-    static constexpr double kJumpM = 0.020;  // farthest that a hand may move from one tick to the next
+    static constexpr double kJumpM = 0.020;  // greatest distance that a hand can move from one tick to the next
     static constexpr int kBadSamplesLatch = 3;
     static constexpr double kFirstMovementM = 0.003;
-    static constexpr double kShortGapS = 0.005;  // shorter gaps are ordinary thread jitter
+    static constexpr double kShortGapS = 0.005;  // shorter gaps count as ordinary thread jitter
     static constexpr double kLongGapS = 0.025;
 
     explicit ServoState(const device::DeviceSpec& spec);
@@ -160,7 +169,7 @@ private:
     void move_workspace(WorkspaceFrame& frame, const ServoTuning& tuning, std::uint32_t buttons, double scale,
                         double dt_s) noexcept;
     Answer judge(const device::DeviceSample& sample, const WorkspaceFrame& frame, double scale, double dt_s) noexcept;
-    // Two instances, so that a world without free bodies pays nothing.
+    // Compiled in two versions, so that a world without free bodies has no cost for them.
     template <bool kFree>
     void touch(const render::HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame,
                const Vec3& goal_m, double dt_s, const render::BodyPoses& bodies, HandBodyServo* engine) noexcept;
@@ -183,11 +192,11 @@ private:
     WorkspaceMover mover_;
     PersonalSpace space_;
     PullThrough pull_through_;
-    Vec3 held_n_{0.0};  // device frame, force of what the hand touches in the world
+    Vec3 held_n_{0.0};  // force of the touched surfaces of the world, device frame
     LeftoverForce leftover_;
     DeskPress press_;
     render::TouchState desk_touch_;
-    Vec3 met_m_{0.0};  // device frame, position of the hand when meet_wall() last ran
+    Vec3 met_m_{0.0};  // position of the hand when meet_wall() last ran, device frame
     bool met_ = false;
     BodyPlayback bodies_;
     ContactTracker tracker_;
@@ -200,28 +209,28 @@ private:
 
     Fault fault_ = Fault::None;
     bool fault_latched_ = false;
-    bool place_lost_ = false;      // the fault made everything felt before invalid
-    bool pause_told_ = false;      // tool_.pause took a force away, so its end is reported too
+    bool place_lost_ = false;      // the fault has made everything felt before invalid
+    bool pause_told_ = false;      // tool_.pause took a force away and was reported, so its end is reported too
     double window_start_s_ = 0.0;  // start of the window in which the rate is measured
     std::uint64_t window_ticks_ = 0;
-    double mean_period_s_ = 1e-3;  // between answers of the device, one pole of 1 s
+    double mean_period_s_ = 1e-3;  // mean time between answers of the device, filtered with one pole of 1 s
     double since_answer_s_ = 0.0;
     double since_touch_s_ = 0.0;
-    double keep_off_s_ = 0.0;  // remaining time without force, because stalls came again during the ramp
+    double keep_off_s_ = 0.0;  // remaining time without force, because another stall came during the ramp
     double scale_ = 0.0;       // world metres per hand metre in the last tick
     std::uint32_t confirm_seen_ = 0;
-    int bad_run_ = 0;  // number of bad answers in a row
+    int bad_run_ = 0;  // number of bad samples in a row
     Fault bad_kind_ = Fault::None;
     bool connected_ = false;
-    bool trusts_last_ = false;  // the next sample must be near tool_.hand_m
+    bool trusts_last_ = false;  // the next sample must be near tool_.hand_m, or it counts as a jump
     bool has_first_ = false;
-    Vec3 first_m_{0.0};  // position of the hand when it was first seen
+    Vec3 first_m_{0.0};  // first known position of the hand
     double hurry_s_ = render::ForceLimiter::kFadeS;
-    Vec3 wanted_n_{0.0};  // device frame, before the limiter; held while the device is silent
+    Vec3 wanted_n_{0.0};  // force before the limiter, device frame; held while the device is silent
     bool goal_known_ = false;
     Vec3 goal_m_{0.0};
-    Vec3 hand_at_goal_m_{0.0};    // device frame, position of the hand when the goal was goal_m_
-    Vec3 velocity_m_per_s_{0.0};  // hand metres, world axes, one pole at 50 Hz
+    Vec3 hand_at_goal_m_{0.0};    // position of the hand when the goal was goal_m_, device frame
+    Vec3 velocity_m_per_s_{0.0};  // velocity of the hand, hand metres, world axes, filtered with one pole at 50 Hz
 };
 
 // Runs one tick. The stages are numbered in the source. Servo thread; never allocates, locks, throws or reads a clock.

@@ -8,8 +8,8 @@
 namespace handrail::servo {
 namespace {
 
-constexpr double kMarginS = 0.004;  // a frame may be this late before the playback must wait for it
-// Poses farther apart are not one movement: the walker stood still, or the app hung.
+constexpr double kMarginS = 0.004;  // how late a pose may arrive before the playback must wait for it
+// Longest time between two poses of one movement. If it is longer, the walker stood still or the app hung.
 constexpr double kLongestFrameS = 0.1;
 constexpr double kCatchUpS = 0.1;  // time constant with which the playback adjusts its lag
 constexpr double kMostCatchUp = 0.1;
@@ -18,14 +18,14 @@ constexpr double kTurn = 2.0 * kPi;
 }  // namespace
 
 void sin_cos_of_heading(double heading_rad, double& sine, double& cosine) noexcept {
-    // Quarter turns are subtracted in two parts, so that the rest keeps its digits (Cody & Waite, Software Manual for
-    // the Elementary Functions).
+    // Quarter turns are subtracted in two parts, so that the remainder keeps its precision (Cody & Waite, Software
+    // Manual for the Elementary Functions).
     constexpr double kHalfPiHigh = 1.57079632673412561417e+00;  // the first 33 bits of pi / 2
     constexpr double kHalfPiLow = 6.07710050650619224932e-11;
     const double quarters = std::floor(heading_rad * (2.0 / kPi) + 0.5);
     const double x = (heading_rad - quarters * kHalfPiHigh) - quarters * kHalfPiLow;
     const double x2 = x * x;
-    // Taylor series on |x| <= pi/4: the first term left out is below 1e-18.
+    // Taylor series for |x| <= pi/4. The first omitted term is below 1e-18.
     double s = 0.0, c = 0.0;
     for (int n = 17; n >= 3; n -= 2) s = (s + (n % 4 == 1 ? 1.0 : -1.0)) * x2 / (n * (n - 1));
     s = x * (1.0 + s);
@@ -82,8 +82,8 @@ bool PosePlayback::give(const WorkspacePose& newest, double now_s) noexcept {
     const double interval_s = newest.time_s - pose(count_ - 1).time_s;
     if (!(interval_s > 0.0)) return false;
     if (interval_s > kLongestFrameS) {
-        // The playback has been waiting at the last pose for long. It leaves from there about one frame before the new
-        // one.
+        // The playback has been waiting at the last pose for long. The movement starts there, about one frame before
+        // the new pose.
         WorkspacePose still = pose(count_ - 1);
         still.time_s = newest.time_s - wait_s_;
         count_ = 0;
@@ -111,7 +111,7 @@ WorkspaceFrame PosePlayback::at(double now_s, double dt_s) noexcept {
     const WorkspacePose& b = pose(1);
     const double part = (play_s_ - a.time_s) / (b.time_s - a.time_s);
     tick_assert(part >= 0.0 && part <= 1.0);
-    double turn = b.heading_rad - a.heading_rad;  // corrected to the shorter way round on the next line
+    double turn = b.heading_rad - a.heading_rad;  // the next line makes it the shorter rotation
     turn -= kTurn * std::floor((turn + kPi) / kTurn);
     return frame(a.origin_m + (b.origin_m - a.origin_m) * part, a.heading_rad + turn * part);
 }

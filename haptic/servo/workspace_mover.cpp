@@ -11,30 +11,36 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The rim is the outer fifth of the workspace radius: ridge, fall and scrolling zone.
-constexpr double kRimTop = 0.86, kRimPast = 0.9;  // shares of the radius; the rim begins at kRimFrom
-constexpr double kRidge_n = 0.5;                  // clearly felt, far below a wall's 2.5 N
+// The rim is the outer fifth of the workspace radius. It consists of the ridge, the fall of the force behind it, and
+// the scrolling zone.
+// Ends of ridge and fall, as shares of the radius; the rim begins at kRimFrom.
+constexpr double kRimTop = 0.86, kRimPast = 0.9;
+constexpr double kRidge_n = 0.5;  // force of the ridge; clearly felt, far below a wall's 2.5 N
 constexpr double kBeyond_n = 0.1;
-// Share of the device's rated stiffness at most, because a wall may be felt as well.
+// Greatest stiffness of the ridge as a share of the device's rated stiffness. It is low because a wall may be felt at
+// the same time.
 constexpr double kRidgeStiffness = 0.3;
-constexpr double kFastestScroll_hand_m_per_s = 0.05;  // three metres a second at scale 60
-constexpr double kBackPart = 0.8;  // share of the way from top to past; a hand that comes back to here stops scrolling
+constexpr double kFastestScroll_hand_m_per_s = 0.05;  // greatest speed of scrolling; three metres a second at scale 60
+// Position between top and past at which a hand that moves back in stops scrolling; 0 is top, 1 is past.
+constexpr double kBackPart = 0.8;
 
-constexpr double kMovingContact_n = 0.08;  // together with the rim's kBeyond_n still below kMovingForceN
+// Contact force while the workspace moves; together with the rim's kBeyond_n it is still below kMovingForceN.
+constexpr double kMovingContact_n = 0.08;
 constexpr double kMovingTotal_n = 0.19;
-constexpr double kEase_n_per_s = 33.0;  // 2.5 N are gone after 75 ms, as in every fade
+// Rate at which the contact force is reduced; 2.5 N are gone after 75 ms, as in every fade.
+constexpr double kEase_n_per_s = 33.0;
 constexpr double kBack_n_per_s = 5.0;
 constexpr double kRimGainMoving = 0.2;
 constexpr double kRimGain_per_s = 60.0;
 
-// Removes from the motion every component that goes into a contact.
+// Removes from the motion every component that points into a contact.
 Vec3 along_contacts(Vec3 motion, const render::ContactSet& contacts) noexcept {
     for (int round = 0; round < 2; ++round)
         for (std::size_t i = 0; i < contacts.count; ++i) {
             const Vec3& normal = contacts.contacts[i].normal;
             motion -= normal * std::min(0.0, glm::dot(motion, normal));
         }
-    // In a narrow corner, removing one component may bring another back.
+    // In a narrow corner, removing one such component may bring another back; then there is no motion.
     for (std::size_t i = 0; i < contacts.count; ++i)
         if (glm::dot(motion, contacts.contacts[i].normal) < -1e-9 * length(motion)) return Vec3(0.0);
     return motion;
@@ -78,8 +84,8 @@ Vec3 WorkspaceMover::rim_force_n() const noexcept {
 
 double WorkspaceMover::ceiling_n() const noexcept {
     if (motion_ != WorkspaceMotion::Still) return std::max(kMovingTotal_n, contact_ceiling_n_);
-    // The rim's force is not clamped on the way back in: a ceiling that rises with time would act as a spring being
-    // wound up.
+    // The rim's force is not limited on the way back in. A limit that rises with time would act like a spring that is
+    // wound up while the hand presses it.
     return std::max(kMovingTotal_n, contact_ceiling_n_) + length(rim_force_n());
 }
 
@@ -100,10 +106,10 @@ Vec3 WorkspaceMover::wish_m(const WorkspaceFrame& frame, const WorkspaceTuning& 
 
 void WorkspaceMover::move(WorkspaceFrame& frame, const WorkspaceTuning& tuning, const Hand& hand,
                           double world_m_per_hand_m, double dt_s) noexcept {
-    // 1. What the hand requests.
+    // 1. Decides which motion the hand requests.
     const WorkspaceMotion before = motion_;
     out_m_ = hand.at_m;
-    // The distance stays smooth there, and so does the force.
+    // The distance is smooth at the border of this region, and so is the force.
     if (tuning.rim_open_behind) out_m_.y = std::max(0.0, out_m_.y);
     distance_m_ = length(out_m_);
     rim_on_ = tuning.rim;
@@ -114,7 +120,8 @@ void WorkspaceMover::move(WorkspaceFrame& frame, const WorkspaceTuning& tuning, 
     else if (tuning.push_hand_m_per_s != Vec3(0.0)) motion_ = WorkspaceMotion::Pushed;
     else motion_ = WorkspaceMotion::Still;
 
-    // 2. The contact force that may be felt: lowered before anything moves, raised again afterwards.
+    // 2. Limits the contact force that the hand may feel. The limit falls before the workspace moves, and rises again
+    //   afterwards.
     if (motion_ != WorkspaceMotion::Still) {
         contact_ceiling_n_ = std::min(contact_ceiling_n_, std::min(hand.wanted_n, hand.ceiling_n));
         contact_ceiling_n_ = std::max(kMovingContact_n, contact_ceiling_n_ - kEase_n_per_s * dt_s);
@@ -126,7 +133,7 @@ void WorkspaceMover::move(WorkspaceFrame& frame, const WorkspaceTuning& tuning, 
     else if (motion_ == WorkspaceMotion::Grabbed || motion_ == WorkspaceMotion::Pushed)
         rim_gain_ = std::max(kRimGainMoving, rim_gain_ - kRimGain_per_s * dt_s);
 
-    // 3. The motion, once the force is low enough.
+    // 3. Moves the workspace, once the contact force is low enough.
     at_limit_ = false;
     if (motion_ != WorkspaceMotion::Still && contact_ceiling_n_ < kMovingForceN) {
         const Vec3 wish = wish_m(frame, tuning, hand, world_m_per_hand_m, dt_s);
