@@ -1,6 +1,7 @@
-// The loop of the audio thread: 200 times a second it takes the hand's contact events and the app's requests, and lets
-// CuePlanner drive the sinks. It owns the planner and both sinks from start() to stop(). The app thread owns this
-// object and everything below that is marked so. step() is the whole body of the loop, so virtual time needs no thread.
+// The loop of the audio thread. 200 times a second it takes the contact events of the hands and the app's requests, and
+// lets CuePlanner drive the sinks. It owns the planner and both sinks from start() to stop(). The app thread owns this
+// object and calls the functions that are marked "App thread". step() contains the whole body of the loop, so the owner
+// can also step it in virtual time without a thread.
 #pragma once
 
 #include <array>
@@ -25,43 +26,46 @@ namespace handrail::cues {
 
 class AudioThread final : public EarsInbox {
 public:
-    using ContactRing = SpscRing<servo::ContactEvent, 1024>;  // ServoLoop::EventRing
+    using ContactRing = SpscRing<servo::ContactEvent, 1024>;  // the same type as ServoLoop::EventRing
     static constexpr double kPeriod_s = 0.005;
-    static constexpr double kFade_s = 0.030;  // keeps ticking for this long at the end, so that nothing clicks
+    // At the end, the loop keeps ticking for this long, so that the sound ends without a click.
+    static constexpr double kFade_s = 0.030;
 
-    // Clock and rings must outlive this object. A ring may be null if there is no such hand; the second one is the left
-    // hand's, if there are two. The clock must be the one that times contact events.
+    // Clock and rings must outlive this object. A ring is null if there is no such hand; the second ring is that of the
+    // left hand if there are two hands. The clock must be the one that times the contact events.
     AudioThread(std::shared_ptr<AudioSink> audio, std::shared_ptr<SpeechSink> speech, Clock& clock,
                 ContactRing* contacts, const settings::Settings& settings, ContactRing* left_contacts = nullptr);
     ~AudioThread() override;
     AudioThread(const AudioThread&) = delete;
     AudioThread& operator=(const AudioThread&) = delete;
 
-    // What one step took from the other loops.
+    // The inputs that one step took from the other loops.
     struct Step {
         double now_s = 0.0;
-        std::uint32_t contacts = 0, left_contacts = 0;  // events taken
-        std::uint32_t posts = 0;  // calls of the app since the last step: all those below that change what is heard
+        std::uint32_t contacts = 0, left_contacts = 0;  // number of contact events of each hand
+        std::uint32_t posts = 0;  // number of the app's calls since the last step that change what is heard
     };
-    // For a recorder; set it before the start. Called on the audio thread. The time of a step is then a whole number of
-    // microseconds.
+    // For a recorder. Set it before the start. The audio thread calls both functions. With a listener, the time of each
+    // step is a whole number of microseconds.
     struct StepListener {
-        std::function<void(double now_s)> begins;  // called before anything is heard in the step
+        std::function<void(double now_s)> begins;  // called before anything sounds or is spoken in the step
         std::function<void(const Step&)> ends;
     };
     void tell_steps(StepListener listener) { step_listener_ = std::move(listener); }
 
-    // Replaces stop() when the owner steps it: drops everything that waits to be said or played.
+    // For an owner that steps the loop: ends it like stop(), but drops everything that is waiting to be spoken or
+    // played.
     void end_at_once() { stopped_ = true; }
 
-    // App thread. stop() takes everything posted before it and waits at most finish_speech_s for the voice to finish.
-    // It writes what it could not say, fades and joins. Further calls do no harm, and the destructor calls it too.
+    // App thread. stop() takes everything that was posted before it and waits at most `finish_speech_s` for the voice
+    // to finish. It writes the lines that it could not speak, fades the sound out and joins the thread. It may be
+    // called again, and the destructor calls it too.
     void start();
     void stop(double finish_speech_s = 0.0);
-    // AudioSink::drops_out at the last tick. App thread.
+    // App thread. Returns AudioSink::drops_out as of the last tick.
     bool sound_drops_out() const { return drops_out_.load(std::memory_order_relaxed); }
 
-    // App thread; each holds a mutex for microseconds at most.
+    // App thread. Each of these calls holds a mutex for microseconds at most.
     void post(CueRequest request) override;
     void set_settings(const settings::Settings& settings) override;
     void enter_world(std::shared_ptr<const Scene> scene) override;
@@ -70,13 +74,13 @@ public:
     void set_hand_stands_in(bool stands_in) override;
     void set_listener(const Listener& listener) override { listener_.publish(listener); }
     SpeechTopics take_owed() override { return {owed_.exchange(0, std::memory_order_relaxed)}; }
-    std::vector<SpokenLine> take_spoken();  // what was said since the last call, oldest first
-    // Something is being said or waits to be, as of the last tick.
+    std::vector<SpokenLine> take_spoken();  // the lines spoken since the last call, oldest first
+    // As of the last tick: true if a line is being spoken or is waiting to be spoken.
     bool speaking() const { return speaking_.load(std::memory_order_relaxed); }
-    // SpeechSink::who at the last tick; empty before the first tick.
+    // Returns SpeechSink::who as of the last tick; empty before the first tick.
     std::string who_speaks();
 
-    // Runs one tick at the clock's time: called by the thread, or by the owner of virtual time.
+    // Runs one tick at the clock's time. The loop's thread calls it, or the owner in virtual time.
     void step();
 
 private:
@@ -96,26 +100,26 @@ private:
     std::atomic<bool> stop_asked_{false};
     std::atomic<bool> speaking_{false};
     std::atomic<std::uint32_t> owed_{0};  // bits of SpeechTopics
-    double finish_speech_s_ = 0.0;        // written before stop_asked_
+    double finish_speech_s_ = 0.0;        // written before stop_asked_ is set
     bool stopped_ = false;                // app thread
 
     std::mutex mutex_;  // protects inbox_, outbox_ and who_
     std::string who_;
     Inbox inbox_;
     std::vector<SpokenLine> outbox_;
-    LatestValue<Listener> listener_;        // app thread to audio thread
-    std::array<ContactRing*, 2> contacts_;  // servo threads to audio thread, one for each hand
+    LatestValue<Listener> listener_;        // from the app thread to the audio thread
+    std::array<ContactRing*, 2> contacts_;  // from the servo thread of each hand to the audio thread
 
-    // Audio thread only while it runs.
+    // While the audio thread runs, only it uses the members below.
     std::shared_ptr<AudioSink> audio_;
     std::shared_ptr<SpeechSink> speech_;
     CuePlanner planner_;
-    std::vector<servo::ContactEvent> events_;  // of this tick; kept to reuse its memory
-    std::uint64_t published_ = 0;              // the value of planner_.spoken_in_all() up to which lines were published
+    std::vector<servo::ContactEvent> events_;  // events of the current tick; a member in order to reuse its memory
+    std::uint64_t published_ = 0;  // the value of planner_.spoken_in_all() at the last publication of spoken lines
     std::string told_who_;
     StepListener step_listener_;
 
-    std::atomic<bool> drops_out_{false};  // audio thread to app thread
+    std::atomic<bool> drops_out_{false};  // from the audio thread to the app thread
 };
 
 }  // namespace handrail::cues

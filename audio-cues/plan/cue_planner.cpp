@@ -14,24 +14,31 @@
 namespace handrail::cues {
 namespace {
 
-constexpr double kSayAgain_s = 5.0;  // project decision: nothing is spoken twice within 5 s
-// The second surface of a corner arrives within a few ticks; the first word must come within 120 ms.
+constexpr double kSayAgain_s = 5.0;  // a text is not spoken again within this time; a project decision
+// Time from a touch until its name is spoken. The second surface of a corner is touched within a few ticks, and the
+// first word must come within 120 ms.
 constexpr double kSettle_s = 0.040;
-constexpr double kChatter_s = 0.050;             // a contact with the same feature within this time is not heard again
-constexpr double kKeepName_s = 0.5;              // a tap is still named if the voice becomes free within this time
-constexpr double kKeepBump_s = 2.0;              // longer for a bump, because the walker stays at the wall
-constexpr double kSlideSilent_s = 0.15;          // without a slide event for this long, the hand is at rest
-constexpr double kSlideOwner_s = 0.05;           // slide events come every 10 ms
-constexpr double kSlideSlowest_m_per_s = 0.004;  // of hand travel; slower sliding is inaudible
-constexpr double kFastTouch_m_per_s = 0.3;       // of hand travel; a brisk tap, which gets full loudness
+constexpr double kChatter_s = 0.050;  // Another contact with the same feature within this time makes no new sound.
+// The name of a tapped thing is still spoken if the voice becomes free within this time.
+constexpr double kKeepName_s = 0.5;
+constexpr double kKeepBump_s = 2.0;      // the same for a bump; longer, because the walker stays at the wall
+constexpr double kSlideSilent_s = 0.15;  // without a slide event for this long, the hand counts as still
+// While the hand slides along two surfaces, the second gets the slide sound if the first had no slide event for this
+// long. Slide events come every 10 ms.
+constexpr double kSlideOwner_s = 0.05;
+constexpr double kSlideSlowest_m_per_s = 0.004;  // speed of the hand, in hand metres, below which sliding is inaudible
+// Speed of the hand, in hand metres, in a brisk tap, which sounds at full loudness.
+constexpr double kFastTouch_m_per_s = 0.3;
 constexpr double kDemonstrates_s = 2.5;
-constexpr std::uint32_t kDemonstration = 0xffffffffU;             // the source of a loop that is only shown
-constexpr double kSlowestPulse_hz = 1.5, kFastestPulse_hz = 8.0;  // of the wall tone, at its range and at the wall
-constexpr double kAlarmFloor = 0.2;                               // settings: everything but alarms may fall below
+constexpr std::uint32_t kDemonstration = 0xffffffffU;  // source number of a loop that is only played as a demonstration
+// Swells of the wall tone, at the limit of its range and at the wall.
+constexpr double kSlowestPulse_hz = 1.5, kFastestPulse_hz = 8.0;
+// Least loudness of alarms. The settings can make all other sounds quieter than this.
+constexpr double kAlarmFloor = 0.2;
 
 double to_decimetre(double length_m) { return std::round(length_m * 10.0) / 10.0; }
 
-// A side as written in maps, translated to the language of the program.
+// Returns a side, as written in maps, in the language of the program.
 std::string spoken_side(const std::string& side) {
     const std::string key = "side." + side;
     return has_phrase(key) ? phrase(key) : side;
@@ -40,7 +47,7 @@ std::string spoken_side(const std::string& side) {
 std::string size_sentence(const Feature& feature) {
     const Vec3 size = feature.bounds_m.max_m - feature.bounds_m.min_m;
     const double x = to_decimetre(size.x), y = to_decimetre(size.y), height = to_decimetre(size.z);
-    // Avoids "0 metres high": a rug is flat, and a poster has no depth.
+    // Without this, a flat rug would be "0 metres high", and a poster would have a depth of 0.
     if (feature.kind == FeatureKind::Floor || feature.kind == FeatureKind::Ceiling || height == 0.0)
         return phrase("touched.flat", {{"width", x}, {"depth", y}});
     if (feature.kind == FeatureKind::Object && std::min(x, y) > 0.0)
@@ -87,17 +94,17 @@ void CuePlanner::follow_edit(std::shared_ptr<const Scene> scene) {
 void CuePlanner::tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& speech) {
     contract_pre(std::isfinite(inputs.now_s));
     listener_ = inputs.listener;
-    // 1. The sinks take the time first, so that what is played below carries it.
+    // 1. The sinks get the time before any cue, so that cues of this tick carry it.
     audio.set_listener(inputs.listener);
     audio.set_speaking(speech.speaking());
     audio.tick(inputs.now_s);
     speech.tick(inputs.now_s);
     if (const auto news = audio.news()) alarm(*news, inputs.now_s, false);
     if (const auto news = speech.news()) alarm(*news, inputs.now_s, false);
-    // 2. What happened, then what is asked for.
+    // 2. First the contact events, then the app's requests.
     for (const servo::ContactEvent& event : inputs.contacts) on_contact(event, audio);
     for (const CueRequest& request : inputs.requests) on_request(request, inputs.now_s, audio, speech);
-    // 3. Ends loops whose cause is gone.
+    // 3. Ends the loops whose cause has ended.
     for (Hand& hand : hands_)
         if (hand.sliding && inputs.now_s - hand.slide_s > kSlideSilent_s) stop_slide(hand, audio);
     if (wall_tone_on_ && !settings_.sound.wall_tone) {
@@ -105,10 +112,10 @@ void CuePlanner::tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& spe
         wall_tone_on_ = false;
     }
     keep_world_sounds(audio);
-    // 4. Speech: one voice.
+    // 4. Speech, with only one voice at a time.
     speak_waiting(inputs.now_s, speech);
     demonstrate(inputs.now_s, audio, speech);
-    // 5. Sounds as text, after any words about the same thing.
+    // 5. Sounds as text, after any spoken text about the same thing.
     for (const SoundCue& cue : sounds_to_tell_)
         if (std::string text = sound_words_.tell(cue, inputs.listener, inputs.now_s); !text.empty())
             speech.write({.text = std::move(text), .speech_class = SpeechClass::Ambient});
@@ -132,7 +139,7 @@ double CuePlanner::volume_of(SoundKind kind) const {
     return kind == SoundKind::Alarm ? std::max(volume, kAlarmFloor) : volume;
 }
 
-// A sound that is switched off is not written either; one that is only turned down is.
+// Notes a sound for the text sinks. A sound that is switched off is not written either; a sound whose volume is low is.
 void CuePlanner::tell_sound(const SoundCue& cue) {
     const SoundInfo& row = info(cue.kind);
     if (!settings_.sound.as_text || (row.on != nullptr && !(settings_.sound.*row.on))) return;
@@ -156,14 +163,13 @@ void CuePlanner::stop_slide(Hand& hand, AudioSink& audio) {
     hand.sliding = false;
 }
 
-// Marks the feature as touched, and names it unless the hand is known to touch it.
+// Marks the feature as touched and requests its name.
 void CuePlanner::touch(Hand& hand, const servo::ContactEvent& event) {
     if (event.feature && !is_touched(hand, event.feature)) hand.touched.push_back(event.feature);
     name_touched(hand.number, {event.feature, event.time_s, kSettle_s, kKeepName_s, event.position_m});
 }
 
-// The world's sounds stay at their places, so their loops follow from the requests and from what the person wants to
-// hear now.
+// Updates the loops of the world's sounds. They follow the app's requests, the volume settings and a stop key.
 void CuePlanner::keep_world_sounds(AudioSink& audio) {
     for (const SoundCue& asked : world_sounds_) {
         SoundCue cue = asked;
@@ -184,8 +190,8 @@ void CuePlanner::name_touched(std::size_t hand, const Naming& naming) {
     std::string text = describe_feature(*scene_, naming.feature, settings_.speech.verbosity);
     if (text.empty()) return;
     if (naming.by_hand) text = whose(hand, std::move(text));
-    // A hand that trembles between two surfaces must not put the name off for ever: the first touch sets the time, the
-    // last one the name.
+    // Without this, a hand that trembles between two surfaces would postpone the name for ever. The first touch
+    // determines the time, the last one the name.
     const double due_s = naming.time_s + naming.settle_s;
     const auto& waits = order_.name_of(hand);
     ask({.utterance = {.text = std::move(text),
@@ -215,8 +221,8 @@ void CuePlanner::on_contact(const servo::ContactEvent& event, AudioSink& audio) 
                                              [&](const RecentContact& r) { return r.feature == event.feature; });
             if (!chatter) {
                 hand.recent.push_back({event.feature, event.time_s});
-                // Loudness follows the square root of speed, so that a slow touch of 1 cm/s is still heard over the
-                // sounds of the room.
+                // The loudness is proportional to the square root of the speed, so that a slow touch of 1 cm/s is
+                // audible over the sounds of the room.
                 const double force_of_blow =
                     std::sqrt(std::min(1.0, std::max(0.0, event.speed_m_per_s) / kFastTouch_m_per_s));
                 play({.kind = SoundKind::Contact,
@@ -230,10 +236,10 @@ void CuePlanner::on_contact(const servo::ContactEvent& event, AudioSink& audio) 
             return;
         }
         case servo::ContactEventKind::Slide: {
-            // The hand slid onto another feature without leaving the surface.
+            // The hand slid onto another feature without leaving the first surface.
             if (event.feature && !is_touched(hand, event.feature)) touch(hand, event);
-            // In a corner the hand slides along two surfaces at once. One of them is heard until it stops, not both in
-            // turn.
+            // In a corner the hand slides along two surfaces at once. Only one of them sounds until its slide ends,
+            // instead of both in turn.
             if (hand.sliding && event.feature != hand.slide_feature && event.time_s - hand.slide_s < kSlideOwner_s)
                 return;
             hand.slide_s = event.time_s;
@@ -275,8 +281,8 @@ void CuePlanner::on_contact(const servo::ContactEvent& event, AudioSink& audio) 
             play({.kind = servo::is_pause(event.fault) ? SoundKind::ForcesOff : SoundKind::Alarm,
                   .event_time_s = event.time_s},
                  audio);
-            // What waits for a confirmation is told again when it comes again at once: the person has just asked for
-            // the force.
+            // A fault that must be confirmed is announced again even if it returns at once, because the person has just
+            // requested the force.
             alarm(whose(event.hand, servo::fault_sentence(event.fault)), event.time_s,
                   !servo::passes_by_itself(event.fault), servo::is_gone(event.fault));
             return;
@@ -325,7 +331,8 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
             left_foot_ = !left_foot_;
             cue.kind = SoundKind::Footstep;
             cue.pitch = request.pitch *
-                        // Two footsteps are never quite alike; equal ones sound like a machine.
+                        // Left and right foot get a slightly different pitch, because identical steps sound like a
+                        // machine.
                         (left_foot_ ? 0.97 : 1.03);
             play(cue, audio);
             return;
@@ -343,7 +350,8 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
         case CueRequestKind::WallTone: {
             cue.kind = SoundKind::WallTone;
             cue.loudness = hushed_ ? 0.0 : std::clamp(request.loudness, 0.0, 1.0) * volume_of(SoundKind::WallTone);
-            // The rhythm tells the distance where loudness and side cannot, for example through a single loudspeaker.
+            // The rhythm indicates the distance where loudness and direction cannot, for example through a single
+            // loudspeaker.
             cue.pulses_per_s =
                 kSlowestPulse_hz + (kFastestPulse_hz - kSlowestPulse_hz) * std::clamp(request.loudness, 0.0, 1.0);
             const bool on = cue.loudness > 0.0;
@@ -430,8 +438,8 @@ void CuePlanner::answer(std::string text, double asked_s) {
     ask({.utterance = {.text = std::move(text)}, .asked_s = asked_s, .repeatable = true});
 }
 
-// Reports a blocked step. If the same was said a moment ago, it is only written: a reader gets an answer to each step,
-// and a listener only the thud.
+// Reports a blocked step. If the same text was spoken within kSayAgain_s, it is only written. A reader thus gets an
+// answer to each step, and a listener only the thud.
 void CuePlanner::warn(const CueRequest& request, double asked_s, double now_s, SpeechSink& speech) {
     if (settings_.speech.verbosity <= 0) return;
     const auto said = said_at_s_.find(speakable(request.text));
@@ -469,9 +477,10 @@ void CuePlanner::speak_waiting(double now_s, SpeechSink& speech) {
     write_unspoken(now_s, speech);
 }
 
-// What was said since, when it was not out of the history itself, begins at the newest again.
+// Steps through the spoken lines, back or forward. If another line has been spoken since the last step, it starts again
+// at the newest line.
 void CuePlanner::step_history(bool back, double asked_s) {
-    std::vector<const SpokenLine*> lines;  // newest first
+    std::vector<const SpokenLine*> lines;  // the newest line is first
     for (auto line = spoken_.rbegin(); line != spoken_.rend() && lines.size() < kMostHistory; ++line)
         if (!line->again) lines.push_back(&*line);
     const std::size_t wanted = back ? back_ + 1 : std::max<std::size_t>(back_, 1) - 1;
@@ -509,7 +518,7 @@ void CuePlanner::say_now(const SpeechLine& line, double now_s, SpeechSink& speec
     speech.say(utterance);
 }
 
-// First the name is spoken, then the sound plays, so that neither covers the other.
+// The name is spoken before the sound plays, so that neither masks the other.
 void CuePlanner::demonstrate(double now_s, AudioSink& audio, const SpeechSink& speech) {
     if (!demonstration_) return;
     Demonstration& shown = *demonstration_;

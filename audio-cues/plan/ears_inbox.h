@@ -1,5 +1,5 @@
-// The inputs that the owner of a session gives to the audio thread. AudioThread takes them at its next step; PlayedEars
-// counts them, to replay a recording. Call from the app thread.
+// The inputs that the owner of a session gives to the audio thread. AudioThread takes them at its next step. PlayedEars
+// counts them in order to replay a recording. Call these functions from the app thread.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,8 @@ public:
     virtual void set_two_hands(bool two) = 0;
     virtual void set_hand_stands_in(bool stands_in) = 0;  // see CuePlanner
     virtual void set_listener(const Listener& listener) = 0;
-    // Topics of lines that were cut and are due again: the session makes them anew (SpeechOrder::take_owed).
+    // Returns the topics of lines that were cut off and are due again. The session composes these lines anew
+    // (SpeechOrder::take_owed).
     virtual SpeechTopics take_owed() { return {}; }
 };
 

@@ -8,9 +8,9 @@
 namespace handrail::cues {
 namespace {
 
-constexpr double kFullForce_n = 1.5;        // force of a surface on the hand at which the trigger is stiffest
-constexpr double kSlowest_m_per_s = 0.005;  // a hand slower than this only trembles and does not slide
-constexpr double kFast_m_per_s = 0.1;       // in hand metres
+constexpr double kFullForce_n = 1.5;  // force of a surface on the hand at which the trigger has its full stiffness
+constexpr double kSlowest_m_per_s = 0.005;  // a slower movement of the hand counts as tremor, not as sliding
+constexpr double kFast_m_per_s = 0.1;       // speed of a fast slide, in hand metres per second
 constexpr double kStairs = 0.6;             // slope of stairs, rise over run
 constexpr double kLongestStride_m = 2.0;    // steps farther apart do not belong to one walk
 constexpr double kDefaultHardness = 0.8;
@@ -150,7 +150,7 @@ device::FingerCue FingerPlanner::tick(const FingerInputs& inputs) {
     on_passage(inputs.passage_width_m, inputs.now_s);
     device::FingerCue cue;
     const auto within = [&](double since_s, double for_s) { return inputs.now_s - since_s < for_s; };
-    cue.nearness = 0.5 * wall_nearness_;  // halved, because only a touched surface gets full stiffness
+    cue.nearness = 0.5 * wall_nearness_;  // halved, because only a touched surface gets the full stiffness
     cue.hardness = 1.0;
     if (within(bumped_s_, kBumpHolds_s)) {
         cue.nearness = 1.0;

@@ -1,6 +1,6 @@
-// Decides the cues for fingers on a pad, as CuePlanner decides what is heard. Pure logic over what the hand touches,
-// the app's requests and a time, so tests replay it exactly. App thread; a few comparisons a frame; called only if
-// there is a pad.
+// Decides the cues for fingers on a pad, as CuePlanner decides the sounds. Pure logic over what the hand touches, the
+// app's requests and a time, so tests replay it exactly. App thread; a few comparisons per frame. The app calls it only
+// if there is a pad.
 #pragma once
 
 #include <memory>
@@ -15,16 +15,17 @@ namespace handrail::cues {
 struct FingerInputs {
     double now_s = 0.0;
     std::span<const CueRequest> requests;    // the app's requests of this frame: bumps, steps, the wall tone
-    const servo::ToolState* tool = nullptr;  // nullptr: there is no hand
-    double passage_width_m = 0.0;            // free space across the walking direction; 0: open
+    const servo::ToolState* tool = nullptr;  // state of the hand; nullptr: there is no hand
+    double passage_width_m = 0.0;            // free width across the walking direction; 0: open on at least one side
 };
 
-// How inputs become cues:
-// - Hardness is the stiffness of the surface.
+// Inputs become cues as follows:
+// - Hardness is the stiffness of the touched surface.
 // - A bump gives a knock, and the right trigger stays stiff until the walker is away from the wall.
-// - The nearness of a wall ahead follows the loudness of the wall tone; that of a touched surface follows its force.
-// - A door ahead gives a click, and so does a passage no wider than a door that is entered from a wider place.
-// - Steps and slides give the grain of their material; stairs and slopes resist on the left.
+// - The nearness of a wall ahead follows the loudness of the wall tone. The nearness of a touched surface follows its
+//   force.
+// - A door ahead gives a click. So does a passage no wider than a door, if the walker enters it from a wider place.
+// - Steps and slides give the grain of their material. Stairs and slopes make the left trigger resist.
 class FingerPlanner {
 public:
     static constexpr double kKnock_s = 0.12, kBumpHolds_s = 0.6, kClick_s = 0.4, kStepGrain_s = 0.06,
@@ -32,15 +33,15 @@ public:
     static constexpr double kDoorWidth_m = 1.4, kWide_m = 1.8;
 
     void set_settings(const settings::Settings::Pads& settings) { settings_ = settings; }
-    void enter_world(std::shared_ptr<const Scene> scene);  // forgets everything met before
+    void enter_world(std::shared_ptr<const Scene> scene);  // forgets all previous contacts and steps
     void follow_edit(std::shared_ptr<const Scene> scene) { scene_ = std::move(scene); }
-    // `now_s` must never go back.
+    // Returns the cue of this frame. `inputs.now_s` must never decrease.
     device::FingerCue tick(const FingerInputs& inputs);
 
 private:
     struct Surface {
         double hardness = 1.0;
-        double period_hand_m = 0.0;  // period of its texture; 0: none
+        double period_hand_m = 0.0;  // period of the material's texture; 0: no texture
         SoundClass sound = SoundClass::Generic;
     };
     Surface surface_of(MaterialId material) const;
@@ -60,7 +61,7 @@ private:
     FeatureId touched_door_ = kNoFeature;
 };
 
-// Grains per second of a material under a foot or a slow hand; 0: smooth.
+// Returns the grains per second of a material under a foot or a slow hand; 0: a smooth material.
 double grain_hz(SoundClass sound) noexcept;
 
 }  // namespace handrail::cues

@@ -1,6 +1,6 @@
-// A cue that distinguishes behind from ahead and high from low where head-related filtering alone is weak. A sound
-// behind flutters, one above rises again and again, one below falls. Audible in one ear and in mono. Pure function; any
-// thread.
+// A second cue that distinguishes behind from ahead, and high from low, where head-related filtering alone is too weak.
+// A sound behind the person flutters. The pitch of a sound above rises again and again, that of a sound below falls.
+// The cue is audible with one ear and in mono. Pure function; any thread.
 #pragma once
 
 #include "worlds/base/vec.h"
@@ -8,18 +8,20 @@
 namespace handrail::cues {
 
 struct SecondCue {
-    double gain = 1.0;   // factor
-    double pitch = 1.0;  // factor
+    double gain = 1.0;   // factor on the loudness
+    double pitch = 1.0;  // factor on the pitch
 };
 
-// KFlutterDepth: share of the loudness that is lost directly behind.
+// kFlutterDepth is the share of the loudness that flutter removes directly behind the person.
 inline constexpr double kFlutter_hz = 9.0, kFlutterDepth = 0.7;
 inline constexpr double kGlide_s = 0.9,
-                        kGlideOctaves = 0.25;  // duration of a glide, and how far it goes for a sound high above
+                        kGlideOctaves = 0.25;  // duration of one glide, and its range for a sound high above
 inline constexpr double kLevelWithin_rad = 0.35,
-                        kHigh_rad = 0.87;  // 20 and 50 degrees: no glide below the first, full glide above the second
+                        // 20 and 50 degrees: below the first there is no glide, above the second the full glide.
+    kHigh_rad = 0.87;
 
-// `head_m`: position of the sound relative to the head, x right, y ahead, z up. `time_s` may start anywhere.
+// Returns the cue for a sound at `head_m`, relative to the head: x right, y ahead, z up. `time_s` may start at any
+// value.
 SecondCue second_cue(const Vec3& head_m, double time_s, bool behind, bool height);
 
 }  // namespace handrail::cues

@@ -9,7 +9,8 @@ struct RankRow {
     std::string_view name;
     double lufs;
 };
-// Two units between neighbours can be told apart; danger stands out by four.
+// Loudness of each rank in LUFS. People can distinguish two units between neighbouring ranks; danger stands out by
+// four.
 constexpr std::array<RankRow, kSoundRanks> kRanks{{{"danger", -22.0},
                                                    {"blocked", -26.0},
                                                    {"route", -28.5},

@@ -1,5 +1,5 @@
-// How important a sound is: the more important, the louder it is made, and of too many at once the least important
-// gives way. Pure data; any thread.
+// The importance of sounds. More important sounds are louder. If too many sound at once, the least important one ends.
+// Pure data; any thread.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,15 @@
 
 namespace handrail::cues {
 
-// The most important first.
+// In order of importance, the most important first.
 enum class SoundRank : std::uint8_t { Danger, Blocked, Route, Landmark, Step, Background };
 inline constexpr int kSoundRanks = static_cast<int>(SoundRank::Background) + 1;
 
 SoundRank rank_of(SoundKind kind);
-std::string_view rank_name(SoundRank rank);  // "danger", for the table of sounds
+std::string_view rank_name(SoundRank rank);  // for example "danger", for the table of sounds
 
-// Momentary loudness of the loudest part at the volumes of a new settings file, before filters for the ears.
+// Returns the momentary loudness of the loudest part of a sound, at the volumes of a new settings file and before the
+// filters for the ears.
 double loudness_of(SoundRank rank);  // LUFS
 
 }  // namespace handrail::cues

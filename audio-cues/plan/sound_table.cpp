@@ -91,7 +91,7 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(SoundClass::Gene
     "plaster", "wood",  "brick",   "concrete", "tile", "carpet", "metal", "glass",  "stone",  "rubber",
     "grass",   "water", "plastic", "cloth",    "sand", "earth",  "ice",   "grille", "generic"};
 
-// Longer words must come before words that they contain.
+// A long word must come before any word that it contains.
 struct WordRow {
     std::string_view word;
     SoundKind kind;
@@ -155,7 +155,7 @@ std::vector<DictionaryEntry> sound_dictionary() {
 SoundKind world_sound_of(std::string_view word) {
     std::string letters = lower_ascii(word);
     std::erase_if(letters, [](char c) { return c < 'a' || c > 'z'; });
-    // Every class of such entities begins with "ambient", which has no meaning here.
+    // In maps, the class names of such entities begin with "ambient", which says nothing about the sound.
     if (letters.starts_with("ambient")) letters.erase(0, 7);
     for (const WordRow& row : kWords)
         if (letters.find(row.word) != std::string::npos) return row.kind;
@@ -166,11 +166,11 @@ double distance_gain(SoundKind kind, double distance_m) {
     contract_pre(distance_m >= 0.0);
     if (is_earcon(kind)) return 1.0;
     if (is_world_sound(kind)) {
-        // Sounds fade over this last part of the range, so that none begins with a step.
+        // Sounds fade out over this last part of their range, so that none begins suddenly.
         constexpr double kFades_m = 10.0;
         return std::clamp((kWorldSoundRange_m - distance_m) / kFades_m, 0.0, 1.0) / std::max(1.0, distance_m);
     }
-    // A beacon stays audible, however far away it is set.
+    // A beacon stays audible at any distance.
     constexpr double kNear_m = 2.0, kRollOff = 0.5, kBeaconLeast = 0.35;
     const double gain = kNear_m / (kNear_m + kRollOff * std::max(0.0, distance_m - kNear_m));
     return is_beacon(kind) ? std::max(gain, kBeaconLeast) : gain;

@@ -1,5 +1,5 @@
-// The name of each sound, the volume and switch that apply to it, and the names in maps that mean it: one table for the
-// cue planner, scenarios and the spoken sound dictionary. Pure data; any thread.
+// One table for the cue planner, scenarios and the spoken sound dictionary. It contains the name of each sound, the
+// volume and switch that apply to it, and the names of sounds in maps that stand for it. Pure data; any thread.
 #pragma once
 
 #include <span>
@@ -13,16 +13,17 @@ namespace handrail::cues {
 
 struct SoundInfo {
     SoundKind kind;
-    // The name in scenarios, in every language: "wall tone". The translated names for people are in settings/languages.
+    // The name in scenarios, the same in every language: "wall tone". The translated names for people are in
+    // settings/languages.
     std::string_view name;
     double settings::Settings::Sound::*volume;
-    bool settings::Settings::Sound::*on;  // nullptr: cannot be switched off
+    bool settings::Settings::Sound::*on;  // nullptr: the sound cannot be switched off
 };
 
-// In the order of SoundKind.
+// Returns the table, in the order of SoundKind.
 std::span<const SoundInfo> sound_table();
 const SoundInfo& info(SoundKind kind);
-// Every sound that a person may want to know, in the order in which it is taught. Each kind occurs once, and contact
+// All sounds that a person may want to know, in the order in which they are taught. Each kind occurs once, and contact
 // sounds once for every material.
 struct DictionaryEntry {
     SoundKind kind;
@@ -30,15 +31,16 @@ struct DictionaryEntry {
     std::string text;  // suitable for speech: "Wall tone: a wall is near ..."
 };
 std::vector<DictionaryEntry> sound_dictionary();
-std::string_view material_sound_name(SoundClass material);  // The name in scenarios: "plaster".
+std::string_view material_sound_name(SoundClass material);  // Returns the name in scenarios, for example "plaster".
 
-// The sound for a map's name of a sound or of particles: "ambient_drip", "water/stream1.wav", "particle_fire". Only
-// letters count, and the first word of the table that the name contains wins. A name without such a word gives Shimmer.
+// Returns the sound for a map's name of a sound or of particles: "ambient_drip", "water/stream1.wav", "particle_fire".
+// Only letters count, and the first word of the table that the name contains decides. A name without such a word gives
+// Shimmer.
 SoundKind world_sound_of(std::string_view word);
 
-// The share of a sound's loudness that remains at a distance, 0 to 1. Sounds of hand and walker keep their loudness up
-// to 2 m and are halved at 6 m, because the hand may touch far from the ears. Sounds of the world fall as in nature
-// from 1 m on, and end at 30 m.
+// Returns the share of a sound's loudness that remains at a distance, 0 to 1. Sounds of hand and walker keep their
+// loudness up to 2 m and are halved at 6 m, because the hand may touch things far from the listener. Sounds of the
+// world fall as in nature from 1 m on, and end at 30 m.
 double distance_gain(SoundKind kind, double distance_m);
 inline constexpr double kWorldSoundRange_m = 30.0;
 

@@ -10,8 +10,8 @@
 namespace handrail::cues {
 namespace {
 
-// These sounds always come with words of their own: names of touched things, blocked steps, headings, alarms and
-// speech.
+// Returns true for sounds that always come with a spoken text: names of touched things, blocked steps, headings, alarms
+// and speech.
 bool has_words_of_its_own(SoundKind kind) {
     constexpr std::array kWith{SoundKind::Contact,  SoundKind::Slide,     SoundKind::Bump,     SoundKind::TurnTick,
                                SoundKind::ForcesOn, SoundKind::ForcesOff, SoundKind::StairsUp, SoundKind::StairsDown,
@@ -29,7 +29,7 @@ std::string name_of(SoundKind kind) {
     return text.substr(0, text.find(':'));
 }
 
-// The name of a floor's material inside a sentence.
+// Returns the name of a floor's material as part of a sentence.
 std::string material_word(SoundClass material) {
     if (material == SoundClass::Grille) return phrase("material.steel_grille");
     if (material == SoundClass::Water) return phrase("kind.water");
@@ -51,7 +51,8 @@ std::string SoundWords::tell(const SoundCue& cue, const Listener& ears, double n
     if (has_words_of_its_own(cue.kind)) return {};
     std::string text, side;
     if (cue.kind == SoundKind::Footstep) {
-        // Only what the person walks on is written. Where keys are words, the step itself is reported in words already.
+        // Only the floor's material is written. If the person types commands as words, the step itself has already been
+        // reported as text.
         if (cue.material == SoundClass::Generic) return {};
         text = phrase("sound_words.steps_on", {{"material", material_word(cue.material)}});
     } else {
@@ -67,7 +68,7 @@ std::string SoundWords::tell(const SoundCue& cue, const Listener& ears, double n
     const bool steps = cue.kind == SoundKind::Footstep;
     const double wait_s = goes_on(cue.kind) ? kGoesOn_s : kBeats_s;
     if (same && (steps || now_s - told.time_s < wait_s)) return {};
-    // A person who turns on the spot does not get a line for every sound at every notch.
+    // Without this, a person who turns on the spot would get a line for every sound whenever its direction changes.
     if (!same && goes_on(cue.kind) && !told.text.empty() && now_s - told.time_s < kBeats_s) return {};
     told = {text, now_s};
     return text;

@@ -1,6 +1,6 @@
-// Sounds as text: the name of each and its direction, for people who read instead of hearing. Short and without
-// brackets. Sounds that always come with words are left out. Sounds that repeat or continue are reported again only if
-// something about them has changed or some time has passed. Plain state; one thread.
+// Sounds as text, for people who read instead of hearing: the name of each sound and its direction, short and without
+// brackets. Sounds that always come with a spoken text are left out. Sounds that repeat or continue are reported again
+// only if their text has changed or some time has passed. Plain state; one thread.
 #pragma once
 
 #include <map>
@@ -13,12 +13,13 @@ namespace handrail::cues {
 
 class SoundWords {
 public:
-    static constexpr double kBeats_s = 3.0;    // after this a rhythmic sound is reported again
-    static constexpr double kGoesOn_s = 30.0;  // after this a continuous sound is reported again
+    static constexpr double kBeats_s = 3.0;    // a rhythmic sound is reported again after this time
+    static constexpr double kGoesOn_s = 30.0;  // a continuous sound is reported again after this time
 
-    // Returns the text for a sound that starts, or for a loop that sounds or changes; empty: nothing new.
+    // Returns the text for a sound that starts, or for a loop that sounds or changes. Returns an empty text if there is
+    // nothing new.
     std::string tell(const SoundCue& cue, const Listener& ears, double now_s);
-    // The loop has ended, so it is reported again when it comes again.
+    // Call it when a loop has ended. The loop is then reported again when it returns.
     void forget(SoundKind kind, std::uint32_t source) { told_.erase({kind, source}); }
 
 private:

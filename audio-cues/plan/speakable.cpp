@@ -10,7 +10,8 @@ namespace {
 
 bool continues(unsigned char byte) { return (byte & 0xc0U) == 0x80U; }
 
-// Length of the well-formed UTF-8 sequence at the start of `text`; 0 if there is none (Unicode standard, table 3-7).
+// Returns the length of the well-formed UTF-8 sequence at the start of `text`, or 0 if there is none (Unicode standard,
+// table 3-7).
 std::size_t utf8_length(std::string_view text) {
     const auto byte = [&](std::size_t i) {
         return i < text.size() ? static_cast<unsigned char>(text[i]) : static_cast<unsigned char>(0);
@@ -40,7 +41,7 @@ std::string speakable(std::string_view text) {
     while (!text.empty()) {
         const auto first = static_cast<unsigned char>(text.front());
         const std::size_t length = utf8_length(text);
-        // C1 controls are c2 80 to c2 9f in UTF-8, and 80 to 9f in Latin-1.
+        // C1 control characters are c2 80 to c2 9f in UTF-8, and 80 to 9f in Latin-1.
         const bool c1 = (length == 2 && first == 0xc2 && static_cast<unsigned char>(text[1]) < 0xa0) ||
                         (length == 0 && first < 0xa0);
         const bool separator = text.starts_with("\u2028") || text.starts_with("\u2029");

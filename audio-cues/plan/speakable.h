@@ -1,5 +1,5 @@
-// Makes text suitable for voices, terminals and windows: text from maps and files may be neither valid UTF-8 nor a
-// single line.
+// Makes text suitable for voices, terminals and windows. Text from maps and files may be invalid UTF-8 or have several
+// lines.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace handrail::cues {
 // returned unchanged.
 std::string speakable(std::string_view text);
 
-// The same with an upper-case first letter, for labels that are spoken and printed.
+// Does the same and makes the first letter upper case, for labels that are spoken and printed.
 std::string sentence_case(std::string_view text);
 
 }  // namespace handrail::cues

@@ -6,7 +6,8 @@
 namespace handrail::cues {
 namespace {
 
-constexpr double kKeepSteps_s = 2.0;  // a count of steps that comes later is about another walk
+// A count of steps is kept for this long; after that, the person is probably on another walk.
+constexpr double kKeepSteps_s = 2.0;
 
 bool replaces(SpeechTopic topic) {
     return topic == SpeechTopic::Place || topic == SpeechTopic::Leg || topic == SpeechTopic::Heading;
@@ -19,7 +20,7 @@ bool made_anew(SpeechTopic topic) {
 
 }  // namespace
 
-// ---- what comes ----
+// ---- adding lines ----
 
 void SpeechOrder::queue(std::deque<SpeechLine>& lines, SpeechLine line, std::size_t most) {
     if (replaces(line.utterance.topic)) {
@@ -60,7 +61,7 @@ void SpeechOrder::add(SpeechLine line) {
     }
 }
 
-// What will be made anew need not be written now.
+// Drops a line. If its topic is composed anew later, it need not be written as text now.
 void SpeechOrder::drop(SpeechLine line) {
     if (made_anew(line.utterance.topic)) owed_.add(line.utterance.topic);
     else unspoken_.push_back(std::move(line));
@@ -100,14 +101,14 @@ void SpeechOrder::silence(double now_s) {
     owed_ = {};
 }
 
-// ---- what is said ----
+// ---- choosing the next line ----
 
 void SpeechOrder::note(double now_s, bool speaking) {
     if (speaking) sounded_s_ = now_s;
     else current_.reset();
 }
 
-// Something of this class, or of a more important one, is being spoken.
+// Returns true if a line of this class, or of a more important one, is being spoken.
 bool SpeechOrder::busy(SpeechClass least) const { return current_ && current_->utterance.speech_class <= least; }
 
 SpeechLine SpeechOrder::begin(SpeechLine line, double now_s) {
@@ -141,17 +142,18 @@ std::optional<SpeechLine> SpeechOrder::next(double now_s, bool speaking, const K
 }
 
 std::optional<SpeechLine> SpeechOrder::next_of_importance(double now_s) {
-    // That a device may push does not wait for the end of what was said of it before that was known.
+    // The alarm that a device may push interrupts other alarms: earlier ones about the device were spoken before this
+    // was known.
     const bool cuts = std::any_of(alarms_.begin(), alarms_.end(), [](const SpeechLine& alarm) { return alarm.cuts; });
     if (!alarms_.empty() && (cuts || !busy(SpeechClass::Alarm))) return begin(alarms_, now_s);
     if (busy(SpeechClass::Warning)) return std::nullopt;
     if (!warnings_.empty()) return begin(warnings_, now_s);
-    // The newest of a topic that replaces itself waits for none of its kind.
+    // The newest line of a topic that replaces itself need not wait for an older line of the same topic.
     const auto same_topic = [&](const SpeechLine& line) {
         return replaces(line.utterance.topic) && current_->utterance.topic == line.utterance.topic;
     };
     if (!answers_.empty()) {
-        // Between two keys nothing cuts an answer but another one of its own topic.
+        // Until another key is pressed, an answer is interrupted only by a newer answer of the same topic.
         const SpeechLine& front = answers_.front();
         if (!busy(SpeechClass::Answer) || current_->key != front.key || same_topic(front))
             return begin(answers_, now_s);
@@ -169,7 +171,8 @@ std::optional<SpeechLine> SpeechOrder::next_name(double now_s, const Knows& know
             name.reset();
             continue;
         }
-        // One hand's name does not cut the other's short; it waits as for the end of an answer.
+        // The name for one hand does not interrupt that for the other hand. It waits, as it would for the end of an
+        // answer.
         const bool others = busy(SpeechClass::Contact) && current_->utterance.speech_class == SpeechClass::Contact &&
                             current_->hand != name->hand;
         if (waiting() || busy(SpeechClass::Guidance) || others) continue;
@@ -184,7 +187,8 @@ std::optional<SpeechLine> SpeechOrder::next_of_the_rest(double now_s) {
     if (steps_ && free) return begin(*std::exchange(steps_, std::nullopt), now_s);
     if (steps_ && now_s > steps_->expires_s) drop(*std::exchange(steps_, std::nullopt));
     if (!hints_.empty() && free) return begin(hints_, now_s);
-    // A hint is never kept for later, when it would be about something else; hints of one time follow each other.
+    // A hint is never kept for later, because by then it may be out of date. Only hints of the same time follow each
+    // other.
     if (hints_.empty() || (current_ && current_->utterance.speech_class == SpeechClass::Ambient &&
                            current_->asked_s == hints_.front().asked_s))
         return std::nullopt;

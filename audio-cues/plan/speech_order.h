@@ -1,6 +1,6 @@
-// The order in which lines are spoken, and which of them are dropped: decided here alone, for every voice, screen
-// reader and braille display. It has plain values and no sinks; CuePlanner reports what happens and does what it
-// decides. On the thread of CuePlanner. A few lines at most wait, so each call costs little.
+// The order in which lines are spoken, and which of them are dropped. Only this class decides it, for every voice,
+// screen reader and braille display. It has plain values and no sinks: CuePlanner reports all events to it and speaks
+// what it returns. It runs on CuePlanner's thread. Only a few lines are ever waiting, so each call costs little.
 #pragma once
 
 #include <array>
@@ -17,48 +17,54 @@ namespace handrail::cues {
 
 struct SpeechLine {
     Utterance utterance;
-    double asked_s = 0.0;    // time of the request or event
-    double due_s = 0.0;      // not said before
-    double expires_s = 0.0;  // of Contact: kept until then, a name also as long as the hand touches the thing
+    double asked_s = 0.0;  // time of the request or event
+    double due_s = 0.0;    // earliest time at which the line may be spoken
+    // For Contact: the line is kept until this time, and after it while the hand touches the thing.
+    double expires_s = 0.0;
     bool repeatable = false;
     bool again = false;
-    bool cuts = false;               // an alarm that does not wait for another one
-    FeatureId touched = kNoFeature;  // a name: of this
-    std::uint8_t hand = 0;           // a name: touched by this hand
-    std::uint64_t key = 0;           // set by SpeechOrder: how many keys had been pressed
+    bool cuts = false;               // an alarm that interrupts another alarm
+    FeatureId touched = kNoFeature;  // for a name: the touched feature
+    std::uint8_t hand = 0;           // for a name: the hand that touches it
+    std::uint64_t key = 0;           // number of keys pressed before the line was added; set by SpeechOrder
 };
 
 class SpeechOrder {
 public:
-    static constexpr double kPause_s = 1.0;  // what was cut is made anew once nothing was said or pressed for so long
-    static constexpr std::size_t kMostDanger = 4;   // alarms that wait, and warnings
-    static constexpr std::size_t kMostWaiting = 8;  // answers that wait, and lines of guidance
+    // A line that was cut off is composed anew after this time without speech or a key.
+    static constexpr double kPause_s = 1.0;
+    static constexpr std::size_t kMostDanger = 4;  // greatest number of waiting alarms, and of waiting warnings
+    // Greatest number of waiting answers, and of waiting lines of guidance.
+    static constexpr std::size_t kMostWaiting = 8;
 
-    // It waits for its turn. Of names, step counts and topics that replace each other the newest stays.
+    // Adds a line, which waits for its turn. Of names, step counts and topics that replace each other, only the newest
+    // stays.
     void add(SpeechLine line);
-    // A key was pressed. True: what is being spoken ends. What waits to be said is dropped, but for alarms and
-    // warnings.
+    // Call it when a key was pressed. Returns true if the current utterance must end. All waiting lines are dropped,
+    // except alarms and warnings.
     bool key(double now_s, bool speaking);
-    // A stop key was pressed: everything that waits is dropped, and nothing is made anew.
+    // Call it when a stop key was pressed. All waiting lines are dropped, and none is composed anew.
     void silence(double now_s);
-    // What is known outside of a line that waits.
+    // What the caller knows about a waiting line.
     struct Knows {
-        std::function<bool(const SpeechLine& name)> touches;  // its thing is still touched
-        std::function<bool(const SpeechLine& line)> said;     // the same was said so lately that it is not said again
+        // Returns true if the hand still touches the thing that `name` names.
+        std::function<bool(const SpeechLine& name)> touches;
+        // Returns true if the same text was spoken so recently that it is not spoken again.
+        std::function<bool(const SpeechLine& line)> said;
     };
-    // The next line to be said at once, if there is one; call again until there is none. `speaking`: as the sink says
-    // now.
+    // Returns the next line to be spoken at once, if there is one. Call it again until it returns none. `speaking` is
+    // the present state of the sink.
     std::optional<SpeechLine> next(double now_s, bool speaking, const Knows& knows);
-    // Lines that will not be spoken, oldest first, for sinks that keep text.
+    // Returns the lines that will not be spoken, oldest first, for sinks that store text.
     std::vector<SpeechLine> take_unspoken();
-    // The topics of lines that were cut or dropped, once nothing has been said or pressed for kPause_s; the session
-    // makes those lines anew that are still true. Each is given once.
+    // Returns the topics of lines that were cut off or dropped, once nothing has been spoken and no key pressed for
+    // kPause_s. The session composes anew those of the lines that are still true. Each topic is returned once.
     SpeechTopics take_owed(double now_s, bool speaking);
 
     bool waiting() const { return !alarms_.empty() || !warnings_.empty() || !answers_.empty() || !guidance_.empty(); }
     bool answers_wait() const { return !answers_.empty(); }
     void forget_names();
-    // The name that waits to be said of what this hand touches.
+    // Returns the waiting name of the thing that this hand touches.
     const std::optional<SpeechLine>& name_of(std::size_t hand) const { return names_.at(hand); }
 
 private:
@@ -75,13 +81,13 @@ private:
     std::optional<SpeechLine> next_of_the_rest(double now_s);
 
     std::deque<SpeechLine> alarms_, warnings_, answers_, guidance_, hints_;
-    std::array<std::optional<SpeechLine>, 2> names_;  // by hand
+    std::array<std::optional<SpeechLine>, 2> names_;  // one for each hand
     std::optional<SpeechLine> steps_;
-    std::optional<SpeechLine> current_;  // being spoken
+    std::optional<SpeechLine> current_;  // the line that is being spoken
     std::vector<SpeechLine> unspoken_;
     SpeechTopics owed_;
     std::uint64_t keys_ = 0;
-    double sounded_s_ = -1e9;  // when something was last spoken, or a key pressed
+    double sounded_s_ = -1e9;  // time at which the person last heard speech or pressed a key
 };
 
 }  // namespace handrail::cues

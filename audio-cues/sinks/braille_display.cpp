@@ -1,6 +1,6 @@
 #include "audio-cues/sinks/braille_display.h"
 
-// Handrail does not use the single-session form of the library.
+// Handrail does not use BrlAPI's functions for a single session.
 #define BRLAPI_NO_SINGLE_SESSION
 #include <brlapi.h>
 #include <poll.h>
@@ -33,14 +33,14 @@ struct BrailleDisplay::Shared : ServerClient {
 
     const std::shared_ptr<BrailleLink> link;
 
-    // Protected by the mutex.
+    // The mutex protects the members below.
     bool wanted = false, allowed = true;
     std::string message;
     std::uint64_t messages = 0;
-    bool lost = false;  // the loss is still to be announced
+    bool lost = false;  // the loss of the display has not been announced yet
 };
 
-// The part that runs on the thread.
+// The part that runs on the separate thread.
 struct BrailleDisplay::Worker {
     explicit Worker(Shared& s)
         : shared(s), handle(static_cast<brlapi_handle_t*>(std::malloc(brlapi_getHandleSize()))) {}
@@ -48,8 +48,8 @@ struct BrailleDisplay::Worker {
     Shared& shared;
     std::unique_ptr<brlapi_handle_t, FreeHandle> handle;
     bool connected = false;
-    bool holds_tty = false;  // true only if a display was there
-    unsigned window = 0;     // the window for which the display was taken
+    bool holds_tty = false;  // true only if a display was connected
+    unsigned window = 0;     // the window for which the thread took the display
     double look_again_s = 0.0;
     BrailleLine line;
     std::uint64_t shown_message = 0;
@@ -76,12 +76,13 @@ struct BrailleDisplay::Worker {
         }
     }
 
-    // Looks for a server and, once connected, for its display.
+    // Searches for a server and, once connected to one, for its display.
     void look() {
         look_again_s = now_s() + kRetry_s;
         if (!connected && !open()) return;
         look_again_s = now_s() + kSizeEvery_s;
-        // Never ask for the model's name: a server whose display is just connecting crashes on that (BRLTTY 6.5).
+        // The display's model name must never be queried: a server whose display is just connecting crashes on that
+        // (BRLTTY 6.5).
         unsigned columns = 0, rows = 0;
         if (brlapi__getDisplaySize(handle.get(), &columns, &rows) < 0) return lose();
         const unsigned cells = columns * rows;
@@ -101,7 +102,7 @@ struct BrailleDisplay::Worker {
         const int socket = brlapi__openConnection(handle.get(), &settings, nullptr);
         if (socket < 0) return false;
         connected = true;
-        // Without a handler, the library ends the program on an error.
+        // Without a handler, the library ends the whole program on an error.
         brlapi__setExceptionHandler(handle.get(),
                                     [](brlapi_handle_t*, int, brlapi_packetType_t, const void*, std::size_t) {});
         const std::lock_guard lock(shared.mutex);
@@ -110,7 +111,7 @@ struct BrailleDisplay::Worker {
     }
 
     void take_tty(unsigned our_window) {
-        const int path = static_cast<int>(our_window);  // the part below WINDOWPATH, which the library adds in front
+        const int path = static_cast<int>(our_window);  // the path below WINDOWPATH, which the library puts in front
         if (brlapi__enterTtyModeWithPath(handle.get(), &path, 1, nullptr) < 0) return;
         static constexpr std::array<brlapi_keyCode_t, 6> kOurs{
             BRLAPI_KEY_TYPE_CMD | BRLAPI_KEY_CMD_FWINLT, BRLAPI_KEY_TYPE_CMD | BRLAPI_KEY_CMD_FWINRT,
@@ -127,7 +128,8 @@ struct BrailleDisplay::Worker {
         if (std::exchange(holds_tty, false)) brlapi__leaveTtyMode(handle.get());
     }
 
-    // If the words end with an item of the open list, shows the item with its place and its neighbours.
+    // If the text ends with an item of the open list, shows this item with its place in the list and its neighbours;
+    // otherwise shows the text.
     void show_words(const std::string& words) {
         const BrailleLink::List list = shared.link->list();
         if (list.items.empty() || list.said.empty() || !words.ends_with(list.said)) return line.show(words);
@@ -175,7 +177,7 @@ struct BrailleDisplay::Worker {
 
     void lose() {
         if (holds_tty) tell_of_loss();
-        holds_tty = false;  // so that no leave request is sent over a broken connection
+        holds_tty = false;  // set to false so that no leave request is sent over a broken connection
         close();
         look_again_s = now_s() + kRetry_s;
     }
@@ -206,7 +208,8 @@ struct BrailleDisplay::Worker {
         if (events[1].revents == 0) return;
         if (holds_tty) take_keys();
         else if ((events[1].revents & (POLLHUP | POLLERR)) != 0) lose();
-        else look_again_s = std::min(look_again_s, now_s() + 0.02);  // the next query reads the data that has arrived
+        // The next query of the size reads the data that has arrived.
+        else look_again_s = std::min(look_again_s, now_s() + 0.02);
     }
 };
 

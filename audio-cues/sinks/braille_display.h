@@ -1,6 +1,6 @@
-// A braille display through BRLTTY's BrlAPI, used if no screen reader writes braille already. It shows every message
-// with the heading in front. Runs on a separate thread, because the library waits for its server. While there is no
-// display it reports nothing. The loss of a display is announced once, and the display is looked for again.
+// A braille display through BRLTTY's BrlAPI, used if no screen reader writes braille already. It shows every message,
+// with the heading in front. It runs on a separate thread, because the library waits for its server. If there is no
+// display, it reports nothing. If a display is lost, it announces that once and searches for a display again.
 #pragma once
 
 #include <atomic>
@@ -15,15 +15,16 @@
 
 namespace handrail::sinks {
 
-// Shared by the app and the display; any thread.
+// Data that the app and the braille display share; any thread.
 struct BrailleLink {
-    // The open list: the words spoken about the current item, and all items as braille shows them. Empty: no list.
+    // The open list: the text spoken about the current item, and all items as braille shows them. Both empty: no list
+    // is open.
     struct List {
         std::string said;
         std::vector<std::string> items;
         std::size_t at = 0;
     };
-    // Call it before the words about the item are spoken.
+    // Sets the open list. Call it before the text about its item is spoken.
     void set_list(List list) {
         const std::lock_guard lock(list_mutex_);
         list_ = std::move(list);
@@ -34,9 +35,9 @@ struct BrailleLink {
     }
 
     std::atomic<double> heading_rad{0.0};
-    // The X id of our window: the display shows Handrail while this window has the keyboard. 0: not known yet.
+    // X id of Handrail's window; the display shows Handrail while this window has the keyboard focus. 0: not known yet.
     std::atomic<unsigned> window{0};
-    // Counts presses of a routing key, each a request for more about the current message.
+    // Number of presses of a routing key. Each press requests more about the current message.
     std::atomic<int> more_asked{0};
 
 private:
@@ -44,23 +45,25 @@ private:
     List list_;
 };
 
-// Owned and called by the audio thread; each call returns at once.
+// The audio thread owns and calls it. Each call returns at once.
 class BrailleDisplay final : public BrailleSink {
 public:
     static constexpr double kRetry_s = 5.0;
-    // How often the size is queried, because a display may come and go while its server stays.
+    // How often the display's size is queried. A display may connect or disconnect while its server keeps running.
     static constexpr double kSizeEvery_s = 0.5;
 
-    // Reads the environment (BRLAPI_HOST, WINDOWPATH), so call it before other threads change the environment.
+    // Reads the environment (BRLAPI_HOST, WINDOWPATH), so create it before other threads change the environment.
     BrailleDisplay(std::shared_ptr<BrailleLink> link, const settings::Settings::Speech& settings);
-    // Waits at most half a second for the server. A thread that still waits then is left behind and ends when it can.
+    // Waits at most half a second for the server. If the thread is still waiting after that, it is left behind and ends
+    // when it can.
     ~BrailleDisplay() override;
     BrailleDisplay(const BrailleDisplay&) = delete;
     BrailleDisplay& operator=(const BrailleDisplay&) = delete;
 
     void want(bool wanted) override;
     void say(const cues::Utterance& utterance) override { write(utterance); }
-    void write(const cues::Utterance& utterance) override;  // the newest message stays until the next one
+    // The newest message stays on the display until the next one.
+    void write(const cues::Utterance& utterance) override;
     void stop() override {}
     bool speaking() const override { return false; }
     void tick(double now_s) override;

@@ -10,7 +10,7 @@
 namespace handrail::sinks {
 namespace {
 
-// The text is valid UTF-8 (see Utterance), so looking at the lead bytes is enough.
+// The text is valid UTF-8 (see Utterance), so only the lead bytes are examined.
 std::u32string code_points(std::string_view utf8) {
     std::u32string text;
     for (const char c : utf8) {
@@ -93,7 +93,8 @@ bool BrailleLine::pan_left() {
         for (std::size_t next = end_of_piece(0); next < message_.size(); next = end_of_piece(next)) from_ = next;
         return true;
     }
-    // Pieces are laid out from the beginning, so the previous piece is the last one that ends at or before this place.
+    // Pieces are laid out from the beginning of the text. The previous piece is therefore the last one that ends at or
+    // before this place.
     std::size_t before = 0;
     for (std::size_t next = end_of_piece(0); next < from_; next = end_of_piece(next)) before = next;
     from_ = before;

@@ -1,5 +1,4 @@
-// The built-in voice as a choice for VoiceRouter: espeak-ng, or beeps if its data is missing. Owned by the audio
-// thread.
+// The built-in voice as a choice for VoiceRouter: espeak-ng, or beeps if its data is missing. The audio thread owns it.
 #pragma once
 
 #include <functional>
@@ -12,7 +11,7 @@ namespace handrail::sinks {
 
 class EmbeddedVoice final : public Voice {
 public:
-    // `audible` says whether the channel's sound can be heard; while it cannot, the voice counts as gone. Called on the
+    // `audible` says whether the channel's sound can be heard; if not, the voice counts as gone. It is called on the
     // audio thread.
     EmbeddedVoice(std::shared_ptr<VoiceChannel> channel, std::function<bool()> audible,
                   const settings::Settings::Speech& settings)
@@ -20,7 +19,7 @@ public:
 
     settings::SpeechThrough through() const override { return settings::SpeechThrough::Embedded; }
     VoiceState state() const override { return voice_ && audible_() ? VoiceState::Ready : VoiceState::Gone; }
-    void want(bool wanted) override;  // opens the voice when it is first wanted, which takes about 3 ms
+    void want(bool wanted) override;  // opens the voice when it is first requested, which takes about 3 ms
 
     void say(const cues::Utterance& utterance) override;
     void stop() override;

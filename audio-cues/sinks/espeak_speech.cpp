@@ -21,22 +21,22 @@
 namespace handrail::sinks {
 namespace {
 
-// Samples sent at once: 0.19 s, made in about 1 ms. The sink plays pieces without a gap.
+// Samples that are sent together: 0.19 s of speech, made in about 1 ms. The sink plays the pieces without a gap.
 constexpr std::size_t kPiece = 4096;
 
-// The library has one state per process; these flags mirror it. Only the code that has set `library_taken` may use
+// espeak-ng has one state per process, which these flags mirror. Only the code that has set `library_taken` may use
 // `library_ready` and the library. The library is never terminated, because espeak_Terminate can wait for ever for a
 // thread that does not listen yet (seen with 1.51).
 std::atomic<bool> library_taken{false};
 bool library_ready = false;
 
-// State of the callback while one text is being spoken. Voice thread only.
+// State of the callback while a text is being synthesised. Voice thread only.
 struct Synthesis {
     VoiceChannel* channel = nullptr;
     VoiceChannel::Ticket ticket = 0;
     std::vector<std::int16_t> piece;
 
-    // Returns false if the utterance was cut.
+    // Sends the current piece. Returns false if the utterance was cut off.
     bool send() {
         const bool wanted = channel->append(ticket, piece);
         piece.clear();
@@ -44,7 +44,7 @@ struct Synthesis {
     }
 };
 
-// espeak-ng calls this with samples for every 20 ms of speech; returning 1 ends the synthesis.
+// espeak-ng calls this function with the samples of every 20 ms of speech. Returning 1 ends the synthesis.
 int on_samples(short* samples, int count, espeak_EVENT* events) {
     auto* synthesis = static_cast<Synthesis*>(events->user_data);
     if (synthesis == nullptr) return 0;
@@ -72,7 +72,7 @@ struct EspeakSpeech::Impl {
 
     std::mutex mutex;  // protects the five members below
     std::condition_variable changed;
-    std::optional<Job> job;  // only the newest, because a new text cuts the one before
+    std::optional<Job> job;  // only the newest text, because a new text cuts off the last one
     settings::Settings::Speech settings;
     bool new_settings = false;
     bool quit = false;
@@ -103,8 +103,8 @@ struct EspeakSpeech::Impl {
         return {};
     }
 
-    // The voice is a language ("en", "pt-br"), the program's language ("auto"), or one of the library's own names.
-    // English if the library knows neither.
+    // The setting `voice` is a language ("en", "pt-br"), the program's language ("auto"), or one of the library's own
+    // names. If the library knows neither, the voice is English.
     void apply(const settings::Settings::Speech& wanted) {
         const std::string voice = wanted.voice == "auto" ? spoken_language() : wanted.voice;
         if (!choose(voice)) {
@@ -117,14 +117,15 @@ struct EspeakSpeech::Impl {
 
     static bool choose(const std::string& voice) {
         if (espeak_ng_SetVoiceByName(voice.c_str()) == ENS_OK) return true;
-        // For a language that it does not have, the library chooses another one and reports success.
+        // If the library lacks a language, it chooses another one and reports success.
         espeak_VOICE properties{};
         properties.languages = voice.c_str();
         if (espeak_ng_SetVoiceByProperties(&properties) != ENS_OK) return false;
         const espeak_VOICE* chosen = espeak_GetCurrentVoice();
         const std::string language = voice.substr(0, voice.find('-'));
         return chosen != nullptr && chosen->languages != nullptr &&
-               std::string_view(chosen->languages).substr(1).starts_with(language);  // the byte at [0] is a priority
+               // Skips the byte at [0], which is a priority.
+               std::string_view(chosen->languages).substr(1).starts_with(language);
     }
 
     void speak_jobs() {
@@ -184,7 +185,7 @@ EspeakSpeech::~EspeakSpeech() {
 }
 
 void EspeakSpeech::say(const cues::Utterance& utterance) {
-    // Beginning on the channel here cuts the utterance before and makes speaking() true from now on.
+    // begin() on this thread cuts off the last utterance, and makes speaking() true from now on.
     const VoiceChannel::Ticket ticket = impl_->channel->begin(impl_->rate_hz, utterance.loudness, utterance.right_rad);
     {
         const std::lock_guard lock(impl_->mutex);

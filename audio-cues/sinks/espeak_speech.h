@@ -1,6 +1,7 @@
-// The embedded voice: espeak-ng in synchronous mode, on the only thread of the process that may use that library.
-// Samples go to a VoiceChannel in pieces, so a long text starts as soon as a short one. say(), stop() and speaking()
-// return at once. The callback ends a cut synthesis within a millisecond; the library's asynchronous mode needs 200 ms.
+// The embedded voice: espeak-ng in synchronous mode, on the only thread of the process that may use this library. It
+// sends samples to a VoiceChannel in pieces, so a long text starts as soon as a short one. say(), stop() and speaking()
+// return at once. When an utterance is cut off, the callback ends the synthesis within a millisecond. The library's
+// asynchronous mode needs 200 ms for that.
 #pragma once
 
 #include <memory>
@@ -16,12 +17,12 @@
 
 namespace handrail::sinks {
 
-// Owned and called by the audio thread.
+// The audio thread owns and calls it.
 class EspeakSpeech final : public cues::SpeechSink {
 public:
-    // Starts the thread and waits until the voice is ready (about 3 ms). Fails with a sentence if its data is missing,
-    // or if another EspeakSpeech exists: the library keeps its state in globals. For the same reason it stays loaded
-    // until the process ends. An unknown voice gives English and a message in news().
+    // Starts the thread and waits until the voice is ready (about 3 ms). Fails with a sentence if the library's data is
+    // missing, or if another EspeakSpeech exists, because the library keeps its state in globals. For the same reason
+    // the library stays loaded until the process ends. An unknown voice name gives English and a message in news().
     static Result<std::unique_ptr<EspeakSpeech>> open(std::shared_ptr<VoiceChannel> channel,
                                                       const settings::Settings::Speech& settings);
     ~EspeakSpeech() override;
@@ -39,10 +40,10 @@ private:
 };
 
 // Used if there is sound but no voice. A pattern of tones for each class (alarm four, answer two, name one, hint one
-// low) signals that there is something to read. Owned by the audio thread.
+// low) signals that there is text to read. The audio thread owns it.
 class BeepSpeech final : public cues::SpeechSink {
 public:
-    // `news` is returned once: the reason why there is no voice.
+    // `news` is the reason why there is no voice. news() returns it once.
     BeepSpeech(std::shared_ptr<VoiceChannel> channel, std::string news)
         : channel_(std::move(channel)), news_(std::move(news)) {}
 
@@ -58,7 +59,7 @@ private:
     std::optional<std::string> news_;
 };
 
-// Opens the embedded voice, or beeps that report why there is none.
+// Opens the embedded voice. If that fails, opens beeps, whose news() says why there is no voice.
 std::unique_ptr<cues::SpeechSink> open_voice(const std::shared_ptr<VoiceChannel>& channel,
                                              const settings::Settings::Speech& settings);
 

@@ -14,7 +14,7 @@ static_assert(kPacedBlock % WholeBlocks::kFrames == 0);
 
 }  // namespace
 
-// The only code that takes samples from the loopback device.
+// Only this function takes samples from the loopback device.
 void LoopbackMix::render_whole(float* stereo, int frames) const {
     contract_pre(frames % WholeBlocks::kFrames == 0);
     if (on_render_) on_render_(frames);
@@ -34,7 +34,7 @@ std::span<const float> LoopbackMix::render(int frames) {
 
 void LoopbackMix::discard_elapsed(double now_s) {
     double due = (now_s - rendered_until_s_) * kSampleRate_hz;
-    if (due > kMostPacedFrames) {  // the thread was delayed; samples that nobody hears need not be made up for
+    if (due > kMostPacedFrames) {  // the thread was delayed; nobody hears these samples, so they are not made up for
         rendered_until_s_ = now_s - static_cast<double>(kMostPacedFrames) / kSampleRate_hz;
         due = kMostPacedFrames;
     }

@@ -1,5 +1,5 @@
-// Makes samples without a sound card: takes them from the loopback device in whole blocks and, if nobody hears them,
-// discards them at the pace of time. Audio thread only.
+// Renders samples without a sound card. It takes them from OpenAL's loopback device in whole blocks. If nobody hears
+// them, it discards them as fast as they would be played. Audio thread only.
 #pragma once
 
 #include <functional>
@@ -13,17 +13,19 @@ namespace handrail::sinks {
 
 class LoopbackMix {
 public:
-    // `on_render`: gets each requested number of frames; may be empty. The device must outlive this object.
+    // `on_render` receives the number of frames of each request to the device; it may be empty. The device must outlive
+    // this object.
     LoopbackMix(const OpenALDevice& device, std::function<void(int)> on_render)
         : device_(device), on_render_(std::move(on_render)) {}
 
-    // Starts at this time: nothing is due from before it.
+    // Sets the start time; no samples are due from before it.
     void begin_at(double now_s) { rendered_until_s_ = now_s; }
-    // Call it after the device was opened again.
+    // Call it after the device has been opened again.
     void restart(double now_s);
-    // Renders and discards the samples for the time that has passed. Less than a whole block waits for the next call.
+    // Renders and discards the samples for the time that has passed. A rest of less than a whole block is left for the
+    // next call.
     void discard_elapsed(double now_s);
-    // The next frames, left and right alternating. Valid until the next call.
+    // Returns the next frames, with left and right samples alternating. Valid until the next call.
     std::span<const float> render(int frames);
 
 private:
@@ -33,7 +35,7 @@ private:
     std::function<void(int)> on_render_;
     double rendered_until_s_ = 0.0;
     std::vector<float> mix_;
-    WholeBlocks ahead_;  // samples rendered beyond the last request of render()
+    WholeBlocks ahead_;  // samples that were rendered beyond the last request of render()
 };
 
 }  // namespace handrail::sinks

@@ -10,7 +10,7 @@
 namespace handrail::sinks {
 namespace {
 
-// A section of two poles and two zeros.
+// A filter section with two poles and two zeros.
 class Biquad {
 public:
     Biquad(double b0, double b1, double b2, double a1, double a2) : b0_(b0), b1_(b1), b2_(b2), a1_(a1), a2_(a2) {}
@@ -30,10 +30,11 @@ private:
 
 double momentary_lufs(std::span<const float> samples) {
     constexpr std::size_t kWindow = 19200, kHop = 480;
-    // The standard's two filters at 48 kHz: the head, and what is too low to sound loud.
+    // The standard's two filters at 48 kHz: one for the effect of the head, one that removes frequencies too low to
+    // sound loud.
     Biquad head(1.53512485958697, -2.69169618940638, 1.19839281085285, -1.69065929318241, 0.73248077421585);
     Biquad low(1.0, -2.0, 1.0, -1.99004745483398, 0.99007225036621);
-    std::vector<double> energy{0.0};  // up to each hop
+    std::vector<double> energy{0.0};  // sum of the energy up to the end of each hop
     double sum = 0.0, most = 0.0;
     for (std::size_t i = 0; i < samples.size() + kWindow; ++i) {
         const double x = low(head(i < samples.size() ? static_cast<double>(samples[i]) : 0.0));

@@ -13,15 +13,15 @@
 namespace handrail::sinks {
 namespace {
 
-// Settings that OpenAL Soft takes from a file only, and only once in a process. Shorter periods drop out on a loaded
-// machine; the default of 3 x 1024 has a delay of 44 ms. Measured with the null device: 256 x 2 has a delay of 6.3 ms,
-// 256 x 3 one of 11.7 ms.
+// Settings that OpenAL Soft reads only from a file, and only once in a process. Shorter periods cause drop-outs on a
+// loaded machine; the default of 3 x 1024 has a delay of 44 ms. Measured with the null device: 256 x 2 has a delay of
+// 6.3 ms, 256 x 3 one of 11.7 ms.
 std::string configuration(int periods) { return fmt::format("period_size = 256\nperiods = {}\n", periods); }
 
 void ignore_alsa_message(const char* /*file*/, int /*line*/, const char* /*function*/, int /*error*/,
                          const char* /*format*/, ...) {}
 
-// Looks up the function of an extension; its context or device must exist.
+// Looks up a function of an extension. Its context or device must exist already.
 template <class Function>
 Function alc_function(ALCdevice* device, const char* name) {
     return reinterpret_cast<Function>(alcGetProcAddress(device, name));
@@ -30,15 +30,15 @@ Function alc_function(ALCdevice* device, const char* name) {
 }  // namespace
 
 OpenALEnvironment::OpenALEnvironment(int periods) {
-    // OpenAL, PipeWire and ALSA print to standard error if there is no sound card. The sink reports that in a sentence
-    // instead.
+    // OpenAL, PipeWire and ALSA print messages to standard error if there is no sound card. They are disabled here,
+    // because the sink reports this in a sentence.
     ::setenv("ALSOFT_LOGLEVEL", "0", 0);
     ::setenv("PIPEWIRE_DEBUG", "0", 0);
     if (void* alsa = ::dlopen("libasound.so.2", RTLD_NOW | RTLD_LOCAL)) {
         using SetHandler = int (*)(decltype(&ignore_alsa_message));
         if (void* set_handler = ::dlsym(alsa, "snd_lib_error_set_handler"))
             reinterpret_cast<SetHandler>(set_handler)(&ignore_alsa_message);
-    }  // stays loaded, because OpenAL uses it too
+    }  // the library stays loaded, because OpenAL uses it too
     if (std::getenv("ALSOFT_CONF") != nullptr) return;
     file_ = ::memfd_create("openal.conf", MFD_CLOEXEC);
     if (file_ < 0) return;
@@ -73,8 +73,9 @@ Result<void> OpenALDevice::open_loopback() {
 
 bool OpenALDevice::make_context(std::vector<ALCint> attributes) {
     attributes.insert(attributes.end(), {ALC_HRTF_SOFT, hrtf_ ? ALC_TRUE : ALC_FALSE});
-    // OpenAL Soft 1.19 sets the device to the rate of the data set, and takes one of 44.1 kHz if none is named. Version
-    // 1.24 has no set of this name: it resamples its only one to the rate of the device.
+    // OpenAL Soft 1.19 sets the device to the sample rate of the HRTF data set, and chooses a set with 44.1 kHz if none
+    // is
+    // named. Version 1.24 has no set of this name: it resamples its only set to the rate of the device.
     if (hrtf_) {
         const bool any = hrtf_set_ == "auto";
         const auto named = any ? std::nullopt : hrtf_named(hrtf_set_);
@@ -132,7 +133,7 @@ bool OpenALDevice::connected() const {
     return answer == ALC_TRUE;
 }
 
-// Looks for a device without closing the loopback device, which would have to be set up again.
+// Checks for a playback device without closing the loopback device, which would then have to be set up again.
 bool OpenALDevice::playback_is_there() const {
     ALCdevice* found = alcOpenDevice(wanted_.empty() ? nullptr : wanted_.c_str());
     if (found != nullptr) alcCloseDevice(found);

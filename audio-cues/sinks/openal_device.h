@@ -1,5 +1,5 @@
-// One OpenAL device with its context: a sound card, or the loopback device, which makes samples on request. Audio
-// thread only, except for the environment.
+// One OpenAL device with its context: a sound card, or the loopback device, which renders samples on request. Audio
+// thread only, except for OpenALEnvironment.
 #pragma once
 
 #include <AL/al.h>
@@ -15,11 +15,12 @@
 
 namespace handrail::sinks {
 
-// Gives OpenAL the settings that it takes from a file only. The file exists only in memory, while this object lives,
-// and is not used if the person has set their own. Create it before other threads read the environment.
+// Gives OpenAL the settings that it reads only from a file. The file exists only in memory, and only while this object
+// exists. It is not used if the person has set a file of their own. Create this object before other threads read the
+// environment.
 class OpenALEnvironment {
 public:
-    // `periods`: number of periods of 256 samples.
+    // `periods` is the number of periods of 256 samples.
     explicit OpenALEnvironment(int periods);
     ~OpenALEnvironment();
     OpenALEnvironment(const OpenALEnvironment&) = delete;
@@ -31,18 +32,19 @@ private:
 
 class OpenALDevice {
 public:
-    // `wanted`: OpenAL's name of a playback device; empty: the default one. Without `hrtf` plain stereo. `hrtf_set`:
-    // part of the name of a set of filters, or "auto".
+    // `wanted` is OpenAL's name of a playback device; empty: the default device. Without `hrtf` the sound is plain
+    // stereo. `hrtf_set` is part of the name of a set of head-related filters, or "auto".
     OpenALDevice(std::string wanted, bool hrtf, std::string hrtf_set)
         : wanted_(std::move(wanted)), hrtf_(hrtf), hrtf_set_(std::move(hrtf_set)) {}
     ~OpenALDevice() { close(); }
     OpenALDevice(const OpenALDevice&) = delete;
     OpenALDevice& operator=(const OpenALDevice&) = delete;
 
-    // Open the device at 48 kHz and make its context current. If this fails, the caller must close the device.
+    // Both functions open the device at 48 kHz and make its context current. If one fails, the caller must close the
+    // device.
     bool open_playback();
     Result<void> open_loopback();
-    // Call it after everything made in its context is gone.
+    // Closes the device. Call it after all objects of its context have been deleted.
     void close();
 
     bool is_open() const { return device_ != nullptr; }
@@ -51,14 +53,14 @@ public:
     ALCdevice* handle() const { return device_; }
     std::string name() const;
     bool hrtf_active() const;
-    // False: the set that was named is not there, so another one is used.
+    // Returns false if the named set of filters does not exist, so that another one is used.
     bool has_wanted_hrtf() const { return has_wanted_hrtf_; }
     bool connected() const;
-    // Returns true if the playback device could be opened now; does not touch the one that is open.
+    // Returns true if the playback device could be opened now. Does not affect the device that is open.
     bool playback_is_there() const;
-    // Time by the device's own clock, if it has one.
+    // Returns the time by the device's own clock, if it has one.
     std::optional<double> clock_s() const;
-    // Makes samples on the loopback device, left and right alternating.
+    // Renders samples with the loopback device, with left and right alternating.
     void render(float* stereo, int frames) const { render_samples_(device_, stereo, frames); }
 
 private:

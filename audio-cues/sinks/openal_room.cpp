@@ -7,9 +7,9 @@
 namespace handrail::sinks {
 namespace {
 
-// The reverberation follows a change by this factor, at most this often.
+// The effect is changed only if the reverberation time has changed by this factor, and at most this often.
 constexpr double kRoomChange = 1.08, kRoom_s = 0.5;
-// OpenAL Soft 1.19.1 reverberates longer than requested by this much, measured from 0.3 to 4 s.
+// OpenAL Soft 1.19.1 reverberates for this much longer than requested, as measured from 0.3 to 4 s.
 constexpr double kEffectLonger_s = 0.045;
 
 }  // namespace

@@ -24,7 +24,8 @@ bool leads_by_sound(cues::SoundKind kind) {
 
 }  // namespace
 
-// Chooses the device, and notices when it is lost and found again. The parts make the sound.
+// The state of the sink. It chooses the device and notices when the device is lost or found again; its parts make the
+// sound.
 struct OpenALSink::Impl {
     Impl(const Options& asked, std::shared_ptr<VoiceChannel> channel)
         : options(asked),
@@ -48,11 +49,11 @@ struct OpenALSink::Impl {
     bool others_speak = false;
     bool has_time = false;
     double next_poll_s = 0.0, next_reopen_s = 0.0;
-    bool lost = false;  // there is no device, and one is looked for
+    bool lost = false;  // there is no playback device, and the sink searches for one
     bool never_had = false;
     bool drops_out = false;
     std::optional<std::string> news;
-    // The message that there is no sound, until the person needs sound to find their way.
+    // The message that there is no sound. It is kept until the person needs sound to find their way.
     std::optional<std::string> untold;
 
     Result<void> open() {
@@ -78,7 +79,7 @@ struct OpenALSink::Impl {
         alGetError();
         dropouts.reset();
         alListenerf(AL_GAIN, static_cast<float>(kHeadroom));
-        alDistanceModel(AL_NONE);  // distance_gain() has its own say
+        alDistanceModel(AL_NONE);  // distance_gain() computes the effect of distance instead
         const bool filters = voices.load_filters(device.handle());
         if (filters) room.make();
         voices.make_sources(filters);
@@ -97,12 +98,12 @@ struct OpenALSink::Impl {
         device.close();
     }
 
-    // Loops continue after the change; one-shots and the current utterance are lost with the old device.
+    // Changes the device. Loops continue afterwards; one-shots and the current utterance are lost with the old device.
     void change_device() {
         const auto before = voices.loops();
         const VoiceChannel::Ticket spoken = speech.ticket();
         close();
-        if (!open()) return;  // tick() tries again
+        if (!open()) return;  // if it fails, tick() tries again
         voices.go_on(before);
         speech.give_up(spoken);
     }
@@ -145,7 +146,7 @@ Result<std::unique_ptr<OpenALSink>> OpenALSink::open(std::shared_ptr<VoiceChanne
     if (auto opened = impl->open(); !opened) return tl::unexpected(opened.error());
     if (options.output == Output::Device && impl->device.is_loopback()) {
         impl->untold = phrase("sound_output.none_found");
-        impl->lost = true;  // one may be plugged in later
+        impl->lost = true;  // so that tick() notices when a sound card is plugged in later
         impl->never_had = true;
     }
     if (!impl->device.has_wanted_hrtf())
@@ -154,7 +155,7 @@ Result<std::unique_ptr<OpenALSink>> OpenALSink::open(std::shared_ptr<VoiceChanne
 }
 
 void OpenALSink::play(const cues::SoundCue& cue) {
-    // Missing sound matters once the person must follow a sound, so it is announced only then.
+    // Missing sound matters only when the person must follow a sound, so it is announced only then.
     if (leads_by_sound(cue.kind) && impl_->untold) impl_->news = std::exchange(impl_->untold, std::nullopt);
     if (impl_->device.is_open()) impl_->voices.play(cue);
 }

@@ -1,9 +1,9 @@
 // Plays sounds at their places and a voice in the middle, through OpenAL Soft at 48 kHz, with head-related filtering
-// for headphones if the device allows it. One owner: the thread that ticks it (the audio thread); only VoiceChannel is
-// shared. Without a sound card it plays into OpenAL's loopback device and discards the samples at the pace of time, so
-// that nothing else changes; description() and news() report this. A device that is lost while playing is replaced by
-// the default one, or by loopback until one is back. Cost: about 1 % of a core; each sound of the bank (synth.h) is
-// synthesised when it is first heard.
+// for headphones if the device permits it. One owner: the thread that ticks it (the audio thread); only VoiceChannel is
+// shared with other threads. Without a sound card it plays into OpenAL's loopback device and discards the samples as
+// fast as they would be played. Nothing else changes then; description() and news() report it. If a device is lost
+// while playing, the default device replaces it, or loopback until there is a device again. Cost: about 1 % of a core.
+// Each sound of the bank (synth.h) is synthesised when it is first heard.
 #pragma once
 
 #include <functional>
@@ -21,29 +21,29 @@ namespace handrail::sinks {
 class OpenALSink final : public cues::AudioSink {
 public:
     enum class Output {
-        Device,    // the sound card, otherwise loopback paced by tick()
-        OnDemand,  // loopback; samples are made by render() only, for tests
+        Device,    // the sound card, or without one the loopback device, paced by tick()
+        OnDemand,  // the loopback device, from which only render() takes samples; for tests
     };
     struct Options {
         Output output = Output::Device;
-        std::string device = {};        // OpenAL's name of a playback device; empty: the default one
-        int periods = 2;                // of 256 samples; the first sink of a process decides for all
-        bool hrtf = true;               // false: plain stereo, for loudspeakers
+        std::string device = {};  // OpenAL's name of a playback device; empty: the default device
+        int periods = 2;          // number of periods of 256 samples; the first sink of a process determines it for all
+        bool hrtf = true;         // false: plain stereo, for loudspeakers
         std::string hrtf_set = "auto";  // part of the name of a set of filters that OpenAL Soft finds
         std::function<bool()> still_connected =
-            {};  // stands in for the device's own report, so that a test can pull the plug
+            {};  // Replaces the device's own report, so that a test can simulate unplugging.
         std::function<void(int)> on_render =
-            {};  // told of each count of frames that the loopback device is asked for, so that a test can see them
+            {};  // Receives the number of frames of each request to the loopback device, for tests.
     };
-    // Most sounds at once, not counting the voice. If there are more, the least important gives way; among equals the
-    // oldest, and among the world's own sounds the quietest.
+    // Greatest number of sounds at once, without the voice. If there are more, the least important one ends. Among
+    // equally important sounds, the oldest ends, and among the world's own sounds the quietest.
     static constexpr int kMostSounds = 3;
-    // Of everything, so that three sounds and the voice together stay below full scale.
+    // Factor on all sounds, so that three sounds and the voice together stay below full scale.
     static constexpr double kHeadroom = 0.5;
-    static constexpr double kDuckingDb = -9.0;  // sounds but danger, while the voice speaks
+    static constexpr double kDuckingDb = -9.0;  // level of all sounds except danger while the voice speaks
 
-    // Sets ALSOFT_CONF while opening (256 samples x 2 periods) unless the person has set it, so call it before other
-    // threads read the environment. Fails only if OpenAL has no loopback device.
+    // Opens the sink. Meanwhile it sets ALSOFT_CONF (256 samples x 2 periods) unless the person has set it, so call it
+    // before other threads read the environment. Fails only if OpenAL has no loopback device.
     static Result<std::unique_ptr<OpenALSink>> open(std::shared_ptr<VoiceChannel> voice, const Options& options);
     ~OpenALSink() override;
 
@@ -52,16 +52,17 @@ public:
     void set_listener(const cues::Listener& listener) override;
     void set_sound(const settings::Settings::Sound& settings) override;
     void set_speaking(bool speaking) override;
-    void stop_all() override;  // fades within one mixing period of 5.3 ms
+    void stop_all() override;  // fades all sounds out within one mixing period of 5.3 ms
     void tick(double now_s) override;
     bool drops_out() const override;
     std::optional<std::string> news() override;
 
-    // Such as "Sound goes to Built-in Audio, for headphones."
+    // Returns for example "Sound goes to Built-in Audio, for headphones."
     std::string description() const;
-    bool has_device() const;     // false: plays into loopback
-    int sounds_playing() const;  // as of the last tick, without the voice
-    // OnDemand only: the next `frames` of the mix, left and right alternating. Valid until the next call.
+    bool has_device() const;     // false: the sink plays into the loopback device
+    int sounds_playing() const;  // number of sounds as of the last tick, without the voice
+    // OnDemand only. Renders the next `frames` frames of the mix, with left and right alternating. Valid until the next
+    // call.
     std::span<const float> render(int frames);
 
 private:

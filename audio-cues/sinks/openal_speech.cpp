@@ -43,7 +43,7 @@ void OpenALSpeech::delete_played(const Speaker& s) {
 }
 
 void OpenALSpeech::drop_speech(Speaker& s) {
-    alSourceStop(s.source);  // this makes all of its buffers count as played
+    alSourceStop(s.source);  // afterwards all of its buffers count as played
     delete_played(s);
     alSourcei(s.source, AL_BUFFER, 0);
     s.active = s.ended = s.ending = false;
@@ -74,7 +74,7 @@ void OpenALSpeech::update(double now_s, const settings::Settings::Sound& sound) 
     Speaker& s = speakers_[speaker_];
     s.ended = update.ended;
     if (!update.samples.empty()) {
-        delete_played(s);  // a source that ran dry would otherwise start again with them
+        delete_played(s);  // otherwise a source that ran out of samples would play these buffers again
         ALuint buffer = 0;
         alGenBuffers(1, &buffer);
         alBufferData(buffer, AL_FORMAT_MONO16, update.samples.data(),
@@ -83,7 +83,7 @@ void OpenALSpeech::update(double now_s, const settings::Settings::Sound& sound) 
         alSourcef(s.source, AL_GAIN, static_cast<float>(s.gain));
         ALint state = 0;
         alGetSourcei(s.source, AL_SOURCE_STATE, &state);
-        // It is the first piece, or the synthesis was slower than the speech.
+        // The source does not play if this is the first piece, or if the synthesis was slower than the speech.
         if (state != AL_PLAYING) alSourcePlay(s.source);
         s.active = true;
     }

@@ -1,5 +1,5 @@
-// The speech, in the middle or from where it is about: what a VoiceChannel brings, queued piece by piece. The audio
-// thread, with the context current.
+// Plays speech from the middle, or from the direction of what it is about. It takes samples from a VoiceChannel and
+// queues them piece by piece. Audio thread only, with the context current.
 #pragma once
 
 #include <AL/al.h>
@@ -17,21 +17,21 @@ public:
     explicit OpenALSpeech(std::shared_ptr<VoiceChannel> channel) : channel_(std::move(channel)) {}
 
     void make();
-    void stop();  // also drops what still waits to be said
+    void stop();  // also drops the utterance that is still to come
     void drop();
     void update(double now_s, const settings::Settings::Sound& sound);
     bool playing() const { return channel_->playing(); }
-    // Ends the utterance that was lost with its device, so that code waiting for its end continues.
+    // Marks an utterance that was lost with its device as ended, so that code waiting for its end continues.
     VoiceChannel::Ticket ticket() const { return speakers_[speaker_].ticket; }
     void give_up(VoiceChannel::Ticket spoken);
 
 private:
-    // Utterances alternate between two sources, so that a cut one can fade out.
+    // Utterances alternate between two sources, so that one that was cut off can fade out.
     struct Speaker {
         ALuint source = 0;
         VoiceChannel::Ticket ticket = 0;
         bool active = false;
-        bool ended = false;  // all samples are queued
+        bool ended = false;  // all samples of the utterance are queued
         bool ending = false;
         double stop_at_s = 0.0;
         double gain = 1.0;

@@ -17,10 +17,11 @@ namespace {
 
 constexpr double kLoopFade_s = 0.030;  // fade time of loops
 constexpr double kWorldFade_s = 0.25;  // the world's sounds are background, so they fade slowly
-// A sound that gave way returns only after there was room for this long; otherwise each footstep would interrupt it.
+// A world's sound that was muted for lack of room returns only after there has been room for this long. Otherwise each
+// footstep would interrupt it.
 constexpr double kRoomFor_s = 1.5;
 constexpr double kMuffle_db_per_s = 120.0;
-constexpr double kPulseLow = 0.25;  // level of a pulsing loop between its swells
+constexpr double kPulseLow = 0.25;  // level of a pulsing loop between its swells, as a share of full level
 constexpr double kDuckDown_s = 0.040, kDuckUp_s = 0.250;
 
 int importance(cues::SoundKind kind) {
@@ -39,11 +40,12 @@ int importance(cues::SoundKind kind) {
         case cues::SoundKind::Contact:
             return 3;
         default:
-            return cues::rank_of(kind) == cues::SoundRank::Danger ? 5 : 4;  // earcons answer a key
+            // The others are earcons, which answer a key.
+            return cues::rank_of(kind) == cues::SoundRank::Danger ? 5 : 4;
     }
 }
 
-// Sounds that are in the room get its reverberation; signals and the wall tone do not.
+// Returns true for sounds inside the room, which get its reverberation. Earcons and the wall tone do not.
 bool is_in_room(cues::SoundKind kind) {
     return !cues::is_earcon(kind) && kind != cues::SoundKind::WallTone && kind != cues::SoundKind::Bell;
 }
@@ -52,7 +54,7 @@ bool is_in_room(cues::SoundKind kind) {
 
 // ---- buffers, filters and sources ----
 
-// A buffer is made when its sound is first heard; OpenAL keeps the samples.
+// Returns the buffer of a sound. It is created when the sound is first heard; OpenAL then keeps the samples.
 ALuint OpenALVoices::buffer_of(const cues::SoundCue& cue) {
     ALuint& buffer = buffers_[sound_index(cue.kind, cue.material)];
     if (buffer == 0) {
@@ -64,7 +66,7 @@ ALuint OpenALVoices::buffer_of(const cues::SoundCue& cue) {
     return buffer;
 }
 
-// Filters are an extension. Without it, sounds behind walls only get quieter.
+// Filters are an OpenAL extension. Without it, sounds behind walls only get quieter.
 bool OpenALVoices::load_filters(ALCdevice* device) {
     if (alcIsExtensionPresent(device, "ALC_EXT_EFX") == ALC_FALSE) return false;
     gen_filters_ = reinterpret_cast<LPALGENFILTERS>(alGetProcAddress("alGenFilters"));
@@ -104,8 +106,8 @@ void OpenALVoices::drop_buffers() {
 
 // ---- the sound of one voice ----
 
-// For doors and walls: the loss is part of the gain, and high tones lose at least twice as much. OpenAL copies a filter
-// when it is attached, so it must be attached again after a change.
+// Muffles a sound behind doors and walls. The loss is part of the gain, and high tones lose at least twice as much.
+// OpenAL copies a filter when it is attached, so a changed filter must be attached again.
 bool OpenALVoices::muffle(SinkVoice& voice) const {
     if (voice.filter == 0 || voice.filtered_db == voice.muffled_db ||
         (voice.filtered_db < 0.0 && voice.muffled_db == 0.0))
@@ -116,8 +118,8 @@ bool OpenALVoices::muffle(SinkVoice& voice) const {
     return true;
 }
 
-// Sets place and level of a source for the listener's present position. OpenAL's listener stays at its origin: x right,
-// y up, z backward of the head.
+// Sets position and level of a source for the listener's present position. OpenAL's own listener stays at the origin: x
+// right, y up, z backwards from the head.
 void OpenALVoices::apply(SinkVoice& voice) const {
     Vec3 head_m{0.0, 0.0, -1.0};
     double near = 1.0;
@@ -166,8 +168,8 @@ void OpenALVoices::start(SinkVoice& voice, const cues::SoundCue& cue, double lev
     alSourcePlay(voice.source);
 }
 
-// Silences a voice over the next mixing period, and stops it when that has certainly passed. The world's sounds fade
-// first.
+// Silences a voice over the next mixing period, and stops it when that period has certainly passed. The world's sounds
+// fade out before.
 void OpenALVoices::end(SinkVoice& voice, bool at_once) {
     if (!voice.active || voice.ending) return;
     if (!at_once && cues::is_world_sound(voice.cue.kind)) {
@@ -187,8 +189,8 @@ SinkVoice& OpenALVoices::free_one_shot() {
                              [&](const SinkVoice& a, const SinkVoice& b) { return cost(a) < cost(b); });
 }
 
-// Returns the voice that plays this loop, or one where it may begin. Returns nullptr if there is no room, or nothing to
-// end.
+// Returns the voice that plays this loop, or a free one for it. Returns nullptr if there is no room for a new loop, or
+// if the loop to end does not play.
 SinkVoice* OpenALVoices::loop_of(const cues::SoundCue& cue) {
     if (!cues::is_world_sound(cue.kind))
         return &loops_[cue.kind == cues::SoundKind::Slide ? 1 + std::min(cue.source, 1U) : 0];
@@ -202,7 +204,7 @@ SinkVoice* OpenALVoices::loop_of(const cues::SoundCue& cue) {
     return free != world.end() ? &*free : nullptr;
 }
 
-// Its loudness at the ears, apart from the level of its samples.
+// Returns the loudness of a voice for the listener, without the level of its samples.
 double OpenALVoices::strength(const SinkVoice& voice) const {
     return voice.cue.loudness *
            cues::distance_gain(voice.cue.kind, glm::length(voice.cue.position_m - hearing_.listener.ears_m)) *
@@ -219,7 +221,8 @@ std::vector<SinkVoice*> OpenALVoices::competing() {
     return all;
 }
 
-// Limits how many sounds are heard: an excess one-shot ends, an excess loop is muted until there is room again.
+// Limits how many sounds are heard. One-shots beyond the limit end; loops beyond it are muted until there is room
+// again.
 void OpenALVoices::limit() {
     std::vector<SinkVoice*> all = competing();
     const auto rank = [&](const SinkVoice* v) {

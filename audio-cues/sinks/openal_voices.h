@@ -1,5 +1,5 @@
-// The sounds at their places: decides which are heard, how loud and from where for the listener's present position.
-// Audio thread only, with the context current.
+// The sounds at their places. This class decides which sounds are heard, how loud, and from which direction for the
+// listener's present position. Audio thread only, with the context current.
 #pragma once
 
 #include <AL/al.h>
@@ -17,25 +17,25 @@
 
 namespace handrail::sinks {
 
-// A silenced source is stopped this much later; the mixer's ramp takes 5.3 ms.
+// Time after which a silenced source is stopped. The mixer fades it within 5.3 ms.
 inline constexpr double kFadeOut_s = 0.020;
 
-// An OpenAL source and the sound it plays.
+// An OpenAL source and the sound that it plays.
 struct SinkVoice {
     ALuint source = 0;
     bool active = false;
     bool leaving = false;  // a loop that fades to level 0 and then ends
-    bool ending = false;   // fading, and to be stopped at stop_at_s
+    bool ending = false;   // the voice is fading and will be stopped at stop_at_s
     double stop_at_s = 0.0;
     cues::SoundCue cue;
-    double level = 1.0;           // of the fade, 0 to 1
+    double level = 1.0;           // level of the fade, 0 to 1
     bool audible = true;          // false: muted, because there are too many sounds
-    double may_sound_at_s = 0.0;  // a sound that gave way stays muted until this time
-    double muffled_db = 0.0;      // present value, which follows cue.muffled_db
-    double filtered_db = -1.0;    // value that the filter is set to
+    double may_sound_at_s = 0.0;  // a muted world sound stays muted until this time
+    double muffled_db = 0.0;      // present value, which moves towards cue.muffled_db
+    double filtered_db = -1.0;    // value for which the filter is set
     ALuint filter = 0;
-    double pulse = 0.0;       // phase of its swells, 0 to 1
-    std::uint64_t order = 0;  // a larger number is newer
+    double pulse = 0.0;       // phase of the loop's swells, 0 to 1
+    std::uint64_t order = 0;  // order of starting; a larger number is newer
 };
 
 // The person's hearing settings and position at this moment.
@@ -47,16 +47,17 @@ struct Listening {
 
 class OpenALVoices {
 public:
-    static constexpr std::size_t kOneShots = 8;     // more than are heard at once, so that displaced ones can fade
-    static constexpr std::size_t kOwnLoops = 3;     // the wall tone, and one for the sliding of each hand
-    static constexpr std::size_t kWorldVoices = 6;  // those that are heard, and as many that fade out
-    // WallTone, Slide of each hand, then the world's loops.
+    // More than can be heard at once, so that sounds beyond the limit can fade out.
+    static constexpr std::size_t kOneShots = 8;
+    static constexpr std::size_t kOwnLoops = 3;     // the wall tone, and one slide loop for each hand
+    static constexpr std::size_t kWorldVoices = 6;  // enough for those that are heard and as many that are fading out
+    // In this order: WallTone, Slide of each hand, then the world's loops.
     using Loops = std::array<SinkVoice, kOwnLoops + kWorldVoices>;
 
-    // Both references must outlive this object. `most`: number of sounds that are heard at once.
+    // Both references must outlive this object. `most` is the number of sounds that can be heard at once.
     OpenALVoices(const Listening& hearing, OpenALRoom& room, int most) : hearing_(hearing), room_(room), most_(most) {}
 
-    // Call in this order: first make the filters (returns false if the extension is missing), then the sources.
+    // Call load_filters() first; it returns false if OpenAL lacks the extension. Then call make_sources().
     bool load_filters(ALCdevice* device);
     void make_sources(bool filters);
     void drop_sources();
@@ -65,12 +66,12 @@ public:
     void play(const cues::SoundCue& cue);
     void set_loop(const cues::SoundCue& cue);
     void stop_all();
-    // `spoken_over`: the voice speaks, so all but danger is quieter.
+    // Updates all voices. `spoken_over` says that the voice speaks, so that all sounds except danger are quieter.
     void update(double dt_s, bool spoken_over, double ducking_db);
     int playing() const;
 
     const Loops& loops() const { return loops_; }
-    // Call it after a change of the device: loops that were playing continue.
+    // Call it after a change of the device. The loops in `before` continue.
     void go_on(const Loops& before);
 
 private:
@@ -95,7 +96,7 @@ private:
     LPALDELETEFILTERS delete_filters_ = nullptr;
     LPALFILTERI filter_i_ = nullptr;
     LPALFILTERF filter_f_ = nullptr;
-    std::array<ALuint, kSounds> buffers_{};  // by sound_index(); 0: not made yet
+    std::array<ALuint, kSounds> buffers_{};  // indexed by sound_index(); 0: not created yet
     std::array<SinkVoice, kOneShots> one_shots_{};
     Loops loops_{};
     double duck_ = 1.0;

@@ -1,6 +1,6 @@
-// The person's own screen reader as a voice. It reads the text in the window's accessible objects, so the words only
-// pass through here. ReaderVoice puts them into a ReaderChannel on the audio thread, and the owner of the objects takes
-// them out on its own thread.
+// The person's own screen reader as a voice. The reader reads the text in the window's accessible objects, so this code
+// only passes text on. ReaderVoice puts it into a ReaderChannel on the audio thread; the owner of the accessible
+// objects takes it out on its own thread.
 #pragma once
 
 #include <functional>
@@ -13,22 +13,22 @@
 
 namespace handrail::sinks {
 
-// Contains one message, the newest: a message that was not taken before the next one came is not read. Only an alarm
+// Contains only the newest message. A message that was not taken before the next one came is not read. Only an alarm
 // replaces an alarm. Any thread; each call holds a mutex for microseconds.
 class ReaderChannel {
 public:
-    // For the voice.
+    // These functions are for the voice.
     void want(bool wanted);
     VoiceState state() const;
     void say(const cues::Utterance& utterance);
     void stop();
 
-    // For the owner of the accessible objects.
+    // These functions are for the owner of the accessible objects.
     bool wanted() const;
     void set_state(VoiceState state);
     std::optional<std::string> take();
-    // The function is called on the thread that changes something, while only this object's own lock is held. An empty
-    // function removes it.
+    // Sets a function that is called when something changes, on the thread that changed it. Meanwhile only this
+    // object's own lock is held. An empty function removes it.
     void on_change(std::function<void()> call);
 
 private:
@@ -42,13 +42,14 @@ private:
     std::function<void()> call_;
 };
 
-// Owned and called by the audio thread.
+// The audio thread owns and calls it.
 class ReaderVoice final : public Voice {
 public:
-    // The window must have the keyboard for a moment before the reader notices it.
+    // The window must have the keyboard focus for a moment before the reader notices it.
     static constexpr double kPatience_s = 3.0;
-    // A screen reader does not report when it has finished, so this estimates it from the number of letters at a brisk
-    // rate. An estimate that is too short only makes the reader queue the text itself.
+    // Start time and time per letter at a brisk rate. A screen reader does not report when it has finished, so the
+    // duration is estimated from the number of letters. If the estimate is too short, the reader only queues the next
+    // text itself.
     static constexpr double kStart_s = 0.3;
     static constexpr double kLetter_s = 0.045;
 
@@ -63,8 +64,8 @@ public:
     double patience_s() const override { return kPatience_s; }
 
     void say(const cues::Utterance& utterance) override;
-    // Withdraws what has not been read yet. Reading itself is stopped by the key with which the person requests
-    // silence, because the reader receives every key first.
+    // Withdraws the text that has not been read yet. The key with which the person requests silence also stops the
+    // reading itself, because the reader receives every key first.
     void stop() override;
     bool speaking() const override { return now_s_ < speaks_until_s_; }
     void tick(double now_s) override { now_s_ = now_s; }

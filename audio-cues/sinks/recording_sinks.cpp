@@ -6,7 +6,7 @@
 namespace handrail::sinks {
 
 HeardSound RecordingAudio::heard(const cues::SoundCue& cue) const {
-    // The small allowance keeps a time at the start of a period in that period despite rounding.
+    // The small tolerance keeps a time at the start of a period in that period despite rounding errors.
     const double start_s = std::ceil(now_s_ / kPeriod_s - 1e-6) * kPeriod_s;
     return {cue, start_s, start_s - cue.event_time_s};
 }

@@ -1,5 +1,5 @@
-// Sinks that store their input instead of sounding: for scenarios and tests, on virtual time. One thread. They store
-// what a person would have heard, as far as that is known without samples; OpenALSink's tests measure those.
+// Sinks for scenarios and tests in virtual time: they store their input and make no sound. One thread. They store what
+// a person would have heard, as far as that is known without samples. The tests of OpenALSink measure the samples.
 #pragma once
 
 #include <map>
@@ -12,15 +12,15 @@
 
 namespace handrail::sinks {
 
-// A sound, with the time at which it would have started.
+// A sound, with the time at which it would start.
 struct HeardSound {
     cues::SoundCue cue;
-    double time_s = 0.0;     // stream time of its first sample
+    double time_s = 0.0;     // time of its first sample in the output
     double latency_s = 0.0;  // time_s - cue.event_time_s
 };
 
-// The first sample of a sound is at the start of the mixing period after play(): 256 samples at 48 kHz, as OpenALSink
-// mixes.
+// A sound starts at the beginning of the first mixing period after play(), which has 256 samples at 48 kHz, as in
+// OpenALSink.
 class RecordingAudio final : public cues::AudioSink {
 public:
     static constexpr double kPeriod_s = 256.0 / 48000.0;
@@ -31,14 +31,14 @@ public:
     void stop_all() override;
     void tick(double now_s) override { now_s_ = now_s; }
 
-    const std::vector<HeardSound>& sounds() const { return sounds_; }  // one-shots, in order
+    const std::vector<HeardSound>& sounds() const { return sounds_; }  // one-shots, in the order of play()
     const std::vector<HeardSound>& loop_changes() const {
         return changes_;
-    }  // one entry for each call that changed a loop's loudness, pitch, place or material
+    }  // one entry for each call that changed the loudness, pitch, place or material of a loop
     std::optional<cues::SoundCue> loop(
         cues::SoundKind kind,
-        std::uint32_t source = 0) const;               // the loop that sounds now with this kind and source
-    std::vector<cues::SoundCue> world_sounds() const;  // the world's loops that sound now
+        std::uint32_t source = 0) const;               // returns the loop of this kind and source that sounds now
+    std::vector<cues::SoundCue> world_sounds() const;  // returns the world's loops that sound now
     const std::vector<double>& silences_s() const { return silences_s_; }  // times of the stop_all() calls
     const cues::Listener& listener() const { return listener_; }
 
@@ -52,16 +52,16 @@ private:
     std::vector<double> silences_s_;
 };
 
-// An utterance, with the times at which it would have been spoken.
+// An utterance, with the times at which a voice would speak it.
 struct HeardSpeech {
     cues::Utterance utterance;
     double time_s = 0.0;
-    double end_s = 0.0;  // when it was finished or cut
-    bool cut = false;    // by stop() or by another utterance
-    bool voiced = true;  // false: only written, because its turn had passed
+    double end_s = 0.0;  // time when it was finished or cut off
+    bool cut = false;    // cut off by stop() or by another utterance
+    bool voiced = true;  // false: only written, because its time had passed
 };
 
-// By default speech takes no time. With a rate, each utterance lasts as long as a voice at that rate would take (0.1 s
+// By default, speech takes no time. With a rate, each utterance lasts as long as a voice at that rate would take (0.1 s
 // plus its words).
 class RecordingSpeech final : public cues::SpeechSink {
 public:
@@ -82,7 +82,7 @@ private:
     double words_per_minute_;
     double now_s_ = 0.0;
     std::vector<HeardSpeech> lines_;
-    std::optional<std::size_t> voiced_;  // index of the last line that was voiced
+    std::optional<std::size_t> voiced_;  // index of the last line that was spoken
     std::vector<double> stops_s_;
 };
 

@@ -1,5 +1,5 @@
-// Opens the sound and speech outputs of this machine, with every fallback. The composition root calls it before other
-// threads start.
+// Opens the sound and speech outputs of this machine, with all fallbacks. The start-up code of the program calls it
+// before other threads start.
 #pragma once
 
 #include <memory>
@@ -15,14 +15,19 @@ namespace handrail::sinks {
 struct SoundOutputs {
     std::unique_ptr<cues::AudioSink> audio;
     std::unique_ptr<cues::SpeechSink> speech;
-    // Such as "Sound goes to Built-in Audio, for headphones."; empty if the sinks' news() reports what is missing.
+    // For example "Sound goes to Built-in Audio, for headphones."; empty if the sinks' news() reports what is missing.
     std::string description;
 };
 
-// Text always goes to `text_fd`. The voice is the first available of a screen reader, speech-dispatcher and, with a
-// sound device, the embedded voice or its beeps (see VoiceRouter). If there is none, there is only text, so that no
-// line waits for a voice that nobody hears. `reader` leads to the screen reader; null: there is no window to read. The
-// same is true of `braille`. The sinks' news() reports what is missing. The audio sink must outlive the speech sink.
+// Opens both sinks. The audio sink must outlive the speech sink.
+// - Text always goes to `text_fd`.
+// - The voice is the first available of a screen reader, speech-dispatcher and, with a sound device, the embedded
+//   voice
+//   or its beeps (see VoiceRouter). If there is none, there is only text, so that no line waits for a voice that nobody
+//   hears.
+// - reader: channel to the screen reader; null: there is no window to read.
+// - braille: link to the braille display; null: there is no window.
+// The sinks' news() reports what is missing.
 SoundOutputs open_sound_outputs(const settings::Settings& settings, int text_fd,
                                 std::shared_ptr<ReaderChannel> reader = nullptr,
                                 std::shared_ptr<BrailleLink> braille = nullptr);

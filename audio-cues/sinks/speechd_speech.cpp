@@ -19,8 +19,8 @@
 namespace handrail::sinks {
 namespace {
 
-constexpr double kLongestStart_s = 5.0;   // from say() to the first word, for a slow server
-constexpr double kSlowestLetter_s = 0.3;  // no voice is slower than this
+constexpr double kLongestStart_s = 5.0;   // longest time from say() to the first word, for a slow server
+constexpr double kSlowestLetter_s = 0.3;  // slowest speech of any voice, per letter
 
 struct CloseConnection {
     void operator()(SPDConnection* connection) const { spd_close(connection); }
@@ -32,18 +32,20 @@ using Connection = std::unique_ptr<SPDConnection, CloseConnection>;
 struct SpeechdSpeech::Shared : ServerClient {
     bool start_server = false;  // set before the thread starts
 
-    // Protected by the mutex.
+    // The mutex protects the members below.
     bool wanted = false;
     VoiceState state = VoiceState::Gone;
     std::string language;
-    std::optional<cues::Utterance> job;  // only the newest, because a new text cuts the one before
+    std::optional<cues::Utterance> job;  // only the newest text, because a new text cuts off the last one
     bool silence = false;
-    // Languages that the server does not speak: one still to be announced, and the one announced last.
+    // Languages that the server does not support: one that has not been announced yet, and the one announced last.
     std::string refused, refused_before;
-    // Numbers of the last utterance said and finished; it speaks while they differ.
+    // Numbers of the last utterance that was started and of the last one that ended. The voice speaks while they
+    // differ.
     std::uint64_t said = 0, finished = 0;
     std::uint64_t calls_begun = 0, calls_answered = 0;
-    // The server's numbers for this client and the newest utterance, and the last utterance whose end it has reported.
+    // The server's numbers for this client and for the newest utterance, and the last utterance whose end the server
+    // has reported.
     std::size_t client = 0, message = 0, message_ended = 0;
 
     void on_end(std::size_t ended_message, std::size_t of_client) {
@@ -52,13 +54,13 @@ struct SpeechdSpeech::Shared : ServerClient {
         message_ended = std::max(message_ended, ended_message);
         if (message != 0 && message_ended >= message) finished = std::max(finished, said_as_message);
     }
-    std::uint64_t said_as_message = 0;  // the number in `said` of the utterance `message`
+    std::uint64_t said_as_message = 0;  // number, counted in `said`, of the utterance that the server calls `message`
 };
 
 namespace {
 
-// libspeechd calls back on its own thread, without a user pointer. This leads back to the one instance that is
-// connected. Never destroyed, because that thread may outlive everything.
+// libspeechd calls back on its own thread, without a user pointer. Through this object, the callback finds the one
+// instance that is connected. The object is never destroyed, because that thread may outlive everything else.
 struct EndListener {
     std::mutex mutex;
     std::weak_ptr<void> of;
@@ -122,9 +124,9 @@ struct SpeechdSpeech::Worker {
         return told;
     }
 
-    // Sets the language of the words, whatever the language of the person's default voice. The person has set up which
-    // voice speaks it. A server without a voice for it refuses; then another voice with its accent is better than none.
-    // The next call notices a server that has gone.
+    // Sets the language of the text, because the person's default voice may have another one. Which voice speaks the
+    // language depends on the person's settings. If the server has no voice for it, the server refuses; another voice
+    // with its accent is then better than none. If the server has gone, the next call notices it.
     void speak(const std::string& wanted_language) {
         language = wanted_language;
         const bool taken = call([&] { return spd_set_language(connection.get(), language.c_str()); }) == 0;
@@ -154,7 +156,7 @@ struct SpeechdSpeech::Worker {
         const std::lock_guard lock(shared.mutex);
         shared.message = static_cast<std::size_t>(message);
         shared.said_as_message = number;
-        // The report of its end came before its number.
+        // The server may report the end of an utterance before it returns the utterance's number.
         if (shared.message_ended >= shared.message) shared.finished = std::max(shared.finished, number);
         return true;
     }
@@ -177,7 +179,7 @@ struct SpeechdSpeech::Worker {
         return !silence || call([&] { return spd_cancel(connection.get()); }) == 0;
     }
 
-    // Waits for work; returns false if the server has gone.
+    // Waits for work. Returns false if the server has gone.
     bool wait(double most_s) {
         pollfd events[2] = {{shared.wake, POLLIN, 0}, {connection ? connection->socket : -1, POLLRDHUP, 0}};
         ::poll(events, 2, most_s < 0.0 ? -1 : static_cast<int>(std::lround(1000.0 * most_s)));
@@ -305,7 +307,7 @@ void SpeechdSpeech::tick(double now_s) {
         return;
     }
     if (now_s - watched_since_s_ < kStalled_s) return;
-    // Cutting the connection makes the call fail, so that the thread returns and tries again later.
+    // Cutting the connection makes the pending call fail, so that the thread returns and tries again later.
     shared_->state = VoiceState::Gone;
     shared_->finished = shared_->said;
     if (shared_->socket >= 0) ::shutdown(shared_->socket, SHUT_RDWR);
@@ -313,7 +315,7 @@ void SpeechdSpeech::tick(double now_s) {
 
 void SpeechdSpeech::set_speech(const settings::Settings::Speech& settings) {
     const std::lock_guard lock(shared_->mutex);
-    // The name of an espeak-ng voice may be longer; its language comes first.
+    // A name of an espeak-ng voice may be longer than a language; its language comes first.
     const std::string voice = settings.voice == "auto" ? spoken_language() : settings.voice;
     const std::size_t letters = std::min(voice.find('-'), voice.size());
     shared_->language = letters == 2 || letters == 3 ? voice.substr(0, letters) : "en";

@@ -1,7 +1,7 @@
-// The voice that the person has set up for their desktop: speech-dispatcher, with its own voice, rate and pitch. It
-// plays the sound itself. libspeechd waits for the server's answers, with a faulty sound set-up for ever. It is
-// therefore called only on a separate thread, and a watchdog in tick() cuts a connection that does not answer. All
-// functions return at once.
+// The voice that the person has set up for their desktop: speech-dispatcher, with the voice, rate and pitch that it has
+// there. The server plays the sound itself. libspeechd waits for the server's answers, and with a faulty sound set-up
+// it waits for ever. It is therefore called only on a separate thread, and tick() cuts a connection that does not
+// answer. All functions return at once.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +14,19 @@
 
 namespace handrail::sinks {
 
-// Owned and called by the audio thread.
+// The audio thread owns and calls it.
 class SpeechdSpeech final : public Voice {
 public:
-    // After a call without an answer for this long, the server counts as gone.
+    // If a call has had no answer for this long, the server counts as gone.
     static constexpr double kStalled_s = 1.0;
-    static constexpr double kFirstRetry_s = 1.0;  // after a loss; doubled with every failure
+    static constexpr double kFirstRetry_s = 1.0;  // time until the first retry after a loss; doubled after each failure
     static constexpr double kSlowestRetry_s = 30.0;
 
-    // If the person names a server (SPEECHD_ADDRESS), only that one is used. Otherwise it uses the default one, and
-    // starts it if it does not run. Reads the environment, so call it before other threads change the environment.
+    // If the person names a server (SPEECHD_ADDRESS), only that one is used. Otherwise the default server is used, and
+    // started if it does not run. Reads the environment, so create it before other threads change the environment.
     explicit SpeechdSpeech(const settings::Settings::Speech& settings);
-    // Waits at most half a second for the server. A thread that still waits then is left behind and ends when it can.
+    // Waits at most half a second for the server. If the thread is still waiting after that, it is left behind and ends
+    // when it can.
     ~SpeechdSpeech() override;
     SpeechdSpeech(const SpeechdSpeech&) = delete;
     SpeechdSpeech& operator=(const SpeechdSpeech&) = delete;
@@ -48,10 +49,10 @@ private:
 
     std::shared_ptr<Shared> shared_;
     std::thread thread_;
-    std::uint64_t watched_call_ = 0;  // the unanswered call that tick() saw last, and when it first saw it
+    std::uint64_t watched_call_ = 0;  // the unanswered call that tick() saw last, and the time when tick() first saw it
     double watched_since_s_ = 0.0;
     double now_s_ = 0.0;
-    double speaks_until_s_ = 0.0;  // limit for a server that never reports the end
+    double speaks_until_s_ = 0.0;  // latest end of the utterance, in case the server never reports it
 };
 
 }  // namespace handrail::sinks

@@ -16,27 +16,28 @@ constexpr double kPeak = 0.5;
 
 std::size_t samples_of(double seconds) { return static_cast<std::size_t>(std::lround(seconds * kRate)); }
 
-// Selects the ratios of an object's modes to its lowest one.
+// Kind of object, which determines the ratios of its modes to the lowest one.
 enum class Body { Bar, Plate, Block };
 constexpr std::array<std::array<double, 6>, 3> kModeRatios{{
     {1.0, 2.756, 5.404, 8.933, 13.34,
      18.64},  // free bar (Fletcher & Rossing, The physics of musical instruments, 1998)
-    // Plate, with ratios near those of a round membrane: dense and inharmonic.
+    // A plate: dense, inharmonic modes, with ratios near those of a round membrane.
     {1.0, 1.594, 2.136, 2.296, 2.653, 2.918},
-    {1.0, 1.38, 1.71, 2.03, 2.44, 2.87},  // compact solid, modes close together
+    {1.0, 1.38, 1.71, 2.03, 2.44, 2.87},  // a compact solid, with modes close together
 }};
 
-// The sound of a material. Chosen by ear with the literature as a guide, then spread so that every two differ in
-// brightness or ring by a third or more (test: any_two_materials_differ_when_struck). People have yet to judge them.
+// The sound of a material. The values were chosen by ear with the literature as a guide. Then they were spread so that
+// any two materials differ in brightness or ringing time by a third or more (test:
+// any_two_materials_differ_when_struck). Listening tests with people are still missing.
 struct Timbre {
     Body body;
-    double lowest_hz;     // lowest mode of the struck object
-    double ring_s;        // time until the lowest mode has fallen by 60 dB
-    double damping;       // how much faster each higher mode decays
-    double noise;         // share of the noise burst, 0 to 1
-    double noise_hz;      // upper edge of the burst
-    double noise_s;       // time until the burst has fallen by 60 dB
-    double stroke_hz;     // centre frequency of the stroking noise
+    double lowest_hz;     // frequency of the struck object's lowest mode
+    double ring_s;        // time in which the lowest mode falls by 60 dB
+    double damping;       // how much faster each higher mode decays than the one below it
+    double noise;         // share of the noise burst in the sound, 0 to 1
+    double noise_hz;      // upper frequency limit of the noise burst
+    double noise_s;       // time in which the noise burst falls by 60 dB
+    double stroke_hz;     // centre frequency of the noise when the surface is stroked
     double grains_per_s;  // bumps per second while stroking; 0: smooth
 };
 
@@ -64,7 +65,7 @@ constexpr std::array<Timbre, kSoundClasses> kTimbres{{
 
 const Timbre& timbre_of(SoundClass material) { return kTimbres[static_cast<std::size_t>(material)]; }
 
-// White noise, -1 to 1. The language standard fixes the generator's sequence, so every run sounds the same.
+// White noise, -1 to 1. The C++ standard fixes the generator's sequence, so every run sounds the same.
 class Noise {
 public:
     explicit Noise(unsigned seed) : engine_(seed + 1U) {}
@@ -82,8 +83,8 @@ unsigned seed_of(cues::SoundKind kind, SoundClass material) {
     return static_cast<unsigned>(kind) * 64U + static_cast<unsigned>(material);
 }
 
-// Two-pole band pass with a peak of 1 (state variable filter, Chamberlin 1985). Stable for a centre below a sixth of
-// the sample rate.
+// A two-pole band pass with a peak of 1 (state variable filter, Chamberlin 1985). It is stable for a centre frequency
+// below a sixth of the sample rate.
 class BandPass {
 public:
     BandPass(double centre_hz, double q)
@@ -110,10 +111,10 @@ private:
     double y_ = 0.0;
 };
 
-// The factor per sample with which a sound falls by 60 dB in `ring_s`.
+// Returns the factor per sample with which a sound falls by 60 dB in `ring_s`.
 double decay_per_sample(double ring_s) { return std::pow(10.0, -3.0 / (ring_s * kRate)); }
 
-// Adds a decaying tone, made by a recursion of two multiplications per sample.
+// Adds a decaying tone, computed by a recursion with two multiplications per sample.
 void add_mode(std::vector<float>& out, std::size_t from, double hz, double ring_s, double level) {
     if (hz > 0.45 * kRate) return;
     const double decay = decay_per_sample(ring_s), w = 2.0 * kPi * hz / kRate;
@@ -132,7 +133,8 @@ void add_noise_burst(std::vector<float>& out, std::size_t from, double edge_hz, 
                      Noise& noise) {
     LowPass soft(edge_hz), softer(edge_hz);
     const double decay = decay_per_sample(ring_s);
-    // A low edge lets little of the white noise through; this factor makes bursts of all edges about equally strong.
+    // A low frequency limit passes little of the white noise. This factor makes bursts of all limits about equally
+    // strong.
     const double evened = level * std::sqrt(0.5 * kRate / edge_hz);
     double envelope = evened;
     const std::size_t end = std::min(out.size(), from + samples_of(ring_s));
@@ -140,7 +142,8 @@ void add_noise_burst(std::vector<float>& out, std::size_t from, double edge_hz, 
         out[i] += static_cast<float>(envelope * softer(soft(noise())));
 }
 
-// A blow on an object. `deeper` lowers its pitch and lengthens its ring, as for a larger part of it.
+// Adds the sound of a blow on an object. `deeper` lowers the pitch and prolongs the ringing, as for a larger part of
+// the object.
 void add_impact(std::vector<float>& out, std::size_t from, const Timbre& timbre, double deeper, double level,
                 Noise& noise) {
     const auto& ratios = kModeRatios[static_cast<std::size_t>(timbre.body)];
@@ -153,7 +156,7 @@ void add_impact(std::vector<float>& out, std::size_t from, const Timbre& timbre,
     add_noise_burst(out, from, timbre.noise_hz / deeper, timbre.noise_s * deeper, level * timbre.noise, noise);
 }
 
-// Scales the sound to its peak, fades it in within half a millisecond and ends it without a step.
+// Scales the sound to its peak, fades it in within half a millisecond and ends it without a click.
 void finish(std::vector<float>& out, double peak) {
     float highest = 1e-9F;
     for (const float s : out) highest = std::max(highest, std::abs(s));
@@ -179,19 +182,20 @@ std::vector<float> contact(SoundClass material, Noise& noise) {
     return out;
 }
 
-// The heel, and the ball of the foot 90 ms later. On soft ground the shoe itself is heard, on loose ground its grains.
+// A footstep: the heel, and 90 ms later the ball of the foot. On soft ground the shoe itself is heard, on loose ground
+// the grains.
 std::vector<float> footstep(SoundClass material, Noise& noise) {
     const Timbre& timbre = timbre_of(material);
     const double ring_s = std::min(longest_ring_s(timbre) * 1.4, 0.35);
     std::vector<float> out(samples_of(0.09 + ring_s + 0.08));
     add_impact(out, 0, timbre, 1.4, 1.0, noise);
     add_impact(out, samples_of(0.09), timbre, 1.2, 0.5, noise);
-    add_mode(out, 0, 85.0, 0.09, 0.2);  // the body's weight on the heel
+    add_mode(out, 0, 85.0, 0.09, 0.2);  // the dull sound of the body's weight on the heel
     finish(out, kPeak);
     return out;
 }
 
-// The dull weight of the body, and the sound that a shoulder causes in the wall.
+// A bump: the dull sound of the body's weight, and the sound of the wall that a shoulder strikes.
 std::vector<float> bump(SoundClass material, Noise& noise) {
     const Timbre& timbre = timbre_of(material);
     std::vector<float> out(samples_of(std::max(0.25, std::min(0.6, longest_ring_s(timbre) * 1.8)) + 0.02));
@@ -202,8 +206,8 @@ std::vector<float> bump(SoundClass material, Noise& noise) {
     return out;
 }
 
-// Makes a longer signal repeat seamlessly after `length` samples: the surplus is cross-faded into the start at equal
-// power.
+// Makes a longer signal repeat without a seam after `length` samples. The surplus is cross-faded into the start at
+// equal power.
 void close_loop(std::vector<float>& out, std::size_t length) {
     const std::size_t surplus = out.size() - length;
     for (std::size_t i = 0; i < surplus; ++i) {
@@ -237,15 +241,16 @@ std::vector<float> slide(SoundClass material, Noise& noise) {
     return out;
 }
 
-// A soft hum with breath in it. The hum makes it sound like one object; the breath tells where it is, because both ears
-// need energy above 1.5 kHz.
+// The wall tone: a soft hum with breathy noise. The hum makes it sound like one object. The noise lets the ears locate
+// it, because they need energy above 1.5 kHz for that.
 std::vector<float> wall_tone(Noise& noise) {
     const std::size_t length = samples_of(1.0);
     std::vector<float> out(length + samples_of(0.1));
     BandPass breath(2200.0, 0.7);
     for (float& s : out) s = static_cast<float>(0.9 * breath(noise()));
     close_loop(out, length);
-    for (int harmonic = 1; harmonic <= 6; ++harmonic) {  // whole periods in one second, so that the hum has no seam
+    // Each harmonic has whole periods in one second, so that the hum has no seam.
+    for (int harmonic = 1; harmonic <= 6; ++harmonic) {
         const double w = 2.0 * kPi * 180.0 * harmonic / kRate;
         for (std::size_t i = 0; i < length; ++i)
             out[i] += static_cast<float>(0.5 / harmonic * std::sin(w * static_cast<double>(i)));
@@ -254,8 +259,8 @@ std::vector<float> wall_tone(Noise& noise) {
     return out;
 }
 
-// A bubble that rings with rising pitch (van den Doel, Physically based models for liquid sounds, ACM TAP 2(4), 2005).
-// Past the end it continues at the start, as a loop needs.
+// Adds a bubble that rings with rising pitch (van den Doel, Physically based models for liquid sounds, ACM TAP 2(4),
+// 2005). What extends beyond the end of the loop continues at its start.
 void add_bubble(std::vector<float>& out, std::size_t from, double hz, double ring_s, double level) {
     double phase = 0.0, envelope = level;
     const double decay = decay_per_sample(ring_s);
@@ -279,7 +284,8 @@ std::vector<float> splash(Noise& noise) {
     return out;
 }
 
-// A latch, then a creaking hinge: stick and slip at a rate that rises as the leaf gains speed.
+// A door that starts to move: a latch, then a creaking hinge, which sticks and slips at a rate that rises with the
+// leaf's speed.
 std::vector<float> door_moves(Noise& noise) {
     std::vector<float> out(samples_of(0.6));
     add_noise_burst(out, 0, 2600.0, 0.02, 0.5, noise);
@@ -291,7 +297,7 @@ std::vector<float> door_moves(Noise& noise) {
     return out;
 }
 
-// A leaf that falls into its frame, and the latch.
+// A door that shuts: the leaf hits its frame, then the latch clicks.
 std::vector<float> door_shuts(Noise& noise) {
     std::vector<float> out(samples_of(0.45));
     add_noise_burst(out, 0, 700.0, 0.06, 0.5, noise);
@@ -302,7 +308,7 @@ std::vector<float> door_shuts(Noise& noise) {
     return out;
 }
 
-// A small hand bell, struck twice: bright, so that both ears can locate it.
+// A small hand bell, struck twice. It is bright, so that both ears can locate it.
 std::vector<float> bell() {
     std::vector<float> out(samples_of(1.0));
     for (const double from_s : {0.0, 0.22})
@@ -315,7 +321,7 @@ std::vector<float> bell() {
     return out;
 }
 
-// A tone that falls three octaves, ever faster, and then a dull landing.
+// A tone that falls by three octaves, faster and faster, and then a dull landing.
 std::vector<float> falls() {
     constexpr double kFalls_s = 0.6, kFrom_hz = 1200.0, kOctaves = 3.0;
     std::vector<float> out(samples_of(kFalls_s + 0.25));
@@ -332,8 +338,8 @@ std::vector<float> falls() {
     return out;
 }
 
-// Signs along a route: they differ in rhythm first, then in pitch, as earcons do. They sound at a place, so each
-// contains breath that lets the ears locate it.
+// Signs along a route. They differ in rhythm first, then in pitch, as earcons do. They sound at a place, so each
+// contains breathy noise that lets the ears locate it.
 std::vector<float> waymark(cues::SoundKind kind, Noise& noise) {
     struct Strike {
         double at_s, hz, ring_s;
@@ -361,22 +367,22 @@ std::vector<float> waymark(cues::SoundKind kind, Noise& noise) {
             return struck({{0.0, 523.0, 0.1}, {0.09, 659.0, 0.1}, {0.18, 784.0, 0.1}, {0.27, 1047.0, 0.25}}, 0.2);
         case cues::SoundKind::StairsDown:
             return struck({{0.0, 1047.0, 0.1}, {0.09, 784.0, 0.1}, {0.18, 659.0, 0.1}, {0.27, 523.0, 0.25}}, 0.2);
-        case cues::SoundKind::Knock:  // a hollow board
+        case cues::SoundKind::Knock:  // Knock: a hollow board
             return struck({{0.0, 130.0, 0.16}, {0.09, 110.0, 0.22}}, 0.3);
-        case cues::SoundKind::Border:  // one low thud
+        case cues::SoundKind::Border:  // Border: one low thud
             return struck({{0.0, 70.0, 0.3}}, 0.1);
-        default:  // DoorNear: knuckles on wood, twice
+        default:  // DoorNear: knuckles knock twice on wood
             return struck({{0.0, 240.0, 0.07}, {0.12, 240.0, 0.09}}, 0.4);
     }
 }
 
-// The world's own sounds: loops of whole seconds, so that every steady tone in them has whole periods and no seam.
+// The world's own sounds are loops of whole seconds. Every steady tone in them thus has whole periods and no seam.
 
-// Steady harmonics of a lowest tone; each is weaker than the one before by the factor `slope`.
+// Adds steady harmonics of a lowest tone. Each is weaker than the one below it by the factor `slope`.
 void add_harmonics(std::vector<float>& out, double hz, int count, double level, double slope) {
     for (int k = 1; k <= count; ++k, level *= slope) {
-        // Computes the sine by recursion, with two multiplications a sample; over four seconds it drifts by less than a
-        // float resolves.
+        // Computes the sine by a recursion with two multiplications a sample. Over four seconds it drifts by less than
+        // a float resolves.
         const double w = 2.0 * kPi * hz * k / kRate, twice_cos = 2.0 * std::cos(w);
         double y = 0.0, before = -level * std::sin(w);
         for (float& s : out) {
@@ -388,7 +394,8 @@ void add_harmonics(std::vector<float>& out, double hz, int count, double level, 
     }
 }
 
-// Noise around a pitch that may wander: `shape(t)` gives centre in Hz and level, with t from 0 to 1 over the loop.
+// Adds noise around a pitch that may change. `shape(t)` returns centre frequency in Hz and level, with t from 0 to 1
+// over the loop.
 template <class Shape>
 void add_air(std::vector<float>& out, Noise& noise, double q, Shape shape) {
     std::vector<float> air(out.size() + samples_of(0.2));
@@ -408,7 +415,7 @@ void add_air(std::vector<float>& out, Noise& noise, double q, Shape shape) {
     for (std::size_t i = 0; i < out.size(); ++i) out[i] += air[i];
 }
 
-// A tone that swells, glides and ends: a chirp, a croak, a note.
+// Adds a tone that swells, glides and ends, such as a chirp, a croak or a note.
 void add_call(std::vector<float>& out, double start_s, double length_s, double from_hz, double to_hz, double level) {
     const std::size_t from = samples_of(start_s), length = samples_of(length_s);
     double phase = 0.0;
@@ -421,7 +428,7 @@ void add_call(std::vector<float>& out, double start_s, double length_s, double f
     }
 }
 
-// A decaying tone that continues past the end at the start.
+// Adds a decaying tone. What extends beyond the end of the loop continues at its start.
 void add_ring(std::vector<float>& out, double start_s, double hz, double ring_s, double level) {
     std::vector<float> ring(samples_of(ring_s));
     add_mode(ring, 0, hz, ring_s, level);
@@ -443,12 +450,13 @@ std::vector<float> world_loop(cues::SoundKind kind, Noise& noise) {
             break;
         case cues::SoundKind::Buzz:
             add_harmonics(out, 100.0, 40, 0.12, 0.97);
-            for (std::size_t i = 0; i < out.size(); ++i)  // flickers eight times a second
+            for (std::size_t i = 0; i < out.size(); ++i)  // the level flickers eight times a second
                 out[i] *= static_cast<float>(0.75 + 0.25 * std::sin(2.0 * kPi * 8.0 * static_cast<double>(i) / kRate));
             break;
         case cues::SoundKind::Drone:
             add_harmonics(out, 55.0, 6, 0.5, 0.6);
-            // Beats against the tone above: the lowest harmonic once in two seconds, the fourth twice a second.
+            // This tone beats with the one above: the lowest harmonics once in two seconds, the fourth ones twice a
+            // second.
             add_harmonics(out, 55.5, 6, 0.5, 0.6);
             add_air(out, noise, 0.8, steady(320.0, 0.5));
             break;
@@ -504,7 +512,7 @@ std::vector<float> world_loop(cues::SoundKind kind, Noise& noise) {
             break;
         case cues::SoundKind::Fan:
             add_air(out, noise, 0.6, [](double) { return std::pair(700.0, 0.6); });
-            for (std::size_t i = 0; i < out.size(); ++i)  // a blade passes twenty times a second
+            for (std::size_t i = 0; i < out.size(); ++i)  // a blade of the fan passes twenty times a second
                 out[i] *= static_cast<float>(0.7 + 0.3 * std::sin(2.0 * kPi * 20.0 * static_cast<double>(i) / kRate));
             break;
         case cues::SoundKind::Rain:
@@ -536,8 +544,8 @@ std::vector<float> world_loop(cues::SoundKind kind, Noise& noise) {
             }
             break;
         case cues::SoundKind::HiddenClock:
-            // Ticks five times a second, a little brass bell, and twice in its four seconds a cuckoo. A clock of a
-            // world is different: it ticks once a second and has no call.
+            // A hidden clock: it ticks five times a second, with a little brass bell and, twice in its four seconds, a
+            // cuckoo. A clock of a world is different: it ticks once a second and has no call.
             for (int k = 0; k < 20; ++k) {
                 add_ring(out, 0.2 * k, 4100.0, 0.03, k % 5 == 0 ? 1.0 : 0.7);
                 add_ring(out, 0.2 * k, 1.41 * 4100.0, 0.02, 0.4);
@@ -559,9 +567,9 @@ std::vector<float> world_loop(cues::SoundKind kind, Noise& noise) {
     return out;
 }
 
-// A beacon is found by its breath: noise from 3 to 8 kHz, where the head shades the far ear, in the rhythm of its
-// pitch. It has most of the energy, since the head hardly shades the tone. Behind there is none, so what is behind is
-// dull.
+// A beacon is located by its breathy noise from 3 to 8 kHz, at which the head shades the far ear. The noise has the
+// rhythm of the beacon's pitch and most of its energy, because the head hardly shades the tone. A beacon behind the
+// person has no such noise and sounds dull.
 std::vector<float> beacon(cues::SoundKind kind, Noise& noise) {
     constexpr double kPitch_hz = 659.0, kBreath = 4.5;
     if (kind == cues::SoundKind::BeaconBehind) return synthesise_notes(std::array{Note{0.0, 0.12, 277.0, 1.0}});
@@ -582,7 +590,7 @@ std::vector<float> beacon(cues::SoundKind kind, Noise& noise) {
     return out;
 }
 
-// Earcons differ in rhythm first and in pitch second, so that they survive a mild hearing loss.
+// Earcons differ in rhythm first and in pitch second, so that people with a mild hearing loss can distinguish them.
 std::vector<float> earcon(cues::SoundKind kind) {
     switch (kind) {
         case cues::SoundKind::Denied:
@@ -619,7 +627,7 @@ std::vector<float> earcon(cues::SoundKind kind) {
             return synthesise_notes(std::array{Note{0.0, 0.035, 880.0, 0.9}});
         case cues::SoundKind::Colder:
             return synthesise_notes(std::array{Note{0.0, 0.07, 311.0, 0.9}});
-        // Marks, landmarks and clues differ in the number of their notes.
+        // Marks, landmarks and clues have different numbers of notes.
         case cues::SoundKind::Mark:
             return synthesise_notes(std::array{Note{0.0, 0.14, 740.0, 0.9}});
         case cues::SoundKind::Landmark:

@@ -1,6 +1,6 @@
-// Speech as text, always on: one UTF-8 line per announcement, with "say: " or "alert: " in front and no cursor
-// movement. Screen readers on a console, braille displays, pipes and logs can thus use it. One thread (the audio
-// thread).
+// Speech as text, which is always on. It writes one UTF-8 line per announcement, with "say: " or "alert: " in front and
+// no cursor movement, so that screen readers on a console, braille displays, pipes and logs can use it. One thread (the
+// audio thread).
 #pragma once
 
 #include <memory>
@@ -11,9 +11,9 @@
 
 namespace handrail::sinks {
 
-// Writes each line at once, unbuffered, to a file descriptor that the caller keeps (standard output: 1). Never waits
-// and never raises SIGPIPE. If the reader is slow, up to kMostBacklog bytes are kept for later ticks and further lines
-// are dropped. If the reader has gone, the sink writes nothing more.
+// Writes each line at once, unbuffered, to a file descriptor that the caller keeps open (standard output: 1). Never
+// waits and never raises SIGPIPE. If the reader of the output is slow, the sink keeps up to kMostBacklog bytes for
+// later ticks and drops further lines. If the reader has gone, the sink writes nothing more.
 class TextSpeech final : public cues::SpeechSink {
 public:
     static constexpr std::size_t kMostBacklog = 64 * 1024;
@@ -39,7 +39,7 @@ private:
     std::string backlog_;
 };
 
-// Passes everything to each of several sinks, in order.
+// Passes everything to several sinks, in order.
 class TeeSpeech final : public cues::SpeechSink {
 public:
     explicit TeeSpeech(std::vector<std::unique_ptr<cues::SpeechSink>> sinks) : sinks_(std::move(sinks)) {}
@@ -47,7 +47,7 @@ public:
     void say(const cues::Utterance& utterance) override;
     void write(const cues::Utterance& utterance) override;
     void stop() override;
-    bool speaking() const override;  // true if any of them speaks
+    bool speaking() const override;  // true if any of the sinks speaks
     void tick(double now_s) override;
     void set_speech(const settings::Settings::Speech& settings) override;
     std::optional<std::string> news() override;

@@ -1,5 +1,5 @@
-// A voice that may not be available yet, or no longer: the choices of VoiceRouter. Owned and called by the audio
-// thread.
+// A voice that may not be available yet, or no longer. VoiceRouter chooses among several voices. The audio thread owns
+// and calls it.
 #pragma once
 
 #include <string_view>
@@ -10,20 +10,20 @@
 namespace handrail::sinks {
 
 enum class VoiceState {
-    Opening,  // being looked for; do not say anything to it, because that would be lost
+    Opening,  // the voice is still connecting; a text given to it now would be lost
     Ready,
-    Gone,  // unavailable; while it is wanted, it keeps looking automatically
+    Gone,  // the voice is unavailable; while it is requested, it tries again automatically
 };
 
 class Voice : public cues::SpeechSink {
 public:
     virtual settings::SpeechThrough through() const = 0;  // its name in the settings
-    virtual VoiceState state() const = 0;                 // as of the last tick()
-    virtual void want(bool wanted) = 0;                   // false: it releases what it holds and stops looking
-    virtual double patience_s() const { return 1.0; }     // how long the first words wait while it is opening
+    virtual VoiceState state() const = 0;                 // state as of the last tick()
+    virtual void want(bool wanted) = 0;                   // false: the voice releases its resources and stops trying
+    virtual double patience_s() const { return 1.0; }     // how long the first text waits while the voice is connecting
 };
 
-// The voice's name inside a sentence: "the speech server".
+// Returns the voice's name as part of a sentence: "the speech server".
 std::string voice_name(settings::SpeechThrough through);
 
 }  // namespace handrail::sinks

@@ -1,6 +1,6 @@
-// Carries a voice's samples to the sound sink: the synthesiser puts samples in, and OpenALSink takes them out on its
-// own thread. One voice at a time: a new utterance cuts the one before. Any thread; each call holds a mutex for
-// microseconds.
+// Carries a voice's samples to the sound sink. The synthesiser puts samples in, and OpenALSink takes them out on its
+// own thread. It carries one utterance at a time: a new one cuts off the last one. Any thread; each call holds a mutex
+// for microseconds.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +15,17 @@ class VoiceChannel {
 public:
     using Ticket = std::uint64_t;  // identifies an utterance; later ones are larger
 
-    // The voice's side. Samples may come in pieces while the first already sound; `end` says there are no more.
-    // right_rad: it comes from there, to the right of ahead; none: from the middle.
+    // For the voice. Samples may come in pieces while the first ones already sound; `end` says that there are no more.
+    // `right_rad` is the direction from which the voice comes, to the right of straight ahead; nothing: the middle.
     Ticket begin(int rate_hz, double gain, std::optional<double> right_rad = {});
-    bool append(Ticket ticket, std::span<const std::int16_t> samples);  // false when that utterance has been cut
-    bool cut(Ticket ticket) const;                                      // another one has begun, or stop()
+    // Returns false if this utterance has been cut off.
+    bool append(Ticket ticket, std::span<const std::int16_t> samples);
+    bool cut(Ticket ticket) const;  // true if another utterance has begun, or stop() was called
     void end(Ticket ticket);
     void stop();
-    bool playing() const;  // from begin() until the sink has played the last sample, or stop()
+    bool playing() const;  // true from begin() until the sink has played the last sample or stop() was called
 
-    // For the sink: the samples since the last call. A new ticket means that the previous utterance was cut.
+    // For the sink: the samples since the last call. A new ticket means that the last utterance was cut off.
     struct Update {
         Ticket ticket = 0;
         int rate_hz = 0;

@@ -31,7 +31,8 @@ VoiceRouter::VoiceRouter(std::vector<std::unique_ptr<Voice>> voices, std::unique
     want_what_is_allowed();
 }
 
-// The enumerators have the order of the voices, so a comparison says which of them are passed over.
+// Returns true if the settings do not pass this voice over. The enumerators are in the order of the voices, so one
+// comparison decides.
 bool VoiceRouter::allowed(settings::SpeechThrough voice) const { return voice >= through_; }
 
 void VoiceRouter::want_what_is_allowed() {
@@ -91,8 +92,8 @@ void VoiceRouter::tick(double now_s) {
     if (best != active_ && !waits_for_better(best)) hand_over_to(best);
     else if (!chosen_ && !best && !waits_for_better(nullptr)) hand_over_to(nullptr);
 
-    // The utterance that a lost voice left unfinished comes after the announcement of the change, which the planner
-    // sends as an alarm.
+    // An utterance that a lost voice left unfinished is repeated after the announcement of the change, which the
+    // planner sends as an alarm.
     if (owed_ && active_ && !news_ && !active_->speaking()) {
         current_ = std::exchange(owed_, std::nullopt);
         active_->say(*current_);
@@ -122,7 +123,7 @@ void VoiceRouter::tell_change(const Voice* before, const Voice* after) {
             after ? cues::sentence_case(phrase("voice.speaks_now", {{"voice", voice}})) : phrase("voice.only_text_now");
     } else if (through_ != settings::SpeechThrough::Auto && through_ != settings::SpeechThrough::Text &&
                (!after || after->through() != through_)) {
-        // The person chose a voice by name; without an announcement they would think it broken.
+        // The person chose this voice by name. Without an announcement they would think that it is broken.
         const std::string wanted = voice_name(through_);
         news_ = cues::sentence_case(after ? phrase("voice.not_reached", {{"wanted", wanted}, {"voice", voice}})
                                           : phrase("voice.not_reached_only_text", {{"wanted", wanted}}));

@@ -1,5 +1,5 @@
-// Chooses the voice: the first available one of several, never two. Text always gets everything, and braille does
-// unless a screen reader speaks. Owned and called by the audio thread; calls return at once.
+// Chooses the voice: the first available one of several, never two at once. Text sinks always get everything; the
+// braille display does unless a screen reader speaks. The audio thread owns and calls it; calls return at once.
 #pragma once
 
 #include <memory>
@@ -11,20 +11,20 @@
 
 namespace handrail::sinks {
 
-// A braille display, or another sink that must be silent while a screen reader has the words.
+// A braille display, or another sink that must be silent while a screen reader speaks.
 class BrailleSink : public cues::SpeechSink {
 public:
     virtual void want(bool wanted) = 0;
 };
 
-// While a better voice is still opening, the first words wait for it, at most its patience_s(); then the best available
-// voice says them. If a voice is lost in the middle of an utterance, the next voice announces the change and repeats
-// the utterance. If no voice is left, there is only text. With speech.through = X the voices before X are passed over;
-// if X is missing, the next one speaks. For the screen reader see ReaderVoice.
+// While a better voice is still connecting, the first text waits for it, but no longer than its patience_s(). Then the
+// best available voice speaks it. If a voice is lost in the middle of an utterance, the next voice announces the change
+// and repeats the utterance. If no voice is left, there is only text. The setting speech.through = X passes over the
+// voices before X; if X is missing, the next one speaks. For the screen reader see ReaderVoice.
 class VoiceRouter final : public cues::SpeechSink {
 public:
-    // `voices`: the best first. `text` always gets everything; `braille` does too, unless a screen reader speaks.
-    // Either may be null.
+    // `voices`: in order of preference, the best first. `text` always gets everything; `braille` does too, unless a
+    // screen reader speaks. Either may be null.
     VoiceRouter(std::vector<std::unique_ptr<Voice>> voices, std::unique_ptr<cues::SpeechSink> text,
                 std::unique_ptr<BrailleSink> braille, const settings::Settings::Speech& settings);
 
@@ -38,7 +38,7 @@ public:
 
     std::string who() const override;
 
-    // The voice that speaks now; Text: none.
+    // Returns the voice that speaks now, or Text if there is none.
     settings::SpeechThrough speaks() const { return active_ ? active_->through() : settings::SpeechThrough::Text; }
 
 private:
@@ -53,12 +53,12 @@ private:
     std::unique_ptr<BrailleSink> braille_;
     settings::SpeechThrough through_;
     Voice* active_ = nullptr;           // points into voices_
-    bool chosen_ = false;               // a first choice was made
-    bool choosing_again_ = false;       // the settings changed, so a change of voice is not a loss
-    std::optional<double> asked_at_s_;  // when the wishes were last passed to the voices
+    bool chosen_ = false;               // true once a voice has been chosen for the first time
+    bool choosing_again_ = false;       // the settings have changed, so a change of voice does not count as a loss
+    std::optional<double> asked_at_s_;  // time when each voice was last told whether it is requested
     double now_s_ = 0.0;
-    std::optional<cues::Utterance> current_;  // given to the active voice and possibly not finished
-    std::optional<cues::Utterance> owed_;     // to be said as soon as a voice is free for it
+    std::optional<cues::Utterance> current_;  // given to the active voice, which may not have finished it
+    std::optional<cues::Utterance> owed_;     // to be repeated as soon as a voice is available
     std::optional<std::string> news_;
 };
 

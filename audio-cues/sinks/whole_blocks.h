@@ -1,7 +1,8 @@
-// Delivers any number of frames from a renderer that must only be called for whole blocks of 64. Samples made beyond a
-// request begin the next one. Reason: OpenAL Soft 1.19.1 writes past its buffer if its reverb fades between two rooms
-// within a request that is not a multiple of four frames. Its own devices request whole periods, so this affects only
-// code that requests samples itself. One owner. Cost: a copy of at most 63 frames each way.
+// Delivers any number of frames from a renderer that may only be called for whole blocks of 64 frames. Frames rendered
+// beyond a request are delivered first at the next one. Reason: OpenAL Soft 1.19.1 writes past its buffer if its reverb
+// fades between two rooms within a request that is not a multiple of four frames. OpenAL's own devices request whole
+// periods, so this affects only code that requests samples itself. One owner. Cost: a copy of at most 63 frames each
+// way.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +15,11 @@ class WholeBlocks {
 public:
     static constexpr int kFrames = 64;
 
-    // The largest number of whole blocks in `frames`, in frames.
+    // Returns the largest multiple of kFrames that is at most `frames`.
     static constexpr int whole(int frames) { return frames - frames % kFrames; }
 
-    // Fills `stereo` with the next `frames` frames, left and right alternating. render(to, count) makes the next
-    // `count`, always a multiple of kFrames.
+    // Fills `stereo` with the next `frames` frames, with left and right alternating. Calls render(to, count) for new
+    // frames; count is always a multiple of kFrames.
     template <class Render>
     void take(float* stereo, int frames, Render render) {
         const int kept = std::min(frames, kFrames - at_);
@@ -40,7 +41,7 @@ private:
     }
 
     std::array<float, 2 * kFrames> block_{};
-    int at_ = kFrames;  // the first frame of block_ that was not delivered yet
+    int at_ = kFrames;  // index of the first frame of block_ that has not been delivered yet
 };
 
 }  // namespace handrail::sinks
