@@ -61,8 +61,8 @@ void register_closest_points() {
             });
 }
 
-// Measures how long a world takes to compile when somebody changes the scale: exactly, and with details simplified that
-// are too small to feel. Also measures the search for such details alone.
+// Measures how long a world takes to compile after the person changes the scale: without simplification, and with
+// details left out or widened that are too small to feel. Also measures the search for such details alone.
 void register_simplifying() {
     constexpr double kReach_m = 0.075, kRim = 0.8, kRounding_hand_m = 1.5e-3, kBall_hand_m = 1e-3;
     for (const char* name : {"house.map", "school.map", "quake-e1m1.map"}) {

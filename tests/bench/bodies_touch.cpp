@@ -1,6 +1,7 @@
-// Measures what bodies cost. A hand feels its way over a floor of boxes, 3 mm deep at 0.25 m/s. Around it are crates as
-// bodies: they stand still, move far away, or one of them pushes the proxy. Under callgrind, instructions.sh counts
-// touch_tick.
+// Measures the cost of bodies. A hand slides over a floor of boxes, 3 mm deep at 0.25 m/s. Around it are crates as
+// bodies.
+// They stand still or move far away, or one of them pushes the proxy. Under callgrind, instructions.sh counts the
+// instructions of touch_tick().
 //   bodies_touch TICKS none|still|far|pushing [BODIES]
 #include <fmt/format.h>
 
@@ -15,7 +16,8 @@
 namespace handrail::test {
 namespace {
 
-constexpr std::size_t kTicksOfFrame = 16;  // the app reports poses sixty times a second
+// Ticks between two frames of the app, which reports poses sixty times a second.
+constexpr std::size_t kTicksOfFrame = 16;
 
 [[gnu::noinline]] double measured_ticks(TouchState& state, const HapticScene& scene, const TouchTuning& tuning,
                                         const std::vector<Vec3>& goals, const std::vector<BodyFrame>& frames,
@@ -58,7 +60,7 @@ int run(int ticks, const std::string& mode, int bodies) {
         goals.emplace_back(pushing ? 0.0 : 0.4 * std::sin(6e-4 * i), pushing ? 0.0 : 0.4 * std::cos(5e-4 * i), 0.002);
     TouchTuning tuning;
     tuning.default_friction_static = tuning.default_friction_kinetic = 0.3;
-    // Each frame holds its own poses and those of the moments before it, as the newest frame does in the program.
+    // Each frame has its own poses and those of the moments before it, like the newest frame in the program.
     std::vector<BodyFrame> frames(1);
     frames[0].push(scene->generation, 0.0, poses);
     for (std::size_t tick = kTicksOfFrame; !steps.empty() && tick < goals.size() + 2 * kTicksOfFrame;

@@ -1,5 +1,5 @@
 // Measures how long each command occupies the app thread: the longest of its execution and the ticks after it, in
-// milliseconds of that thread's processor time. Run by hand: build/release/bin/command_costs [BRUSHES... or worlds'
+// milliseconds of that thread's processor time. Run it by hand: build/release/bin/command_costs [BRUSHES... or worlds'
 // files]. It prints the table of docs/results/commands.md.
 #include <fmt/format.h>
 
@@ -40,7 +40,7 @@ Result<Scene> scene_of(const std::string& world) {
     return read_quake_map(test::office_world(test::office_size(brushes)).map, "office.map");
 }
 
-// Measures the milliseconds of each command in one world.
+// Runs each command in one world and measures its milliseconds.
 class Visit {
 public:
     explicit Visit(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) { begin(); }

@@ -1,5 +1,5 @@
-// Measures what a tick costs while a hand moves about in one kind of effect, liquid or soft patch. Under callgrind,
-// effect_costs.sh counts instructions; otherwise the program prints nanoseconds. `effect_costs` without a name runs
+// Measures the cost of a tick while a hand moves about in one kind of effect, liquid or soft patch. Under callgrind,
+// effect_costs.sh counts instructions; otherwise the program prints nanoseconds. Without a name, `effect_costs` runs
 // each kind once, briefly.
 #include <chrono>
 #include <iostream>
@@ -82,7 +82,8 @@ constexpr std::array kKinds{
          }},
 };
 
-// callgrind counts from and to this function by its name; it contains nothing else.
+// callgrind starts and stops counting at this function, which it finds by its name. The function must contain nothing
+// else.
 [[gnu::noinline]] double measured_ticks(const HapticScene& scene, TouchState& state, const std::vector<Vec3>& goals) {
     double checksum = 0.0;
     for (const Vec3& goal : goals) checksum += touch_tick(state, scene, TouchTuning{}, goal, 1e-3).force_n.x;

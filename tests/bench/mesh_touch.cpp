@@ -1,8 +1,10 @@
-// Measures what the density of triangles costs. A proxy of 5 mm slides at 0.2 m/s, pressed 2 to 5 mm deep, over spheres
-// of radius 0.5 m made of 1e3 to 1e6 triangles. Prints one line per sphere: build time, memory, time per tick.
+// Measures how the density of triangles affects the cost. A proxy of 5 mm slides at 0.2 m/s, pressed 2 to 5 mm deep,
+// over
+// spheres of radius 0.5 m made of 1e3 to 1e6 triangles. Prints one line per sphere: build time, memory, time per tick.
 //   mesh_touch [TICKS [FREQUENCY [count]]]
-// A frequency of n gives 20 n^2 triangles. Under callgrind, instructions.sh counts measured_ticks(); "count" omits the
-// timing.
+// A frequency of n gives 20 n^2 triangles. Under callgrind, instructions.sh counts the instructions of
+// measured_ticks();
+// "count" omits the timing.
 #include <fmt/format.h>
 
 #include <malloc.h>
@@ -38,7 +40,8 @@ struct Tally {
     long iterations = 0, most_iterations = 0;
 };
 
-// callgrind counts from and to this function by its name; it contains nothing else.
+// callgrind starts and stops counting at this function, which it finds by its name. The function must contain nothing
+// else.
 [[gnu::noinline]] Tally measured_ticks(const HapticScene& scene, const TouchTuning& tuning,
                                        const std::vector<Vec3>& goals, TouchState& state) {
     Tally tally;
@@ -53,7 +56,7 @@ struct Tally {
     return tally;
 }
 
-// For each tick, the shortest time of several passes, which leaves out the load of other programs.
+// Returns for each tick the shortest time of several passes, which excludes the load of other programs.
 std::vector<double> tick_times_ns(const HapticScene& scene, const TouchTuning& tuning, const std::vector<Vec3>& goals) {
     constexpr int kPasses = 5;
     std::vector<double> best(goals.size(), 1e18);

@@ -1,4 +1,4 @@
-// Writes an office building as a .map to standard output, to explore, for measurements and for fuzzing:
+// Writes an office building as a .map to standard output, for exploring, for measurements and for fuzzing:
 //   build/release/bin/office_map [brushes] [seed] > office.map
 // 50,000 brushes are 50,000 square metres on five storeys.
 #include <cstdio>

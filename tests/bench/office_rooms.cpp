@@ -1,5 +1,5 @@
-// Measures what finding rooms, exits and routes costs in office buildings of growing size. Each building has a separate
-// process, so that its memory can be measured:
+// Measures the cost of finding rooms, exits and routes in office buildings of growing size. Each building runs in a
+// separate process, so that its memory can be measured:
 //   build/release/bin/office_rooms [brushes] [seed]        by hand; without a number: 1,000, 3,000, 10,000 and 50,000
 //   build/release/bin/office_rooms WORLD...                measures worlds from files instead
 #include <sys/resource.h>
@@ -28,7 +28,7 @@ double since(std::chrono::steady_clock::time_point from) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
 }
 
-// Peak memory of this process.
+// Returns the peak memory of this process in MB.
 double peak_mb() {
     rusage used{};
     getrusage(RUSAGE_SELF, &used);
@@ -58,7 +58,7 @@ std::optional<Found> find(const Scene& scene) {
     found.places = space.spans.size();
     found.rooms = graph.rooms.size();
     found.exits = graph.portals.size();
-    // The route from the start to the farthest room.
+    // Plans the route from the start to the farthest room.
     const Vec3 feet = scene.starts.front().feet_m;
     const auto far = std::max_element(graph.rooms.begin(), graph.rooms.end(), [&](const Room& a, const Room& b) {
         return glm::length(a.middle_m - feet) < glm::length(b.middle_m - feet);
@@ -90,7 +90,7 @@ int measure(int brushes, std::uint32_t seed) {
     return found->reaches ? 0 : 1;
 }
 
-// Measures a world from a file. A farthest room that cannot be reached on foot is a result, not a failure.
+// Measures a world from a file. If its farthest room cannot be reached on foot, that is a result and not a failure.
 int measure_file(const char* file) {
     Result<Scene> scene = read_world(file);
     if (!scene) return std::fprintf(stderr, "%s\n", scene.error().sentence().c_str()), 1;
@@ -103,7 +103,7 @@ int measure_file(const char* file) {
     return 0;
 }
 
-// Runs the work in a separate process. Returns false if that failed.
+// Runs `work` in a separate process. Returns false if that failed.
 bool apart(const std::function<int()>& work) {
     std::fflush(stdout);
     const pid_t child = fork();

@@ -1,5 +1,5 @@
-// Measures what it costs to format a message in the person's language, and to start using a language. Run by hand:
-// build/release/bin/phrase_cost.
+// Measures the cost of formatting a message in the person's language, and of starting to use a language. Run it by
+// hand: build/release/bin/phrase_cost.
 #include <benchmark/benchmark.h>
 
 #include <toml++/toml.h>
@@ -33,7 +33,7 @@ void text_with_plural(benchmark::State& state) {
 }
 BENCHMARK(text_with_plural);
 
-// Reads each language, as the program does when it first speaks it.
+// Reads each bundled language, as the program does before its first message in that language.
 void read_bundled(benchmark::State& state) {
     const BundledLanguage& source = kBundledLanguages[static_cast<std::size_t>(state.range(0))];
     const std::string content(source.content);

@@ -1,6 +1,6 @@
-// Measures what reading costs. It generates files of every format and reads each as the program does: a .map directly,
-// all others by handrail-reader with its limits. It prints rows of a table with wall-clock time, processor time and
-// peak memory, as the kernel counts them:
+// Measures the cost of reading worlds. It generates files of every format and reads each as the program does: a .map
+// directly, all others by handrail-reader with its limits. It prints rows of a table with wall-clock time, processor
+// time and peak memory, as the kernel counts them:
 //   build/release/bin/reader_figures [MB...]      (1 10 100)
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ namespace {
 
 using namespace handrail;
 
-// A table of 92 triangles, placed in a square field of tables that are 2 m apart.
+// Returns a table of 92 triangles, one of a square field of tables that are 2 m apart.
 test::BlockMesh table_at(int number, int all) {
     static const std::set<test::Block> blocks{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}, {0, 0, 1},
                                               {1, 0, 1}, {2, 0, 1}, {0, 1, 1}, {1, 1, 1}, {2, 1, 1},
@@ -55,7 +55,8 @@ std::string ifc_of(int rooms) {
     return test::office_ifc({5, corridors, std::max(1, rooms / (10 * corridors)), 240}).text;
 }
 
-// Rooms of 6 by 5 m in rows of 40 along corridors, 600 on each level, each with a door.
+// Returns a building as OSM text. It has rooms of 6 by 5 m in rows of 40 along corridors, 600 on each level, each with
+// a door.
 std::string osm_of(int rooms) {
     std::string nodes, ways;
     long id = 0;
@@ -178,7 +179,7 @@ std::string ply_of(int tables) {
            points + faces;
 }
 
-// One node for each table; y is up.
+// Returns a glTF file with one node for each table; y is up.
 std::string glb_of(int tables) {
     std::string bytes, views, accessors, meshes, nodes, roots;
     for (int i = 0; i < tables; ++i) {
@@ -236,7 +237,7 @@ struct Format {
     const char* name;
     const char* ending;
     std::string (*made)(int size);
-    int first;  // size parameter of the sample
+    int first;  // size parameter of the first sample
 };
 constexpr Format kFormats[] = {
     {"map", ".map", map_of, 2'000},        {"ifc", ".ifc", ifc_of, 400}, {"osm", ".osm", osm_of, 1'200},
@@ -249,7 +250,7 @@ struct Figures {
     char became[200] = {};
 };
 
-// Runs the work in a separate process, so that the kernel counts only this work. Returns false if the process ended
+// Runs `work` in a separate process, so that the kernel counts only this work. Returns false if the process ended
 // early.
 template <class Work>
 bool apart(const Work& work) {
@@ -289,13 +290,14 @@ void read_and_tell(const std::filesystem::path& path, bool as_map, int fd) {
     if (::write(fd, &figures, sizeof figures) != sizeof figures) ::_exit(1);
 }
 
-// Returns the size parameter that makes a file of about this many bytes.
+// Returns the size parameter that gives a file of about `bytes` bytes.
 int size_for(const Format& format, double bytes) {
     const double sample = static_cast<double>(format.made(format.first).size());
     return std::max(1, static_cast<int>(std::lround(format.first * bytes / sample)));
 }
 
-// Reads a side file with this many marks: the median of several first reads, and of reading it again.
+// Measures reading a side file with this many marks. Prints the median of several first reads, and the time of reading
+// it again.
 void print_toml_figures(int marks) {
     std::string text;
     for (int i = 0; i < marks; ++i)

@@ -1,5 +1,5 @@
-// Measures what the tools that guide along the route cost in our house: planning a route on request, and finding the
-// person's place on it in each frame. Run by hand: build/release/bin/seeking_cost.
+// Measures the cost of the functions that guide along a route in our house: planning a route on request, and finding
+// the person's place on it in each frame. Run it by hand: build/release/bin/seeking_cost.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kMostPoints = 64;
 constexpr double kHand_m = 1.0;
 
-// From the front door to an object: near by, across a room, and on the other storey.
+// Destinations from the front door: a thing near by, one across a room, and one on the other storey.
 constexpr const char* kThings[] = {"Coat stand", "Dining table", "Piano"};
 
 struct House {
@@ -64,7 +64,7 @@ void plan_for_a_hand(benchmark::State& state) {
 }
 BENCHMARK(plan_for_a_hand)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
 
-// Somebody walks along the route, half a metre to its side, with the route in sight or not.
+// Finds the place of a person who walks along the route, half a metre to its side, with the route in sight or not.
 void look_where_on_it(benchmark::State& state) {
     const char* name = kThings[state.range(0)];
     state.SetLabel(name);

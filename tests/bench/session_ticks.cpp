@@ -1,6 +1,6 @@
 // Measures a session in office buildings of growing size. It measures when the person can hear, touch and find routes.
-// It also measures how long the app thread is ever busy at a time while the person walks, opens doors, queries, and
-// changes the scale. Run by hand: build/release/bin/session_ticks [BRUSHES...], or with worlds' files.
+// It also measures the longest time for which the app thread is busy while the person walks, opens doors, queries, and
+// changes the scale. Run it by hand: build/release/bin/session_ticks [BRUSHES...], or with worlds' files.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 const SteadyClock kClock;
 
-// Processor time of the calling thread. It excludes what other threads do meanwhile on a machine with few cores.
+// Returns the processor time of the calling thread. It excludes the work of other threads on a machine with few cores.
 double busy_ms() {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -63,7 +63,7 @@ public:
                                     Command::ScaleDetail, Command::ScaleFloor})
             act(scale, scale_ms);
         const double walk_ms = worst_tick_;
-        // Opens every door within reach on a walk along the corridor.
+        // Walks along the corridor and opens every door within reach.
         worst_tick_ = 0.0;
         for (int step = 0; step < 60; ++step) {
             app.apply(CommandDown{Command::Forward}, now_s_);

@@ -1,4 +1,4 @@
-// Measures what a first and a second start with a world cost, step by step, in seconds of processor time:
+// Measures the cost of a first and a second start with a world, step by step, in seconds of processor time:
 //   build/release/bin/start_costs WORLD...
 // A second start takes the scene, the walkable area and the rooms from the cache. The haptic scene and the mesh are
 // built again each time. A background task writes the cache when everything is ready.
@@ -39,7 +39,7 @@ int measure(const char* file) {
     if (!scene) return std::fprintf(stderr, "%s\n", scene.error().sentence().c_str()), 1;
     const std::string kept = kept_scene({}, stored::stored(*scene));
     bool whole = false;
-    // A .map is read again each time, so for a .map only the walkable area is cached.
+    // A .map is always read again, so for a .map the cache contains no scene.
     const bool scene_is_kept = std::filesystem::path(file).extension() != ".map";
     const double kept_s = cpu_s([&] {
         const auto again = scene_in(kept, [](const std::vector<NeighbourFile>&) { return true; });

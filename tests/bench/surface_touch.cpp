@@ -1,7 +1,8 @@
-// Measures what each way to render a surface costs. The proxy slides over a floor that is plain (with friction),
-// without friction, with friction that weakens, damped, guarded, rounded at its edges, a sheet, a sheet of one side, or
-// textured. Or it slides over a tessellated sphere, faceted or shaded. Under callgrind, instructions.sh counts
-// measured_ticks().
+// Measures the cost of each way to render a surface. The proxy slides over a floor. It is plain (with friction),
+// without
+// friction, with friction that weakens, damped, guarded, rounded at its edges, a sheet, a one-sided sheet, or textured.
+// Or it slides over a tessellated sphere, faceted or shaded. Under callgrind, instructions.sh counts the instructions
+// of measured_ticks().
 //   surface_touch TICKS
 //   plain|slippery|weakening|damped|guarded|rounded|sheet|one-sided|friction|sine|square|picture|facets|shaded
 #include <array>
@@ -17,7 +18,8 @@
 namespace handrail::test {
 namespace {
 
-// callgrind counts from and to this function by its name; it contains nothing else.
+// callgrind starts and stops counting at this function, which it finds by its name. The function must contain nothing
+// else.
 [[gnu::noinline]] double measured_ticks(const HapticScene& scene, const TouchTuning& tuning,
                                         const std::vector<Vec3>& goals, TouchState& state) {
     double checksum = 0.0;

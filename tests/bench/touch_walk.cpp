@@ -1,9 +1,10 @@
-// Walks and touches through quake-e1m1.map with a proxy of 5 mm at scale 1. Under callgrind, instructions.sh counts one
-// of these:
+// Walks and touches its way through quake-e1m1.map with a proxy of 5 mm at scale 1. Under callgrind, instructions.sh
+// counts one of these:
 // - servo: the whole servo_tick (sample checks, workspace, touch, events, limiter), without guidance
-// - pull, grooves: the whole servo_tick, while the hand is pulled or among 32 grooves
-// - touch: only touch_tick, as shipped
-// - plain, all: only touch_tick, with every optional feature compiled out, or with all compiled in, used or not
+// - pull, grooves: the whole servo_tick, while guidance pulls the hand or the hand is among 32 grooves
+// - touch: only touch_tick, as in the program
+// - plain: only touch_tick, compiled without any optional feature
+// - all: only touch_tick, compiled with all optional features, whether the scene uses them or not
 //   touch_walk [TICKS [servo|pull|grooves|touch|plain|all]]
 #include <fmt/format.h>
 
@@ -28,7 +29,8 @@ struct Tally {
 using Tick = TouchResult(TouchState&, const HapticScene&, const TouchTuning&, const Vec3&, double, const Vec3&,
                          const BodyPoses&) noexcept;
 
-// callgrind counts from and to this function by its name; it contains nothing else.
+// callgrind starts and stops counting at this function, which it finds by its name. The function must contain nothing
+// else.
 template <Tick tick>
 [[gnu::noinline]] Tally measured_ticks(const HapticScene& scene, const TouchTuning& tuning,
                                        const std::vector<Vec3>& goals, TouchState& state) {
@@ -42,13 +44,13 @@ template <Tick tick>
     return tally;
 }
 
-// The target of "pull" is so far away that the pull never ends. "grooves" puts the hand in the middle of the largest
-// number of grooves.
+// Returns the guidance path. The end of the path of "pull" is so far away that the pull never ends. "grooves" surrounds
+// the hand by the greatest number of grooves.
 GuidancePath led(const std::string& how, const std::vector<Vec3>& goals) {
     GuidancePath path;
     if (how == "servo") return path;
     path.number = 1;
-    if (how == "pull") path.strength = 0.0;  // does all of the work, and never lets go
+    if (how == "pull") path.strength = 0.0;  // without force, the pull does all of its work but never releases the hand
     path.kind = how == "pull" ? GuidanceKind::Pull : GuidanceKind::Grooves;
     path.count = GuidancePath::kMostPoints;
     for (std::uint32_t i = 0; i < path.count; ++i)
@@ -65,7 +67,8 @@ GuidancePath led(const std::string& how, const std::vector<Vec3>& goals) {
     const GuidancePath none;
     for (const Vec3& goal : goals) {
         DeviceSample sample;
-        sample.position_m = goal;  // at scale 1 with the workspace at the origin, hand and world coordinates are equal
+        // At scale 1, with the workspace at the origin, hand coordinates equal world coordinates.
+        sample.position_m = goal;
         const ForceCommand command = servo_tick(state, {.scene = &scene,
                                                         .tuning = tuning,
                                                         .pose = WorkspacePose{},
@@ -86,7 +89,7 @@ int run(int ticks, const std::string& part) {
     const auto haptic = compile_haptic(*scene, MaterialSource::KeysOnly);
     TouchTuning tuning;
     tuning.damping_ns_per_m = 5.0;
-    tuning.passivity_guard = true;  // as in the program; this damping leaves the guard nothing to do
+    tuning.passivity_guard = true;  // as in the program, although with this damping the guard never has to add any
     tuning.default_friction_static = tuning.default_friction_kinetic = 0.3;
     const std::vector<Vec3> goals = record_walk(*haptic, tuning, scene->starts.front().feet_m + Vec3(0, 0, 1.0), ticks);
     TouchState touch_state;

@@ -10,8 +10,8 @@
 
 namespace handrail::test {
 
-// Reads quake-e1m1.map with at least one start. If it is not available, prints why, sets the exit status (77: skipped)
-// and returns nothing.
+// Reads quake-e1m1.map and requires that it has at least one start. If the file is not available, prints why, sets the
+// exit status (77: skipped) and returns nothing.
 inline std::optional<Scene> walked_scene(int& status) {
     const auto path = real_world("quake-e1m1.map");
     if (!path) {

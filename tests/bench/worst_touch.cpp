@@ -1,6 +1,7 @@
-// Measures the worst places that tests/support/worst_cases knows: time, counted work, and what had to wait.
+// Measures a tick at the worst places of tests/support/worst_cases: time, counted work, and how often something had to
+// wait.
 //   worst_touch [TICKS [CASE [count]]]
-// Under callgrind, instructions.sh counts measured_ticks(); "count" omits the timing.
+// Under callgrind, instructions.sh counts the instructions of measured_ticks(); "count" omits the timing.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #if __has_include(<valgrind/callgrind.h>)
@@ -44,7 +45,8 @@ struct Run {
     }
 };
 
-// callgrind counts from and to this function by its name; it contains nothing else.
+// callgrind starts and stops counting at this function, which it finds by its name. The function must contain nothing
+// else.
 [[gnu::noinline]] double measured_ticks(Run& run, std::size_t i) { return run.tick(i).force_n.x; }
 
 void report(int number, int ticks, bool timed) {

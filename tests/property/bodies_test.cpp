@@ -1,5 +1,5 @@
-// Bodies that move, turn, grow, appear and vanish while a hand touches them. The brute-force judge checks them in the
-// body's own frame.
+// Tests of bodies that move, turn, grow, appear and vanish while a hand touches them. The brute-force judge checks each
+// body in the body's own frame.
 #include <algorithm>
 
 #include "tests/property/replay.h"
@@ -11,7 +11,7 @@ namespace bodies_test {
 
 constexpr double kTick_s = 1e-3;
 
-// A scene with bodies, their current poses, and a hand; runs one tick at a time.
+// A scene with bodies, their current poses, and a hand. It runs one tick at a time.
 struct Rig {
     std::shared_ptr<const HapticScene> scene;
     std::vector<BodyPose> poses;
@@ -27,7 +27,7 @@ struct Rig {
         if (something_moved) ++number;
         return last = touch_tick(state, *scene, tuning, goal, kTick_s, Vec3(0.0), {poses, number});
     }
-    // Distance of the proxy's centre from a shape in this body's pose, less the proxy's radius.
+    // Returns the distance of the proxy's surface from a shape in the pose of this body.
     double gap(const BruteForce& judge, std::size_t body) const {
         const PlacedFrame frame(poses[body].at);
         return static_cast<double>(judge.distance(frame.to_own(last.proxy_m), 10.0L)) * frame.scale - last.radius_m;
@@ -53,8 +53,8 @@ Rotation random_rotation(std::mt19937& random) {
 }
 
 // Case T18: a box comes to a still hand with each of its six faces, as a box and as a mesh, in any orientation and at
-// several speeds. Nothing gets inside the proxy's surface. Contact begins on the tick at which the box arrives, the
-// proxy then moves exactly with the face, and the force is perpendicular to the face.
+// several speeds. Nothing enters the proxy. Contact begins in the tick in which the box arrives. The proxy then moves
+// exactly with the face, and the force is perpendicular to the face.
 TEST(Bodies, a_box_that_moves_against_a_still_hand_is_felt_on_every_face) {
     const auto seed = seed_of_run();
     std::mt19937 random(seed);
@@ -72,9 +72,10 @@ TEST(Bodies, a_box_that_moves_against_a_still_hand_is_felt_on_every_face) {
                     Placement at;
                     at.rotation = turned ? random_rotation(random) : Rotation{};
                     at.scale = turned ? 1.3 : 1.0;
-                    const Vec3 normal = PlacedFrame(at).turned(out);  // points towards the hand
+                    // Normal of the face, which points towards the hand.
+                    const Vec3 normal = PlacedFrame(at).turned(out);
                     const Vec3 hand(1.0, -2.0, 0.5);
-                    const double start = 0.02;  // distance between face and proxy surface
+                    const double start = 0.02;  // distance between the face and the proxy's surface at the start
                     at.position_m = hand - normal * (0.25 * at.scale + 0.005 + start);
                     HapticSceneBuilder builder;
                     builder.add_body(FeatureId{3}, world.scene(), at);
@@ -103,7 +104,7 @@ TEST(Bodies, a_box_that_moves_against_a_still_hand_is_felt_on_every_face) {
                 }
 }
 
-// Case T18: a plate that turns about its middle once a second sweeps a held proxy along and never passes it.
+// Case T18: a plate that turns about its middle once a second sweeps a held proxy along and never passes through it.
 TEST(Bodies, a_turning_plate_never_passes_through_the_ball) {
     for (const double half_thickness : {0.01, 1e-4, 0.0}) {
         TouchWorld world;
@@ -128,8 +129,8 @@ TEST(Bodies, a_turning_plate_never_passes_through_the_ball) {
     }
 }
 
-// Case T19: two walls close on the proxy to a fifth of a millimetre and open again. The proxy shrinks to half the gap,
-// stays exactly in the middle, and never moves faster than the walls.
+// Case T19: two walls close on the proxy until the gap is a fifth of a millimetre, and open again. The proxy shrinks to
+// half the gap, stays exactly in the middle, and never moves faster than the walls.
 TEST(Bodies, two_closing_walls_leave_the_ball_in_the_middle) {
     for (const bool one_still : {false, true}) {
         HapticSceneBuilder builder;
@@ -158,19 +159,19 @@ TEST(Bodies, two_closing_walls_leave_the_ball_in_the_middle) {
             ASSERT_LE(glm::length(rig.last.proxy_m - before), step + 1e-8) << i;
             before = rig.last.proxy_m;
         }
-        EXPECT_NEAR(rig.last.radius_m, 0.005, 1e-4);  // it has grown again, at 20 mm/s
+        EXPECT_NEAR(rig.last.radius_m, 0.005, 1e-4);  // the proxy has grown again, at 20 mm/s
         EXPECT_EQ(rig.last.contacts.count, 0);
     }
 }
 
-// Case T20: a floor that appears 3 mm above the proxy's underside pushes it up gently. A body that appears around the
-// hand is not felt until the hand has left it.
+// Case T20: a floor that appears 3 mm above the proxy's lowest point pushes the proxy up gently. A body that appears
+// around the hand is not felt until the hand has left it.
 TEST(Bodies, a_thing_that_appears_over_the_hand_pushes_gently) {
     HapticSceneBuilder builder;
     builder.add_body(FeatureId{1}, box_shape({1, 1, 1}), {Vec3(0, 0, -0.998), {}, 1.0}, false);
     Rig rig(builder.build());
     for (int i = 0; i < 10; ++i) EXPECT_EQ(rig.tick({0, 0, 0.004}).contacts.count, 0);
-    rig.poses[0].present = true;  // its top is at 2 mm, 3 mm above the proxy's underside
+    rig.poses[0].present = true;  // the floor's top is at 2 mm, 3 mm above the proxy's lowest point
     double before = 0.0;
     for (int i = 0; i < 400; ++i) {
         rig.tick({0, 0, 0.004}, i == 0);
@@ -190,7 +191,7 @@ TEST(Bodies, a_hand_that_starts_inside_feels_nothing_until_it_is_out) {
     builder.add_body(FeatureId{1}, box_shape({0.1, 0.1, 0.1}), {});
     builder.add_box({{0.05, -0.1, -0.1}, {0.3, 0.1, 0.1}}, SurfaceLabel{FeatureId{2}, 0, false});
     Rig rig(builder.build());
-    EXPECT_EQ(rig.tick({0.07, 0, 0}).force_n, Vec3(0.0));  // inside both boxes
+    EXPECT_EQ(rig.tick({0.07, 0, 0}).force_n, Vec3(0.0));  // the hand is inside both boxes
     EXPECT_TRUE(rig.last.contacts.ghosted);
     for (double z = 0.0; z < 0.1; z += 2e-4) {
         rig.tick({0.07, 0, z});
@@ -203,8 +204,8 @@ TEST(Bodies, a_hand_that_starts_inside_feels_nothing_until_it_is_out) {
     EXPECT_NEAR(rig.last.proxy_m.z, 0.105, 1e-9);
 }
 
-// A body appears or vanishes under the hand at random, a thousand times. The force never changes by more than 0.02 N in
-// a tick when the body appears, and is zero 10 ms after it vanishes.
+// A body appears or vanishes under the hand at random, a thousand times. When the body appears, the force changes by at
+// most 0.02 N in a tick. When it vanishes, the force is zero after 10 ms.
 TEST(Bodies, a_thousand_appearing_and_vanishing_things_never_knock) {
     const auto seed = seed_of_run();
     std::mt19937 random(seed);
@@ -234,7 +235,7 @@ TEST(Bodies, a_thousand_appearing_and_vanishing_things_never_knock) {
             ASSERT_LE(glm::length(rig.last.force_n - before), 0.0201) << i;
             before = rig.last.force_n;
         }
-        // Presses deeper from wherever the hand is, then removes the body.
+        // The hand presses deeper from its present place, then the body vanishes.
         Vec3 way(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
         for (int i = 0; i < 60; ++i) rig.tick(hand += way * 1e-4, false);
         rig.poses[0].present = false;
@@ -244,7 +245,8 @@ TEST(Bodies, a_thousand_appearing_and_vanishing_things_never_knock) {
     }
 }
 
-// The same with new scenes that have or lack the object, as when an object is added to a world or removed.
+// Does the same with scenes that contain or lack a static object, as when the person adds an object to a world or
+// removes it.
 TEST(Bodies, adding_and_removing_static_things_under_the_hand_is_gentle) {
     HapticSceneBuilder with;
     with.add_box({{-1, -1, -1}, {1, 1, 0.002}}, SurfaceLabel{FeatureId{5}, 0, false});
@@ -270,7 +272,7 @@ TEST(Bodies, adding_and_removing_static_things_under_the_hand_is_gentle) {
 }
 
 // Friction carries a resting proxy along with a moving floor; without friction the proxy stays behind. The force that
-// pulls it back never leaves the friction cone.
+// pulls the proxy back never leaves the friction cone.
 TEST(Bodies, friction_carries_the_ball_on_a_moving_floor) {
     for (const double mu : {0.0, 0.4}) {
         HapticSceneBuilder builder;
@@ -286,12 +288,13 @@ TEST(Bodies, friction_carries_the_ball_on_a_moving_floor) {
             ASSERT_LE(std::abs(f.x), mu * f.z * (1.0 + 1e-6) + 1e-9);
             drawn = std::max(drawn, f.x);
         }
-        EXPECT_NEAR(drawn, mu * 3.0, 0.02);  // 3 mm deep at 1 kN/m: the floor draws the proxy along until it slips
+        // The hand is 3 mm deep at 1 kN/m. The floor draws the proxy along until the proxy slips.
+        EXPECT_NEAR(drawn, mu * 3.0, 0.02);
     }
 }
 
-// Random shapes, placements, motions and hands: the proxy never gets inside, and the result does not depend on where
-// the world is placed.
+// With random shapes, placements, motions and hands, the proxy never enters a body. The result does not depend on the
+// world's position.
 TEST(Bodies, moving_random_heaps_let_nothing_in) {
     const auto seed0 = seed_of_run();
     int touched = 0;
@@ -353,7 +356,7 @@ TEST(Bodies, moving_random_heaps_let_nothing_in) {
     EXPECT_GT(3 * touched, rounds) << "seed " << seed0;
 }
 
-// Still bodies give the same result as the same shapes in a still scene under a placement: the force turns with the
+// Still bodies feel the same as their shapes in a still scene, apart from the placement: the force turns with the
 // placement.
 TEST(Bodies, a_placed_body_feels_like_its_rotated_shape) {
     const TouchCase c = hard_cases()[3];

@@ -1,5 +1,5 @@
-// Closed paths of a hand, and the energy that a scene gives to the hand on them (invariant I11). The caller's generator
-// makes the paths reproducible.
+// Makes closed paths of a hand and measures the energy that a scene gives to the hand on them (invariant I11). The
+// caller's random generator makes the paths reproducible.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +11,10 @@
 
 namespace handrail::test {
 
-inline constexpr double kStiffness_n_per_m = 1000.0;  // stiffness of plain_tuning
+inline constexpr double kStiffness_n_per_m = 1000.0;  // stiffness of plain_tuning()
 
-// A smooth closed path around `middle`: a few harmonics with random phases. Each coordinate stays within `reach_m`.
+// Returns a smooth closed path around `middle`, made of a few harmonics with random phases. Each coordinate stays
+// within `reach_m`.
 inline std::vector<Vec3> closed_loop(std::mt19937& random, const Vec3& middle, const Vec3& reach_m, double seconds) {
     std::uniform_real_distribution<double> phase(0.0, 2.0 * kPi), weight(0.2, 1.0);
     constexpr int kHarmonics = 5;
@@ -40,8 +41,8 @@ inline std::vector<Vec3> closed_loop(std::mt19937& random, const Vec3& middle, c
     return goals;
 }
 
-// The same loop, rotated to begin and end where it is farthest from everything, so that no compressed spring stores
-// energy at either end.
+// Returns the same loop, but beginning and ending at its point farthest from all obstacles. No compressed spring then
+// stores energy at either end.
 inline std::vector<Vec3> begun_in_the_open(const HapticScene& scene, std::vector<Vec3> goals) {
     std::size_t best = 0;
     double widest = -1.0;
@@ -67,9 +68,9 @@ inline std::vector<Vec3> with_quantum(std::vector<Vec3> goals, double quantum_m)
 }
 
 struct Loop {
-    double energy_j = 0.0;   // given to the hand, by the trapezoidal rule
-    double allowed_j = 0.0;  // possible error of the trapezoidal rule where a contact begins or ends (I11)
-    double edges_j = 0.0;    // the same, where the proxy passed from one facet to the next
+    double energy_j = 0.0;   // energy given to the hand, by the trapezoidal rule
+    double allowed_j = 0.0;  // greatest error of the trapezoidal rule where contacts begin or end (I11)
+    double edges_j = 0.0;    // the same error where the proxy passed from one facet to the next
     double largest_n = 0.0, largest_jump_n = 0.0;
 };
 
@@ -85,8 +86,8 @@ inline Loop run(const HapticScene& scene, const std::vector<Vec3>& goals, const 
             const double way = glm::length(goal - last_goal), change = glm::length(r.force_n - last_force);
             loop.energy_j += 0.5 * glm::dot(last_force + r.force_n, goal - last_goal);
             loop.largest_jump_n = std::max(loop.largest_jump_n, change);
-            // The force has a corner within the step. The error is at most half the change of force times the path, or
-            // K |dg|^2 / 8 for the beginning of a plain contact.
+            // The force changes its slope within the step. The error is at most half the change of force times the
+            // path, or K |dg|^2 / 8 where a plain contact begins.
             if (r.contacts.count != last_count)
                 loop.allowed_j += std::max(kStiffness_n_per_m * way * way / 8.0, 0.5 * std::min(change, 1.0) * way);
             else if (glm::dot(normal, last_normal) < 1.0 - 1e-6)

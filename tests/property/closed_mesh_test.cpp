@@ -1,4 +1,4 @@
-// Closed meshes that are not convex, under a hand: the hand never enters them, and comes out if it begins inside.
+// Closed meshes that are not convex: the hand never enters them, and it comes out if it begins inside one.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -20,7 +20,7 @@ struct Mesh {
     std::shared_ptr<const HapticScene> haptic;
 };
 
-// Includes a crate far away, so that neither mesh is the only one.
+// The scene also has a crate far away, so that neither mesh is the only one.
 Mesh touched(const std::set<test::Block>& blocks, double turn) {
     Mesh made;
     made.mesh = test::block_mesh(blocks, [&](const Vec3& p) {
@@ -53,8 +53,8 @@ TEST(ClosedMeshes, are_never_entered_by_a_hand_that_presses_on_them) {
         const int ticks = test::scaled(20'000);
         for (int i = 0; i < ticks; ++i) {
             if (--left <= 0) {
-                // Aims at a random place of the mesh, or along the touched surface while pressing on it.
-                // Separate statements: compilers evaluate arguments in different orders.
+                // Aims at a random place of the mesh, or along the touched surface while pressing on it. The numbers
+                // are drawn in separate statements, because compilers evaluate arguments in different orders.
                 const double z = unit(), y = unit(), x = unit();
                 const Vec3 aim = box.min_m + box.size_m() * Vec3(x, y, z);
                 direction = glm::normalize(aim - ball + Vec3(1e-6));
@@ -77,7 +77,8 @@ TEST(ClosedMeshes, are_never_entered_by_a_hand_that_presses_on_them) {
 
 TEST(ClosedMeshes, release_a_hand_that_started_inside_and_do_not_let_it_back_in) {
     for (const Mesh& world : meshes()) {
-        // Starts in the middle of the first block and leaves through the nearest side, far away.
+        // The hand starts in the middle of the first block and leaves the mesh through the nearest side, to a place far
+        // away.
         const test::BlockMesh& mesh = world.mesh;
         Vec3 within(0.0);
         bool found = false;

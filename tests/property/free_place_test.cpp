@@ -1,4 +1,4 @@
-// "Bring me out": moves a hand from anywhere to a place outside everything.
+// Tests of "Bring me out", which moves a hand from any place to a place outside all obstacles.
 #include "haptic/render/free_place.h"
 
 #include "haptic/compile/compile_haptic.h"
@@ -12,7 +12,7 @@
 namespace handrail::test {
 namespace free_place_test {
 
-// Checked by the judge in heaps of solids and sheets.
+// The judge checks the places in heaps of solids and sheets.
 TEST(FreePlace, a_thousand_random_starts_end_outside_every_solid) {
     const auto seed = seed_of_run();
     std::mt19937 random(seed);
@@ -35,7 +35,7 @@ TEST(FreePlace, a_thousand_random_starts_end_outside_every_solid) {
             const auto out = nearest_free_place(*scene, {}, from, 0.005, 5.0);
             ASSERT_TRUE(out);
             ASSERT_GE(judge.distance(*out), 0.005L - 1e-9L);
-            // A proxy that starts there has its full radius, is free and feels nothing.
+            // A proxy that starts at this place has its full radius, is free and feels no force.
             TouchState state;
             const TouchResult r = touch_tick(state, *scene, plain_tuning(0.005), *out, 1e-3);
             ASSERT_FALSE(r.contacts.ghosted);

@@ -1,6 +1,6 @@
-// Compares friction with the static solution, worked out by hand, on every tick. The hand's straight path meets a
-// surface at one place. From there the proxy lags behind its resting place by the friction coefficient times the depth,
-// or by the path along the surface if that is shorter. What happened before that place does not count: at any speed, a
+// Compares friction in every tick with the static solution, computed by hand. The hand's straight path meets a surface
+// at one point. From there the proxy lags behind its resting place by the friction coefficient times the depth. If the
+// path along the surface is shorter, the lag is that path. Motion before that point does not count: at any speed, a
 // straight press feels as if there were no friction.
 #include <array>
 #include <random>
@@ -16,12 +16,13 @@ namespace handrail::test {
 namespace friction_exact_test {
 
 constexpr double kTick_s = 1e-3, kRadius_m = 0.005;
-// Tolerance. A solid's side is exact from any distance. For triangles, the proxy counts as touching one from 1e-8 m on,
-// so lag and place may each differ by this much. No path here crosses the seam between two triangles. There the
-// solver's rounds bend the proxy's path aside by up to 0.03 mm, and friction preserves that.
+// Tolerance. For a solid, a side is exact at any distance. For triangles, the proxy counts as touching one at distances
+// below 1e-8 m, so lag and position may each differ by this much. No path here crosses the seam between two triangles.
+// At a seam the solver's rounds bend the proxy's path aside by up to 0.03 mm, and friction preserves the displacement.
 constexpr double exact_m(int form) { return form == 2 ? 3e-8 : 1e-12; }
 
-// As shipped, slippery, rough, and too rough to slip at a right angle.
+// The friction coefficients of the tests: the program's default, slippery, rough, and too rough to slip at a right
+// angle.
 std::vector<double> coefficients() { return {Settings().haptic.friction_mu, 0.02, 0.4, 0.9, 2.0}; }
 
 TouchTuning rubbing(double mu) {
@@ -32,7 +33,8 @@ TouchTuning rubbing(double mu) {
     return tuning;
 }
 
-// The same slab, whose upper side is z = 0, as a box, a brush or triangles. On request it has a wall at x = 0.1.
+// Returns the same slab, whose upper side is z = 0, as a box, a brush or triangles. If `wall` is true, it has a wall at
+// x = 0.1.
 TouchWorld slab(int form, bool wall) {
     TouchWorld world;
     const auto add = [&](const Vec3& low, const Vec3& high) {
@@ -45,8 +47,8 @@ TouchWorld slab(int form, bool wall) {
     return world;
 }
 
-// Calls `each` for slabs turned and moved at random, in every form and with every coefficient and speed. `each` gets a
-// scene, its motion, a tuning and the tolerance.
+// Calls `each` for slabs that are rotated and shifted at random, in every form and with every coefficient and speed.
+// `each` receives a scene, its motion, a tuning and the tolerance.
 template <class Each>
 void on_slabs(bool wall, const Each& each) {
     std::mt19937 random(5);
@@ -60,8 +62,8 @@ void on_slabs(bool wall, const Each& each) {
             }
 }
 
-// Moves from a to b at this speed; the last tick is at b. `check` gets the hand's position and the force, both in the
-// slab's frame.
+// Moves the hand from a to b at this speed; in the last tick it is at b. `check` receives the hand's position and the
+// force, both in the slab's frame.
 template <class Check>
 void go(TouchState& state, const HapticScene& scene, const Motion& motion, const TouchTuning& tuning, const Vec3& a,
         const Vec3& b, double speed, const Check& check) {
@@ -110,7 +112,7 @@ TEST(FrictionExact, a_slanted_press_lags_by_its_movement_along_the_surface_or_by
             SCOPED_TRACE(slant);
             TouchState state;
             const Vec3 begin(0.0, 0.4, 0.0303), end(slant * 0.0383, 0.4, -0.008);
-            const double first_x = slant * (begin.z - kRadius_m);  // where the path meets the surface
+            const double first_x = slant * (begin.z - kRadius_m);  // x of the point where the path meets the surface
             go(state, scene, motion, tuning, begin, end, speed,
                [&](const Vec3& hand, const Vec3& ball, const TouchResult&) {
                    const double press = std::max(0.0, kRadius_m - hand.z),
@@ -139,8 +141,8 @@ TEST(FrictionExact, a_slide_drags_in_proportion_to_the_press_and_sticks_first_af
     });
 }
 
-// Until the hand reaches the wall, the floor's friction depends only on the press on the floor. At the wall, the proxy
-// is in the corner however hard the hand presses.
+// Until the hand reaches the wall, the floor's friction depends only on the press against the floor. At the wall the
+// proxy is in the corner, however hard the hand presses.
 TEST(FrictionExact, a_slide_into_a_wall_is_held_only_by_the_floor_until_it_arrives) {
     on_slabs(true, [](const HapticScene& scene, const Motion& motion, const TouchTuning& tuning, double mu,
                       double speed, double exact_m) {
@@ -172,7 +174,7 @@ TEST(FrictionExact, a_press_into_an_edge_between_floor_and_wall_lags_only_along_
     });
 }
 
-// Presses from any side straight at the centre of a ball: a solid one, or a facet of a tessellated one.
+// Presses straight at the centre of a ball from all sides. The ball is solid or tessellated.
 TEST(FrictionExact, a_straight_press_on_the_middle_of_a_round_thing_feels_frictionless) {
     const double round_m = 0.05;
     TouchWorld solid;
@@ -193,8 +195,8 @@ TEST(FrictionExact, a_straight_press_on_the_middle_of_a_round_thing_feels_fricti
             }
 }
 
-// A hand moves past a round object. The proxy touches it whenever the hand is inside, and the force stays in the
-// friction cone of the surface at the proxy.
+// A hand moves past a round object. The proxy touches the object whenever the hand is inside it, and the force stays in
+// the friction cone of the surface at the proxy.
 TEST(FrictionExact, a_slide_over_round_things_touches_them_and_stays_in_the_friction_cone) {
     const double round_m = 0.05;
     TouchWorld solid, hollow;
@@ -222,7 +224,7 @@ TEST(FrictionExact, a_slide_over_round_things_touches_them_and_stays_in_the_fric
             }
 }
 
-// A proxy that sticks does not creep, on round or flat surfaces, however long the hand holds it.
+// While friction holds the proxy, it does not creep, on round or flat surfaces, however long the hand stays.
 TEST(FrictionExact, a_sticking_ball_does_not_creep) {
     TouchWorld round, flat = slab(2, true);
     round.sphere(Vec3(0.0), 0.05);

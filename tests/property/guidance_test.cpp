@@ -1,5 +1,5 @@
 // A thousand random hands are guided while they push at random. Guidance never exceeds its limits of force, speed,
-// change of force and energy. It lets go exactly when the hand holds against it.
+// change of force and energy. It releases the hand exactly when the hand resists for long enough.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -16,11 +16,12 @@ namespace guidance_test {
 
 struct Measured {
     double force_n = 0.0, free_speed_m_per_s = 0.0, slow_step_n = 0.0, step_share = 0.0, worst_power_share = 0.0;
-    std::array<double, 4> step_n{};  // for hands below 0.1, 0.3 and 1 m/s, and faster ones
+    // Greatest changes of force in a tick, for hands below 0.1, 0.3 and 1 m/s, and faster ones.
+    std::array<double, 4> step_n{};
     int let_go = 0, arrived = 0;
 };
 
-// Simulates one person: a path within reach, one of the strengths, and intermittent pushes of up to 3 N.
+// Simulates one person, with a path within reach, one of the strengths, and intermittent pushes of up to 3 N.
 void lead_one(const DeviceSpec& spec, std::mt19937& random, Measured& worst) {
     const auto uniform = [&](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random);
@@ -50,7 +51,7 @@ void lead_one(const DeviceSpec& spec, std::mt19937& random, Measured& worst) {
     for (std::uint32_t i = 0; i < path.count; ++i) path.points_m[i] = somewhere(reach_m) * scale;
     const double most_n = path.strength * std::min(0.8, 0.25 * spec.peak_force_n);
 
-    // The hand moves a little, so that the force fades in. A second later the guidance begins.
+    // The hand moves a little, so that the servo's force ramps in. A second later the guidance begins.
     const Vec3 begins = somewhere(reach_m);
     double push_until_s = 0.0, free_since_s = 0.0, given_j = 0.0, against_s = 0.0;
     Vec3 push(0.0), last_force(0.0), last_hand(0.0), last_sample(0.0), velocity(0.0);
@@ -82,10 +83,10 @@ void lead_one(const DeviceSpec& spec, std::mt19937& random, Measured& worst) {
             ASSERT_LE(glm::length(force), most_n * (i - 1499) * kTick / Guidance::kRamp_s + 1e-9) << "the ramp";
             ASSERT_LE(glm::length(state.tool().force_n), most_n + 1e-9) << "nothing else acts here";
             worst.force_n = std::max(worst.force_n, glm::length(force));
-            // Computes the greatest change of force in one tick that the law of the pull allows. The spring acts on the
-            // distance between hand and guiding point. That point moves no farther than the hand, plus 0.04 mm on its
-            // own. The reduction with speed depends on the hand's speed, smoothed over 20 ms, and on the direction in
-            // which it is measured. The ramp at the beginning and the fade come on top.
+            // Computes the greatest change of force in one tick that the law of the pull permits. The spring acts on
+            // the distance between the hand and the pulling point. That point moves as far as the hand, plus 0.04 mm by
+            // itself. The reduction with speed depends on the hand's velocity, smoothed over 20 ms, and on the
+            // direction in which it is measured. The ramp at the beginning and the fade at the end are added.
             const double step_n = glm::length(force - last_force),
                          moved_m = glm::length(sample.position_m - last_sample);
             const Vec3 velocity_before = velocity;
@@ -112,12 +113,12 @@ void lead_one(const DeviceSpec& spec, std::mt19937& random, Measured& worst) {
             if (now_s - free_since_s > 0.7)
                 worst.free_speed_m_per_s = std::max(worst.free_speed_m_per_s, glm::length(felt.velocity_m_per_s));
             given_j += glm::dot(0.5 * (force + last_force), felt.position_m - last_hand);
-            // A pull of most_n that ends at 5 cm/s can give at most most_n * 1.25 cm/s, plus the energy stored in one
-            // spring.
+            // A pull of most_n that ends at 5 cm/s can give a power of at most most_n * 1.25 cm/s, plus the energy
+            // stored in one spring.
             const double may_j =
                 most_n * 0.0125 * (now_s - 1.5) + 0.5 * most_n * most_n / Guidance::kStiffness_n_per_m + 2e-4;
             worst.worst_power_share = std::max(worst.worst_power_share, given_j / may_j);
-            // Counts independently of the guidance for how long the hand holds against it.
+            // Counts, independently of the guidance, for how long the hand resists it.
             if (g.phase == GuidancePhase::Acts) {
                 acted = true;
                 against_s = g.counter_n > 1.2 ? against_s + kTick : 0.0;

@@ -1,4 +1,4 @@
-// The hard cases with their expected numbers. The calculation is next to each number.
+// The hard cases with their expected numbers. The calculation of each number is next to it.
 #include "tests/property/replay.h"
 #include "tests/support/names.h"
 #include "tests/support/random_families.h"
@@ -14,7 +14,8 @@ TouchCase case_named(const std::string& prefix, double radius_m = 0.005) {
     return {};
 }
 
-// Runs every tick of a case, in the world's own frame: unchanged, and turned and moved with three seeds.
+// Runs every tick of a case and passes it to `check` in the world's own frame. The world is unchanged, or rotated and
+// shifted with three seeds.
 template <class Check>
 void everywhere(const TouchCase& c, const TouchTuning& tuning, Check&& check) {
     for (const std::uint32_t seed : {0U, 21U, 22U, 23U}) {
@@ -29,7 +30,8 @@ void everywhere(const TouchCase& c, const TouchTuning& tuning, Check&& check) {
     }
 }
 
-// The proxy's positions when the hand stays at `goal`, a way-point of the case, in the world's own frame.
+// Returns the proxy's positions while the hand stays at `goal`, which is a way-point of the case, in the world's own
+// frame.
 std::vector<Vec3> balls_at(const TouchCase& c, const TouchTuning& tuning, const Vec3& goal) {
     std::vector<Vec3> found;
     everywhere(c, tuning, [&](std::size_t, const Vec3& g, const Vec3& ball, const TouchResult&) {
@@ -51,8 +53,8 @@ TEST(HardCase, T1_T8_T10_planes_that_are_cut_doubled_or_littered_feel_like_one_p
                        if (!wall) {
                            ASSERT_NEAR(ball.x, g.x, 1e-8);
                            ASSERT_NEAR(ball.y, g.y, 1e-8);
-                           // One round for each of the three triangles at a T-junction, and one that finds the result
-                           // complete. Duplicate and degenerate triangles add rounds.
+                           // The solver takes one round for each of the three triangles at a T-junction, and one that
+                           // finds the result complete. Duplicate and degenerate triangles add rounds.
                            if (std::string(name) == "T1") {
                                ASSERT_LE(r.contacts.iterations, 4);
                            }
@@ -111,7 +113,7 @@ TEST(HardCase, T5_a_ball_rests_in_a_crevice_where_both_sides_support_it) {
                 EXPECT_NEAR(ball.x, 0.0, 1e-8);
                 EXPECT_NEAR(ball.y, goal.y, 1e-8);
             }
-        // The walls do not amplify encoder steps of 0.06 mm.
+        // The walls of the groove do not amplify encoder steps of 0.06 mm.
         std::vector<Vec3> coarse = c.goals_m;
         for (Vec3& g : coarse) g = glm::round(g / 6e-5) * 6e-5;
         Vec3 last_ball = coarse[0], last_goal = coarse[0];
@@ -171,7 +173,8 @@ TEST(HardCase, T11_T12_a_thin_wall_and_a_sheet_stop_the_ball_at_5_metres_per_sec
     }
 }
 
-// The largest distance, over all ticks, between the proxy and the reference that follows the same goals continuously.
+// Returns the greatest distance, over all ticks, between the proxy and a reference that follows the same goals
+// continuously.
 double error_against_reference(const TouchCase& c, const Motion& motion, const TouchTuning& tuning) {
     const BruteForce judge = c.world.judge(motion);
     ReferenceProxy reference(judge, motion(c.goals_m.front()), c.radius_m);
@@ -191,8 +194,8 @@ TEST(HardCase, T13_stalls_of_the_hand_lead_the_ball_where_a_steady_hand_would) {
             const Motion motion = seed == 0 ? Motion{} : random_turn(random);
             EXPECT_LE(error_against_reference(c, motion, uncapped_tuning(c.radius_m)), 1e-8)
                 << name << " seed " << seed;
-            // With the speed cap, on each tick that it did not cut short. The reference starts from the proxy's
-            // previous place.
+            // The solver has its speed cap, and only ticks that the cap did not cut short count. The reference starts
+            // each tick from the proxy's last place.
             const BruteForce judge = c.world.judge(motion);
             ReferenceProxy reference(judge, motion(c.goals_m.front()), c.radius_m);
             std::size_t compared = 0;
@@ -212,7 +215,7 @@ TEST(HardCase, T13_stalls_of_the_hand_lead_the_ball_where_a_steady_hand_would) {
 
 TEST(HardCase, every_tidy_case_follows_a_continuous_path_to_a_hundredth_of_a_micrometre) {
     for (const TouchCase& c : hard_cases()) {
-        // In a crack of 0.1 mm the reference stays in a dip of 0.25 micrometres that the proxy leaves.
+        // In a crack of 0.1 mm, the reference stays in a dip of 0.25 micrometres, but the proxy leaves it.
         if (!c.tidy || c.name.starts_with("T2b")) continue;
         std::mt19937 random(7);
         EXPECT_LE(error_against_reference(c, random_turn(random), uncapped_tuning(c.radius_m)), 1e-8) << c.name;
@@ -229,7 +232,7 @@ TEST(HardCase, T6_an_edge_is_felt_to_a_hundredth_of_a_millimetre_with_64_solver_
 TEST(HardCase, T7_a_spike_is_felt_to_a_hundredth_of_a_millimetre_on_999_of_1000_ticks) {
     for (const double degrees : {30.0, 15.0, 50.0}) {
         TouchCase c = case_named("T7");
-        if (degrees != 30.0) {  // the groove of T7 with sharper and blunter angles
+        if (degrees != 30.0) {  // the groove of T7, also with sharper and blunter angles
             c.world = TouchWorld();
             const double q = .1 * std::tan(radians_from_degrees(degrees / 2));
             const Vec3 v[4] = {{-q, -q, -.1}, {q, -q, -.1}, {q, q, -.1}, {-q, q, -.1}};
@@ -247,8 +250,8 @@ TEST(HardCase, T7_a_spike_is_felt_to_a_hundredth_of_a_millimetre_on_999_of_1000_
     }
 }
 
-// Invariant I9 at a convex edge. With the goal at depth d below the rounded surface, a step of the goal moves the proxy
-// by r / (r - d) times that step, and no more.
+// Invariant I9 at a convex edge. If the goal is at depth d below the rounded surface, a step of the goal moves the
+// proxy by r / (r - d) times that step, and no more.
 TEST(HardCase, I9_at_an_edge_the_energy_gain_is_that_of_a_rolling_ball) {
     std::mt19937 random(9);
     for (const bool solid : {true, false}) {
@@ -258,8 +261,9 @@ TEST(HardCase, I9_at_an_edge_the_energy_gain_is_that_of_a_rolling_ball) {
         for (const double depth : {0.0005, 0.001, 0.002, 0.003, 0.004, 0.0045}) {
             const Motion motion = random_turn(random);
             constexpr double kRadius = 0.005, kTurn = 0.02;
-            constexpr double kSettled = 1e-6;  // the edge between two triangles is found by iteration
-            // The path around the edge x = 0.05, z = 0 at a constant distance, from above the edge to its side.
+            // Tolerance, because the solver finds the edge between two triangles by iteration.
+            constexpr double kSettled = 1e-6;
+            // The path leads around the edge x = 0.05, z = 0 at a constant distance, from above the edge to its side.
             std::vector<Vec3> goals;
             for (double z = 0.02; z > kRadius - depth; z -= 1e-4) goals.emplace_back(.05, .003, z);
             const std::size_t round_from = goals.size() + 1;
@@ -282,7 +286,7 @@ TEST(HardCase, I9_at_an_edge_the_energy_gain_is_that_of_a_rolling_ball) {
     }
 }
 
-// Second half of invariant I6, on triangle soups of many sizes.
+// Second half of invariant I6, with triangle soups of many sizes.
 TEST(HardCase, T16_I6_in_triangle_soups_the_ball_is_where_it_should_be_on_999_of_1000_ticks) {
     const std::uint32_t seed0 = seed_of_run();
     std::size_t ticks = 0, unsettled = 0, off = 0;
@@ -313,11 +317,11 @@ TEST(HardCase, T16_I6_in_triangle_soups_the_ball_is_where_it_should_be_on_999_of
     RecordProperty("unsettled_of_ticks",
                    fmt::format("{} of {}, {} of them off by more than 0.01 mm", unsettled, ticks, off));
     EXPECT_LE(worst_settled, 1e-5) << "seed " << seed0;
-    // A single bad pocket holds the hand for some ten ticks in a row. A few pockets may occur in the short runs under
-    // sanitizers.
+    // A single pocket between triangles can hold the proxy wrongly for some ten ticks in a row. In the short runs under
+    // sanitizers, a few such pockets are permitted.
     const std::size_t pockets = kSanitizerScale < 1.0 ? 40 : 0;
     EXPECT_LE(off * 1000, ticks + 1000 * pockets) << "seed " << seed0;
-    // Between 0.08 and 0.14 % of ticks do not settle to 1e-8 m within 64 rounds, over many seeds.
+    // Measured over many seeds: 0.08 to 0.14 % of the ticks do not settle to 1e-8 m within 64 rounds.
     EXPECT_LE(unsettled * 1000, 3 * ticks + 1000 * pockets) << "seed " << seed0;
 }
 
@@ -353,7 +357,7 @@ TEST(HardCase, T16_random_triangle_soups_and_heaps_let_nothing_in_for_any_seed) 
     }
 }
 
-// Invariant I11: work given to the hand over a closed loop, at 1 kN/m.
+// Invariant I11: the work given to the hand over a closed loop, at 1 kN/m.
 TEST(HardCase, closed_loops_give_the_hand_no_energy) {
     for (const TouchCase& c : hard_cases()) {
         for (const double mu : {0.0, 0.4}) {
@@ -374,7 +378,8 @@ TEST(HardCase, closed_loops_give_the_hand_no_energy) {
                        last_goal = g;
                        last_force = r.force_n;
                    });
-            // The error of the trapezoidal rule itself: part of a step whenever contact begins or ends.
+            // The limit is the error of the trapezoidal rule itself, for part of a step whenever contact begins or
+            // ends.
             EXPECT_LE(energy, events * 1000.0 * longest * longest / 8 + 1e-6) << c.name << " mu " << mu;
         }
     }

@@ -22,8 +22,8 @@
 namespace handrail::test {
 namespace invariants_test {
 
-// The listed hard cases, then one case of each random family from this run's seed. HANDRAIL_SEED=... reproduces a
-// failing seed.
+// The listed hard cases, then one case of each random family with this run's seed. HANDRAIL_SEED=... repeats a run with
+// a failing seed.
 std::vector<TouchCase> all_cases() {
     std::vector<TouchCase> cases = hard_cases();
     for (std::size_t family = 0; family < kRandomFamilies; ++family)
@@ -39,13 +39,14 @@ protected:
 
     bool is_random() const { return case_.name.starts_with("random"); }
 
-    // Tolerance. Edges of triangles and overlapping sheets are found by iteration. The most deeply pressed random ones
-    // agree to 6e-8 m.
+    // Tolerance for results found by iteration, as for edges of triangles and overlapping sheets. The results for the
+    // most deeply pressed random edges agree to 6e-8 m.
     double by_iteration_m() const { return is_random() ? 1e-6 : 1e-8; }
 
     double most_unsettled() const { return is_random() ? 0.03 : 0.01; }
 
-    // Judging solids by enumeration is slow, so fewer of their ticks are judged.
+    // Returns the stride between judged ticks. Judging solids by enumeration is slow, so fewer of their ticks are
+    // judged.
     std::size_t stride() const {
         double work = 0.0;
         const BruteForce judge = case_.world.judge();
@@ -58,9 +59,9 @@ protected:
     }
 };
 
-// Cases whose free space is locally convex along the path.
+// Cases in which free space is locally convex along the path.
 class HollowCase : public EveryCase {};
-// Cases with a single, continuous answer: no soup, no raw slivers, no spike.
+// Cases whose answer is unique and continuous: no soup, no raw slivers, no spike.
 class TidyCase : public EveryCase {};
 
 TEST_P(EveryCase, keeps_the_ball_and_its_whole_path_outside_all_obstacles) {  // I1, I2, I3
@@ -103,7 +104,7 @@ TEST_P(EveryCase, uses_only_cuts_that_contain_the_ball_and_support_their_obstacl
                        for (const Vec3& corner : {t.a_m, t.b_m, t.c_m})
                            ASSERT_LE(glm::dot(cut.normal, corner), cut.offset_m + (t.degenerate ? 2e-7 : 1e-9));
                    } else {
-                       // Takes points of the solid: those nearest to random places.
+                       // Checks the points of the solid that are nearest to random places.
                        for (int s = 0; s < 4; ++s) {
                            const Vec3 far =
                                solver.local_m() +
@@ -148,7 +149,7 @@ TEST_P(EveryCase, stops_only_where_contacts_prevent_further_movement) {  // I6
                if (r.contacts.converged) worst_finished = std::max(worst_finished, residual);
            });
     EXPECT_LE(worst_finished, 1e-5) << judged << " ticks judged";
-    // Random edges, spikes and slivers are pressed deeper than those of the list.
+    // In the random cases, edges, spikes and slivers are pressed deeper than in the listed cases.
     EXPECT_LE(off, is_random() && !case_.concave ? 3 + case_.goals_m.size() / 250 : 1 + case_.goals_m.size() / 1000)
         << unfinished << " unfinished";
     RecordProperty("unfinished", static_cast<int>(unfinished));
@@ -226,9 +227,9 @@ TEST_P(EveryCase, feels_the_same_far_from_the_origin) {  // I13
         motion.shift_m = {far * 0.9, 0.63 * far, 0.27 * far};
         const double worst =
             largest_difference(here, trace(case_.world, case_.goals_m, motion, tuning), most_unsettled());
-        // There the world itself is rounded to 1e-13 m and 1e-10 m; edges and crevices multiply that. In the narrowest
-        // random grooves the error is up to 50 times that of the listed ones (4.8e-9 m at 1 km with seed 196324; in
-        // none of 250 other seeds).
+        // Far from the origin, the world's own coordinates are rounded to 1e-13 m and 1e-10 m, and edges and crevices
+        // multiply this error. In the narrowest random grooves the error is up to 50 times that of the listed ones
+        // (4.8e-9 m at 1 km with seed 196324; in none of 250 other seeds).
         if (case_.tidy) {
             EXPECT_LE(worst, tolerance * (!case_.concave ? 1e3 : is_random() ? 100.0 : 4.0)) << far;
         }
@@ -248,8 +249,8 @@ TEST_P(EveryCase, is_independent_of_the_order_and_repetition_of_obstacles) {  //
     RecordProperty("worst", fmt::format("{:.1e}", worst));
 }
 
-// Checks that nothing comes nearer to the proxy's path than its radius. `tuning_of` gives the tuning of each tick.
-// Returns the deepest overlap.
+// Checks that no obstacle comes nearer to the proxy's path than the proxy's radius. `tuning_of` returns the tuning of
+// each tick. Returns the deepest overlap.
 template <class TuningOf>
 double deepest_overlap(const TouchCase& c, const Motion& motion, std::size_t every, TuningOf&& tuning_of) {
     const BruteForce judge = c.world.judge(motion);
@@ -285,7 +286,7 @@ TEST_P(EveryCase, is_as_safe_if_the_solver_stops_early) {  // I17, with I1, I2, 
                    away = std::max(away, glm::length(r.proxy_m - goal) - glm::length(before - goal));
                    before = r.proxy_m;
                });
-        // A crevice of half a degree multiplies the solver's 1e-10 m by 230.
+        // A crevice of half a degree multiplies the solver's tolerance of 1e-10 m by 230.
         EXPECT_LE(away, is_random() ? 1e-8 : 1e-9);
     }
 }
@@ -296,13 +297,13 @@ TEST_P(EveryCase, is_as_safe_with_cuts_that_are_fifty_milliseconds_old) {  // I1
     const TouchTuning looking = plain_tuning(case_.radius_m);
     TouchTuning blind = looking;
     blind.most_rounds = 0;
-    // This stride visits every phase of the fifty.
+    // With this stride, the judged ticks include every phase of the fifty ticks between renewals.
     EXPECT_LE(
         deepest_overlap(case_, motion, stride() * 2 + 1, [&](std::size_t i) { return i % 50 == 0 ? looking : blind; }),
         1e-9);
 }
 
-// I16. The tests unit_render and unit_servo_realtime check that it takes no memory, lock or clock.
+// I16. The tests unit_render and unit_servo_realtime check that a tick allocates no memory and uses no lock or clock.
 TEST_P(EveryCase, never_works_more_than_its_bound) {
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     replay(*case_.world.scene(), case_.goals_m, {}, plain_tuning(case_.radius_m),

@@ -1,5 +1,5 @@
-// Sheets that can be touched from one side only. A closed skin of them is solid from that side and not felt at all from
-// the other.
+// Sheets that can be touched only from one side. A closed surface of such sheets is solid from that side and is not
+// felt from the other.
 #include <iostream>
 
 #include "tests/property/replay.h"
@@ -9,7 +9,8 @@
 namespace handrail::test {
 namespace one_sided_test {
 
-// A cube of half size `half` whose faces point outwards, as polygons or as triangles cut at random inner points.
+// Returns a cube whose faces point outwards, with `half` as half the length of its edges. The faces are polygons, or
+// triangles that meet at random inner points.
 TouchWorld cube(double half, TouchSide side, bool triangles, std::mt19937& random) {
     TouchWorld world;
     for (int axis = 0; axis < 3; ++axis)
@@ -82,7 +83,8 @@ TEST(OneSidedSheets, of_a_closed_skin_let_the_hand_leave_and_are_solid_again_fro
             std::mt19937 random(5);
             const TouchWorld world = cube(kHalf, side, speed < 1.0, random);
             const auto scene = world.scene();
-            // Front: free from the inside outwards, solid on the way back. Back: the reverse.
+            // With Front, the hand is free on the path from the inside outwards, and the cube is solid on the way back.
+            // With Back, it is the reverse.
             const double free_start = side == TouchSide::Front ? 0.0 : 0.08,
                          free_end = side == TouchSide::Front ? 0.08 : 0.0;
             TouchState state;
@@ -130,8 +132,8 @@ TEST(OneSidedSheets, feel_like_two_sided_sheets_on_their_front) {
     EXPECT_TRUE(front.scene()->one_sided_sheets);
 }
 
-// A sheet on a body comes down on a resting hand. It pushes the hand with its front and passes through it with its
-// back, however the body is turned.
+// A sheet on a moving body comes down on a resting hand. Its front pushes the hand, and its back passes through it,
+// however the body is turned.
 TEST(OneSidedSheets, of_a_moving_body_push_from_the_front_and_pass_from_behind) {
     for (const bool front : {true, false}) {
         HapticSceneBuilder shape;
@@ -140,7 +142,7 @@ TEST(OneSidedSheets, of_a_moving_body_push_from_the_front_and_pass_from_behind) 
         HapticSceneBuilder builder;
         ASSERT_TRUE(builder.add_body(FeatureId{1}, shape.build(), {}));
         const auto scene = builder.build();
-        // The front faces the hand, or points away from it.
+        // The sheet's front faces the hand, or faces away from it.
         Placement at;
         if (!front) at.rotation = rotation_about({1, 0, 0}, kPi);
         TouchState state;
@@ -173,8 +175,8 @@ TEST(OneSidedSheets, let_a_hand_that_is_half_through_from_behind_turn_back) {
             ASSERT_EQ(r.proxy_m, goal);
         }
     }
-    // A hand that starts close behind the sheet is left alone. A hand that starts close in front of it is held by a
-    // proxy that has shrunk and grows.
+    // A hand that starts close behind the sheet feels nothing. If a hand starts close in front of it, its proxy starts
+    // with a smaller radius and grows.
     TouchState behind, before;
     EXPECT_EQ(touch_tick(behind, *scene, plain_tuning(kRadius), {0, 0, -.001}, 1e-3).radius_m, kRadius);
     EXPECT_NEAR(touch_tick(before, *scene, plain_tuning(kRadius), {0, 0, .001}, 1e-3).radius_m, .001 + 2e-5, 1e-9);

@@ -1,5 +1,5 @@
-// The wall between world and desk, which simulated hands cross in every way. It never drives the hand and never knocks,
-// and the hand returns to the place that it left.
+// The wall between world and desk, which simulated hands cross in many different ways. The wall never drives the hand
+// and never knocks, and the hand returns to the place in the world that it left.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace personal_space_test {
 
 constexpr double kScale = 60.0;
 
-// A hand on a simulated device. The world is free except for a wall far in the north; the desk has its panel in the
+// A hand on a simulated device. The world is free except for a wall far in the north; the desk has a panel in its
 // middle.
 class DeskRig {
 public:
@@ -59,8 +59,8 @@ public:
             servo_tick(state_, {world_.get(), tuning, pose, sample, now_s_, nullptr, desk_.get()});
         device_.write(command);
         if (known_) {
-            // Energy by the trapezoidal rule over measured positions, which is exact for springs. Energy that the
-            // sampled wall adds because it holds the force between two ticks is not counted here.
+            // Energy by the trapezoidal rule over measured positions, which is exact for springs. A sampled wall also
+            // adds energy because it holds the force between two ticks; that energy is not counted here.
             given_j_ += glm::dot(0.5 * (command.force_n + force_n_), sample.position_m - place_m_);
             jump_n_ = std::max(jump_n_, glm::length(command.force_n - force_n_));
         }
@@ -123,8 +123,9 @@ public:
     double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
     double speed() {
         return 0.02 * std::pow(50.0, uniform(0.0, 1.0));
-    }  // 0.02 to 1 m/s; slow speeds are as frequent as fast ones
-    // A random place across the direction towards the person, where the wall can be reached.
+    }  // speed of 0.02 to 1 m/s; slow speeds are as frequent as fast ones
+    // Returns a random position in the plane across the direction towards the person, where the hand can reach the
+    // wall.
     Vec3 across(double reach_m, double y_m) {
         const double far = 0.4 * reach_m * std::sqrt(uniform(0.0, 1.0)), angle = uniform(0.0, 2.0 * kPi);
         return {far * std::cos(angle), y_m, far * std::sin(angle)};
@@ -156,13 +157,13 @@ TEST(PersonalSpace, a_thousand_crossings_give_no_energy_never_knock_and_lead_bac
             ASSERT_EQ(rig.entered, entered + 1);
             ASSERT_TRUE(rig.tool().desk.open);
             const Vec3 place_m = rig.tool().proxy_m;
-            // Some hands turn back while the wall is still letting go of them.
+            // Some hands turn back while the force of the broken wall is still decaying.
             const bool at_once = random.uniform(0.0, 1.0) < 0.3;
             if (!at_once) rig.rest(0.3);
             rig.go(random.across(reach, random.uniform(-0.5, -0.1) * reach), at_once ? std::min(in, 0.3) : 0.3);
             EXPECT_EQ(rig.tool().proxy_m, place_m) << "the world did not wait";
             rig.go(random.across(reach, -at + 0.006), 0.3);
-            // Course through the wall and is back in the world on the very next tick.
+            // The hand passes through the wall and is back in the world in the very next tick.
             const Vec3 through = random.across(reach, -at - depth - 0.002);
             rig.command(HandMode::Move, through, out);
             while (rig.left == left) rig.tick();
@@ -225,12 +226,12 @@ TEST(PersonalSpace, lets_no_wobbling_hand_through_and_gives_it_no_energy) {
                 rig.go(random.across(reach, -at + random.uniform(-0.95 * depth, 0.002)), random.uniform(0.02, 0.2));
             rig.go(begin, 0.1);
             EXPECT_EQ(rig.entered, 0);
-            // The hand crosses the plane at most 14 times, and each crossing is an error of the trapezoidal rule:
-            // invariant I11.
+            // The hand crosses the plane at most 14 times, and each crossing adds an error of the trapezoidal rule
+            // (invariant I11).
             EXPECT_LE(rig.given_j(), 14.0 * rig.wall().stiffness_n_per_m * 0.2e-3 * 0.2e-3 / 8.0);
             EXPECT_LE(rig.jump_n(), 0.2);
         }
-        // A hand that has passed and trembles about the plane does not go back and forth.
+        // A hand that has passed the wall and trembles about its plane does not go back and forth.
         rig.go(Vec3(0.0, -at - depth - 0.001, 0.0), 0.05);
         EXPECT_EQ(rig.entered, 1);
         for (int i = 0; i < 40; ++i)
@@ -268,8 +269,8 @@ public:
         set_world(builder.build());
         rest(1.2);
     }
-    double wall_m;  // place of the hand's centre when its proxy touches the wall
-    // Place at which the wall would hold the hand with this force if there were no force ceiling.
+    double wall_m;  // position of the hand's centre when its proxy touches the wall
+    // Returns the position at which the wall would hold the hand with this force if there were no force ceiling.
     double pulled_m(double force_n) const {
         return wall_m - force_n / (effective_stiffness_n_per_m(spec(), kTick, tuning.touch.damping_ns_per_m) *
                                    tuning.touch.default_stiffness_fraction);
@@ -296,14 +297,14 @@ TEST(PersonalSpace, a_wall_behind_the_person_lets_a_sustained_pull_through_to_th
                 EXPECT_LT(glm::length(rig.force_n()), 1e-3) << "nothing is left of the wall";
                 EXPECT_LE(rig.jump_n(), 0.2);
                 EXPECT_LE(rig.given_j(), 1e-6);
-                // Course back through the desk's own wall.
+                // The hand goes back through the desk's own wall.
                 rig.go(Vec3(0.0, -rig.wall().at_m + 0.008, 0.0), 0.1);
                 rig.go(Vec3(0.0, -rig.wall().at_m - 1.1 * rig.wall().depth_m, 0.0), 0.05);
                 rig.rest(0.3);
                 EXPECT_FALSE(rig.tool().desk.open);
                 EXPECT_LT(glm::length(rig.tool().hip_m - before), 1e-3 * kScale);
                 rig.go(Vec3(0.0, -rig.wall().at_m + 0.01, 0.0), 0.1);
-                ++rig.pose.jump;  // returns the workspace to the person
+                ++rig.pose.jump;  // a jump returns the workspace to the person
                 rig.rest(1.2);
             }
         }
@@ -335,14 +336,14 @@ TEST(PersonalSpace, a_wall_behind_the_person_is_explored_like_any_other) {
     }
 }
 
-// The hand presses against something in the world when it is pulled through the wall, or against the desk when it comes
-// back.
+// When the pull takes the hand through the wall, the hand is pressing against an object of the world; when it comes
+// back, against the desk.
 TEST(PersonalSpace, a_contact_on_one_side_is_left_behind_without_a_knock) {
     for (const char* device : kDevices) {
         SCOPED_TRACE(device);
         DeskRig rig(device);
         const double at = rig.wall().at_m, depth = rig.wall().depth_m;
-        HapticSceneBuilder builder;  // a wall just behind the person, in the path of the pull
+        HapticSceneBuilder builder;  // a wall just behind the hand's start, in the path of the pull
         builder.add_box({Vec3(-10.0, -10.0, -10.0), Vec3(10.0, kScale * (-at + 0.004) - 0.12, 10.0)},
                         SurfaceLabel{FeatureId{1}});
         rig.set_world(builder.build());
@@ -373,7 +374,7 @@ TEST(PersonalSpace, a_fault_at_the_desk_removes_the_force_as_everywhere) {
         DeskRig rig("sim-t");
         const double at = rig.wall().at_m, depth = rig.wall().depth_m;
         rig.go(Vec3(0.0, -at - depth - 0.001, 0.0), 0.05);
-        // The proxy of 2 mm is 3 mm deep in the panel.
+        // The proxy, of 2 mm, is pressed 3 mm into the panel.
         rig.go(Vec3(0.0, 0.1 * rig.spec().workspace_radius_m + 0.001, 0.0), 0.1);
         rig.rest(0.3);
         ASSERT_TRUE(rig.tool().desk.open);
@@ -397,7 +398,7 @@ TEST(PersonalSpace, a_fault_at_the_desk_removes_the_force_as_everywhere) {
         rig.go(Vec3(0.0, -0.1 * at, 0.0), 0.1);
         rig.rest(1.2);
         EXPECT_EQ(rig.tool().fault, Fault::None);
-        // If the device position was lost, the hand is back in the world.
+        // After a fault that makes the hand's position invalid, the hand is back in the world.
         EXPECT_EQ(rig.tool().desk.open, what == "stop" || what == "hot" || what == "error");
     }
 }
@@ -443,7 +444,7 @@ TEST(PersonalSpace, a_push_resists_and_gives_way_at_half_its_force) {
     for (const double n : {1.25, 1.1, 1.3, 0.7, 1.25}) press.tick(button, n, false, 1.2);
     EXPECT_EQ(press.held(), button);
     EXPECT_EQ(press.presses(), 1u);
-    press.tick(other, 0.8, false, 1.2);  // slid to another control: the first one stays pressed
+    press.tick(other, 0.8, false, 1.2);  // the hand slides to another control, and the first one stays pressed
     EXPECT_EQ(press.held(), button);
     press.tick(other, 0.5, false, 1.2);
     EXPECT_FALSE(press.held());

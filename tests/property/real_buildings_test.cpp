@@ -1,5 +1,6 @@
-// Buildings under a hand. The hand never enters a solid, and proxy and walker pass every door that the file declares.
-// Real buildings take part if HANDRAIL_REAL_WORLDS has them. HANDRAIL_LONG_WALKS=1 runs 200,000 ticks in each.
+// Hands in buildings. The hand never enters a solid, and proxy and walker pass every door that the file declares. Real
+// buildings take part if the folder HANDRAIL_REAL_WORLDS contains them. With HANDRAIL_LONG_WALKS=1, each building gets
+// 200,000 ticks.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -22,12 +23,12 @@
 namespace handrail {
 namespace real_buildings_test {
 
-// An independent judge that uses only the planes of the solids near a place.
+// An independent judge, which uses only the planes of the solids near a place.
 class Solids {
 public:
     explicit Solids(const Scene& scene) : scene_(scene), boxes_(boxes_of(scene)) {}
 
-    // Depth of the place in the solid in which it lies deepest; 0 or less: in none.
+    // Returns the depth of a place in the solid that contains it most deeply; 0 or less if it is in no solid.
     double depth_m(const Vec3& at_m) const {
         boxes_.find({at_m, at_m}, near_);
         double deepest = -1.0;
@@ -59,7 +60,7 @@ struct Building {
     std::shared_ptr<const Scene> scene;
 };
 
-// The rooms that the file states; if it states none, the starts.
+// Returns places in the rooms that the file states. If it states none, returns the starts.
 std::vector<Vec3> places_in(const Scene& scene) {
     std::vector<Vec3> places_m;
     if (scene.stated)
@@ -79,7 +80,7 @@ void read_buildings(std::vector<Building>& buildings) {
     }
 }
 
-// A hand at 1 m/s starts in one room after the other and mostly presses on whatever it has met.
+// A hand at 1 m/s starts in one room after the other. Most of the time it presses on the surface that it has met.
 TEST(RealBuildings, never_let_a_hand_into_a_solid) {
     if (test::kThreadSanitizer) GTEST_SKIP() << "unit_osm starts the threads that read OpenStreetMap";
     const int ticks = std::getenv("HANDRAIL_LONG_WALKS") ? 200'000 : 20'000;
@@ -95,12 +96,12 @@ TEST(RealBuildings, never_let_a_hand_into_a_solid) {
         std::mt19937 random(20261124);
         const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
         Vec3 ball{0.0}, hand{0.0}, direction{1, 0, 0};
-        Vec3 normal{0.0};  // of the touched surface; zero: nothing is touched
+        Vec3 normal{0.0};  // normal of the touched surface; zero: no surface is touched
         int touching = 0, left = 0;
         std::size_t room = 0;
         for (int i = 0; i < ticks; ++i) {
             if (i % 4000 == 0) {
-                // Finds the next place with free air above it.
+                // Finds the next place that has free air above it.
                 std::size_t looked = 0;
                 do {
                     ASSERT_LT(looked++, places_m.size()) << name << ": no place is free";
@@ -131,7 +132,8 @@ TEST(RealBuildings, never_let_a_hand_into_a_solid) {
     }
 }
 
-// At Room scale the proxy has a radius of 0.1 m in the building, like a fist.
+// Returns whether a proxy passes from one point to the other. At Room scale it has a radius of 0.1 m in the building,
+// like a fist.
 bool ball_passes(const HapticScene& haptic, const Vec3& from_m, const Vec3& to_m) {
     TouchState state;
     const TouchTuning tuning = test::stiff_ball(0.1);
@@ -144,7 +146,7 @@ bool ball_passes(const HapticScene& haptic, const Vec3& from_m, const Vec3& to_m
     return glm::length(ball - to_m) < 0.02;
 }
 
-// Tests points of a walker of 0.5 by 0.3 m, 1.7 m tall.
+// Returns whether a walker passes, by testing points of a body of 0.5 by 0.3 m, 1.7 m tall.
 bool body_passes(const Solids& solids, const Vec3& middle_m, const Vec3& way) {
     const Vec3 across = glm::cross(Vec3(0, 0, 1), way);
     for (double along = -0.45; along <= 0.45; along += 0.05)
@@ -159,7 +161,7 @@ TEST(RealBuildings, let_body_and_hand_through_every_open_door_of_the_file) {
     std::vector<Building> buildings;
     ASSERT_NO_FATAL_FAILURE(read_buildings(buildings));
     for (const auto& [name, known_doors, scene] : buildings) {
-        // Removes all door leaves; anything else that a proxy meets is a wall.
+        // All door leaves are removed, so any obstacle that the proxy still meets is a wall.
         Scene open = *scene;
         std::erase_if(open.solids, [](const Solid& solid) { return solid.role == SolidRole::Mover; });
         open.movers.clear();

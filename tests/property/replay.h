@@ -1,4 +1,4 @@
-// Runs touch_tick along a path and passes every tick to a check.
+// Runs touch_tick() along a path and passes the result of every tick to a check.
 #pragma once
 
 #include "haptic/render/proxy_solver.h"
@@ -13,11 +13,11 @@ inline TouchTuning plain_tuning(double radius_m) {
     TouchTuning tuning;
     tuning.radius_m = radius_m;
     tuning.rated_stiffness_n_per_m = 1000.0;
-    tuning.default_stiffness_fraction = 1.0;  // 1 kN/m: a millimetre is a newton
+    tuning.default_stiffness_fraction = 1.0;  // 1 kN/m, so that a millimetre gives a newton
     return tuning;
 }
 
-// Without the slide-speed cap, which leaves only the solver.
+// Has no slide-speed cap, so that the tests check only the solver.
 inline TouchTuning uncapped_tuning(double radius_m) {
     TouchTuning tuning = plain_tuning(radius_m);
     tuning.slide_cap_hand_m = 1.0;
@@ -35,7 +35,7 @@ void replay(const HapticScene& scene, const std::vector<Vec3>& goals_m, const Mo
     }
 }
 
-// The proxy's position on each tick, turned back into the world's own frame, and whether the solver had settled there.
+// The proxy's position in each tick, in the world's own frame, and whether the solver had settled in that tick.
 struct Trace {
     std::vector<Vec3> balls_m;
     std::vector<bool> settled;
@@ -52,8 +52,8 @@ inline Trace trace(const TouchWorld& world, const std::vector<Vec3>& goals_m, co
     return out;
 }
 
-// The largest difference over the ticks on which both traces had settled; infinite if more than `most_unsettled` of
-// them had not.
+// Returns the greatest difference over the ticks in which both traces had settled. It is infinite if a larger share of
+// ticks than `most_unsettled` had not.
 inline double largest_difference(const Trace& a, const Trace& b, double most_unsettled = 0.01) {
     double worst = 0.0;
     std::size_t unsettled = 0;

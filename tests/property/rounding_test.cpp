@@ -1,5 +1,5 @@
-// Rounded edges: exact at edges and corners, unchanged next to them, no groove where solids meet flush, no energy. Uses
-// random worlds and prints their seeds.
+// Rounded edges are exact at edges and corners, and leave surfaces next to them unchanged. Where solids meet flush
+// there is no groove, and no edge gives energy. The tests use random worlds and print their seeds.
 #include <iostream>
 
 #include "haptic/compile/compile_haptic.h"
@@ -31,7 +31,7 @@ Plane moved(const Plane& plane, const Motion& motion) {
     return {normal, glm::dot(normal, motion(plane.normal * plane.offset_m))};
 }
 
-// Solids as a reader would produce them, including which faces cover which.
+// Solids in the form that a reader gives them, including which faces cover which.
 class Building {
 public:
     void add(std::vector<Plane> planes, const Motion& motion = {}) {
@@ -72,7 +72,7 @@ double distance(const HapticScene& scene, const Vec3& p) {
     return nearest;
 }
 
-// One convex block cut into many pieces; a hand can touch only the block's faces.
+// Returns one convex block that is cut into many pieces. A hand can touch only the faces of the block.
 Building cut_block(std::mt19937& random) {
     std::vector<Plane> block = box_planes(Vec3(-0.5 - unit(random)), Vec3(0.5 + unit(random)));
     for (int i = static_cast<int>(random() % 4); i > 0; --i) {
@@ -106,8 +106,8 @@ Building cut_block(std::mt19937& random) {
     return building;
 }
 
-// Boxes on an uneven grid, some joined to larger ones. They meet flush and cover each other in every way: in part and
-// wholly, in T-joints, windmills and inner corners.
+// Returns boxes on an uneven grid, some joined to larger ones. They meet flush and cover each other in every way:
+// partly and wholly, in T-joints, windmills and inner corners.
 Building blocks(std::mt19937& random) {
     constexpr int kCells = 4;
     std::array<std::array<double, kCells + 1>, 3> at{};
@@ -145,13 +145,13 @@ Building blocks(std::mt19937& random) {
     return building;
 }
 
-// Returns whether a ball of this radius inside the building would touch this place of its surface from within. Samples
+// Returns whether a ball of this radius inside the building would touch the surface at `p` from inside. It samples
 // points on the ball.
 bool ball_reaches(const Building& building, const Vec3& p, const Vec3& normal, double radius_m) {
     constexpr int kPlaces = 120;
     const Vec3 middle = p - normal * radius_m;
     if (!building.inside(middle, 1e-9)) return false;
-    for (int k = 0; k < kPlaces; ++k) {  // a spiral over the sphere
+    for (int k = 0; k < kPlaces; ++k) {  // sample points along a spiral over the sphere
         const double z = 1.0 - 2.0 * (k + 0.5) / kPlaces, angle = 2.399963 * k, out = std::sqrt(1.0 - z * z);
         if (!building.inside(middle + Vec3(out * std::cos(angle), out * std::sin(angle), z) * (0.999 * radius_m), 1e-9))
             return false;
@@ -163,7 +163,7 @@ struct Place {
     Vec3 at_m{0.0}, normal{0.0};
 };
 
-// A random place on a face that nothing covers.
+// Returns a random place on a face that no other solid covers.
 std::optional<Place> exposed_place(const Building& building, std::mt19937& random) {
     const Solid& solid = building.scene.solids[random() % building.scene.solids.size()];
     const std::size_t face = random() % solid.shape.faces.size();
@@ -171,7 +171,7 @@ std::optional<Place> exposed_place(const Building& building, std::mt19937& rando
     const std::size_t k = 1 + random() % (corners.size() - 2);
     double a = unit(random), b = unit(random);
     if (a + b > 1.0) a = 1.0 - a, b = 1.0 - b;
-    // Every other place is close to an edge, where grooves would be.
+    // Every other place is close to an edge, where a groove would be.
     if (random() % 2 == 0) a *= 0.1 * unit(random);
     const Place place{corners[0] + (corners[k] - corners[0]) * a + (corners[k + 1] - corners[0]) * b,
                       solid.shape.planes[face].normal};
@@ -191,9 +191,9 @@ void expect_flush_and_within(const Building& building, std::uint32_t seed, std::
         if (!place) continue;
         const double off = distance(*felt, place->at_m);
         ASSERT_GE(off, -2e-5) << "seed " << seed << ": sticks out";
-        // The place must be touchable by a ball as large as the rounding; in an inner corner such a ball touches both
-        // sides farther out. The place must also be a little more than the radius away from edges. An edge between two
-        // solids may be rounded by either solid, and a corner by both.
+        // A ball as large as the rounding must be able to touch the place; in an inner corner such a ball touches both
+        // sides farther out. The place must also be a little farther than the radius from all edges. Either solid may
+        // round an edge between them, and both may round a corner.
         const bool touchable = distance(*filed, place->at_m + place->normal * kRounding_m) >= kRounding_m - 1e-9;
         if (touchable && ball_reaches(building, place->at_m, place->normal, 1.45 * kRounding_m)) {
             ASSERT_LE(off, 1e-4) << "seed " << seed << ": a groove at " << place->at_m.x << ' ' << place->at_m.y << ' '
@@ -302,7 +302,7 @@ TEST(Rounding, of_random_brushes_is_exact_and_supports_the_solid) {
                     << "seed " << seed;
             }
             ASSERT_NEAR(glm::length(found.normal), 1.0, 1e-12);
-            // The plane bounds the whole rounded solid.
+            // The plane must bound the whole rounded solid.
             const Vec3 q = (Vec3(unit(random), unit(random), unit(random)) - 0.5) + motion.shift_m;
             const ClosestPoint other = felt->closest(0, q - felt->origin_m);
             ASSERT_LE(glm::dot(found.normal, other.point_m - found.point_m), 1e-12) << "seed " << seed;
@@ -323,7 +323,7 @@ TEST(Rounding,
     const auto felt = rounded_box(kSmall_m), filed = rounded_box(0.0);
     const Aabb core{{-0.3 + kSmall_m, -0.2 + kSmall_m, -0.1 + kSmall_m},
                     {0.1 - kSmall_m, 0.25 - kSmall_m, 0.2 - kSmall_m}};
-    // Moves over an edge, then over a corner, pressed 3 mm by a proxy of 5 mm.
+    // The hand moves over an edge, then over a corner, pressed 3 mm deep with a proxy of 5 mm.
     TouchState state;
     const TouchTuning tuning = uncapped_tuning(0.005);
     double worst = 0.0;
@@ -398,7 +398,7 @@ TEST(Rounding, of_a_moving_thing_has_the_same_size_for_the_hand_at_every_scale) 
         room.scene.placed.assign(1, placed);
         const auto felt = room.compiled(0.01);
         ASSERT_EQ(felt->bodies.size(), 1U);
-        // The body moves while the proxy presses against its edge; the force stays perpendicular to the axis of the
+        // The body moves while the proxy presses against its edge. The force stays perpendicular to the axis of the
         // rounded edge.
         TouchState state;
         Placement at = placed.at;

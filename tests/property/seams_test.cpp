@@ -1,5 +1,5 @@
-// Nothing passes where two solids overlap, touch or nearly touch. The hand aims there on purpose, in generated worlds
-// and at the inner seams of a real map.
+// The proxy never passes where two solids overlap, touch or nearly touch. The hand aims at such seams on purpose, in
+// generated worlds and at the inner seams of a real map.
 #include <iostream>
 
 #include "haptic/compile/compile_haptic.h"
@@ -26,7 +26,7 @@ TEST(Seams, between_boxes_that_overlap_touch_or_have_a_gap_narrower_than_the_bal
     std::mt19937 random(kSeed);
     for (int round = 0; round < scaled(300); ++round) {
         const double radius = round % 2 == 0 ? 0.005 : 1e-5;
-        // An overlap of up to 5 mm, exact contact, or a gap of up to 99 % of the proxy's diameter.
+        // The solids overlap by up to 5 mm, touch exactly, or leave a gap of up to 99 % of the proxy's diameter.
         const double gap = round % 3 == 0   ? -0.005 * unit(random)
                            : round % 3 == 1 ? 0.0
                                             : 0.99 * 2 * radius * unit(random);
@@ -38,7 +38,7 @@ TEST(Seams, between_boxes_that_overlap_touch_or_have_a_gap_narrower_than_the_bal
         Motion motion = random_turn(random);
         motion.shift_m = {3.0 * unit(random), -20.0 * unit(random), 1.0};
         const BruteForce judge = world.judge(motion);
-        // Moves along a ray at one of 12 angles into the seam, to 0.1 m beyond it, then sweeps along the seam while
+        // The hand moves into the seam at one of 12 angles, to 0.1 m beyond it. Then it sweeps along the seam while
         // pressed deep.
         std::vector<Vec3> way;
         const double tilt = kPi * (round % 12 + 0.5) / 12.0;
@@ -65,7 +65,7 @@ TEST(Seams, between_boxes_that_overlap_touch_or_have_a_gap_narrower_than_the_bal
     }
 }
 
-// Solids of a real map near a place, for the judge.
+// The solids of a real map near a place, for the judge.
 struct Neighbours {
     BruteForce judge;
     std::size_t count = 0;
@@ -99,8 +99,8 @@ void no_ray_or_sweep_passes_a_seam_of(const std::filesystem::path& path) {
     int seams = 0, touched = 0;
     double deepest = 0.0;
     for (int attempt = 0; seams < wanted && attempt < wanted * 400; ++attempt) {
-        // A point on an edge of one brush that also lies on another brush and is not buried: an inner seam within a
-        // hand's reach.
+        // Finds an inner seam within a hand's reach: a point on an edge of one brush that is also on another brush and
+        // not inside any.
         const Solid& a = *solids[random() % solids.size()];
         const Polygon& face = a.shape.faces[random() % a.shape.faces.size()];
         const std::size_t corner = random() % face.points_m.size();
@@ -109,7 +109,7 @@ void no_ray_or_sweep_passes_a_seam_of(const std::filesystem::path& path) {
             face.points_m[corner] * along + face.points_m[(corner + 1) % face.points_m.size()] * (1.0 - along);
         bool shared = false;
         haptic->obstacle_bvh.within(seam - haptic->origin_m, 1e-6, [&](std::uint32_t item, double&) {
-            // The edges of the brush itself also have distance 0, so there must be a second brush.
+            // The brush with the edge also has distance 0 there, so a second brush must have it, too.
             const double d = haptic->closest(item, seam - haptic->origin_m).distance_m;
             const bool self = std::abs(d) < 1e-6 &&
                               haptic->closest(item, a.shape.bounds_m.centre_m() - haptic->origin_m).distance_m < 0.0;

@@ -1,4 +1,4 @@
-// Tuning for tests of what a hand never enters: the rated stiffness.
+// Tuning with the rated stiffness, for tests that a hand never enters an obstacle.
 #pragma once
 
 #include "haptic/render/touch.h"

@@ -1,6 +1,6 @@
-// Surfaces that are felt elsewhere than their geometry - height textures, friction textures, shaded meshes - must never
-// give a hand energy (invariant I11). Runs random closed loops over random worlds, with smooth positions and with a
-// device's quantum. Prints the seeds.
+// Surfaces that feel higher or lower than their geometry must never give a hand energy (invariant I11). These are
+// height textures, friction textures and shaded meshes. Random closed loops run over random worlds, with smooth
+// positions and with a device's encoder steps. The tests print their seeds.
 #include <cmath>
 
 #include "haptic/render/relief.h"
@@ -36,7 +36,7 @@ Relief random_relief(std::mt19937& random, ReliefKind kind) {
     return relief;
 }
 
-// A floor, a wall and a slanted brush that meet, each with its own texture.
+// Returns a floor, a wall and a slanted brush that meet, each with its own texture.
 std::shared_ptr<const HapticScene> textured_corner(std::mt19937& random, ReliefKind kind, double friction) {
     std::vector<HapticMaterial> materials(4);
     std::vector<Relief> reliefs;
@@ -104,8 +104,8 @@ std::shared_ptr<const HapticScene> mesh_scene(const TriangleMesh& mesh, bool sha
     return builder.build();
 }
 
-// Root mean square angle between the force and that of the exact sphere, in degrees. The hand slides at 0.2 m/s,
-// pressed 2 to 5 mm deep.
+// Returns the root mean square angle, in degrees, between the force and that of the exact sphere. The hand slides at
+// 0.2 m/s, pressed 2 to 5 mm deep.
 double direction_error_deg(const HapticScene& scene, double radius_m) {
     double sum = 0.0;
     int count = 0;
@@ -131,8 +131,8 @@ TEST(ShadedMesh, points_the_force_along_the_sphere_that_it_approximates) {
     EXPECT_LE(shaded, 0.05);
 }
 
-// A torus has convex, concave and saddle-shaped parts. Its corners are displaced at random, so that no two facets are
-// alike.
+// Returns a torus, which has convex, concave and saddle-shaped parts. Its corners are displaced at random, so that no
+// two facets are alike.
 TriangleMesh shaken_torus(std::mt19937& random, int around, int across, double shake_m) {
     std::uniform_real_distribution<double> shake(-shake_m, shake_m);
     TriangleMesh mesh;
@@ -151,9 +151,9 @@ TriangleMesh shaken_torus(std::mt19937& random, int around, int across, double s
     return mesh;
 }
 
-// Runs over displaced tori and coarse spheres, pressed up to `deepest_m`. If that exceeds the proxy's radius, 5 mm, the
-// proxy jumps across the edges of facets, with and without shading. I11 then allows, on each of these ticks, the
-// possible error of the trapezoidal rule.
+// Tests displaced tori and coarse spheres, pressed up to `deepest_m`. If that exceeds the proxy's radius of 5 mm, the
+// proxy jumps across the edges of facets, with and without shading. In each of these ticks, I11 then permits the
+// greatest error of the trapezoidal rule.
 void gives_no_energy(double deepest_m) {
     const int loops = scaled(40);
     const bool jumps = deepest_m > 0.005;
@@ -185,14 +185,14 @@ TEST(ShadedMesh, gives_no_energy_over_random_closed_loops) { gives_no_energy(0.0
 TEST(ShadedMesh, gives_no_energy_when_pressed_deeper_than_the_balls_radius) { gives_no_energy(0.012); }  // I11
 
 TEST(ShadedMesh, keeps_corners_sharp_and_flat_faces_flat) {
-    // A cube of triangles: every edge is sharper than the crease angle and every face is flat, so shading must change
-    // nothing at all.
+    // A cube of triangles. Every edge is sharper than the crease angle and every face is flat, so shading must not
+    // change anything.
     TouchWorld world;
     world.box_of_triangles({-0.05, -0.05, -0.05}, {0.05, 0.05, 0.05});
     const auto plain = world.scene();
     EXPECT_TRUE(mesh_scene(plain->mesh, true)->shading.facets.empty());
     EXPECT_FALSE(mesh_scene(plain->mesh, true)->has_fields());
-    // A tube of 24 sides with a lid: shading raises the sides, but not the lid and its rim.
+    // A tube of 24 sides with a lid. Shading raises the sides, but neither the lid nor its rim.
     TriangleMesh tube;
     for (int i = 0; i < 24; ++i)
         for (const double z : {0.0, 0.1})

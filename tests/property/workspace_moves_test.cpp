@@ -1,5 +1,5 @@
-// Random hands move their workspace by rim, by grabbing and by keys, among solids. Nothing knocks, nothing drives the
-// hand, and nothing gives it energy.
+// Random hands among solids move their workspace by rim, by grabbing and by keys. The moving workspace never knocks,
+// never drives the hand and never gives it energy.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ struct RandomWorld {
     Aabb limits_m{Vec3(-6.0), Vec3(6.0)};
 };
 
-// Boxes around a free start, or nothing within reach.
+// Returns a world with boxes around a free start, or without `walls` one with no obstacle within reach.
 RandomWorld world_of(std::mt19937& random, bool walls) {
     if (!walls) return {wall_scene(1000.0)};
     const auto uniform = [&](double low, double high) {
@@ -35,8 +35,8 @@ RandomWorld world_of(std::mt19937& random, bool walls) {
     return {builder.build()};
 }
 
-// A hand that moves from place to place at up to 0.12 m/s with soft starts. It often passes the rim, and plays with the
-// button and the keys.
+// A hand that moves from place to place at up to 0.12 m/s and accelerates gently. It often passes the rim, and presses
+// the button and the keys at random.
 class RandomHand {
 public:
     explicit RandomHand(std::mt19937& random, double reach_m) : random_(random), reach_m_(reach_m) {}
@@ -99,25 +99,26 @@ TEST(WorkspaceMoves, neither_knock_nor_push_nor_feed_energy_to_a_random_hand) {
                 const ToolState& tool = rig.tool();
                 const bool moved =
                     tool.workspace_motion != WorkspaceMotion::Still && tool.workspace_shift_m != shift_before;
-                // Energy by the trapezoidal rule, which is exact for springs. Energy that a sampled wall adds because
-                // it holds the force between two ticks is not counted here.
+                // Energy by the trapezoidal rule, which is exact for springs. A sampled wall also adds energy because
+                // it holds the force between two ticks; that energy is not counted here.
                 given_j += glm::dot(0.5 * (force + force_before), hand.at_m() - hand_before);
                 most_given_j = std::max(most_given_j, given_j);
-                if (tool.workspace_motion != WorkspaceMotion::Still) {  // otherwise only a wall acts
+                // While the workspace stands still, only a wall can act.
+                if (tool.workspace_motion != WorkspaceMotion::Still) {
                     // The previous force fades first, within 75 ms. While the workspace moves, the force is below 0.2
-                    // N, with no knock except from the hand's own motion.
+                    // N, and only the hand's own motion changes it quickly.
                     if (still) allowed_n = glm::length(force_before);
                     allowed_n = std::max(WorkspaceMover::kMovingForceN, allowed_n - 33.0 * kTick);
                     ASSERT_LE(glm::length(force), allowed_n + 1e-9) << "at tick " << tick;
-                    // Changes that a wall explains: the hand's own motion, and a step of the proxy around an edge
-                    // before the force has faded.
+                    // A wall explains two kinds of change: the hand's own motion, and a step of the proxy around an
+                    // edge before the force has faded.
                     const bool going = allowed_n > WorkspaceMover::kMovingForceN;
                     const double own_n = stiffness * (glm::length(hand.at_m() - hand_before) +
                                                       (going ? rig.tuning.touch.slide_cap_hand_m : 0.0));
                     ASSERT_LE(glm::length(force - force_before), 0.2 + own_n) << "at tick " << tick;
                 }
                 still = tool.workspace_motion == WorkspaceMotion::Still;
-                // Giving way to a contact may lead out of the limits; moving in free space never does.
+                // Yielding to a contact may move the workspace out of its limits. Moving in free space never does.
                 for (int axis = 0; axis < 3 && tool.contacts.count == 0; ++axis) {
                     const double out_m = std::abs(tool.workspace_shift_m[axis]);
                     ASSERT_LE(out_m, std::max(6.0, std::abs(shift_before[axis])) + 1e-12) << "at tick " << tick;
@@ -128,8 +129,8 @@ TEST(WorkspaceMoves, neither_knock_nor_push_nor_feed_energy_to_a_random_hand) {
                 hand_before = hand.at_m();
                 shift_before = tool.workspace_shift_m;
             }
-            // Rim and grip alone give no energy. Among walls, the proxy's steps around edges give a little. Anything
-            // that pumped energy would accumulate over the presses of 20 s.
+            // Rim and grip alone give no energy. Among walls, the proxy's steps around edges give a little. Energy that
+            // is pumped would accumulate over the presses of 20 s.
             const double press_j = rig.tuning.force_ceiling_n * rig.tuning.force_ceiling_n / (2.0 * stiffness);
             EXPECT_LT(most_given_j, walls ? press_j : 2e-4) << "the hand was given energy";
         }

@@ -1,5 +1,5 @@
-// More obstacles are near the proxy than a tick has time for. The work of a tick is bounded, and the proxy never
-// crosses an obstacle for which there was no time. Work is counted, not timed.
+// More obstacles are near the proxy than a tick has time for. The work of a tick stays bounded, and the proxy never
+// crosses an obstacle that it had no time to examine. Work is counted, not timed.
 #include <algorithm>
 
 #include "haptic/servo/body_playback.h"
@@ -13,7 +13,7 @@ namespace worst_test {
 
 constexpr double kTick_s = 1e-3;
 
-// Distance of a place from the nearest sheet of the scene, by the judge's arithmetic; at most `far_m`.
+// Returns the distance of a place from the nearest sheet of the scene, in the judge's arithmetic; at most `far_m`.
 double sheet_distance(const HapticScene& scene, const Vec3& at_m, double far_m) {
     long double nearest = far_m;
     const Vec3 local = at_m - scene.origin_m;
@@ -49,7 +49,8 @@ TEST_P(WorstTicks, stay_within_their_work_budget_and_never_pass_through_a_surfac
         moved += glm::length(r.slide_m) > 0.0;
         ASSERT_TRUE(solver.work() <= ProxySolver::kMostWork || r.contacts.waits) << "what is over the budget is said";
         if (r.contacts.ghosted) continue;
-        // Along its path the proxy is outside everything. Steps shorter than its radius cannot jump over a sheet.
+        // The proxy is outside all obstacles along its path. The test's steps are shorter than the proxy's radius, so
+        // they cannot jump over a sheet.
         for (int k = 0; k < solver.path_size(); ++k) {
             const Vec3 from = solver.path_m(std::max(0, k - 1)), way = solver.path_m(k) - from;
             const int parts = scene.mesh.triangles.empty()
@@ -65,8 +66,9 @@ TEST_P(WorstTicks, stay_within_their_work_budget_and_never_pass_through_a_surfac
             const PlacedFrame frame(solver.body_at(b));
             const HapticScene& shape = *scene.bodies[b].shape;
             const Vec3 own = frame.to_own(r.proxy_m);
-            // All of these shapes are closed around their origin; the proxy's centre stays outside. Meshes are balls of
-            // 0.3 m.
+            // Every one of these shapes is closed around its origin, and the proxy's centre must stay outside. Meshes
+            // are balls
+            // of 0.3 m.
             if (shape.mesh.triangles.empty()) {
                 const Vec3 over = glm::max(glm::abs(own) - Vec3(kBox_m / 2.0), Vec3(0.0));
                 deepest = std::max(deepest, r.radius_m - glm::length(over));
@@ -81,7 +83,7 @@ TEST_P(WorstTicks, stay_within_their_work_budget_and_never_pass_through_a_surfac
     EXPECT_LE(most_work, 2 * ProxySolver::kMostWork);
     EXPECT_LE(most_looks, ProxySolver::kMostWork / 50 + 6 * 128);
     EXPECT_LE(deepest, 1e-9);
-    // A walk that a sanitizer shortens need not reach these limits.
+    // Under a sanitizer the walk is shorter and need not reach these limits.
     if (kSanitizerScale == 1.0) {
         EXPECT_GT(moved, static_cast<long>(worst.goals_m.size()) / 20) << "waiting is not standing still for ever";
     }
@@ -91,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, WorstTicks, testing::Range(0, kWorstCases));
 
 // ---- bodies that are far away ----
 
-// Bodies all over a hall, some of which wander, jump, appear and vanish, and a hand that hurries among them.
+// A hall full of bodies, some of which wander, jump, appear and vanish, and a hand that moves fast among them.
 TEST(TrackedBodies, give_bit_identical_results_to_tracking_all_bodies) {
     const auto seed = seed_of_run();
     std::mt19937 random(seed);
@@ -132,7 +134,7 @@ TEST(TrackedBodies, give_bit_identical_results_to_tracking_all_bodies) {
             const double now_s = i * kTick_s;
             if (now_s >= next_s) {
                 next_s = now_s + uniform(0.012, 0.02) *
-                                     (random() % 50 == 0 ? 12.0 : 1.0);  // sometimes nothing moves for a while
+                                     (random() % 50 == 0 ? 12.0 : 1.0);  // at times, no body moves for a while
                 for (int k = 0; k < 40; ++k) {
                     BodyPose& pose = poses[random() % poses.size()];
                     const std::uint32_t what = random() % 40;
@@ -157,8 +159,8 @@ TEST(TrackedBodies, give_bit_identical_results_to_tracking_all_bodies) {
             const ProxySolver::Step& a = near.move(*scene, request);
             const ProxySolver::Step& b = all.move(*scene, request);
             if (a.waits || b.waits || near.hurries() || all.hurries()) {
-                // How much a tick has time for, and how far the proxy hurries in one go, depends on which bodies are
-                // tracked.
+                // Which bodies are tracked affects how much a tick has time for, and how far the proxy hurries in one
+                // tick. The results may therefore differ, so both solvers start again.
                 ++parted;
                 near.reset();
                 all.reset();
@@ -189,7 +191,7 @@ TEST(TrackedBodies, let_an_office_open_each_of_two_thousand_doors_to_the_hand) {
     constexpr std::size_t kDoors = 2000, kRow = 50;
     const std::size_t visited_every = static_cast<std::size_t>(1.0 / kSanitizerScale);
     HapticSceneBuilder leaf, builder;
-    leaf.add_box({{0.0, -0.02, 0.0}, {0.9, 0.02, 2.0}});  // its hinge is at the origin
+    leaf.add_box({{0.0, -0.02, 0.0}, {0.9, 0.02, 2.0}});  // the hinge of the leaf is at the origin
     const auto shape = leaf.build();
     std::vector<BodyPose> poses;
     for (std::size_t d = 0; d < kDoors; ++d) {
@@ -224,13 +226,13 @@ TEST(TrackedBodies, let_an_office_open_each_of_two_thousand_doors_to_the_hand) {
     for (std::size_t d = 0; d < kDoors; d += visited_every) {
         const Vec3 hinge = poses[d].at.position_m, before = hinge + Vec3(0.45, -0.3, 1.0);
         if (hinge.y != hand.y + 0.3) go(Vec3(hand.x, before.y, 1.0), 0.02);
-        state.reset();  // moves over the walls
+        state.reset();  // the hand moves to the next door over the walls
         go(before, 0.02);
         go(hinge + Vec3(0.45, -0.02, 1.0), 0.02);
         ASSERT_EQ(last.contacts.count, 1) << "door " << d;
         ASSERT_NEAR(glm::length(last.force_n), 5.0, 1e-6);
         go(before, 0.02);
-        // Swings away from the hand by a right angle.
+        // The leaf swings away from the hand by a right angle.
         for (int part = 1; part <= 6; ++part) {
             poses[d].at.rotation = rotation_about({0, 0, 1}, 0.5 * kPi * part / 6.0);
             frame.push(scene->generation, now_s, poses);

@@ -9,7 +9,7 @@
 
 namespace handrail::test {
 
-// Counts how often a ray crosses the surface. The ray's direction is along no face.
+// Counts how often a ray from the point crosses the surface. The ray's direction is parallel to no face.
 bool BlockMesh::holds(const Vec3& at_m) const {
     const Vec3 way = glm::normalize(Vec3(0.6180339, 0.4142135, 0.7320508));
     int through = 0;

@@ -29,8 +29,8 @@ Nearest nearest_on_triangle(const LVec& a, const LVec& b, const LVec& c, const L
     Nearest best = nearest_on_segment(a, b, p);
     for (const Nearest& other : {nearest_on_segment(b, c, p), nearest_on_segment(c, a, p)})
         if (other.distance < best.distance) best = other;
-    // Barycentric coordinates of the foot of the perpendicular (Cramer's rule). A flat triangle has no plane and counts
-    // as its three edges.
+    // Barycentric coordinates of the foot of the perpendicular (Cramer's rule). A degenerate triangle has no plane and
+    // counts as its three edges.
     const LVec u = b - a, v = c - a, w = p - a;
     const long double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), wu = dot(w, u), wv = dot(w, v);
     const long double det = uu * vv - uv * uv;
@@ -62,8 +62,8 @@ Nearest nearest_on_capsule(const LVec& a, const LVec& b, long double radius, con
 
 namespace {
 
-// The direction of the axis. A shape without height may use any direction; in the tests those are discs perpendicular
-// to z.
+// Returns the direction of the axis. A shape without height may have any direction; in the tests such shapes are discs
+// perpendicular to z.
 LVec direction_of(const LVec& a, const LVec& b) {
     const long double l = length(b - a);
     return l > 0.0L ? (b - a) / l : LVec(0.0L, 0.0L, 1.0L);
@@ -139,7 +139,7 @@ Nearest nearest_on_solid(const std::vector<Plane>& planes, const LVec& p) {
     LVec normal{0.0L};
     for (const Plane& plane : planes) {
         const LVec n(plane.normal);
-        // Relative to p, so that the enumeration works with short numbers.
+        // The planes are relative to p, so that the enumeration works with numbers of few digits.
         const long double out = dot(n, p) - static_cast<long double>(plane.offset_m);
         walls.push_back({-n, out});
         if (out > deepest) {
@@ -198,7 +198,7 @@ bool BruteForce::clear(const Vec3& from, const Vec3& to, long double clearance, 
     for (int i = 0; i <= samples; ++i) {
         const double t = static_cast<double>(i) / samples;
         const long double d = distance(from + (to - from) * t, clearance + between + 1.0L);
-        // Between two samples the distance can be smaller by at most half their spacing.
+        // Between two samples, the distance can be smaller than at both by at most half their spacing.
         if (d < clearance + between * 0.5L) return false;
     }
     return true;

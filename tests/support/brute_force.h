@@ -1,5 +1,6 @@
-// An independent judge of the touch renderer: in long double, without hierarchy, cache or projection routine. It finds
-// the closest points as follows; it is slow on purpose:
+// An independent judge of the touch renderer, in long double, without hierarchy, cache or projection routine. It is
+// slow on
+// purpose and finds the closest points
 // - of solids by trying every face, pair and triple of planes;
 // - of triangles by barycentric coordinates and three segments;
 // - of polygons by the triangles of a fan;
@@ -26,18 +27,18 @@ struct Nearest {
 
 Nearest nearest_on_segment(const LVec& a, const LVec& b, const LVec& p);
 Nearest nearest_on_triangle(const LVec& a, const LVec& b, const LVec& c, const LVec& p);
-// The polygon is convex; its corners are in order.
+// Returns the nearest point of a convex polygon, whose corners are in order.
 Nearest nearest_on_polygon(const std::vector<LVec>& corners, const LVec& p);
-// `a` and `b` are the middles of both ends. A capsule's round ends are beyond them; a cone has its base at a and its
+// `a` and `b` are the centres of both ends. A capsule's round ends extend beyond them; a cone has its base at a and its
 // apex at b.
 Nearest nearest_on_capsule(const LVec& a, const LVec& b, long double radius, const LVec& p);
 Nearest nearest_on_cylinder(const LVec& a, const LVec& b, long double radius, const LVec& p);
 Nearest nearest_on_cone(const LVec& a, const LVec& b, long double radius, const LVec& p);
-// Tries every face, edge and corner; for a point inside, the nearest plane.
+// Tries every face, edge and corner. For a point inside, it returns the nearest plane.
 Nearest nearest_on_solid(const std::vector<Plane>& planes, const LVec& p);
 
-// The point nearest to `goal` among all that satisfy dot(n, x) >= b for each half-space, found by trying every subset
-// of at most three. Nothing if there is no such point.
+// Finds the point nearest to `goal` that satisfies dot(n, x) >= b for each half-space, by trying every subset of at
+// most three. Returns nothing if there is no such point.
 struct LHalfSpace {
     LVec normal;
     long double offset;
@@ -49,27 +50,29 @@ class BruteForce {
 public:
     struct Thing {
         bool solid = false;
-        LVec a{0.0L}, b{0.0L}, c{0.0L};             // of a triangle
-        std::vector<Plane> planes;                  // of a solid
-        std::function<Nearest(const LVec&)> other;  // any other thing, if set
-        LVec centre{0.0L};                          // centre of a sphere around it, by which distant things are skipped
+        LVec a{0.0L}, b{0.0L}, c{0.0L};  // corners of a triangle
+        std::vector<Plane> planes;       // of a solid
+        // If set, any other thing, given by a function for its nearest point.
+        std::function<Nearest(const LVec&)> other;
+        LVec centre{0.0L};  // centre of a sphere around the thing, by which distant things are skipped
         long double reach = 0.0L;
     };
     void add_triangle(const Vec3& a, const Vec3& b, const Vec3& c);
     void add_solid(const std::vector<Plane>& planes, const std::vector<Vec3>& corners);
 
-    // Adds any other thing: a function for its nearest point, and points whose convex hull, grown by `more`, contains
-    // it.
+    // Adds any other thing, given by a function for its nearest point. The convex hull of `corners`, grown by `more`,
+    // must contain it.
     void add(std::function<Nearest(const LVec&)> nearest, const std::vector<Vec3>& corners, double more);
 
     const std::vector<Thing>& things() const { return things_; }
     Nearest nearest(const Thing& thing, const LVec& p) const;
-    // Distance to the nearest of all things, or `far` if nothing is nearer than that.
+    // Returns the distance to the nearest thing, or `far` if no thing is nearer than that.
     long double distance(const Vec3& p, long double far = 1.0L) const;
-    // True if the segment is never nearer than `clearance` to anything. Judged from `samples` points and their spacing.
+    // Returns true if the segment is nowhere nearer than `clearance` to any thing. It is judged from `samples` points
+    // and their spacing.
     bool clear(const Vec3& from, const Vec3& to, long double clearance, int samples = 8) const;
-    // How far the first-order contact problem at c would still move the proxy towards the goal; 0 at a true local
-    // optimum (KKT).
+    // Returns how far the first-order contact problem at c would still move the proxy towards the goal. It is 0 at a
+    // true local optimum (KKT).
     long double residual(const Vec3& c, const Vec3& goal, long double radius) const;
 
 private:

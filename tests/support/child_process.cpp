@@ -43,7 +43,7 @@ std::unique_ptr<ChildProcess> ChildProcess::start(const std::vector<std::string>
         ::close(input[1]);
         return nullptr;
     }
-    ::setpgid(child, child);  // set in both processes, so that whichever runs first has done it
+    ::setpgid(child, child);  // called in both processes, so that the group exists whichever runs first
     ::signal(SIGPIPE, SIG_IGN);
     return std::unique_ptr<ChildProcess>(new ChildProcess(child, input[1]));
 }
@@ -55,7 +55,7 @@ ChildProcess::~ChildProcess() {
 
 void ChildProcess::type(const std::string& text) {
     if (::write(input_, text.data(), text.size()) < 0) {
-        // The child has ended; the test notices that elsewhere.
+        // The child has ended. The test notices that in another way.
     }
 }
 
@@ -69,7 +69,7 @@ void ChildProcess::send(int signal) const {
 }
 
 void ChildProcess::kill() {
-    ::kill(-pid_, SIGKILL);  // processes that it has started may outlive it
+    ::kill(-pid_, SIGKILL);  // kills the whole group, because processes that the child started may outlive it
     exit_status();
 }
 

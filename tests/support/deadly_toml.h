@@ -1,4 +1,4 @@
-// TOML on which toml++ 3.3 recurses without limit: 200,000 nested tables in one dotted name, so the stack of the
+// TOML text on which toml++ 3.3 recurses without limit: 200,000 nested tables in one dotted name. The stack of the
 // process that parses it overflows.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Sets an environment variable while a test needs it.
+// Sets an environment variable while a test needs it, and restores its old value afterwards.
 #pragma once
 
 #include <cstdlib>
@@ -10,7 +10,7 @@ namespace handrail::test {
 
 class WithEnvironment {
 public:
-    // With null, the variable is unset.
+    // If `value` is null, the variable is unset.
     WithEnvironment(std::string name, const char* value) : name_(std::move(name)) {
         if (const char* was = std::getenv(name_.c_str())) was_ = was;
         put(value);

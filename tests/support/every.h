@@ -1,4 +1,4 @@
-// How many of very many similar cases, such as routes between all rooms of a building, a run of the tests tries.
+// Decides how many of very many similar cases a run of the tests tries, such as routes between all rooms of a building.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace handrail::test {
 
-// The stride between tried cases: `usual` in a normal run, `sanitized` under a sanitizer, which looks for memory faults
-// and not for percentages. With HANDRAIL_ALL_ROUTES set, every case is tried.
+// Returns the stride between tried cases. It is `usual` in a normal run, and `sanitized` under a sanitizer, which looks
+// for memory faults and not for percentages. If HANDRAIL_ALL_ROUTES is set, every case is tried.
 inline std::uint32_t every(std::uint32_t usual, std::uint32_t sanitized) {
     if (std::getenv("HANDRAIL_ALL_ROUTES")) return 1;
     return kSanitizerScale < 1.0 ? sanitized : usual;
 }
 
-// True if at least `percent` of the cases are good. If there are more than three cases but too few for the percentage
-// to allow a miss, one miss is allowed, except if all cases are tried.
+// Returns true if at least `percent` of the cases are good. If there are more than three cases, but too few for the
+// percentage to permit a miss, one miss is permitted. That exception does not apply if all cases are tried.
 inline bool enough(int good, int of, int percent) {
     const int allowed = of * (100 - percent) / 100, of_few = of > 3 && !std::getenv("HANDRAIL_ALL_ROUTES") ? 1 : 0;
     return of > 0 && of - good <= (allowed > of_few ? allowed : of_few);

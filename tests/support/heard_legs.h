@@ -1,5 +1,5 @@
-// What a person understands who hears only the directions: the form of legs in English and German, and of the shorter
-// directions that are given if a route is not announced leg by leg. Pure functions.
+// Understands directions like a person who hears only them: the form of the legs of a route in English and German, and
+// of the shorter directions that are given if a route is not announced leg by leg. Pure functions.
 #pragma once
 
 #include <map>
@@ -11,11 +11,11 @@
 
 namespace handrail::test {
 
-// The meaning of a leg, from its words alone.
+// The meaning of a leg of a route, taken only from its text.
 struct HeardLeg {
-    int turn_notches = 0, steps = 0;  // clockwise, each a sixteenth of a circle
+    int turn_notches = 0, steps = 0;  // turn, clockwise, in sixteenths of a circle; number of steps
     enum class Until { Counted, Stopped, FlightOver } until = Until::Counted;
-    bool use = false;  // open or shut a door at its end
+    bool use = false;  // the walker must open or shut a door at the end of the leg
 };
 
 // The words of one language that a walker must know.
@@ -27,10 +27,10 @@ struct LegForm {
 LegForm english_legs();
 LegForm german_legs();
 
-// None if the text does not have the form.
+// Returns the meaning of a leg, or nothing if the text does not have the form.
 std::optional<HeardLeg> understood(const std::string& text, const LegForm& form);
 
-// The first direction in a text, such as "5 steps, 30 degrees right", "12 steps to the left" or "close by, ahead".
+// The first direction in a text, for example "5 steps, 30 degrees right", "12 steps to the left" or "close by, ahead".
 struct Direction {
     int steps = 0;
     double right_deg = 0.0;

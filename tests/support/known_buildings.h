@@ -1,4 +1,4 @@
-// Buildings that name their doors: our own, and real ones if they are present.
+// Buildings whose doors have names: our own ones, and real ones if they are present.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,12 @@ namespace handrail::test {
 
 struct KnownBuilding {
     std::filesystem::path file;
-    std::size_t doors = 0;  // only those in a wall
+    std::size_t doors = 0;  // number of doors in a wall; others do not count
     bool large = false;     // reading it takes half a minute under a sanitizer
 };
 
-// Writes an office of two storeys into the folder, as one of the buildings. Prints a line for each absent building, as
-// with_real_worlds() does.
+// Writes an office of two storeys into `folder` and returns it with the other buildings. Prints a line for each absent
+// building, as with_real_worlds() does.
 std::vector<KnownBuilding> known_buildings(const TemporaryFolder& folder);
 
 }  // namespace handrail::test

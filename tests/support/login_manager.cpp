@@ -7,8 +7,8 @@
 namespace handrail::test {
 namespace {
 
-// Debian's own Python, because other versions do not see Debian's packages. It runs without the libraries that the test
-// itself preloads.
+// Debian's own Python, because other versions do not find Debian's packages. It runs without the libraries that the
+// test itself preloads.
 const char* const kPython = "/usr/bin/python3";
 const Environment kPlain{{"LD_PRELOAD", ""}};
 
@@ -62,7 +62,7 @@ std::string LoginManager::ask(const std::string& python) const {
                               "introspect=False) if bus.name_has_owner('org.freedesktop.login1') else None\n" +
                               python;
     const std::filesystem::path out = folder_ / "answer";
-    std::filesystem::remove(out);  // because a child's output is appended
+    std::filesystem::remove(out);  // removed first, because a child's output is appended
     if (const auto asking = ChildProcess::start({kPython, "-c", whole}, kPlain, out)) asking->exit_status();
     std::ifstream answer(out);
     return {std::istreambuf_iterator<char>(answer), {}};

@@ -11,18 +11,18 @@ namespace handrail::test {
 
 class LoginManager {
 public:
-    // Why it cannot run here; empty if it can.
+    // Returns why it cannot run on this machine, or an empty text if it can.
     static std::string why_not();
 
-    // `folder` holds its socket and its output.
+    // `folder` receives its socket and its output.
     explicit LoginManager(std::filesystem::path folder);
-    // Waits until it answers.
+    // Waits until the simulated logind answers.
     bool ready() const;
-    // The value for DBUS_SYSTEM_BUS_ADDRESS.
+    // Returns the value for DBUS_SYSTEM_BUS_ADDRESS.
     std::string address() const;
     // Announces that the computer is about to sleep, or that it is awake again.
     void announce_sleep(bool begins) const;
-    // The present inhibitors: a line like "sleep Handrail delay" for each.
+    // Returns the present inhibitors, with a line like "sleep Handrail delay" for each.
     std::string inhibitors() const;
 
 private:

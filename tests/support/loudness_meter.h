@@ -1,4 +1,4 @@
-// What libebur128 measures of samples at 48 kHz. Programs that include this link PkgConfig::EBUR128.
+// Measures samples at 48 kHz with libebur128. Programs that include this header must link PkgConfig::EBUR128.
 #pragma once
 
 #include <ebur128.h>
@@ -14,11 +14,12 @@
 namespace handrail::test {
 
 struct Measured {
-    double lufs = -120.0;  // the loudest 400 ms
+    double lufs = -120.0;  // loudness of the loudest 400 ms
     double true_peak_db = -120.0;
 };
 
-// Of several channels the samples alternate. What is shorter than 400 ms is measured with silence around it.
+// Measures the samples, which alternate between the channels. If they are shorter than 400 ms, they are measured with
+// silence around them.
 inline Measured measured(std::span<const float> frames, unsigned channels) {
     ebur128_state* state = ebur128_init(channels, 48000, EBUR128_MODE_M | EBUR128_MODE_TRUE_PEAK);
     if (state == nullptr) throw std::runtime_error("libebur128 gives no state");

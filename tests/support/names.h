@@ -1,6 +1,6 @@
 #pragma once
 
-// Room: tests only. The namespaces of all folders, opened at once: a test names what it tests without its folder.
+// For tests only. Opens the namespaces of all folders at once, so that a test can use names without their folder.
 
 namespace handrail {
 namespace accessible {}

@@ -73,8 +73,8 @@ private:
         const int at = put("IFCAXIS2PLACEMENT3D(#{},$,$)", put("IFCCARTESIANPOINT((0.,0.,{:.4f}))", z));
         return put("IFCEXTRUDEDAREASOLID(#{},#{},#{},{:.4f})", profile, at, up_, tall);
     }
-    // A star-shaped prism: closed and not convex. Its sides are cut into `facets` triangles, as programs export
-    // furniture.
+    // Writes a star-shaped prism, which is closed and not convex, and returns its number. Its sides are cut into
+    // `facets` triangles, as in exported furniture.
     int star(int facets) {
         const int n = std::max(6, facets / 4);
         const double turn = 2.0 * std::acos(-1.0) / n;
@@ -104,7 +104,8 @@ private:
         within_.push_back(id);
         return id;
     }
-    // A wall from (x, y). If `filled` is "door" or "window", it has such an opening in its middle.
+    // Writes a wall that starts at (x, y). If `filled` is "door" or "window", the wall has such an opening in its
+    // middle.
     void wall(double x, double y, double wide, double deep, const char* filled) {
         const int wall =
             product("IFCWALL", "wall", place(x, y, z_), shape("SweptSolid", {block(0, 0, 0, wide, deep, kTall_m)}));
@@ -140,7 +141,7 @@ private:
                     shape("SweptSolid",
                           {block(-kHall_m, -kWall_m, -kSlab_m, wide + kHall_m + kWall_m, deep + 2 * kWall_m, kSlab_m)}),
                     ",.FLOOR.");
-        if (s > 0) {  // above the flight that leads up to this storey
+        if (s > 0) {  // the hole above the flight that leads up to this storey
             const int hole = put("IFCOPENINGELEMENT('{}',$,'hole',$,$,#{},#{},$)", guid(), place(0, 0, z_),
                                  shape("SweptSolid", {block(-7.0, 0.5, -kSlab_m, 6.0, 1.4, kSlab_m)}));
             put("IFCRELVOIDSELEMENT('{}',$,$,$,#{},#{})", guid(), slab, hole);
@@ -163,7 +164,7 @@ private:
         put("IFCRELAGGREGATES('{}',$,$,$,#{},({}))", guid(), id, list(spaces_));
         return id;
     }
-    // A corridor along x with rooms to its south and north.
+    // Writes a corridor along x, with rooms to its south and north.
     void lane(int c, double wide) {
         const double y = c * kLane_m, middle = y + kRoom_m + 2 * kWall_m;
         space(0, middle, wide, kCorridor_m, "Corridor");

@@ -1,6 +1,6 @@
-// Office buildings of any size as the text of an IFC file: storeys with corridors, and rooms of 5 by 5 metres on both
-// sides of them, each with a door and a window. A hall with stairs joins the corridors. The same size makes the same
-// text. Any thread.
+// Makes office buildings of any size as the text of an IFC file. They have storeys with corridors, and rooms of 5 by 5
+// metres on both sides of the corridors, each with a door and a window. A hall with stairs joins the corridors. The
+// same size always gives the same text. Any thread.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@ namespace handrail::test {
 
 struct OfficeIfcSize {
     int storeys = 1;
-    int corridors = 1;    // on each storey
-    int rooms_along = 4;  // on each side of a corridor
-    // Triangles of the closed, non-convex furniture in each room; they make real files large.
+    int corridors = 1;    // number of corridors on each storey
+    int rooms_along = 4;  // number of rooms on each side of a corridor
+    // Number of triangles of the closed, non-convex furniture in each room. Such furniture makes real files large.
     int facets_of_furniture = 0;
 };
 

@@ -14,19 +14,21 @@ namespace {
 
 constexpr double kUnitsPerMetre = 32.0;
 constexpr double kRoom = 5.0, kCorridor = 2.0, kHall = 2.5,
-                 kLane = 1.5;                       // metres; a lane is the strip for a flight of stairs
-constexpr double kPitch = 2.0 * kRoom + kCorridor;  // from one corridor to the next
+                 kLane = 1.5;                       // sizes in metres; a lane is the strip for a flight of stairs
+constexpr double kPitch = 2.0 * kRoom + kCorridor;  // distance from one corridor to the next
 constexpr double kWall = 0.1, kSlab = 0.2, kStorey = 3.2, kHigh = kStorey - kSlab;
 constexpr double kDoorWidth = 1.0, kDoorHeight = 2.1, kDoorThick = 0.05;
 constexpr int kSteps = 20;
-constexpr double kTread = 0.28, kFlight = kSteps * kTread, kFlightFrom = 3.0;  // from the corridors' southern edge
-constexpr int kLeastThing = 1, kDesk = 5, kChair = 6, kShelf = 7;              // numbers of brushes
+// kFlightFrom is measured from the corridors' southern edge.
+constexpr double kTread = 0.28, kFlight = kSteps * kTread, kFlightFrom = 3.0;
+constexpr int kLeastThing = 1, kDesk = 5, kChair = 6, kShelf = 7;  // numbers of brushes per piece of furniture
 
 struct Box {
-    double x0, y0, z0, x1, y1, z1;  // metres
+    double x0, y0, z0, x1, y1, z1;  // in metres
 };
 
-// Positions for furniture in a room, from its middle: x to the right and y ahead for a person who enters by the door.
+// Positions for furniture in a room, relative to its middle: x to the right and y ahead for a person who enters by the
+// door.
 constexpr double kSlots[][2] = {{-1.7, 2.0}, {0.0, 2.0},   {1.7, 2.0}, {-2.0, 0.5},
                                 {2.0, 0.5},  {-2.0, -1.4}, {2.0, -1.4}};
 constexpr int kSlotCount = 7;
@@ -38,7 +40,8 @@ public:
     OfficeWorld make() {
         for (int storey = 0; storey < size_.storeys; ++storey) build_storey(storey);
         roof();
-        // The brushes that the building leaves are shared equally between the rooms, give or take one.
+        // The brushes that the building itself does not need are divided equally between the rooms; their numbers
+        // differ by at most one.
         const int doors = static_cast<int>(rooms_.size()), left = std::max(0, size_.brushes - made_.brushes - doors);
         for (int r = 0; r < doors; ++r) furnish(r, part(left, r + 1, doors) - part(left, r, doors));
         made_.rooms = made_.doors = doors;
@@ -53,8 +56,8 @@ public:
 
 private:
     struct RoomPlace {
-        double x, y, z;  // the middle of the room's floor
-        bool south;      // south of its corridor, so the door is in the north
+        double x, y, z;  // middle of the room's floor
+        bool south;      // the room is south of its corridor, so its door is in the north
         int number;
     };
     static int part(int of, int some, int all) { return static_cast<int>(static_cast<std::int64_t>(of) * some / all); }
@@ -62,7 +65,8 @@ private:
     double width() const { return along() + kHall + kLane; }
     double depth() const { return size_.corridors * kPitch; }
     static bool has_stairs(int corridor) { return corridor % 3 == 0; }
-    // Gives the same numbers with every standard library, unlike std::uniform_int_distribution.
+    // Returns a random number below `count`. Unlike std::uniform_int_distribution, it is the same with every standard
+    // library.
     int below(int count) { return static_cast<int>(random_() % static_cast<std::uint32_t>(count)); }
 
     void brush(std::string& to, const Box& box, const char* texture) {
@@ -99,7 +103,7 @@ private:
             const double south = corridor * kPitch;
             for (const bool is_south : {true, false}) {
                 const double wall_y = is_south ? south + kRoom - 0.5 * kWall : south + kRoom + kCorridor - 0.5 * kWall;
-                // The wall to the corridor: pieces between the doorways, and one above each of them.
+                // The wall to the corridor consists of pieces between the doorways, and one piece above each doorway.
                 double from = 0.0;
                 for (int r = 0; r < size_.rooms_along_corridor; ++r) {
                     const double door = (r + 0.5) * kRoom - 0.5 * kDoorWidth;
@@ -107,7 +111,8 @@ private:
                     wall(door, wall_y, door + kDoorWidth, wall_y + kWall, z, kDoorHeight);
                     from = door + kDoorWidth;
                     const double back = is_south ? south : south + kPitch, front = is_south ? wall_y : wall_y + kWall;
-                    const double side = (r + 1) * kRoom - 0.5 * kWall;  // the wall to the next room, or to the hall
+                    // The x coordinate of the wall to the next room, or to the hall.
+                    const double side = (r + 1) * kRoom - 0.5 * kWall;
                     wall(side, std::min(back, front), side + kWall, std::max(back, front), z);
                     rooms_.push_back({(r + 0.5) * kRoom, is_south ? south + 0.5 * kRoom : south + kPitch - 0.5 * kRoom,
                                       z, is_south,
@@ -119,7 +124,8 @@ private:
             if (corridor > 0) wall(0.0, south - 0.5 * kWall, hall, south + 0.5 * kWall, z);
             if (corridor > 0) wall(lane + kWall, south - 0.5 * kWall, width(), south + 0.5 * kWall, z);
             if (!has_stairs(corridor)) {
-                wall(lane, south, lane + kWall, south + kPitch, z);  // there is nothing behind it
+                // A wall at the end, because there is nothing behind the lane.
+                wall(lane, south, lane + kWall, south + kPitch, z);
                 continue;
             }
             const double from = south + kFlightFrom, to = from + kFlight;
@@ -127,7 +133,7 @@ private:
             wall(lane, from, lane + kWall, to, z);
             wall(lane, to + 2.0, lane + kWall, south + kPitch, z);
             if (storey + 1 < size_.storeys) flight(lane + kWall, from, z);
-            // A parapet, so that nobody falls down the stairs.
+            // A parapet prevents the walker from falling down the stairs.
             else wall(lane + kWall, from - kWall, width(), from, z, 0.0, 1.1);
         }
     }
@@ -170,7 +176,7 @@ private:
         fmt::format_to(std::back_inserter(entities_), "{{\n\"classname\" \"{}\"\n{}{}}}\n", class_name, keys, brushes);
     }
 
-    // A box relative to the middle of a room, as seen by a person who enters.
+    // Returns a box of the building from a box relative to the middle of a room, as seen by a person who enters.
     static Box in_room(const RoomPlace& room, const Box& own) {
         const double turn = room.south ? -1.0 : 1.0;
         return {room.x + std::min(turn * own.x0, turn * own.x1),
@@ -208,7 +214,7 @@ private:
                            "\"east\"\n\"opens\" \"{}\"\n",
                            room.number, room.south ? "south" : "north"),
                leaf);
-        // Every other room has its own name; the others are named after their contents.
+        // Every other room has a name of its own; the others are named after their contents.
         if (r % 2 == 0)
             entity("info_room",
                    fmt::format("\"name\" \"Office {}\"\n\"origin\" \"{:.6g} {:.6g} {:.6g}\"\n", room.number,
@@ -243,7 +249,8 @@ private:
                 boxes.push_back({x - 0.3, y - 0.3, 0.0, x + 0.3, y + 0.3, 0.4 + 0.1 * below(12)});
                 thing(room, "Cupboard" + number, landmark, boxes, "metal");
             } else {
-                // Boards one above the other. The last free position gets all the brushes that the room still needs.
+                // A shelf of boards one above the other. The last free position gets all the brushes that the room
+                // still needs.
                 const int boards = last ? brushes : std::min(brushes, kShelf);
                 const double step = 1.9 / boards;
                 for (int b = 0; b < boards; ++b)

@@ -1,7 +1,7 @@
 // Part of test programs in which only some tests start threads. If any other test starts a thread, the program ends
-// with a sentence. The thread sanitizer runs only the tests that handrail_test() calls THREADED, so this makes sure
-// that it misses none. The linker finds this function first, so it replaces the C library's own. HANDRAIL_THREADED:
-// patterns of the tests that may start threads, separated by colons.
+// with a sentence. The thread sanitizer runs only the tests that handrail_test() calls THREADED, so this check ensures
+// that it misses none. The linker finds the function below first, so it replaces the C library's own. The environment
+// variable HANDRAIL_THREADED has the patterns of the tests that may start threads, separated by colons.
 #include <dlfcn.h>
 #include <fnmatch.h>
 #include <gtest/gtest.h>

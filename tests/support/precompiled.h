@@ -1,4 +1,4 @@
-// Headers that nearly every test needs, compiled once.
+// Headers that nearly every test needs, compiled only once.
 #pragma once
 
 #include <fmt/format.h>

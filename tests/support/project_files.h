@@ -12,8 +12,8 @@
 
 namespace handrail::test {
 
-// Lists the files in the git repository. An unpacked archive has none; then it lists everything except build output.
-// Paths are relative to the project's root.
+// Lists the files in the git repository. In an unpacked archive, which has no repository, it lists all files except
+// build output. Paths are relative to the project's root.
 inline std::vector<std::string> project_files() {
     const std::filesystem::path root = test::project_root();
     std::vector<std::string> files;

@@ -34,7 +34,7 @@ void tell(int reports, Report report) { [[maybe_unused]] const ssize_t put = ::w
 pid_t lead_job = -1;
 int lead_terminal = -1;
 
-// The shell's part, which runs in the session leader's process. Never returns.
+// Does what a shell does, in the session leader's process. Never returns.
 [[noreturn]] void lead(int slave, int reports, const std::function<void()>& run) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     ::setsid();
@@ -92,7 +92,7 @@ std::unique_ptr<PtyJob> PtyJob::start(const std::function<void()>& run) {
     if (::ptsname_r(job->master_, name.data(), name.size()) != 0) return nullptr;
     job->slave_ = ::open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC);
     if (job->slave_ < 0) return nullptr;
-    // Modes that no program would set by chance.
+    // Sets modes that no program would set by chance.
     ::tcgetattr(job->slave_, &job->before_);
     job->before_.c_lflag &= ~static_cast<tcflag_t>(ECHOK);
     job->before_.c_cc[VKILL] = 0x19;
@@ -201,7 +201,7 @@ bool PtyJob::stops(double most_s) {
 int PtyJob::ends(double most_s) {
     const auto deadline = SteadyTime::now() + std::chrono::duration<double>(most_s);
     while (ended_ < 0 && SteadyTime::now() < deadline) {
-        read_what_came(0);  // a terminal that nobody reads blocks the program that writes to it
+        read_what_came(0);  // reads the job's output, because a full terminal would block the job
         read_reports(20);
     }
     read_what_came(0);

@@ -15,7 +15,7 @@ public:
     double between(double low, double high) {
         return low + (high - low) * static_cast<double>(random_()) / 4294967296.0;
     }
-    // Uniform in the logarithm, for sizes that matter over many orders of magnitude.
+    // Draws a number that is uniform in its logarithm, for sizes that matter over many orders of magnitude.
     double power(double low, double high) { return low * std::pow(high / low, between(0.0, 1.0)); }
     int count(int low, int high) {
         return low + static_cast<int>(random_() % static_cast<std::uint32_t>(high - low + 1));
@@ -33,10 +33,10 @@ private:
 
 constexpr double kSlab_m = 0.1;  // half the width of planes and slabs
 
-// A proxy radius that can feel edges, or now and then nearly a point.
+// Draws a radius for the proxy: one that can feel edges, or sometimes nearly a point.
 double some_radius(Draw& draw) { return draw.count(0, 4) == 0 ? 1e-5 : draw.between(0.002, 0.006); }
 
-// A hand path pressed across a level surface at z = 0, from the air and back to it.
+// Draws a path of a hand that comes from the air, presses across a horizontal surface at z = 0 and returns to the air.
 std::vector<Vec3> over_level(Draw& draw, int stops) {
     std::vector<Vec3> way{{draw.between(-.05, .05), draw.between(-.05, .05), .02}};
     for (int i = 0; i < stops; ++i)
@@ -45,7 +45,7 @@ std::vector<Vec3> over_level(Draw& draw, int stops) {
     return hand_path(way, draw.between(0.05, 0.5));
 }
 
-// A hand path anywhere in a cube, from outside it and back.
+// Draws a path of a hand that comes from outside a cube, moves to places in it and leaves it.
 std::vector<Vec3> anywhere(Draw& draw, double half, int stops, double speed) {
     std::vector<Vec3> way{{draw.between(-half, half) * 0.1, 0.0, 2.0 * half}};
     for (int i = 0; i < stops; ++i) way.push_back(draw.in_cube(half));
@@ -77,11 +77,11 @@ void crack(TouchCase& c, Draw& draw) {
     c.radius_m = std::max(some_radius(draw), 0.6 * width);
     level(c.world, -kSlab_m, at);
     level(c.world, at + width, kSlab_m);
-    c.tidy = false;  // some goals have two places of rest: in the dip and on its far side
+    c.tidy = false;  // some goals have two places of rest, one in the dip and one on its far side
     c.goals_m = over_level(draw, 6);
 }
 
-// T3, T4: two or three overlapping boxes that make an inner edge or corner, in any representation.
+// T3, T4: two or three overlapping boxes that form an inner edge or corner, in any representation.
 void corner(TouchCase& c, Draw& draw) {
     const auto put = [&](const Vec3& low, const Vec3& high) {
         const int kind = draw.count(0, 2);
@@ -142,7 +142,7 @@ void spike(TouchCase& c, Draw& draw) {
     c.goals_m = hand_path(way, 0.1);
 }
 
-// T8, T10: a plane with duplicates, overlaps and many triangles of zero area.
+// T8, T10: a plane with duplicates, overlaps and many degenerate triangles without area.
 void litter(TouchCase& c, Draw& draw) {
     for (int i = draw.count(1, 3); i > 0; --i) level(c.world, -kSlab_m, kSlab_m);
     for (int i = draw.count(1, 3); i > 0; --i) level(c.world, draw.between(-.05, 0), draw.between(.01, .05));

@@ -1,5 +1,5 @@
-// Real buildings and maps that do not come with the program. They are in the folder that HANDRAIL_REAL_WORLDS names;
-// the default is shared/worlds next to the project.
+// Real buildings and maps that do not come with the program. They are in the folder that HANDRAIL_REAL_WORLDS names.
+// Its default is shared/worlds next to the project.
 #pragma once
 
 #include <filesystem>
@@ -11,14 +11,14 @@
 
 namespace handrail::test {
 
-// The file's path, or nothing if it is absent.
+// Returns the file's path, or nothing if the file is absent.
 std::optional<std::filesystem::path> real_world(const std::string& file_name);
 
-// The text for GTEST_SKIP() if a test needs a real world that is absent.
+// Returns the text for GTEST_SKIP() if a test needs a real world that is absent.
 std::string needs_real_world(const std::string& file_name);
 
-// Returns our own worlds, then the real ones that are present. For each absent one it prints a line that starts with
-// "Skipped: "; `./run tests` repeats such lines after the summary.
+// Returns our own worlds, then the real ones that are present. For each absent world it prints a line that starts with
+// "Skipped: ". `./run tests` repeats such lines after the summary.
 std::vector<std::filesystem::path> with_real_worlds(std::vector<std::filesystem::path> ours,
                                                     const std::vector<std::string>& real);
 

@@ -11,7 +11,7 @@ namespace {
 constexpr long double kStep_m = 2e-5L;
 constexpr long double kAtRest_m = 1e-13L;
 constexpr long double kLook_m = 0.01L;
-constexpr int kMostSteps = 200000;  // for one goal: a path of 4 m
+constexpr int kMostSteps = 200000;  // limit for one goal; corresponds to a path of 4 m
 
 }  // namespace
 
@@ -20,7 +20,8 @@ double judging_work(const BruteForce::Thing& thing) {
     return 8.0 + n * n + n * n * n * n / 24.0;
 }
 
-// Looks at all things, but only once per centimetre of movement. It keeps those that the proxy can meet until then.
+// Examines all things, but only once per centimetre of movement. Keeps those that the proxy can meet before the next
+// time.
 void ReferenceProxy::look_around() {
     if (looked_ && glm::length(ball_ - looked_from_) <= kLook_m) return;
     looked_ = true;
@@ -38,8 +39,8 @@ Vec3 ReferenceProxy::follow(const Vec3& goal_m) {
         ++steps_;
         const long double left = glm::length(goal - ball_);
         if (left == 0.0L) break;
-        // Collects what the proxy can meet within a step. If there is nothing, the step may be as long as the distance
-        // to the nearest thing.
+        // Collects the obstacles that the proxy can meet within a step. If there are none, the step may be as long as
+        // the distance to the nearest obstacle.
         look_around();
         walls.clear();
         long double clear = std::min(left, kLook_m);
@@ -56,7 +57,7 @@ Vec3 ReferenceProxy::follow(const Vec3& goal_m) {
             clear = std::min(clear, gap);
             if (gap > kStep_m || n.distance <= 0.0L) continue;
             const LVec normal = (ball_ - n.point) / n.distance;
-            const LHalfSpace wall{normal, -gap};  // relative to the proxy
+            const LHalfSpace wall{normal, -gap};  // the half-space is relative to the proxy
             const auto known = std::find_if(walls.begin(), walls.end(), [&](const LHalfSpace& w) {
                 return glm::dot(w.normal, wall.normal) > 1.0L - 1e-17L;
             });

@@ -16,7 +16,7 @@ namespace {
 
 using SteadyTime = std::chrono::steady_clock;
 
-// Reads what is available now; returns false at the end.
+// Appends what can be read now to `into`. Returns false at the end of the output.
 bool drain(int fd, std::string& into) {
     char block[4096];
     const ssize_t got = ::read(fd, block, sizeof block);
@@ -24,8 +24,8 @@ bool drain(int fd, std::string& into) {
     return got > 0 || (got < 0 && errno == EINTR);
 }
 
-// Marks the first minutes as done, because only a new person is led through them. Existing settings that a test wrote
-// are left alone.
+// Writes a settings file that says that the introduction of the first minutes is done, because only a new person gets
+// it. Existing settings that a test wrote are left alone.
 void write_not_first(const std::filesystem::path& config, bool voice) {
     std::error_code ec;
     std::filesystem::create_directories(config / "handrail", ec);

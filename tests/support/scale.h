@@ -1,4 +1,4 @@
-// One factor for the length of long random walks, so that instrumented builds also finish.
+// A factor for the length of long random walks, so that instrumented builds also finish in time.
 #pragma once
 
 #include <cstddef>
@@ -13,21 +13,21 @@ inline constexpr double kSanitizerScale = 0.1;
 inline constexpr double kSanitizerScale = 1.0;
 #endif
 
-// For the thread sanitizer each combination of threads needs to run only once: a test that starts the same threads as a
-// shorter one is skipped there.
+// The thread sanitizer needs to see each combination of threads only once. A test that starts the same threads as a
+// shorter test is therefore skipped in that build.
 #if defined(HANDRAIL_SANITIZED_THREAD)
 inline constexpr bool kThreadSanitizer = true;
 #else
 inline constexpr bool kThreadSanitizer = false;
 #endif
 
-// `count` times the factor, at least 1.
+// Returns `count` times the factor, at least 1.
 inline constexpr int scaled(int count) {
     return static_cast<int>(count * kSanitizerScale) > 0 ? static_cast<int>(count * kSanitizerScale) : 1;
 }
 
-// Whether to try the case of this number among many similar ones. All are tried, but under a sanitizer only every
-// `stride`-th.
+// Returns whether to try the case with this number among many similar ones. Normally all are tried, but under a
+// sanitizer only every `stride`-th.
 inline constexpr bool tried(std::size_t number, std::size_t stride) {
     return kSanitizerScale == 1.0 || number % stride == 0;
 }

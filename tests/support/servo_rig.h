@@ -1,4 +1,4 @@
-// A hand, a wall and a servo in virtual time, for tests of the servo without any device.
+// A hand, a wall and a servo in virtual time, for tests of the servo without a device.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,8 @@ namespace handrail::test {
 
 inline constexpr double kTick = 1e-3;
 
-// Everything north of wall_y is solid: one box with this feature, 20 m wide and 10 m deep.
+// Returns a scene in which everything north of `wall_y_m` is solid: one box with the feature `name`, 20 m wide and 10 m
+// deep.
 inline std::shared_ptr<const HapticScene> wall_scene(double wall_y_m, FeatureId name = FeatureId{7}) {
     HapticSceneBuilder builder;
     builder.add_box({Vec3(-10.0, wall_y_m, -10.0), Vec3(10.0, wall_y_m + 10.0, 10.0)},
@@ -21,7 +22,7 @@ inline std::shared_ptr<const HapticScene> wall_scene(double wall_y_m, FeatureId 
 }
 
 struct ServoRig {
-    static constexpr double kWallY = 0.03;  // the 5 mm proxy touches it at y = 0.025
+    static constexpr double kWallY = 0.03;  // position of the wall; the proxy, of 5 mm, touches it at y = 0.025
     static constexpr FeatureId kWall{7};
 
     ServoState state;
@@ -33,7 +34,7 @@ struct ServoRig {
     ForceCommand last;
     std::vector<ContactEvent> events;
 
-    // A Touch that renders 1000 N/m, so that the default wall has 800 N/m; no damping, no friction.
+    // Returns a Touch that renders 1000 N/m, so that the default wall has 800 N/m, without damping and friction.
     static DeviceSpec stiff_touch() {
         DeviceSpec spec = *find_device_spec("sim-t");
         spec.rated_stiffness_n_per_m = 1000.0;
@@ -68,13 +69,13 @@ struct ServoRig {
         const int steps = static_cast<int>(glm::length(device_m - from) / 0.5e-3) + 1;
         for (int i = 1; i <= steps; ++i) tick(from + (device_m - from) * (static_cast<double>(i) / steps));
     }
-    // Makes the first movement, after which the servo allows force.
+    // Makes the first movement, after which the servo permits force.
     void arm() {
         tick(Vec3(0.0));
         go(Vec3(0.0, 0.0, 0.004));
         go(Vec3(0.0));
     }
-    // Moves the hand to this position, after arming and the ramp.
+    // Moves the hand to this position, after arm() and the ramp.
     void press(const Vec3& device_m) {
         arm();
         go(device_m);

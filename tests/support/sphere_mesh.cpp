@@ -24,10 +24,10 @@ TriangleMesh sphere_mesh(int frequency, double radius_m) {
     mesh.points_m = {{-1, t, 0},  {1, t, 0},  {-1, -t, 0}, {1, -t, 0}, {0, -1, t},  {0, 1, t},
                      {0, -1, -t}, {0, 1, -t}, {t, 0, -1},  {t, 0, 1},  {-t, 0, -1}, {-t, 0, 1}};
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>
-        edges;  // maps two corners, the lower index first, to the first point between them
+        edges;  // maps two corners, the lower index first, to the first of the points between them
     const auto n = static_cast<std::uint32_t>(frequency);
     const auto add = [&](const Vec3& p) { mesh.points_m.push_back(p); };
-    // The point k steps from corner a on the way to corner b.
+    // Returns the point k steps from corner a on the edge to corner b.
     const auto on_edge = [&](std::uint32_t a, std::uint32_t b, std::uint32_t k) {
         if (k == 0) return a;
         if (k == n) return b;
@@ -40,7 +40,7 @@ TriangleMesh sphere_mesh(int frequency, double radius_m) {
         return found->second + (a == low ? k : n - k) - 1;
     };
     for (const auto& [a, b, c] : kIcosahedron) {
-        // Rows of points from a to the edge bc; row i has i + 1 points.
+        // Rows of points, from corner a to the edge bc; row i has i + 1 points.
         std::vector<std::vector<std::uint32_t>> rows;
         for (std::uint32_t i = 0; i <= n; ++i) {
             std::vector<std::uint32_t>& row = rows.emplace_back();
@@ -123,7 +123,8 @@ std::vector<Vec3> sphere_slide(double sphere_radius_m, double ball_radius_m, dou
             height -= kDown_m_per_tick;
         } else {
             height = wanted;
-            // Follows a great circle that turns by a third of a radian per metre, so that its laps do not coincide.
+            // The path follows a great circle that turns by a third of a radian per metre, so that its laps do not
+            // coincide.
             const double angle = speed_m_per_s * 1e-3 / sphere_radius_m;
             out = glm::normalize(out + along * angle);
             along += glm::cross(out, along) * (speed_m_per_s * 1e-3 / 3.0);

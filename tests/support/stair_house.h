@@ -1,4 +1,5 @@
-// A hall and a gallery, joined by stairs of a given form that the building states. For tests of whoever climbs them.
+// A hall and a gallery, joined by stairs of a given form that the building states. For tests of walkers who climb these
+// stairs.
 #pragma once
 
 #include <cmath>
@@ -14,13 +15,15 @@
 namespace handrail::test {
 
 enum class StairForm {
-    Straight,  // A metre wide, between walls. The floor above ends over its third step, as in the forms that follow.
-    Steep,     // risers of 35 cm, as some programs export them; open above
-    Landing,   // two flights next to each other
-    Winder3,   // a quarter turn with three winders, 80 cm wide between walls
-    Winder4,   // the same with four winders
-    Sheets,    // the same as Winder4, but made of triangle sheets instead of solids
-    Spiral,    // around a post, 74 cm to the railing, partly under the edge of the gallery
+    // A straight flight, a metre wide, between walls. The floor above ends over its third step, as in the forms that
+    // follow.
+    Straight,
+    Steep,    // risers of 35 cm, as some programs export them; without a floor above
+    Landing,  // two flights next to each other
+    Winder3,  // a quarter turn with three winders; 80 cm wide, between walls
+    Winder4,  // like Winder3, with four winders
+    Sheets,   // like Winder4, but made of triangle sheets instead of solids
+    Spiral,   // around a post, 74 cm from it to the railing, partly under the edge of the gallery
 };
 inline constexpr StairForm kStairForms[] = {StairForm::Straight, StairForm::Steep,   StairForm::Landing,
                                             StairForm::Winder3,  StairForm::Winder4, StairForm::Sheets,
@@ -47,7 +50,7 @@ inline const char* form_name(StairForm form) {
 
 class StairHouse {
 public:
-    // `wall_tops_m`: the tops of the pieces of which the walls are made, from the lowest up.
+    // `wall_tops_m` has the tops of the pieces of which the walls consist, from the lowest up.
     explicit StairHouse(StairForm form, std::vector<double> wall_tops_m = {3.8})
         : wall_tops_m_(std::move(wall_tops_m)) {
         b_.box({-6, -6, -0.2}, {8, 8, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
@@ -112,7 +115,7 @@ private:
             b_.box({low, i == 0 ? 0.0 : wall_tops_m_[i - 1]}, {high, wall_tops_m_[i]}, "wall", SolidRole::Solid, {},
                    FeatureKind::Wall);
     }
-    // Adds a part of the stairs; all parts belong to one feature.
+    // Adds a part of the stairs. All parts belong to one feature.
     void part(const std::vector<Vec2>& outline_m, double low_m, double high_m) {
         const FeatureId own = b_.prism(outline_m, low_m, high_m, "stairs");
         if (!stairs_) stairs_ = own;
@@ -141,7 +144,7 @@ private:
     // Adds the floor above, which ends over the third step of a northward flight, two metres above it.
     void under_floor(double wide_m, double up_m) { floor({0, -1, up_m}, {wide_m, 0.6, up_m}); }
 
-    // A flight up to the north.
+    // Adds a flight that leads up to the north.
     void straight(int treads, double going_m, double riser_m) {
         for (int k = 0; k < treads; ++k) tread({0, k * going_m}, {1, (k + 1) * going_m}, (k + 1) * riser_m);
         if (riser_m < 0.3) under_floor(1.0, kUp_m);
@@ -151,7 +154,7 @@ private:
         gallery({-3, end, up_m}, {4, end + 3.0, up_m}, {0.5, end + 1.5, up_m});
         hall_m_ = {0.5, -2, 0};
     }
-    // A flight up to the north, then one from the landing to the south.
+    // Adds a flight that leads up to the north, then one from the landing to the south.
     void landing() {
         constexpr double kGoing_m = 0.27, kRiser_m = kUp_m / 16.0;
         for (int k = 0; k < 7; ++k) {
@@ -168,13 +171,14 @@ private:
         gallery({1.1, -5, kUp_m}, {6, 0, kUp_m}, {2, -2, kUp_m});
         hall_m_ = {0.5, -2, 0};
     }
-    // Stairs up to the north, around a corner of this many winders, and on to the east.
+    // Adds stairs that lead up to the north, around a corner of this many winders, and on to the east.
     void winder(int wedges) {
         constexpr double kWide_m = 0.8, kGoing_m = 0.26, kTurn_m = 5 * kGoing_m;
         const double riser_m = kUp_m / (12 + wedges);
         for (int k = 0; k < 5; ++k) tread({0, k * kGoing_m}, {kWide_m, (k + 1) * kGoing_m}, (k + 1) * riser_m);
         const Vec2 newel{kWide_m, kTurn_m};
-        // A point on the outer border of the corner, at this share of the quarter turn, from the west to the north.
+        // Returns a point on the outer border of the corner, at this share of the quarter turn, which goes from the
+        // west to the north.
         const auto border = [&](double part) {
             const double turn = part * 0.5 * kPi, far = kWide_m / std::max(std::cos(turn), std::sin(turn));
             return newel + Vec2(-std::cos(turn), std::sin(turn)) * far;
@@ -198,7 +202,7 @@ private:
         gallery({end, -3, kUp_m}, {end + 3.0, 5, kUp_m}, {end + 1.5, kTurn_m + 0.4, kUp_m});
         hall_m_ = {0.4, -2, 0};
     }
-    // Fifteen treads of 16 degrees each, counter-clockwise from the west-south-west to the north.
+    // Adds fifteen treads of 16 degrees each, counter-clockwise from the west-south-west to the north.
     void spiral() {
         constexpr int kTreads = 15;
         constexpr double kPost_m = 0.1, kOuter_m = 0.84, kRiser_m = 2.65 / kTreads;

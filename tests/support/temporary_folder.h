@@ -1,4 +1,4 @@
-// A folder for one test, removed with everything in it when the test ends.
+// A folder for one test. It is removed with all its contents when the test ends.
 #pragma once
 
 #include <stdlib.h>
@@ -35,7 +35,7 @@ private:
     std::filesystem::path path_;
 };
 
-// The whole file as bytes; empty if it does not exist.
+// Returns the whole file as bytes, or an empty text if the file does not exist.
 inline std::string content_of(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};

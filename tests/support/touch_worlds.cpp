@@ -190,7 +190,7 @@ std::shared_ptr<const HapticScene> TouchWorld::scene(const Motion& motion) const
                 builder.add_cone(make_cone(from, axis, length, s.radius), label);
                 break;
             case ObstacleKind::Custom:
-                break;  // the worlds that use these build them themselves
+                break;  // the worlds with these kinds build them in their own code
             case ObstacleKind::Box:
             case ObstacleKind::Brush: {
                 Aabb bounds;
@@ -437,7 +437,7 @@ std::vector<TouchCase> hard_cases(double radius_m) {
         std::mt19937 random(1);
         constexpr double kQuantum = 6e-5;
         for (Vec3& g : c.goals_m) {
-            // The sum of four uniform numbers is close enough to a normal one of 20 um.
+            // The sum of four uniform numbers approximates normal noise of 20 um well enough.
             Vec3 noise(0.0);
             for (int i = 0; i < 4; ++i) noise += in_cube(random, 1.7e-5);
             g = glm::round((g + noise) / kQuantum) * kQuantum;

@@ -22,19 +22,19 @@ pid_t serve(const std::string& display) {
     const pid_t parent = ::getpid();
     const pid_t server = ::fork();
     if (server == 0) {
-        ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // a test that dies leaves no server behind
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // if the test dies, the kernel also ends the server
         if (::getppid() != parent) ::_exit(1);
         ::close(ready[0]);
         const std::string number_to = std::to_string(ready[1]);
-        // Without -noreset, the server restarts whenever its last client leaves, as xdotool does again and again, and
-        // meanwhile accepts nobody.
+        // Without -noreset, the server restarts whenever its last client leaves, and accepts no client meanwhile.
+        // xdotool connects and leaves again and again.
         ::execlp("Xvfb", "Xvfb", display.c_str(), "-displayfd", number_to.c_str(), "-screen", "0", "1024x768x24",
                  "-nolisten", "tcp", "-noreset", static_cast<char*>(nullptr));
         ::_exit(127);
     }
     ::close(ready[1]);
-    // The server writes its display number and a line end once it accepts connections. It closes the pipe if it cannot
-    // start.
+    // Once the server accepts connections, it writes its display number and a line end. If it cannot start, it closes
+    // the pipe.
     std::string number;
     for (char c = 0; ::read(ready[0], &c, 1) == 1 && c != '\n';) number += c;
     ::close(ready[0]);
@@ -46,8 +46,8 @@ pid_t serve(const std::string& display) {
 
 std::unique_ptr<VirtualDisplay> VirtualDisplay::start() {
     if (!installed("Xvfb") || !installed("xdotool")) return nullptr;
-    // The number depends on this process. Two servers that look for a free number at the same time could both take the
-    // one that a killed server has left.
+    // The display number depends on this process. If two servers looked for a free number at the same time, both could
+    // take the number of a server that was killed.
     for (int attempt = 0; attempt < 10; ++attempt) {
         const std::string number = std::to_string(100 + (::getpid() * 10 + attempt) % 50'000);
         const pid_t server = serve(":" + number);

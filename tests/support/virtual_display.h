@@ -1,4 +1,4 @@
-// A separate X server for the test (Xvfb) with software OpenGL. xdotool presses its keys.
+// A separate X server for the test (Xvfb) with software OpenGL. Tests press keys through xdotool.
 #pragma once
 
 #include <sys/types.h>
@@ -12,18 +12,18 @@ namespace handrail::test {
 
 class VirtualDisplay {
 public:
-    // Starts the server on a display number of this process and points DISPLAY at it. Null if Xvfb or xdotool is not
-    // installed; the test then skips.
+    // Starts the server on a display number of this process and sets DISPLAY to it. Returns null if Xvfb or xdotool is
+    // not installed; the test then skips.
     static std::unique_ptr<VirtualDisplay> start();
     ~VirtualDisplay();
     VirtualDisplay(const VirtualDisplay&) = delete;
     VirtualDisplay& operator=(const VirtualDisplay&) = delete;
 
-    // Runs "xdotool WORDS"; false if it fails or takes longer than 5 min.
+    // Runs "xdotool WORDS". Returns false if it fails or takes longer than 5 min.
     bool xdotool(const std::string& words) const { return run("xdotool " + words); }
-    // Runs a shell line in the same way.
+    // Runs a shell command in the same way.
     bool run(const std::string& line) const;
-    // Ends the server, as a log-out does.
+    // Ends the server, as logging out does.
     void kill();
 
 private:

@@ -1,4 +1,4 @@
-// Doors of real buildings through which tests send bodies, proxies and sessions.
+// Finds the doors of real buildings through which tests send bodies, proxies and sessions.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace handrail::test {
 
-// The direction through a shut door leaf: level and perpendicular to its largest upright face.
+// Returns the direction through a shut door leaf: horizontal, and perpendicular to the leaf's largest vertical face.
 inline std::optional<Vec3> way_through(const Scene& scene, FeatureId leaf) {
     std::optional<Vec3> way;
     double largest_m2 = 0.0;
@@ -30,11 +30,11 @@ inline std::optional<Vec3> way_through(const Scene& scene, FeatureId leaf) {
 
 struct DoorToPass {
     const StatedPortal* portal = nullptr;  // points into the scene
-    Vec3 way{0.0};                         // direction through the door, level
+    Vec3 way{0.0};                         // horizontal direction through the door
 };
 
-// The doors that the file states as passable and that have a leaf in a wall. Doors that lead to no room count only if
-// the file states no others.
+// Returns the doors that the file states as passable and that have a leaf in a wall. Doors that lead to no room are
+// included only if the file states no others.
 inline std::vector<DoorToPass> doors_to_pass(const Scene& scene) {
     std::vector<DoorToPass> doors;
     if (!scene.stated) return doors;

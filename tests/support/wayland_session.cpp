@@ -34,7 +34,7 @@ std::unique_ptr<WaylandSession> WaylandSession::start() {
 
 WaylandSession::~WaylandSession() { ::unsetenv("WAYLAND_DISPLAY"); }
 
-// weston's window has no name. It is the only child of the root window, which is listed first.
+// weston's window has no name. It is found as the only child of the root window, which xdotool lists first.
 bool WaylandSession::give_keyboard() const {
     return eventually([&] {
         return display_->run(
@@ -43,8 +43,8 @@ bool WaylandSession::give_keyboard() const {
     });
 }
 
-// Gives the keyboard to the root window, where nothing listens. The pointer must leave as well, because weston would
-// otherwise still get the keys.
+// Gives the keyboard focus to the root window, where no program uses it. The pointer must leave weston's window as
+// well, because weston would otherwise still get the keys.
 bool WaylandSession::take_keyboard_away() const {
     return display_->run("xdotool mousemove 1020 765 windowfocus $(xdotool search --maxdepth 0 --class '.*')");
 }

@@ -1,5 +1,5 @@
 // A separate Wayland session for the test: the compositor weston in a window of a virtual X display, on which xdotool
-// presses the keys. Without an X server weston would have no keyboard.
+// presses the keys. Without an X server, weston would have no keyboard.
 #pragma once
 
 #include <memory>
@@ -11,24 +11,24 @@
 
 namespace handrail::test {
 
-// Why a window cannot be tested on Wayland: what GLFW or this machine lacks. Empty if it can.
+// Returns why a window cannot be tested on Wayland, because of GLFW or this machine, or an empty text if it can.
 std::string why_no_wayland(const std::string& glfw_version);
 
 class WaylandSession {
 public:
-    // From now on this process and its children see only the Wayland display, not the X display. Null if weston or the
-    // virtual display did not start.
+    // Starts the session. From then on this process and its children see only the Wayland display, not the X display.
+    // Returns null if weston or the virtual display did not start.
     static std::unique_ptr<WaylandSession> start();
     ~WaylandSession();
     WaylandSession(const WaylandSession&) = delete;
     WaylandSession& operator=(const WaylandSession&) = delete;
 
-    // As VirtualDisplay::xdotool; the keys go to the window that has the keyboard in the session.
+    // Like VirtualDisplay::xdotool(); the keys go to the window that has the keyboard focus in the session.
     bool xdotool(const std::string& words) const { return display_->xdotool(words); }
-    // Gives the session the keyboard or takes it away, as when a person switches to another program.
+    // Give the keyboard focus to the session or take it away, as when a person switches to another program.
     bool give_keyboard() const;
     bool take_keyboard_away() const;
-    // Ends the compositor, as a log-out does.
+    // Ends the compositor, as logging out does.
     void kill() { weston_.reset(); }
     // Saves a picture of the whole session as a PNG file, with ImageMagick.
     bool save_picture(const std::string& file) const;

@@ -1,7 +1,7 @@
-// A simulated walker who only hears words. It requests the route to a room by its name and obeys each leg. It opens
-// doors when directed to, side-steps when a shoulder is named, uses stairs and lifts by the named key, and repeats its
-// request when nothing comes. It never looks into the scene or at the position of its feet; the test that judges it
-// does that afterwards. Runs an unchanged session in virtual time.
+// A simulated walker who only hears spoken text. It requests the route to a room by its name and obeys each leg. It
+// opens doors when directed to, side-steps when a shoulder is named, and uses stairs and lifts by the named key. If no
+// direction comes, it repeats its request. It never uses the scene or the position of its feet; the test that judges it
+// does that afterwards. It runs an unchanged session in virtual time.
 #pragma once
 
 #include <algorithm>
@@ -22,14 +22,14 @@ namespace handrail::test {
 
 class WordWalker {
 public:
-    // How a walk ended: the session announced the arrival; it announced that there is no route; the walk never ended;
-    // the directions no longer moved the walker; or it did not understand them.
+    // How a walk ended: the session announced the arrival; it announced that there is no route; the walk did not end;
+    // the directions no longer moved the walker; or the walker did not understand them.
     enum class End { Arrived, NoWay, Loop, Stuck, NotUnderstood };
 
     explicit WordWalker(std::shared_ptr<const Scene> world) : form_(english_legs()), app_({}, {}, {}) {
         app_.apply(WorldEntered{make_ready(std::move(world))}, now_s_);
         run(0.1);
-        ask(Command::Exits);  // from here on the rooms are known
+        ask(Command::Exits);  // after this query, the session knows the rooms
         run(1.0);
     }
 
@@ -47,7 +47,7 @@ public:
             if (arrived()) return End::Arrived;
             const int before = moves();
             if (!obey(leg)) {
-                // The leg could not be obeyed: requests it once more, after a moment.
+                // If the leg could not be obeyed, the walker requests it once more, after a moment.
                 run(1.0);
                 if (!arrived() && !obey(ask(Command::RepeatLeg)))
                     return give_up(heard("No walking route", 0) ? End::NoWay : End::NotUnderstood);
@@ -60,16 +60,16 @@ public:
         return arrived() ? End::Arrived : give_up(End::Loop);
     }
 
-    // ---- for the test ----
+    // ---- functions for the test ----
     std::string last_lines(std::size_t most) const {
         std::string all;
         for (std::size_t i = said_.size() > most ? said_.size() - most : 0; i < said_.size(); ++i)
             all += "    " + said_[i] + "\n";
         return all;
     }
-    // Where the walker stood when the arrival was announced, or else where it stands now.
+    // Returns where the walker stood when the arrival was announced. Without an arrival, returns its present position.
     Vec3 feet_m() const { return told_there_m_.value_or(app_.feet_m()); }
-    // The flights of stairs and the lifts that it took on its last walk.
+    // Returns the number of flights of stairs and lifts that it used on its last walk.
     int climbs() const { return climbs_; }
     void put(const Vec3& feet_m) {
         app_.apply(Placed{feet_m, 0.0}, now_s_);
@@ -81,7 +81,7 @@ private:
     static constexpr int kMostLegs = 160, kMostClimbs = 8, kMostIdle = 4, kMostAtOnce = 8, kTries = 4;
     static constexpr double kTick_s = 1.0 / 60.0, kDoorOpens_s = 3.0, kRide_s = 60.0, kSideStep_s = 0.25;
 
-    // ---- what it hears ----
+    // ---- what the walker hears ----
     void listen() {
         for (CueRequest& cue : app_.take_cues()) {
             if (cue.kind == CueRequestKind::Footstep) ++footsteps_;
@@ -98,10 +98,10 @@ private:
         return false;
     }
     bool arrived() const { return told_there_m_.has_value(); }
-    // The number of footsteps heard, and of stairs, lifts and doors used.
+    // Returns the number of footsteps heard, plus the number of stairs, lifts and doors used.
     int moves() const { return footsteps_ + climbs_ + used_; }
 
-    // ---- what it does ----
+    // ---- what the walker does ----
     void tick() {
         app_.tick(now_s_ += kTick_s, tool_);
         listen();
@@ -109,7 +109,7 @@ private:
     void run(double seconds) {
         for (; seconds > 0.0; seconds -= kTick_s) tick();
     }
-    // Waits until the walker stands, or until the arrival is announced.
+    // Waits until the walker stands still, or until the arrival is announced.
     void wait() {
         for (int i = 0; i < 6000 && !app_.idle() && !arrived(); ++i) tick();
         run(0.15);
@@ -147,11 +147,11 @@ private:
         ++climbs_;
     }
     End give_up(End end) {
-        ask(Command::TakeMe);  // stops following the route
+        ask(Command::TakeMe);  // this command also stops following the route
         return end;
     }
 
-    // Returns false if the text has no form that can be obeyed.
+    // Obeys a direction. Returns false if the text has no form that the walker understands.
     bool obey(const std::string& text) {
         if (text.find("You are standing at them. ") != std::string::npos) {
             ++climbs_;
@@ -175,7 +175,8 @@ private:
         else walk(leg.until == HeardLeg::Until::Counted ? leg.steps : 2 * leg.steps + 6);
         if (leg.use && !arrived()) use();
     }
-    // If something that is said to be shut stops it there, it opens that.
+    // Walks in a direction. If a thing stops the walker there and the session says that it is shut, the walker opens
+    // it.
     void walk_direction(const Direction& direction, bool shut) {
         const int fives = static_cast<int>(std::lround(direction.right_deg / 5.0));
         for (int i = 0; i < std::abs(fives); ++i) press(fives > 0 ? Command::FreeRight : Command::FreeLeft);
@@ -183,21 +184,22 @@ private:
         walk(std::clamp(direction.steps, 1, kMostAtOnce));
         if (!arrived() && (shut || heard(", shut", said))) use();
     }
-    // Walks this many steps, or until something stops it. If only a shoulder hits something, it side-steps.
+    // Walks this many steps, or until an obstacle stops the walker. If only a shoulder hits something, the walker
+    // side-steps.
     void walk(int steps) {
         for (int tries = 0; tries < kTries && steps > 0 && !arrived(); ++tries) {
             const std::size_t said = said_.size();
             const int before = footsteps_;
             press(Command::Forward, steps);
             steps -= footsteps_ - before;
-            // Only the last sentence counts: it has already passed what was announced before.
+            // Only the last sentence counts, because the walker has already passed what was announced before.
             const std::string last = said_.size() > said ? said_.back() : std::string();
             const bool left = last.find("left shoulder") != std::string::npos;
             if (!left && last.find("right shoulder") == std::string::npos) return;
             hold(left ? Command::SideRight : Command::SideLeft, kSideStep_s);
         }
     }
-    // Walks up or down the flight, and releases the key when the session announces its end.
+    // Walks up or down the flight of stairs, and releases the key when the session announces the end of the flight.
     void walk_until_over(int steps) {
         const std::size_t began = said_.size();
         std::size_t said = began;

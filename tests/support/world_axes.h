@@ -1,5 +1,5 @@
-// Tests the whole chain to the world (S126): where in the world the hand is that a driver reports, at heading 0, and
-// which force the driver gets when the world pushes that hand.
+// Tests the whole chain from a driver to the world (S126), at heading 0. Computes which position in the world belongs
+// to the position that the driver reports, and which force the driver gets when the world pushes the hand.
 #pragma once
 
 #include "tests/support/names.h"
@@ -8,8 +8,9 @@
 namespace handrail::test {
 
 struct ThroughWorld {
-    Vec3 world_m{0.0};     // position of the hand, from the middle of the workspace
-    ForceCommand command;  // while something pushes the hand along the positive axis of the world, pressed 2 mm deep
+    Vec3 world_m{0.0};  // position of the hand in the world, relative to the middle of the workspace
+    // The command while a solid pushes the hand along the positive axis of the world, pressed 2 mm deep.
+    ForceCommand command;
 };
 
 inline ThroughWorld through_world(const DeviceSpec& spec, const Vec3& seen_m, int axis) {
@@ -19,8 +20,8 @@ inline ThroughWorld through_world(const DeviceSpec& spec, const Vec3& seen_m, in
     rig.tuning.touch.world_m_per_hand_m = kScale;
     rig.tuning.touch.radius_m = kBall;
     rig.pose.origin_m = Vec3(7.0, -3.0, 1.0);
-    // A solid fills all of the world, up to where 2 mm of hand movement presses the proxy into it. The hand comes from
-    // the free side.
+    // A solid fills the world up to the position at which 2 mm of hand movement presses the proxy into it. The hand
+    // comes from the free side.
     Aabb solid{Vec3(-500.0), Vec3(500.0)};
     solid.max_m[axis] = rig.pose.origin_m[axis] + kScale * (seen_m[axis] + kPress) - kBall;
     HapticSceneBuilder builder;
@@ -37,8 +38,8 @@ inline ThroughWorld through_world(const DeviceSpec& spec, const Vec3& seen_m, in
     return out;
 }
 
-// Checks that a hand movement of step_m along an axis (right, forward, up) goes 60 times as far east, north or up, and
-// that the push has the same direction.
+// Checks that a hand movement of `step_m` along an axis (right, forward, up) goes 60 times as far east, north or up in
+// the world, and that the push has the same direction.
 inline void expect_east_north_up(const ThroughWorld& through, int axis, double step_m, double within_m) {
     Vec3 expected{0.0};
     expected[axis] = 60.0 * step_m;

@@ -1,5 +1,5 @@
-// Worlds that no test writes, read once in a process, and their rooms found once for all sessions of its main thread
-// (RoomsKept), which saves a test of the session most of its time. Each session has its own copy of the rooms.
+// Worlds that no test modifies. A process reads each of them once, and finds its rooms once for all sessions of its
+// main thread (RoomsKept). This saves most of the time of a session test. Each session has its own copy of the rooms.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,14 +19,14 @@ namespace handrail::test {
 
 inline RoomsKept rooms_of_this_process{3};
 
-// The options of a session in such a world.
+// Returns the options of a session that uses these rooms.
 inline SessionOptions with_known_rooms(SessionOptions options = {}) {
     if (!options.rooms_kept) options.rooms_kept = &rooms_of_this_process;
     return options;
 }
 
 inline std::shared_ptr<const Scene> world_once(const std::filesystem::path& file) {
-    // Some names of a world depend on the spoken language.
+    // The key includes the spoken language, because some names of a world depend on it.
     static std::map<std::pair<std::filesystem::path, std::string>, std::shared_ptr<const Scene>> known;
     std::shared_ptr<const Scene>& world = known[{file, spoken_language()}];
     if (world) return world;

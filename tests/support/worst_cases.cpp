@@ -16,8 +16,8 @@ Vec3 in_box(std::mt19937& random, double half_m) {
     return (Vec3(x, y, z) * 2.0 - 1.0) * half_m;
 }
 
-// A hundred thousand triangles of about 20 mm in a cube of 0.7 m. The hand starts in the middle and turns twenty times
-// a second, so that it drags the proxy around.
+// Makes a hundred thousand triangles of about 20 mm in a cube of 0.7 m. The hand starts in the middle and changes its
+// direction twenty times a second, so that it drags the proxy around.
 WorstCase soup(double ball_m, int ticks) {
     WorstCase out;
     std::mt19937 random(1);
@@ -37,8 +37,8 @@ WorstCase soup(double ball_m, int ticks) {
     return out;
 }
 
-// Sheets that nearly coincide, each with a slightly different tilt. The hand pokes through them and slides on them at
-// up to 1 m/s.
+// Makes sheets that nearly coincide, each with a slightly different tilt. The hand pokes through them and slides on
+// them at up to 1 m/s.
 WorstCase sheets(int ticks) {
     WorstCase out;
     std::mt19937 random(3);
@@ -55,7 +55,7 @@ WorstCase sheets(int ticks) {
     return out;
 }
 
-// Spheres of 100,820 triangles whose surfaces all pass near the proxy. They close in on it and move away again.
+// Makes spheres of 100,820 triangles whose surfaces all pass near the proxy. They approach it and move away again.
 WorstCase meshes(int bodies, int ticks) {
     WorstCase out;
     std::mt19937 random(2);
@@ -68,7 +68,7 @@ WorstCase meshes(int bodies, int ticks) {
         Vec3 out_of(0.0);
         do out_of = in_box(random, 1.0);
         while (glm::length(out_of) > 1.0 || glm::length(out_of) < 0.1 ||
-               out_of.z > -0.2);  // from below, so that there is somewhere to be pushed to
+               out_of.z > -0.2);  // only from below, so that the proxy can be pushed upwards
         away.push_back(glm::normalize(out_of));
         builder.add_body(FeatureId{static_cast<std::uint32_t>(b)}, sphere,
                          {away.back() * 0.33, normalized({unit(random), unit(random), unit(random), 1.0}), 1.0});
@@ -86,7 +86,8 @@ WorstCase meshes(int bodies, int ticks) {
     return out;
 }
 
-// Boxes of 0.1 m within a sphere of 0.5 m, each on its own circle. The hand goes to and fro through their middle.
+// Makes boxes of 0.1 m within a sphere of 0.5 m, each moving on its own circle. The hand goes to and fro through their
+// middle.
 WorstCase boxes(int bodies, int ticks) {
     WorstCase out;
     std::mt19937 random(5);

@@ -1,4 +1,4 @@
-// ZIP archives for tests.
+// Makes ZIP archives for tests.
 #pragma once
 
 #include <map>
@@ -8,7 +8,7 @@
 
 namespace handrail::test {
 
-// All files are stored uncompressed, or deflated.
+// Returns an archive in which all files are uncompressed or, with `deflated`, all are deflated.
 std::string zipped(const std::map<std::string, std::string>& files, bool deflated = false);
 
 }  // namespace handrail::test

@@ -1,9 +1,9 @@
-// Active-set god-object with exact time of impact. The planes of all obstacles that the proxy touches form a quadratic
-// programme. Its active set, at most three planes with non-negative multipliers, gives the next sub-goal. The proxy is
-// swept there until it touches something new, and this repeats.
-// Sources: the god-object of Zilles and Salisbury (A constraint-based god-object method for haptic display, IROS 1995),
-// the finite ball of Ruspini et al. (1997), and the contact-set solution of Ortega, Redon and Coquillart (A six
-// degree-of-freedom god-object method, 2006), here for three degrees of freedom.
+// God-object with an active set and exact time of impact. The planes of all obstacles that the proxy touches form a
+// quadratic programme. Its active set, at most three planes with non-negative multipliers, gives the next sub-goal. The
+// proxy is swept there until it touches another obstacle, and the step repeats. Sources: the god-object of Zilles and
+// Salisbury (A constraint-based god-object method for haptic display, IROS 1995), the finite ball of Ruspini et al.
+// (1997), and the contact-set solution of Ortega, Redon and Coquillart (A six degree-of-freedom god-object method,
+// 2006), here for three degrees of freedom.
 #include "tests/bench/compare/contestant.h"
 #include "tests/bench/compare/nearby.h"
 #include "tests/bench/compare/swept.h"
@@ -36,7 +36,7 @@ public:
             nearby_.within(ball_, radius_m_ + kTouched_m, [&](std::uint32_t obstacle) {
                 const ClosestPoint closest = scene_.closest(obstacle, ball_);
                 if (closest.distance_m - radius_m_ > kTouched_m) return;
-                // Relative to the proxy's centre, offset by the skin.
+                // The plane is relative to the proxy's centre and offset by the skin.
                 walls_.push_back({closest.normal, kSkin_m - (closest.distance_m - radius_m_)});
             });
             touched = touched || !walls_.empty();

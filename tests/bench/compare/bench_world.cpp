@@ -26,7 +26,7 @@ std::size_t heap_bytes() {
     return info.uordblks + info.hblkhd;
 }
 
-// Builds the scene and records its build time and memory.
+// Builds the scene and records the time and memory that this takes.
 template <class Build>
 void build_scene(BenchWorld& world, Build&& build) {
     const SteadyClock clock;
@@ -46,7 +46,7 @@ void build_scene(BenchWorld& world, Build&& build) {
 double BenchWorld::judging_work() const {
     double work = 0.0;
     for (const test::BruteForce::Thing& t : judge.things()) work += test::judging_work(t);
-    // In a large scene, one comparison shows that most obstacles are far away.
+    // In a large scene, a cheap comparison excludes most obstacles because they are far away.
     const double many = static_cast<double>(judge.things().size());
     return many > 100.0 ? many + work * 20.0 / many : work;
 }
@@ -112,9 +112,10 @@ BenchWorld sphere_world(int frequency, int ticks, std::uint32_t seed, double sim
         builder.add_mesh(mesh);
         return builder.build();
     });
-    // The seed changes the orientation of the mesh. The hand starts at the same place in the world.
+    // The seed changes only the orientation of the mesh. The hand starts at the same place in the world.
     world.goals_m = test::sphere_slide(kSphere_m, world.radius_m, kSpeed_m_per_s, ticks);
-    // Marks cells of a coarse grid along the path. Triangles with a corner in a marked cell are near enough to matter.
+    // Marks the cells of a coarse grid along the path. A triangle with a corner in a marked cell is near enough to
+    // matter.
     std::vector<std::uint64_t> marked;
     const auto cell = [](const Vec3& p) {
         std::uint64_t key = 0;
@@ -143,7 +144,7 @@ BenchWorld sphere_world(int frequency, int ticks, std::uint32_t seed, double sim
 
 BenchWorld pole_world(int sectors, int ticks) {
     constexpr double kSphere_m = 0.5, kSpeed_m_per_s = 0.2, kRing_m = 3e-3;
-    constexpr int kRings = 16;  // enough for the proxy's 20 mm to either side
+    constexpr int kRings = 16;  // rings of triangles; enough for a proxy that moves 20 mm to either side
     BenchWorld world;
     world.family = world.name = fmt::format("pole of a sphere, {} triangles", sectors);
     world.sphere_radius_m = kSphere_m;

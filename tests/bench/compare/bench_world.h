@@ -1,5 +1,5 @@
-// A world on which renderers are compared: a scene to touch, a path of the hand through it, and the same shapes as
-// plain numbers. Renderers and judges that must not see the scene's own structures use the plain numbers. Immutable
+// A world on which renderers are compared. It has a scene, a path of the hand through it, and the scene's shapes as
+// plain numbers. Renderers and judges that must not use the scene's own structures use the plain numbers. Immutable
 // after construction; any thread may use it.
 #pragma once
 
@@ -18,26 +18,28 @@
 namespace handrail::bench {
 
 struct BenchWorld {
-    std::string name;    // "T5a crevice 10 degrees, seed 3"
-    std::string family;  // "T5", "sphere 1e4", "map first_room"
+    std::string name;    // for example "T5a crevice 10 degrees, seed 3"
+    std::string family;  // for example "T5", "sphere 1e4", "map first_room"
     std::uint32_t seed = 0;
     std::shared_ptr<const HapticScene> scene;
-    std::vector<Vec3> goals_m;  // 1 kHz, world coordinates
+    std::vector<Vec3> goals_m;  // positions of the hand at 1 kHz, world coordinates
     double radius_m = 0.005;
-    // Every obstacle in the scene's order. For a sphere mesh, only the triangles near the path; `thing_of` then maps
-    // obstacles to entries.
+    // Contains every obstacle, in the scene's order. For a sphere mesh it contains only the triangles near the path;
+    // `thing_of` then maps obstacles to its entries.
     test::BruteForce judge;
-    std::vector<std::int32_t> thing_of;  // by obstacle; -1: left out; empty: same order as the scene
-    bool hard_case = false;              // a small world of the families T1 to T16
-    bool judged = true;                  // the judge has every obstacle of the scene
-    double sphere_radius_m = 0.0;        // a tessellated sphere around the origin, whose exact answer is known
+    // For each obstacle, its index in the judge; -1: left out; empty: the same order as in the scene.
+    std::vector<std::int32_t> thing_of;
+    bool hard_case = false;  // a small world of the families T1 to T16
+    bool judged = true;      // the judge contains every obstacle of the scene
+    // > 0: the scene is a tessellated sphere of this radius around the origin, whose exact answer is known.
+    double sphere_radius_m = 0.0;
     // For a simplified mesh: requested and measured distance (haptic/compile/simplify_mesh).
     double simplify_bound_m = 0.0, simplify_measured_m = 0.0;
     double build_s = 0.0;
-    double bytes_per_obstacle = 0.0;  // all heap memory that building the scene takes
+    double bytes_per_obstacle = 0.0;  // heap memory that building the scene takes, per obstacle
 
-    // Approximate number of comparisons when the judge examines everything near a place. It judges a solid by trying
-    // all triples of its planes.
+    // Returns the approximate number of comparisons that the judge needs for one place. It examines all near obstacles,
+    // and for a solid it tries all triples of its planes.
     double judging_work() const;
     const test::BruteForce::Thing* thing(std::uint32_t obstacle) const {
         const std::int64_t at = thing_of.empty() ? static_cast<std::int64_t>(obstacle) : thing_of[obstacle];
@@ -45,9 +47,9 @@ struct BenchWorld {
     }
 };
 
-// Seed 0 gives the hard cases of tests/support/touch_worlds unchanged. Other seeds give the families of
-// tests/support/random_families, drawn entirely from the seed. Cases without such a family are turned and shifted, with
-// a proxy of 2 to 6 mm and the hand displaced by up to half a millimetre.
+// Returns the hard cases. Seed 0 gives those of tests/support/touch_worlds unchanged. Other seeds give the families of
+// tests/support/random_families, drawn entirely from the seed. Cases without such a family are rotated and shifted,
+// with a proxy of 2 to 6 mm and the hand displaced by up to half a millimetre.
 std::vector<BenchWorld> hard_case_worlds(std::uint32_t seed);
 // A hand slides at 0.2 m/s, 2 to 5 mm deep, over a sphere of 0.5 m made of 20 frequency^2 triangles. If simplify_m > 0,
 // the mesh is first simplified within that distance.

@@ -1,10 +1,11 @@
-// Measures what a hand feels of a moving object with three methods:
-// - our model in the servo
+// Measures what a hand feels of a moving object, with three methods:
+// - the servo's model of the object (our own method)
 // - interpolated poses of the engine
-// - interpolated poses with the force on the object damped as by a virtual coupling (Colgate and others, "Issues in the
+// - interpolated poses, with the force on the object damped as by a virtual coupling (Colgate and others, "Issues in
+//   the
 //   haptic display of tool use", 1995)
 // A hand that follows a prescribed path exactly pushes a ball on a rubber string to and fro for ten loops. A formula
-// gives what it should feel.
+// gives the force that it should feel.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -59,20 +60,21 @@ PushedWorld pushed_world(double kg) {
     return world;
 }
 
-// How far the hand has moved beyond the point where it met the ball at rest, in hand metres.
+// Returns how far the hand has moved beyond the point where it touched the ball at rest, in hand metres.
 double hand_at_m(double t_s) {
     return kMiddle_m * std::min(1.0, t_s / kLoop_s) + kSwing_m * std::sin(2.0 * kPi * t_s / kLoop_s);
 }
 
-// Steady oscillation of a mass on a spring and a damper, driven through another spring. In the hand's units.
+// The steady oscillation of a mass with spring and damper, which is driven through another spring. In the hand's units.
 struct Swing {
     double middle_n = 0.0;
-    std::complex<double> swing_n;  // coefficients of sin(2 pi t / loop) and, imaginary, of the cosine
+    // Amplitude: the real part belongs to sin(2 pi t / loop), the imaginary part to the cosine.
+    std::complex<double> swing_n;
     double at(double t_s) const {
         const double turn = 2.0 * kPi * t_s / kLoop_s;
         return middle_n + swing_n.real() * std::sin(turn) + swing_n.imag() * std::cos(turn);
     }
-    // Energy given to the hand in one loop; negative, because the string's rubber absorbs energy.
+    // Returns the energy given to the hand in one loop. It is negative, because the string's rubber absorbs energy.
     double given_j() const { return -kPi * kSwing_m * swing_n.imag(); }
 };
 Swing right_swing(const BodyNature& nature) {
@@ -130,7 +132,7 @@ BodiesMeasured measured(Way way, double kg) {
             force_n = touch.force_n;
             bodies.react(touch, 1.0, now_s, 1e-3, feel, pushes);
         } else {
-            // Plays back one step late, so that there is always a pose to interpolate towards.
+            // The poses are played back one step late, so that there is always a later pose for the interpolation.
             const double part = std::clamp((now_s - step_s - before.time_s) / step_s, 0.0, 1.0);
             poses[0].at.position_m =
                 before.things[0].position_m + part * (frame.things[0].position_m - before.things[0].position_m);
@@ -139,7 +141,7 @@ BodiesMeasured measured(Way way, double kg) {
             ++summed;
         }
         hand_s += seconds_since(begun);
-        const double f_n = -force_n.x;  // against the hand's motion
+        const double f_n = -force_n.x;  // force against the hand's motion
         if (tick >= ticks - static_cast<int>(kLoop_s * 1e3) * kLoops) {
             if (counted > 0) work_j += -0.5 * (f_n + last_n) * (x_m - last_x_m);
             squares += (f_n - right.at(t_s)) * (f_n - right.at(t_s));

@@ -1,4 +1,4 @@
-// Finds how stiff a wall a hand can lean on with each renderer, in the closed loop of haptic/loop.
+// Finds the stiffest wall against which a hand can lean with each renderer, in the closed loop of haptic/loop.
 #include <memory>
 
 #include "haptic/loop/closed_loop.h"
@@ -9,7 +9,7 @@
 namespace handrail::bench {
 namespace {
 
-// Worlds that fill x < 0 near the origin, for a proxy that comes from +x.
+// Makes a world that fills x < 0 near the origin, for a proxy that comes from +x.
 BenchWorld leaning_world(const std::string& wall) {
     test::TouchWorld world;
     if (wall == "flat wall" || wall == "three objects that overlap") {
@@ -19,7 +19,7 @@ BenchWorld leaning_world(const std::string& wall) {
             world.box({-1.2, -1.1, -1.2}, {0, 1.3, 1.1});
         }
     } else {
-        // A groove of 20 degrees along y with its bottom at x = -0.02.
+        // The wall has a groove of 20 degrees along y, with its bottom at x = -0.02.
         const double half = radians_from_degrees(10.0), depth = 0.3, out = depth * std::tan(half);
         world.quad({-.02, -1, 0}, {depth - .02, -1, out}, {depth - .02, 1, out}, {-.02, 1, 0});
         world.quad({-.02, -1, 0}, {depth - .02, -1, -out}, {depth - .02, 1, -out}, {-.02, 1, 0});

@@ -1,5 +1,5 @@
-// A renderer as the comparison sees it: three plain functions and a knob. Each renderer manages its own state between
-// ticks.
+// A renderer in the comparison: three plain functions and a knob, which is a parameter that can be varied. Each
+// renderer manages its own state between ticks.
 #pragma once
 
 #include <string>
@@ -9,20 +9,20 @@
 
 namespace handrail::bench {
 
-// All renderers use 1 kN/m: the force is kStiffness times (tool - goal).
+// Stiffness of all renderers, 1 kN/m. The force is this times (tool - goal).
 inline constexpr double kStiffness_n_per_m = 1000.0;
 
 struct TickOutcome {
-    Vec3 tool_m{0.0};  // world coordinates; equal to the goal in free space
+    Vec3 tool_m{0.0};  // position of the proxy in the world; equal to the goal in free space
     int rounds = 0;    // number of repetitions of the renderer's inner loop in this tick
 };
 
 struct Contestant {
-    std::string key;    // key in JSON, such as "handrail"
-    std::string title;  // "Handrail, the whole touch tick"
-    std::string knob;   // "rounds", "margin_m"; empty: none
+    std::string key;    // key in JSON, for example "handrail"
+    std::string title;  // for example "Handrail, the whole touch tick"
+    std::string knob;   // parameter that is varied, for example "rounds" or "margin_m"; empty: none
     double knob_value = 0.0;
-    bool has_ball = true;  // false: a penalty method has no proxy that could stay outside
+    bool has_ball = true;  // false for a penalty method, which has no proxy that could stay outside
     void* (*make)(const BenchWorld&, double knob_value) = nullptr;
     TickOutcome (*tick)(void* state, const Vec3& goal_m) = nullptr;
     void (*drop)(void* state) = nullptr;
@@ -42,16 +42,17 @@ Contestant contestant(std::string key, std::string title, std::string knob = {},
             [](void* state) { delete static_cast<State*>(state); }};
 }
 
-Contestant handrail_touch();     // touch_tick as the program calls it
-Contestant handrail_uncapped();  // practically without slide cap, like the other renderers: hard cases only
-Contestant handrail_rounds(int most_rounds);  // only the solver
-Contestant handrail_margin(double margin_m);  // only the solver
+Contestant handrail_touch();     // touch_tick() with the program's settings
+Contestant handrail_uncapped();  // practically without a slide cap, like the other renderers; only for hard cases
+Contestant handrail_rounds(int most_rounds);  // only the solver, with this many rounds
+Contestant handrail_margin(double margin_m);  // only the solver, with this margin
 Contestant penalty_sum();
 Contestant sequential_planes();
 Contestant active_set(int most_rounds);
 Contestant single_precision();
 
-// The renderers that run on every scene, and the same ones with all values of their knobs.
+// main_contestants() returns the renderers that run on every scene. knobbed_contestants() adds all values of their
+// knobs.
 std::vector<Contestant> main_contestants();
 std::vector<Contestant> knobbed_contestants();
 

@@ -1,4 +1,4 @@
-// Our own renderer: as the program uses it, and with other values of its knobs.
+// Our own renderer, with the program's settings and with other values of its knobs.
 #include "haptic/render/proxy_solver.h"
 #include "haptic/render/touch.h"
 #include "tests/bench/compare/contestant.h"
@@ -30,8 +30,9 @@ private:
     TouchState state_;
 };
 
-// On hard cases there is practically no cap, so that the knobs' curves show the knobs and not slip-offs. Large worlds
-// use the program's own cap; otherwise candidates would have to be gathered along a path that no hand takes.
+// The hard cases have practically no slide cap, so that the curves show the effect of the knobs and not of the cap.
+// Large worlds use the program's own cap; otherwise candidates would have to be gathered along a path that no hand
+// takes.
 constexpr double kNoCap_m = 0.1;
 double path_cap_m(const BenchWorld& world) { return world.hard_case ? kNoCap_m : TouchTuning{}.slide_cap_hand_m; }
 

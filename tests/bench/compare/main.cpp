@@ -1,4 +1,4 @@
-// `./run bench --compare`: compares our renderer and others on the same scenes, speed against error.
+// `./run bench --compare`: compares speed and error of our renderer and others on the same scenes.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The worlds that ship with the program, sorted by name.
+// Returns the worlds that come with the program, sorted by name.
 std::vector<fs::path> bundled_maps() {
     std::vector<fs::path> maps;
     for (const fs::directory_entry& entry : fs::directory_iterator(test::project_root() / "worlds/maps"))
@@ -29,7 +29,7 @@ int refuse(const Error& error) {
     return 1;
 }
 
-// Prints the error on stderr and returns false if writing failed.
+// Returns true if `written` succeeded. Otherwise prints its error on stderr and returns false.
 bool told(const Result<void>& written) { return written || refuse(written.error()) == 0; }
 
 int run(int argc, char** argv) {

@@ -19,7 +19,7 @@ double thread_s() {
 
 namespace {
 
-// A clock that takes some 10 ns to read, or 25 ns on a processor without such a counter.
+// Reads a clock. This takes some 10 ns, or 25 ns on a processor without a time-stamp counter.
 #if defined(__x86_64__)
 std::uint64_t counter() { return __builtin_ia32_rdtsc(); }
 #else
@@ -38,7 +38,7 @@ double seconds_per_count() {
     return seconds;
 }
 
-// Time to read the counter itself.
+// Returns the time that reading the counter itself takes.
 std::uint64_t counter_cost() {
     static const std::uint64_t cost = [] {
         std::uint64_t least = ~0ULL;
@@ -65,14 +65,14 @@ private:
     void* state_;
 };
 
-// callgrind counts from and to this function by its name.
+// callgrind starts and stops counting at this function, which it finds by its name.
 [[gnu::noinline]] double measured_ticks(Playing& playing, const std::vector<Vec3>& goals_m) {
     double sum = 0.0;
     for (const Vec3& goal : goals_m) sum += playing.tick(goal).tool_m.x;
     return sum;
 }
 
-double kept = 0.0;  // keeps the results, so that the compiler does not remove the work
+double kept = 0.0;  // the sum uses all results, so that the compiler does not remove the work
 
 void time_it(const BenchWorld& world, const Contestant& contestant, int passes, Measured& out) {
     const std::size_t ticks = world.goals_m.size();
@@ -125,7 +125,7 @@ Measured measure(const BenchWorld& world, const Truth& truth, const Contestant& 
     if (ticks == 0) return out;
     time_it(world, contestant, passes, out);
 
-    // Runs once more to record the outcomes that are judged.
+    // Runs the path once more to record the outcomes for the judge.
     std::vector<TickOutcome> outcomes;
     outcomes.reserve(ticks);
     {

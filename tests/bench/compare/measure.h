@@ -1,6 +1,6 @@
 // Measures time and error of one renderer on one scene. Times are processor times of this thread. For each tick the
-// shortest of several passes counts, which leaves out the load of other programs. Everything else is the same on every
-// machine.
+// shortest time of several passes counts, which excludes the load of other programs. All other results are the same on
+// every machine.
 #pragma once
 
 #include <optional>
@@ -12,43 +12,45 @@
 
 namespace handrail::bench {
 
-// Processor time of this thread.
+// Returns the processor time of this thread in seconds.
 double thread_s();
 
 struct Measured {
     std::string scene, family, renderer, title, knob;
     std::uint32_t seed = 0;
     double knob_value = 0.0;
-    bool has_ball = true;  // has a proxy that can be tested for penetration
+    bool has_ball = true;  // the renderer has a proxy, which can be tested for penetration
     std::size_t ticks = 0;
     double mean_s = 0.0, p50_s = 0.0, p999_s = 0.0, worst_s = 0.0;
     double mean_rounds = 0.0;
     int most_rounds = 0;
-    // Error against the reference. At 1 kN/m a millimetre is a newton.
+    // True if the scene has a reference. The errors are distances from it; at 1 kN/m a millimetre is a newton.
     bool referenced = false;
     double error_rms_m = 0.0, error_p99_m = 0.0, error_max_m = 0.0;
-    double off_share = 0.0;  // share of the ticks that are off by more than 10 um
-    // How often it began to let go of, or to push through, a surface on which the reference exerts half a newton.
+    double off_share = 0.0;  // share of the ticks with an error of more than 10 um
+    // How often the renderer began to release a surface on which the reference exerts half a newton, or to push through
+    // it.
     int wrong_holds = 0;
     double penetration_m = 0.0;   // deepest penetration of the proxy into any obstacle
     double largest_jump_n = 0.0;  // greatest change of the force between two ticks
-    // Change of the force divided by stiffness times the hand's step, over ticks with steps of more than a micrometre.
+    // Greatest change of the force divided by stiffness times the hand's step, over ticks with steps of more than a
+    // micrometre.
     double largest_gain = 0.0;
-    std::optional<double> given_j;  // work on the hand, on closed paths only
-    // Spheres only: against the exact direction.
+    std::optional<double> given_j;  // work on the hand; only on closed paths
+    // Only for spheres: error of the force's direction against the exact direction.
     std::optional<double> direction_error_rms_rad, direction_error_max_rad;
     std::optional<double> instructions;
 };
 
-// The reference that judges a scene; computed once for all renderers.
+// The reference for a scene, computed once for all renderers.
 struct Truth {
-    std::vector<Vec3> reference_m;  // by tick; empty: no reference
+    std::vector<Vec3> reference_m;  // position of the proxy in each tick; empty: no reference
 };
-// Empty if the reference would take more than most_work comparisons.
+// Computes the reference. The result is empty if that would take more than `most_work` comparisons.
 Truth truth_of(const BenchWorld& world, double most_work);
 
-// judging_work limits the comparisons that the search for penetration takes. Beyond it, evenly distributed ticks are
-// skipped.
+// Measures one renderer. `judging_work` limits the comparisons for finding penetrations. If more were needed, evenly
+// distributed ticks are skipped.
 Measured measure(const BenchWorld& world, const Truth& truth, const Contestant& contestant, int passes,
                  double judging_work);
 

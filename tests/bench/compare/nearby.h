@@ -1,6 +1,6 @@
-// The broad phase that all rivals share, so that none is at a disadvantage without one. It gathers the obstacles near a
-// place from the scene's own hierarchy, nearest first, and keeps them until the place has moved by the margin. As in
-// our renderer, the margin shrinks where obstacles crowd.
+// The broad phase that all rival renderers share, so that none is at a disadvantage without one. It gathers the
+// obstacles near a place from the scene's own hierarchy, nearest first. It keeps them until the place has moved by the
+// margin. As in our renderer, the margin shrinks where obstacles are dense.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +20,8 @@ public:
 
     explicit Nearby(const HapticScene& scene) : scene_(scene) {}
 
-    // Calls visit(obstacle) for everything within reach_m of a place (scene coordinates), and for some obstacles
-    // farther away.
+    // Calls visit(obstacle) for all obstacles within `reach_m` of a place, and for some that are farther away. The
+    // place is in scene coordinates.
     template <class Visit>
     void within(const Vec3& at, double reach_m, Visit&& visit) {
         double moved = glm::length(at - centre_);

@@ -1,5 +1,5 @@
-// Where the proxy truly goes on every tick of a world. Uses tests/support/reference_proxy: long double and brute force,
-// which shares no code with any renderer.
+// Computes the true position of the proxy in every tick of a world. Uses tests/support/reference_proxy, which works in
+// long double by brute force and shares no code with any renderer.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,8 @@
 
 namespace handrail::bench {
 
-// One position for each tick. Empty if the path does not begin in free space or takes more than most_work comparisons.
+// Returns one position for each tick. Returns none if the path does not begin in free space or takes more than
+// `most_work` comparisons.
 std::vector<Vec3> reference_walk(const BenchWorld& world, double most_work);
 
 }  // namespace handrail::bench

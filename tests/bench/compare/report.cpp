@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Plots end at this error. It is a millionth of what any device resolves; smaller errors are indistinguishable.
+// Smallest error in the plots. It is a millionth of what any device resolves, so smaller errors make no difference.
 constexpr double kLeastError_m = 1e-12;
 // Families of spheres are named "sphere of N triangles", or "simplified sphere of N triangles, within E mm".
 constexpr std::string_view kSphere = "sphere of ", kSimplified = "simplified ";
@@ -83,7 +83,7 @@ bool is_main(const Summary& s) {
     return false;
 }
 
-// Formats numbers for reading: three digits, and no exponent if a prefix is enough.
+// Formats a time for reading: three digits, and no exponent if a unit prefix is enough.
 std::string time_words(double seconds) {
     if (seconds < 999.5e-9) return fmt::format("{:.0f} ns", seconds * 1e9);
     if (seconds < 999.5e-6) return fmt::format("{:.3g} us", seconds * 1e6);
@@ -103,7 +103,7 @@ std::string energy_words(double joules) {
     return std::abs(joules) < 0.9995 ? fmt::format("{:.3g} mJ", joules * 1e3) : fmt::format("{:.3g} J", joules);
 }
 
-// The columns of one row, both for text and for Markdown.
+// Returns the columns of a row, both for text and for Markdown.
 const std::vector<std::string>& columns() {
     static const std::vector<std::string> names{
         "Renderer",          "Mean tick",   "99.9 %",      "Worst tick", "Error, rms", "Largest",
@@ -192,7 +192,8 @@ std::string direction_words(const std::vector<Summary>& rows) {
     return words.empty() ? words : words + ".\n";
 }
 
-// Selects the rows of the main renderers or of the knobs, and those of one family; an empty name means all families.
+// Returns the rows of the main renderers, or those of the knobs. If `family` is not empty, returns only the rows of
+// that family.
 std::vector<Summary> only(std::vector<Summary> rows, bool main, const std::string& family) {
     std::erase_if(rows,
                   [&](const Summary& s) { return is_main(s) != main || (!family.empty() && s.family != family); });
@@ -228,7 +229,7 @@ void family_tables(std::ostringstream& out, const BenchReport& report, bool mark
     }
 }
 
-// The table of the worst ticks.
+// Writes the table of the worst ticks.
 void worst_tick_table(std::ostringstream& out, const BenchReport& report, bool markdown) {
     const auto heading = [&](const std::string& words) { out << heading_of(words, markdown); };
     if (!report.worst.empty()) {
@@ -254,7 +255,7 @@ void worst_tick_table(std::ostringstream& out, const BenchReport& report, bool m
     }
 }
 
-// The tables of the stiffest walls, moving objects and the servo thread.
+// Writes the tables of the stiffest walls, moving objects and the servo thread.
 void loop_tables(std::ostringstream& out, const BenchReport& report, bool markdown) {
     const auto heading = [&](const std::string& words) { out << heading_of(words, markdown); };
     if (!report.stability.empty()) {
@@ -306,7 +307,7 @@ void loop_tables(std::ostringstream& out, const BenchReport& report, bool markdo
     }
 }
 
-// The overview: a row for each family, a column for each renderer.
+// Writes the overview, with a row for each family and a column for each renderer.
 void at_a_glance(std::ostringstream& out, const BenchReport& report) {
     const std::vector<Summary> all = summaries(report);
     std::vector<Summary> titles;
@@ -349,7 +350,7 @@ void at_a_glance(std::ostringstream& out, const BenchReport& report) {
         });
 }
 
-// A plot with a point for each main renderer and a curve for each knob.
+// Makes a plot with a point for each main renderer and a curve for each knob.
 Plot plot_of(const std::string& title, const std::vector<Summary>& rows, double Summary::*error,
              const std::string& error_title, double least) {
     Plot plot{title, "mean time of one tick, nanoseconds", error_title, 0.0, least, {}};
@@ -575,7 +576,7 @@ std::vector<std::pair<std::string, std::string>> plots_of(const BenchReport& rep
     Plot simplified{"What simplifying a mesh buys", "mean time of one tick, nanoseconds", direction, 0.0, 0.0, {}};
     for (const Summary& s : by_family) {
         if (s.direction_rms_rad < 0.0 || !is_main(s)) continue;
-        // The label is "9680" for an unchanged sphere and "0.3 mm" for a simplified one.
+        // The label of a point is for example "9680" for an unchanged sphere and "0.3 mm" for a simplified one.
         const bool coarser = s.family.starts_with(kSimplified);
         const std::size_t digits = coarser ? s.family.find("within ") + 7 : kSphere.size();
         const std::string label =

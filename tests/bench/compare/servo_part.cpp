@@ -1,4 +1,4 @@
-// The servo thread in a corner of two walls with friction and damping.
+// Measures the servo thread while a hand presses into a corner of two walls with friction and damping.
 #include "tests/bench/compare/bench.h"
 #include "tests/support/names.h"
 

@@ -1,7 +1,7 @@
-// The free-cell proxy in single precision: the same projection and the same lazy renewal of cuts with one look ahead.
-// All coordinates, closest points and cuts have 32 bits, relative to the scene's origin, as meshes for drawing have.
-// The arc step around edges of solids is left out. Triangles use three plane tests and clamped edges, solids use
-// projection. Round solids are queried in double precision and the results rounded.
+// The free-cell proxy in single precision, with the same projection and the same lazy renewal of cuts from one place
+// ahead. All coordinates, closest points and cuts have 32 bits, relative to the scene's origin, as meshes for drawing
+// have. The arc step around edges of solids is left out. Triangles use three plane tests and clamped edges, solids use
+// projection. Round solids are queried in double precision, and the results are rounded.
 #include <array>
 
 #include "tests/bench/compare/contestant.h"
@@ -30,7 +30,7 @@ struct Shape {
     enum class Kind { Triangle, Solid, Other } kind = Kind::Other;
     std::uint32_t obstacle = 0;
     F3 a{0.0F}, b{0.0F}, c{0.0F}, normal{0.0F};
-    std::vector<Cut> planes;  // normal pointing out of the solid, offset along it
+    std::vector<Cut> planes;  // normals that point out of the solid, and offsets along them
 };
 
 class SinglePrecision {

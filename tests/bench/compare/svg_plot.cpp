@@ -12,14 +12,14 @@ namespace {
 
 constexpr double kWidth = 960.0, kHeight = 640.0, kLeft = 110.0, kRight = 250.0, kTop = 60.0, kBottom = 80.0;
 
-// Formats powers of ten for reading, such as "1e-9".
+// Formats a power of ten for reading, for example "1e-9".
 std::string power(int exponent) {
     return exponent >= 0 && exponent <= 3 ? fmt::format("{:g}", std::pow(10.0, exponent))
                                           : fmt::format("1e{}", exponent);
 }
 
 struct Axis {
-    int first = 0, last = 1;  // exponents of ten
+    int first = 0, last = 1;  // range of the axis, as exponents of ten
     double from = 0.0, to = 1.0;
     double at(double value) const {
         const double least = std::pow(10.0, first);
@@ -124,7 +124,7 @@ std::string svg_of(const Plot& plot) {
                 out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"13\">{}</text>\n", x.at(p.x) + 10.0,
                                    y.at(p.y) - 8.0, markup_text(p.label));
         }
-        // The legend: names broken into lines that fit its width.
+        // The legend: the names are broken into lines that fit its width.
         out += mark(i, kWidth - kRight + 24.0, key_y) + "\n";
         std::string line;
         std::vector<std::string> lines;

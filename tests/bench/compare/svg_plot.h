@@ -1,6 +1,6 @@
 // A plot with two logarithmic axes as an SVG picture, black on white. Every series has its own mark with its name next
-// to it, so that nothing depends on colour. A title and a description in words serve people who listen to it. Takes and
-// returns plain text.
+// to it, so that no information depends on colour. A title and a description are for people who listen to it. Pure
+// functions of plain text.
 #pragma once
 
 #include <string>
@@ -11,18 +11,18 @@
 namespace handrail::bench {
 
 struct PlotPoint {
-    double x = 0.0, y = 0.0;  // values of 0 or less are drawn at the axis
-    std::string label;        // value of a knob; empty: none
+    double x = 0.0, y = 0.0;  // values of 0 or less are drawn on the axis
+    std::string label;        // value of the knob at this point; empty: none
 };
 struct PlotSeries {
     std::string name;
     std::vector<PlotPoint> points;
-    bool line = false;  // the points are joined in the given order
+    bool line = false;  // true: a line joins the points in the given order
 };
 struct Plot {
     std::string title;
-    std::string x_title, y_title;         // axis titles with units
-    double least_x = 0.0, least_y = 0.0;  // smaller values are drawn here, and the axis says so
+    std::string x_title, y_title;         // axis titles, with units
+    double least_x = 0.0, least_y = 0.0;  // a smaller value is drawn at this limit, and the axis says so
     std::vector<PlotSeries> series;
 };
 

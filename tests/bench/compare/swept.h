@@ -1,6 +1,6 @@
 // Computes when a moving sphere first touches a convex obstacle. Along a straight path the distance is a convex
-// function. Newton's method therefore approaches the first root from before, never steps over it and doubles its digits
-// each time. Two to four closest points give a result that is exact to rounding.
+// function. Newton's method therefore approaches the first root from before it, never steps over it, and doubles the
+// number of correct digits each time. With two to four closest-point queries the result is exact except for rounding.
 #pragma once
 
 #include "tests/bench/compare/bench_world.h"
@@ -10,15 +10,15 @@ namespace handrail::bench {
 
 inline constexpr double kNoHit = 2.0;
 
-// Swept spheres keep this distance in addition to their radius; otherwise the edges of the next coplanar triangle would
-// stop them at every seam. An obstacle within twice this distance counts as touched. A path that leads into it by less
-// than a millionth of the path's length counts as a path along it.
+// Distance that swept spheres keep in addition to their radius. Without it, the edge of the next coplanar triangle
+// would stop them at every seam. An obstacle within twice this distance counts as touched. If a path leads into an
+// obstacle by less than a millionth of the path's length, it counts as a path along the obstacle.
 inline constexpr double kSkin_m = 1e-8;
 inline constexpr double kTouched_m = 2.0 * kSkin_m;
 inline constexpr double kAlong = 1e-6;
 
-// Returns the fraction of the path (0 to 1) at which the sphere reaches the obstacle's skin, or kNoHit. `normal`
-// receives the contact's normal.
+// Returns the fraction of the path (0 to 1) at which the sphere reaches the obstacle's skin, or kNoHit. Sets `normal`
+// to the normal of the contact.
 inline double time_of_impact(const HapticScene& scene, std::uint32_t obstacle, const Vec3& from, const Vec3& way,
                              double radius_m, Vec3& normal) {
     constexpr double kReached_m = 1e-10;

@@ -1,4 +1,4 @@
-// Measures the worst known places for a tick: time, counted work, and how often the proxy or a body had to wait.
+// Measures a tick at the worst known places: time, counted work, and how often the proxy or a body had to wait.
 #include <algorithm>
 
 #include "haptic/render/proxy_solver.h"
