@@ -96,12 +96,12 @@ private:
     void publish();
 
     Clock& clock_;
-    std::thread thread_;  // app thread
+    std::thread thread_;  // used by the app thread only
     std::atomic<bool> stop_asked_{false};
     std::atomic<bool> speaking_{false};
-    std::atomic<std::uint32_t> owed_{0};  // bits of SpeechTopics
+    std::atomic<std::uint32_t> owed_{0};  // bits of SpeechTopics: topics that take_owed() will return
     double finish_speech_s_ = 0.0;        // written before stop_asked_ is set
-    bool stopped_ = false;                // app thread
+    bool stopped_ = false;                // used by the app thread only
 
     std::mutex mutex_;  // protects inbox_, outbox_ and who_
     std::string who_;

@@ -21,7 +21,7 @@ constexpr double kSettle_s = 0.040;
 constexpr double kChatter_s = 0.050;  // Another contact with the same feature within this time makes no new sound.
 // The name of a tapped thing is still spoken if the voice becomes free within this time.
 constexpr double kKeepName_s = 0.5;
-constexpr double kKeepBump_s = 2.0;      // the same for a bump; longer, because the walker stays at the wall
+constexpr double kKeepBump_s = 2.0;  // the same as kKeepName_s for a bump; longer, because the walker stays at the wall
 constexpr double kSlideSilent_s = 0.15;  // without a slide event for this long, the hand counts as still
 // While the hand slides along two surfaces, the second gets the slide sound if the first had no slide event for this
 // long. Slide events come every 10 ms.
@@ -30,7 +30,7 @@ constexpr double kSlideSlowest_m_per_s = 0.004;  // speed of the hand, in hand m
 // Speed of the hand, in hand metres, in a brisk tap, which sounds at full loudness.
 constexpr double kFastTouch_m_per_s = 0.3;
 constexpr double kDemonstrates_s = 2.5;
-constexpr std::uint32_t kDemonstration = 0xffffffffU;  // source number of a loop that is only played as a demonstration
+constexpr std::uint32_t kDemonstration = 0xffffffffU;  // source number of the loop that a demonstration plays
 // Swells of the wall tone, at the limit of its range and at the wall.
 constexpr double kSlowestPulse_hz = 1.5, kFastestPulse_hz = 8.0;
 // Least loudness of alarms. The settings can make all other sounds quieter than this.

@@ -58,9 +58,9 @@ struct CueRequest {
     bool placed = false;  // for Say: the text is about `position_m`, so the voice may come from there
     double loudness = 1.0;
     double pitch = 1.0;         // factor on the pitch, for Footstep and Play
-    double muffled_db = 0.0;    // as in SoundCue
-    double pulses_per_s = 0.0;  // for WorldSound, as in SoundCue
-    std::uint32_t source = 0;   // as in SoundCue
+    double muffled_db = 0.0;    // for WorldSound; see SoundCue
+    double pulses_per_s = 0.0;  // for WorldSound; see SoundCue
+    std::uint32_t source = 0;   // for WorldSound; see SoundCue
 };
 
 // A spoken line, for the window's large text and for tests. In lists, the newest line is last.
@@ -198,7 +198,7 @@ private:
     std::vector<SoundCue> sounds_to_tell_;  // sounds of the current tick that are also written as text
     struct Demonstration {
         SoundCue cue;
-        bool playing = false;  // the loop is playing
+        bool playing = false;  // true while the demonstrated loop is playing
         double ends_s = 0.0;
     };
     std::optional<Demonstration> demonstration_;

@@ -17,9 +17,9 @@ public:
     virtual void post(CueRequest request) = 0;
     virtual void set_settings(const settings::Settings& settings) = 0;
     virtual void enter_world(std::shared_ptr<const Scene> scene) = 0;
-    virtual void follow_edit(std::shared_ptr<const Scene> scene) = 0;  // see CuePlanner
+    virtual void follow_edit(std::shared_ptr<const Scene> scene) = 0;  // see CuePlanner::follow_edit()
     virtual void set_two_hands(bool two) = 0;
-    virtual void set_hand_stands_in(bool stands_in) = 0;  // see CuePlanner
+    virtual void set_hand_stands_in(bool stands_in) = 0;  // see CuePlanner::set_hand_stands_in()
     virtual void set_listener(const Listener& listener) = 0;
     // Returns the topics of lines that were cut off and are due again. The session composes these lines anew
     // (SpeechOrder::take_owed).

@@ -68,7 +68,7 @@ public:
     virtual void stop() = 0;  // stops speaking at once
     // True from say() until the last sample; always false for sinks that only write text.
     virtual bool speaking() const = 0;
-    virtual void tick(double /*now_s*/) {}  // housekeeping, about every 5 ms
+    virtual void tick(double /*now_s*/) {}  // does housekeeping; called about every 5 ms
     virtual void set_speech(const settings::Settings::Speech& /*settings*/) {
     }  // rate and voice, valid from the next utterance on
     // Returns a message about the sink itself, suitable for speech ("There is no voice ..."). Returns each message
@@ -152,7 +152,7 @@ inline bool is_world_sound(SoundKind kind) noexcept { return kind >= SoundKind::
 struct SoundCue {
     SoundKind kind = SoundKind::Contact;
     SoundClass material = SoundClass::Generic;
-    Vec3 position_m{0.0};       // world
+    Vec3 position_m{0.0};       // position in the world
     double loudness = 1.0;      // 0 to 1
     double pitch = 1.0;         // factor on the pitch
     double event_time_s = 0.0;  // time of the event that the sound announces; latency is measured from here
@@ -181,7 +181,7 @@ public:
     virtual void set_speaking(bool /*speaking*/) {
     }  // Says whether a voice speaks that this sink does not play. Sounds get quieter for such a voice, too.
     virtual void stop_all() = 0;          // ends every sound except speech, at once and without a click
-    virtual void tick(double now_s) = 0;  // housekeeping, about every 5 ms
+    virtual void tick(double now_s) = 0;  // does housekeeping; called about every 5 ms
     // Returns true if the device runs out of samples again and again, so that it needs more periods.
     virtual bool drops_out() const { return false; }
     // Returns a message about the sink itself, suitable for speech ("The sound device was lost ..."). Returns each

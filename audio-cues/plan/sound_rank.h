@@ -18,6 +18,6 @@ std::string_view rank_name(SoundRank rank);  // for example "danger", for the ta
 
 // Returns the momentary loudness of the loudest part of a sound, at the volumes of a new settings file and before the
 // filters for the ears.
-double loudness_of(SoundRank rank);  // LUFS
+double loudness_of(SoundRank rank);  // in LUFS
 
 }  // namespace handrail::cues

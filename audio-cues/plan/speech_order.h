@@ -81,7 +81,7 @@ private:
     std::optional<SpeechLine> next_of_the_rest(double now_s);
 
     std::deque<SpeechLine> alarms_, warnings_, answers_, guidance_, hints_;
-    std::array<std::optional<SpeechLine>, 2> names_;  // one for each hand
+    std::array<std::optional<SpeechLine>, 2> names_;  // the waiting name for each hand
     std::optional<SpeechLine> steps_;
     std::optional<SpeechLine> current_;  // the line that is being spoken
     std::vector<SpeechLine> unspoken_;

@@ -74,8 +74,7 @@ Result<void> OpenALDevice::open_loopback() {
 bool OpenALDevice::make_context(std::vector<ALCint> attributes) {
     attributes.insert(attributes.end(), {ALC_HRTF_SOFT, hrtf_ ? ALC_TRUE : ALC_FALSE});
     // OpenAL Soft 1.19 sets the device to the sample rate of the HRTF data set, and chooses a set with 44.1 kHz if none
-    // is
-    // named. Version 1.24 has no set of this name: it resamples its only set to the rate of the device.
+    // is named. Version 1.24 has no set of this name: it resamples its only set to the rate of the device.
     if (hrtf_) {
         const bool any = hrtf_set_ == "auto";
         const auto named = any ? std::nullopt : hrtf_named(hrtf_set_);

@@ -27,7 +27,7 @@ private:
     LPALEFFECTF effect_f_ = nullptr;
     LPALAUXILIARYEFFECTSLOTI slot_i_ = nullptr;
     LPALAUXILIARYEFFECTSLOTF slot_f_ = nullptr;
-    ALuint effect_ = 0, slot_ = 0;  // 0 if OpenAL lacks the extension
+    ALuint effect_ = 0, slot_ = 0;  // effect and its slot; 0 if OpenAL lacks the extension
     double room_s_ = 0.0;           // reverberation time for which the effect is set up
     double next_room_s_ = 0.0;      // earliest time of the next change
     double slot_gain_ = 0.0;

@@ -1,5 +1,5 @@
-// Plays speech from the middle, or from the direction of what it is about. It takes samples from a VoiceChannel and
-// queues them piece by piece. Audio thread only, with the context current.
+// Plays speech from the middle, or from the direction of the thing that the text is about. It takes samples from a
+// VoiceChannel and queues them piece by piece. Audio thread only, with the context current.
 #pragma once
 
 #include <AL/al.h>
@@ -43,7 +43,7 @@ private:
 
     std::shared_ptr<VoiceChannel> channel_;
     std::array<Speaker, 2> speakers_{};
-    std::size_t speaker_ = 0;  // the source in use
+    std::size_t speaker_ = 0;  // index of the source that plays the current utterance
 };
 
 }  // namespace handrail::sinks

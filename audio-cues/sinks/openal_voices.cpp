@@ -16,7 +16,7 @@ namespace handrail::sinks {
 namespace {
 
 constexpr double kLoopFade_s = 0.030;  // fade time of loops
-constexpr double kWorldFade_s = 0.25;  // the world's sounds are background, so they fade slowly
+constexpr double kWorldFade_s = 0.25;  // fade time of the world's sounds; slow, because they are background
 // A world's sound that was muted for lack of room returns only after there has been room for this long. Otherwise each
 // footstep would interrupt it.
 constexpr double kRoomFor_s = 1.5;

@@ -96,7 +96,7 @@ private:
     LPALDELETEFILTERS delete_filters_ = nullptr;
     LPALFILTERI filter_i_ = nullptr;
     LPALFILTERF filter_f_ = nullptr;
-    std::array<ALuint, kSounds> buffers_{};  // indexed by sound_index(); 0: not created yet
+    std::array<ALuint, kSounds> buffers_{};  // buffers, indexed by sound_index(); 0: not created yet
     std::array<SinkVoice, kOneShots> one_shots_{};
     Loops loops_{};
     double duck_ = 1.0;

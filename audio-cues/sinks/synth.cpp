@@ -399,7 +399,8 @@ void add_harmonics(std::vector<float>& out, double hz, int count, double level, 
 template <class Shape>
 void add_air(std::vector<float>& out, Noise& noise, double q, Shape shape) {
     std::vector<float> air(out.size() + samples_of(0.2));
-    constexpr std::size_t kHold = 480;  // the filter is updated a hundred times a second
+    // Samples for which the filter stays the same; it is updated a hundred times a second.
+    constexpr std::size_t kHold = 480;
     double low = 0.0, band = 0.0, f = 0.0, level = 0.0;
     for (std::size_t i = 0; i < air.size(); ++i) {
         if (i % kHold == 0) {
@@ -555,7 +556,7 @@ std::vector<float> world_loop(cues::SoundKind kind, Noise& noise) {
                 add_ring(out, at_s + 0.3, 587.0, 0.24, 1.0);
             }
             break;
-        default:  // Shimmer, and any other kind
+        default:  // Shimmer, and any other kind: many short tones
             for (int k = 0; k < 40; ++k) {
                 const double at_s = between(0.0, length_s),
                              hz = 1200.0 * std::pow(2.0, std::floor(between(0.0, 8.0)) / 4.0);

@@ -52,7 +52,7 @@ private:
     std::unique_ptr<cues::SpeechSink> text_;
     std::unique_ptr<BrailleSink> braille_;
     settings::SpeechThrough through_;
-    Voice* active_ = nullptr;           // points into voices_
+    Voice* active_ = nullptr;           // the voice that speaks now, one of voices_; null: none
     bool chosen_ = false;               // true once a voice has been chosen for the first time
     bool choosing_again_ = false;       // the settings have changed, so a change of voice does not count as a loss
     std::optional<double> asked_at_s_;  // time when each voice was last told whether it is requested

@@ -57,7 +57,7 @@ std::shared_ptr<const render::DynamicsScene> compile_dynamics(const Scene& scene
         else if (done.bodies[free[i].placed] == render::kNoBody)
             fault =
                 builder.add_body(pieces, placed.feature, static_cast<std::uint32_t>(free[i].placed), placed.at, nature);
-        else continue;  // The thing was requested twice.
+        else continue;  // ignores a thing that was requested twice
         if (fault != render::BodyFault::None) {
             done.refused.push_back({i, fault});
             continue;

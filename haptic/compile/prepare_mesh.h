@@ -21,7 +21,7 @@ struct MeshOptions {
     // above a millimetre close the gaps of thin objects.
     double weld_m = 0.0;
     bool tidy = true;   // drop triangles that only repeat their neighbours or have no area
-    bool merge = true;  // merge flat patches into convex polygons
+    bool merge = true;  // merge flat patches of triangles into convex polygons
     // Greatest distance of a corner from its polygon's plane. The default covers the rounding of coordinates written
     // with 5 or 6 digits. Above 1e-4 m, facets of tessellated curves become larger, and the hand feels their edges.
     double flat_m = 1e-5;
@@ -41,7 +41,7 @@ inline constexpr MeshOptions kExactMesh{.weld_m = 0.0,
 
 struct MeshReport {
     std::size_t triangles = 0;      // number of triangles before processing
-    std::size_t points_welded = 0;  // points merged into another one
+    std::size_t points_welded = 0;  // number of points that were merged into another point
     double farthest_weld_m = 0.0;
     std::size_t without_area = 0;  // triangles dropped because they have no area and their neighbours cover them
     std::size_t repeated = 0;      // triangles dropped because another has the same corners and surface
@@ -51,7 +51,7 @@ struct MeshReport {
     double simplify_measured_m = 0.0;
     // Distance between these samples. The true Hausdorff distance is at most this much / sqrt(3) greater.
     double simplify_spacing_m = 0.0;
-    std::size_t merged = 0;  // triangles replaced by polygons
+    std::size_t merged = 0;  // number of triangles that were replaced by polygons
     std::size_t polygons = 0;
     double flat_bound_m = 0.0, flat_measured_m = 0.0;
 
@@ -72,7 +72,7 @@ struct PreparedMesh {
     std::vector<std::uint32_t> surfaces;  // surface of each triangle in `mesh`
     std::vector<FlatPolygon> polygons;    // merged patches; the field `triangles` of each is empty
     std::vector<std::uint32_t> polygon_surfaces;
-    std::vector<CoarserSurface> coarser;  // in rising order of the surface numbers
+    std::vector<CoarserSurface> coarser;  // the simplified surfaces, in rising order of their numbers
     MeshReport report;
 };
 
@@ -87,8 +87,8 @@ PreparedMesh prepare_mesh(std::span<const Vec3> corners_m, std::span<const std::
                           const MeshOptions& options, const std::stop_token& stop = {},
                           const SurfaceBegins& begins = {});
 
-// Merges points that are at most `tolerance_m` apart into the first of them. 0: only identical points are merged, and
-// -0 counts as 0. Triangles keep their order.
+// Merges points that are at most `tolerance_m` apart into the first of them. With 0, only identical points are merged,
+// where the values -0 and 0 count as equal. Triangles keep their order.
 TriangleMesh weld_corners(std::span<const Vec3> corners_m, double tolerance_m, MeshReport& report);
 
 }  // namespace handrail::compile

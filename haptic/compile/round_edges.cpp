@@ -20,7 +20,8 @@ constexpr double kFlush = 1e-6;  // sine of the angle between two faces below wh
 // counts as not covered.
 constexpr int kMostCuts = 300;
 
-enum class Edges : std::uint8_t { Apart, Rounded, TooThin, AtSeam };  // Apart: the solid is not to be rounded
+// Apart: a solid that is not a candidate for rounding.
+enum class Edges : std::uint8_t { Apart, Rounded, TooThin, AtSeam };
 
 // An edge of a solid. It runs counter-clockwise around the face on its left, seen from outside.
 struct Edge {
@@ -311,7 +312,7 @@ private:
         const Vec3 onwards = end_a.normal - face_b.normal * glm::dot(end_a.normal, face_b.normal);
         const double rises = glm::dot(face_a.normal, onwards);
         if (rises > kFlush) return false;  // an inner corner: the proxy cannot enter the groove
-        if (rises < -kFlush) return true;  // an outer edge between two solids
+        if (rises < -kFlush) return true;  // an outer edge between two solids, where a groove would open
         // Names and materials change exactly at the border, so neither solid may extend below the other's surface.
         const auto goes_on = [](const Part& part, const Edge& edge) {
             return part.rounded() && part.flat_beyond_m(edge.beyond) > 0.0;

@@ -28,7 +28,8 @@ struct RoundingReport {
     std::size_t too_thin = 0;
     std::size_t at_seams = 0;  // number of solids that stay sharp because a groove would open to a neighbour
     std::size_t too_many = 0;  // number of solids if it exceeds kMostRounded, so that all stay sharp; otherwise 0
-    std::vector<std::string> thin_names, seam_names;  // names of the first few such solids
+    // Names of the first few solids in too_thin, and of those in at_seams.
+    std::vector<std::string> thin_names, seam_names;
 
     RoundingReport& operator+=(const RoundingReport& other);
     // Returns sentences for the honesty report, or none if no rounding was requested.

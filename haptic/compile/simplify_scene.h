@@ -23,7 +23,7 @@ namespace handrail::compile {
 inline constexpr double kLeastGap_hand_m = 0.0064, kLeastThing_hand_m = 0.0032;
 
 struct SimplifyOptions {
-    double world_m_per_hand_m = 0.0;  // 0: nothing counts as too small
+    double world_m_per_hand_m = 0.0;  // scale; 0: nothing counts as too small to feel
     std::vector<Vec3> openings_m;     // for each opening without a door, a point on its floor
     std::vector<Vec3> kept_m;  // Things at these places are never left out: marks, and the destination of a route.
 };

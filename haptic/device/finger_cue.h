@@ -8,8 +8,8 @@ namespace handrail::device {
 // hardness by resistance, a doorway by a click and the material by trembling. The left trigger resists on a slope. The
 // coils give knocks and grain. A pad without such triggers has only the coils.
 struct FingerCue {
-    double nearness = 0.0;  // 0 far, 1 touching
-    double hardness = 1.0;  // 0 soft, 1 hard
+    double nearness = 0.0;  // 0: far from a wall; 1: touching it
+    double hardness = 1.0;  // 0: a soft surface; 1: a hard one
     bool doorway = false;
     double material_hz = 0.0;  // frequency at which the trigger trembles; 0: a smooth material
     double slope = 0.0;        // 0: level; 1: as steep as stairs

@@ -37,7 +37,7 @@ Vec3 encoded_m(const Vec3& position_m, double quantum_m) noexcept;
 // Queue of commanded forces that the motor applies later. If more than kMost are pending, the oldest is dropped.
 class HeldForces {
 public:
-    static constexpr std::size_t kMost = 64;  // 64 ms of delay at 1 kHz
+    static constexpr std::size_t kMost = 64;  // greatest number of pending forces, enough for 64 ms of delay at 1 kHz
 
     void give(double from_s, const Vec3& force_n) noexcept;
     // Returns the newest force that is due. If none has become due since the last call, that is the same force as

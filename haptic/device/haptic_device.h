@@ -21,7 +21,7 @@ enum class DeviceLoss : std::uint8_t {
 
 struct DeviceSample {
     Vec3 position_m{0.0};       // Device frame. A broken device may report any value, so servo_tick checks it.
-    std::uint32_t buttons = 0;  // bit 0 is the first button
+    std::uint32_t buttons = 0;  // pressed buttons; bit 0 is the first button
     bool fresh = true;          // false if the device had no new answer for this tick
     bool connected = true;
     DeviceLoss loss = DeviceLoss::Unplugged;  // valid only while not connected
@@ -44,7 +44,7 @@ class HapticDevice {
 public:
     virtual ~HapticDevice() = default;
     virtual const DeviceSpec& spec() const = 0;
-    virtual Result<void> open() = 0;  // app thread, before the servo starts
+    virtual Result<void> open() = 0;  // called on the app thread, before the servo starts
     // The servo thread calls read() and write(), so they must never block longer than 1 ms. A driver that must wait
     // longer for its hardware runs in the guard process. Its replacement on the servo thread never waits
     // (haptic/drivers).

@@ -18,7 +18,8 @@ constexpr double kRestSpringNPerM = 20.0;
 constexpr double kDeviceMassKg = 0.1;
 constexpr double kDryFrictionN = 0.05;
 constexpr double kSubstepS = 1e-4;
-constexpr double kLongestGapS = 0.5;  // after a longer pause of the servo loop, the missed steps are not simulated
+// Longest pause of the servo loop that is simulated; the steps of a longer one are skipped.
+constexpr double kLongestGapS = 0.5;
 
 // Counts down the samples for which a simulated failure lasts. Returns true while it lasts; a negative number never
 // runs out.

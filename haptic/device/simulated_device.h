@@ -57,9 +57,9 @@ struct HandState {
 // Channels between the thread that moves the hand (the app) and the servo thread. Each value has one producer and one
 // consumer.
 struct SimulatedHand {
-    LatestValue<HandCommand> command;    // app to servo
-    LatestValue<DeviceTrouble> trouble;  // app to servo
-    LatestValue<HandState> state;        // servo to app
+    LatestValue<HandCommand> command;    // from the app to the servo
+    LatestValue<DeviceTrouble> trouble;  // from the app to the servo
+    LatestValue<HandState> state;        // from the servo to the app
 };
 
 // Simulates the time between two reads in steps of at most 0.1 ms. The motors hold the last written force. In modes

@@ -19,7 +19,7 @@ inline constexpr int kFalconMostCounts = 4095;  // greatest motor command, in ei
 inline constexpr std::size_t kFalconFrameBytes = 16;
 
 struct FalconCommand {
-    std::array<int, 3> motors{};  // -4095 to 4095
+    std::array<int, 3> motors{};  // motor counts, -4095 to 4095
     bool green = false, blue = false, red = false;
     bool homing = true;
 };

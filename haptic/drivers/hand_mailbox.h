@@ -26,7 +26,7 @@ struct HandMailbox {
         0x68616e647261696cULL + sizeof(device::ForceCommand) * 256 + sizeof(device::DeviceSample);
 
     std::uint64_t mark = kMailboxMark;
-    LatestValue<device::ForceCommand> command;  // program to guard; device frame
+    LatestValue<device::ForceCommand> command;  // from the program to the guard; device frame
     LatestValue<device::DeviceSample> answer;   // guard to program; one sample for each exchange
     // Number of the guard's rounds, at least one in 5 ms while it holds the device.
     std::atomic<std::uint32_t> beats{0};

@@ -35,7 +35,7 @@ bool is_event_node_of_a_playstation_pad(std::string_view name) noexcept;
 
 struct PadInput {
     double left_x = 0.0, left_y = 0.0, right_x = 0.0, right_y = 0.0;  // range -1 to 1, right and forward positive
-    double left_trigger = 0.0, right_trigger = 0.0;                   // range 0 to 1
+    double left_trigger = 0.0, right_trigger = 0.0;                   // pull of the trigger, 0 to 1
     int hat = 8;                                                      // 0: up, then clockwise to 7; 8: not pressed
     // From bit 0 on: square cross circle triangle L1 R1 L2 R2 create options L3 R3 PS touch mute.
     std::uint32_t buttons = 0;

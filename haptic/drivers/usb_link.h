@@ -15,7 +15,7 @@ namespace handrail::drivers {
 
 struct UsbId {
     std::uint16_t vendor = 0;
-    std::uint16_t product = 0;  // 0: any product of the vendor
+    std::uint16_t product = 0;  // product number; 0: any product of the vendor
 };
 
 struct UsbDeviceInfo {

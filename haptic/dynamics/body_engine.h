@@ -21,9 +21,10 @@ public:
         Vec3 at_m{0.0};  // for Lead: the target; for Walker: the position of the feet
         double most_n = 0.0;
         Rotation turn{};
-        Vec3 speed_m_per_s{0.0};                // for Shove
-        double for_s = 0.0;                     // for Shove
-        double radius_m = 0.0, height_m = 0.0;  // for Walker; a height of 0: no walker
+        Vec3 speed_m_per_s{0.0};  // for Shove: velocity towards which the walker pushes
+        double for_s = 0.0;       // for Shove: duration in seconds
+        // For Walker: size of the capsule; a height of 0 means that there is no walker.
+        double radius_m = 0.0, height_m = 0.0;
     };
     // Poses of all driven things, with the indices of DynamicsScene::driven. The servo thread neither allocates nor
     // frees them.

@@ -30,7 +30,7 @@ struct EngineRow {
 
 // Passes rows from one engine at a time to the recorder.
 struct EngineRecording {
-    static constexpr std::size_t kRows = 1024;  // rows of about 4 s
+    static constexpr std::size_t kRows = 1024;  // enough rows for 4 s
     SpscRing<EngineRow, kRows> rows;
     std::atomic<std::uint64_t> lost{0};  // number of rows for which the ring had no room
 

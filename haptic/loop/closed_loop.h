@@ -58,7 +58,7 @@ public:
     LoopTick tick(const Intent& intent, const Render& render);
 
 private:
-    static constexpr int kSteps = 20;  // steps of the hand within one period
+    static constexpr int kSteps = 20;  // number of steps in which the hand is simulated within one period
     static constexpr int kTremors = 3;
 
     double unit();

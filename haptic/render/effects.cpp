@@ -118,7 +118,7 @@ Potential magnet(const MagnetLaw& law, const Vec3& at_m, double scale, double ro
     // Two potentials are blended if they differ by less than this. The force then changes its direction over about one
     // width.
     const double blend = force * width;
-    constexpr double kRootE = 1.64872127070012815;  // exp(1/2)
+    constexpr double kRootE = 1.64872127070012815;  // the constant exp(1/2)
     Potential lowest;
     bool first = true;
     for (const MagnetTarget& target : law.targets) {
@@ -150,7 +150,7 @@ Potential detent(const DetentLaw& law, const Vec3& at_m, double scale, double ro
 // The button's potential, with x = s / q: U = U0 (x^2 - 1)^2 up to x = 2 / sqrt 3, where the force is F0 again. From
 // there the force fades to zero within one q.
 Potential button(const ButtonLaw& law, const Vec3& at_m, double scale, double room) noexcept {
-    constexpr double kFrom = 1.15470053837925153;    // 2 / sqrt 3
+    constexpr double kFrom = 1.15470053837925153;    // the constant 2 / sqrt 3
     constexpr double kDepth = 0.649519052838328987;  // 3 sqrt 3 / 8: the ratio U0 / (F0 q)
     const double q = button_half_travel(law, room), force = law.force_n * (2.0 * q / law.travel_hand_m);
     const double x = glm::dot(at_m - law.origin_m, law.direction) / (scale * q), size = std::abs(x);

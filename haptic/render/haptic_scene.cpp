@@ -115,7 +115,7 @@ double HapticScene::in_front_m(std::uint32_t obstacle, const Vec3& local_m) cons
 }
 
 bool HapticScene::smooth_between(std::uint32_t obstacle, const Vec3& normal_a, const Vec3& normal_b) const noexcept {
-    constexpr double kSame = 1e-12;  // tolerance for a normal's component along the axis
+    constexpr double kSame = 1e-12;  // tolerance for the component of a normal along the axis
     const Obstacle& o = obstacles[obstacle];
     const auto both = [&](const Vec3& axis, double along) {
         return std::abs(glm::dot(axis, normal_a) - along) <= kSame &&

@@ -164,7 +164,7 @@ Vec3 LiquidState::surface_n(const HapticScene& scene, const HandMotion& hand, co
         if (weight <= 0.0) return;
         const Plane& surface = liquid.planes[static_cast<std::size_t>(liquid.surface)];
         const double y = -signed_distance(surface, goal) / w, bell = exp_minus(y * y);
-        const double energy = liquid.film_n * kFilm_hand_m / kFilmSteepest;  // A in the formula above
+        const double energy = liquid.film_n * kFilm_hand_m / kFilmSteepest;  // the energy A in the formula above
         force +=
             surface.normal * (energy / kFilm_hand_m * 2.0 * y * bell * weight) + slope * (hand.scale * energy * bell);
     });

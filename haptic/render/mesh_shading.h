@@ -20,7 +20,7 @@
 namespace handrail::render {
 
 struct MeshShading {
-    static constexpr double kCreaseCosine = 0.8660254037844386;  // cosine of 30 degrees
+    static constexpr double kCreaseCosine = 0.8660254037844386;  // crease angle: cosine of 30 degrees
     static constexpr double kSteepest = 0.6;  // greatest slope of a facet's rise; steeper facets get flat edges
     static constexpr std::uint32_t kNone = 0xffffffffU;
 

@@ -51,7 +51,7 @@ private:
     static constexpr double kPole_s = 0.02;
     // Energy that the steps of a held force may give to the hand without added damping.
     static constexpr double kAllowance_j = 1e-3;
-    static constexpr std::size_t kMostLate = 16;  // greatest delay in ticks
+    static constexpr std::size_t kMostLate = 16;  // greatest delay of the force that is supported, in ticks
 
     double energy_j_ = 0.0;  // energy taken from the hand since the contact began; negative: energy given to it
     double damping_ns_per_m_ = 0.0;

@@ -63,7 +63,7 @@ private:
 
 // The candidates. Element i of each vector belongs to candidate i; the first `count` are in use.
 struct ProxyCuts {
-    static constexpr int kMost = 1024;  // needs 32 kB for the cuts
+    static constexpr int kMost = 1024;  // greatest number of candidates, whose cuts need 32 kB
     // State of a one-sided sheet. It sleeps, without a cut, while the proxy is not on its touchable side.
     enum class Sheet : std::uint8_t { No, Awake, Asleep };
     // Offset of a half-space that contains all points. A sleeping sheet has such a cut.

@@ -15,19 +15,19 @@ inline constexpr double kFarthestLook_m = 4.0;  // greatest useful lower bound f
 // if all data are in its caches. The costs come from callgrind counts in the worst places (tests/bench/compare.sh,
 // worst), where a unit came to 5 to 9 instructions. Only their sum matters, which is compared with kMostWork.
 inline constexpr int kLookWork = 50;     // visiting a node or an obstacle while gathering
-inline constexpr int kPlaneWork = 12;    // for each plane of a visited solid, in addition
+inline constexpr int kPlaneWork = 12;    // each plane of a visited solid, in addition
 inline constexpr int kSupportWork = 60;  // renewing a cut
 inline constexpr int kRoundWork = 100;   // a projection, without scanning the candidates
 inline constexpr int kHoldWork = 50;     // renewing the holding cuts, times the square of their number
 inline constexpr int kScanWork = 2;      // examining a cut
-inline constexpr int kDropWork = 6;      // for each candidate when some of them are dropped
+inline constexpr int kDropWork = 6;      // dropping some candidates, for each existing candidate
 inline constexpr int kGlanceWork = 30;   // examining a body and deciding whether it must be followed
 inline constexpr int kKnownWork = 12;    // finding how much is known around a followed body
-inline constexpr int kCarryWork = 25;    // for each followed body in each sub-step
+inline constexpr int kCarryWork = 25;    // carrying along, for each followed body in each sub-step
 // Number of candidates that a projection scans for one unit. It scans four at a time, which takes about a nanosecond
 // each.
 inline constexpr int kCutsOfAWork = 2;
-inline constexpr int kExchangeWork = 30;       // for each scan of a projection, in addition
+inline constexpr int kExchangeWork = 30;       // each scan of a projection, in addition
 inline constexpr int kSubStepWork = 300;       // a sub-step of bodies, without their candidates
 inline constexpr int kTurnWork = 20;           // rotating a cut of a moving body
 inline constexpr std::size_t kFewBodies = 16;  // for at most this many bodies, the work is not counted

@@ -24,7 +24,8 @@ namespace handrail::render {
 // slope and curvature everywhere. The picture repeats in both directions.
 class HeightField {
 public:
-    static constexpr int kLargestSide = 1024;  // finer pictures are averaged down, because a hand feels no finer detail
+    // Greatest width and height of a picture; finer pictures are averaged, because a hand feels no finer detail.
+    static constexpr int kLargestSide = 1024;
     // `depths` has width * height values, row by row with the top row first. Width and height are at least 1.
     HeightField(int width, int height, std::span<const float> depths);
 
@@ -48,7 +49,7 @@ private:
 
 enum class ReliefKind : std::uint8_t {
     Level,    // no depth; the friction may still vary
-    Sine,     // depth/2 (1 + sin), along u
+    Sine,     // depth/2 (1 + sin): a sine wave along u
     Square,   // half of the period is plain, half deep; the flanks are as steep as kSteepest allows
     Picture,  // depths from a HeightField
 };

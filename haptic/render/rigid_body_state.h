@@ -56,7 +56,7 @@ struct DynamicsFrame {
     double time_s = 0.0;       // time of the end of the step
     std::vector<Placement> things;     // pose of each body, in the frames of HapticScene::bodies
     std::vector<std::uint32_t> moved;  // bodies whose pose differs from that in frame number - 1, in rising order
-    std::array<std::array<RigidBodyState, kNear>, 2> near{};  // for each hand, the nearest body first
+    std::array<std::array<RigidBodyState, kNear>, 2> near{};  // the nearest bodies of each hand, nearest first
     std::array<std::uint8_t, 2> near_count{};
     std::uint32_t awake = 0, waiting = 0;  // number of bodies that move, and of bodies held still until fewer move
     // The first driven thing that cannot continue because a body is jammed in front of it; kNoBody: none.
@@ -90,7 +90,7 @@ struct BodyEvent {
     std::uint32_t body = 0;
     double time_s = 0.0;
     Vec3 at_m{0.0};
-    double impulse_ns = 0.0;     // for Hit
+    double impulse_ns = 0.0;     // impulse of the impact, for Hit
     double speed_m_per_s = 0.0;  // speed for Rolls, Slides and Falls; change of speed for Hit
     // The feature that was hit or that is under the body. kNoFeature: not known, or another free body.
     FeatureId other = kNoFeature;

@@ -106,7 +106,7 @@ Vec3 SoftState::press(const SoftPatch& patch, bool& awake, const HandMotion& han
     const auto weight_of = [&](std::uint32_t iu, std::uint32_t iv, double& du, double& dv) {
         du = (iu + 0.5) * step_u - at_u;
         dv = (iv + 0.5) * step_v - at_v;
-        return std::max(0.0, 1.0 - (du * du + dv * dv) / (footprint * footprint));  // the square of this is g
+        return std::max(0.0, 1.0 - (du * du + dv * dv) / (footprint * footprint));  // the square of this root is g
     };
 
     // 1. Updates the cells: the surface yields to the proxy at its current position.

@@ -9,20 +9,18 @@
 // On an untouched patch this gives F = K e (Winkler's foundation, its pressure summed over the footprint). As for every
 // force, lengths are divided by the scale. Along the face the force is the slope of the same energy, so the proxy can
 // slide into a dent. R is the proxy's radius, but at least three cells. s_i is the depth that cell i keeps after the
-// proxy
-// has left it:
+// proxy has left it:
 //
 //   elastic:  tau s_i' = g_i (e - s_i)+ - s_i + c sum_j (s_j - s_i)       recovers with the time constant tau
 //   plastic:  s_i grows as far as needed to keep  g_i (e - s_i)+ + c sum_j (s_j - s_i) <= F_yield / K,  never shrinks,
 //   at most the patch's depth
 //
 // In both, j runs over the four neighbours (the shear layer of Pasternak's foundation) and c = 0.5. Both laws descend
-// the
-// stored energy, so the patch only ever takes energy. Sources: Winkler 1867; Pasternak 1954; Kerr, Elastic and
-// viscoelastic foundation models, J. Appl. Mech. 31(3), 1964. TouchState owns SoftState, which allocates only when it
-// is
-// created; one thread. A tick costs about 10 ns for each cell of patches that are touched or still recovering, at most
-// 100 us, and nothing if there are none.
+// the stored energy, so the patch only ever takes energy. Sources: Winkler 1867; Pasternak 1954; Kerr, Elastic and
+// viscoelastic foundation models, J. Appl. Mech. 31(3), 1964.
+//
+// TouchState owns SoftState, which allocates only when it is created; one thread. A tick costs about 10 ns for each
+// cell of patches that are touched or still recovering, at most 100 us, and nothing if there are none.
 #pragma once
 
 #include <array>

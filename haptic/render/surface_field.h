@@ -25,7 +25,7 @@ struct FieldRequest {
     double radius_m = 0.0;
     double world_m_per_hand_m = 1.0;
     double stiffness_n_per_m = 0.0;  // stiffness per hand metre
-    double swing = 1.0;              // swing of waves, see relief_at
+    double swing = 1.0;              // swing of waves, see relief_at()
 };
 
 // Returns the field. `shape` contains the obstacle: it is the scene itself or the shape of one of its bodies. Materials

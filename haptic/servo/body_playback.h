@@ -18,7 +18,7 @@ namespace handrail::servo {
 // the app allocates and frees its memory; the servo only reads it.
 class BodyFrame {
 public:
-    static constexpr std::size_t kMoments = 8;  // 130 ms at 60 frames a second
+    static constexpr std::size_t kMoments = 8;  // number of kept moments, which cover 130 ms at 60 frames a second
 
     struct Moment {
         std::uint64_t number = 0;
@@ -37,7 +37,8 @@ public:
     // tables. 0: no push() yet.
     std::uint64_t number() const noexcept { return number_; }
     std::size_t size() const noexcept { return count_; }
-    const Moment& moment(std::size_t i) const noexcept { return moments_[(first_ + i) % kMoments]; }  // 0: the oldest
+    // I = 0: the oldest moment.
+    const Moment& moment(std::size_t i) const noexcept { return moments_[(first_ + i) % kMoments]; }
     // Returns the poses at the newest moment.
     std::span<const render::BodyPose> poses() const noexcept {
         return count_ > 0 ? std::span<const render::BodyPose>(*moment(count_ - 1).poses)

@@ -34,7 +34,7 @@ struct GuidancePath {
     // Share of the force limits, 0 to 1. With 0 there is no force, but the arrival is still reported.
     double strength = 1.0;
     std::uint32_t count = 0;
-    std::array<Vec3, kMostPoints> points_m{};  // in the world
+    std::array<Vec3, kMostPoints> points_m{};  // points of the path, in the world
 };
 
 enum class GuidancePhase : std::uint8_t {

@@ -17,8 +17,8 @@ namespace handrail::servo {
 // began. 0: none yet.
 struct ServoReads {
     std::uint32_t scene = 0, tuning = 0, pose = 0, bodies = 0, guidance = 0;
-    std::uint32_t stops = 0;  // ServoSwitches::stops
-    bool focused = true;      // ServoSwitches::focused
+    std::uint32_t stops = 0;  // value of ServoSwitches::stops
+    bool focused = true;      // value of ServoSwitches::focused
     bool stopping = false;    // the force is fading because the servo stops
     bool operator==(const ServoReads&) const = default;
 };
@@ -27,13 +27,13 @@ struct ServoReads {
 struct EngineReads {
     std::uint32_t engine = 0;   // HandChannel::engine; 0: no engine
     std::uint64_t frame = 0;    // DynamicsFrame::number of the newest frame that the tick knew; 0: none yet
-    std::uint32_t refused = 0;  // BodiesInReach::take_refused
+    std::uint32_t refused = 0;  // result of BodiesInReach::take_refused()
     bool operator==(const EngineReads&) const = default;
 };
 
 struct HandRow {
     double time_s = 0.0;          // time of the tick in seconds, a whole number of microseconds
-    device::DeviceSample sample;  // rounded by round_to_whole_steps
+    device::DeviceSample sample;  // sample after round_to_whole_steps()
     Vec3 force_n{0.0};            // force on the hand, device frame
     FeatureId contact = kNoFeature;
     std::uint32_t servo = 0;  // number of the servo among this hand's servos, counted from 1
@@ -43,7 +43,7 @@ struct HandRow {
 
 // Passes rows from one servo at a time to the recorder.
 struct HandRing {
-    static constexpr std::size_t kRows = 4096;  // rows of about 4 s
+    static constexpr std::size_t kRows = 4096;  // enough rows for 4 s
     SpscRing<HandRow, kRows> rows;
     std::atomic<std::uint64_t> lost{0};  // number of rows for which the ring had no room
     std::uint32_t servos = 0;            // number of servos that were given the ring so far; app thread

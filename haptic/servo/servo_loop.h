@@ -129,7 +129,7 @@ private:
     bool open_ = false;
     std::atomic<bool> stop_asked_{false};
 
-    std::vector<KeptScene> kept_;                              // app thread only
+    std::vector<KeptScene> kept_;                              // used by the app thread only
     std::shared_ptr<const render::HapticScene> world_, desk_;  // the scenes that the app passed last
     std::shared_ptr<HandBodyServo> engine_;                    // the engine that the app passed last
     std::uint64_t last_scene_ = 0;
@@ -140,7 +140,7 @@ private:
     LatestValue<Given<WorkspacePose>> pose_;
     LatestValue<Given<BodyFrame>> bodies_;
     LatestValue<Given<GuidancePath>> guidance_;
-    ServoReads given_;  // app thread
+    ServoReads given_;  // number of values that the app has passed of each input; app thread
     LatestValue<ToolState> tool_;
     LatestValue<ServoReport> report_;
     std::unique_ptr<EventRing> own_events_;  // null if Links contains a ring

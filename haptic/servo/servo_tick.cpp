@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kNominalPeriodS = 1e-3;
 constexpr double kShortestPeriodS = 1e-6;
-constexpr double kFarthestGoalM = 1e6;  // farther from the origin, doubles are too coarse for touch
+// Greatest distance of the hand's goal from the origin; farther away, doubles are too coarse for touch.
+constexpr double kFarthestGoalM = 1e6;
 // Greatest speed of a hand. After a gap, the permitted distance between two samples grows at this speed.
 constexpr double kFastestHandMPerS = 5.0;
 constexpr double kMeanPeriodPoleS = 1.0;

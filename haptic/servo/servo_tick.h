@@ -60,7 +60,7 @@ struct DeskTouch {
 // State of the hand for the app and the audio thread, published in each tick.
 struct ToolState {
     double time_s = 0.0;
-    Vec3 hip_m{0.0}, proxy_m{0.0};  // in the world
+    Vec3 hip_m{0.0}, proxy_m{0.0};  // positions in the world
     Vec3 hand_m{0.0};               // last good sample, device frame
     double ball_radius_m = 0.0;
     Vec3 force_n{0.0};        // commanded force after the limiter, world axes
@@ -72,7 +72,7 @@ struct ToolState {
     FeatureId liquid = kNoFeature;
     std::uint32_t buttons = 0;
     Vec3 gimbal_rad{0.0};         // angles of the grip, if the device measures them
-    std::uint8_t homed_legs = 0;  // DeviceSample::homed_legs
+    std::uint8_t homed_legs = 0;  // see DeviceSample::homed_legs
     Fault fault = Fault::None;    // the fault that is latched or currently present
     bool fault_latched = false;   // the fault needs a new ServoTuning::confirm
     bool fault_lasts = false;     // the cause of the fault persists, so a confirmation would have no effect

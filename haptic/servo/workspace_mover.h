@@ -65,7 +65,7 @@ public:
 
     // Position of the hand, and the force on it in the last tick.
     struct Hand {
-        Vec3 at_m{0.0};  // in the device frame
+        Vec3 at_m{0.0};  // position of the hand in the device frame
         std::uint32_t buttons = 0;
         double wanted_n = 0.0;   // size of the force before the limiter
         double ceiling_n = 0.0;  // the lower of the person's ceiling and the device's peak force

@@ -33,7 +33,8 @@ void replay_ticks(benchmark::State& bench, const HapticScene& scene, const std::
 
 // Measures one closest-point query for each kind of obstacle, from random places near it.
 void register_closest_points() {
-    constexpr std::size_t kOurKinds = static_cast<std::size_t>(ObstacleKind::Custom);  // without custom obstacles
+    // Number of kinds, without custom obstacles.
+    constexpr std::size_t kOurKinds = static_cast<std::size_t>(ObstacleKind::Custom);
     TouchWorld worlds[kOurKinds];
     const auto of = [&](ObstacleKind kind) -> TouchWorld& { return worlds[static_cast<std::size_t>(kind)]; };
     const Vec3 low(-.1, -.1, -.1), high(.1, .1, .1);

@@ -1,10 +1,9 @@
 // Measures how the density of triangles affects the cost. A proxy of 5 mm slides at 0.2 m/s, pressed 2 to 5 mm deep,
-// over
-// spheres of radius 0.5 m made of 1e3 to 1e6 triangles. Prints one line per sphere: build time, memory, time per tick.
+// over spheres of radius 0.5 m made of 1e3 to 1e6 triangles. Prints one line per sphere: build time, memory, time per
+// tick.
 //   mesh_touch [TICKS [FREQUENCY [count]]]
 // A frequency of n gives 20 n^2 triangles. Under callgrind, instructions.sh counts the instructions of
-// measured_ticks();
-// "count" omits the timing.
+// measured_ticks(); "count" omits the timing.
 #include <fmt/format.h>
 
 #include <malloc.h>

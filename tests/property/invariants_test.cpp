@@ -64,7 +64,7 @@ class HollowCase : public EveryCase {};
 // Cases whose answer is unique and continuous: no soup, no raw slivers, no spike.
 class TidyCase : public EveryCase {};
 
-TEST_P(EveryCase, keeps_the_ball_and_its_whole_path_outside_all_obstacles) {  // I1, I2, I3
+TEST_P(EveryCase, keeps_the_ball_and_its_whole_path_outside_all_obstacles) {  // invariants I1, I2 and I3
     for (const bool turned : {false, true}) {
         Motion motion = turned ? random_turn(random_) : Motion{};
         if (turned) motion.shift_m = {12.3, -4.5, 6.7};
@@ -87,7 +87,7 @@ TEST_P(EveryCase, keeps_the_ball_and_its_whole_path_outside_all_obstacles) {  //
     }
 }
 
-TEST_P(EveryCase, uses_only_cuts_that_contain_the_ball_and_support_their_obstacle) {  // I4
+TEST_P(EveryCase, uses_only_cuts_that_contain_the_ball_and_support_their_obstacle) {  // invariant I4
     const Motion motion = random_turn(random_);
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     const auto scene = case_.world.scene(motion);
@@ -117,7 +117,7 @@ TEST_P(EveryCase, uses_only_cuts_that_contain_the_ball_and_support_their_obstacl
            });
 }
 
-TEST_P(EveryCase, never_moves_away_from_the_hand) {  // I5
+TEST_P(EveryCase, never_moves_away_from_the_hand) {  // invariant I5
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     for (const bool capped : {false, true}) {
         Vec3 before = case_.goals_m.front();
@@ -132,7 +132,7 @@ TEST_P(EveryCase, never_moves_away_from_the_hand) {  // I5
     }
 }
 
-TEST_P(EveryCase, stops_only_where_contacts_prevent_further_movement) {  // I6
+TEST_P(EveryCase, stops_only_where_contacts_prevent_further_movement) {  // invariant I6
     const Motion motion = random_turn(random_);
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     const BruteForce judge = case_.world.judge(motion);
@@ -155,7 +155,7 @@ TEST_P(EveryCase, stops_only_where_contacts_prevent_further_movement) {  // I6
     RecordProperty("unfinished", static_cast<int>(unfinished));
 }
 
-TEST_P(EveryCase, keeps_the_ball_still_while_the_hand_is_still) {  // I7
+TEST_P(EveryCase, keeps_the_ball_still_while_the_hand_is_still) {  // invariant I7
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     const auto scene = case_.world.scene();
     TouchState state;
@@ -169,7 +169,7 @@ TEST_P(EveryCase, keeps_the_ball_still_while_the_hand_is_still) {  // I7
     EXPECT_LE(worst, case_.tidy ? by_iteration_m() : 2e-5);
 }
 
-TEST_P(EveryCase, follows_the_hand_exactly_and_without_force_in_free_space) {  // I8
+TEST_P(EveryCase, follows_the_hand_exactly_and_without_force_in_free_space) {  // invariant I8
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     const BruteForce judge = case_.world.judge();
     Vec3 last_goal = case_.goals_m.front();
@@ -190,7 +190,7 @@ TEST_P(EveryCase, follows_the_hand_exactly_and_without_force_in_free_space) {  /
     EXPECT_GT(free_ticks, 0U);
 }
 
-TEST_P(HollowCase, gives_the_hand_no_energy) {  // I9
+TEST_P(HollowCase, gives_the_hand_no_energy) {  // invariant I9
     const Motion motion = random_turn(random_);
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     Vec3 last_goal = motion(case_.goals_m.front()), last_ball = last_goal;
@@ -205,7 +205,7 @@ TEST_P(HollowCase, gives_the_hand_no_energy) {  // I9
     EXPECT_LE(worst, 1e-8);
 }
 
-TEST_P(EveryCase, moves_the_ball_no_further_per_tick_than_the_cap) {  // I10
+TEST_P(EveryCase, moves_the_ball_no_further_per_tick_than_the_cap) {  // invariant I10
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     Vec3 last_goal = case_.goals_m.front();
     replay(*case_.world.scene(), case_.goals_m, {}, plain_tuning(case_.radius_m),
@@ -218,7 +218,7 @@ TEST_P(EveryCase, moves_the_ball_no_further_per_tick_than_the_cap) {  // I10
            });
 }
 
-TEST_P(EveryCase, feels_the_same_far_from_the_origin) {  // I13
+TEST_P(EveryCase, feels_the_same_far_from_the_origin) {  // invariant I13
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     const TouchTuning tuning = uncapped_tuning(case_.radius_m);
     const Trace here = trace(case_.world, case_.goals_m, {}, tuning);
@@ -237,7 +237,7 @@ TEST_P(EveryCase, feels_the_same_far_from_the_origin) {  // I13
     }
 }
 
-TEST_P(EveryCase, is_independent_of_the_order_and_repetition_of_obstacles) {  // I14
+TEST_P(EveryCase, is_independent_of_the_order_and_repetition_of_obstacles) {  // invariant I14
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     const TouchTuning tuning = uncapped_tuning(case_.radius_m);
     const Trace once = trace(case_.world, case_.goals_m, {}, tuning);
@@ -270,7 +270,7 @@ double deepest_overlap(const TouchCase& c, const Motion& motion, std::size_t eve
     return deepest;
 }
 
-TEST_P(EveryCase, is_as_safe_if_the_solver_stops_early) {  // I17, with I1, I2, I3, I5
+TEST_P(EveryCase, is_as_safe_if_the_solver_stops_early) {  // invariant I17, with I1, I2, I3 and I5
     for (const int most_rounds : {1, 4}) {
         const Motion motion = random_turn(random_);
         SCOPED_TRACE(fmt::format("{}, seed {}, at most {} rounds", case_.name, seed_, most_rounds));
@@ -291,7 +291,7 @@ TEST_P(EveryCase, is_as_safe_if_the_solver_stops_early) {  // I17, with I1, I2, 
     }
 }
 
-TEST_P(EveryCase, is_as_safe_with_cuts_that_are_fifty_milliseconds_old) {  // I18, with I2, I3
+TEST_P(EveryCase, is_as_safe_with_cuts_that_are_fifty_milliseconds_old) {  // invariant I18, with I2 and I3
     const Motion motion = random_turn(random_);
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     const TouchTuning looking = plain_tuning(case_.radius_m);
@@ -314,7 +314,7 @@ TEST_P(EveryCase, never_works_more_than_its_bound) {
            });
 }
 
-TEST_P(TidyCase, feels_finer_triangles_as_the_same_surface) {  // I15
+TEST_P(TidyCase, feels_finer_triangles_as_the_same_surface) {  // invariant I15
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     const TouchTuning tuning = uncapped_tuning(case_.radius_m);
     const Trace coarse = trace(case_.world, case_.goals_m, {}, tuning);

@@ -317,10 +317,11 @@ TEST(PersonalSpace, a_wall_behind_the_person_is_explored_like_any_other) {
         const auto press = [&](double force_n, double x_m, double z_m, double speed) {
             rig.go(Vec3(x_m, rig.pulled_m(force_n), z_m), speed);
         };
-        press(1.2, 0.0, 0.0, 0.05);  // lightly, for a long time
+        press(1.2, 0.0, 0.0, 0.05);  // the hand presses lightly, for a long time
         rig.rest(5.0);
         EXPECT_EQ(rig.entered, 0);
-        for (int i = 0; i < 6; ++i) press(2.2, i % 2 ? 0.006 : -0.006, 0.0, 0.01);  // firmly, along the wall
+        // The hand presses firmly and slides along the wall.
+        for (int i = 0; i < 6; ++i) press(2.2, i % 2 ? 0.006 : -0.006, 0.0, 0.01);
         for (int i = 0; i < 6; ++i) press(2.2, 0.0, i % 2 ? 0.004 : -0.004, 0.01);
         EXPECT_EQ(rig.entered, 0);
         for (int i = 0; i < 6; ++i) {  // hard, as a person tests how firm a wall is

@@ -360,7 +360,7 @@ TEST(Rounding,
     }
 }
 
-TEST(Rounding, gives_no_energy_over_random_closed_loops) {  // I11
+TEST(Rounding, gives_no_energy_over_random_closed_loops) {  // invariant I11
     double worst_j = -1.0;
     for (int i = 0; i < scaled(60); ++i) {
         const std::uint32_t seed = seed_of_run() + static_cast<std::uint32_t>(i);

@@ -63,7 +63,7 @@ std::shared_ptr<const HapticScene> textured_corner(std::mt19937& random, ReliefK
 
 class TexturedSurface : public ::testing::TestWithParam<ReliefKind> {};
 
-TEST_P(TexturedSurface, gives_no_energy_over_random_closed_loops) {  // I11
+TEST_P(TexturedSurface, gives_no_energy_over_random_closed_loops) {  // invariant I11
     const int loops = scaled(40);
     double worst_j = -1.0, worst_jump_n = 0.0;
     for (int seed = 1; seed <= loops; ++seed) {
@@ -122,7 +122,7 @@ double direction_error_deg(const HapticScene& scene, double radius_m) {
 }
 
 TEST(ShadedMesh, points_the_force_along_the_sphere_that_it_approximates) {
-    const TriangleMesh mesh = sphere_mesh(22, 0.5);  // 9680 triangles
+    const TriangleMesh mesh = sphere_mesh(22, 0.5);  // a sphere of 9680 triangles
     const double facets = direction_error_deg(*mesh_scene(mesh, false), 0.5),
                  shaded = direction_error_deg(*mesh_scene(mesh, true), 0.5);
     std::cout << "    direction error of " << mesh.triangles.size() << " triangles: " << facets
@@ -181,8 +181,9 @@ void gives_no_energy(double deepest_m) {
     std::cout << "    worst loop gives " << 1e6 * worst_j << " uJ; largest change in a tick " << worst_jump_n << " N\n";
 }
 
-TEST(ShadedMesh, gives_no_energy_over_random_closed_loops) { gives_no_energy(0.004); }                   // I11
-TEST(ShadedMesh, gives_no_energy_when_pressed_deeper_than_the_balls_radius) { gives_no_energy(0.012); }  // I11
+TEST(ShadedMesh, gives_no_energy_over_random_closed_loops) { gives_no_energy(0.004); }  // invariant I11
+// Invariant I11.
+TEST(ShadedMesh, gives_no_energy_when_pressed_deeper_than_the_balls_radius) { gives_no_energy(0.012); }
 
 TEST(ShadedMesh, keeps_corners_sharp_and_flat_faces_flat) {
     // A cube of triangles. Every edge is sharper than the crease angle and every face is flat, so shading must not

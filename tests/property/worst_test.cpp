@@ -67,8 +67,7 @@ TEST_P(WorstTicks, stay_within_their_work_budget_and_never_pass_through_a_surfac
             const HapticScene& shape = *scene.bodies[b].shape;
             const Vec3 own = frame.to_own(r.proxy_m);
             // Every one of these shapes is closed around its origin, and the proxy's centre must stay outside. Meshes
-            // are balls
-            // of 0.3 m.
+            // are balls of 0.3 m.
             if (shape.mesh.triangles.empty()) {
                 const Vec3 over = glm::max(glm::abs(own) - Vec3(kBox_m / 2.0), Vec3(0.0));
                 deepest = std::max(deepest, r.radius_m - glm::length(over));
@@ -196,7 +195,8 @@ TEST(TrackedBodies, let_an_office_open_each_of_two_thousand_doors_to_the_hand) {
     std::vector<BodyPose> poses;
     for (std::size_t d = 0; d < kDoors; ++d) {
         const Vec3 hinge(1.2 * static_cast<double>(d % kRow), 3.0 * static_cast<double>(d / kRow), 0.0);
-        builder.add_box({hinge + Vec3(0.91, -0.05, 0.0), hinge + Vec3(1.19, 0.05, 2.0)});  // the wall to the next door
+        // A wall from this door to the next.
+        builder.add_box({hinge + Vec3(0.91, -0.05, 0.0), hinge + Vec3(1.19, 0.05, 2.0)});
         ASSERT_TRUE(builder.add_body(FeatureId{static_cast<std::uint32_t>(d)}, shape, {hinge, {}, 1.0}));
         poses.push_back({{hinge, {}, 1.0}, true});
     }

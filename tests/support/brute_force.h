@@ -1,6 +1,5 @@
 // An independent judge of the touch renderer, in long double, without hierarchy, cache or projection routine. It is
-// slow on
-// purpose and finds the closest points
+// slow on purpose and finds the closest points
 // - of solids by trying every face, pair and triple of planes;
 // - of triangles by barycentric coordinates and three segments;
 // - of polygons by the triangles of a fan;
@@ -22,7 +21,7 @@ using LVec = glm::vec<3, long double>;
 
 struct Nearest {
     LVec point{0.0L};
-    long double distance = 0.0L;  // negative inside a solid
+    long double distance = 0.0L;  // signed distance, negative inside a solid
 };
 
 Nearest nearest_on_segment(const LVec& a, const LVec& b, const LVec& p);
@@ -51,7 +50,7 @@ public:
     struct Thing {
         bool solid = false;
         LVec a{0.0L}, b{0.0L}, c{0.0L};  // corners of a triangle
-        std::vector<Plane> planes;       // of a solid
+        std::vector<Plane> planes;       // planes of a solid
         // If set, any other thing, given by a function for its nearest point.
         std::function<Nearest(const LVec&)> other;
         LVec centre{0.0L};  // centre of a sphere around the thing, by which distant things are skipped

@@ -24,7 +24,7 @@ constexpr double kTread = 0.28, kFlight = kSteps * kTread, kFlightFrom = 3.0;
 constexpr int kLeastThing = 1, kDesk = 5, kChair = 6, kShelf = 7;  // numbers of brushes per piece of furniture
 
 struct Box {
-    double x0, y0, z0, x1, y1, z1;  // in metres
+    double x0, y0, z0, x1, y1, z1;  // two opposite corners, in metres
 };
 
 // Positions for furniture in a room, relative to its middle: x to the right and y ahead for a person who enters by the

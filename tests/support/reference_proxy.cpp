@@ -11,7 +11,7 @@ namespace {
 constexpr long double kStep_m = 2e-5L;
 constexpr long double kAtRest_m = 1e-13L;
 constexpr long double kLook_m = 0.01L;
-constexpr int kMostSteps = 200000;  // limit for one goal; corresponds to a path of 4 m
+constexpr int kMostSteps = 200000;  // greatest number of steps for one goal, which corresponds to a path of 4 m
 
 }  // namespace
 

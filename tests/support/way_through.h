@@ -29,7 +29,7 @@ inline std::optional<Vec3> way_through(const Scene& scene, FeatureId leaf) {
 }
 
 struct DoorToPass {
-    const StatedPortal* portal = nullptr;  // points into the scene
+    const StatedPortal* portal = nullptr;  // the stated portal, which belongs to the scene
     Vec3 way{0.0};                         // horizontal direction through the door
 };
 

@@ -26,7 +26,7 @@ namespace {
 constexpr double kScale = 20.0, kGain = 1.0 / 20.0;  // world metres per hand metre; hand newtons per world newton
 constexpr double kHand_n_per_m = 800.0;              // stiffness of the contact
 constexpr double kString_n_per_m = 50.0, kBall_m = 0.2;
-constexpr double kMiddle_m = 6e-3, kSwing_m = 3e-3, kLoop_s = 2.0;  // path of the hand
+constexpr double kMiddle_m = 6e-3, kSwing_m = 3e-3, kLoop_s = 2.0;  // path of the hand: middle, amplitude and period
 constexpr int kLoops = 10, kSettling = 15;
 constexpr Vec3 kStart_m{0.0, 0.0, 0.2};
 
