@@ -72,12 +72,12 @@ struct DynamicsBody {
     // Pose of this frame in the haptic body's own frame, in that frame's metres times `scale`.
     Placement middle_in_thing;
     Placement start;                    // pose of this frame at the start, local coordinates
-    std::vector<DynamicsPiece> pieces;  // in the body's frame
+    std::vector<DynamicsPiece> pieces;  // the parts of the body, in its own frame
     BodyNature nature;
     Vec3 inertia_kg_m2{1.0};
     double reach_m = 0.0;       // distance from the centre of mass to the farthest point of the body
     double half_width_m = 0.0;  // half the width of the thinnest piece
-    bool ball = false;          // the body is a single sphere
+    bool ball = false;          // true if the body is a single sphere
 };
 // Convert between the pose of the body's frame and the pose of its haptic body.
 Placement thing_of(const DynamicsBody& body, const Placement& middle) noexcept;

@@ -72,19 +72,19 @@ struct FlyPaperLaw {
 };
 // A mass attached to the hand by a spring.
 struct InertiaLaw {
-    double mass_kg = 0.1;  // range 0.05 to 0.3
+    double mass_kg = 0.1;  // mass, 0.05 to 0.3
     double damping_ns_per_m = 0.2;
 };
 // Wind: a steady force. It is a source of energy and gives at most the force times the region's length.
 struct ForceLaw {
     Vec3 direction{1.0, 0.0, 0.0};  // unit vector
-    double force_n = 1.0;           // at most 2
+    double force_n = 1.0;           // at most 2 N
 };
 // A vibration. It is a source of energy.
 struct VibrationLaw {
     Vec3 direction{0.0, 0.0, 1.0};  // unit vector
-    double amplitude_n = 0.2;       // at most 0.5
-    double frequency_hz = 100.0;    // range 20 to 250
+    double amplitude_n = 0.2;       // at most 0.5 N
+    double frequency_hz = 100.0;    // 20 to 250 Hz
 };
 
 // The input of a custom law.

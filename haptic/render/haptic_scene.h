@@ -205,18 +205,18 @@ struct HapticScene {
     std::vector<SurfaceLabel> labels;
     bool one_sided_sheets = false;      // at least one sheet can be touched from one side only
     Bvh obstacle_bvh;                   // BVH of the obstacles; item i is obstacles[i]
-    std::vector<LiquidVolume> liquids;  // in the order of the world file
+    std::vector<LiquidVolume> liquids;  // the liquids, in the order of the world file
     Bvh liquid_bvh;                     // BVH of the liquids; item i is liquids[i]
     bool media = false;                 // true if there are liquids, effects or soft patches
     bool liquid_surfaces = false;       // true if at least one liquid has buoyancy or a film
     bool plain = false;  // true if the scene has no feature that PlainFeatures leaves out (tick_features.h)
     // True if bodies are the only such feature, so that the scene is plain while no body is near.
     bool plain_afar = false;
-    std::vector<EffectVolume> effects;  // in the order of the world file
+    std::vector<EffectVolume> effects;  // the effects, in the order of the world file
     Bvh effect_bvh;                     // BVH of the effects that are not attached to a body; item i is effects[i]
     std::vector<std::uint32_t> hanging_effects;  // indices of the effects that are attached to a body
     std::vector<SoftPatch> soft_patches;
-    std::vector<HapticBody> bodies;         // at most kMostBodies
+    std::vector<HapticBody> bodies;         // the bodies that may move; at most kMostBodies
     std::vector<HapticMaterial> materials;  // in the order of Scene::materials; entry 0 is the default wall
     std::vector<Relief> reliefs;            // height and friction textures
     MeshShading shading;                    // shading of `mesh`, if requested

@@ -81,8 +81,8 @@ public:
         int iterations = 0;
         bool converged = true, truncated = false, capped = false, ghosted = false;
         bool waits = false;     // the move had more work than kMostWork; the next moves do the rest
-        bool pushed = false;    // a body moved the proxy
-        bool squeezed = false;  // the proxy had to shrink
+        bool pushed = false;    // true if a body moved the proxy
+        bool squeezed = false;  // true if the proxy had to shrink
 
         // Prepares for the next move. `holds` needs no clearing, because only the first `count` are valid.
         void begin() noexcept {

@@ -21,7 +21,7 @@ struct ProxyTrack {
     Placement wanted;        // last commanded pose; while the body waits, `at` differs from it
     PlacedFrame frame;       // the frame of `at`, in the scene's own coordinates
     bool present = false;
-    bool moved = false;          // it moves in the current sub-step
+    bool moved = false;          // true if the body moves in the current sub-step
     bool jumped = false;         // its commanded pose is too far away for the sub-steps of one move
     bool short_of_room = false;  // some of its near obstacles could not become candidates
     int waited = 0;              // number of moves for which the body has waited
@@ -33,7 +33,7 @@ struct ProxyTrack {
     double reach_m = 0.0;  // radius of a sphere around its frame's origin that contains it, world metres
     // If looked_at is true, every obstacle nearer to this place than known_m is a candidate. In the body's own frame.
     Vec3 known_from_m{0.0};
-    double known_m = -1.0;  // world metres
+    double known_m = -1.0;  // in world metres
 
     // Returns the distance around a place, in the scene's own coordinates, within which every obstacle of the body is a
     // candidate.
@@ -59,7 +59,7 @@ struct ProxyTracks {
     std::size_t count = 0;
     std::size_t bodies = 0;  // number of bodies in the scene
 
-    Vec3 far_from_m{0.0};  // in scene coordinates
+    Vec3 far_from_m{0.0};  // the place to which far_m belongs, in scene coordinates
     double far_m = 0.0;
     double near_m = 0.0;  // distance around the proxy within which bodies must have a track
     // Square of the distance that the proxy may move from far_from_m before the solver searches for near bodies again.
