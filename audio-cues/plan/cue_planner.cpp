@@ -47,7 +47,8 @@ std::string spoken_side(const std::string& side) {
 std::string size_sentence(const Feature& feature) {
     const Vec3 size = feature.bounds_m.max_m - feature.bounds_m.min_m;
     const double x = to_decimetre(size.x), y = to_decimetre(size.y), height = to_decimetre(size.z);
-    // Without this, a flat rug would be "0 metres high", and a poster would have a depth of 0.
+    // Leaves out heights and depths of zero. Otherwise a flat rug would be "0 metres high", and a poster would have a
+    // depth of 0.
     if (feature.kind == FeatureKind::Floor || feature.kind == FeatureKind::Ceiling || height == 0.0)
         return phrase("touched.flat", {{"width", x}, {"depth", y}});
     if (feature.kind == FeatureKind::Object && std::min(x, y) > 0.0)
@@ -190,8 +191,8 @@ void CuePlanner::name_touched(std::size_t hand, const Naming& naming) {
     std::string text = describe_feature(*scene_, naming.feature, settings_.speech.verbosity);
     if (text.empty()) return;
     if (naming.by_hand) text = whose(hand, std::move(text));
-    // Without this, a hand that trembles between two surfaces would postpone the name for ever. The first touch
-    // determines the time, the last one the name.
+    // The first touch determines the time of the announcement, the last one the name. With a new time for each touch, a
+    // hand that trembles between two surfaces would postpone the name for ever.
     const double due_s = naming.time_s + naming.settle_s;
     const auto& waits = order_.name_of(hand);
     ask({.utterance = {.text = std::move(text),

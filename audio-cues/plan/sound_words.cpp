@@ -68,7 +68,8 @@ std::string SoundWords::tell(const SoundCue& cue, const Listener& ears, double n
     const bool steps = cue.kind == SoundKind::Footstep;
     const double wait_s = goes_on(cue.kind) ? kGoesOn_s : kBeats_s;
     if (same && (steps || now_s - told.time_s < wait_s)) return {};
-    // Without this, a person who turns on the spot would get a line for every sound whenever its direction changes.
+    // Waits before it reports a continuing sound again. Otherwise a person who turns on the spot would get a line for
+    // every sound whenever its direction changes.
     if (!same && goes_on(cue.kind) && !told.text.empty() && now_s - told.time_s < kBeats_s) return {};
     told = {text, now_s};
     return text;

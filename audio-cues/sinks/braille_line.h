@@ -25,8 +25,8 @@ public:
     void show_list(std::string_view before, const std::vector<std::string>& items, std::size_t at);
     void set_heading(std::string cells) { heading_ = std::move(cells); }
     void set_width(std::size_t cells);
-    // Pan by the width of the display, never past either end. Words that fit are not divided. Both return false if
-    // there is nothing more in that direction.
+    // Pan by the width of the display, never past either end. Words that fit are not divided. pan_right() and
+    // pan_left() return false if there is nothing more in that direction.
     bool pan_right();
     bool pan_left();
     void pan_home();

@@ -484,8 +484,8 @@ private:
         }
     }
 
-    // Returns true if the wall would have a hole without this thing. That is so for a window, which has walls on two
-    // opposite sides, and for a piece of the wall itself.
+    // Returns true if the wall would have a hole without this thing. A window, which has walls on two opposite sides,
+    // closes a gap; so does a piece of the wall itself.
     bool closes_a_gap(FeatureId id) {
         constexpr double kTouch_m = 0.02;
         const Feature& thing = scene_.features[id.value];

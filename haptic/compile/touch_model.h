@@ -1,6 +1,6 @@
-// Counts the parts of a world that a tick of the servo has to process. This shows that features which a world does not
-// contain cost nothing. `handrail info` prints it. Pure function that visits each part of a compiled scene once. Any
-// thread but the servo thread.
+// Counts the parts of a world that a tick of the servo has to process. The counts show that features which a world does
+// not contain cost nothing. `handrail info` prints them. Pure function that visits each part of a compiled scene once.
+// Any thread but the servo thread.
 #pragma once
 
 #include <string>

@@ -71,8 +71,8 @@ bool is_meant(const FoundDevice& device, std::string_view name_or_serial);
 // Opens a kinesthetic device by name, and by serial number if one is given. Only the guard process calls it.
 Result<std::unique_ptr<device::HapticDevice>> open_device(std::string_view name, std::string_view serial, Clock& clock,
                                                           const std::function<void(const std::string&)>& tell);
-// Opens the device, sends it zero force and closes it. This is the only task of the second guard. Succeeds only if the
-// device accepted the zero and answered.
+// Opens the device, sends it zero force and closes it. The second guard has no other task. Succeeds only if the device
+// accepted the zero and answered.
 Result<void> zero_device(std::string_view name, std::string_view serial, Clock& clock);
 // Returns the names that open_device() accepts. Each has a row in device_specs().
 std::vector<std::string> openable_device_names();

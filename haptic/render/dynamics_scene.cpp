@@ -52,8 +52,8 @@ double half_width_m(const DynamicsPiece& piece) noexcept {
         piece.round);
 }
 
-// Returns true if the face, moved slightly outwards, surely has no part in the solid grown by kReach_m. That is so if
-// the whole face is in front of one of the solid's planes.
+// Returns true if the face, moved slightly outwards, surely has no part in the solid grown by kReach_m. It checks
+// whether the whole face is in front of one of the solid's planes.
 bool apart(const Polygon& face, const ConvexSolid& solid) noexcept {
     for (const Plane& plane : solid.planes)
         if (std::all_of(face.points_m.begin(), face.points_m.end(),

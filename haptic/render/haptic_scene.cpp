@@ -19,8 +19,7 @@ constexpr double kBoundsSlack = 1e-9;
 // nothing.
 constexpr double kNearZero_m = 1024.0;
 
-// A face of a liquid can be its open surface if its normal is less than 45 degrees from vertical. This is the least
-// vertical component.
+// Least vertical component of the normal of a liquid's open surface, which must be less than 45 degrees from vertical.
 constexpr double kLooksUp = 0.7071;
 // Steepest slopes of the laws in liquids.cpp. The first is the stiffness of the drag's spring. The others are per
 // newton, for a film 4 mm thick and a buoyancy that rises over 20 mm.

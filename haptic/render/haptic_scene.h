@@ -232,9 +232,9 @@ struct HapticScene {
         const Corners& t = mesh.triangles[o.shape];
         return closest_point_of_triangle(mesh.points_m[t[0]], mesh.points_m[t[1]], mesh.points_m[t[2]], local_m);
     }
-    // A cheaper version of closest() for obstacles that are not near. Returns how far the point is in front of some
-    // plane that supports the obstacle, and the plane's normal. This is a lower bound of the distance. Returns 0 if
-    // such a plane is not easily found.
+    // A cheaper version of closest() for obstacles that are not near. Sets `normal` to that of some plane that supports
+    // the obstacle, and returns how far the point is in front of that plane. The result is a lower bound of the
+    // distance. Returns 0 if no such plane is easily found.
     double quick_support(std::uint32_t obstacle, const Vec3& local_m, Vec3& normal) const noexcept {
         const Obstacle& o = obstacles[obstacle];
         if (o.kind != ObstacleKind::Triangle) return 0.0;

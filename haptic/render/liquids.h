@@ -17,8 +17,8 @@ public:
     // Returns the force on the hand. `ball_local_m` is the centre of the proxy in the scene's own coordinates. Sets
     // `in` to the volume that contains the proxy; where volumes overlap, to the last one listed.
     Vec3 force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_local_m, FeatureId& in) noexcept;
-    // Returns true, at little cost, if force_n() would find no liquid and change nothing. That is so while the proxy
-    // stays where the last search found no liquid near. May return false even if force_n() would find none.
+    // Returns true, at little cost, if the proxy is still near the place where the last search found no liquid.
+    // force_n() would then find no liquid and change nothing. May return false even if force_n() would find none.
     bool surely_dry(const HapticScene& scene, const Vec3& ball_local_m, double scale) const noexcept {
         const Vec3 way = ball_local_m - looked_from_m_;
         const double free = nearest_m_ - kImmersion_hand_m * scale;

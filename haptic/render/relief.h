@@ -48,7 +48,7 @@ private:
 };
 
 enum class ReliefKind : std::uint8_t {
-    Level,    // no depth; the friction may still vary
+    Level,    // no depth; only the friction may vary
     Sine,     // depth/2 (1 + sin): a sine wave along u
     Square,   // half of the period is plain, half deep; the flanks are as steep as kSteepest allows
     Picture,  // depths from a HeightField
@@ -57,7 +57,8 @@ enum class ReliefKind : std::uint8_t {
 struct Relief {
     // Steepest slope of a texture. With it, a step of 2 mm takes at least 10 mm of hand travel.
     static constexpr double kSteepest = 0.3;
-    // Up to this force a texture raises the stiffness by at most half. If it would raise it more, its depth is reduced.
+    // Up to this force a texture raises the stiffness by at most half. A texture that would raise it more gets less
+    // depth.
     static constexpr double kFullForce_n = 3.0;
 
     ReliefKind kind = ReliefKind::Level;

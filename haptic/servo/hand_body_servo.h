@@ -40,7 +40,8 @@ public:
     //   must
     //   have no other effect.
     bool grip(const BodyTuning& tuning, std::uint32_t buttons, double now_s, const Vec3& hand_m) noexcept;
-    // 2. Returns the poses of all bodies. Free bodies have the pose at which this hand meets them, the others that of
+    // 2. Returns the poses of all bodies. Free bodies have the pose at which this hand meets them. The others have
+    //   that of
     //   `told`, which belongs to this scene or is empty. Valid until the next call.
     render::BodyPoses place(const render::BodyPoses& told, const render::HapticScene& scene, double now_s,
                             const Vec3& hand_m, const BodyFeel& feel) noexcept;

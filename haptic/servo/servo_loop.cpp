@@ -24,8 +24,7 @@ Scheduling ask_for_real_time() noexcept {
 }
 
 // Locks the memory of the whole process until it ends. Pages are locked when they are first used, so memory use does
-// not grow. This is done only without a memory limit, because with one every allocation would fail once the limit is
-// reached.
+// not grow. Does nothing under a memory limit, because every allocation would fail once the limit is reached.
 bool lock_memory() noexcept {
     rlimit limit{};
     if (getrlimit(RLIMIT_MEMLOCK, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY) return false;

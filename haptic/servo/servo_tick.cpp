@@ -444,7 +444,7 @@ void ServoState::move_bodies(HandBodyServo& engine, bool met, bool silent, const
     }
 }
 
-// Adds the guidance to the touch force. It guides the hand only while force may act at all.
+// Adds the guidance to the touch force. Guidance acts only while force may act at all.
 void ServoState::guide(const GuidancePath& path, const WorkspaceFrame& frame, double scale, bool allowed,
                        double dt_s) noexcept {
     wanted_n_ += frame.turn_to_device(guidance_.tick(path, tool_.hip_m, scale, spec_.peak_force_n, allowed, dt_s));

@@ -17,7 +17,7 @@ inline std::uint32_t every(std::uint32_t usual, std::uint32_t sanitized) {
 }
 
 // Returns true if at least `percent` of the cases are good. If there are more than three cases, but too few for the
-// percentage to permit a miss, one miss is permitted. That exception does not apply if all cases are tried.
+// percentage to permit a miss, one miss is permitted, except in a run that tries all cases.
 inline bool enough(int good, int of, int percent) {
     const int allowed = of * (100 - percent) / 100, of_few = of > 3 && !std::getenv("HANDRAIL_ALL_ROUTES") ? 1 : 0;
     return of > 0 && of - good <= (allowed > of_few ? allowed : of_few);

@@ -1,5 +1,6 @@
 // Worlds that no test modifies. A process reads each of them once, and finds its rooms once for all sessions of its
-// main thread (RoomsKept). This saves most of the time of a session test. Each session has its own copy of the rooms.
+// main thread (RoomsKept). A session test thus needs only a small part of its usual time. Each session has its own copy
+// of the rooms.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -2,8 +2,7 @@
 // - the servo's model of the object (our own method)
 // - interpolated poses of the engine
 // - interpolated poses, with the force on the object damped as by a virtual coupling (Colgate and others, "Issues in
-//   the
-//   haptic display of tool use", 1995)
+//   the haptic display of tool use", 1995)
 // A hand that follows a prescribed path exactly pushes a ball on a rubber string to and fro for ten loops. A formula
 // gives the force that it should feel.
 #include <algorithm>

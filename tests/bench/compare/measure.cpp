@@ -19,7 +19,7 @@ double thread_s() {
 
 namespace {
 
-// Reads a clock. This takes some 10 ns, or 25 ns on a processor without a time-stamp counter.
+// Reads a clock. Reading takes some 10 ns, or 25 ns on a processor without a time-stamp counter.
 #if defined(__x86_64__)
 std::uint64_t counter() { return __builtin_ia32_rdtsc(); }
 #else
