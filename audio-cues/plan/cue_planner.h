@@ -117,7 +117,7 @@ public:
     SpeechTopics take_owed(double now_s, const SpeechSink& speech) {
         return order_.take_owed(now_s, speech.speaking());
     }
-    const std::vector<SpokenLine>& spoken() const { return spoken_; }  // at most the last kMaxSpoken lines
+    const std::vector<SpokenLine>& spoken() const { return spoken_; }  // the spoken lines, but only the last kMaxSpoken
     std::uint64_t spoken_in_all() const { return spoken_in_all_; }
 
     static constexpr std::size_t kMaxSpoken = 500;

@@ -12,7 +12,8 @@ constexpr double kFullForce_n = 1.5;  // force of a surface on the hand at which
 constexpr double kSlowest_m_per_s = 0.005;  // a slower movement of the hand counts as tremor, not as sliding
 constexpr double kFast_m_per_s = 0.1;       // speed of a fast slide, in hand metres per second
 constexpr double kStairs = 0.6;             // slope of stairs (rise over run), at which the left trigger resists fully
-constexpr double kLongestStride_m = 2.0;    // steps farther apart do not belong to one walk
+// Greatest length of a step; footsteps farther apart do not belong to one walk.
+constexpr double kLongestStride_m = 2.0;
 constexpr double kDefaultHardness = 0.8;
 
 }  // namespace

@@ -50,7 +50,7 @@ struct SpeechTopics {
 };
 
 struct Utterance {
-    std::string text;  // one line of valid UTF-8 without control characters (see speakable)
+    std::string text;  // text to speak: one line of valid UTF-8 without control characters (see speakable())
     SpeechClass speech_class = SpeechClass::Answer;
     double loudness = 1.0;                  // 0 to 1; text sinks ignore it
     SpeechTopic topic = SpeechTopic::None;  // for code that counts what the person heard

@@ -28,7 +28,7 @@ const SoundInfo& info(SoundKind kind);
 struct DictionaryEntry {
     SoundKind kind;
     SoundClass material;
-    std::string text;  // suitable for speech: "Wall tone: a wall is near ..."
+    std::string text;  // spoken text of the entry, for example "Wall tone: a wall is near ..."
 };
 std::vector<DictionaryEntry> sound_dictionary();
 std::string_view material_sound_name(SoundClass material);  // Returns the name in scenarios, for example "plaster".

@@ -28,8 +28,9 @@ public:
         Output output = Output::Device;
         std::string device = {};  // OpenAL's name of a playback device; empty: the default device
         int periods = 2;          // number of periods of 256 samples; the first sink of a process determines it for all
-        bool hrtf = true;         // false: plain stereo, for loudspeakers
-        std::string hrtf_set = "auto";  // part of the name of a set of filters that OpenAL Soft finds
+        bool hrtf = true;         // use head-related filters; false: plain stereo, for loudspeakers
+        // Part of the name of a set of head-related filters that OpenAL Soft finds, or "auto".
+        std::string hrtf_set = "auto";
         std::function<bool()> still_connected =
             {};  // Replaces the device's own report, so that a test can simulate unplugging.
         std::function<void(int)> on_render =

@@ -161,7 +161,7 @@ struct SpeechdSpeech::Worker {
         return true;
     }
 
-    // Returns false if the server has gone.
+    // Processes all pending work. Returns false if the server has gone.
     bool work_off() {
         std::optional<cues::Utterance> job;
         std::string wanted_language;

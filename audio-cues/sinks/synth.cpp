@@ -20,7 +20,7 @@ std::size_t samples_of(double seconds) { return static_cast<std::size_t>(std::lr
 enum class Body { Bar, Plate, Block };
 constexpr std::array<std::array<double, 6>, 3> kModeRatios{{
     {1.0, 2.756, 5.404, 8.933, 13.34,
-     18.64},  // free bar (Fletcher & Rossing, The physics of musical instruments, 1998)
+     18.64},  // a free bar (Fletcher & Rossing, The physics of musical instruments, 1998)
     // A plate: dense, inharmonic modes, with ratios near those of a round membrane.
     {1.0, 1.594, 2.136, 2.296, 2.653, 2.918},
     {1.0, 1.38, 1.71, 2.03, 2.44, 2.87},  // a compact solid, with modes close together
@@ -38,7 +38,7 @@ struct Timbre {
     double noise_hz;      // upper frequency limit of the noise burst
     double noise_s;       // time in which the noise burst falls by 60 dB
     double stroke_hz;     // centre frequency of the noise when the surface is stroked
-    double grains_per_s;  // bumps per second while stroking; 0: smooth
+    double grains_per_s;  // number of bumps per second while the surface is stroked; 0: smooth
 };
 
 constexpr std::array<Timbre, kSoundClasses> kTimbres{{

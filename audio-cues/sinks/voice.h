@@ -17,7 +17,7 @@ enum class VoiceState {
 
 class Voice : public cues::SpeechSink {
 public:
-    virtual settings::SpeechThrough through() const = 0;  // its name in the settings
+    virtual settings::SpeechThrough through() const = 0;  // returns the voice's name in the settings
     virtual VoiceState state() const = 0;                 // state as of the last tick()
     virtual void want(bool wanted) = 0;                   // false: the voice releases its resources and stops trying
     virtual double patience_s() const { return 1.0; }     // how long the first text waits while the voice is connecting

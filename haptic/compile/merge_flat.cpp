@@ -330,7 +330,7 @@ private:
             for (const std::uint32_t h : inner) more = join(h) || more;
             std::erase_if(inner, [&](std::uint32_t h) { return ring_of(h) == ring_of(twin_[h]); });
         }
-        std::vector<std::pair<std::uint32_t, std::uint32_t>> members;  // pairs of polygon and triangle
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> members;  // pairs of a polygon and one of its triangles
         for (const std::uint32_t t : patch_) members.emplace_back(ring_of(3 * t), t);
         std::sort(members.begin(), members.end());
         for (std::size_t i = 0; i < members.size();) {
@@ -357,7 +357,7 @@ private:
     const double bound_m_;
     const std::uint32_t count_;
     std::vector<std::uint32_t> twin_, next_, prev_, ring_;
-    std::vector<std::uint32_t> patch_of_;  // the patch of each triangle, named by its seed
+    std::vector<std::uint32_t> patch_of_;  // for each triangle, the seed triangle of its patch
     std::vector<Vec2> flat_;               // mesh points projected to the plane of the current patch
     FlatMerge result_;
 

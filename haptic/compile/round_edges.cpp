@@ -32,7 +32,7 @@ struct Edge {
 struct Part {
     Edges edges = Edges::Apart;
     double radius_m = 0.0;
-    std::vector<double> out_m;  // for each face, how far it is moved outwards into its covering neighbour
+    std::vector<double> out_m;  // for each face, how far the solid is extended into the neighbour that covers it
     std::vector<Edge> all_edges;
     std::vector<std::uint32_t> near;
 
@@ -311,7 +311,7 @@ private:
             return glm::dot(face_a.normal, face_b.normal) > 1.0 - kFlush * kFlush || !lies_beyond_a_face(i, j);
         const Vec3 onwards = end_a.normal - face_b.normal * glm::dot(end_a.normal, face_b.normal);
         const double rises = glm::dot(face_a.normal, onwards);
-        if (rises > kFlush) return false;  // an inner corner: the proxy cannot enter the groove
+        if (rises > kFlush) return false;  // At an inner corner the proxy cannot enter the groove.
         if (rises < -kFlush) return true;  // an outer edge between two solids, where a groove would open
         // Names and materials change exactly at the border, so neither solid may extend below the other's surface.
         const auto goes_on = [](const Part& part, const Edge& edge) {
@@ -470,7 +470,7 @@ private:
     double radius_m_, touch_m_;
     std::vector<Part> parts_;
     std::vector<Seam> seams_;
-    BoxIndex index_;                     // index of the solids' boxes
+    BoxIndex index_;                     // spatial index of the solids' boxes
     std::vector<std::uint32_t> around_;  // scratch memory for query results
     int cuts_left_ = 0;
 };

@@ -18,7 +18,7 @@ constexpr double kDeepest_m = 1.5;  // greatest depth of a wall; a deeper passag
 constexpr double kFrame_m = 0.1;    // depth of frames and skirtings at a doorway, which are cut together with the wall
 // Depth of the strips in front of and behind the wall, beyond the frames, in which the plan looks for crossing walls.
 constexpr double kStrip_m = 0.15;
-constexpr double kLeastLeaf_m = 1.0;  // least height of a leaf; lower ones are hatches and flaps
+constexpr double kLeastLeaf_m = 1.0;  // least height of a door leaf; lower leaves are hatches and flaps
 // How far the opening may extend beyond its leaf on each side, in addition to half the leaf's width.
 constexpr double kBesideLeaf_m = 0.5;
 constexpr double kWidestChord_m = 6.0;  // longest line across an opening without a door, from wall to wall

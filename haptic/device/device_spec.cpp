@@ -18,7 +18,7 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr std::array kSpecs{
     // A mathematical device for replays. It has no force limit and no least rate, and answers at once.
     DeviceSpec{"ideal", kNoLimit, 1000.0, 0.08, 0.0, 0.0, 0.0, 0.0},
-    // Simulated: a Touch and a Falcon with the values of their profiles.
+    // Simulated devices: a Touch and a Falcon, with the values of their profiles.
     DeviceSpec{"sim-t", 3.3, 400.0, 0.075, 0.2, 1e-3, 600.0, 0.055e-3},
     DeviceSpec{"sim-f", 8.0, 3000.0, 0.04, 0.2, 1e-3, 600.0, 0.06e-3},
     // Real devices. 3D Systems, formerly SensAble.

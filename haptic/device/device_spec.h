@@ -9,7 +9,7 @@
 namespace handrail::device {
 
 struct DeviceSpec {
-    std::string_view name;      // as `--device` accepts it, case-insensitive: "sim-t", "falcon"
+    std::string_view name;      // name of the model for `--device`, in any case: "sim-t", "falcon"
     double peak_force_n = 0.0;  // greatest force; infinity: no limit
     // Stiffness of a wall with fraction 1.0, before the formula for the delay reduces it.
     double rated_stiffness_n_per_m = 1000.0;
@@ -18,7 +18,7 @@ struct DeviceSpec {
     // t_d: time from reading the position to the force on the hand, without the hold of half a period.
     double delay_s = 1e-3;
     double min_rate_hz = 600.0;      // if the device answers more slowly for 20 ms, the force fades out; 0: no limit
-    double encoder_quantum_m = 0.0;  // step of the measured position along each axis; 0: unknown or none
+    double encoder_quantum_m = 0.0;  // step of the measured position along each axis; 0: unknown, or no steps
     bool kinesthetic = true;
     // Root mean square force over ten seconds that the motors tolerate, as a share of the peak force.
     double sustained_share = 0.8;

@@ -13,11 +13,12 @@
 namespace handrail::device {
 
 struct HandMechanics {
-    double mass_kg = 0.4;                                      // mass of hand and device together
-    double damping_ns_per_m = 3.2;                             // damping of hand and device together
-    double spring_n_per_m = 0.0;                               // stiffness of the spring towards the hand's target
-    double dry_friction_n = 0.05;                              // friction of the device
-    double reach_m = std::numeric_limits<double>::infinity();  // end stops: radius of a sphere around zero
+    double mass_kg = 0.4;           // mass of hand and device together
+    double damping_ns_per_m = 3.2;  // damping of hand and device together
+    double spring_n_per_m = 0.0;    // stiffness of the spring towards the hand's target
+    double dry_friction_n = 0.05;   // friction of the device
+    // Distance of the end stops, which form a sphere around the origin.
+    double reach_m = std::numeric_limits<double>::infinity();
 };
 
 struct HandBody {

@@ -12,7 +12,7 @@
 
 namespace handrail::device {
 
-// Why a device is not connected.
+// Why a device is not connected, and what its last force may still do.
 enum class DeviceLoss : std::uint8_t {
     Unplugged,  // the device is gone, and the process that held it has released it
     MayPush,    // the process that held the device is gone, and the last force may still act
@@ -24,11 +24,11 @@ struct DeviceSample {
     std::uint32_t buttons = 0;  // pressed buttons; bit 0 is the first button
     bool fresh = true;          // false if the device had no new answer for this tick
     bool connected = true;
-    DeviceLoss loss = DeviceLoss::Unplugged;  // valid only while not connected
+    DeviceLoss loss = DeviceLoss::Unplugged;  // why the device is not connected; valid only while it is not
     // False while the device does not know its own position. position_m is then invalid, and the driver must give no
     // force.
     bool homed = true;
-    std::uint8_t homed_legs = 0;  // one bit for each homed leg, on a device that homes leg by leg; 0 on others
+    std::uint8_t homed_legs = 0;  // On a device that homes leg by leg, one bit for each homed leg. On other devices 0.
     bool hot = false;             // the device reports that its motors are too warm
     bool failed = false;          // the driver reports that the device is present but does not obey commands
     // Angles of the grip about the right, forward and up axes, as the maker counts them. Zero if the device does not

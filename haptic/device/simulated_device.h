@@ -45,8 +45,8 @@ struct DeviceTrouble {
     bool failed = false;  // the driver reports that the device does not obey commands
 };
 
-// The true position of the hand and the force that it feels, without encoder steps and failures. For drawing, scenarios
-// and tests.
+// The true position of the hand and the force on it, without encoder steps and simulated failures. For drawing,
+// scenarios and tests.
 struct HandState {
     double time_s = 0.0;
     Vec3 position_m{0.0};

@@ -16,7 +16,7 @@ namespace handrail::drivers {
 namespace fs = std::filesystem;
 namespace {
 
-// Requests of the serial chip (FTDI FT232).
+// Numbers of the requests that the serial chip (FTDI FT232) understands.
 constexpr std::uint8_t kReset = 0, kModemLines = 1, kFlow = 2, kBaud = 3, kFormat = 4, kLatency = 9;
 constexpr std::uint16_t kPurgeIn = 1, kPurgeOut = 2;
 constexpr std::uint16_t kDtrHigh = 0x0101, kDtrLow = 0x0100, kRtsLow = 0x0200;

@@ -90,7 +90,7 @@ private:
     std::vector<std::string> arguments_;
     HandMailbox* mailbox_ = nullptr;
     int memory_fd_ = -1, wake_fd_ = -1;
-    int life_fd_ = -1, relief_life_fd_ = -1;  // sockets to the guard and to the second guard
+    int life_fd_ = -1, relief_life_fd_ = -1;  // sockets to the first guard and to the second guard
     int guard_fd_ = -1;  // process descriptor of the guard; becomes readable when the guard has ended
     pid_t guard_ = -1, relief_ = -1;
     mutable std::mutex mutex_;  // protects relief_, relief_life_fd_ and news_ while watch_ runs

@@ -17,7 +17,7 @@ namespace handrail::drivers {
 enum class ReliefState : std::uint8_t {
     Watching,  // the first guard holds the device, or no device is open yet
     Zeroing,   // the first guard has ended or is being killed; the device may push
-    Zero,      // the device accepted a force of zero, or the first guard released it before it ended
+    Zero,      // the device accepted a force of zero, or the first guard released the device before it ended
     Failed,    // the second guard could not reach the device, which may push
 };
 
@@ -32,7 +32,7 @@ struct HandMailbox {
     std::atomic<std::uint32_t> beats{0};
     std::atomic<std::uint32_t> relief_beats{0};  // number of the second guard's checks, one in 10 ms
     std::atomic<bool> holds{false};              // set by the guard while a device is open, which may then push
-    std::atomic<ReliefState> relief{ReliefState::Watching};  // set by the second guard
+    std::atomic<ReliefState> relief{ReliefState::Watching};  // state of the second guard, which sets it
     std::atomic<bool> memory_locked{true},
         // The guards set memory_locked to false if their memory may be swapped out, and spared to false if the kernel
         // may kill them when memory runs out.

@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint8_t kOutputCrc = 0xA2, kInputCrc = 0xA1;
 constexpr std::size_t kCommonOutput = 47, kBluetoothReport = 78, kDualShockUsbOutput = 32;
 constexpr std::size_t kChecksum = 4;
-// Firmware version from which on rumble no longer emulates the older motors.
+// First firmware version that no longer emulates the older motors when the pad rumbles.
 constexpr unsigned kImprovedRumbleFrom = 0x0224;
 
 std::uint16_t zones_from(int first) noexcept { return static_cast<std::uint16_t>((0x3ff << first) & 0x3ff); }

@@ -34,10 +34,11 @@ std::optional<PadIdentity> playstation_pad(std::uint16_t vendor, std::uint16_t p
 bool is_event_node_of_a_playstation_pad(std::string_view name) noexcept;
 
 struct PadInput {
-    double left_x = 0.0, left_y = 0.0, right_x = 0.0, right_y = 0.0;  // range -1 to 1, right and forward positive
-    double left_trigger = 0.0, right_trigger = 0.0;                   // pull of the trigger, 0 to 1
-    int hat = 8;                                                      // 0: up, then clockwise to 7; 8: not pressed
-    // From bit 0 on: square cross circle triangle L1 R1 L2 R2 create options L3 R3 PS touch mute.
+    // Deflections of the sticks, -1 to 1; right and forward are positive.
+    double left_x = 0.0, left_y = 0.0, right_x = 0.0, right_y = 0.0;
+    double left_trigger = 0.0, right_trigger = 0.0;  // pull of the trigger, 0 to 1
+    int hat = 8;                                     // 0: up, then clockwise to 7; 8: not pressed
+    // Pressed buttons, from bit 0 on: square cross circle triangle L1 R1 L2 R2 create options L3 R3 PS touch mute.
     std::uint32_t buttons = 0;
 };
 
@@ -51,7 +52,7 @@ TriggerEffect trigger_vibrates(int from_zone, int strength_1_to_8, int frequency
 
 struct PadOutput {
     TriggerEffect left = trigger_off(), right = trigger_off();
-    std::uint8_t strong = 0, weak = 0;  // rumble of the left coil (strong) and the right coil (weak)
+    std::uint8_t strong = 0, weak = 0;  // strength of the left coil (strong) and of the right coil (weak)
 };
 
 PadOutput pad_output_for(const device::FingerCue& cue) noexcept;

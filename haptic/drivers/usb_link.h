@@ -23,7 +23,7 @@ struct UsbDeviceInfo {
     int bus = 0, address = 0;
     std::string serial, product_name;  // empty if the device may not be queried
     bool permitted = true;             // true if this process may open the device
-    std::string problem;               // why it cannot be opened, in libusb's words; empty if it can
+    std::string problem;               // why this process cannot open the device, in libusb's words; empty if it can
 };
 
 // Returns the devices among `wanted` that are plugged in, sorted by bus and address. Fails if USB cannot be queried at

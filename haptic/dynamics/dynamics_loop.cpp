@@ -95,7 +95,7 @@ void DynamicsLoop::one_step() {
 }
 
 bool DynamicsLoop::step_until(double now_s) {
-    // The small addition prevents rounding from delaying a step by one tick.
+    // The small addend prevents a rounding error from delaying a step by one tick.
     const double due = std::floor((now_s - dynamics_.time_s()) / Dynamics::kStep_s + 1e-6);
     if (!(due >= 1.0)) return false;
     int steps = kMostBehind;

@@ -22,8 +22,8 @@ struct LoopSettings {
     // Time from reading the position to the force on the hand, without the hold of half a period.
     double delay_s = 1e-3;
     double encoder_quantum_m = 0.06e-3;
-    double tremor_m = 0.0;       // tremor of the hand's target, 8 to 12 Hz, rms along each axis
-    double noise_m = 0.0;        // white noise of the sensor before the encoder's step, rms along each axis
+    double tremor_m = 0.0;  // tremor of the hand's target, 8 to 12 Hz, root mean square along each axis
+    double noise_m = 0.0;   // white noise of the sensor, before the encoder rounds, root mean square along each axis
     double stall_every_s = 0.0;  // time between two stalls; 0: no stalls
     double stall_s = 0.0;  // Length of a stall. During it nothing is read or written, and the motor holds its force.
     std::uint32_t seed = 1;

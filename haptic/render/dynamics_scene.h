@@ -128,7 +128,7 @@ public:
     explicit DynamicsSceneBuilder(const Vec3& origin_m = Vec3(0.0)) { scene_.origin_m = origin_m; }
 
     void set_gravity(const Vec3& gravity_m_per_s2) { scene_.gravity_m_per_s2 = gravity_m_per_s2; }
-    // Pieces without volume are ignored.
+    // Adds a fixed part of the building. A piece without volume is ignored.
     void add_fixed(const DynamicsPiece& piece);
     void add_fixed_box(const Aabb& box_m, FeatureId feature = kNoFeature) { add_fixed(make_box_piece(box_m, feature)); }
     void add_sheet(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, FeatureId feature = kNoFeature);

@@ -56,7 +56,7 @@ struct DetentLaw {
     Vec3 origin_m{0.0};
     Vec3 direction{1.0, 0.0, 0.0};  // unit vector
     double force_n = 1.5;           // F0, at most 4
-    double pitch_hand_m = 0.010;    // l, at least 2 mm
+    double pitch_hand_m = 0.010;    // l, the distance between detents; at least 2 mm
 };
 // A button that snaps between two positions, half its travel before and behind the origin. Its potential is a quartic
 // double well whose outer walls fade out.
@@ -91,7 +91,7 @@ struct VibrationLaw {
 struct EffectPoint {
     Vec3 at_m{0.0};       // position of the hand, in the region's coordinates
     double scale = 1.0;   // world metres per hand metre
-    double weight = 0.0;  // 0 at the region's edge, 1 inside
+    double weight = 0.0;  // weight of the region, 0 at its edge and 1 inside
     Vec3 velocity{0.0};   // velocity of the hand through the region, hand metres per second, unfiltered
     double time_s = 0.0;  // time since the hand entered the region
     double dt_s = 0.0;
@@ -120,7 +120,7 @@ struct EffectVolume {
     // body's frame.
     std::uint32_t body = kNoBody;
 
-    // Computed when the scene is built.
+    // The members below are computed when the scene is built.
     double inner_radius_m = 0.0;     // radius of a ball that fits into the region
     double stiffness_n_per_m = 0.0;  // upper bound for the slope of the force
     // Sum of the stiffness bounds of this effect and of all effects that overlap it.

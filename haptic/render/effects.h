@@ -47,7 +47,7 @@ private:
         bool slipping = false;
         double time_s = 0.0;      // time since the hand entered
         double turns = 0.0;       // phase of a vibration, in turns
-        Vec3 last_m{0.0};         // last position of the hand, in the frame of the body that the effect is attached to
+        Vec3 last_m{0.0};         // last position of the hand, in the frame of the body to which the effect is attached
         Vec3 offset_hand_m{0.0};  // position of the inner point relative to the hand
         Vec3 speed_hand_m_per_s{0.0};  // velocity of the inner point
     };

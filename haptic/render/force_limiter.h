@@ -8,7 +8,7 @@
 
 namespace handrail::render {
 
-// What the force may do in this tick.
+// How the limiter treats the force in this tick.
 enum class ForceFlow {
     Run,   // ramp the force in over 1 s from the current gain, then pass it in full
     Fade,  // fade the force out over 75 ms, or faster on request

@@ -436,7 +436,7 @@ void HapticSceneBuilder::prepare_effects() {
         double liquid_stiffness = 0.0;
         for (std::size_t k = 0; k < scene_.liquids.size(); ++k)
             if (overlap(effect_bounds_[i], liquid_bounds_[k])) {
-                // Overlapping liquids share their weight, so their stiffnesses do not add up.
+                // Overlapping liquids share their weight, so the stiffnesses of their drag do not add up.
                 liquid_stiffness = std::max(liquid_stiffness, liquid_own[k]);
                 scene_.liquids[k].crowd_stiffness_n_per_m += effect.stiffness_n_per_m;
             }
@@ -464,7 +464,8 @@ void HapticSceneBuilder::choose_origin() {
         scene_.origin_m = glm::round(all.centre_m());
 }
 
-// Moves the corners of polygons to the origin and computes the normals and edges that the solver needs.
+// Converts the corners of polygons to coordinates relative to the origin. Also computes the normals and edges that the
+// solver needs.
 void HapticSceneBuilder::make_polygons() {
     std::vector<PolygonCorner> corners;
     std::vector<Vec3> points;
@@ -490,7 +491,8 @@ void HapticSceneBuilder::settle_sides() {
     }
 }
 
-// Shapes, volumes and bounds relative to the origin. Points of meshes and polygons have been moved already.
+// Converts shapes, volumes and bounds to coordinates relative to the origin. The points of meshes and polygons have
+// been converted already.
 void HapticSceneBuilder::move_to_origin() {
     const Vec3 origin = scene_.origin_m;
     for (SphereShape& sphere : scene_.spheres) sphere.centre_m -= origin;

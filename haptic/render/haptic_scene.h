@@ -34,7 +34,7 @@ struct HapticMaterial {
     double friction_static = -1.0;
     double friction_kinetic = -1.0;
     double damping_ns_per_m = -1.0;
-    std::int32_t relief = -1;  // index in HapticScene::reliefs; -1: smooth
+    std::int32_t relief = -1;  // index of its texture in HapticScene::reliefs; -1: smooth
 };
 
 // The feature and material of a surface.
@@ -69,7 +69,7 @@ inline constexpr std::size_t kObstacleKinds = 9;
 struct CustomObstacle {
     // Takes a position in the solid's own coordinates.
     ClosestPoint (*closest)(const Vec3& at_m, const void* data) noexcept = nullptr;
-    std::shared_ptr<const void> data;  // must live as long as the scene
+    std::shared_ptr<const void> data;  // data for the function; must live as long as the scene
     Vec3 position_m{0.0};              // position of the solid's own origin in the world
     Aabb bounds_m;                     // bounds in the solid's own coordinates
 };
@@ -91,7 +91,7 @@ struct Obstacle {
     std::uint32_t first_label = 0;
 };
 
-// The corners of one flat polygon, as a range of HapticScene::polygon_corners.
+// A flat polygon, whose corners are a range of HapticScene::polygon_corners.
 struct PolygonRange {
     Vec3 normal{0.0};
     std::uint32_t first_corner = 0, corners = 0;
@@ -194,7 +194,7 @@ struct HapticScene {
     TriangleMesh mesh;  // triangles share their corners
     std::vector<Aabb> boxes;
     std::vector<Plane> planes;
-    std::vector<double> roundings_m{0.0};  // radii of the edges of boxes and brushes; [0]: sharp
+    std::vector<double> roundings_m{0.0};  // radii of the edges of boxes and brushes; roundings_m[0] means sharp edges
     std::vector<PolygonRange> polygons;
     std::vector<PolygonCorner> polygon_corners;
     std::vector<SphereShape> spheres;
@@ -216,11 +216,12 @@ struct HapticScene {
     Bvh effect_bvh;                     // BVH of the effects that are not attached to a body; item i is effects[i]
     std::vector<std::uint32_t> hanging_effects;  // indices of the effects that are attached to a body
     std::vector<SoftPatch> soft_patches;
-    std::vector<HapticBody> bodies;         // the bodies that may move; at most kMostBodies
-    std::vector<HapticMaterial> materials;  // in the order of Scene::materials; entry 0 is the default wall
-    std::vector<Relief> reliefs;            // height and friction textures
-    MeshShading shading;                    // shading of `mesh`, if requested
-    bool fields = false;                    // true if the scene or one of its bodies has reliefs or shading
+    std::vector<HapticBody> bodies;  // the bodies that may move; at most kMostBodies
+    // The materials, in the order of Scene::materials; entry 0 is the default wall.
+    std::vector<HapticMaterial> materials;
+    std::vector<Relief> reliefs;  // height and friction textures
+    MeshShading shading;          // shading of `mesh`, if requested
+    bool fields = false;          // true if the scene or one of its bodies has reliefs or shading
     // For each FeatureId of a mesh, the axis along which its textures are projected: 0, 1 or 2.
     std::vector<std::uint8_t> relief_axis;
 

@@ -40,7 +40,7 @@ public:
         newest_ = (newest_ + 1) % kMostLate;
         given_n_[newest_] = force_n;
     }
-    // Starts again for a new contact.
+    // Starts the count of energy again, for a new contact.
     void reset() noexcept {
         energy_j_ = 0.0;
         damping_ns_per_m_ = 0.0;

@@ -70,7 +70,7 @@ struct ProxyCuts {
     static constexpr double kNoCut_m = -1e30;
 
     int count = 0;
-    int one_sided = 0;  // number of candidates that are one-sided sheets
+    int one_sided = 0;  // how many of the candidates are one-sided sheets
     // Planes that support the obstacles themselves, without the proxy's radius, because the radius may grow. Relative
     // to the solver's anchor.
     std::vector<HalfSpace> planes = std::vector<HalfSpace>(kMost);

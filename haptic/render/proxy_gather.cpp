@@ -164,7 +164,7 @@ void ProxySolver::gather(const HapticScene& scene, double reach_m, double needed
         track.unknown = track.looked_at = false;
         if (!track.present) continue;
         track.reach_m = scene.bodies[b].reach_m * track.frame.scale;
-        track.looked_at = track.known_around_m(at) <= reach_m;  // otherwise no part of it is nearer than reach_m
+        track.looked_at = track.known_around_m(at) <= reach_m;  // if false, no part of the body is nearer than reach_m
         if (track.looked_at) ++near;
     }
     // Gathers the obstacles of all these bodies now if the budget allows. Otherwise the remaining bodies follow in the

@@ -19,7 +19,7 @@ struct ProxyPath {
     int rubs_from = 0;       // index of the first point at which the proxy slides; before it, friction does not act
     int rounds_left = 0;     // rounds that the move did not need and that friction may use
     bool was_free = true;    // no surface held the proxy before this move
-    double longest_m = 0.0;  // greatest length of the path
+    double longest_m = 0.0;  // limit for the length of the path
 
     Vec3& operator[](int i) noexcept {
         tick_assert(i >= 0 && static_cast<std::size_t>(i) < points_m.size());

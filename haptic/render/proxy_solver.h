@@ -54,7 +54,7 @@ public:
     struct Request {
         Vec3 goal_m{0.0};  // goal of the proxy, world
         double radius_m = 0.005;
-        double path_cap_m = 0.0;  // longest path of the proxy in this move
+        double path_cap_m = 0.0;  // limit for the length of the proxy's path in this move
         double margin_m = 0.02;   // desired distance that the proxy may move before candidates are gathered again
         double growth_m = 0.0;    // how much a shrunken proxy grows in this move
         // Greatest number of rounds, up to kMaxIterations. With fewer rounds the proxy never goes through an obstacle
@@ -70,7 +70,7 @@ public:
     // One surface that holds the proxy.
     struct Hold {
         std::uint32_t obstacle = 0;
-        std::uint16_t body = kStill;  // the body whose shape the obstacle belongs to
+        std::uint16_t body = kStill;  // the body to whose shape the obstacle belongs
         Vec3 normal{0.0};
         double multiplier_m = 0.0;
     };
@@ -92,7 +92,7 @@ public:
         }
     };
 
-    // Makes the next move start at its goal.
+    // Makes the proxy start at the goal of the next move.
     void reset() noexcept;
     // Makes one move. `Has` is AllFeatures, or PlainFeatures if scene.plain.
     template <class Has = AllFeatures>
@@ -298,10 +298,10 @@ private:
     std::vector<Vec3> nearest_normals_ = std::vector<Vec3>(kMaxCandidates + kSpareCandidates);
     std::size_t nearest_count_ = 0;
     Bvh::Queue queue_{kMostLooks};
-    double known_m_ = -1.0;  // every obstacle nearer to the anchor than this is a candidate
+    double known_m_ = -1.0;  // radius around the anchor within which every obstacle of the still scene is a candidate
     double dense_m_ = 4.0;   // range of the last gathering of the still scene
     bool crowded_ = false;   // the last search found more near obstacles of the still scene than kComfortableCandidates
-    bool gathers_on_ = false;  // a gathering is in progress over several moves
+    bool gathers_on_ = false;  // true while a gathering takes several moves
     // State that lasts from move to move.
     const HapticScene* scene_ = nullptr;  // used only for comparison, together with the generation
     // Scene whose bodies were all far at the last check; used only for comparison.

@@ -54,7 +54,8 @@ struct ProxyTracks {
         std::vector<std::uint16_t>(HapticScene::kMostBodies, kNoSlot);
     // For each body, a lower bound of its distance; used only while track_near() examines all bodies.
     std::vector<double> least_m = std::vector<double>(HapticScene::kMostBodies);
-    std::vector<std::uint16_t> followed = std::vector<std::uint16_t>(kMost);  // indices of bodies, in rising order
+    // Indices of the followed bodies, in rising order.
+    std::vector<std::uint16_t> followed = std::vector<std::uint16_t>(kMost);
     std::vector<std::uint16_t> free_slots = std::vector<std::uint16_t>(kMost);
     std::size_t count = 0;
     std::size_t bodies = 0;  // number of bodies in the scene

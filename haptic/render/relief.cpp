@@ -68,7 +68,7 @@ void bound(HeightField::Level& level, double aspect) {
 double flank_step(double x) noexcept { return x * x * (3.0 - 2.0 * x); }
 double flank_step_slope(double x) noexcept { return 6.0 * x * (1.0 - x); }
 
-// A wave of period 1 between 0 and 1, and its slope.
+// The value of a wave with period 1 and values between 0 and 1, and its slope.
 struct Wave {
     double value, slope;
 };
@@ -266,7 +266,8 @@ void ReliefBorder::apply() noexcept {
         value_.gradient = Vec3(0.0);
         return;
     }
-    const double shrunk = 1.0 / std::sqrt(std::sqrt(sum_)), weight = shrunk / sum_;  // weight is (result / depth)^5
+    // The weight of the depth itself is (result / depth)^5.
+    const double shrunk = 1.0 / std::sqrt(std::sqrt(sum_)), weight = shrunk / sum_;
     value_.depth_m *= shrunk;
     value_.gradient = (value_.gradient + gradient_) * weight;
     value_.swing_to_depth *= weight;

@@ -29,8 +29,8 @@ struct RigidBodyState {
     static constexpr std::size_t kMostPlanes = 12;
 
     std::uint32_t body = kNoBody;  // index in DynamicsScene::bodies
-    double time_s = 0.0;           // the moment that this message describes
-    Placement at;                  // pose of the body's frame: centre of mass, principal axes
+    double time_s = 0.0;           // time that this message describes
+    Placement at;  // pose of the body's frame, whose origin is the centre of mass and whose axes are principal
     Vec3 speed_m_per_s{0.0}, turn_rad_per_s{0.0};
     double mass_kg = 1.0;
     Vec3 inertia_kg_m2{1.0};

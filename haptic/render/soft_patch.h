@@ -84,7 +84,7 @@ private:
     std::vector<double> set_m_;                   // s of the cells of all patches, in world metres
     std::vector<double> load_;                    // g of each cell of the current patch
     std::array<bool, kMostSoftPatches> awake_{};  // for each patch: true if one of its cells has not recovered yet
-    std::uint32_t world_ = 0;                     // the world that the dents belong to
+    std::uint32_t world_ = 0;                     // number of the world to which the dents belong
     std::size_t patches_ = 0;
 };
 

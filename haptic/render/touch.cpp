@@ -73,11 +73,11 @@ struct TouchState::Impl {
     EffectState effects;
     SoftState soft;
     PassivityGuard guard;
-    double swing = 1.0;  // amplitude factor of waves in the surface; 0 while the hand is too fast for them
+    double swing = 1.0;  // amplitude factor of the waves of textures; 0 while the hand moves too fast for them
 
     // The press, corrected by the fields of the surfaces.
     struct FieldPress {
-        Vec3 rest_m{0.0};  // from the hand to where the proxy would rest on the shifted surfaces
+        Vec3 rest_m{0.0};  // from the hand to where the proxy would rest on the surfaces shifted by their fields
         Vec3 pull_m{0.0};  // force divided by stiffness: rest_m plus the part that comes from the slopes of the fields
         bool touching = false;  // false if the hand is above the bottom of a hollow, so that it touches nothing
         double friction = 1.0;

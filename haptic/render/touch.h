@@ -62,7 +62,7 @@ struct ContactSet {
     bool truncated = false;  // there were too many candidates, and only the nearest were kept
     bool capped = false;     // the speed cap of the slide cut the path short
     bool waits = false;  // the tick had more work than its budget, so the proxy or a body lags (ProxySolver::kMostWork)
-    bool ghosted = false;  // some solid is not felt because the hand started inside it
+    bool ghosted = false;  // true if at least one solid is not felt, because the hand started inside it
 };
 
 struct TouchResult {
@@ -77,7 +77,7 @@ struct TouchResult {
     FeatureId soft = kNoFeature;  // the soft patch that the proxy presses
     MaterialId soft_material = kDefaultMaterial;
     Vec3 soft_force_n{0.0};          // part of the force that comes from soft patches
-    bool effects_truncated = false;  // the hand is in more effects than can act at once
+    bool effects_truncated = false;  // true if the hand is in more effects than can act at once
 };
 
 // All state of the renderer that lasts from tick to tick. It is created off the servo thread, because it allocates its

@@ -18,7 +18,7 @@ public:
     // The pose and velocity of the body at one moment.
     struct State {
         double time_s = 0.0;
-        Placement at;  // pose of the body's frame (RigidBodyState::at)
+        Placement at;  // pose of the body's frame (see RigidBodyState::at)
         Vec3 speed_m_per_s{0.0}, turn_rad_per_s{0.0};
     };
 

@@ -12,7 +12,7 @@ enum class Fault : std::uint8_t {
     BadSample,     // Three positions in a row are not finite or out of reach; latched.
     Jump,          // Three positions in a row are farther apart than a hand can move in a tick; latched.
     Unplugged,     // the device is no longer connected; latched
-    DeviceSilent,  // no answer for 25 ms; the force returns automatically with the next answer
+    DeviceSilent,  // the device has not answered for 25 ms; the force returns automatically with the next answer
     LateLoop,      // the loop is too slow to render a stable wall; latched
     Stalled,       // one gap of the loop was longer than 25 ms; the force returns automatically
     Unhomed,       // the device does not know its own position yet

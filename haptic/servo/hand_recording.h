@@ -19,7 +19,7 @@ struct ServoReads {
     std::uint32_t scene = 0, tuning = 0, pose = 0, bodies = 0, guidance = 0;
     std::uint32_t stops = 0;  // value of ServoSwitches::stops
     bool focused = true;      // value of ServoSwitches::focused
-    bool stopping = false;    // the force is fading because the servo stops
+    bool stopping = false;    // true while the force is fading because the servo stops
     bool operator==(const ServoReads&) const = default;
 };
 

@@ -290,8 +290,8 @@ void ServoState::meet_wall(const render::HapticScene* desk, const ServoTuning& t
     met_m_ = tool_.hand_m;
     met_ = true;
     const bool there = desk && tuning.personal_space;
-    // There is no wall while the hand's position is in doubt, or while the hand moves its workspace or has just done
-    // so.
+    // There is no wall while the hand's position is in doubt. Nor is there one while the hand moves its workspace, or
+    // shortly after.
     const bool whole = there && fault_ == Fault::None && !tool_.waiting_for_hand &&
                        mover_.ceiling_n() == std::numeric_limits<double>::infinity();
     const Vec3 wall_was_n = space_.force_n();

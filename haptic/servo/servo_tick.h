@@ -54,7 +54,7 @@ struct DeskTouch {
     FeatureId touched = kNoFeature;  // touched feature of the desk's scene
     FeatureId held = kNoFeature;     // the feature that the hand presses, by a push or the device's button
     std::uint32_t presses = 0;       // number of presses since the start
-    double press_n = 0.0;            // force of the contact, before any ceiling
+    double press_n = 0.0;            // force of the hand against the touched object, before any ceiling
 };
 
 // State of the hand for the app and the audio thread, published in each tick.
@@ -68,7 +68,7 @@ struct ToolState {
     render::ContactSet contacts;
     FeatureId soft = kNoFeature;  // the soft feature that yields to the hand
     double soft_n = 0.0;          // force of that soft feature, before any ceiling; 0 if there is none
-    double contact_n = 0.0;       // force of the contacts, before any ceiling
+    double contact_n = 0.0;       // force of the surfaces on the hand, before any ceiling
     FeatureId liquid = kNoFeature;
     std::uint32_t buttons = 0;
     Vec3 gimbal_rad{0.0};         // angles of the grip, if the device measures them
@@ -211,7 +211,7 @@ private:
     bool fault_latched_ = false;
     bool place_lost_ = false;      // the fault has made everything felt before invalid
     bool pause_told_ = false;      // tool_.pause took a force away and was reported, so its end is reported too
-    double window_start_s_ = 0.0;  // start of the window in which the rate is measured
+    double window_start_s_ = 0.0;  // start of the period over which the rate is measured
     std::uint64_t window_ticks_ = 0;
     double mean_period_s_ = 1e-3;  // mean time between answers of the device, filtered with one pole of 1 s
     double since_answer_s_ = 0.0;

@@ -59,7 +59,7 @@ Rim rim_of(const device::DeviceSpec& spec) noexcept;
 
 class WorkspaceMover {
 public:
-    static constexpr double kMovingForceN = 0.2;  // the hand feels less than this while the workspace moves
+    static constexpr double kMovingForceN = 0.2;  // limit for the force on the hand while the workspace moves
 
     explicit WorkspaceMover(const device::DeviceSpec& spec) : rim_(rim_of(spec)) {}
 
@@ -67,7 +67,7 @@ public:
     struct Hand {
         Vec3 at_m{0.0};  // position of the hand in the device frame
         std::uint32_t buttons = 0;
-        double wanted_n = 0.0;   // size of the force before the limiter
+        double wanted_n = 0.0;   // size of the force that the renderer requested, before the limiter
         double ceiling_n = 0.0;  // the lower of the person's ceiling and the device's peak force
         const render::ContactSet* contacts = nullptr;
     };

@@ -1,5 +1,5 @@
-// Google Benchmark of one touch tick in small worlds and, if it is installed, in a real map. It reports times and never
-// asserts them.
+// Measures one touch tick with Google Benchmark, in small worlds and, if it is present, in a real map. It reports times
+// and never asserts them.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

@@ -51,7 +51,7 @@ public:
         });
         for (int i = 0; i < 30; ++i) worst_ms = std::max(worst_ms, tick());
         for (int i = 0; i < 5 && app_->dialogue().is_open(); ++i) app_->apply(KeyTapped{"Escape"}, now_s_);
-        // An open desk or list would take the next command, so a new session begins.
+        // An open desk or list would receive the next command, so a new session begins.
         if (app_->dialogue().is_open() || app_->at_desk()) begin();
         (void)app_->take_cues();
         settle();

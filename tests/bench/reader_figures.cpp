@@ -51,7 +51,8 @@ void append(std::string& bytes, const Vec3& point) {
 std::string map_of(int brushes) { return test::office_world(test::office_size(brushes)).map; }
 
 std::string ifc_of(int rooms) {
-    const int corridors = std::max(1, (rooms + 199) / 200);  // on five storeys, with rooms on both sides
+    // Number of corridors, which are on five storeys and have rooms on both sides.
+    const int corridors = std::max(1, (rooms + 199) / 200);
     return test::office_ifc({5, corridors, std::max(1, rooms / (10 * corridors)), 240}).text;
 }
 

@@ -25,7 +25,8 @@ inline std::vector<Vec3> record_walk(const HapticScene& scene, const TouchTuning
     for (int i = 0; i < ticks; ++i) {
         if (left <= 0 || stuck > 100) {
             do {
-                // Separate statements, because compilers evaluate arguments in different orders.
+                // The numbers are drawn in separate statements, because compilers evaluate arguments in different
+                // orders.
                 const double z = 2 * unit() - 1, y = 2 * unit() - 1, x = 2 * unit() - 1;
                 direction = {x, y, z};
             } while (glm::dot(direction, direction) < 0.1 || glm::dot(direction, direction) > 1.0);

@@ -324,7 +324,7 @@ TEST(PersonalSpace, a_wall_behind_the_person_is_explored_like_any_other) {
         for (int i = 0; i < 6; ++i) press(2.2, i % 2 ? 0.006 : -0.006, 0.0, 0.01);
         for (int i = 0; i < 6; ++i) press(2.2, 0.0, i % 2 ? 0.004 : -0.004, 0.01);
         EXPECT_EQ(rig.entered, 0);
-        for (int i = 0; i < 6; ++i) {  // hard, as a person tests how firm a wall is
+        for (int i = 0; i < 6; ++i) {  // the hand presses hard, as a person does to test how firm a wall is
             press(2.2, 0.0, 0.0, 0.05);
             rig.rest(0.5);
             press(0.2, 0.0, 0.0, 0.05);

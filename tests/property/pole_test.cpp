@@ -59,7 +59,7 @@ TEST(Pole, with_as_many_triangles_as_candidates_is_felt_within_seven_tenths_of_a
                                  over.direction_rms_degrees, over.jump_rms_n);
         EXPECT_LE(over.direction_rms_degrees, 0.7) << sectors;
         EXPECT_LE(over.jump_rms_n, 0.025) << sectors;
-        EXPECT_GE(over.nearest_m, 0.005 - 1e-5) << sectors;  // the facets are inside the sphere by up to 3 micrometres
+        EXPECT_GE(over.nearest_m, 0.005 - 1e-5) << sectors;  // the facets are up to 3 micrometres inside the sphere
     }
 }
 

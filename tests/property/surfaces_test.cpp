@@ -212,7 +212,7 @@ TEST(ShadedMesh, keeps_corners_sharp_and_flat_faces_flat) {
         if (t % 3 == 2) EXPECT_EQ(rise, 0.0) << t;
         else
             EXPECT_NEAR(rise, 0.05 * (1.0 - std::cos(kPi / 24.0)), 2e-5)
-                << t;  // the diagonal spans one side of the polygon
+                << t;  // rise of the diagonal edge, which spans one side of the tube's polygon
     }
     EXPECT_EQ(shade_mesh(tube.points_m, tube.triangles, 1.0).highest_m, 0.0)
         << "with no crease angle at all nothing is smooth";

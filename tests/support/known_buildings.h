@@ -12,7 +12,7 @@ namespace handrail::test {
 struct KnownBuilding {
     std::filesystem::path file;
     std::size_t doors = 0;  // number of doors in a wall; others do not count
-    bool large = false;     // reading it takes half a minute under a sanitizer
+    bool large = false;     // true if reading it takes half a minute under a sanitizer
 };
 
 // Writes an office of two storeys into `folder` and returns it with the other buildings. Prints a line for each absent

@@ -141,7 +141,7 @@ private:
         floor(low, high);
     }
 
-    // Adds the floor above, which ends over the third step of a northward flight, two metres above it.
+    // Adds the floor above. It ends over the third step of a flight that leads north, two metres above that step.
     void under_floor(double wide_m, double up_m) { floor({0, -1, up_m}, {wide_m, 0.6, up_m}); }
 
     // Adds a flight that leads up to the north.

@@ -1,4 +1,4 @@
-// Counts how often some words occur in a text, including overlapping occurrences.
+// Counts the occurrences of a piece of text in a longer text, including overlapping ones.
 #pragma once
 
 #include <string_view>

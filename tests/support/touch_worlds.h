@@ -36,7 +36,7 @@ public:
     void brush_box(const Vec3& low, const Vec3& high);
     // Adds a bounded solid, given by its planes, and by points whose convex hull contains it.
     void solid(const std::vector<Plane>& planes, const std::vector<Vec3>& corners, FeatureId feature = kNoFeature);
-    // Adds a cube of half this size with `cuts` random planes through it.
+    // Adds a cube with half size `half_size`, cut by `cuts` random planes.
     void random_brush(std::mt19937& random, const Vec3& centre, double half_size, int cuts);
     // Add sheets that can be touched from this side, and round solids. A cylinder, cone or capsule is given by the
     // centres of both ends.
@@ -57,7 +57,7 @@ public:
 
 private:
     struct Shape {
-        ObstacleKind kind = ObstacleKind::Brush;  // a box counts as a brush here until the builder recognises it
+        ObstacleKind kind = ObstacleKind::Brush;  // kind; a box counts as a brush here until the builder recognises it
         std::vector<Vec3> points;                 // corners; or the centre of a sphere; or the centres of both ends
         std::vector<Plane> planes;
         FeatureId feature;

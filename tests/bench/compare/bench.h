@@ -60,7 +60,7 @@ struct BodiesMeasured {
     std::string way;
     double mass_kg = 0.0;
     double error_n = 0.0;  // root mean square error of the force on the hand, compared with the formula
-    double felt_n = 0.0;   // amplitude of the force by the formula
+    double felt_n = 0.0;   // amplitude of the force that the formula gives
     // Energy given to the hand in one loop: measured, and computed by the formula.
     double given_j = 0.0, right_given_j = 0.0;
     double tick_s = 0.0, step_s = 0.0;  // mean times of a tick of the hand and of a step of the engine

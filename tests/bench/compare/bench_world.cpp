@@ -52,8 +52,8 @@ double BenchWorld::judging_work() const {
 }
 
 std::vector<BenchWorld> hard_case_worlds(std::uint32_t seed) {
-    // Indexed by the number of a random family: strips, crack, corner, groove, edge, spike, litter, slivers, thin,
-    // rough hand, soup, heap.
+    // Family names, indexed by the number of a random family: strips, crack, corner, groove, edge, spike, litter,
+    // slivers, thin, rough hand, soup, heap.
     constexpr const char* kFamilyOfRandom[test::kRandomFamilies] = {"T1", "T2", "T3",  "T5",  "T6",  "T7",
                                                                     "T8", "T9", "T11", "T14", "T16", "T16"};
     std::mt19937 random(seed);

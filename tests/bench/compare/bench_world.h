@@ -29,7 +29,7 @@ struct BenchWorld {
     test::BruteForce judge;
     // For each obstacle, its index in the judge; -1: left out; empty: the same order as in the scene.
     std::vector<std::int32_t> thing_of;
-    bool hard_case = false;  // a small world of the families T1 to T16
+    bool hard_case = false;  // true for a small world of the families T1 to T16
     bool judged = true;      // the judge contains every obstacle of the scene
     // > 0: the scene is a tessellated sphere of this radius around the origin, whose exact answer is known.
     double sphere_radius_m = 0.0;
@@ -57,7 +57,7 @@ BenchWorld sphere_world(int frequency, int ticks, std::uint32_t seed, double sim
 // A hand slides at 0.2 m/s, 3 mm deep, over the pole of a sphere of 0.5 m. `sectors` triangles meet at the pole; the
 // parallels are 3 mm apart.
 BenchWorld pole_world(int sectors, int ticks);
-// A hand walks and feels its way through a map, beginning at the map's first start.
+// A hand walks and slides its way through a map, beginning at the map's first start.
 Result<BenchWorld> map_world(const std::filesystem::path& map, int ticks, std::uint32_t seed);
 
 }  // namespace handrail::bench

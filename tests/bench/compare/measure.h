@@ -54,7 +54,8 @@ Truth truth_of(const BenchWorld& world, double most_work);
 Measured measure(const BenchWorld& world, const Truth& truth, const Contestant& contestant, int passes,
                  double judging_work);
 
-// Runs only the ticks, for counting instructions. Returns a number that depends on all of them.
+// Runs only the ticks, for counting instructions. Returns a number that depends on all results, so that the compiler
+// removes none.
 double counted_ticks(const BenchWorld& world, const Contestant& contestant);
 
 }  // namespace handrail::bench

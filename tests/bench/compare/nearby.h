@@ -13,9 +13,9 @@ namespace handrail::bench {
 
 class Nearby {
 public:
-    // Greatest margin, as in our renderer, and least margin.
+    // Greatest margin, which our renderer uses too, and least margin.
     static constexpr double kMargin_m = 0.02, kLeastMargin_m = 0.5e-3;
-    // Number of obstacles above which the margin shrinks, as in our renderer.
+    // Number of obstacles above which the margin shrinks; our renderer does the same.
     static constexpr std::size_t kComfortable = 48;
 
     explicit Nearby(const HapticScene& scene) : scene_(scene) {}

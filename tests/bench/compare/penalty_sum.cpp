@@ -12,7 +12,7 @@
 namespace handrail::bench {
 namespace {
 
-// Groups obstacles into objects by union of triangles with a common corner.
+// Groups obstacles into objects. Triangles with a common corner belong to the same object.
 std::vector<std::uint32_t> objects_of(const BenchWorld& world) {
     std::vector<std::uint32_t> object(world.scene->obstacles.size());
     std::iota(object.begin(), object.end(), 0U);
