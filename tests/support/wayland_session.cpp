@@ -34,7 +34,7 @@ std::unique_ptr<WaylandSession> WaylandSession::start() {
 
 WaylandSession::~WaylandSession() { ::unsetenv("WAYLAND_DISPLAY"); }
 
-// weston's window has no name. It is found as the only child of the root window, which xdotool lists first.
+// weston's window has no name. xdotool lists the root window first and then its only child, which is weston's window.
 bool WaylandSession::give_keyboard() const {
     return eventually([&] {
         return display_->run(
