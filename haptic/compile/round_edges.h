@@ -1,4 +1,4 @@
-// Rounds the convex edges of a building's solids for the hand (S30, G7). A rounded solid is the union of all balls of
+// Rounds the convex edges of a building's solids for the hand. A rounded solid is the union of all balls of
 // the rounding's radius that fit inside the solid: faces stay where they are, edges and corners become round. Where a
 // neighbour wholly covers a face, the solid is first extended into the neighbour, so that flush surfaces stay flush. If
 // an extension is impossible and a groove would open between two solids, both stay sharp. In an inner corner, a gap

@@ -1,4 +1,4 @@
-// Changes details that are too small to feel at a scale, but only in the scene for the hand (G2). Doorways narrower
+// Changes details that are too small to feel at a scale, but only in the scene for the hand. Doorways narrower
 // than a fingertip can find are widened, with their leaves. Things too small to distinguish from the wall are left out.
 // Walking, sound, routes and drawing keep the true scene. Walls are never made thicker: the proxy cannot pass even a
 // thin wall, and each side has its own name. Pure functions over a Scene; app thread or background thread. World

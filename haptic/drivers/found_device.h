@@ -1,4 +1,4 @@
-// Finds the devices that are plugged in, as data for `handrail devices` and for choosing one (S137), and opens them.
+// Finds the devices that are plugged in, as data for `handrail devices` and for choosing one, and opens them.
 // App thread or guard process. Finding takes up to half a second, because each device is queried for everything that
 // needs no force and no lasting change.
 #pragma once

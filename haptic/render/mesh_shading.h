@@ -1,4 +1,4 @@
-// Force shading of tessellated curves (S30) as a height field, so that it conserves energy. Each facet gets a height
+// Force shading of tessellated curves as a height field, so that it conserves energy. Each facet gets a height
 // above its plane, computed from the normals at its corners, which approximates the original curve. Edge ij rises in
 // its middle by the sagitta s = 1/8 (n_j - n_i).(p_j - p_i). A facet rises by 4 s l_i l_j summed over its edges (l:
 // barycentric). Neighbouring facets have the same rise along their common edge.

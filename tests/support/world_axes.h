@@ -1,4 +1,4 @@
-// Tests the whole chain from a driver to the world (S126), at heading 0. Computes which position in the world belongs
+// Tests the whole chain from a driver to the world, at heading 0. Computes which position in the world belongs
 // to the position that the driver reports, and which force the driver gets when the world pushes the hand.
 #pragma once
 

@@ -91,7 +91,7 @@ public:
     Vec2 middle(Cell c) const;
     Cell cell_at(const Vec3& p) const;
 
-    // tile_of and beside both make the tile if it does not exist yet.
+    // `tile_of` and `beside` both make the tile if it does not exist yet.
     std::uint32_t tile_of(Cell c);
     std::uint32_t beside(std::uint32_t tile, std::size_t cell, int d);
     // Returns the columns of a tile. Makes them again if they were not kept.

@@ -1,4 +1,4 @@
-// Reads a PNG picture as depths: black is the plain surface, white the greatest depth (S81, S82, S176). In a colour
+// Reads a PNG picture as depths: black is the plain surface, white the greatest depth. In a colour
 // picture the blue channel gives the depth. Transparent pixels are plain. All bit depths, palettes and interlacing are
 // supported. Used on the loading thread.
 #pragma once

@@ -66,7 +66,7 @@ struct SessionAlone {
     std::vector<CueRequest> cues;
 };
 
-TEST(Session, warns_once_on_entering_if_many_materials_are_close_together_unless_switched_off) {  // G3
+TEST(Session, warns_once_on_entering_if_many_materials_are_close_together_unless_switched_off) {
     Scene scene = *room();
     for (const char* name : {"concrete", "wood", "carpet", "rubber", "steel grille", "glass"}) {
         Material material;
@@ -89,7 +89,7 @@ TEST(Session, warns_once_on_entering_if_many_materials_are_close_together_unless
     }
 }
 
-TEST(Session, rounds_edges_in_hand_millimetres_at_room_scale_and_leaves_them_sharp_at_detail_scales) {  // G7
+TEST(Session, rounds_edges_in_hand_millimetres_at_room_scale_and_leaves_them_sharp_at_detail_scales) {
     Settings settings;
     Session app(settings, SessionAlone::facts(true));
     app.apply(WorldEntered{make_ready(room())}, 0.0);
