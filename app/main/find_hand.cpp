@@ -43,7 +43,7 @@ Result<std::optional<Hand>> choose_hand(const std::string& wanted, std::vector<s
             if (device.usable) return real_hand(device);
             news.push_back(device.problem);
         }
-        // If no device is connected, there is no news: a person who has not asked for a hand does not want to hear
+        // If no device is connected, there is no news: a person who has not requested a hand does not want to hear
         // about it.
         if (!news.empty()) news.push_back(phrase("program.simulated_instead"));
         return std::nullopt;

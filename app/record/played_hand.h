@@ -84,7 +84,7 @@ public:
     // Computes ticks until the newest servo has done `tick` ticks. Returns false if the rows end before. The servo may
     // already have done more, because other readers needed them.
     bool run_to(std::uint64_t tick);
-    // Computes ticks until `count` events wait. Returns false if the rows do not contain so many.
+    // Computes ticks until `count` events wait. Returns false if the rows contain fewer.
     bool run_to_events(std::size_t count);
     // Returns the state that the newest servo reported after the tick given to run_to.
     const servo::ToolState& tool() const { return tool_; }

@@ -21,7 +21,7 @@ public:
     virtual void set_two_hands(bool two) = 0;
     virtual void set_hand_stands_in(bool stands_in) = 0;  // see CuePlanner::set_hand_stands_in()
     virtual void set_listener(const Listener& listener) = 0;
-    // Returns the topics of lines that were cut off and are due again. The session composes these lines anew
+    // Returns the topics of lines that were cut off and are due again. The session composes these lines again
     // (SpeechOrder::take_owed).
     virtual SpeechTopics take_owed() { return {}; }
 };

@@ -30,8 +30,8 @@ enum class SpeechClass : std::uint8_t {
 // The topic of a line, if it determines what happens when the line is cut off or a newer line of this topic comes.
 enum class SpeechTopic : std::uint8_t {
     None,
-    Place,    // The person's place. The newest replaces older ones; the session composes it anew if it was cut off.
-    Summary,  // summary of a route that begins; composed anew if it was cut off
+    Place,    // The person's place. The newest replaces older ones; the session composes it again if it was cut off.
+    Summary,  // summary of a route that begins; composed again if it was cut off
     Leg,      // next part of a route; treated like Place
     Lesson,   // task of a lesson; treated like Summary
     Praise,   // feedback of a lesson on the step that the person made; treated like Summary

@@ -61,7 +61,7 @@ void SpeechOrder::add(SpeechLine line) {
     }
 }
 
-// Drops a line. If its topic is composed anew later, it need not be written as text now.
+// Drops a line. If its topic is composed again later, it need not be written as text now.
 void SpeechOrder::drop(SpeechLine line) {
     if (made_anew(line.utterance.topic)) owed_.add(line.utterance.topic);
     else unspoken_.push_back(std::move(line));

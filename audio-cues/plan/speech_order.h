@@ -31,7 +31,7 @@ struct SpeechLine {
 
 class SpeechOrder {
 public:
-    // A line that was cut off is composed anew after this time without speech or a key.
+    // A line that was cut off is composed again after this time without speech or a key.
     static constexpr double kPause_s = 1.0;
     static constexpr std::size_t kMostDanger = 4;  // greatest number of waiting alarms, and of waiting warnings
     // Greatest number of waiting answers, and of waiting lines of guidance.
@@ -43,7 +43,7 @@ public:
     // Call it when a key was pressed. Returns true if the current utterance must end. All waiting lines are dropped,
     // except alarms and warnings.
     bool key(double now_s, bool speaking);
-    // Call it when a stop key was pressed. All waiting lines are dropped, and none is composed anew.
+    // Call it when a stop key was pressed. All waiting lines are dropped, and none is composed again.
     void silence(double now_s);
     // What the caller knows about a waiting line.
     struct Knows {
@@ -58,7 +58,7 @@ public:
     // Returns the lines that will not be spoken, oldest first, for sinks that store text.
     std::vector<SpeechLine> take_unspoken();
     // Returns the topics of lines that were cut off or dropped, once nothing has been spoken and no key pressed for
-    // kPause_s. The session composes anew those of the lines that are still true. Each topic is returned once.
+    // kPause_s. The session composes again those of the lines that are still true. Each topic is returned once.
     SpeechTopics take_owed(double now_s, bool speaking);
 
     bool waiting() const { return !alarms_.empty() || !warnings_.empty() || !answers_.empty() || !guidance_.empty(); }

@@ -28,7 +28,7 @@ struct RoundingReport {
     std::size_t too_thin = 0;
     std::size_t at_seams = 0;  // number of solids that stay sharp because a groove would open to a neighbour
     std::size_t too_many = 0;  // number of solids if it exceeds kMostRounded, so that all stay sharp; otherwise 0
-    // Names of the first few solids in too_thin, and of those in at_seams.
+    // Names of the first few solids in too_thin, and of the first few in at_seams.
     std::vector<std::string> thin_names, seam_names;
 
     RoundingReport& operator+=(const RoundingReport& other);

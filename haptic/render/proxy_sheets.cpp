@@ -52,7 +52,7 @@ bool ProxySolver::turn_sheets(const HapticScene& scene) noexcept {
 
 // Wakes the sleeping sheets of a body whose planes have passed over the proxy; called after a sub-step of the body. A
 // sub-step is at most half a radius long. So if the sheet itself passed over the proxy, it is still nearer than half a
-// radius. If it is farther away, only its plane passed, beside the proxy, and the sheet may wake.
+// radius. If it is farther away, only its plane passed, and the sheet may wake.
 void ProxySolver::turn_sheets_of(const HapticScene& scene, std::uint16_t body, const PlacedFrame& before) noexcept {
     for (int i = 0; i < cuts_.count; ++i) {
         const auto at = static_cast<std::size_t>(i);

@@ -116,7 +116,7 @@ TouchResult touch_tick_with(TouchState& state, const HapticScene& scene, const T
 // Computes one tick.
 // - goal_m: the HIP (haptic interface point) in world metres, finite and within 1e6 m.
 // - dt_s: time since the last tick, > 0.
-// - scene: if its address or generation differs from last time, candidates are gathered anew around the old proxy.
+// - scene: if its address or generation differs from last time, candidates are gathered again around the old proxy.
 // - carried_m: how far the walker carried the workspace since the last tick, in world metres. The proxy and liquids
 //   use
 //   the whole motion. Damping and the passivity guard use only the hand's own motion; otherwise every step of the

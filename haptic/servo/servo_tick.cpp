@@ -290,7 +290,7 @@ void ServoState::meet_wall(const render::HapticScene* desk, const ServoTuning& t
     met_m_ = tool_.hand_m;
     met_ = true;
     const bool there = desk && tuning.personal_space;
-    // There is no wall while the hand's position is in doubt. Nor is there one while the hand moves its workspace, or
+    // There is no wall while the hand's position is in doubt. There is also none while the hand moves its workspace, or
     // shortly after.
     const bool whole = there && fault_ == Fault::None && !tool_.waiting_for_hand &&
                        mover_.ceiling_n() == std::numeric_limits<double>::infinity();

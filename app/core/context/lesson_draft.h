@@ -19,7 +19,7 @@ struct LessonDraft {
     std::string title;
     Vec3 base_feet_m{0.0};
     double base_heading_rad = 0.0;
-    // Name of the room of the base as it is spoken; empty: no room, or outdoors, where there are no walls to learn.
+    // Name of the room of the base as it is spoken; empty: no room, or outdoors, which has no walls to learn.
     std::string base_room;
     std::vector<Place> landmarks;
     std::vector<Place> stops;  // stops of the route, in order

@@ -42,7 +42,7 @@ struct WallDone {
     FeatureId feature;
     std::uint32_t room = 0;
 };
-// The person asked for their own position, for the surroundings or for the exits.
+// The person requested their own position, for the surroundings or for the exits.
 struct HelpRequested {
     Command command;
 };

@@ -240,7 +240,7 @@ TEST(Trains, pass_a_doorway_with_their_passenger_and_wait_for_a_walker_in_it) {
     rider.run(12.3);
     EXPECT_GT(rider.app.feet_m().y, 17.0) << "through the doorway";
     EXPECT_TRUE(rider.bumped.empty());
-    // Now a person stands in the doorway. The train comes back and waits in front of that person.
+    // Now a person stands in the doorway. The train comes back and waits in front of them.
     rider.app.apply(Placed{{5.0, 9.75, 0.0}, 0.0}, rider.now);
     for (int i = 0; i < 900; ++i) {
         rider.run(1.0 / 60.0);
