@@ -15,7 +15,8 @@ namespace handrail::settings {
 namespace {
 
 constexpr double kSteps = 20.0;
-// Units that are spoken after every value. Other units are spoken only with the meaning of the setting.
+// Units that are short enough to be spoken after every value. All other units are spoken only with the meaning of the
+// setting.
 constexpr std::array<std::string_view, 5> kShortUnits{"deg", "hand_m", "m", "n", "world_m"};
 
 // Returns the greatest number not above `step` that is 1, 2 or 5 times a power of ten.
@@ -80,14 +81,14 @@ SettingLine setting_line(std::string_view key, const Settings& settings) { retur
 std::string stepped(std::string_view key, const Settings& settings, int by) {
     contract_pre(by != 0);
     const SettingInfo& info = row(key);
-    // Not written to; as in current_value, the accessors need a non-const reference.
+    // Nothing is written through `s`. As in current_value, the accessors need a non-const reference.
     Settings& s = const_cast<Settings&>(settings);
     return std::visit(
         Overloaded{[&](const NumberField& f) {
                        const double step = round_step((f.most - f.least) / kSteps);
                        const double here = f.at(s) / step;
-                       // Moves to the next multiple of the step in this direction, even if the value is not a multiple
-                       // now.
+                       // Moves to the next multiple of `step` in the direction of `by`, even if the current value is
+                       // not a multiple.
                        const double next = by > 0 ? std::floor(here + 1e-6) + 1.0 : std::ceil(here - 1e-6) - 1.0;
                        const double value = std::clamp(next * step, f.least, f.most);
                        return fmt::format("{}", std::round(value * 1e9) / 1e9);

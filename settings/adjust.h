@@ -1,5 +1,5 @@
-// Lets a person change settings in a list, by one step or one value at a time. Plain functions over Settings and its
-// table; app thread only.
+// Functions with which a person changes settings in a list, by one step or one value at a time. They are plain
+// functions over Settings and its table, for the app thread only.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ struct SettingLine {
     std::string value;  // the setting's value: "0.8", "on", "light"; with the unit if that is short
     std::string meaning;
     std::string range;
-    bool steps = true;  // false: the value is a text that must be typed
+    bool steps = true;  // false: the person cannot change the setting in steps, only type a text
 };
 std::vector<SettingLine> setting_lines(std::string_view topic, const Settings& settings);
 SettingLine setting_line(std::string_view key, const Settings& settings);

@@ -111,7 +111,7 @@ constexpr auto kKeyNames = std::to_array<std::string_view>({
     "Shift",
     "Alt",
 });
-// In the order in which they must be written.
+// The modifiers, in the order in which a key name must list them.
 constexpr std::array<std::string_view, 3> kModifiers{"Control", "Alt", "Shift"};
 
 bool same(std::string_view a, std::string_view b) { return lower_ascii(a) == lower_ascii(b); }

@@ -1,5 +1,5 @@
-// The names of keys in a settings file, independent of any keyboard or window. Pure values and functions; any thread
-// may use them.
+// Lists and checks the names of keys in a settings file, independent of any keyboard or window. Pure values and
+// functions; any thread may use them.
 #pragma once
 
 #include <optional>

@@ -29,10 +29,10 @@ struct Entry {
     SettingValue value;
     std::string origin;
 };
-// Indexed by full key; names of devices and commands are spelled as in the file.
+// The entries of one source, indexed by full key. Names of devices and commands are spelled as in the file.
 using Layer = std::map<std::string, Entry>;
 
-// A full key that belongs to one of the open families: settings of a device by its name, or of a profile.
+// A full key of one device in [workspace.device] or [profile], split into the name of the device and the field.
 template <class Field>
 struct MemberKey {
     std::string device;
@@ -76,7 +76,7 @@ bool is_command_word(std::string_view word) {
     return !word.empty() && word.size() <= 64 && std::all_of(word.begin(), word.end(), fits);
 }
 
-// Converts a value of the file. Empty for values that no setting accepts: lists, dates and times.
+// Converts a value of a TOML file. Returns nothing for values that no setting accepts: lists, dates and times.
 std::optional<SettingValue> from_toml(const TomlValue& value) {
     if (const auto* v = value.flag()) return *v;
     if (const auto* v = value.whole()) return *v;
@@ -113,7 +113,7 @@ std::string toml_text(const SettingValue& value) {
                       value);
 }
 
-// Completes an error of a TomlReader with the name of the file.
+// Adds the name of the file to an error of a TomlReader. If the line is known, turns the reason into a sentence.
 Error damage_in(const fs::path& path, const Error& error) {
     Error told = error;
     told.file = path.filename().string();
@@ -131,7 +131,8 @@ Result<toml::table> parse(const std::string& content, const fs::path& path) {
     }
 }
 
-// True if `text` reads back as exactly this table. The check prevents the loss of what a person wrote.
+// True if `text` reads back as exactly `table`. The check prevents the loss of anything that a person wrote in the
+// file.
 bool says_the_same(const std::string& text, const toml::table& table) {
     try {
         return parse_toml(text) == table;
@@ -140,8 +141,8 @@ bool says_the_same(const std::string& text, const toml::table& table) {
     }
 }
 
-// Puts one value into a table and makes the tables on the path to it. If the path needs a table where there is a value,
-// the value is replaced.
+// Puts one value into a table and makes the tables on the path to it. If a name within the path has a plain value, a
+// table replaces that value.
 void put(toml::table& root, std::span<const std::string> path, const SettingValue& value) {
     toml::table* table = &root;
     for (const std::string& name : path.first(path.size() - 1)) {
@@ -168,7 +169,7 @@ std::size_t offset_of(const std::string& text, const toml::source_position& plac
 }
 
 // Changes or adds one value in the text of a file and keeps everything else, including comments. It works for files
-// that are written in the usual way, with [tables]. The caller must check the result by reading it back.
+// that are written in the usual way, with [tables]. The caller must check the result by reading the returned text back.
 std::string with_value(std::string text, std::span<const std::string> path, const SettingValue& value) {
     try {
         const toml::table table = parse_toml(text);
@@ -207,7 +208,7 @@ std::vector<std::string> path_of(std::string_view key) {
     return {std::string(key.substr(0, dot)), std::string(key.substr(dot + 1))};
 }
 
-// Returns the key nearest to an unknown one, among those that the person may have meant.
+// Returns the name nearest to the unknown `key`, among those that the person may have meant.
 std::string nearest_of_all(std::string_view key, std::span<const std::string> command_words) {
     std::vector<std::string> names;
     if (key.starts_with(kDevicePrefix) && key.rfind('.') >= kDevicePrefix.size()) {
@@ -223,7 +224,7 @@ std::string nearest_of_all(std::string_view key, std::span<const std::string> co
     return nearest_key(key, names);
 }
 
-// Applies one entry to `target`. Fails with one sentence.
+// Writes the value of one entry into `target`. Fails with an error of one sentence.
 Result<void> apply_to(Settings& target, const std::string& key, const SettingValue& value,
                       std::span<const std::string> command_words) {
     if (const SettingInfo* info = find_setting(key)) return apply(*info, value, target);
@@ -290,7 +291,7 @@ struct SettingsStore::Impl {
                 contract_pre(applied.has_value());  // entries were checked before they were added to the layer
             }
         }
-        // A profile that was measured again is no longer damaged.
+        // A profile is no longer damaged if it has a force ceiling again, because the device was measured again.
         for (const std::string& damaged : damaged_profiles)
             if (const auto profile = values.profiles.find(damaged);
                 profile == values.profiles.end() || !profile->second.ceiling_n)
@@ -326,8 +327,8 @@ struct SettingsStore::Impl {
         }
     }
 
-    // Removes a profile that has an impossible value. A force that was right together with the lost value may be wrong
-    // without it.
+    // Removes from `layer` each profile that has an impossible value. Its forces may be correct only together with that
+    // value.
     static void set_aside(const std::set<std::string>& damaged, Layer& layer) {
         std::erase_if(layer, [&](const auto& entry) {
             const auto profile = split_profile_key(entry.first);
@@ -436,7 +437,8 @@ std::vector<SettingRow> SettingsStore::explain() const {
     };
     for (const SettingInfo& info : settings_table())
         add(std::string(info.key), current_value(info, impl_->values), info.unit, range_of(info), meaning_of(info));
-    // The effective entries of the open families, in which stronger layers replace weaker ones.
+    // The effective entries of [workspace.device], [profile] and [keys]. Stronger layers replace the entries of weaker
+    // ones.
     std::map<std::string, SettingValue> family;
     for (const auto& [source, layer] : impl_->layers)
         for (const auto& [key, entry] : layer)
@@ -463,7 +465,7 @@ Result<std::optional<SettingsStore::ToSave>> SettingsStore::to_save() const {
     if (live == impl_->layers.end() || live->second.empty()) return std::nullopt;
     const fs::path& path = impl_->user_file;
     if (path.empty()) return fail(phrase("settings_file.no_folder"));
-    // Reads the file again, because another program may have changed it since the start.
+    // Reads the person's file again, because another program may have changed it since the start.
     std::string held;
     std::error_code ec;
     const auto not_saved = [](Error error) {
@@ -482,10 +484,11 @@ Result<std::optional<SettingsStore::ToSave>> SettingsStore::to_save() const {
         put(*table, path_of(key), entry.value);
         text = with_value(text, path_of(key), entry.value);
     }
-    // A file that is written in an unusual way loses its comments, but keeps its meaning.
+    // If the file is written in an unusual way, the whole file is written anew. It loses its comments, but keeps its
+    // meaning.
     if (!says_the_same(text, *table)) {
         std::ostringstream out;
-        out.exceptions(std::ios::badbit);  // without this, a lack of memory would cut the text short unnoticed
+        out.exceptions(std::ios::badbit);  // without exceptions, a lack of memory would cut the text short unnoticed
         out << toml::toml_formatter{*table, toml::format_flags::none} << "\n";
         text = out.str();
         if (!says_the_same(text, *table))

@@ -1,6 +1,6 @@
-// All settings as typed values with units, ranges and defaults. Plain data for the app thread; other threads receive
-// copies of the values that they need. The names and ranges of the fields are in one table (table.cpp), which files and
-// the command line use.
+// Defines all settings as typed values with units, ranges and defaults. Plain data for the app thread; other threads
+// receive copies of the values that they need. The names and ranges of the fields are in one table (table.cpp), which
+// files and the command line use.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@
 
 namespace handrail::settings {
 
-enum class ForceCeiling { Light, Normal, Full };  // 1.2 N, 2.5 N, or all that the device can render
+enum class ForceCeiling { Light, Normal, Full };  // the greatest force: 1.2 N, 2.5 N, or all that the device can render
 inline constexpr double kLightCeiling_n = 1.2, kNormalCeiling_n = 2.5;
 enum class FrameChoice { Map, Walk };  // Map: north is up; Walk: the workspace turns with the walker
 enum class SpeechThrough { Auto, ScreenReader, SpeechDispatcher, Embedded, Text };
@@ -27,11 +27,11 @@ enum class KeyboardHand { Both, Left, Right };
 // How directions are announced: "30 degrees left", "at 11 o'clock", "north".
 enum class DirectionChoice { Sides, Clock, Compass };
 
-// The results of `handrail calibrate` for one device and the person who uses it. The file has them as [profile."falcon
-// a9001"]. An empty value was not measured.
+// The results of `handrail calibrate` for one device and the person who uses it. The settings file has them as
+// [profile."falcon a9001"]. An empty value was not measured.
 struct DeviceProfile {
-    // The strongest force that is comfortable for the person, in N, 0.5 to 40. The smaller of this and haptic.ceiling
-    // is effective.
+    // The strongest force that is comfortable for the person, in N, 0.5 to 40. The smaller of this force and
+    // haptic.ceiling is effective.
     std::optional<double> ceiling_n;
     std::optional<double> gentlest_n;                   // the weakest force that the person noticed, in N, 0.02 to 2
     std::optional<HoldingHand> hand;                    // the hand in which the person holds the device
@@ -53,11 +53,11 @@ struct Settings {
         FrameChoice frame = FrameChoice::Map;
         double turn_deg = 0.0;     // clockwise turn of the workspace relative to its frame, -180 to 180
         bool follows_walk = true;  // the workspace moves with the walker
-        bool rim = true;           // pressing past the rim of the workspace scrolls it
+        bool rim = true;           // pushing the proxy past the rim of the workspace scrolls the workspace
         // Device button that grabs the world: while it is held, the world moves with the hand; 0 to 8, 0 is none.
         int grab_button = 1;
-        // Values for single devices by their names, as [workspace.device."falcon"] in the file. An empty field keeps
-        // the value above.
+        // Values for single devices by their names, as [workspace.device."falcon"] in the file. If a field is empty,
+        // the value for all devices applies.
         struct Override {
             std::optional<double> scale, offset_ahead_m, offset_up_m, hand_height_m;
         };
@@ -67,9 +67,9 @@ struct Settings {
         // Stiffness of surfaces that state none, as a fraction of the device's rating, 0 to 1.
         double stiffness_fraction = 0.8;
         double friction_mu = 0.3;       // friction of surfaces that state none, 0 to 2
-        double damping_ns_per_m = 5.0;  // damping of surfaces that state none, per hand speed, 0 to 20
+        double damping_ns_per_m = 5.0;  // damping of surfaces that state none, in N per m/s of the hand, 0 to 20
         double ball_diameter_mm = 4.0;  // diameter of the proxy as felt by the hand at scale 60, 1 to 10
-        // Radius of convex edges as felt by the hand, 0 to 3; below scale 30, edges are sharp.
+        // Radius of convex edges as felt by the hand, 0 to 3. Below a workspace scale of 30, edges are sharp.
         double edge_rounding_mm = 1.5;
         bool simplify = true;  // narrow doorways feel wider, and things too small to feel are left out
         // Greatest error, as felt by the hand, when dense meshes are simplified, 0 to 1; 0: meshes are not simplified.
@@ -89,7 +89,7 @@ struct Settings {
         bool stop_at_drops = true;    // the walker stops at an edge until the person presses the key again
     } walk;
     struct Speech {
-        // Which speech output is used. If it is not available, the next one in the order of the enumeration is used.
+        // The speech output to use. If it is not available, Handrail uses the next one in the order of the enumeration.
         SpeechThrough through = SpeechThrough::Auto;
         int rate_wpm = 175;              // speed of speech in words per minute, 80 to 450
         int verbosity = 2;               // how much is announced, 0 to 4
@@ -130,7 +130,8 @@ struct Settings {
         // Further cues: `corner` for corners and openings, `drop` for edges, `ways` for doors and stairs ahead.
         bool corner = true, drop = true, ways = true;
         bool swap_sides = false;  // exchanges left and right, for headphones that are worn or wired the wrong way round
-        bool as_text = false;   // describes every cue in a few words of text, for people who read instead of listening
+        // Handrail describes every cue in a few words of text, for people who read instead of listening.
+        bool as_text = false;
         bool workspace = true;  // a cue: scrolling at the rim, or moving with the grip, begins or ends
         bool desk = true;       // a cue: clicks at the wall of the desk and at its controls
         bool marks = true;      // a cue: marks, landmarks and clues nearby
@@ -148,7 +149,7 @@ struct Settings {
     } dynamics;
     // Devices in addition to the haptic one: game pads and the SpaceMouse.
     struct Pads {
-        bool use = true;        // Handrail looks for these devices; they steer the walker and give cues
+        bool use = true;        // Handrail looks for these devices, which steer the walker and render cues
         bool triggers = true;   // triggers of game pads resist, vibrate and click
         bool rumble = true;     // game pads give a jolt at bumps and vibrate with materials
         double strength = 1.0;  // strength of all cues of the pads, 0 to 1
@@ -190,14 +191,14 @@ struct SettingRow {
     std::string value;    // the value as TOML text
     std::string unit;     // the unit in the spoken language, "world metres per hand metre", or empty
     std::string range;    // the legal values: "1 to 500"
-    std::string meaning;  // what the setting means, in one sentence
+    std::string meaning;  // one sentence that says what the setting does
     SettingSource source = SettingSource::Default;
     std::string origin;  // where the value comes from: file and line, "--set", or empty
 };
 
-// Settings with the source of each value. Every source has its own layer, and the strongest layer wins, regardless of
-// the order of loading. So when the person leaves a world, clearing its layer restores what the world had changed. App
-// thread only. Reading a file takes a few hundred microseconds; values() costs nothing.
+// Stores all settings with the source of each value. Every source has its own layer, and the strongest layer wins,
+// regardless of the order of loading. So when the person leaves a world, clearing the layer of the world restores what
+// the world had changed. App thread only. Reading a file takes a few hundred microseconds; values() costs nothing.
 class SettingsStore {
 public:
     // `command_words` are the names allowed in [keys]. If it is empty, all names are allowed.
@@ -214,23 +215,23 @@ public:
     // forces and speech.
     std::vector<Diagnostic> load_file(const std::filesystem::path& path, SettingSource source,
                                       const TomlReader& toml = toml_of);
-    // Sets one value, given on the command line, in a world, or by a live change. Fails with the nearest key or the
-    // legal range.
+    // Sets one value that was given on the command line, in a world, or by a live change. If the key or the value is
+    // illegal, the error names the nearest key or the legal range.
     Result<void> set(std::string_view key, std::string_view value, SettingSource source);
     // Sets a value from text in the form of --set: "workspace.scale=40".
     Result<void> set_assignment(std::string_view assignment, SettingSource source);
-    // Removes all values of one source. Used, for example, when the person leaves a world.
+    // Removes all values of one source, for example when the person leaves a world.
     void clear(SettingSource source);
-    // Replaces the layer of this source with that of `other`. Used, for example, if `other` was read in the background
-    // while a world was loading.
+    // Replaces the layer of this source with that of `other`, for example if `other` was read in the background while a
+    // world was loading.
     void take_layer(SettingSource source, SettingsStore other);
     // Returns all settings in table order, then the entries of [workspace.device], [profile] and [keys].
     std::vector<SettingRow> explain() const;
-    // Saves live changes into the person's file. Everything else in the file stays, including unknown keys and
+    // Saves live changes into the person's file. Everything else in that file stays, including unknown keys and
     // comments. Does nothing if there are no live changes. A file that cannot be read or understood is never replaced.
     Result<void> save_user_file();
-    // save_user_file() in two steps, so that another thread can write the file. Returns what save_user_file() would
-    // write now, or nothing if the file already has this content.
+    // Prepares save_user_file() on the app thread, so that another thread can write the file. Returns what
+    // save_user_file() would write now, or nothing if the file already has this content.
     struct ToSave {
         std::filesystem::path file;
         std::string text;
@@ -248,8 +249,8 @@ private:
 Result<std::string> setting_text(const Settings& settings, std::string_view key);
 Result<void> change_setting(Settings& settings, std::string_view key, std::string_view value);
 
-// Returns the path of the file for a world's own settings: house.settings.toml next to house.map. Empty if the world
-// has no file.
+// Returns the path of the file with a world's own settings: house.settings.toml for house.map. Returns an empty path if
+// `world` is empty.
 std::filesystem::path settings_beside(const std::filesystem::path& world);
 // Returns true if a world's settings file may set this key.
 bool world_may_set(std::string_view key);

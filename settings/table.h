@@ -1,6 +1,6 @@
 // The table of all settings: key, unit, range, default, and where the value is stored. The texts about the settings are
-// in settings/languages. Files, the command line, `handrail settings` and its documentation all use the table. Private
-// to this folder; app thread only.
+// in settings/languages. The code for files, the command line, `handrail settings` and its documentation uses this
+// table. Private to this folder; app thread only.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace handrail::settings {
 
-// The TOML types that a setting can have. Whole and decimal numbers are separate types.
+// The values that a setting can have. Whole and decimal numbers are separate types, as in TOML.
 using SettingValue = CopyableVariant<bool, std::int64_t, double, std::string>;
 
 struct NumberField {
@@ -86,7 +86,7 @@ Result<void> apply(const SettingInfo& info, const SettingValue& value, Settings&
 Result<double> number_in_range(std::string_view key, const SettingInfo& plain, const SettingValue& value);
 // True if the text is well-formed UTF-8 and has 1 to 64 printable characters.
 bool is_short_text(std::string_view text);
-// Returns the value if it is a text of 1 to 64 printable characters; else fails.
+// Returns the value if it is a text of 1 to 64 printable characters; else fails with an error about `key`.
 Result<std::string> short_text(std::string_view key, const SettingValue& value);
 // Removes the quotation marks around a text that the person typed or copied from a list of settings.
 std::string without_quotes(std::string_view word);
@@ -94,8 +94,8 @@ std::string without_quotes(std::string_view word);
 Result<std::string> key_text(std::string_view key, const SettingValue& value);
 // Returns the current value of the setting.
 SettingValue current_value(const SettingInfo& info, const Settings& settings);
-// Converts a word of a command line to the type of this setting. If the word does not fit that type, it is returned as
-// text, which apply() then refuses.
+// Converts a word of a command line to the type of this setting. If the word does not fit that type, returns the word
+// as text, which apply() then refuses.
 SettingValue value_from_word(const SettingInfo& info, std::string_view word);
 
 }  // namespace handrail::settings

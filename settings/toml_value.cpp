@@ -79,7 +79,7 @@ TomlValue value_of(const toml::node& node, int depth) {
 toml::array array_of(const TomlValue::Array& items);
 toml::table table_of(const TomlValue& value);
 
-// Calls `add` with the value, converted to the type that toml++ uses for it.
+// Converts the value to the type that toml++ uses for it, and calls `add` with the result.
 template <class Add>
 void add_node(const TomlValue& value, const Add& add) {
     std::visit(
@@ -185,7 +185,7 @@ Result<TomlValue> toml_of(const std::string& text) {
 std::string written_toml(const TomlValue& table) {
     contract_pre(table.table() != nullptr);
     std::ostringstream out;
-    out.exceptions(std::ios::badbit);  // without this, a lack of memory would cut the text short unnoticed
+    out.exceptions(std::ios::badbit);  // without exceptions, a lack of memory would cut the text short unnoticed
     out << toml::toml_formatter{table_of(table), toml::format_flags::none};
     return out.str();
 }

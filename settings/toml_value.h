@@ -1,5 +1,5 @@
-// The content of a TOML file as plain values, each with its line in the file. Code that reads TOML uses these values
-// and includes nothing of toml++. So another process can parse the file (app/import/toml_apart.h). Any thread may use
+// The content of a TOML file as plain values, each with its line in the file. Code that reads TOML uses only these
+// values and no headers of toml++. So another process can parse the file (app/import/toml_apart.h). Any thread may use
 // the values.
 #pragma once
 
@@ -32,12 +32,12 @@ struct TomlValue {
     using Table = std::vector<TomlMember>;  // contains each key once, in the order of the file
 
     CopyableVariant<bool, std::int64_t, double, std::string, TomlMoment, Array, Table> value;
-    std::int32_t line = 0, column = 0;  // 0 if the value does not come from a file
+    std::int32_t line = 0, column = 0;  // place in the file; both are 0 if the value does not come from a file
     bool in_line = false;               // true for a table that the file writes in braces
 
     static TomlValue empty_table();
 
-    // Return null if the value has another type.
+    // Each of these functions returns a pointer to the value, or null if the value has another type.
     const bool* flag() const { return std::get_if<bool>(&value); }
     const std::int64_t* whole() const { return std::get_if<std::int64_t>(&value); }
     const double* fraction() const { return std::get_if<double>(&value); }
@@ -59,7 +59,7 @@ struct TomlMember {
     TomlValue value;
 };
 
-// Compare only the content: positions in the file have no influence, and nan equals nan.
+// These operators compare only the content. They ignore the positions in the file, and nan equals nan.
 bool operator==(const TomlValue& a, const TomlValue& b);
 bool operator==(const TomlMember& a, const TomlMember& b);
 
