@@ -1,8 +1,9 @@
 // Decides in which tick of a session the result of a background task (rooms, the hand's scene, routes) becomes
-// available. In a live session that is the first tick after the work is done, and the recorder is given its number. In
-// a replay it is the tick of the recording, for which the session waits. The class counts every query by the session; a
-// replay repeats the same queries in the same order, so a count identifies a query. The owner of the session owns this
-// object and hands it to each background task on construction. Plain state, used on the session's thread only.
+// available. In a live session that is the first tick after the work is done, and the recorder stores its number. In a
+// replay it is the recorded tick, in which the session waits for the result. The class counts every query by the
+// session; a replay repeats the same queries in the same order, so a count identifies a query. The owner of the session
+// owns this object and hands it to each background task on construction. Plain state, used on the session's thread
+// only.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +24,7 @@ public:
     // Makes the object for a replay. The queries with the counts in `came` are answered with yes, and no others.
     explicit Arrivals(std::set<std::uint64_t> came) : came_(std::move(came)) {}
 
-    // While a Turn exists, queries are counted and answered as described above. While none exists, results are
+    // While a Turn exists, Arrivals counts and answers queries as described above. While none exists, results are
     // available as soon as they are done. Set `looks_only` if code reads the session between its ticks: every query is
     // then answered with no. `of` is null if the session is neither recorded nor replayed.
     class Turn {
@@ -42,7 +43,7 @@ public:
         Mode before_ = Mode::Outside;
     };
 
-    // Returns whether a result is available, as `of` decides; if `of` is null, `try_it` decides. `try_it` returns
+    // Returns whether a result is available. `of` decides this; if `of` is null, `try_it` decides. `try_it` returns
     // whether the result is done by now. `wait` blocks until the result is done; it is called at most once.
     template <class TryIt, class Wait>
     static bool there(Arrivals* of, TryIt try_it, Wait wait) {

@@ -21,7 +21,7 @@ namespace handrail {
 template <class Result>
 class BackgroundTask {
 public:
-    // The work must check `stop` often. A result that it returns after a stop request is dropped.
+    // The work must check `stop` often. Its result is dropped if it returns after a stop request.
     using Work = std::function<Result(const std::stop_token& stop)>;
 
     // The executor and the arrivals must outlive this object. For `name` see Executor::run. `arrivals` decides in which
@@ -47,8 +47,8 @@ public:
     }
     // True if the task begun last is done. take() then returns its result, or nothing if memory ran out.
     bool ready() const { return !next_ && run_ && run_->done.load(std::memory_order_acquire); }
-    // True if a task is waiting to start, is running, or is done but take() has not yet returned its result. Cancelled
-    // tasks do not count.
+    // True if a task is waiting to start or is running, or if it is done but take() has not yet returned its result.
+    // False for a cancelled task.
     bool busy() const { return next_ || (run_ && !run_->stop.stop_requested()); }
     // Returns the result of the task begun last, once that task is done. If the task ran out of memory, take() never
     // returns a result.
@@ -80,7 +80,8 @@ private:
         std::atomic<bool> done{false};
         std::optional<Result> made;
     };
-    // `before` is the last run with its dropped result; the thread of the next run frees it.
+    // Starts the waiting task, if there is one and no other is running. `before` is the last run with its dropped
+    // result; the thread of the next run frees it.
     void go_on(std::shared_ptr<Run> before = nullptr) {
         if (!next_) return;
         if (run_ && run_->done.load(std::memory_order_acquire)) {

@@ -1,4 +1,4 @@
-// The files of settings/languages, built into the program. So the program can speak wherever it is installed.
+// The files of settings/languages, built into the program, so that it can speak wherever it is installed.
 #pragma once
 
 #include <span>

@@ -1,7 +1,7 @@
-// Checks what Handrail's own code guarantees to itself. A broken contract is a fault of Handrail, never of a file, a
-// device or a person (functions that deal with those return Result<T>). A failed check prints its place in the source
-// on stderr and ends the program, in every build. Do not use these checks in the servo tick, where a fault must lead to
-// zero force instead.
+// Checks guarantees that Handrail's own code makes to itself. A broken contract is a fault of Handrail, never of a
+// file, a device or a person (functions that deal with those return Result<T>). A failed check prints its place in the
+// source on stderr and ends the program, in every build. Do not use these checks in the servo tick, where a fault must
+// lead to zero force instead.
 #pragma once
 
 namespace handrail::detail {
@@ -10,7 +10,7 @@ namespace handrail::detail {
 
 }  // namespace handrail::detail
 
-// Checks a whole value: pass in the Result<void> that the value's validator returned. Only builds with
+// Checks a whole value: `result` is the Result<void> that the value's validator returned. Only builds with
 // HANDRAIL_VALIDATE (the preset "debug") run this check, because it costs about as much as making the value.
 #ifdef HANDRAIL_VALIDATE
 #define contract_valid(result)                                                                                    \

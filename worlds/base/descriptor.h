@@ -17,7 +17,7 @@ public:
     Descriptor(Descriptor&& other) noexcept : fd_(other.release()) {}
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
-    // Swaps the two, so `other` closes the old descriptor when it is destroyed.
+    // Swaps the two descriptors, so `other` closes the old one when it is destroyed.
     Descriptor& operator=(Descriptor&& other) noexcept {
         std::swap(fd_, other.fd_);
         return *this;

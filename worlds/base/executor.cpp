@@ -20,7 +20,7 @@ public:
 class OnThreads final : public Executor {
 public:
     std::thread run(const char* name, std::function<void()> job) const override {
-        // The job is shared, so that it still exists to run here if no thread can be started.
+        // The job is shared, so that this thread can still run it if no other thread can be started.
         const auto shared = std::make_shared<std::function<void()>>(std::move(job));
         try {
             return std::thread([name, shared] {

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::string_view kBeside = ".new-";
 constexpr std::size_t kRandomLetters = 6;  // the number of random letters in a mkostemp template
-// Seconds after which an unlocked temporary file counts as left over; longer than a process takes to lock a new one.
+// Seconds after which an unlocked temporary file is regarded as abandoned. A process needs less time to lock a new one.
 constexpr time_t kStaleAfterS = 60;
 
 // Repeats a system call that a signal interrupted. That is safe, because an interrupted call has had no effect.
@@ -53,8 +53,8 @@ bool is_link(int folder, const fs::path& part) {
     return ::fstatat(folder, part.c_str(), &info, AT_SYMLINK_NOFOLLOW) == 0 && S_ISLNK(info.st_mode);
 }
 
-// Removes temporary files that are left over next to `target`. A process that replaces a file holds a lock on its
-// temporary file and loses the lock when it dies. So an old temporary file without a lock is left over.
+// Removes abandoned temporary files next to `target`. A process that replaces a file holds a lock on its temporary file
+// and loses the lock when it dies. So an old temporary file without a lock is abandoned.
 void sweep_up_beside(const fs::path& target) {
     const std::string begin = target.filename().string() + std::string(kBeside);
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
@@ -148,7 +148,7 @@ Result<MappedFile> map_file(const OpenFile& from, std::size_t max_bytes) {
 
 namespace {
 
-// Replaces `target`. `fresh_mode` is the permission bits for a file that did not exist before.
+// Replaces `target`. If `target` does not exist yet, its permission bits are `fresh_mode`.
 Result<void> replace(const fs::path& target, std::string_view content, mode_t fresh_mode) {
     std::error_code ec;
     const std::string name = target.filename().string();
@@ -190,7 +190,7 @@ Result<void> replace(const fs::path& target, std::string_view content, mode_t fr
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     const Descriptor parent(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (parent.get() >= 0)
-        ::fsync(parent.get());  // makes the rename survive a power cut; a failure here changes nothing
+        ::fsync(parent.get());  // makes the rename survive a power cut; a failure of fsync here is ignored
     return {};
 }
 

@@ -14,8 +14,8 @@
 
 namespace handrail {
 
-// Describes an errno without a full stop. Common reasons are in the spoken language, all others in the system's own
-// words.
+// Returns a description of an errno without a full stop. Common reasons are in the spoken language, all others in the
+// system's own words.
 std::string reason_of(int error);
 
 // An ordinary file that is open for reading.
@@ -26,8 +26,8 @@ struct OpenFile {
 };
 
 Result<OpenFile> open_file(const std::filesystem::path& path);
-// Opens the file `name` within `folder`. `name` must be relative and must not contain "..". A symbolic link in any part
-// of it is refused, so the opened file is really inside `folder`.
+// Opens the file `name` within `folder`. `name` must be relative and must not contain "..". The function refuses a
+// symbolic link in any part of `name`, so the opened file is really inside `folder`.
 Result<OpenFile> open_file_within(const std::filesystem::path& folder, const std::filesystem::path& name);
 
 // Returns the content of the whole file. Fails with one sentence if the file is missing, unreadable, larger than
@@ -54,7 +54,7 @@ private:
     std::string_view bytes_;
 };
 
-// Maps a file. Fails and throws as read_whole_file does: it throws std::bad_alloc if there is not enough memory.
+// Maps a file into memory. Fails as read_whole_file does, and throws std::bad_alloc if there is not enough memory.
 Result<MappedFile> map_file(const OpenFile& from, std::size_t max_bytes = std::size_t{1} << 30);
 
 // Replaces `path` with `content`, or leaves the file exactly as it was and returns the reason. Creates missing parent
@@ -64,8 +64,8 @@ Result<MappedFile> map_file(const OpenFile& from, std::size_t max_bytes = std::s
 Result<void> write_file_atomically(const std::filesystem::path& path, std::string_view content);
 // Like write_file_atomically, but only the person can read the new file.
 Result<void> write_private_file_atomically(const std::filesystem::path& path, std::string_view content);
-// Like write_file_atomically, for a path that the person chose (the settings file, the file of an export). A symbolic
-// link is followed and stays a link.
+// Like write_file_atomically, for a path that the person chose (the settings file, the file of an export). If the path
+// is a symbolic link, replaces the file to which it points and keeps the link.
 Result<void> write_named_file_atomically(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace handrail

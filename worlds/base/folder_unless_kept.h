@@ -1,6 +1,6 @@
-// A new folder that only the person can read. The destructor removes the folder with its content unless keep() was
-// called, so a full disk does not leave an empty folder for each attempt. Used on one thread. After keep(), destruction
-// costs nothing.
+// Makes a new folder that only the person can read. The destructor removes the folder with its content unless keep()
+// was called, so a full disk does not leave an empty folder for each attempt. Used on one thread. After keep(),
+// destruction costs nothing.
 #pragma once
 
 #include <sys/stat.h>

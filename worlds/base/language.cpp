@@ -63,7 +63,7 @@ Language& kept(Language language) {
     return all.emplace_back(std::move(language));
 }
 
-// Reads a bundled file without checking it, because tests check the bundled files.
+// Reads a bundled file without checking its texts, because tests check the bundled files.
 const Language* make_bundled(const BundledLanguage& source) {
     Language made{std::string(source.code), icu::Locale(std::string(source.code).c_str()), {}, {}};
     std::vector<Diagnostic> faults;
@@ -131,7 +131,8 @@ struct Compiled {
     std::unordered_map<const std::string*, std::unique_ptr<const icu::MessageFormat>> formats;
 };
 Compiled& compiled() {
-    static auto& all = *new Compiled;  // never destroyed, for the same reason as the languages
+    // Never destroyed, because another thread may still use it while the process ends.
+    static auto& all = *new Compiled;
     return all;
 }
 
@@ -277,7 +278,7 @@ Result<std::vector<Diagnostic>> speak_language(std::string_view code, const std:
             Language own{std::string(code), icu::Locale(std::string(code).c_str()), {}, folder};
             if (language) {
                 own.texts = language->texts;
-                // Stored first, so that faults in the person's own texts are reported in the new language.
+                // Stores the new language before the faults are reported, so that the report is in the new language.
                 spoken.store(language, std::memory_order_release);
             }
             gather(table, "", path.filename().string(), misfit, own, faults);

@@ -73,18 +73,18 @@ std::string spoken_language();
 // Returns the code of the language that the environment requests: the first of LC_ALL, LC_MESSAGES and LANG that is
 // set. Returns "en" if that language is neither bundled nor has a file in `folder`; the file is not opened.
 std::string language_of_environment(const std::filesystem::path& folder);
-// Returns the folder that holds the person's own language file; empty if none was read. A child process that must speak
-// the same language needs it.
+// Returns the folder that holds the person's own language file; empty if none was read. A child process needs this
+// folder if it must speak the same language.
 std::filesystem::path spoken_language_folder();
 
 // Changes the spoken language to `code`. A file CODE.toml in `folder` adds a language or replaces single texts of a
-// bundled one; `folder` may be empty or absent. Returns the faults of that file. Each faulty text is replaced by the
-// bundled one, or by English if there is none. Faults are reported in the bundled language of that code, if it exists.
-// If the language does not exist or its file is damaged, the call fails and changes nothing. App thread only.
+// bundled one; `folder` may be empty or absent. Returns the faults of that file. Handrail uses the bundled text, or
+// else the English one, instead of each faulty text. Faults are reported in the bundled language of that code, if it
+// exists. If the language does not exist or its file is damaged, the call fails and changes nothing. App thread only.
 Result<std::vector<Diagnostic>> speak_language(std::string_view code, const std::filesystem::path& folder = {});
 
-// Returns the fault of a pattern in ICU's words, or an empty string. `names` receives the sorted names of the values
-// that the pattern uses.
+// Returns ICU's description of the fault in a pattern, or an empty string. `names` receives the sorted names of the
+// values that the pattern uses.
 std::string pattern_fault(std::string_view pattern, std::vector<std::string>* names = nullptr);
 // Returns the texts of a bundled language, sorted by key; empty if that language is not bundled. For tests and
 // translators.

@@ -2,9 +2,9 @@
 // always sees a complete value and misses values that were overwritten before it read them. Neither side allocates,
 // waits or fails.
 //
-// Another process may also write the memory of this object. So every index that is read from it is masked with kIndex,
-// and there are as many slots as the mask allows: four. Three slots are in use. The fourth exists only because a faulty
-// process may write its index. So no value in that memory can cause an access outside of it.
+// Another process may also write the memory of this object. So every index that is read from this memory is masked with
+// kIndex, and there are as many slots as the mask allows: four. Three slots are in use. The fourth exists only because
+// a faulty process may write its index. So no value in that memory can cause an access outside of it.
 #pragma once
 
 #include <array>
@@ -27,14 +27,14 @@ public:
         back_ = old & kIndex;
     }
 
-    // Takes the newest value, which read() then returns. Returns true if a value was published since the last call.
-    // Consumer thread only.
+    // Switches to the newest value, which read() then returns. Returns true if a value was published since the last
+    // call. Consumer thread only.
     bool refresh() {
         if (!(middle_.load(std::memory_order_relaxed) & kFresh)) return false;
         front_ = middle_.exchange(front_ & kIndex, std::memory_order_acq_rel) & kIndex;
         return true;
     }
-    // Returns the value that the last refresh() took. Consumer thread only.
+    // Returns the value to which the last refresh() switched. Consumer thread only.
     const T& read() const { return slots_[front_ & kIndex]; }
 
 private:

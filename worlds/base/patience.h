@@ -8,7 +8,7 @@ class Patience {
 public:
     static constexpr double kFirst_s = 2.0, kEvery_s = 5.0;
 
-    // Starts at the moment `begun_s` at which the wait begins.
+    // `begun_s` is the moment at which the person's wait begins.
     explicit Patience(double begun_s) : begun_s_(begun_s), next_s_(begun_s + kFirst_s) {}
 
     // Returns true whenever a report is due at `now_s`.

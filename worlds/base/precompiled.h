@@ -1,5 +1,5 @@
-// Headers that nearly every source file includes, or that many include and that are slow to compile. They are compiled
-// once. Headers of the project itself are excluded.
+// Lists headers that the compiler reads only once: those that nearly every source file includes, and slow ones that
+// many files include. Headers of the project itself are excluded.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// Errors that a person can act on. Files, devices and users can be wrong, so functions that deal with them return
-// Result<T>.
+// Defines errors that a person can act on. Files, devices and users can be wrong, so functions that deal with them
+// return Result<T>.
 #pragma once
 
 #include <string>

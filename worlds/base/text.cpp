@@ -86,7 +86,7 @@ bool is_utf8(std::string_view text) {
 
 bool begins_with_direction_control(std::string_view text) {
     const auto byte = [&](std::size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0; };
-    if (byte(0) == 0xd8) return byte(1) == 0x9c;  // U+061C is the only one with two bytes
+    if (byte(0) == 0xd8) return byte(1) == 0x9c;  // U+061C is the only direction control with two bytes
     if (byte(0) != 0xe2) return false;
     if (byte(1) == 0x80) return byte(2) == 0x8e || byte(2) == 0x8f || (byte(2) >= 0xaa && byte(2) <= 0xae);
     return byte(1) == 0x81 && byte(2) >= 0xa6 && byte(2) <= 0xa9;  // true for U+2066 to U+2069

@@ -12,7 +12,7 @@ namespace handrail {
 // Returns the candidate with the smallest edit distance to `word`, for "did you mean ..." sentences. ASCII case is
 // ignored. If several candidates are equally near, the first is returned. Empty if there are no candidates.
 std::string nearest_name(std::string_view word, std::span<const std::string> candidates);
-// Like nearest_name, for keys with a dot, "table.key". If `keys` contain that table, only the keys of that table are
+// Like nearest_name, for keys with a dot, "table.key". If some of `keys` are in the same table as `key`, only they are
 // searched, else all keys.
 std::string nearest_key(std::string_view key, std::span<const std::string> keys);
 
@@ -36,7 +36,7 @@ std::string one_line(std::string_view text);
 std::vector<std::string> characters_of(std::string_view text);
 
 // Removes the decimal number at the front of `text` and returns it. The locale has no influence. "nan" and "infinity"
-// count as numbers. A value too large or too small for a double becomes the largest double or 0, with in_range false.
+// are numbers too. A value too large or too small for a double becomes the largest double or 0, with in_range false.
 // With `exponent`, "1e3" is one number. Returns nothing if the text does not begin with a number. All numbers in files
 // and typed commands are read by this function.
 struct TakenNumber {

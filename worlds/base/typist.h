@@ -3,7 +3,7 @@
 // appended; phrase() chooses it automatically. For typed lines, KeyMap::keys_of returns the word of the command. For a
 // terminal, it returns only keys that a terminal can send.
 //
-// The setting applies to the whole process, like the language. The app thread sets it once at the start. Any thread
+// This choice applies to the whole process, like the language. The app thread sets it once at the start. Any thread
 // except the servo thread may read it.
 #pragma once
 

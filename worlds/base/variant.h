@@ -1,7 +1,7 @@
 // A std::variant of strings, lists and similar types that can be copied safely even when memory runs out. libstdc++
-// assumes that such a variant always holds a value. If the copy of a value throws, std::variant destroys a value that
+// assumes that such a variant always holds a value. If copying a value throws, std::variant later destroys a value that
 // was never made, and the program jumps to a random address (seen with GCC 12 and 14). This class first copies the
-// value and then moves it into the variant, and that move cannot throw.
+// value and then moves the copy into the variant, and that move cannot throw.
 #pragma once
 
 #include <utility>

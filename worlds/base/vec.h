@@ -1,5 +1,6 @@
-// Vectors and frames. All code uses one convention: right-handed, x east, y north, z up; metres, seconds, newtons,
-// radians. The haptic core, files and settings use double. Only drawing and audio outputs convert to float.
+// Defines vectors, angles and frames. All code uses one convention: right-handed, x east, y north, z up; metres,
+// seconds, newtons, radians. The haptic core, files and settings use double. Only drawing and audio outputs convert to
+// float.
 #pragma once
 
 #include <cmath>

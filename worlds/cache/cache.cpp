@@ -70,8 +70,8 @@ std::vector<KeptFile> files_in(int folder) {
     return files;
 }
 
-// Removes the least recently used files until the rest is no larger than most_bytes. Files that another process removes
-// in the meantime count as removed.
+// Removes the least recently used files until the rest is no larger than most_bytes. A file that another process
+// removes in the meantime is subtracted too.
 void remove_oldest(int folder, std::uint64_t most_bytes) {
     std::vector<KeptFile> files = files_in(folder);
     std::sort(files.begin(), files.end(), [](const KeptFile& a, const KeptFile& b) {
@@ -97,7 +97,8 @@ Descriptor Cache::open(const std::string& name) const {
     if (file.get() < 0 || ::fstat(file.get(), &of) != 0 || !S_ISREG(of.st_mode) || of.st_uid != ::geteuid() ||
         (of.st_mode & kOthersWrite))
         return Descriptor(-1);
-    // Marks the file as used now. This fails on a read-only disk, but there nothing is removed either.
+    // Marks the file as used now. This fails on a read-only disk, which does no harm, because no files can be removed
+    // there.
     ::futimens(file.get(), nullptr);
     return file;
 }

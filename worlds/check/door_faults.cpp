@@ -13,7 +13,7 @@ namespace {
 constexpr double kJamb_m = 0.06;       // greatest distance between the side of a leaf and its wall or frame
 constexpr double kBesideDoor_m = 1.0;  // distance on both sides of a door within which floors are considered
 constexpr double kTallest_m = 4.0;     // greatest height of a door; used if no floors are known
-constexpr double kInFront_m = 0.5;     // a thing nearer to the door than this may block it
+constexpr double kInFront_m = 0.5;     // a thing nearer to the door than this distance may block it
 
 // One or more leaves that are next to each other and open together.
 struct Doorway {
@@ -117,7 +117,7 @@ std::string in_the_way(const Examined& world, const Doorway& door) {
     return {};
 }
 
-// True if there is something at both ends of the leaves, on which the door can hang and at which it can close.
+// True if there is a solid or sheet at both ends of the leaves, on which the door can hang and at which it can close.
 bool has_wall(const Examined& world, const Doorway& door) {
     const Vec3 along(-door.normal.y, door.normal.x, 0.0);
     double low = std::numeric_limits<double>::infinity(), high = -low;

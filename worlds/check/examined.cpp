@@ -119,7 +119,8 @@ std::optional<double> Examined::top_below(const Vec3& at_m) const {
 
 SourcePlace Examined::ground_source(const Vec3& at_m) const {
     if (const Solid* ground = solid_at(at_m - Vec3(0.0, 0.0, 0.05), 0.02)) return ground->source;
-    // The search includes the surroundings of the point, because a person at an edge may stand slightly beyond it.
+    // The search includes the surroundings of the point, because a person at an edge may stand slightly beyond the
+    // floor.
     const double around = space ? space->body.radius_m + space->cell_m : 0.3;
     const Solid* best = nullptr;
     for (const std::uint32_t i : solids_near({at_m - Vec3(around, around, 0.3), at_m + Vec3(around, around, 0.05)})) {

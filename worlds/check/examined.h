@@ -11,7 +11,7 @@
 
 namespace handrail::check {
 
-// How many of a room's standing places are under a roof, and how many are in the open.
+// The number of a room's standing places that are under a roof, and of those in the open.
 struct Cover {
     std::size_t under_roof = 0, open = 0;
     std::uint32_t first_open = navigation::kNothing;
@@ -32,8 +32,8 @@ public:
     const navigation::WalkSpace* space;
     const navigation::RoomGraph* graph;
 
-    // Returns the solids that stop a body and whose box meets `box`, as rising indices into Scene::solids. The
-    // reference is valid until the next query.
+    // Returns the solids that stop a body and whose bounding box overlaps `box`, as rising indices into Scene::solids.
+    // The reference is valid until the next query.
     const std::vector<std::uint32_t>& solids_near(const Aabb& box) const;
     // Returns the first solid that stops a body and, enlarged by grow_m, contains the point. Ignores the features in
     // `but`. Null if there is none.
@@ -47,7 +47,7 @@ public:
     SourcePlace ground_source(const Vec3& at_m) const;
     // Returns the solids of a thing, as indices into Scene::solids.
     const std::vector<std::uint32_t>& solids_of(FeatureId feature) const { return solids_of_[feature.value]; }
-    // Returns the room that a thing is next to or below; kNothing if there is none.
+    // Returns the room that contains a thing or is above it; kNothing if there is none.
     std::uint32_t room_of(const Feature& feature) const;
     std::string room_name(std::uint32_t room) const;
     // Returns the line and column of the room in the file, or else those of its floor.

@@ -50,7 +50,8 @@ std::string candidate_words(const Scene& scene, const WorldFault& fault) {
     return list;
 }
 
-// A door at least this wide is not impassable because of its width. The advice to the person says the same.
+// A door at least this wide is never reported as impassable because of its width. The advice to the person names the
+// same width.
 constexpr double kWideDoorway_m = 0.8;
 
 std::string say(const Scene& scene, const WorldFault& fault, std::string_view key) {

@@ -1,5 +1,5 @@
-// Finds faults of a world, for people who make or prepare it. It looks for them in the scene and in the rooms and
-// routes found in it. Each fault has a place, a line in the file and advice. Pure functions; any thread may call them.
+// Finds faults of a world, for people who make or prepare it. It searches the scene, and the rooms and routes that were
+// found in the scene. Each fault has a place, a line in the file and advice. Pure functions; any thread may call them.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,7 @@
 
 namespace handrail::check {
 
-// Ordered by severity: first faults that stop or endanger a walker, then those that mislead, then things that are
-// missing.
+// Ordered by severity: first faults that stop or endanger a walker, then those that mislead, then missing landmarks.
 enum class FaultKind : std::uint8_t {
     NowhereToStand,    // the world has no floor at all
     StartLost,         // nobody can stand at this start
@@ -57,19 +56,20 @@ std::vector<FaultKind> all_fault_kinds();
 
 struct WorldFault {
     FaultKind kind = FaultKind::UnnamedRoom;
-    // World metres. If people walk at the place, it is on the floor. For stairs and for a room out of reach, it is
-    // where the route lacks something.
+    // Place of the fault in world metres. If people walk there, it is on the floor. For stairs and for a room out of
+    // reach, it is the place at which the route lacks something.
     Vec3 at_m{0.0};
-    SourcePlace source = {};         // place in the file; line 0: unknown
+    SourcePlace source = {};         // place of the fault in the file; line 0: unknown
     FeatureId feature = kNoFeature;  // the door or thing with the fault
     // Index in the graph of the room with the fault, or of the room that it is in; kNothing: none.
     std::uint32_t room = navigation::kNothing;
     // Spoken names for the sentence: the room or thing, and a second one if the sentence needs it.
     std::string name = {}, other = {};
     std::string why = {};  // for an impassable door that was tested: the reason, as a part of a sentence
-    double amount = 0.0;   // metres: the width of a crack or door, the height of a drop, or the size that the route has
+    // Metres: the width of a crack or door, the height of a drop, or the size that the passage on the route has.
+    double amount = 0.0;
     Lack lack = Lack::Nothing;  // what a route over these stairs, or to this room out of reach, lacks
-    double needed_m = 0.0;      // the size in metres that the route would need
+    double needed_m = 0.0;      // the size in metres that the passage would need
     // For a room without a landmark: things that could be one, the best first; at most 3.
     std::vector<FeatureId> candidates = {};
 };

@@ -7,7 +7,7 @@
 namespace handrail::check {
 namespace {
 
-// Number of directions tested over half a turn; the best is at most 0.5 degrees off, an error of 0.04 mm per metre.
+// Number of directions tested over half a turn; the best one is at most 0.5 degrees off, an error of 0.04 mm per metre.
 constexpr int kDirections = 180;
 // Number of points tested on each side of the place, half a column of the walkable space apart.
 constexpr int kPoints = 4;

@@ -175,7 +175,7 @@ std::vector<MissingDoor> missing_doors(const Scene& scene, const navigation::Wal
 }
 
 std::optional<MadeDoor> doorway_cut_free(const Scene& scene, const WorldFault& fault) {
-    // If the fault has no width, the door fails for another reason than a wall in its way.
+    // If the fault has no width, something other than a wall makes the door impassable.
     if (fault.kind != FaultKind::ImpassableDoor || !fault.other.empty() || !(fault.amount > 0.0)) return std::nullopt;
     const Examined world(scene, nullptr, nullptr);
     const auto is_of_building = [&](const Solid& solid) {

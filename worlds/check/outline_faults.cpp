@@ -93,7 +93,7 @@ void overlapping(const StatedBuilding& stated, std::vector<WorldFault>& faults) 
     }
 }
 
-// Adds the faults that only the honest report can find, because they come from what the file states.
+// Adds the faults that only the report of the reader contains, because they come from statements of the file.
 void from_the_report(const Scene& scene, std::vector<WorldFault>& faults) {
     const StatedBuilding& stated = *scene.stated;
     for (const CheckPoint& point : honest_report(scene).check) {
@@ -107,7 +107,7 @@ void from_the_report(const Scene& scene, std::vector<WorldFault>& faults) {
         if (point.what == ToCheck::ImpassableDoor) fault.kind = FaultKind::ImpassableDoor;
         else if (point.what == ToCheck::DoorToNoRoom) fault.kind = FaultKind::DoorToNoRoom;
         else if (point.what == ToCheck::DoorCutFree) fault.kind = FaultKind::DoorCutFree;
-        // The other findings of the report are found in the rooms themselves.
+        // All other findings of the report are left out here, because the search of the rooms finds them too.
         else if (point.what != ToCheck::OddName) continue;
         if (is_of_a_room(point.what)) {
             fault.name = name_of(stated.rooms[point.index]);

@@ -17,14 +17,14 @@
 namespace handrail::check {
 namespace {
 
-constexpr double kLeastNamed_m2 = 2.0;  // a room smaller than this counts as a niche, whatever its shape
+constexpr double kLeastNamed_m2 = 2.0;  // a room smaller than this is treated as a niche, whatever its shape
 // In a room smaller than this everything is within reach, so it needs no landmark.
 constexpr double kLeastLandmarked_m2 = 4.0;
 constexpr double kOneRoom_m = 1.5;  // two names nearer to each other than this belong to the same room
 constexpr std::size_t kMostCandidates = 3;
 
-// Finds the rooms that a person can walk into from the base, with doors open and things in place. More of a room than a
-// doorway must be reached, because a strip in front of a blocked door may count as part of the room behind that door.
+// Finds the rooms that a person can walk into from the base, with doors open and things in place. The person must reach
+// an area larger than a doorway, because a strip in front of a blocked door may belong to the room behind that door.
 std::vector<bool> walked_into(const Examined& world) {
     const navigation::WalkSpace& space = *world.space;
     const Start* const base = navigation::base_of(world.scene);
@@ -48,7 +48,7 @@ const Solid* above(const Examined& world, const Vec3& at_m, double headroom_m) {
     return world.solid_at(at_m + Vec3(0.0, 0.0, headroom_m + kInto_m), world.space->body.radius_m);
 }
 
-// Returns the name of the solid, or that of its underside.
+// Returns the name of the solid, or else the name of its underside.
 std::string name_from_below(const Scene& scene, const Solid& solid) {
     if (solid.feature != kNoFeature) return spoken_name(scene.features[solid.feature.value]);
     for (std::size_t i = 0; i < std::min(solid.shape.planes.size(), solid.face_features.size()); ++i)
@@ -131,7 +131,8 @@ std::vector<WorldFault> blocked_by_things(const Examined& world, std::span<const
         fault.lack = Lack::Things;
         found.push_back(std::move(fault));
     }
-    // Stairs count as things, too. They may lead below a floor, so a lack of headroom is the better explanation.
+    // Stairs may be among the things that block a room. They may lead below a floor, and then the lack of headroom is
+    // the better explanation.
     constexpr std::array kKinds{Lack::Headroom};
     tell_lacks(world, found, kKinds, stop);
     return found;
@@ -153,8 +154,8 @@ std::vector<WorldFault> out_of_reach(const Examined& world, std::optional<std::u
     }
     constexpr std::array kKinds{Lack::Headroom, Lack::Step, Lack::Width};
     tell_lacks(world, found, kKinds, stop);
-    // Suggests a missing door only if no narrow gap or low opening explains the fault. Most of these are in a wall that
-    // could have a door as well, so the suggestion would mislead.
+    // Suggests a missing door only if no narrow gap or low opening explains the fault. Most gaps and low openings are
+    // in a wall that could have a door as well, so the suggestion would mislead.
     for (WorldFault& fault : found) {
         if (fault.lack != Lack::Nothing || fault.room == navigation::kNothing || stop.stop_requested()) continue;
         const std::vector<MissingDoor> doors =

@@ -11,8 +11,8 @@ namespace handrail::check {
 namespace {
 
 constexpr double kNarrowestCrack_m = 1e-3, kWidestCrack_m = 0.06;
-// Joints up to kWidestJoint_m are usual between an underside and its support, such as a slab on a wall, and around a
-// beam.
+// kLevelCrack: a face whose unit normal has at least this z is level. kWidestJoint_m: joints up to this width are usual
+// between an underside and its support, such as a slab on a wall, and around a beam.
 constexpr double kLevelCrack = 0.7, kWidestJoint_m = 0.02;
 constexpr double kLeastCrack_m2 = 0.01;  // least area over which two faces must be opposite each other
 constexpr double kLeastOpen_m2 = 0.05;
@@ -35,7 +35,8 @@ std::vector<Vec3> looked_at(const Polygon& face, const Plane& plane, const Polyg
     std::vector<Vec3> part = face.points_m, scratch;
     for (std::size_t i = 0; i < by.points_m.size() && part.size() >= 3; ++i) {
         const Vec3 &a = by.points_m[i], &b = by.points_m[(i + 1) % by.points_m.size()];
-        // Seen from the side of `plane`, the corners of `by` run in the opposite direction.
+        // Seen from the front of `plane`, the corners of `by` are in the opposite order, because that face looks the
+        // other way.
         Vec3 out = glm::cross(plane.normal, b - a);
         const double length = glm::length(out);
         if (length < 1e-9) continue;
@@ -111,7 +112,7 @@ void roofs(const Examined& world, std::vector<WorldFault>& faults) {
         const bool first_in = world.cover(portal.rooms[0]).covered() && world.cover(portal.rooms[1]).under_sky(),
                    second_in = world.cover(portal.rooms[1]).covered() && world.cover(portal.rooms[0]).under_sky();
         if (!first_in && !second_in) continue;
-        // A covered place that is not a room is only a niche under the eaves.
+        // A covered area is only a niche under the eaves if it is not a room, so it gives no fault.
         if (rooms[portal.rooms[first_in ? 0 : 1]].kind != navigation::RoomKind::Room) continue;
         const std::uint32_t in = portal.rooms[first_in ? 0 : 1], out = portal.rooms[first_in ? 1 : 0];
         put(FaultKind::OpenToOutside, in, portal.place_m, world.room_name(out));
@@ -130,7 +131,7 @@ void edges(const Examined& world, std::vector<WorldFault>& faults) {
     const navigation::WalkSpace& space = *world.space;
     const std::array<Vec3, 4> ways{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, -1, 0)};
     const double far_m = space.body.radius_m + 2.0 * space.cell_m;
-    // The faults reported, so that each kind is reported only once in a room.
+    // The faults that are already reported, so that each kind is reported only once in a room.
     std::set<std::pair<std::uint32_t, FaultKind>> told;
     for (std::uint32_t s = 0; s < space.spans.size(); ++s) {
         const navigation::WalkSpan& span = space.spans[s];

@@ -9,7 +9,7 @@
 namespace handrail::check {
 namespace {
 
-constexpr double kSame_m = 0.005;   // corners of two boxes within this distance count as the same
+constexpr double kSame_m = 0.005;   // two boxes are equal if their corners are within this distance
 constexpr double kFar_m = 3.0;      // a thing farther than this from every standing place is out of reach
 constexpr double kHighest_m = 4.0;  // greatest height above a floor of a thing that hangs on a wall
 constexpr double kTouching_m = 0.1;
@@ -127,7 +127,7 @@ void find_thing_faults(const Examined& world, std::vector<WorldFault>& faults) {
     twice(world, things, faults);
     if (world.space) starts(world, faults);
     for (const FeatureId id : things) {
-        // In an architect's model, beams and window frames belong inside walls, so the first test is left out.
+        // In an architect's model, beams and window frames belong inside walls, so is_within_walls is not tested there.
         if ((!world.scene.stated && is_within_walls(world, id)) || (world.space && is_under_floors(world, id)))
             faults.push_back(fault_of(world, id, FaultKind::ThingBuried));
         else if (world.space && is_far_from_floors(world, id))

@@ -30,9 +30,9 @@ bool joined_on_foot(const navigation::RoomGraph& graph, std::uint32_t a, std::ui
 
 }  // namespace
 
-// Finds doors and openings between two rooms of the file that a body can pass, although no route leads there from one
-// room to the other. Stairs and rooms with stairs are left out, because Handrail divides them into rooms differently
-// from the file.
+// Finds doors and openings that the file states between two rooms and that a body can pass, although no route leads
+// there from one room to the other. Stairs and rooms with stairs are left out, because Handrail divides them into rooms
+// differently from the file.
 void find_unlike_faults(const Examined& world, std::vector<WorldFault>& faults) {
     if (!world.scene.stated || !world.space) return;
     const StatedBuilding& stated = *world.scene.stated;

@@ -14,14 +14,14 @@ namespace {
 
 constexpr double kTallEnough = 0.5, kThinEnough = 0.2, kHigher_m = 0.6;
 
-// The best routes from one place to every other place. `worth` is the worth of the worst place on the route, `worst` is
-// that place.
+// The best routes from one place to every other place. For each span, `worth` is the worth of the worst place on the
+// route to that span, and `worst` is that worst place.
 struct BestWays {
     std::vector<double> worth;
     std::vector<std::uint32_t> worst;  // kNothing if there is no route
 };
 
-// `worth_of(from, to)` returns the worth of the step from one span to the next.
+// `worth_of(from, to)` returns the worth of the step from the span `from` to the span `to`.
 template <class Worth>
 BestWays best_ways(const navigation::WalkSpace& space, std::uint32_t first, const Worth& worth_of) {
     BestWays best{std::vector<double>(space.spans.size(), -std::numeric_limits<double>::infinity()),
@@ -61,9 +61,9 @@ std::uint32_t place_in(const navigation::WalkSpace& space, const Vec3& at_m) {
     return space.nearest(at_m, 1.0, 0.6, 1.0);
 }
 
-// Finds what the best routes of a walker lack. It tries smaller bodies, and bodies that climb higher, which get
-// through, and then looks at what the walker lacks on their routes. Each kind of lack is tested only for the places
-// that have no answer yet.
+// Finds what the best routes of a walker lack. It tries smaller bodies, and bodies that climb higher, and follows their
+// best routes. On these routes it measures what the walker lacks. Each kind of lack is tested only for the places that
+// have no answer yet.
 class Search {
 public:
     Search(const Scene& scene, const navigation::WalkerMeasures& body, const Vec3& from_m,
@@ -80,8 +80,8 @@ public:
         navigation::WalkerMeasures any = low();
         any.radius_m = thin().radius_m;
         any.step_up_m = climbing().step_up_m;
-        // If even a body that is low and thin and climbs high cannot get there, walls are the reason. No other walkable
-        // space has to be made then.
+        // If even a body that is low and thin and climbs high cannot reach any of the places, walls are the reason, so
+        // no other walkable space is needed.
         if (kinds.size() > 1 && !comes_to_any(any)) return std::move(found_);
         for (const Lack kind : kinds) look(kind);
         return std::move(found_);

@@ -12,7 +12,7 @@
 namespace handrail::check {
 
 enum class Lack : std::uint8_t {
-    Nothing,   // none of the kinds below is a sufficient explanation: walls or several lacks are the reason
+    Nothing,   // none of the kinds below is a sufficient explanation: walls, or several lacks together, are the reason
     Headroom,  // there are only has_m of free height above the soles, and the body needs its height
     Step,      // there is a step of has_m, and the body can climb less
     Width,     // there is a passage has_m wide, and the body needs twice its radius
@@ -27,11 +27,11 @@ struct WayLacks {
 };
 
 // Explains why no route leads from `from_m` to `places_m` in the walkable space of this scene. The best route is the
-// one whose worst place is best: most headroom, lowest step, or greatest width. It must be passable for a body that is
-// at least half as tall, or has a fifth of the radius, or climbs up to 0.6 m more. If several kinds are an explanation,
-// the first one in `kinds` is returned. Makes a trial space of the scene for each kind, and an additional one at first
-// if there are several kinds. After a stop request, it returns what it has found by then. Source: the widest-path
-// problem, Pollack, 1960.
+// one whose worst place is best: most headroom, lowest step, or greatest width. The best route must be passable for a
+// body that is at least half as tall, or has a fifth of the radius, or climbs up to 0.6 m more. If several kinds are an
+// explanation, the first one in `kinds` is returned. Makes a trial space of the scene for each kind, and before these
+// an additional one if there are several kinds. After a stop request, it returns what it has found by then. Source: the
+// widest-path problem, Pollack, 1960.
 std::vector<WayLacks> way_lacks(const Scene& scene, const navigation::WalkSpace& space, const Vec3& from_m,
                                 std::span<const Vec3> places_m, std::span<const Lack> kinds,
                                 const std::stop_token& stop = {});

@@ -13,7 +13,7 @@
 
 namespace handrail::confine {
 
-// What the kernel supports, or what is active in a process.
+// The protections that the kernel supports, or those that are active in a process.
 struct Confinement {
     bool seccomp = false;
     int landlock = 0;  // version of the kernel's Landlock interface; 0 if the kernel has none

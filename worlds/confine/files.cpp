@@ -1,4 +1,5 @@
-// Uses Landlock directly through its system calls, because the C library has no functions for them.
+// Restricts the files and TCP ports of a process with Landlock. It calls Landlock's system calls directly, because the
+// C library has no functions for them.
 #include <fcntl.h>
 #include <linux/landlock.h>
 #include <sys/stat.h>

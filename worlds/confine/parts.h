@@ -1,4 +1,5 @@
-// The two parts of `confine`: system calls and files. Private to this folder.
+// Declares the two parts of `confine`: one restricts system calls, the other files and TCP ports. Private to this
+// folder.
 #pragma once
 
 #include "worlds/confine/confine.h"

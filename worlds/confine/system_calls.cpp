@@ -65,8 +65,8 @@ scmp_arg_cmp masked(unsigned place, std::uint64_t mask, std::uint64_t value) {
 
 const std::uint32_t kRefuse = SCMP_ACT_ERRNO(EPERM);
 
-// Calls that start programs. The file reader never starts programs, so a reader that tries to has been taken over and
-// is ended. If the call were only refused, the intruder could continue, and Handrail would believe its answer.
+// Calls that start programs. The file reader never starts programs, so if it tries to, an attacker controls it, and the
+// kernel ends it. If the call were only refused, the attacker could continue, and Handrail would believe the answers.
 const std::initializer_list<int> kStartPrograms{SCMP_SYS(execve), SCMP_SYS(execveat)};
 
 // Calls that reach other processes or bypass Landlock. io_uring makes calls that no filter sees, and file handles open
@@ -126,9 +126,9 @@ bool is_permitted(const Permissions& permissions, unsigned family) {
            ((family == AF_INET || family == AF_INET6) && internet);
 }
 
-// Refuses sockets without ending the process, because libraries look for services, such as the system log, and can work
-// without them. If a manufacturer's library ended the process, the second guard would have to take over the force on
-// the hand.
+// Refuses sockets without ending the process, because libraries look for services, such as the system log, and can do
+// without them. If the filter ended the process because of a manufacturer's library, the second guard would have to
+// control the force on the hand.
 void refuse_sockets(Filter& filter, const Permissions& permissions) {
     for (unsigned family = 0; family < kMostFamilies; ++family)
         if (!is_permitted(permissions, family))
@@ -196,7 +196,7 @@ void permit_computing(Filter& filter) {
     filter.rule(allow, SCMP_SYS(clone), masked(0, std::uint64_t{CLONE_THREAD}, std::uint64_t{CLONE_THREAD}));
     // abort() needs this call.
     filter.rule(allow, SCMP_SYS(tgkill), argument(0, SCMP_CMP_EQ, static_cast<std::uint64_t>(::getpid())));
-    // Only to query limits, such as that of the stack.
+    // Allows this call only for reading limits, such as that of the stack.
     filter.rule(allow, SCMP_SYS(prlimit64), argument(2, SCMP_CMP_EQ, std::uint64_t{0}));
 }
 

@@ -21,7 +21,7 @@ bool on_grid(double value) { return std::abs(value / kFinest_m - std::round(valu
 
 struct Box {
     Vec2 least{1e300}, most{-1e300};
-    bool plain = false;  // true: the outline is this rectangle
+    bool plain = false;  // true: the outline is exactly this rectangle
 };
 
 Box box_of(const std::vector<Ring>& rings) {
@@ -266,7 +266,7 @@ private:
         text_ += ".\n";
     }
 
-    // The side of the outline that contains a window pane: the nearest side that runs along the pane.
+    // The side of an outline to which a window pane belongs: the nearest side that runs along the pane.
     struct Side {
         std::size_t ring = 0, corner = 0;
         Vec2 at{0.0};

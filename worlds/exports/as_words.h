@@ -12,7 +12,7 @@
 
 namespace handrail::exports {
 
-// The contents of the text: rooms that a file states, or that were found in the walkable space. World metres.
+// The contents of the text. Its rooms are stated by a file or were found in the walkable space. World metres.
 struct WordsHouse {
     struct Storey {
         std::string name;
