@@ -278,7 +278,8 @@ Result<std::vector<Diagnostic>> speak_language(std::string_view code, const std:
             Language own{std::string(code), icu::Locale(std::string(code).c_str()), {}, folder};
             if (language) {
                 own.texts = language->texts;
-                // Stores the new language before the faults are reported, so that the report is in the new language.
+                // Stores the bundled language first, so that faults in the person's own texts are reported in the
+                // language that the person chose.
                 spoken.store(language, std::memory_order_release);
             }
             gather(table, "", path.filename().string(), misfit, own, faults);

@@ -47,7 +47,8 @@ public:
     SourcePlace ground_source(const Vec3& at_m) const;
     // Returns the solids of a thing, as indices into Scene::solids.
     const std::vector<std::uint32_t>& solids_of(FeatureId feature) const { return solids_of_[feature.value]; }
-    // Returns the room that contains a thing or is above it; kNothing if there is none.
+    // Returns the room of the place nearest to a thing at which a person can stand, at most 3 m below the bottom of the
+    // thing; kNothing if there is none.
     std::uint32_t room_of(const Feature& feature) const;
     std::string room_name(std::uint32_t room) const;
     // Returns the line and column of the room in the file, or else those of its floor.

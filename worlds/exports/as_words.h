@@ -74,12 +74,13 @@ struct WordsHouse {
 
 // Describes a world whose file states its rooms.
 WordsHouse stated_house(const Scene& scene, words::WordLanguage language);
-// Describes any other world. The outlines come from the walkable floor, extended to the middle of the walls. `space`
-// must still contain its floor without furniture. The time is proportional to the number of spans.
+// Describes a world whose file states no rooms. The outlines come from the walkable floor, extended to the middle of
+// the walls. `space` must still contain its floor without furniture. The time is proportional to the number of spans.
 WordsHouse found_house(const Scene& scene, const navigation::RoomGraph& graph, const navigation::WalkSpace& space,
                        words::WordLanguage language);
 
-// Returns where stairs are and in which direction they climb, judged by their treads; nothing if they have none.
+// Returns the place of stairs and the direction in which they climb, determined from their treads. Returns nothing if
+// the stairs have no treads.
 std::optional<WordsHouse::Flight> flight_of(const Scene& scene, FeatureId stairs);
 
 // Looks up the material of the floor at a place.
@@ -101,10 +102,10 @@ private:
 // Returns the material that most of the wall area has; empty if it is unknown.
 std::string wall_material(const Scene& scene);
 
-// Adds the windows and objects to the rooms. `stated_house` and `found_house` call this already.
+// Adds the windows and objects to the rooms of `house`. `stated_house` and `found_house` call this already.
 void furnish(WordsHouse& house, const Scene& scene, words::WordLanguage language);
 
-// Returns the text. The base is taken from `scene`.
+// Returns the text. Its base is the base of `scene`.
 std::string text_of(const WordsHouse& house, const Scene& scene, words::WordLanguage language);
 
 }  // namespace handrail::exports

@@ -55,7 +55,7 @@ Result<BrailleCells> translated(std::string_view text, const char* file) {
     const std::string tables = std::string("unicode.dis,") + file;
     std::vector<widechar> in = wide_of(text);
     // The output may be longer than the text, because a letter can need several cells: signs for numbers, capitals and
-    // unknown characters.
+    // unknown characters. So the space for the output grows until it is large enough.
     for (std::size_t room = in.size() * 8 + 64;; room *= 4) {
         std::vector<widechar> out(room);
         int taken = static_cast<int>(in.size()), made = static_cast<int>(out.size());

@@ -27,7 +27,7 @@ using BrailleCells = std::vector<std::uint8_t>;
 // Translates the text. Fails with one sentence if liblouis or its tables are missing. Invalid UTF-8 becomes a question
 // mark.
 Result<BrailleCells> braille_of(std::string_view text, BrailleTable table);
-// Translates the text without contractions. A sign on a plan must be found in the key letter by letter.
+// Translates the text without contractions, so that a reader can find a sign of a plan in the key letter by letter.
 Result<BrailleCells> braille_signs(std::string_view text, BrailleTable table);
 
 // Returns North American braille ASCII, the encoding of BRF files: 64 characters, one for each cell.

@@ -10,9 +10,10 @@
 namespace handrail::exports {
 namespace {
 
-constexpr double kEdgeStep_mm = 0.5;   // step along an edge at which a line is tried
+constexpr double kEdgeStep_mm = 0.5;   // distance along an edge between two places at which a line is tried
 constexpr double kEdgeAside_mm = 0.4;  // distance on either side of an edge at which the rooms are looked up
-constexpr double kBesideExit_m = 0.6;  // an exit extends this far beyond its width
+// The stretch without lines at an exit extends this far beyond the width of the exit.
+constexpr double kBesideExit_m = 0.6;
 
 // Finds places on a closed line by their distance along it.
 class AlongLoop {
@@ -63,8 +64,8 @@ private:
                   y = static_cast<int>(std::floor(mm.y / kInkPixel_mm));
         return rooms_.holds(x, y) ? rooms_.room[rooms_.at(x, y)] : navigation::kNothing;
     }
-    // Returns whether the place is inside the storey's area. Outside it, the grid only says which room is nearest, not
-    // where there is floor.
+    // Returns whether the place is inside the storey's area. Outside that area, the grid says only which room is
+    // nearest, not where there is floor.
     bool on_storey(const Vec2& mm) const {
         const Vec2 at = on_paper_.world(mm);
         return at.x > storey_.min_m.x && at.y > storey_.min_m.y && at.x < storey_.max_m.x && at.y < storey_.max_m.y;
@@ -98,7 +99,8 @@ EdgeInk edge_lines(const plan::Storey& storey, const OnPaper& on_paper, const pl
         for (double far = 0.0; far + kEdgeLine_mm <= along.length();) {
             const Vec2 from = along.at(far), to = along.at(far + kEdgeLine_mm);
             const double length = glm::distance(from, to);
-            // A line is not drawn if the edge bends so much that its ends are closer than this fraction of its length.
+            // A line is not drawn if the edge bends so much that the ends of the stretch are closer than this fraction
+            // of its length.
             constexpr double kBent = 0.9;
             const plan::PlanBox line{
                 0.5 * (from + to), length > 0.0 ? (to - from) / length : Vec2(1.0, 0.0), {0.5 * length, 0.5 * line_mm}};

@@ -19,8 +19,8 @@ namespace {
 
 constexpr double kHalfWall_m = 0.1, kDoorway_m = 0.65, kStoreyApart_m = 2.2, kNearSpan_m = 0.3, kLeastPiece_m2 = 0.3;
 
-// Returns the room of each span in the floor without furniture. It is the room of the same place in the walkable space;
-// where furniture is, it is the adjoining room.
+// Returns the room of each span in the floor without furniture. At most places, it is the room of the same place in the
+// walkable space. Under furniture, it is the adjoining room.
 std::vector<std::uint32_t> rooms_of_walls(const navigation::RoomGraph& graph, const navigation::WalkSpace& space) {
     const navigation::SpanGrid<navigation::WallSpan>& walls = *space.walls;
     std::vector<std::uint32_t> room(walls.spans.size(), navigation::kNothing);
@@ -85,7 +85,7 @@ public:
         room_ = std::move(kept);
     }
 
-    // Extends all rooms at the same time into unassigned cells, by this many cells. Corners do not become round.
+    // Extends all rooms at the same time into unassigned cells, by this many cells. Corners stay square.
     void grow(int cells) {
         std::vector<std::uint32_t> edge;
         for (std::uint32_t c = 0; c < room_.size(); ++c)
@@ -157,7 +157,7 @@ public:
         if (sizes.empty()) return {};
         const auto largest = static_cast<std::uint32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
         if (static_cast<double>(sizes[largest]) * cell_m * cell_m < kLeastPiece_m2) return {};
-        // For each corner, the ends of the edges that begin there. The room is to the left of its edges.
+        // For each corner, the ends of the edges that begin there. Each edge has the room on its left.
         std::map<std::pair<int, int>, std::vector<std::pair<int, int>>> edges;
         const auto own = [&](int x, int y) {
             if (x < 0 || y < 0 || x >= static_cast<int>(width_)) return false;
@@ -180,7 +180,7 @@ public:
             do {
                 auto found = edges.find(now);
                 if (found == edges.end()) break;
-                // If two edges begin at a corner, take the left one, so that no ring crosses itself.
+                // If two edges begin at a corner, chooses the left one, so that no ring crosses itself.
                 std::size_t take = 0;
                 for (std::size_t i = 0; i < found->second.size(); ++i) {
                     const std::pair<int, int> next{found->second[i].first - now.first,
@@ -247,8 +247,9 @@ struct DropFound {
     Vec3 place_m{0.0};
 };
 
-// Describes drops. Raises or lowers both rooms from their storey, and makes the edge an opening with a drop. If the two
-// rooms must have the same height for another reason, such as a level opening, the drop is only mentioned in `lost`.
+// Describes drops between two rooms. Raises or lowers both rooms from their storey, and makes the edge an opening with
+// a drop. If the two rooms must have the same height for another reason, such as a level opening, the drop is only
+// mentioned in `lost`.
 void lay_drops(WordsHouse& house, const navigation::RoomGraph& graph, const std::vector<DropFound>& drops,
                bool german) {
     constexpr double kLeastDrop_m = 0.3;

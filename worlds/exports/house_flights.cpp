@@ -10,9 +10,10 @@ namespace handrail::exports {
 namespace {
 
 constexpr double kTread = 0.7;  // a surface counts as a tread if the vertical component of its normal is at least this
-// Fraction of the climb that counts as its foot; the same fraction at the end counts as its top.
+// Fraction of the climb, from the bottom, that is regarded as the foot of the stairs. The same fraction from the top is
+// regarded as their top.
 constexpr double kEnd = 0.2;
-// Fraction of the length: if the foot and the top are closer to each other, the stairs turn back between them.
+// If the distance between foot and top is below this fraction of the length of the stairs, they turn back.
 constexpr double kTurns = 0.25;
 constexpr double kLeastClimb_m = 0.3;
 
@@ -56,7 +57,7 @@ std::optional<WordsHouse::Flight> flight_of(const Scene& scene, FeatureId stairs
     };
     WordsHouse::Flight flight;
     const Vec2 size(feature->bounds_m.size_m());
-    // Round to a tenth of a millimetre, like all lengths in the text.
+    // Rounds to a tenth of a millimetre, like all lengths in the text.
     flight.at_m = glm::round(Vec2(feature->bounds_m.centre_m()) * 1e4) * 1e-4;
     flight.size_m = glm::round(size * 1e4) * 1e-4;
     const Vec2 foot = middle_between(0.0, kEnd), top = middle_between(1.0 - kEnd, 1.0), climb = top - foot;

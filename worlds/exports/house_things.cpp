@@ -1,5 +1,5 @@
-// Finds the windows and objects, for the text that describes a building. Each belongs to the room that contains it,
-// else to the nearest room.
+// Finds the windows and objects, for the text that describes a building. Each window or object belongs to the room that
+// contains it, or else to the nearest room.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,8 +19,8 @@ constexpr double kUnderFloor_m = 0.1, kUnderCeiling_m = 0.2;
 constexpr double kThickestPane_m = 0.6;
 // An object outside an outline by at most this distance still belongs to the room, such as shelves along its wall.
 constexpr double kBesideRoom_m = 0.5;
-// To find the room of an object, a metre too high or too low counts as this many metres sideways. So the object stays
-// on its storey.
+// Factor for height differences in the search for the room of an object: a metre of height is as much as this many
+// metres sideways. So the object stays on its storey.
 constexpr double kStoreyFirst = 100.0;
 
 bool is_called_window(const Feature& feature) {
@@ -81,7 +81,7 @@ public:
             for (const StatedPortal& portal : scene_.stated->portals)
                 if (portal.feature) told[portal.feature.value] = true;
         }
-        // Add the named objects in the building, except doors, stairs, lifts and walls. If the file lists its
+        // Adds the named objects in the building, except doors, stairs, lifts and walls. If the file lists its
         // furniture, all other objects are fixtures.
         const bool counted = scene_.stated && !scene_.stated->furnishings.empty();
         std::vector<bool> solid(scene_.features.size(), false);
@@ -101,8 +101,8 @@ public:
     const std::vector<std::string>& of_stairs() const { return of_stairs_; }
 
 private:
-    // Adds one window or object. `counted`: the file lists it as furniture or a window, so it is written even if it is
-    // outside all rooms.
+    // Adds one window or object. `counted`: the file lists it as furniture or a window, so the text names it even if it
+    // is outside all rooms.
     void add(FeatureId id, const Aabb& box, bool window, bool fixture, bool counted) {
         WordsHouse::Thing thing;
         thing.box_m = box;

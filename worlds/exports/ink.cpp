@@ -48,7 +48,7 @@ Ink opposite(const Ink& ink) {
 }
 
 // Marks the points that a simplified line needs. Source: Douglas, Peucker, Algorithms for the reduction of the number
-// of points, 1973, with a stack instead of recursion.
+// of points, 1973. This version uses a stack instead of recursion.
 void keep_corners(const std::vector<Vec2>& points, std::size_t from, std::size_t to, std::vector<bool>& kept) {
     std::vector<std::pair<std::size_t, std::size_t>> open{{from, to}};
     const auto point = [&](std::size_t i) { return points[i % points.size()]; };
@@ -168,7 +168,7 @@ Ink near_black(const Ink& ink, double limit_px, bool as_far) {
     if (most < 0 || ink.wide == 0) return near;
     const int reach = static_cast<int>(std::sqrt(static_cast<double>(most)));
     const std::vector<std::uint8_t> far = heights_to_black(ink, static_cast<std::uint8_t>(reach + 1));
-    // For each horizontal distance, how far up or down a black pixel may be to count as near.
+    // For each horizontal distance, the greatest vertical distance of a black pixel that is still near.
     std::vector<std::uint8_t> high;
     for (int aside = 0; aside <= reach; ++aside)
         high.push_back(static_cast<std::uint8_t>(std::sqrt(static_cast<double>(most - aside * aside))));
@@ -253,7 +253,7 @@ Ink narrow_white(const Ink& ink, double gap_mm) {
         std::vector<std::uint32_t>& around = border[piece];
         std::sort(around.begin(), around.end());
         around.erase(std::unique(around.begin(), around.end()), around.end());
-        // Count the pixels that are connected with the first one.
+        // Counts the pixels that are connected with the first one.
         std::vector<bool> seen(around.size(), false);
         std::vector<std::size_t> open;
         if (!around.empty()) open.push_back(0), seen[0] = true;
@@ -312,8 +312,8 @@ void part_corners(Ink& ink) {
 }
 
 std::vector<std::vector<Vec2>> traced_mm(const Ink& ink) {
-    // The sides of pixels that have black on their left, stored at the corner where each begins: 0 east, 1 north, 2
-    // west, 3 south.
+    // For each corner, the sides of pixels that begin there and have black on their left. The bits are 0 east, 1 north,
+    // 2 west, 3 south.
     const auto black = [&](int x, int y) { return ink.holds(x, y) && ink.black[ink.at(x, y)] != 0; };
     const auto corner = [&](int x, int y) {
         return static_cast<std::uint64_t>(y) << 32U | static_cast<std::uint32_t>(x);
@@ -343,7 +343,7 @@ std::vector<std::vector<Vec2>> traced_mm(const Ink& ink) {
                 std::uint8_t& there = sides[corner(x, y)];
                 if (there == 0) break;
                 int next = 0;
-                // Turn left first, so that pixels that meet only at a corner stay separate.
+                // Turns left first, so that pixels that meet only at a corner stay separate.
                 if (way < 0)
                     while (!(there >> next & 1)) ++next;
                 else

@@ -1,6 +1,6 @@
-// A page as a picture of black and white pixels. For shapes of any form it answers, exactly and quickly, where
-// something still fits, where black is too near to other black, and where black is too thick. Pure functions; any
-// thread may call them. Lengths are in pixels unless the name says millimetres.
+// A page as a picture of black and white pixels. Functions on the picture find, for shapes of any form, where something
+// still fits, where black is too near to other black, and where black is too thick. Pure functions; any thread may call
+// them. Lengths are in pixels unless the name says millimetres.
 #pragma once
 
 #include <algorithm>
@@ -62,12 +62,12 @@ void fill_disc(Ink& ink, const Vec2& middle_mm, double radius_mm);
 // Computing 8, 2012.
 std::vector<float> distances_px(const Ink& ink, std::vector<std::uint32_t>* whose = nullptr);
 
-// Returns the pixels that have a black pixel nearer than `limit_px`, centre to centre. If `as_far` is set, exactly that
-// distance also counts. `limit_px` is at most 250. Much faster than distances_px.
+// Returns the pixels that have a black pixel nearer than `limit_px`, centre to centre. If `as_far` is set, a black
+// pixel at exactly that distance is near too. `limit_px` is at most 250. Much faster than distances_px.
 Ink near_black(const Ink& ink, double limit_px, bool as_far);
 
 // Returns the white pixels in gaps and slits between black that are narrower than `gap_mm`, so that no disc of that
-// size fits through. A disc does not fill inner corners either. These are included only if they are deeper than
+// size fits through. A disc does not fill inner corners either. Inner corners are included only if they are deeper than
 // `gap_mm`.
 Ink narrow_white(const Ink& ink, double gap_mm);
 
@@ -80,9 +80,9 @@ struct InkPieces {
 };
 InkPieces pieces_of(const Ink& ink);
 
-// Makes black that is thicker than `thick_mm` hollow, with a border of `border_mm`. Areas whose hollow would be shorter
-// than `least_mm` stay black, unless they are wider than the crossing of two walls of that thickness. So there are no
-// hollows where walls merely meet. Returns the number of hollows.
+// Makes black that is thicker than `thick_mm` hollow, with a border of `border_mm`. An area stays black if its hollow
+// would be shorter than `least_mm`, unless the area is wider than the crossing of two walls of that thickness. So there
+// are no hollows where walls merely meet. Returns the number of hollows.
 int hollow_out(Ink& ink, double thick_mm, double border_mm, double least_mm);
 
 // If two black pixels meet only at a corner, fills in a pixel next to them. Pieces then touch along sides or not at

@@ -8,10 +8,10 @@
 namespace handrail::exports {
 namespace {
 
-// A finger passes through a portal if it is this close to it: half the portal's width, or half of a door's width on
-// paper, plus a small distance in millimetres and in metres.
+// A finger passes through a portal within a certain distance of its middle. That distance is half the portal's width,
+// or half of a door's width on paper, plus kBesidePortal_mm and kBesidePortal_m.
 constexpr double kHalfDoor_mm = 3.3, kBesidePortal_mm = 2.0, kBesidePortal_m = 0.5;
-constexpr double kLeastLeak_mm = 0.3;  // a narrower gap between rooms is an effect of the pixels
+constexpr double kLeastLeak_mm = 0.3;  // a narrower gap between rooms is only an effect of the pixels
 
 Vec2 middle_of(const plan::RoomGrid& grid, std::size_t square) {
     return Vec2(static_cast<double>(square % static_cast<std::size_t>(grid.wide)) + 0.5,
@@ -64,8 +64,8 @@ private:
     // would leave no space for those lines.
     bool is_flight(std::uint32_t room) const { return storey_.rooms[room].kind == navigation::RoomKind::Stairs; }
 
-    // Returns whether a route leads to another storey there, as at the low end of a ramp. A finger finds no wall at
-    // such a place.
+    // Returns whether a route leads to another storey from this place, as at the low end of a ramp. A finger finds no
+    // wall at such a place.
     bool leads_on(const plan::RoomBorder& border, const Vec2& at) const {
         return std::any_of(storey_.exits.begin(), storey_.exits.end(), [&](const plan::StoreyExit& exit) {
             const double reach = (0.5 * exit.width_m + kBesidePortal_m) * on_paper_.mm_per_m + kBesidePortal_mm;
@@ -118,8 +118,8 @@ plan::RoomGrid rooms_on(const Ink& walls, const plan::Storey& storey, const OnPa
             const std::size_t here = grid.at(x, y);
             const bool rim = x == 0 || y == 0 || x == grid.wide - 1 || y == grid.high - 1;
             const bool on_storey = cell >= 0 && row >= 0 && cell < floor.wide && row < floor.high;
-            // The rim of the picture is outside. An exception is one of several sheets: its rim can be in the middle of
-            // a room.
+            // The pixels at the rim of the picture belong to the outside. An exception is one of several sheets: its
+            // rim can be in the middle of a room.
             if (rim && (!on_storey || floor.beyond.empty())) grid.room[here] = outside;
             if (!on_storey) continue;
             const std::size_t square =

@@ -1,6 +1,6 @@
-// Checks what a drawing of walls promises: two rooms are open to each other where the route graph has a portal between
-// them, and nowhere else. Flights of stairs are an exception: their sides stay open, because their lines show them.
-// Routes to another storey also stay open. Pure functions; any thread may call them.
+// Checks that a drawing of walls agrees with the route graph: two rooms are open to each other where the graph has a
+// portal between them, and nowhere else. Flights of stairs are an exception: their sides stay open, because their lines
+// show them. Routes to another storey also stay open. Pure functions; any thread may call them.
 #pragma once
 
 #include <array>
@@ -35,13 +35,14 @@ OpeningCheck check_openings(const Ink& walls, const plan::Storey& storey, const 
 OpeningCheck check_openings(const plan::RoomGrid& rooms, const plan::Storey& storey, const OnPaper& on_paper);
 
 // Returns the rooms whose floor meets the outside without a wall over at least `least_mm`, as indices in Storey::rooms.
-// `shown` returns whether a place is on the sheet; other places do not count. `rooms`: see rooms_on.
+// `shown` returns whether a place is on the sheet; other places are ignored. `rooms`: see rooms_on.
 std::vector<std::uint32_t> rooms_with_open_edges(const plan::RoomGrid& rooms, const plan::Storey& storey,
                                                  double least_mm, const std::function<bool(const Vec2&)>& shown);
 
-// What mend_openings did. That function opens doors and openings that are closed in the drawing, with the door width of
-// `look`; they were closed when the lines on both sides were joined. It also closes wrong openings, which are places
-// that are too narrow or too low for a walker. Black that is then too near to a mended place is joined to it.
+// The result of mend_openings. That function opens doors and openings that are closed in the drawing, with the door
+// width of `look`; they were closed when the lines on both sides were joined. It also closes wrong openings, which are
+// places that are too narrow or too low for a walker. If black is then too near to a mended place, the function joins
+// them.
 struct MendedOpenings {
     std::size_t opened = 0;
     // Pairs of indices in Storey::rooms between which a wrong opening was closed.

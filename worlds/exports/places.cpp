@@ -101,7 +101,7 @@ std::optional<Vec2> Places::nearest_fit(const Vec2& from_mm, double reach_mm,
         least = far;
         best = from_mm + off;
     };
-    // Rings of squares, from the innermost outwards.
+    // Tests rings of squares around the start, from the innermost outwards.
     for (int ring = 0; ring <= reach && ring * kStep_mm <= least; ++ring)
         for (int i = std::max(-ring, first_i); i <= std::min(ring, last_i); ++i) {
             if (std::abs(i) == ring) {

@@ -1,5 +1,5 @@
-// Finds where on a sheet or plate something still fits, and remembers what was drawn before. Plain state; only one
-// thread at a time may use an object. Millimetres.
+// Finds free space on a sheet or plate, and stores which space is already used. Plain state; only one thread at a time
+// may use an object. Millimetres.
 #pragma once
 
 #include <functional>
@@ -22,10 +22,10 @@ bool is_near_any(const plan::PlanBox& box, const std::vector<plan::PlanBox>& oth
 class Places {
 public:
     Places() = default;
-    // At first, everything between `low_mm` and `high_mm` is free that is at least `clear_mm` from black.
+    // At first, all space between `low_mm` and `high_mm` is free that is at least `clear_mm` from black.
     Places(const Ink& black, double clear_mm, const Vec2& low_mm, const Vec2& high_mm);
 
-    // Marks a closed line and its inside as taken. From now on, everything else keeps the distance `clear_mm` from it.
+    // Marks a closed line and its inside as used. From now on, the free space ends `clear_mm` away from the line.
     void take(const std::vector<Vec2>& loop_mm);
     // Returns whether the box is free. Tests points half a millimetre apart.
     bool fits(const plan::PlanBox& box_mm) const;
@@ -33,8 +33,8 @@ public:
     std::optional<Vec2> nearest_fit(const Vec2& from_mm, double reach_mm,
                                     const std::function<plan::PlanBox(const Vec2&)>& box_at,
                                     const std::function<bool(const Vec2&)>& allowed) const;
-    // Returns the largest free part of a box. Its half sides are at least `least_half_mm`; nothing if there is no such
-    // part.
+    // Returns the largest free part of a box. Its half sides are at least `least_half_mm`. Returns nothing if there is
+    // no such part.
     std::optional<plan::PlanBox> largest_fit(const plan::PlanBox& box_mm, double least_half_mm) const;
 
 private:

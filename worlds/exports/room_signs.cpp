@@ -36,7 +36,7 @@ std::string free_letters(const std::string& name, const std::set<std::string>& u
     for (std::string stem = "a";;) {
         for (const char last : all)
             if (std::string sign = stem + last; !used.contains(sign)) return sign;
-        // Change the stem to the next one: b after a, aa after z.
+        // Changes the stem to the next one: b after a, aa after z.
         std::size_t digit = stem.size();
         while (digit > 0 && stem[digit - 1] == 'z') stem[--digit] = 'a';
         if (digit > 0) ++stem[digit - 1];

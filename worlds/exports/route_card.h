@@ -14,11 +14,11 @@ inline constexpr std::size_t kCardCells = 40, kCardLines = 25;
 // The directions of one route. Each sentence begins a new line.
 using CardRoute = std::vector<std::string>;
 
-// Returns UTF-8 text with LF, lines of at most `kCardCells` characters, and a blank line between routes.
+// Returns UTF-8 text with LF line ends. Lines have at most `kCardCells` characters, and a blank line separates routes.
 std::string card_text(const std::vector<CardRoute>& ways);
 
-// Returns North American braille ASCII with CR LF. Each route begins a new page, and form feeds separate pages. Fails
-// with one sentence if braille is not available.
+// Returns North American braille ASCII with CR LF line ends. Each route begins a new page, and form feeds separate
+// pages. Fails with one sentence if braille is not available.
 Result<std::string> card_brf(const std::vector<CardRoute>& ways, BrailleTable table);
 
 }  // namespace handrail::exports

@@ -1,5 +1,6 @@
-// A printed page as plain values: black shapes and dots in millimetres. Also writes it to a file. The file contains
-// only paths and circles, so no font is needed and every length is exact. Pure functions; any thread may call them.
+// A printed page as plain values: black shapes and dots in millimetres. Functions write the page to a file. That file
+// contains only paths and circles, so no font is needed and every length is exact. Pure functions; any thread may call
+// them.
 #pragma once
 
 #include <span>

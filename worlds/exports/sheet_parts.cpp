@@ -12,10 +12,12 @@
 namespace handrail::exports {
 namespace {
 
-// How far the part shown extends beyond the floor, so that it includes the walls. The same as for a whole storey.
+// Distance by which the part shown extends beyond the floor, so that it includes the walls. It is the same for a whole
+// storey.
 constexpr double kAroundFloor_m = 0.9, kAroundBase_m = 1.0;
 constexpr double kLeastProgress_m = 0.5;  // each part must be smaller than the undivided area by at least this length
-// Cost of a cut, in metres of crossed floor, for each metre by which its two sides differ in size.
+// Cost of an uneven cut. A cut costs the metres of floor that it crosses, plus this factor times the metres by which
+// its two sides differ in size.
 constexpr double kUneven = 0.15;
 constexpr double kLeastSide_mm = 10.0;  // two sheets are neighbours if their common strip is at least this long
 
@@ -193,7 +195,7 @@ private:
         return true;
     }
 
-    // Makes two sheets neighbours. `before` is to the west or south of `behind`.
+    // Stores in two sheets that they are neighbours. `before` is to the west or south of `behind`.
     void meet(SheetPart& before, SheetPart& behind, int axis, double at) const {
         const int other = 1 - axis;
         Area strip;

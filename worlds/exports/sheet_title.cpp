@@ -67,7 +67,7 @@ Result<std::vector<BrailleCells>> title_lines(const plan::Storey& storey, std::o
         std::vector<BrailleCells> lines = braille_lines(*cells, width, 0);
         if (lines.size() > kTitleLines && !name.empty()) continue;
         lines.resize(std::min(lines.size(), kTitleLines));
-        // Balance the lines, so that no single word is left for the last one: all lines are about equally long.
+        // Balances the lines, so that all are about equally long and no single word is left for the last line.
         const std::size_t least = std::max<std::size_t>(2, longest_word(*cells));
         for (std::size_t narrower = width; lines.size() > 1 && --narrower >= least;) {
             std::vector<BrailleCells> even = braille_lines(*cells, narrower, 0);

@@ -1,4 +1,5 @@
-// Makes the title of a sheet, in print and in the braille at its head. Pure functions; any thread may call them.
+// Makes the title of a sheet, both in print and in the braille at the head of the sheet. Pure functions; any thread may
+// call them.
 #pragma once
 
 #include <optional>
@@ -10,8 +11,8 @@
 
 namespace handrail::exports {
 
-// Returns the world, the file's name for the storey, and its number among the storeys. `sheet`: number of the sheet if
-// there are several.
+// Returns the title: the name of the world, the file's name for the storey, and the number of the storey. `sheet`:
+// number of the sheet if there are several.
 std::string sheet_title(const plan::Storey& storey, std::optional<int> sheet);
 
 // Returns one or two lines for the head of a page that is `page_mm` wide. A long name of the world is cut after its

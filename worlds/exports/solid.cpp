@@ -26,7 +26,7 @@ bool between(const PlatePoint& a, const PlatePoint& b, const PlatePoint& at) {
            std::min(a.y_um, b.y_um) <= at.y_um && at.y_um <= std::max(a.y_um, b.y_um);
 }
 
-// Returns whether the side a-b of a ring meets the bridge p-q, other than at an end of the bridge.
+// Returns whether the side a-b of a ring crosses or touches the bridge p-q, other than at an end of the bridge.
 bool in_the_way(const PlatePoint& a, const PlatePoint& b, const PlatePoint& p, const PlatePoint& q) {
     for (const PlatePoint& end : {a, b})
         if (end != p && end != q && between(p, q, end)) return true;
@@ -163,7 +163,7 @@ std::optional<std::vector<std::array<PlatePoint, 3>>> triangulated(const PlateAr
     std::size_t i = 0, misses = 0, left = ring.size();
     while (left > 3) {
         const std::size_t a = last[i], c = next[i];
-        // A corner that only leads back along a bridge; both lines of the bridge are used up.
+        // True if this corner only leads back along a bridge, because both lines of the bridge are used up.
         const bool back = ring[a] == ring[c];
         if (!back && !is_ear(i)) {
             if (++misses > left) return std::nullopt;

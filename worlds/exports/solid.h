@@ -29,10 +29,10 @@ struct SolidTriangle {
     std::array<std::array<std::int32_t, 3>, 3> corners_um;
 };
 
-// Divides an area into counter-clockwise triangles without new corners; nothing if rings touch or cross. Uses ear
-// clipping, with bridges that join holes to the rim. Source: Eberly, Triangulation by ear clipping, 2008. Unlike in
-// that source, a bridge goes to the nearest visible corner. The corner that a ray finds may exist twice because of an
-// earlier bridge, and the ray may see the wrong one.
+// Divides an area into counter-clockwise triangles without new corners. Returns nothing if rings touch or cross. Uses
+// ear clipping, with bridges that join holes to the rim. Source: Eberly, Triangulation by ear clipping, 2008. Unlike in
+// that source, a bridge goes to the nearest visible corner. In the source, a ray finds the corner. Because of an
+// earlier bridge, that corner may exist twice, and the ray may find the wrong one of the two.
 std::optional<std::vector<std::array<PlatePoint, 3>>> triangulated(const PlateArea& area);
 
 struct RaisedArea {

@@ -43,7 +43,7 @@ bool is_platform(const Scene& scene, const StatedPortal& portal) {
     return scene.stated->rooms[portal.rooms[0]].storey != scene.stated->rooms[portal.rooms[1]].storey;
 }
 
-// Returns whether the portal is stairs from one room to another that the text can express as they are.
+// Returns whether the portal is stairs from one room to another that the text can describe exactly.
 bool takes_flight(const Scene& scene, const StatedPortal& portal) {
     return portal.kind == StatedPortalKind::Stairs && portal.rooms.size() == 2 &&
            scene.stated->rooms[portal.rooms[0]].storey != scene.stated->rooms[portal.rooms[1]].storey &&
@@ -121,7 +121,7 @@ private:
         return r;
     }
 
-    // Joins the pieces of stairs and lifts into one room if they have the same outline on all their storeys.
+    // Joins the pieces of stairs or of a lift into one room if they have the same outline on all their storeys.
     void part_stairs_and_lifts() {
         parent_.resize(stated_.rooms.size());
         for (std::size_t r = 0; r < parent_.size(); ++r) parent_[r] = r;

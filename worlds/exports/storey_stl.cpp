@@ -114,14 +114,15 @@ private:
         for (const plan::StoreyThing& thing : storey_.things) beside_things_.take(corners_of(on_plate_(thing.box)));
     }
 
-    // Fills cavities where nobody can walk, such as between the two leaves of a cavity wall. Fingers then feel a single
-    // wall, and the plate is stronger.
+    // Fills cavities where nobody can walk, such as the space between the two leaves of a cavity wall. Fingers then
+    // feel a single wall, and the plate is stronger.
     void fill_cavities() {
         for (std::size_t i = 0; i < rooms_.room.size(); ++i)
             if (rooms_.room[i] == navigation::kNothing) walls_.ink.black[i] = 1;
     }
 
-    // Keeps walls off the plate's rim. A wall that was thickened where the plan is cut off would reach over it.
+    // Keeps walls inside the plate's rim. A wall that was thickened where the plan is cut off would otherwise extend
+    // over the rim.
     void keep_off_the_rim() {
         const int rim = static_cast<int>(1.0 / kInkPixel_mm);
         Ink& ink = walls_.ink;

@@ -1,9 +1,9 @@
 // Makes a storey into a plate that is printed in plastic and read with both hands. Walls are 4 mm high, objects and
 // stairs 1.5 mm, and the signs of rooms are in braille. Pure functions; any thread may call them.
 //
-// Numbers: the plate is 2 mm thick, walls at least 1.2 mm, and the longer side 200 mm, as touch-mapper prints its maps.
-// Dots are 1.6 mm wide and 0.8 mm high, which 48 readers preferred in plastic. Raised parts are 1 mm apart, as a
-// printer needs.
+// Numbers: the plate is 2 mm thick, walls at least 1.2 mm. The longer side is 200 mm, as on the maps that touch-mapper
+// prints. Dots are 1.6 mm wide and 0.8 mm high, which 48 readers preferred in plastic. Raised parts are 1 mm apart, as
+// a printer needs.
 #pragma once
 
 #include <string>
@@ -22,8 +22,8 @@ struct StoreyPlate {
     std::vector<std::string> simplified;  // sentences for the report about what was simplified
 };
 
-// Makes the plate. Fails with one sentence if the storey is too large, braille is not available, or the solid is not
-// closed. The function checks every solid for that.
+// Makes the plate. Fails with one sentence if the storey is too large, if braille is not available, or if the solid is
+// not closed, which the function checks for every plate.
 Result<StoreyPlate> storey_plate(const plan::Storey& storey, BrailleTable table, double longer_side_mm = 200.0);
 
 }  // namespace handrail::exports

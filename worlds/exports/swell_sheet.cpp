@@ -24,7 +24,8 @@ namespace {
 using Loops = std::vector<std::vector<Vec2>>;
 
 constexpr double kMargin_mm = kSheetMargin_mm;
-// A little more than the promised distance, because lines are traced with an error of about a tenth of a millimetre.
+// Distance that is kept while drawing. It is a little more than the promised kLeastGap_mm, because lines are traced
+// with an error of about a tenth of a millimetre.
 constexpr double kClear_mm = kLeastGap_mm + 0.2;
 constexpr double kHollowFrom_mm = 6.0, kHollowLong_mm = 9.0, kLeastPiece_mm = 4.0, kLeastStair_mm = 3.0;
 
@@ -37,7 +38,7 @@ double whole_scale(const Vec2& size_m, const Vec2& room_mm) {
     return 0.0;
 }
 
-// Makes one sheet. The order determines which items get their space first: walls, stairs, base, signs, objects.
+// Makes one sheet. The items are drawn in the order in which they get their space: walls, stairs, base, signs, objects.
 class SheetMaker {
 public:
     SheetMaker(const plan::Storey& storey, const SheetWish& wish, std::optional<SheetPart> part,
@@ -201,7 +202,7 @@ private:
     void draw_base() {
         if (!storey_.base) return;
         if (!shown(storey_.base->place_m)) {
-            // Another sheet may show the base if there are several.
+            // If there are several sheets, another sheet may show the base, so nothing is reported then.
             if (!made_.part) base_ = phrase("export.base_outside");
             return;
         }
@@ -280,7 +281,8 @@ private:
     }
 
     // Returns a single letter, which may fit if two cells do not. It is the room's letter on an earlier sheet, else a
-    // letter of its name, else any letter that no room of the sheet uses. It is never "a", which is a single dot.
+    // letter of its name, else any letter that no room of the sheet uses. The letter "a" is never used, because it is a
+    // single dot.
     std::string free_letter(std::size_t room) const {
         std::string wished = letters_[room].size() == 1 ? letters_[room] : std::string();
         for (const char c : storey_.rooms[room].name)
@@ -320,7 +322,7 @@ private:
     }
 
     // Returns whether two rooms are pieces of one staircase. Pieces of stairs that lead to the same room are adjacent,
-    // and feel like one staircase.
+    // so a finger feels them as one staircase.
     bool are_flights(std::size_t a, std::size_t b) const {
         return storey_.rooms[a].kind == navigation::RoomKind::Stairs &&
                storey_.rooms[b].kind == navigation::RoomKind::Stairs;
@@ -426,7 +428,8 @@ private:
             const Vec2 half =
                 upright ? Vec2(0.5 * kThinLine_mm, 0.5 * kMark_mm) : Vec2(0.5 * kMark_mm, 0.5 * kThinLine_mm);
             const plan::PlanBox box{at, {1.0, 0.0}, half};
-            if (is_near_any(box, taken, kClear_mm)) return;  // the mark of another neighbour is already there
+            // The mark of another neighbouring sheet is already at this place.
+            if (is_near_any(box, taken, kClear_mm)) return;
             taken.push_back(box);
             made_.plan.shapes.push_back({{corners_of(box)}, ++parts_});
         };
@@ -510,8 +513,8 @@ private:
         if (storey_.moving > 0) said.push_back(phrase("export.moving", {{"count", storey_.moving}}));
     }
 
-    // Returns the names of the flights on the sheet that have neither lines nor a sign. For flights of other storeys,
-    // it returns the room to which they lead. Flights above each other share their lines.
+    // Returns the names of the flights on the sheet that have neither lines nor a sign. For a flight of another storey,
+    // it returns the room to which that flight leads. Flights above each other share their lines.
     std::vector<std::string> undrawn_flights() const {
         std::vector<std::string> names;
         for (std::size_t i = 0; i < storey_.rooms.size(); ++i)
@@ -554,7 +557,7 @@ private:
     }
 
     // Reports doors that are too narrow. On a coarse plan, the doors of small rooms may be as narrow as their walls
-    // make them, so they do not count as broken promises.
+    // make them, so these doors do not break a promise.
     void list_narrow_doors() {
         std::vector<std::size_t> broken, small;
         for (const std::size_t place : walls_.narrow_gaps) {
@@ -574,12 +577,12 @@ private:
         add(small, made_.simplified);
     }
 
-    // Checks on the finished sheet whether it keeps its promises.
+    // Checks the finished sheet against its promises and stores those that it breaks.
     void keep_promises() {
         std::vector<std::string> unsigned_rooms;
         for (std::size_t i = 0; i < made_.signs.size(); ++i)
             if (needs_sign(i) && !made_.signs[i].is_known()) unsigned_rooms.push_back(made_.signs[i].name);
-        // If there are several sheets, another one may have the room's sign: see swell_sheets.
+        // If there are several sheets, another sheet may have the room's sign: see swell_sheets.
         if (!unsigned_rooms.empty() && !made_.part)
             made_.broken.push_back(
                 phrase("export.no_sign", {{"count", unsigned_rooms.size()}, {"names", names_list(unsigned_rooms)}}));
@@ -696,7 +699,7 @@ private:
     // Names of rooms whose floor ends without a wall: those where lines show it, and those where no lines fit.
     std::vector<std::string> edges_, undrawn_edges_;
     plan::RoomGrid rooms_;
-    plan::RoomGrid whole_;     // as rooms_, but the edges of one of several sheets do not end rooms
+    plan::RoomGrid whole_;     // like rooms_, but the edges of one of several sheets do not end rooms
     StairInk stairs_, rungs_;  // stairs_: finally all lines; rungs_: the lines that reach into walls
     bool base_drawn_ = false;
     std::uint32_t base_room_ = navigation::kNothing;

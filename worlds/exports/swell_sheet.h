@@ -1,7 +1,7 @@
 // Draws a storey for swell paper, on which black rises under heat. Walls are thick lines, objects thin ones, and stairs
 // parallel lines. Rooms have two cells of braille that a key explains. Items that a finger could not tell apart are
 // moved 3 mm apart, widened, shrunk or left out; a sentence reports each such change. Pure functions over plain values;
-// any thread may call them. A sheet of A4 takes about a second.
+// any thread may call them. A sheet of A4 costs about a second.
 //
 // Numbers: 3 mm between separate things (1/8 inch) and 6.4 mm (1/4 inch) for the smallest symbol and doorway, as the
 // American Printing House advises for tactile graphics. Braille 2.5 / 6.0 / 10.0 mm with dots of 1.5 mm, DIN 32976
@@ -31,8 +31,8 @@ inline constexpr double kBrailleDot_mm = 1.5, kBraillePitch_mm = 2.5, kBrailleCe
 struct SheetWish {
     PaperSize paper = kA4;
     BrailleTable table = BrailleTable::EnUebG1;
-    // Leaves out objects, and the signs of rooms smaller than kCoarseRoom_m2, which only the key names. The doors of
-    // such rooms may stay narrow.
+    // Leaves out objects and the signs of rooms smaller than kCoarseRoom_m2. Only the key names such rooms, and their
+    // doors may stay narrow.
     bool coarse = false;
     // For each entry of Storey::rooms: its sign on the plate, if this sheet is the key to a plate; otherwise empty.
     std::vector<std::string> plate_signs = {};
@@ -46,14 +46,16 @@ std::string hidden_names(const plan::Storey& storey);
 
 struct SwellSheet {
     SheetPage plan;
-    std::vector<SheetPage> key;         // pages of braille with the meaning of signs and lines, and what was simplified
-    std::vector<std::string> key_text;  // the same key in print, one line each
+    // Pages of braille with the meaning of signs and lines, and with sentences about what was simplified.
+    std::vector<SheetPage> key;
+    std::vector<std::string> key_text;    // the same key in print, one line each
     std::vector<std::string> simplified;  // sentences for the report about what was simplified
-    std::vector<RoomSign> signs;     // as room_signs returns them; two letters or one if the longer sign does not fit
+    // As room_signs returns them; a sign that does not fit is replaced by two letters or one.
+    std::vector<RoomSign> signs;
     double one_to = 0.0;             // scale: 75 means 1 to 75
     OnPaper on_paper;                // converts places of the world to places on the plan
     std::vector<std::string> drawn;  // names of the objects on the sheet
-    // Sentences about promises that this sheet does not keep; empty if it keeps all. The promises: 3 mm between
+    // Sentences about promises that this sheet does not keep; empty if it keeps all. The promises are 3 mm between
     // separate things, a sign in every room or its doors in the key, doors of 6.4 mm, and openings where the route
     // graph has them.
     std::vector<std::string> broken;
@@ -75,8 +77,8 @@ Result<SwellSheet> swell_sheet(const plan::Storey& storey, const SheetWish& wish
 Result<void> write_key(SwellSheet& sheet, BrailleTable table);
 // Makes a single sheet, or several sheets if a single one does not keep its promises. The sheets have the coarsest
 // scale at which most rooms have space for a sign, and there are at most kMostSheets. Rooms that are too small at that
-// scale also appear on further sheets, which show their surroundings larger; each key says on which. If no scale keeps
-// all promises, the one that keeps most of them is used. Takes half a second for each sheet.
+// scale also appear on further sheets, which show their surroundings at a larger scale; each key names these sheets. If
+// no scale keeps all promises, the one that keeps most of them is used. Costs half a second for each sheet.
 Result<std::vector<SwellSheet>> swell_sheets(const plan::Storey& storey, const SheetWish& wish);
 
 // Makes a page with samples. It is printed and swollen first, so that people can choose the dots, lines and gaps that

@@ -65,15 +65,15 @@ private:
                !(wish_.coarse && storey_.rooms[room].area_m2 < kCoarseRoom_m2);
     }
 
-    // Returns, for each room, the scale at which its sign fits. A sign with a number counts as two cells, because two
-    // letters can replace it.
+    // Returns, for each room, the scale at which its sign fits. A sign with a number needs only the space of two cells,
+    // because two letters can replace it.
     std::vector<double> for_whole_signs() const {
         std::vector<double> needed(storey_.rooms.size(), 0.0);
         std::map<std::size_t, std::vector<double>> of_cells;
         const std::vector<RoomSign> signs = room_signs(storey_);
         for (std::size_t i = 0; i < needed.size(); ++i) {
             const Result<BrailleCells> cells = braille_signs(signs[i].sign, wish_.table);
-            if (!cells) continue;  // the sheets report this error
+            if (!cells) continue;  // the makers of the sheets report this error, so it is ignored here
             const std::size_t most = std::min<std::size_t>(cells->size(), 2);
             std::vector<double>& known = of_cells[most];
             if (known.empty()) known = scales_needed(storey_, scales_, needed_mm(most));
@@ -101,7 +101,7 @@ private:
         return needed.empty() ? scales_.back() : needed[static_cast<std::size_t>(last * (1.0 - share))];
     }
 
-    // Returns the scale to try first. It starts with the coarsest scale that most rooms need and that takes no more
+    // Returns the scale to try first. It starts with the coarsest scale that most rooms need and that needs no more
     // than kMostSheets. Then it goes on to the finest scale with the same number of sheets.
     std::size_t first_scale() const {
         const double most = needed_by(for_one_cell_, kWithOneCell);
@@ -190,7 +190,7 @@ private:
         LargerPart made;
         Vec2 low = storey_.rooms[first].min_m - around, high = storey_.rooms[first].max_m + around;
         const Vec2 page = room_on_page(wish_.paper, high.x - low.x > high.y - low.y, true) * (one_to / 1000.0);
-        // If a room is longer than a page, show its middle.
+        // If a room is longer than a page, the sheet shows its middle.
         low = glm::max(low, middle - 0.5 * page);
         high = glm::min(high, middle + 0.5 * page);
         made.rooms.push_back(first);

@@ -153,7 +153,7 @@ std::uint32_t room_on(const plan::RoomGrid& rooms, const Vec2& at_mm) {
     return rooms.holds(x, y) ? rooms.room[rooms.at(x, y)] : navigation::kNothing;
 }
 
-// Returns the possible places of the lines across a flight. Each line is as long as the flight is wide.
+// Returns the possible places of the lines across a flight of stairs. Each line is as long as the flight is wide.
 std::vector<plan::PlanBox> lines_across(const std::vector<std::vector<Vec2>>& loops_m, const OnPaper& on_paper,
                                         double line_mm, double clear_mm) {
     std::vector<Vec2> all;
@@ -204,12 +204,12 @@ bool black_at(const Ink& ink, const Vec2& mm) {
 }
 
 // Adjusts a line for which there is too little space between walls. An end near a wall is extended into that wall; the
-// other end keeps the distance `clear_mm` from what is there. Returns false if the line is then too short, or if
-// something next to it is too near.
+// other end keeps the distance `clear_mm` from the nearest black. Returns false if the line is then too short, or if
+// black next to it is too near.
 bool reaches_walls(plan::PlanBox& line, const Ink& walls, double clear_mm, double least_mm) {
     if (black_at(walls, line.middle_m)) return false;
     constexpr double kIntoWall_mm = 0.3;
-    // Distance from a wall up to which nothing may be near, as the wall may slant.
+    // Length of line next to a wall on which black is ignored, because the wall may slant.
     constexpr double kBesideWall_mm = 0.8;
     const double half = line.half_m.x;
     const Vec2 across(-line.along.y, line.along.x);

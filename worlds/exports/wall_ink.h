@@ -1,6 +1,6 @@
 // Draws the walls of a storey in black on a sheet or plate, so that fingers can read them. Thin walls are thickened,
-// doors are open and wide enough, and walls that are too close are joined. Also finds where the sign of a room fits.
-// Pure functions; any thread may call them.
+// doors are open and wide enough, and walls that are too close are joined. Another function finds where the sign of a
+// room fits. Pure functions; any thread may call them.
 #pragma once
 
 #include <optional>
@@ -29,7 +29,7 @@ struct WallLook {
     double line_mm = 1.5;   // least thickness of a wall
     double clear_mm = 3.2;  // walls that are closer to each other are joined
     double door_mm = 6.6;   // least width of a door
-    double piece_mm = 4.0;  // pieces of wall that are shorter are left out
+    double piece_mm = 4.0;  // pieces of wall that are shorter than this are left out
 };
 
 struct WallInk {
@@ -48,8 +48,8 @@ WallInk ink_of_walls(const plan::Storey& storey, const OnPaper& on_paper, double
 std::size_t join_near(Ink& walls, double clear_mm);
 
 // The lines across flights of stairs. stair_lines draws lines `clear_mm` apart across every flight, even if its floor
-// is in several pieces, and marks their space in `places` as taken. It leaves out lines shorter than `least_mm`. It
-// also leaves out lines of another storey's flight outside the room to which that flight leads. `rooms`: see rooms_on.
+// is in several pieces, and marks their space in `places` as used. It leaves out lines shorter than `least_mm`. It also
+// leaves out lines of another storey's flight outside the room to which that flight leads. `rooms`: see rooms_on.
 struct StairInk {
     std::vector<plan::PlanBox> lines;
     std::vector<std::uint32_t> drawn;      // indices in Storey::rooms of the flights of this storey that have lines

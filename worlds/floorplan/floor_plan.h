@@ -1,6 +1,6 @@
 // A building as a drawn plan states it: spaces with outlines on levels, doors on those outlines, and the connections
-// between levels. This is the stage between a file (OpenStreetMap, IMDF, room descriptions) and the Scene. Plain values
-// in metres, x east, y north.
+// between levels. Readers of files (OpenStreetMap, IMDF, room descriptions) make it, and scene_of_plan turns it into a
+// Scene. Plain values in metres, x east, y north.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 namespace handrail::floorplan {
 
 struct PlanLevel {
-    double number = 0.0;  // number of the level as in the file; 0 is at the ground
+    double number = 0.0;  // number of the level as in the file; level 0 is at the ground
     std::string name;     // name for speech
     double floor_m = 0.0;
 };
@@ -119,7 +119,7 @@ struct PlanFlight {
 struct PlanWay {
     std::string name, id;
     bool steps = false, escalator = false;
-    bool area = false;            // the way is a level area, and `line` is its outline
+    bool area = false;            // the way is a level area whose outline is `line`
     Ring line;                    // points in order; ways that share a point lead into each other
     std::vector<Ring> further;    // further outlines of an area; the even-odd rule applies to all outlines together
     std::vector<double> floor_m;  // height of the floor at each point of `line`

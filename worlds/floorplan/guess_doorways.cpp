@@ -19,7 +19,8 @@ struct Doorway {
     std::size_t corridor = 0;
 };
 
-// Replaces `best` with the longest stretch of the edge that runs along the corridor, if that is longer.
+// Finds the longest stretch of the edge that runs along the corridor. If it is longer than `best`, replaces `best` with
+// it.
 void look_along(const FloorPlan& plan, const Vec2& from, const Vec2& to, std::size_t corridor, Doorway& best) {
     const double length_m = glm::length(to - from);
     if (length_m < kLeastDoorway_m || length_m > kLongestEdge_m) return;

@@ -20,8 +20,8 @@ public:
             radians_from_degrees(kEarth_m * (1.0 - kFlatter) / (rest * std::sqrt(rest)))};
     }
 
-    // Returns the position in metres. It is rounded to a tenth of a millimetre, which is finer than the degrees in the
-    // files.
+    // Returns the position in metres. The result is rounded to a tenth of a millimetre, which is finer than the degrees
+    // in the files.
     Vec2 place_m(const Vec2& degrees) const {
         const Vec2 at = (degrees - origin_deg_) * metres_per_deg_;
         return {std::round(at.x * 1e4) / 1e4, std::round(at.y * 1e4) / 1e4};

@@ -1,4 +1,4 @@
-// The implementation of scene_of_plan: builds one building part by part. Used on one thread.
+// Builds the Scene of one building part by part: the implementation of scene_of_plan. Used on one thread.
 #pragma once
 
 #include <memory>
