@@ -1,5 +1,5 @@
-// Builds stairs that are not a space themselves but are in the floor of a room: one straight flight, or two with a
-// landing.
+// Builds stairs that are in the floor of a room and are not a space themselves. They have one straight flight, or two
+// with a landing.
 #include <algorithm>
 #include <cmath>
 
@@ -12,8 +12,8 @@ namespace {
 constexpr double kEasyRise_m = 0.185, kSteepestRise_m = 0.22, kShortestGoing_m = 0.19, kUsualGoing_m = 0.28;
 constexpr double kShortestLanding_m = 0.7, kLongestLanding_m = 1.1;
 constexpr double kTreadThick_m = 0.3, kFence_m = 1.0, kFenceThick_m = 0.08, kSlabThick_m = 0.2;
-// Length of a strip in front of the foot and behind the top of the stairs. Walls are opened and floors are laid in this
-// strip, so that rooms whose outlines end at the stairs can be reached.
+// kStepOff_m: length of a strip in front of the foot and behind the top of the stairs. Walls are opened and floors are
+// laid in this strip, so that rooms whose outlines end at the stairs can be reached.
 constexpr double kStepOff_m = 0.35, kKeptSide_m = 0.02;
 
 StairWell well_of(const PlanFlight& flight) {
@@ -74,7 +74,7 @@ void PlanBuilder::add_flight(const PlanFlight& flight) {
                  low_m + (steps.count + k + 1) * rise);
     }
     if (flight.back) step(steps.count * going, well.length_m, -half, half, low_m + steps.count * rise);
-    // Lays floors in front of the foot and behind the top.
+    // Lays floors in front of the foot and behind the top of the stairs.
     const double top_from = flight.back ? -kStepOff_m : well.length_m;
     for (const auto& [from, at_m] : {std::pair(-kStepOff_m, low_m), std::pair(top_from, top_m)})
         add_solid(upright(well.box(from, from + kStepOff_m, -half, half), at_m - kSlabThick_m, at_m), SolidRole::Solid,
@@ -110,7 +110,7 @@ void PlanBuilder::fence_flight(const PlanFlight& flight, const StairWell& well, 
     fence(0.0, length - steps.landing_m, -0.5 * thick, 0.5 * thick, floor_of(flight.from, flight.low));
 }
 
-// Cuts holes into floors or ceilings where stairs go through them, and returns what remains.
+// Returns the parts of floors or ceilings that remain after holes for stairs are cut into them.
 std::vector<Ring> PlanBuilder::without_flights(std::vector<Ring> parts, std::size_t level, bool ceiling) const {
     for (const PlanFlight& flight : plan_.flights) {
         if (ceiling ? level < flight.low || level >= flight.high : level <= flight.low || level > flight.high) continue;
@@ -123,8 +123,8 @@ std::vector<Ring> PlanBuilder::without_flights(std::vector<Ring> parts, std::siz
     return parts;
 }
 
-// Opens a wall where people step onto the stairs and off them, and returns what remains of it. Walls along the sides of
-// the stairs stay.
+// Opens a wall where people step onto the stairs and off them, and returns the rest of the wall. Walls along the sides
+// of the stairs stay.
 std::vector<Ring> PlanBuilder::without_flight_gaps(const Ring& wall, std::size_t level) const {
     std::vector<Ring> parts{wall};
     const double kept = 0.5 * plan_.wall_m + kKeptSide_m;

@@ -35,8 +35,8 @@ bool is_on_floor(const PlanWay& way, const Vec3& at) {
 
 }  // namespace
 
-// Joins ways that meet, and a way with the way on whose floor it ends. Stairs join the way or room at their foot with
-// the way or room at their head.
+// Joins ways that share a point, and joins a way with the way on whose floor it ends. Stairs join the way or room at
+// their foot with the way or room at their head.
 void PlanBuilder::join_ways(const std::vector<FeatureId>& features, const std::vector<std::uint32_t>& rooms) {
     using Point = std::array<long long, 3>;
     std::map<Point, std::vector<std::uint32_t>> rooms_at_point;

@@ -263,7 +263,7 @@ void PlanBuilder::add_floors(std::size_t s, std::size_t level) {
     add_facts(parts, floor_m, space.facts);
 }
 
-// Adds the facts as a message that is announced when the person enters the room.
+// Adds the facts about a room as a message that is announced when the person enters the room.
 void PlanBuilder::add_facts(const std::vector<Ring>& parts, double floor_m, const std::vector<std::string>& facts) {
     if (facts.empty() || parts.empty()) return;
     const FeatureId feature = add_feature(FeatureKind::Trigger, "about this place", {});
@@ -342,7 +342,7 @@ void PlanBuilder::add_blocks() {
     }
 }
 
-// Adds ground around the building, because plans end at the outer walls, but a walker who steps outside needs ground.
+// Adds ground around the building. Plans end at the outer walls, but a walker who steps outside needs ground.
 void PlanBuilder::add_ground() {
     const double level_m = ground_m_ - kUnderThreshold_m;
     const Vec2 least = Vec2(scene_.bounds_m.min_m) - kGroundAround_m,
@@ -457,7 +457,7 @@ void PlanBuilder::write_report() {
     std::vector<bool> led_to(stated_->rooms.size(), false);
     for (const StatedPortal& portal : stated_->portals)
         for (const std::uint32_t room : portal.rooms) led_to[room] = true;
-    // Ways have no walls. So they do not count as closed, even if the file connects them to nothing.
+    // A way has no walls, so it is not reported as closed, even if the file connects it to nothing.
     for (std::uint32_t r = 0; r < led_to.size(); ++r)
         if (!led_to[r] && !stated_->rooms[r].is_way && ++alone <= 3)
             names += (alone > 1 ? ", " : "") + one_line(stated_->rooms[r].name);

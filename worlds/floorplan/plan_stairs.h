@@ -1,5 +1,5 @@
-// Finds where stairs fit within an outline: two flights side by side with a landing at their far end, and a passage
-// around them if there is space. Pure functions on plain values in metres.
+// Finds a place for stairs within an outline. The stairs have two flights side by side with a landing at their far end,
+// and a passage around them if there is space. Pure functions on plain values in metres.
 #pragma once
 
 #include <optional>
@@ -24,8 +24,8 @@ struct StairWell {
     Ring box(double from_m, double to_m, double right_m, double left_m) const;
 };
 
-// The largest rectangle within the outline whose sides are parallel to `along`, which is its x axis. inner_box returns
-// nothing if the outline is less than 0.3 metres long or wide. It tests 4,096 cells.
+// The largest rectangle within the outline whose sides are parallel to `along`, which is the x axis of the rectangle.
+// inner_box returns nothing if the outline is less than 0.3 metres long or wide. It tests 4,096 cells.
 struct InnerBox {
     Vec2 origin{0.0}, along{1.0, 0.0};
     Vec2 least{0.0}, most{0.0};  // least and greatest corner, relative to the origin

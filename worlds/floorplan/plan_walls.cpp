@@ -155,7 +155,7 @@ private:
         open.width_m = std::max(open.width_m, length);
     }
 
-    // Joins collinear edges into one wall, up to a corner where another wall meets them.
+    // Joins collinear edges into one wall. A wall ends at a corner where another wall begins.
     void make_runs() {
         std::vector<Edge>& edges = net_.edges();
         std::vector<bool> taken(edges.size(), false);

@@ -1,5 +1,6 @@
-// The walls of one level. They follow the outlines of the level's spaces and have gaps for doors. A wall between two
-// spaces is built only once. Also finds where spaces are open to each other. Pure functions on plain values in metres.
+// Makes the walls of one level. They follow the outlines of the level's spaces and have gaps for doors. A wall between
+// two spaces is built only once. The result also says where spaces are open to each other. Pure functions on plain
+// values in metres.
 #pragma once
 
 #include <array>
@@ -16,13 +17,13 @@ struct WallRun {
         // from_m and to_m are distances along the wall. A height_m of 0 means that the gap is as high as the wall.
         double from_m = 0.0, to_m = 0.0, height_m = 0.0;
         // Height of the higher of the two floors, relative to the floor of the level. `height_m` is measured from
-        // there.
+        // `sill_m`.
         double sill_m = 0.0;
     };
     std::vector<Gap> gaps;
 };
 
-// Where a door is in its wall.
+// The place of a door in its wall.
 struct DoorGap {
     std::size_t door = 0;  // index into FloorPlan::doors
     Vec2 at{0.0};          // the middle of the door

@@ -1,4 +1,4 @@
-// Builds doors, stairs, lifts and outdoor ways of a drawn plan: everything that people move through or along.
+// Builds the doors, stairs, lifts and outdoor ways of a drawn plan.
 #include <algorithm>
 #include <array>
 
@@ -32,7 +32,7 @@ bool lies_on(const std::vector<Ring>& rings, const Vec2& at) {
     return distance_to_outline(rings, at) < kNear_m;
 }
 
-// Returns a floor along a line that rises evenly from `from_m` to `to_m`.
+// Returns a sloping floor along a line. Its height changes evenly from `from_m` to `to_m`.
 std::optional<ConvexSolid> sloped(const Vec2& from, const Vec2& to, double half_width_m, double from_m, double to_m) {
     const std::optional<ConvexSolid> level =
         upright(strip(from, to, half_width_m), std::min(from_m, to_m) - kFloorThick_m, std::max(from_m, to_m));
@@ -50,7 +50,7 @@ std::optional<ConvexSolid> sloped(const Vec2& from, const Vec2& to, double half_
 
 }  // namespace
 
-// Decides where stairs and cabins are, before floors are laid around them.
+// Chooses the places of stairs and cabins, before floors are laid around them.
 void PlanBuilder::plan_vertical_spaces() {
     for (std::size_t s = 0; s < plan_.spaces.size(); ++s) {
         const PlanSpace& space = plan_.spaces[s];
@@ -77,7 +77,8 @@ void PlanBuilder::plan_vertical_spaces() {
     }
 }
 
-// Adds the floor of a lift, which moves up and down, as a feature. Its mover is then the last entry of Scene::movers.
+// Adds the floor of a lift as a feature that moves up and down. The mover of the floor is then the last entry of
+// Scene::movers.
 FeatureId PlanBuilder::add_cabin(const Ring& floor, double low_m, double way_m, const std::string& name,
                                  std::vector<double> halts) {
     const FeatureId feature = add_feature(FeatureKind::Lift, "lift", name);
@@ -207,7 +208,7 @@ void PlanBuilder::add_doors(std::size_t level, const LevelWalls& walls) {
         widened_ += door.width_m && *door.width_m < kLeastWay_m ? 1 : 0;
         moved_ += gap.moved ? 1 : 0;
         narrow_ += gap.in_wall && gap.width_m < kLeastWay_m ? 1 : 0;
-        // The spaces are open to each other at the door, so it needs no wall.
+        // The spaces are open to each other at the door, so the door needs no wall.
         const bool open_there = !gap.in_wall && portal.rooms.size() > 1;
         off_walls_ += !gap.in_wall && !open_there ? 1 : 0;
         if (open_there) portal.passable = true;

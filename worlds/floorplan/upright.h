@@ -1,4 +1,5 @@
-// Vertical solids over flat outlines, and the difference of outlines. Pure functions on plain values in metres.
+// Makes vertical solids over flat outlines, and subtracts outlines from each other. Pure functions on plain values in
+// metres.
 #pragma once
 
 #include <optional>

@@ -24,8 +24,8 @@ Vec3 on_curve(const Curve& c, double t) {
     return (c[0] * (s * s) + c[2] * (t * t)) + c[1] * (2.0 * s * t);
 }
 
-// Returns into how many parts a curve must be split. The number is a power of two, so that t and 1 - t are exact and
-// the splits of neighbouring patches coincide.
+// Returns the number of parts into which a curve must be split. The number is a power of two, so that t and 1 - t are
+// exact and the splits of neighbouring patches coincide.
 int splits_for(double bend_m, double chord_m) {
     int splits = 1;
     while (splits < kMostPatchSplits && bend_m / (static_cast<double>(splits) * splits) > chord_m) splits *= 2;
@@ -40,16 +40,17 @@ struct Splits {
     std::vector<int> up;      // number of splits for each row of 3 by 3 parts
 };
 
-// Uses half of the allowed error for the interior of the grid. The other half is left for the outer edges, which may be
-// split more coarsely than the interior.
+// Uses half of the allowed error for the interior of the grid. The other half is left for the outer edges, which may
+// have fewer splits than the interior.
 Splits splits_of(const PatchGrid& grid, double chord_m) {
     const int rows = grid.rows / 2, columns = grid.columns / 2;
     Splits splits{std::vector<int>(static_cast<std::size_t>(columns), 1),
                   std::vector<int>(static_cast<std::size_t>(rows), 1)};
     for (int r = 0; r < rows; ++r)
         for (int c = 0; c < columns; ++c) {
-            // bend_u and bend_v are an eighth of the greatest second derivatives along u and v, from the control net.
-            // `twist` is the greatest twist of a cell of the control net, which bounds the mixed derivative.
+            // bend_u and bend_v are an eighth of the greatest second derivatives along u and v, computed from the
+            // control net. `twist` is the greatest twist of a cell of the control net, which bounds the mixed
+            // derivative.
             double bend_u = 0.0, bend_v = 0.0, twist = 0.0;
             for (int k = 0; k < 3; ++k) {
                 bend_u = std::max(bend_u, bend_of({grid.at(2 * r + k, 2 * c), grid.at(2 * r + k, 2 * c + 1),
@@ -78,8 +79,8 @@ Splits splits_of(const PatchGrid& grid, double chord_m) {
     return splits;
 }
 
-// Returns a point of an outer edge. The edge alone may need fewer splits than the grid; the point is then on the
-// straight line between two of those splits.
+// Returns a point of an outer edge. The edge alone may need fewer splits than the grid. The point is then on the
+// straight line between two splits of the edge.
 Vec3 on_edge(const Curve& curve, int step, int steps, double chord_m) {
     const int own = std::min(splits_for(bend_of(curve), 0.5 * chord_m), steps);
     const int stride = steps / own, before = step / stride * stride;

@@ -1,7 +1,7 @@
-// A hierarchy over boxes in double precision. It finds the boxes that meet a given box, and the boxes that a straight
-// line may enter before it hits something. After construction it is only read, from any thread. Building costs O(n log
-// n), a query O(log n + found). Bvh, which the haptic tick uses instead, answers queries about points in single
-// precision.
+// A hierarchy over boxes in double precision. It finds the boxes that overlap a given box, and the boxes that a
+// straight line may enter before it hits something. After construction the hierarchy is only read, from any thread.
+// Building costs O(n log n), a query O(log n + found). Bvh, which the haptic tick uses instead, answers queries about
+// points in single precision.
 #pragma once
 
 #include <algorithm>
@@ -33,11 +33,10 @@ public:
     const std::vector<Node>& nodes() const noexcept { return nodes_; }
     const std::vector<std::uint32_t>& items() const noexcept { return items_; }
 
-    // Replaces `found` with the indices of all boxes that meet `box`, in rising order. Boxes that only touch it are
-    // found too.
+    // Replaces `found` with the indices of all boxes that overlap or touch `box`, in rising order.
     void find(const Aabb& box, std::vector<std::uint32_t>& found) const;
 
-    // Calls visit(item) for every item whose box meets `box`, in the order of the hierarchy.
+    // Calls visit(item) for every item whose box overlaps or touches `box`, in the order of the hierarchy.
     template <class Visit>
     void meeting(const Aabb& box, Visit&& visit) const {
         std::array<std::uint32_t, kMostDepth> stack;

@@ -6,7 +6,7 @@ namespace {
 constexpr int kBins = 16;
 // A range of at most this many items is cut into parts of four items, which fills the lowest nodes.
 constexpr std::size_t kFewItems = 16;
-// From this depth on, ranges are halved by the number of items. So 2^31 items end within 64 levels.
+// From this depth on, split() halves the number of items, so that 2^31 items end within 64 levels.
 constexpr std::size_t kDepthOfPlainHalving = 32;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
@@ -19,8 +19,8 @@ float rounded_up(double v) noexcept { return -rounded_down(-v); }
 
 }  // namespace
 
-// The bounds of one item during building. The fourth lanes hold the item's number in two halves, which are exact in
-// single precision.
+// The bounds of one item during building. The fourth components of `low` and `high` store the item's number in two
+// halves, which are exact in single precision.
 struct Bvh::Item {
     Four low, high;
 
@@ -55,7 +55,7 @@ struct Box {
 }  // namespace
 
 // Splits more than four items. Reorders them so that the items of the first part come first, and returns the size of
-// that part.
+// the first part.
 std::size_t Bvh::split(std::span<Item> items, std::size_t depth) {
     using FloatBox = Box<Four>;
     FloatBox middles;

@@ -26,8 +26,8 @@ class Bvh {
     };
 
 public:
-    // Memory for the nodes and items that nearest_first() has yet to visit. Make it off the real-time path. Its size is
-    // the greatest `looks` that a call will pass.
+    // Memory for the nodes and items that nearest_first() has yet to visit. Make a Queue off the real-time path. Its
+    // size is the greatest `looks` that a call will pass.
     class Queue {
     public:
         explicit Queue(std::size_t most_looks) : places_(3 * most_looks + 4) {}
@@ -73,9 +73,9 @@ public:
     }
 
     // Like within(), but visits boxes by rising distance and tests at most `looks` nodes and items. It lowers `looks`
-    // by one for each test; the queue must have been made for at least that many. Returns the distance up to which the
-    // search is complete: every item whose box is nearer was visited. If `looks` was enough, this distance is the last
-    // reach_m.
+    // by one for each test; the queue must have been made for at least `looks` entries. Returns the distance up to
+    // which the search is complete: every item whose box is nearer was visited. If `looks` was enough, this distance is
+    // the last reach_m.
     template <class Visit>
     double nearest_first(const Vec3& point_m, double reach_m, int& looks, Queue& queue, Visit&& visit) const noexcept {
         if (nodes_.empty() || !(distance_squared(bounds_, point_m) <= reach_m * reach_m)) return reach_m;
@@ -124,7 +124,7 @@ private:
     static constexpr std::uint32_t kItem = 0x80000000U;
     using Four = float __attribute__((vector_size(16)));
 
-    // Has 112 bytes. The box of a missing child runs from +infinity to -infinity.
+    // A node has 112 bytes. The box of a missing child runs from +infinity to -infinity.
     struct Node {
         std::array<Four, 3> low, high;  // bounds of the four children, for each axis
         std::array<std::uint32_t, 4> what;

@@ -9,7 +9,7 @@ namespace handrail {
 namespace {
 
 constexpr double kAxisSnap = 1e-12;       // a normal that differs from an axis by less than this becomes that axis
-constexpr double kSameDirection = 1e-10;  // two normals whose dot product differs from 1 by less count as the same
+constexpr double kSameDirection = 1e-10;  // two normals are equal if their dot product differs from 1 by less than this
 
 // Moves the point onto an axis-aligned plane by setting the one coordinate that the plane determines.
 void snap_to(Vec3& point_m, const Plane& plane) noexcept {
@@ -195,7 +195,7 @@ BuiltSolid solid_from_planes(std::span<const Plane> planes, const Vec3& near_m, 
     }
     if (out.fault != SolidFault::None) return out;
     // Cuts a second time, starting from squares of the solid's own size. So the rounding errors of the corners depend
-    // on that size and not on `reach_m`.
+    // on the solid's size and not on `reach_m`.
     const Aabb box = out.solid.bounds_m;
     intersect(used, box.centre_m(), 2.0 * glm::length(box.size_m()), tolerance, out);
     if (out.solid.faces.size() < 4) out.fault = SolidFault::Empty;

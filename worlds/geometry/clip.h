@@ -1,7 +1,7 @@
 // Cuts flat convex polygons, and turns planes into closed convex solids. Pure functions on plain values in world
 // metres, double precision. Any thread may call them. The caller gives the tolerances as lengths, because it knows the
-// unit of the file. A point nearer to a plane than `cut_m` counts as on the plane. Two corners nearer to each other
-// than `merge_m` count as one.
+// unit of the file. A point nearer to a plane than `cut_m` is treated as on the plane. Two corners nearer to each other
+// than `merge_m` are treated as one.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ Vec3 centre_of(const Polygon& polygon) noexcept;  // returns the mean of the cor
 Aabb grown(const Aabb& box, double by_m) noexcept;
 bool overlap(const Aabb& a, const Aabb& b) noexcept;  // true also if they only touch
 
-// Where points are relative to a plane. Across means on both sides of it.
+// Position of points relative to a plane. Across: there are points on both sides.
 enum class Side { Back, Front, On, Across };
 Side side_of(std::span<const Vec3> points_m, const Plane& plane, double cut_m) noexcept;
 
@@ -52,13 +52,14 @@ struct BuiltSolid {
     ConvexSolid solid;                       // only valid if fault is None
     std::vector<std::uint32_t> plane_index;  // for each plane that was kept, its index in the `planes` passed in
     SolidFault fault = SolidFault::None;
-    // True if the solid was closed only after all normals were reversed; the reversal has been done.
+    // True if the planes enclose a solid only after all normals are reversed; solid_from_planes has reversed them.
     bool was_inside_out = false;
     int planes_without_face = 0;  // number of repeated planes and of planes whose faces were too small to keep
 };
 
 // Intersects the half-spaces behind the planes. `near_m` is any point near the solid. `reach_m` is the greatest
-// distance of a corner from `near_m`; a solid that extends further counts as open. Cost: O(planes squared x corners).
+// distance of a corner from `near_m`; a solid that extends farther is reported as open. Cost: O(planes squared x
+// corners).
 BuiltSolid solid_from_planes(std::span<const Plane> planes, const Vec3& near_m, double reach_m,
                              const CutTolerance& tolerance = {});
 

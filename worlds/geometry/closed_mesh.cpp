@@ -13,9 +13,10 @@
 namespace handrail {
 namespace {
 
-// Fraction of the mesh's size; a point less than this off a plane counts as in the plane.
+// Fraction of the mesh's size; a point whose distance from a plane is less than this is treated as in the plane.
 constexpr double kMeshFlat = 1e-5;
-// Least dot product of the normals of two faces in one plane. Their corners must be in that plane too.
+// Two faces are in one plane only if the dot product of their normals is at least this. Their corners must be in that
+// plane too.
 constexpr double kMeshSameTurn = 1.0 - 1e-4;
 constexpr double kThinnest_m = 1e-4;  // a mesh thinner than this is degenerate and has no inside
 constexpr std::size_t kMostFragments = 200'000;
@@ -64,7 +65,7 @@ double volume_within_m3(std::span<const Vec3> points_m, std::span<const MeshCorn
     return six / 6.0;
 }
 
-// Cuts space by the planes of faces until each part is convex.
+// Fills closed shells with convex solids. It cuts space by the planes of faces until each part is convex.
 class SolidFiller {
 public:
     SolidFiller(const FillLimits& limits, const Aabb& box, const std::stop_token& stop)
@@ -131,8 +132,8 @@ public:
                     }))
                     beyond.push_back(number);
             if (beyond.empty()) {
-                // No such plane is left, so the cell is convex: the solid is the space behind all of its faces. A cell
-                // with many faces is halved first.
+                // No plane has faces of the cell in front of it, so the cell is convex: the solid is the space behind
+                // all of its faces. A cell with many faces is halved first.
                 if (own.size() > kFewFaces && own.size() + cell.planes.size() > limits_.most_faces) {
                     if (!halve(cell, own, open, fragments)) return false;
                     continue;
@@ -174,8 +175,8 @@ public:
     }
 
     std::vector<ConvexSolid> take_solids() { return std::move(solids_); }
-    // Returns by how much the volume of the solids may differ from that of the shells, because corners are only
-    // accurate to a tolerance.
+    // Returns the allowed difference between the volume of the solids and that of the shells. Corners are only accurate
+    // to a tolerance.
     double slack_m3(double volume_m3) const { return 2.0 * flat_m_ * area_m2_ + 1e-6 * volume_m3; }
 
 private:
@@ -326,9 +327,8 @@ private:
 
 std::vector<MeshShell> shells_of(std::span<const Vec3> points_m, std::span<const MeshCorners> triangles) {
     const std::vector<std::uint32_t> joined = joined_points(points_m);
-    // Triangles are joined along edges, not at corners, because separate things that stand on each other may share
-    // corners.
-    // For each edge of a triangle: its lower corner, its higher corner, the triangle.
+    // The triangles are joined along edges, not at corners, because separate things that stand on each other may share
+    // corners. Each entry is one edge of a triangle: its lower corner, its higher corner, and the triangle.
     std::vector<std::array<std::uint32_t, 3>> edges;
     edges.reserve(3 * triangles.size());
     for (std::uint32_t t = 0; t < triangles.size(); ++t)
@@ -342,7 +342,7 @@ std::vector<MeshShell> shells_of(std::span<const Vec3> points_m, std::span<const
     for (std::size_t i = 1; i < edges.size(); ++i)
         if (edges[i][0] == edges[i - 1][0] && edges[i][1] == edges[i - 1][1]) pieces.join(edges[i][2], edges[i - 1][2]);
     constexpr std::uint32_t kNew = 0xffffffffU;
-    // For each triangle that represents a piece: the index of its shell.
+    // Index of the shell for each triangle that represents a connected piece.
     std::vector<std::uint32_t> shell_of(triangles.size(), kNew);
     std::vector<MeshShell> shells;
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {

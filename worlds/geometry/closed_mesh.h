@@ -25,8 +25,8 @@ struct MeshShell {
     double volume_m3 = 0.0;
 };
 
-// Returns the shells of a mesh, ordered by their first triangles. Corners at exactly the same position count as one.
-// Cost: O(n log n).
+// Returns the shells of a mesh, ordered by their first triangles. Corners at exactly the same position are treated as
+// one. Cost: O(n log n).
 std::vector<MeshShell> shells_of(std::span<const Vec3> points_m, std::span<const MeshCorners> triangles);
 
 // Returns the winding number around `at_m` of closed shells that consist of the triangles `which`: 1 inside, 0 outside
@@ -44,9 +44,9 @@ struct FillLimits {
 
 // Returns convex solids without gaps or overlaps that together fill closed shells. Space is cut by the planes of faces
 // that have other faces in front of them, until each part is convex. Corners may be off by a 100,000th of the mesh's
-// size. Returns nothing if a limit is reached, or if the volume of the solids differs from that of the shells, as
-// happens with a self-intersecting surface. Source: Fuchs, Kedem and Naylor, On visible surface generation by a priori
-// tree structures, 1980.
+// size. Returns nothing if a limit is reached, or if the volume of the solids differs from that of the shells, for
+// example because a surface intersects itself. Source: Fuchs, Kedem and Naylor, On visible surface generation by a
+// priori tree structures, 1980.
 std::optional<std::vector<ConvexSolid>> solids_within(std::span<const Vec3> points_m,
                                                       std::span<const MeshCorners> triangles,
                                                       std::span<const std::uint32_t> which,

@@ -30,7 +30,7 @@ ClosestPoint from_corner(const Vec3& corner, const Vec3& p, const Vec3& sideless
 }
 
 // Replaces a direction that differs from the face normal only by rounding with the face normal itself. This happens
-// exactly over an edge. Without it, neighbouring triangles of one plane would give slightly different normals there.
+// exactly over an edge. Otherwise, neighbouring triangles of one plane would give slightly different normals there.
 void snap_to_face(ClosestPoint& closest, const Vec3& normal) noexcept {
     const double along = glm::dot(closest.normal, normal);
     if (std::abs(along) > 1.0 - 8.0 * std::numeric_limits<double>::epsilon())
@@ -210,8 +210,8 @@ ClosestPoint closest_point(const Aabb& box, const Vec3& p) noexcept {
         const double distance = glm::length(away);
         if (distance > kSideless_m) return {q, away / distance, distance};
     }
-    // The point is inside, or too near to a face for a direction. Takes the face with the greatest (least negative)
-    // signed distance.
+    // The point is inside, or too near to a face to compute a direction. So the face with the greatest (least negative)
+    // signed distance determines the result.
     ClosestPoint best{q, Vec3(0, 0, 1), -std::numeric_limits<double>::infinity()};
     for (int axis = 0; axis < 3; ++axis) {
         for (const double side : {-1.0, 1.0}) {
@@ -266,7 +266,7 @@ ClosestPoint closest_of_planes(std::span<const Plane> solid, [[maybe_unused]] do
             return HalfSpace{-plane.normal, inwards(signed_distance(plane, p))};
         },
         basis);
-    // A plane of the solid always supports the solid, so this fallback is correct, only less tight.
+    // Each plane of the solid supports the whole solid, so this fallback is correct, only less tight.
     if (!solved || basis.count == 0) return on_plane;
     if (basis.count == 1) {
         const Plane& plane = solid[static_cast<std::size_t>(basis.index[0])];

@@ -1,4 +1,5 @@
-// Convex solids and polygons as plain values in world metres. Pure data and pure functions: any thread may use them.
+// Defines planes, boxes, convex polygons and convex solids as plain values in world metres. Pure data and pure
+// functions: any thread may use them.
 #pragma once
 
 #include <limits>
@@ -51,8 +52,7 @@ struct ConvexSolid {
     Aabb bounds_m;
 };
 
-// True if the point is inside the solid after every plane is moved outwards by `grow_m`. A point on the border counts
-// as inside.
+// True if the point is inside the solid after every plane is moved outwards by `grow_m`, or on its border.
 bool contains(const ConvexSolid& solid, const Vec3& point_m, double grow_m = 0.0) noexcept;
 
 }  // namespace handrail

@@ -13,9 +13,10 @@
 namespace handrail {
 namespace {
 
-constexpr std::size_t kFewSolids = 48;  // if more solids than this meet a face, the face is divided into a grid
+// If a face overlaps or touches more solids than this, the face is divided into a grid.
+constexpr std::size_t kFewSolids = 48;
 
-// Decides which of several coinciding faces keeps the area that they share. The order is total, so exactly one face
+// Chooses which of several coinciding faces keeps the area that they share. The order is total, so exactly one face
 // keeps it. If ranks are equal, the face that is farther out along its normal wins, because it covers the others
 // wherever it is farther out by more than the tolerance. Heights and areas are counted in steps of the tolerance, so
 // that rounding errors do not decide.
@@ -46,7 +47,8 @@ class Cutter {
 public:
     explicit Cutter(const CutTolerance& tolerance) : tolerance_(tolerance) {}
 
-    // Appends the parts of `points` outside `solid` to `left`; appends all of `points` if nothing is covered.
+    // Appends to `left` the parts of `points` outside `solid`; appends all of `points` if `solid` covers nothing of
+    // them.
     void subtract(const std::vector<Vec3>& points, const SurfaceSolid& solid, std::uint32_t solid_index,
                   const SurfaceSolid& own, std::uint32_t own_index, std::uint32_t own_face,
                   std::vector<std::vector<Vec3>>& left) {
@@ -87,7 +89,7 @@ private:
     std::vector<Vec3> rest_, back_, front_;
 };
 
-// The parts of a face that many solids meet, arranged in a grid, so that each solid is tested only against the parts
+// The parts of a face that many solids overlap, arranged in a grid, so that each solid is tested only against the parts
 // near it. The resulting parts and their order are the same as if each solid had been tested against all parts.
 class FaceParts {
 public:
@@ -103,8 +105,8 @@ public:
 
     bool all_gone() const { return left_in_all_ == 0; }
 
-    // Removes what a solid covers. `solid` is its box; cut(points, left) must append what remains of the polygon
-    // `points` to `left`.
+    // Removes the area that a solid covers. `solid` is the solid's box; cut(points, left) must append the uncovered
+    // rest of the polygon `points` to `left`.
     template <class Cut>
     void subtract(const Aabb& solid, Cut&& cut) {
         const Aabb reach = grown(solid, 16.0 * cut_m_);
@@ -218,7 +220,7 @@ bool edges_touch(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1,
     if (length <= gap_m || glm::dot(along, b1 - b0) >= 0.0) return false;
     const Vec3 unit = along / length;
     const auto distance = [&](const Vec3& p) { return glm::length(p - a0 - unit * glm::dot(unit, p - a0)); };
-    // Two long edges may drift apart and still touch along the part that they have in common. So the distance is
+    // Two long edges may drift apart and still touch along the part that they have in common, so the distance is
     // measured only at the ends of that part.
     const double s0 = glm::dot(unit, b1 - a0), s1 = glm::dot(unit, b0 - a0);
     const double from = std::max(0.0, s0), to = std::min(length, s1);

@@ -1,6 +1,6 @@
 // Finds the surface of many overlapping and touching convex solids: the parts of each face that no other solid covers,
 // and which of these parts form one flat surface. Pure functions, called on the loading thread. The cost grows with the
-// number of pairs of solids that meet: 30 ms for 1,200 brushes.
+// number of pairs of solids that overlap or touch: 30 ms for 1,200 brushes.
 #pragma once
 
 #include <cstdint>
@@ -42,13 +42,13 @@ std::vector<ExposedPiece> exposed_surface(std::span<const SurfaceSolid> solids, 
 struct FlatPiece {
     const Polygon* polygon = nullptr;
     Plane plane;
-    std::uint64_t look = 0;  // only pieces with equal `look` are joined
+    std::uint64_t look = 0;  // appearance of the piece; only pieces with equal `look` are joined
     std::uint64_t face = 0;  // identifies the face; pieces of one face are joined, however the face was cut
 };
 
 // Returns for every piece the number of its surface. Surfaces are numbered from 0 in the order of their first pieces.
 // Pieces are joined if they are in one plane, have the same look, and share part of an edge (T-junctions included).
-// Edges that are up to `gap_m` apart count as touching.
+// Edges touch if they are at most `gap_m` apart.
 std::vector<std::uint32_t> joined_surfaces(std::span<const FlatPiece> pieces, double gap_m,
                                            const std::stop_token& stop = {});
 

@@ -65,7 +65,8 @@ std::vector<Edge> upright_free_edges(const std::vector<Ring>& rings) {
     return edges;
 }
 
-// Returns the x coordinates where edges begin, end or cross. Coordinates within kSame_m of each other count as one.
+// Returns the x coordinates where edges begin, end or cross. Coordinates within kSame_m of each other are treated as
+// one.
 std::vector<double> lines_of(const std::vector<Edge>& edges) {
     std::vector<double> lines;
     for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -113,7 +114,7 @@ void join_neighbours(std::vector<Ring>& parts) {
             }
             parts[i] = std::move(both);
             parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(j));
-            j = i + 1;  // starts again, because parts that could not be joined before may be joined now
+            j = i + 1;  // tries all other parts again, because parts that could not be joined before may be joined now
         }
 }
 
@@ -185,7 +186,7 @@ std::vector<Ring> convex_parts(const std::vector<Ring>& rings) {
 
 namespace {
 
-// The borders of rings as a graph of corners. Where borders run in both directions along the same line, they are
+// The borders of rings as a graph of corners. If two borders run in opposite directions along the same line, both are
 // removed.
 class RingNet {
 public:
@@ -242,7 +243,7 @@ private:
         else ways_[from].push_back(to);
     }
 
-    // Follows the borders from a corner until it is back there. At a fork it takes the leftmost border.
+    // Follows the borders from a corner until it returns to that corner. At a fork it follows the leftmost border.
     Ring chain(std::size_t from) {
         Ring ring;
         std::size_t now = from;

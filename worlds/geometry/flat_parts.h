@@ -1,4 +1,5 @@
-// Cuts flat outlines with holes into convex parts. Pure functions; any thread may call them.
+// Cuts flat outlines with holes into convex parts, and joins outlines that touch. Pure functions; any thread may call
+// them.
 #pragma once
 
 #include <cstddef>
@@ -24,8 +25,8 @@ std::vector<Ring> convex_parts(const std::vector<Ring>& rings);
 
 // Returns the same area, by the even-odd rule, without the borders along which two rings touch: adjacent pieces become
 // one outline. Outlines run counter-clockwise, holes clockwise; the largest ring is first. Corners within a millimetre
-// of each other count as one. Cost: O(n squared) for n corners. Rings with more than kMostCorners in total are returned
-// unchanged.
+// of each other are treated as one. Cost: O(n squared) for n corners. Rings with more than kMostCorners in total are
+// returned unchanged.
 std::vector<Ring> joined_rings(const std::vector<Ring>& rings);
 
 }  // namespace handrail

@@ -2,8 +2,9 @@
 // variables with at most three active constraints, solved exactly by dual basis exchange. The renderer uses it to move
 // the proxy and to find the closest point of a convex brush. Pure functions without allocation or exceptions; any
 // thread. Cost: a few scans of all half-spaces, with 4 multiplications each. The program uses double precision
-// everywhere; the scalar type is a parameter only to compare with single precision. Source of the scheme: Sharir &
-// Welzl, A combinatorial bound for linear programming and related problems, STACS 1992 (LP-type problems).
+// everywhere; the scalar type is a parameter only so that a test can compare with single precision. Source of the
+// scheme: Sharir & Welzl, A combinatorial bound for linear programming and related problems, STACS 1992 (LP-type
+// problems).
 #pragma once
 
 #include <array>
@@ -22,8 +23,8 @@ struct BasicHalfSpace {
 };
 using HalfSpace = BasicHalfSpace<double>;
 
-// A half-space counts as violated if the point is outside it by more than this. The limit is far below anything that a
-// hand feels, and far above rounding errors within 1 km of the local origin.
+// A point violates a half-space if it is outside the half-space by more than this. The limit is far below anything that
+// a hand feels, and far above rounding errors within 1 km of the local origin.
 inline constexpr double kProjectionTolerance_m = 1e-10;
 template <class Real>
 inline constexpr Real kProjectionToleranceOf = static_cast<Real>(kProjectionTolerance_m);
@@ -53,9 +54,10 @@ struct Member {
 
 // Finds the optimum for `count` half-spaces (1 to 4), of which the last is certainly active. Returns false if no subset
 // of at most three members is a solution. Duplicates, opposite walls (pairs) and triples of nearly coplanar normals
-// have no usable solution and are skipped. Triples are skipped at a far smaller determinant than pairs. The reason: in
-// a crevice of half a degree, a proxy that slides from one triangle of a wall to the next meets three half-spaces whose
-// determinant is 1e-9. Skipping them would stop the proxy while these three constrain it (test: random grooves).
+// have no usable solution and are skipped. Triples are skipped only at a far smaller determinant than pairs. The
+// reason: in a crevice of half a degree, a proxy that slides from one triangle of a wall to the next touches three
+// half-spaces whose determinant is 1e-9. If solve() skipped them, the proxy would stop although these three constrain
+// it (test: random grooves).
 template <class Real>
 bool solve(const std::array<Member<Real>, 4>& members, int count, const glm::vec<3, Real>& goal_m,
            BasicProjectionBasis<Real>& out) noexcept {
@@ -130,8 +132,8 @@ bool solve(const std::array<Member<Real>, 4>& members, int count, const glm::vec
     return false;
 }
 
-// Returns the index of the half-space that is violated most, if by more than the tolerance; if two are equally
-// violated, the first. Returns -1 if none is violated.
+// Returns the index of the half-space that the point violates most, if it does so by more than the tolerance. If two
+// are equally violated, returns the first. Returns -1 if none is violated.
 template <class Real, class HalfSpaceAt>
 int most_violated_of(int count, const HalfSpaceAt& at, const glm::vec<3, Real>& point_m) noexcept {
     Real worst = -kProjectionToleranceOf<Real>;

@@ -1,8 +1,8 @@
-// The volume of a solid and its distribution, from which a body's inertia follows. Pure functions; any thread may call
-// them. They use only + - x / and square root. Sums are taken about a point of the solid, so the solid may be far from
-// the origin. Source: Mirtich, Fast and accurate computation of polyhedral mass properties, 1996 (here by tetrahedra,
-// exact for flat faces). Round solids use closed formulas. There is a brute-force counterpart in
-// tests/unit/geometry_touch.
+// Computes the volume of a solid and the distribution of that volume, from which a body's inertia follows. Pure
+// functions; any thread may call them. They use only + - x / and square root. Sums are computed about a point of the
+// solid, so the solid may be far from the origin. Source: Mirtich, Fast and accurate computation of polyhedral mass
+// properties, 1996 (here by tetrahedra, exact for flat faces). Round solids use closed formulas. There is a brute-force
+// counterpart in tests/unit/geometry_touch.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
-// Where an object with its own frame is: world = position + scale * (rotation applied to own). Plain values and pure
-// functions; any thread may use them. They use only + - x / and square root, so that every build gives bit-identical
-// results.
+// The position, rotation and scale of an object with its own frame: world = position + scale * (rotation applied to
+// own). Plain values and pure functions; any thread may use them. They use only + - x / and square root, so that every
+// build gives bit-identical results.
 #pragma once
 
 #include <algorithm>
@@ -43,14 +43,14 @@ inline Rotation rotation_about(const Vec3& axis, double angle_rad) noexcept {
 struct Placement {
     Vec3 position_m{0.0};
     Rotation rotation{};
-    double scale = 1.0;  // above 0; the same along every axis
+    double scale = 1.0;  // scale, above 0; the same along every axis
 
     bool operator==(const Placement& other) const noexcept {
         return position_m == other.position_m && rotation == other.rotation && scale == other.scale;
     }
 };
 
-// A placement prepared for transforming many points: it holds the columns of the rotation matrix.
+// A placement prepared for transforming many points, with the columns of the rotation matrix.
 struct PlacedFrame {
     Vec3 position_m{0.0};
     std::array<Vec3, 3> axes{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};

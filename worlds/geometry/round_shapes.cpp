@@ -27,7 +27,7 @@ AroundAxis around_axis(const Vec3& origin, const Vec3& axis, const Vec3& p) noex
 }
 
 // Returns the closest point if it is a corner of the profile. `out` and `along` lead from that corner to the query
-// point. If the two coincide, the normal is `sideless`.
+// point. If the corner and the query point coincide, the normal is `sideless`.
 ClosestPoint from_profile_corner(const Vec3& corner, double out, double along, const AroundAxis& at, const Vec3& axis,
                                  const Vec3& sideless) noexcept {
     const double distance = std::sqrt(out * out + along * along);

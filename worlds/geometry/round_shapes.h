@@ -1,9 +1,9 @@
-// Closest points of round solids in closed form: sphere, capsule, cylinder and cone. The contract is that of
+// Finds closest points of round solids in closed form: sphere, capsule, cylinder and cone. The contract is that of
 // closest_point.h: the unit normal belongs to a plane that supports the whole shape, wherever the query point is.
 // Directions are composed of the axis and a unit vector perpendicular to it. So they support the shape, except for
-// rounding errors, even very close to the axis. On the axis all perpendicular directions are equally good, and
-// any_perpendicular of the axis is used. A radius or height of zero is allowed and gives points, segments and discs.
-// Pure functions in double precision; any thread; no allocation. The cost is in docs/results.md. Brute-force
+// rounding errors, even very close to the axis. On the axis all perpendicular directions are equally good, and the
+// functions use any_perpendicular of the axis. A radius or height of zero is allowed and gives points, segments and
+// discs. Pure functions in double precision; any thread; no allocation. The cost is in docs/results.md. Brute-force
 // counterparts are in tests/unit/geometry_touch.
 #pragma once
 

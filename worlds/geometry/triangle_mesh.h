@@ -1,4 +1,5 @@
-// Triangles that share their corners. Plain data that any thread may use, in metres, in a frame that the owner defines.
+// Defines triangles that share their corners. Plain data that any thread may use, in metres, in a frame that the owner
+// of the mesh defines.
 #pragma once
 
 #include <array>

@@ -51,15 +51,15 @@ std::optional<ConvexSolid> behind(const ConvexSolid& solid, const Plane& plane) 
     return solid_within(std::move(planes), solid.bounds_m.centre_m(), glm::length(solid.bounds_m.size_m()));
 }
 
-// Splits a sheet by a plane. A sheet that lies in the plane and faces in its direction does not count as behind it.
+// Splits a sheet by a plane. If the sheet is in the plane and faces in the plane's direction, it goes to `front`.
 void split_sheet(const Polygon& sheet, const Plane& plane, Polygon& back, Polygon& front) {
     split(sheet.points_m, plane, kTolerance.cut_m, back.points_m, front.points_m);
     tidy(back.points_m, kTolerance.merge_m);
     tidy(front.points_m, kTolerance.merge_m);
 }
 
-// Returns the box that the axis-aligned planes bound, for a quick rejection test. In unbounded directions it extends
-// very far.
+// Returns the box that the axis-aligned planes bound, for a quick rejection test. In unbounded directions the box
+// extends very far.
 Aabb box_of(std::span<const Plane> planes) {
     Aabb box{Vec3{-1e9}, Vec3{1e9}};
     for (const Plane& p : planes)
@@ -105,7 +105,7 @@ std::optional<ConvexSolid> prism(const Ring& outline, const Vec3& way_m, const F
             if (!is_finite(p)) return {};
             box.include(p);
         }
-    // The centre of the bounding box may be outside a slanted prism. So the direction of each face follows from the
+    // The centre of the bounding box may be outside a slanted prism, so the direction of each face is derived from the
     // orientation of the outline.
     const bool turned = ((signed_area(outline) < 0.0) != (way_m.z < 0.0)) != frame.mirrored();
     std::vector<Plane> planes;
@@ -181,7 +181,7 @@ std::optional<double> enclosed_m3(const std::vector<FlatFace>& faces) {
         const Vec3 scaled = glm::clamp(p * 1e5, Vec3(-9e17), Vec3(9e17));
         return Corner{std::llround(scaled.x), std::llround(scaled.y), std::llround(scaled.z)};
     };
-    // For each edge: how much more often the faces use it in one direction than in the other.
+    // For each edge, the number of times the faces use it in one direction, minus the number in the other direction.
     std::map<std::pair<Corner, Corner>, int> edges;
     double six_volumes = 0.0;
     const Vec3* origin = nullptr;

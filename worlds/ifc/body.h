@@ -39,8 +39,8 @@ std::optional<ConvexSolid> box_solid(const Vec3& least_m, const Vec3& most_m, co
 // of a corner from it. Returns nothing if the planes enclose no volume.
 std::optional<ConvexSolid> solid_within(std::vector<Plane> planes, const Vec3& near_m, double reach_m);
 
-// Turns the faces of shells into a body. A connected piece that is convex becomes one convex solid. A prism is cut into
-// convex solids. Any other piece remains a set of sheets.
+// Turns the faces of shells into a body. If a connected piece is convex, it becomes one convex solid. A prism is cut
+// into convex solids. Any other piece remains a set of sheets.
 Body body_of_faces(const std::vector<FlatFace>& faces);
 
 // Turns sheets that together enclose a volume into convex solids. Sheets that are open or too complex stay sheets.
@@ -49,7 +49,7 @@ void fill(Body& body);
 // closed skin does.
 bool encloses(const Body& body);
 
-// same_body compares bit for bit and in order. number_of returns a hash, so equal shapes have equal numbers.
+// same_body compares two bodies bit for bit and in order. number_of returns a hash, so equal shapes have equal numbers.
 bool same_body(const Body& a, const Body& b);
 std::uint64_t number_of(const Body& body);
 
@@ -66,7 +66,7 @@ Body transformed(const Body& body, const Frame& frame);
 // Greatest coordinate of a part; replay and rendering accept positions up to this distance.
 inline constexpr double kFarthestPart_m = 1e6;
 
-// Removes the pieces that extend beyond kFarthestPart_m from the world's origin. Returns how many were removed.
+// Removes the pieces that extend beyond kFarthestPart_m from the world's origin. Returns the number of removed pieces.
 int drop_far(Body& body);
 
 // The interval that points cover along a direction.
@@ -76,13 +76,13 @@ struct Reach {
 Reach reach_along(const ConvexSolid& solid, const Vec3& direction);
 std::optional<Reach> reach_along(const Body& body, const Vec3& direction);
 
-// cut_away removes the part behind all planes and returns true if something changed. keep_within removes everything
-// except that part.
+// cut_away removes the part of the body that is behind all planes, and returns true if it removed something.
+// keep_within removes everything except that part.
 bool cut_away(Body& body, std::span<const Plane> planes);
 void keep_within(Body& body, std::span<const Plane> planes);
-// Returns true if something crosses the vertical line from `low` up to `high`.
+// Returns true if a solid or sheet of the body crosses the vertical line from `low` up to `high`.
 bool crosses(const Body& body, const Vec3& low, const Vec3& high);
-// Returns true if `shape` and the body overlap. A flush contact of two faces does not count.
+// Returns true if `shape` and the body overlap. A flush contact of two faces is not an overlap.
 bool meets(const Body& body, const ConvexSolid& shape);
 
 }  // namespace handrail::ifc

@@ -1,4 +1,4 @@
-// Turns shells of flat faces into convex solids where they are convex or prisms, and into sheets otherwise.
+// Turns shells of flat faces into convex solids if they are convex or prisms, and otherwise into sheets.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -12,7 +12,7 @@ namespace handrail::ifc {
 namespace {
 
 constexpr double kFlat_m = 1e-4;
-constexpr double kAlikeShare = 0.01;  // two areas count as equal if they differ by less than this share
+constexpr double kAlikeShare = 0.01;  // two areas are equal if they differ by less than this share
 
 struct Face {
     std::vector<std::vector<Vec3>> rings;
@@ -65,8 +65,8 @@ void add_sheets(const Face& face, std::vector<Polygon>& sheets) {
     }
 }
 
-// Returns the length of the outer border of adjacent flat pieces. Edges that two pieces share are inside and do not
-// count.
+// Returns the length of the outer border of adjacent flat pieces. Edges that two pieces share are inside the area and
+// are left out.
 double border_m(const std::vector<Ring>& rings) {
     using Corner = std::pair<long long, long long>;
     const auto corner = [](const Vec2& p) {
@@ -131,7 +131,7 @@ private:
         return true;
     }
 
-    // True if the shell is a prism: all corners are on two parallel planes, the outline is the same on both, and there
+    // True if the shell is a prism: all corners are in two parallel planes, the outline is the same in both, and there
     // are side faces all round.
     bool prism_of(Body& body) const {
         if (faces_.size() < 5 || points_.size() > 40'000) return false;

@@ -10,8 +10,8 @@ namespace {
 
 // Measures of the walker: half of the width, height, and the highest step up and down.
 constexpr double kBodyHalf_m = 0.25, kBodyTall_m = 1.8, kBodyStep_m = 0.25, kBodyDrop_m = 1.0;
-constexpr double kOnlyTouch_m = 0.01;   // an overlap of at most this depth counts as contact only
-constexpr double kTrialPace_m = 0.1;    // distance between two positions at which the walker is tested
+constexpr double kOnlyTouch_m = 0.01;   // an overlap of at most this depth is treated as mere contact
+constexpr double kTrialPace_m = 0.1;    // distance between two successive positions at which the walker is tested
 constexpr double kStandsAway_m = 0.25;  // distance from the faces of the wall at which the walk starts and ends
 constexpr double kFloorAway_m = 0.6;    // distance from the faces of the wall at which there must be a floor
 constexpr double kDeepestWay_m = 6.0;   // greatest thickness of a wall that a door leads through
@@ -112,7 +112,7 @@ DoorTrial DoorTrials::walk(const WallGap& gap, double x_m, bool back) const {
         for (const Stretch& one : here)
             if (one.high_m > feet_m + kOnlyTouch_m && one.low_m < feet_m + kBodyTall_m - kOnlyTouch_m) {
                 met.lines.push_back(one.line);
-                // Measures a step only if the obstacle is lower than a lintel, that is, if a walker could stand on it.
+                // Measures a step only if the obstacle is lower than a lintel, so that a walker could stand on it.
                 if (one.high_m < level_m + kBodyDrop_m) met.step_m = std::max(met.step_m, one.high_m - feet_m);
                 else met.step_m = 1e9;
             }

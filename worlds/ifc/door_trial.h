@@ -1,6 +1,6 @@
-// Moves a walker's body through a door from both sides, and tests it against everything in the finished scene except
-// door leaves. The caller owns the DoorTrials; they are used on the reading thread only. Each door costs a few
-// milliseconds.
+// Tests whether a walker can get through a door. It moves a walker's body through the door from both sides, and tests
+// it against everything in the finished scene except door leaves. The caller owns the DoorTrials; they are used on the
+// reading thread only. Each door costs a few milliseconds.
 #pragma once
 
 #include <string>
