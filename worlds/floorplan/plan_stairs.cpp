@@ -55,8 +55,8 @@ std::optional<InnerBox> inner_box(const std::vector<Ring>& rings, const Vec2& al
             free[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] =
                 inside(rings, world(x + 0.01, y + 0.01)) && inside(rings, world(x + 0.99, y + 0.01)) &&
                 inside(rings, world(x + 0.01, y + 0.99)) && inside(rings, world(x + 0.99, y + 0.99));
-    // Finds the largest rectangle of free cells. `high` holds, for each column, the number of free cells in a line that
-    // end in the current row.
+    // Finds the largest rectangle of free cells. For each column, `high` is the number of free cells in a line that end
+    // in the current row.
     std::array<int, kPlaces> high{};
     double largest = 0.0;
     for (int y = 0; y < kPlaces; ++y) {

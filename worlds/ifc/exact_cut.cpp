@@ -1,8 +1,8 @@
 #include "worlds/ifc/exact_cut.h"
 
-// Without this, every program that links this file would check at its start that the processor can round up and down.
-// That check fails under Valgrind, which does not support such rounding. The check is not needed, because the tests
-// compare volumes.
+// Without this definition, every program that links this file would check at its start that the processor can round up
+// and down. That check fails under Valgrind, which does not support such rounding. The check is not needed, because the
+// tests compare volumes.
 #define CGAL_DISABLE_ROUNDING_MATH_CHECK
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
@@ -28,7 +28,7 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-// Corners per metre; a power of two, so that corners on the grid are exact and have short numbers.
+// Grid steps per metre. The number is a power of two, so that corners on the grid are exact and have short numbers.
 constexpr double kGrid = 1048576.0;
 constexpr double kOnEdge_m = 2e-6;  // a corner this close to an edge is inserted into that edge
 
@@ -55,7 +55,8 @@ struct Counter : pmp::Corefinement::Default_visitor<Mesh> {
     void after_subface_created(Mesh::Face_index, Mesh&) const { step(); }
 };
 
-// Makes failed CGAL checks throw without a message on standard error, because such messages would help nobody.
+// While it exists, failed CGAL checks throw without a message on standard error, because such messages would help
+// nobody.
 class QuietChecks {
 public:
     QuietChecks() : before_(CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {})) {}
@@ -71,7 +72,7 @@ struct Less {
     bool operator()(const Vec3& a, const Vec3& b) const { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 };
 
-// Polygons whose corners are indices of points. Neighbours share both corners of each edge.
+// Polygons whose corners are indices of points. Two neighbours share both corners of their common edge.
 struct Soup {
     std::vector<Vec3> points_m;
     std::vector<std::vector<std::size_t>> polygons;
@@ -95,8 +96,8 @@ Soup soup_of(const std::vector<Polygon>& polygons) {
     return soup;
 }
 
-// Faces were cut into convex parts without regard to their neighbours. So where a corner lies on the edge of another
-// polygon, the corner is inserted into that edge.
+// Inserts each corner that is on the edge of another polygon into that edge. Such corners exist because faces were cut
+// into convex parts without regard to their neighbours.
 void share_corners(Soup& soup, ExactLimits& limits, const std::stop_token& stop) {
     std::vector<Aabb> boxes;
     for (const Vec3& p : soup.points_m) boxes.push_back({p, p});
@@ -150,7 +151,8 @@ void cut_into_triangles(Soup& soup) {
     soup.polygons = std::move(triangles);
 }
 
-// Counts the pairs of nearby triangles of two meshes as steps, because each pair costs time whatever the result is.
+// Adds the number of pairs of nearby triangles of two meshes to the steps, because each pair costs time whatever the
+// result is.
 void count_pairs(const std::vector<Aabb>& some, const std::vector<Aabb>& others, ExactLimits& limits,
                  const std::stop_token& stop) {
     const BoxIndex index(others);
@@ -228,9 +230,9 @@ struct ExactSoup {
     std::vector<std::vector<std::size_t>> triangles;
 };
 
-// Combines two meshes. CGAL only splits both along the lines where they meet; this function then chooses the faces to
-// keep. CGAL's own choice requires a result that is a manifold, so it refuses solids that merely touch. Moreover,
-// version 5.5 may never end on some of them.
+// Combines two meshes. CGAL only splits both along the lines where they intersect; this function then chooses the faces
+// to keep. CGAL's own choice requires a result that is a manifold, so it refuses solids that merely touch. Moreover,
+// version 5.5 may never end on some of these solids.
 ExactSoup combined(const Mesh& a, const Mesh& b, ExactCut kind, ExactLimits& limits, const std::stop_token& stop) {
     constexpr std::size_t kStepsForPlace = 10;
     Mesh first = a, second = b;

@@ -24,13 +24,13 @@ std::string without_path(std::string name) {
 
 // Length by which an opening is extended at each end, so that it cuts through its wall.
 constexpr double kThrough_m = 1.0;
-// Limits for a door leaf. A shape that is narrower or thicker than this is not a leaf, or shows the door open.
+// Limits for a door leaf. A shape that is narrower or thicker than these limits is not a leaf, or shows the door open.
 constexpr double kNarrowestLeaf_m = 0.4, kThickestLeaf_m = 0.6;
 
 bool is_part(PartRole role) { return role != PartRole::Opening && role != PartRole::Space && role != PartRole::Storey; }
 
-// Returns true if a part cannot swing or slide out of the way. Furniture next to a door returns false: it is not cut,
-// but the trial with the walker reports it.
+// Returns true if parts of this role cannot swing or slide out of the way. Returns false for furniture: furniture next
+// to a door is not cut, but the trial with the walker reports it.
 bool blocks(PartRole role) {
     switch (role) {
         case PartRole::Wall:
@@ -107,8 +107,8 @@ private:
         frame.origin_m -= building_.origin_m;
         return frame;
     }
-    // Compares the shape that the file states for a part with the shape that was built. Notes the part as missing if
-    // too much is lost.
+    // Compares the shape that the file states for a part with the shape that was built. Adds the part to the missing
+    // parts if too much is lost.
     void note_missing(const IfcPart& part, double own_m3, int far) {
         constexpr double kLostShare = 0.05, kLeastStated_m3 = 1e-6, kLeastStated_m2 = 1e-4;
         const IfcShapes::Account& account = shapes_.account();
@@ -148,9 +148,9 @@ private:
         return body;
     }
 
-    // Chooses the world's origin. Georeferenced files are thousands of kilometres from zero. Doubles are still precise
-    // there, but planes that far from the origin lose accuracy. The origin comes from the site or building, or else
-    // from the first part.
+    // Chooses the world's origin. Positions in georeferenced files are thousands of kilometres from zero. Doubles are
+    // still precise at that distance, but planes lose accuracy. The origin is the position of the site or building, or
+    // else of the first part that is far away.
     void find_origin() {
         const auto consider = [&](const Vec3& at) {
             if (building_.origin_m == Vec3(0.0) && is_finite(at) && glm::length(at) > kFarAway_m)
@@ -260,8 +260,8 @@ private:
         alike.push_back(building_.parts.size());
     }
 
-    // Returns the kind of something that carries people. IFC has one class for all kinds, so the words about the part
-    // decide.
+    // Returns the kind of a part that carries people. IFC has one class for all kinds, so the words about the part
+    // determine the kind.
     PartRole kind_of_transport(const IfcPart& part, const Values& v) const {
         for (const std::string& word : kind_words(part, v)) {
             if (word == "ESCALATOR") return PartRole::Escalator;
@@ -290,7 +290,7 @@ private:
     }
 
     // Returns the words that state the kind of a part, the most reliable first: predefined types, then the name of its
-    // type and its own name.
+    // type and the part's own name.
     std::vector<std::string> kind_words(const IfcPart& part, const Values& v) const {
         std::vector<std::string> words;
         const auto type = relations_.type_of.find(part.id);
@@ -311,7 +311,7 @@ private:
         return std::string(word_at(of_type, model_.name(type->second) == "IFCDOORSTYLE" ? 8 : 10));
     }
 
-    // Makes flights, landings and stringers belong to their stairs.
+    // Makes flights, landings and stringers parts of the stairs to which they belong.
     void join_to_whole(std::size_t i) {
         IfcPart& part = building_.parts[i];
         std::uint64_t at = part.id;
@@ -333,7 +333,7 @@ private:
         if (openings == relations_.openings.end()) return;
         for (const std::uint64_t opening : openings->second) {
             if (stop_.stop_requested()) return;
-            // A niche in a cabinet does not count as an opening of the building.
+            // An opening in furniture, such as a niche in a cabinet, is not an opening of the building.
             const bool building = blocks(host.role);
             building_.openings += building ? 1 : 0;
             Body shape = body_of(opening, frame_of(opening));
@@ -408,8 +408,8 @@ private:
         return cut;
     }
 
-    // Returns true if a door or window fills the opening. If a cupboard or a radiator fills it, it is a niche, and the
-    // wall behind it stays.
+    // Returns true if a door or window fills the opening. If a cupboard or a radiator fills the opening, it is a niche,
+    // and the wall behind it stays.
     bool is_passage(std::uint64_t opening) const {
         const auto filling = relations_.filled_by.find(opening);
         if (filling == relations_.filled_by.end()) return false;
@@ -433,7 +433,7 @@ private:
         return {};
     }
 
-    // Returns true if a solid extends from one face of a wall to the other at the place where the two meet.
+    // Returns true if a solid extends from one face of a wall to the other at the place where wall and solid overlap.
     static bool reaches_both_faces(const Body& body, const ConvexSolid& solid, const Vec3& way) {
         constexpr double kNearFace_m = 0.03;
         std::vector<Plane> beside = solid.planes;
@@ -468,8 +468,8 @@ private:
         if (hollow && host) add_jambs(body, planes, way, *host);
         return true;
     }
-    // Adds the faces of the doorway as sheets. Without them, a wall that consists only of its surface would be open to
-    // its inside.
+    // Adds the faces of the doorway as sheets. Without these faces, a wall that consists only of its surface would be
+    // open to its inside.
     static void add_jambs(Body& body, const std::vector<Plane>& planes, const Vec3& way, const Reach& host) {
         std::vector<Plane> within = planes;
         std::erase_if(within, [&](const Plane& p) { return std::abs(glm::dot(p.normal, way)) > 0.9; });
@@ -482,8 +482,8 @@ private:
             if (std::abs(glm::dot(gap->planes[i].normal, way)) < 0.9) body.sheets.push_back(gap->faces[i]);
     }
 
-    // Finds the gap of a door or window. The gap comes from its opening, if there is one, and is then narrowed to the
-    // thickness of the wall. Otherwise it comes from the shape of the door or window itself.
+    // Finds the gap of a door or window. If the file states an opening for it, the gap is that opening, narrowed to the
+    // thickness of the wall. Otherwise the gap comes from the shape of the door or window itself.
     void find_gap(std::size_t i) {
         const IfcPart& part = building_.parts[i];
         if ((part.role != PartRole::Door && part.role != PartRole::Window) || part.same_as != i) return;
@@ -526,8 +526,8 @@ private:
             building_.gaps.emplace(i, gap);
     }
 
-    // Cuts a door that has no opening through the walls that it is in or close to. The cut has the outline of the
-    // door's leaf.
+    // Cuts a door that has no opening through the walls that contain it or are close to it. The cut has the outline of
+    // the door's leaf.
     void cut_leaf(std::size_t i, WallGap& gap) {
         constexpr double kNear_m = 0.1, kWithin_m = 1.0, kThickest_m = 1.5;
         Vec3 least = gap.least_m, most = gap.most_m;

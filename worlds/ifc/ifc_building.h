@@ -1,5 +1,5 @@
-// The parts of a building from an IFC file, with their shapes in place, after openings were cut and doors tested. This
-// is the stage between the file and the Scene. Used on the reading thread only.
+// The parts of a building from an IFC file, with their shapes in place, after openings were cut and doors tested.
+// read_building makes it from the file, and IfcScene turns it into a Scene. Used on the reading thread only.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@
 
 namespace handrail::ifc {
 
-// Coordinates farther from zero than this are those of a national grid.
+// Coordinates farther from zero than this are treated as those of a national grid.
 inline constexpr double kFarAway_m = 10'000.0;
 
 struct IfcPart {
@@ -26,16 +26,16 @@ struct IfcPart {
     Body body;          // shape in world coordinates
     Aabb box;           // bounds of the shape before openings were cut
     std::string words;  // the file's words for the material
-    // Index of the whole to which this part belongs when it is touched, for example the stairs of a flight. Its own
-    // index if it is no part of a whole.
+    // Index of the whole to which this part belongs when it is touched, for example the stairs of a flight. If the part
+    // belongs to no whole, this is its own index.
     std::size_t whole = 0;
     // Index of an earlier part with the same shape in the same place, which represents both parts. The `body` of this
-    // part is then empty. Its own index if there is no such earlier part.
+    // part is then empty. If there is no such earlier part, this is the part's own index.
     std::size_t same_as = 0;
     double width_m = 0.0, height_m = 0.0;  // size of a door or window as the file states it; 0: not stated
     std::string operation;                 // how a door operates, such as "SINGLE_SWING_LEFT"
-    // The prefab that replaces a part without a shape; `body` then holds the boxes of the prefab in order. Null for
-    // other parts.
+    // The prefab that replaces a part without a shape. The `body` then contains the boxes of the prefab in order. Null
+    // for other parts.
     const Prefab* prefab = nullptr;
 };
 
@@ -43,7 +43,7 @@ struct IfcPart {
 struct WallGap {
     Frame axes;
     Vec3 least_m{0.0}, most_m{0.0};
-    bool cut = false;  // the file names the wall through which the gap is cut
+    bool cut = false;  // the file names the wall through which this gap is cut
 };
 
 struct IfcBuilding {
@@ -72,8 +72,8 @@ struct IfcBuilding {
 IfcBuilding read_building(IfcModel& model, const IfcRelations& relations, const std::function<void(double)>& progress,
                           const std::stop_token& stop);
 
-// Sweeps a walker's body through a gap. Cuts a box out of every part that is in its way, except doors. Returns the
-// names of the parts that were cut; empty if the walker passed without a cut.
+// Sweeps a walker's body through a gap. Cuts a box out of every part that is in the walker's way, except doors. Returns
+// the names of the parts that were cut; empty if the walker passed without a cut.
 std::vector<std::string> free_the_way(IfcBuilding& building, const WallGap& gap);
 // Returns true if a walker 0.5 m wide can pass through the gap.
 bool can_pass(const IfcBuilding& building, const WallGap& gap);

@@ -1,5 +1,5 @@
-// Curves of IFC as points in metres, and profiles as outlines with holes. Curved pieces are replaced with chords. Used
-// on the reading thread only.
+// Converts curves of IFC to points in metres, and profiles to outlines with holes. Curved pieces are replaced with
+// chords. Used on the reading thread only.
 #pragma once
 
 #include "worlds/geometry/flat_parts.h"

@@ -134,7 +134,7 @@ void IfcScene::add_leaf(const WallGap& gap, double from, double to, bool hinge_a
         mover.pivot_m = leaf->bounds_m.centre_m();
         mover.slide_m = {0.0, 0.0, most.z - least.z};
     } else {
-        // The leaf swings towards +y, as IFC defines it, about its edge on that side.
+        // The leaf swings towards +y, as IFC defines it. It turns about its edge on that side.
         mover.pivot_m = gap.axes.at({hinge_at_least ? least.x : most.x, most.y, least.z});
         mover.swing_rad = hinge_at_least ? 0.5 * kPi : -0.5 * kPi;
         Feature& named = scene_.features[feature.value];
@@ -164,7 +164,7 @@ void IfcScene::add_door(std::size_t i, const WallGap& gap) {
     if (scene_.features.size() > before) portal.feature = {static_cast<std::uint32_t>(before)};
     doors_.push_back({stated_->portals.size(), i});
     // A door with only one room leads outside. In a file without rooms, a door leads outside if one side of it is under
-    // the open sky. If no door is, every door counts.
+    // the open sky. If no door of such a file has such a side, all doors lead outside.
     if (portal.rooms.size() == 1 || (stated_->rooms.empty() && (sky_side_.empty() || sky_side_.contains(i))))
         outer_doors_.push_back({stated_->portals.size(), i});
     stated_->portals.push_back(std::move(portal));
@@ -218,7 +218,7 @@ StatedPortal IfcScene::portal_of(std::size_t i, const WallGap& gap) {
     std::sort(beside.begin(), beside.end());
     std::sort(stated.begin(), stated.end());
     portal.by_boundaries = !stated.empty();
-    // If a boundary names a third room, it belongs to a wall that continues beyond the door. Then the rooms found on
+    // A third room in the boundaries belongs to a wall that continues beyond the door. In that case the rooms found on
     // the two sides are used.
     const bool within = std::includes(stated.begin(), stated.end(), beside.begin(), beside.end());
     portal.rooms = stated.empty() || (stated.size() > 2 && within && !beside.empty()) ? beside : stated;
@@ -286,7 +286,7 @@ void IfcScene::join_flights() {
         portal.width_m = std::min(box.size_m().x, box.size_m().y);
         portal.height_m = box.size_m().z;
         for (const double z : {box.min_m.z + 0.1, box.max_m.z + 0.1}) {
-            // The height of a prefab is only assumed, so higher places are ignored.
+            // The height of a prefab is only assumed, so rooms above the prefab are not searched.
             if (part.prefab && z > box.max_m.z) continue;
             std::map<std::uint32_t, int> votes;
             for (int ix = 0; ix < 7; ++ix)
@@ -357,8 +357,8 @@ void IfcScene::note_stairwell(const Aabb& stairs) {
     }
 }
 
-// Adds ground around the building, because files end at the outer walls, but a walker who steps outside needs ground.
-// It is at the height of the storey with the most outer doors.
+// Adds ground around the building. Files end at the outer walls, but a walker who steps outside needs ground. The
+// ground is at the height of the storey with the most outer doors.
 void IfcScene::add_ground() {
     double level_m = scene_.bounds_m.min_m.z;
     std::vector<double> heights;
@@ -376,7 +376,7 @@ void IfcScene::add_ground() {
     if (std::optional<ConvexSolid> slab =
             box_solid({box.min_m.x, box.min_m.y, level_m - kGroundThick_m}, {box.max_m.x, box.max_m.y, level_m}, {}))
         ground.solids.push_back(std::move(*slab));
-    // Cuts the ground away above basement rooms, and around the stairs that lead up from them.
+    // Cuts away the ground above basement rooms, and around the stairs that lead up from these rooms.
     std::size_t cuts = 0;
     for (const StatedRoom& room : stated_->rooms) {
         if (room.floor_m > level_m - 0.3 || room.floor_m + room.height_m < level_m - kCeiling_m) continue;
@@ -418,7 +418,7 @@ void IfcScene::add_starts() {
         start.source = portal.source;
         scene_.starts.push_back(std::move(start));
     }
-    // Sorts starts at ground level to the front. Others are in a sunken yard or on a balcony.
+    // Sorts starts at ground level to the front. The other starts are in a sunken yard or on a balcony.
     const auto off_ground = [&](const Start& start) { return std::abs(start.feet_m.z - ground_m_) > 0.6; };
     std::stable_sort(scene_.starts.begin(), scene_.starts.end(),
                      [&](const Start& a, const Start& b) { return !off_ground(a) && off_ground(b); });

@@ -15,7 +15,7 @@ constexpr std::size_t kMostLooks = 60'000'000;  // greatest number of triangle t
 
 bool is_result(std::string_view kind) { return kind == "IFCBOOLEANRESULT" || kind == "IFCBOOLEANCLIPPINGRESULT"; }
 
-// Returns the position in the axes of a placement.
+// Returns the position relative to `frame`, along its axes.
 Vec3 within(const Frame& frame, const Vec3& at_m) {
     const Vec3 off = at_m - frame.origin_m;
     return {glm::dot(off, frame.x), glm::dot(off, frame.y), glm::dot(off, frame.z)};
@@ -77,7 +77,7 @@ struct IfcShapes::Form {
         }
         return held;
     }
-    // Turns the point back into the plane of the profile, where it may end up on either side of the axis.
+    // Turns the point back into the plane of the profile, where the result may be on either side of the axis.
     bool in_turn(const Vec3& at) const {
         const Vec3 arm = at - axis_at, along = way * glm::dot(way, arm), off = arm - along;
         const Vec3 side = glm::cross(Vec3(0.0, 0.0, 1.0), way);
@@ -128,7 +128,8 @@ std::optional<IfcShapes::Form> IfcShapes::skin_form(const std::vector<FlatFace>&
     if (!enclosed_m3(faces)) return {};
     Form form;
     form.kind = Form::Kind::Skin;
-    for (const FlatFace& face : faces)  // a point in a hole is counted twice, so it cancels out
+    // A ray through a hole crosses the outline and the hole, which cancel each other out.
+    for (const FlatFace& face : faces)
         for (const std::vector<Vec3>& ring : face.rings)
             for (std::size_t k = 1; k + 1 < ring.size(); ++k) form.skin.push_back({ring[0], ring[k], ring[k + 1]});
     return form;
@@ -157,7 +158,7 @@ std::optional<IfcShapes::Form> IfcShapes::form_of(std::uint64_t id, int depth) {
         form.areas = {{outline}};
         return form;
     }
-    // Restored below, because these faces were already counted when the solids were built.
+    // The account is restored below, because the volume of these faces was already added when the solids were built.
     const Account before = account_;
     std::vector<FlatFace> faces;
     if (kind == "IFCTRIANGULATEDFACESET" || kind == "IFCPOLYGONALFACESET" ||
@@ -213,7 +214,7 @@ std::optional<IfcShapes::Form> IfcShapes::solid_form(std::string_view kind, cons
     return form;
 }
 
-// The first operands can form a long chain, so it is followed without recursion.
+// The chain of first operands can be long, so this function follows it without recursion.
 std::optional<IfcShapes::Form> IfcShapes::result_form(std::uint64_t id, int depth) {
     constexpr std::size_t kMostOperands = 5'000;
     Form form;
@@ -260,7 +261,7 @@ void IfcShapes::compare_result(std::uint64_t id, const Body& body, Aabb box) {
         lost += said && !made ? 1 : 0;
         surplus += made && !said ? 1 : 0;
     }
-    if (stated < kLeastHeld) return;  // too few points are inside for a comparison
+    if (stated < kLeastHeld) return;  // With so few points inside, a comparison would not be reliable.
     const double share = (static_cast<double>(lost) - static_cast<double>(surplus)) / static_cast<double>(stated);
     if (std::abs(share) > std::abs(account_.result_share)) account_.result_share = share;
 }

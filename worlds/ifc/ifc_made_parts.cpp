@@ -10,8 +10,8 @@ namespace handrail::ifc {
 namespace {
 
 constexpr double kFloorThick_m = 0.1, kWallThick_m = 0.05;
-// Range below and above the level of a room. Anything within it counts as the floor of the room, including a sunken
-// floor.
+// Range below and above the level of a room. A surface within this range is regarded as the floor of the room,
+// including a sunken floor.
 constexpr double kBelow_m = 0.9, kAbove_m = 0.2;
 constexpr double kStepDown_m = 0.05;  // furniture that extends this far below the level is on a sunken floor
 constexpr double kLeastRoom_m2 = 0.5, kLeastHigh_m = 1.5;
@@ -29,12 +29,12 @@ bool leads_up(PartRole role) {
     return role == PartRole::Stairs || role == PartRole::Ramp || role == PartRole::Lift || role == PartRole::Escalator;
 }
 
-// Returns true if a room has no floor on purpose. Its name in English or German decides.
+// Returns true if a room has no floor on purpose, according to its name in English or German.
 bool is_open_below(const StatedRoom& room) {
     constexpr std::array<std::string_view, 8> kWords{"void",    "shaft",  "below", "luftraum",
                                                      "schacht", "atrium", "stair", "treppe"};
     const std::string name = lower_ascii(room.name);
-    // A word counts only where a word of the name begins: "upstairs" does not mean stairs.
+    // The text must be at the beginning of a word of the name: "upstairs" does not mean stairs.
     return std::any_of(kWords.begin(), kWords.end(), [&](std::string_view word) {
         const std::size_t at = name.find(word);
         return at != std::string::npos && (at == 0 || name[at - 1] < 'a' || name[at - 1] > 'z');
@@ -57,8 +57,8 @@ std::vector<Vec3> places_in(const StatedRoom& room) {
     return places;
 }
 
-// Returns true if there is no floor below any point of the room. Stairs and lifts that come up into the room do not
-// count as floor.
+// Returns true if there is no floor below any point of the room. Stairs and lifts that come up into the room are not
+// regarded as floor.
 bool lacks_floor(const IfcBuilding& building, const BoxIndex& index, const StatedRoom& room) {
     const std::vector<Vec3> places = places_in(room);
     if (places.empty()) return false;
@@ -87,7 +87,7 @@ void add_part(IfcBuilding& building, PartRole role, const StatedRoom& room, std:
     building.parts.push_back(std::move(part));
 }
 
-// Returns the floor that is made for a room. It has holes above everything that comes up through it.
+// Returns the floor that is made for a room. The floor has holes above all parts that come up through it.
 std::vector<ConvexSolid> floor_of(const IfcBuilding& building, const BoxIndex& index, const StatedRoom& room) {
     Frame frame;
     frame.origin_m = {0.0, 0.0, room.floor_m - kFloorThick_m};
@@ -124,8 +124,8 @@ std::vector<std::uint32_t> make_floors(IfcBuilding& building) {
             continue;
         if (lacks_floor(building, index, room)) made.push_back(r);
     }
-    // Floors are added only after all rooms were examined. The rooms of one storey adjoin, so a made floor could
-    // otherwise count as the floor of the next room.
+    // Floors are added only after all rooms were examined. The rooms of one storey adjoin, so an added floor could
+    // otherwise be mistaken for the floor of the next room.
     for (const std::uint32_t r : made)
         add_part(building, PartRole::Slab, building.rooms[r], floor_of(building, index, building.rooms[r]));
     return made;

@@ -111,8 +111,8 @@ struct GridCrossing {
     Vec2 at{0.0}, along{1.0, 0.0};
 };
 
-// Returns the crossing of two axes, which may end before they meet. It chooses the two pieces that have to be
-// lengthened least to meet.
+// Returns the crossing of two axes, which may end before they cross. It chooses the two pieces that have to be
+// lengthened least to cross.
 std::optional<GridCrossing> crossing_of(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
     std::optional<GridCrossing> best;
     double least_m = 1e300;
@@ -171,7 +171,7 @@ Frame IfcModel::transformation(std::uint64_t id) const {
     frame.x = glm::length(x) > 1e-9 ? x / glm::length(x) : any_perpendicular(frame.z);
     Vec3 y = glm::cross(frame.z, frame.x);
     if (const std::uint64_t stated = reference_at(values, 1); stated != 0 && glm::dot(direction(stated, y), y) < 0.0)
-        y = -y;  // turns y round, because the transformation mirrors
+        y = -y;  // Reverses y, because the transformation mirrors.
     const bool uneven = kind.ends_with("NONUNIFORM");
     frame.y = y * (uneven ? number_at(values, flat ? 4 : 5, scale) : scale);
     frame.z *= uneven && !flat ? number_at(values, 6, scale) : flat ? 1.0 : scale;
@@ -190,7 +190,8 @@ Frame IfcModel::on_grid(const Values& values) {
                 for (const std::size_t axes : {7U, 8U, 9U})
                     for (const std::uint64_t axis : references_at(grid, axes)) grid_of_.emplace(axis, instance.id);
             }
-    // In IFC 4.3 the reference placement comes before the two other attributes.
+    // In IFC 4.3 the reference placement comes before the two other attributes, so the first virtual intersection is
+    // searched.
     std::size_t first = 0;
     while (first < values.size() && name(reference_at(values, first)) != "IFCVIRTUALGRIDINTERSECTION") ++first;
     const Values crossing = this->values(reference_at(values, first));

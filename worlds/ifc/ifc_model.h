@@ -1,7 +1,7 @@
-// Typed access to an IFC file: attributes by position, lengths in metres, angles in radians, and placements relative to
-// the file's origin. Positions are those that IFC 2x3, 4, 4x2 and 4x3 share; where they differ, the caller checks the
-// name. Used on the reading thread only, because it caches frequent queries. Source: buildingSMART, IFC 4.3.2 (ISO
-// 16739-1) and IFC2x3 TC1.
+// Gives typed access to an IFC file: attributes by position, lengths in metres, angles in radians, and placements
+// relative to the file's origin. Positions are those that IFC 2x3, 4, 4x2 and 4x3 share; where the versions differ, the
+// caller checks the name of the class. Used on the reading thread only, because it caches frequent queries. Source:
+// buildingSMART, IFC 4.3.2 (ISO 16739-1) and IFC2x3 TC1.
 #pragma once
 
 #include <map>
@@ -62,7 +62,7 @@ public:
     // Returns the frame of an IfcCartesianTransformationOperator2D or 3D, or of their non-uniform kinds.
     Frame transformation(std::uint64_t id) const;
     // Returns the frame of an IfcObjectPlacement relative to the file's origin. Cycles, and chains of more than 100
-    // placements, are cut off where they are noticed and counted in odd_placements().
+    // placements, are cut off where the function notices them, and odd_placements() counts them.
     Frame placement(std::uint64_t id);
     int odd_placements() const { return odd_placements_; }
 

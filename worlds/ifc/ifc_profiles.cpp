@@ -60,7 +60,7 @@ Ring along(const Ring& line, double width) {
 
 using Parts = std::vector<std::vector<Ring>>;
 
-// Returns the outline of a steel profile. Its dimensions are the attributes from 3 on, in the file's unit; `unit`
+// Returns the outline of a steel profile. The attributes from 3 on are its dimensions in the file's unit; `unit`
 // converts them to metres.
 Ring steel(std::string_view kind, const Values& v, double unit) {
     const auto n = [&](std::size_t i) { return number_at(v, i) * unit; };

@@ -132,7 +132,8 @@ std::vector<std::string> material_words(const IfcModel& model, const IfcRelation
         const std::string_view kind = model.name(id);
         const Values v = model.values(id);
         if (kind == "IFCMATERIAL") words.push_back(text_at(v, 0));
-        // A layer, constituent or profile refers to its material; sets and usages contain lists of these.
+        // A layer, constituent or profile refers to its material. Sets and usages contain lists of layers, constituents
+        // or profiles.
         else if (kind == "IFCMATERIALLAYER" || kind == "IFCMATERIALLAYERSETUSAGE" ||
                  kind == "IFCMATERIALPROFILESETUSAGE")
             open.push_back(reference_at(v, 0));

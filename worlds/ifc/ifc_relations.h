@@ -34,7 +34,7 @@ enum class PartRole : std::uint8_t {
     Other
 };
 
-// Returns the role of parts of this class. Nothing if buildings are not made of such parts.
+// Returns the role of parts of this class. Returns nothing for classes that are not parts of a building.
 std::optional<PartRole> role_of(std::string_view name);
 
 struct IfcRelations {

@@ -15,7 +15,7 @@ constexpr std::size_t kMostSolids = 150'000, kMostTriangles = 1'500'000;
 // The unit for the tolerances of derive_surfaces, the same as for maps.
 constexpr double kSurfaceUnit_m = 1.0 / 32.0;
 
-// The name of a part whose own name cannot be spoken or only states its class.
+// A spoken name for parts of this role. It is used if a part's own name cannot be spoken or only states its class.
 struct Called {
     PartRole role;
     std::string_view kind;
@@ -69,7 +69,8 @@ Result<Scene> IfcScene::build(const std::string& file_name) {
     scene_.report.format = "ifc";
     scene_.metres_per_unit = model_.metres_per_unit();
     prove_doors();
-    std::vector<StatedPortal> borders = open_borders();  // done first, because the parts lose their shapes below
+    // The borders are found before add_parts(), because that function empties the shapes of the parts.
+    std::vector<StatedPortal> borders = open_borders();
     add_parts();
     if (scene_.solids.empty() && scene_.triangles.empty()) return fail(phrase("ifc.nothing_to_touch"), file_name);
     if (scene_.solids.size() > kMostSolids || scene_.triangles.size() > kMostTriangles || building_.too_large)

@@ -39,8 +39,8 @@ Frame across(const Vec3& from, const Vec3& to) {
 Body IfcShapes::body_of(std::uint64_t shape) {
     const Values values = model_.values(shape);
     const std::vector<std::uint64_t> all = references_at(values, 2);
-    // Representations by their identifiers: kWanted are solid forms. If there is none, any representation is used that
-    // is not in kNever, that is, neither lines nor a bounding box.
+    // Names of representations. kWanted are solid forms. If there is none, any representation that is not in kNever is
+    // used. kNever contains, for example, lines and bounding boxes.
     constexpr std::array<std::string_view, 4> kWanted{"Body", "Facetation", "Tessellation", "Body-FallBack"};
     constexpr std::array<std::string_view, 14> kNever{
         "Axis",     "FootPrint", "Box",     "Annotation",        "Profile",     "Reference", "Clearance",
@@ -84,8 +84,8 @@ Body IfcShapes::item(std::uint64_t id, int depth) {
     return body;
 }
 
-// Adds the volume of a solid to the account. It is computed from the outline and the lengths, independently of the
-// parts that were built.
+// Adds the volume of a solid to the account. The stated volume is computed from the outline and the lengths,
+// independently of the parts that were built.
 void IfcShapes::weigh(std::string_view kind, const Values& values, const Body& body) {
     const auto n = [&](std::size_t i) { return number_at(values, i) * model_.metres_per_unit(); };
     std::optional<double> stated_m3;
@@ -216,7 +216,7 @@ Body IfcShapes::mapped(const Values& values, int depth) {
     const double wider = std::cbrt(larger * larger);
     account_.stated_m2 += map.account.stated_m2 * wider;
     account_.made_m2 += map.account.made_m2 * wider;
-    // Also counts what was lost in the copy, even if the original lost nothing.
+    // Also subtracts what was lost in the copy, even if the original lost nothing.
     account_.made_m3 += map.account.made_m3 * larger - (volume_m3(map.body) * larger - volume_m3(body));
     return body;
 }
@@ -306,7 +306,7 @@ IfcShapes::Cutter IfcShapes::half_space(std::string_view kind, const Values& val
     if (model_.name(surface) != "IFCPLANE") return {{}, false, {}};
     const Values of_surface = model_.values(surface);
     const Frame plane = model_.axes(reference_at(of_surface, 0));
-    // .T. means that the normal points away from the material.
+    // .T. means that the normal of the plane points away from the material.
     if (!is_finite(plane.origin_m) || glm::length(plane.origin_m) > kFarthest_m) return {{}, false, {}};
     const Plane bound = plane_through(word_at(values, 1) == "F" ? -plane.z : plane.z, plane.origin_m);
     if (kind != "IFCPOLYGONALBOUNDEDHALFSPACE") return {{{bound}}, true, {}};
@@ -336,7 +336,8 @@ IfcShapes::Cutter IfcShapes::cutter(std::uint64_t id, int depth) {
         return half_space(kind, model_.values(id));
     }
     Cutter cutter;
-    const Account before = account_;  // the operand that is taken away does not count in the account
+    // The operand is subtracted from the shape, so its volume is not added to the account.
+    const Account before = account_;
     Body body = item(id, depth + 1);
     account_ = before;
     fill(body);
@@ -381,7 +382,7 @@ void IfcShapes::combine(Body& first, const Values& values, int depth) {
         combine_exactly(first, second, takes_away ? ExactCut::TakeAway : ExactCut::KeepWithin))
         return;
     // The shape stays uncut if the operand is unknown, or if an exact cut was needed and failed. An open skin has no
-    // inside, so below only its surface is cut.
+    // inside, so the code below cuts only its surface.
     if (!second.known || (!convex && (!second.skin.empty() || encloses(first)))) {
         ++approximated_;
         account_.uncut = model_.name(reference_at(values, 2));

@@ -26,8 +26,8 @@ public:
     // that encloses a volume.
     Body body_of(std::uint64_t shape);
     // The account of the last call of body_of. It compares the volume that the file states for sweeps and closed
-    // shells, computed from outlines and faces, with the volume of the solids that were built. Neither volume takes
-    // cuts into account.
+    // shells, computed from outlines and faces, with the volume of the solids that were built. Neither volume is
+    // reduced by cuts.
     struct Account {
         double stated_m3 = 0.0, made_m3 = 0.0;
         double stated_m2 = 0.0, made_m2 = 0.0;  // the areas of the faces of open skins, stated and built
@@ -35,8 +35,8 @@ public:
         std::string unread;                     // name of a class that the shape uses and that is not supported
         // The share of the volume of boolean results that is missing. Negative: there is too much volume.
         double result_share = 0.0;
-        std::string uncut;    // IFC class of an operand that could not be taken away
-        bool formed = false;  // the file has a solid representation
+        std::string uncut;    // IFC class of an operand that could not be subtracted
+        bool formed = false;  // the file has a solid representation of this shape
     };
     const Account& account() const { return account_; }
     const std::map<std::string, int, std::less<>>& not_read() const { return not_read_; }

@@ -57,7 +57,7 @@ void lay_by_elevation(std::vector<StatedStorey>& storeys, const std::vector<doub
 }
 
 // Moves the storeys to the parts. Some programs give national coordinates to the parts but leave the storeys at zero.
-// Then the lowest storey is moved to where the lowest part begins.
+// Then the lowest storey is moved to the height at which the lowest part begins.
 void lay_under_parts(std::vector<StatedStorey>& storeys, const std::vector<IfcPart>& parts) {
     double least_part_m = std::numeric_limits<double>::infinity(), least_storey_m = least_part_m;
     for (const IfcPart& part : parts)

@@ -16,7 +16,7 @@ public:
     std::uint32_t first_at(const Vec3& at_m) const;
     // Returns all rooms that contain the place, in file order.
     std::vector<std::uint32_t> all_at(const Vec3& at_m) const;
-    // Returns the rooms whose boxes meet the given box, in file order.
+    // Returns the rooms whose boxes overlap or touch the given box, in file order.
     std::vector<std::uint32_t> near(const Aabb& box) const;
 
 private:
@@ -24,8 +24,8 @@ private:
     BoxIndex boxes_;
 };
 
-// Returns the rooms on both sides of a gap: first the one behind it (-y), then the one in front of it (+y). Each is
-// searched from 0.15 to 1.2 m from the middle of the gap, and is kNotStated if there is none.
+// Returns the rooms on both sides of a gap: first the one behind the gap (-y), then the one in front of it (+y). Each
+// is searched from 0.15 to 1.2 m from the middle of the gap, and is kNotStated if there is none.
 std::array<std::uint32_t, 2> rooms_beside(const RoomsByPlace& rooms, const WallGap& gap);
 
 }  // namespace handrail::ifc

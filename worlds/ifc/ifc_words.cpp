@@ -11,7 +11,7 @@ namespace {
 struct Rule {
     std::string_view part, material;
 };
-// The first rule applies whose text occurs in the word, in lower case. If one text contains another, the longer one
+// The first rule whose text occurs in the word, in lower case, applies. If one text contains another, the longer one
 // comes first.
 constexpr std::array kRules{
     Rule{"kunststoff", "plastic"}, Rule{"plastic", "plastic"},   Rule{"pvc", "plastic"},
@@ -93,7 +93,7 @@ constexpr std::array kKindRules{
     KindRule{"bett", "bed"},
     KindRule{"bed", "bed", Found::AtStart},
 };
-// Words for things on, at or next to furniture, and for things that are no furniture at all.
+// Words for things on, at or next to furniture, and for things that are not furniture.
 constexpr std::array<std::string_view, 11> kNoKind{"bedroom",   "lamp",    "leuchte",   "light",
                                                    "cloth",     "mirror",  "spiegel",   "wheelchair",
                                                    "rollstuhl", "bedside", "nachttisch"};

@@ -1,5 +1,5 @@
-// Reads IFC (2x3, 4, 4x2, 4x3) as a Scene. The building is solid if the file contains solids. Rooms and doors are those
-// that the file states. Any thread may call it.
+// Reads IFC (2x3, 4, 4x2, 4x3) as a Scene. The building consists of solids if the file contains solids. Rooms and doors
+// are those that the file states. Any thread may call it.
 #pragma once
 
 #include <functional>

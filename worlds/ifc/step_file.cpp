@@ -15,9 +15,9 @@ bool is_name(char c) {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
 }
 
-// Returns how many characters after \S\ belong to it. An apostrophe there is a shifted character (a section sign),
-// which some programs double. But if a comma or a bracket follows, the apostrophe ends the text, as in a path that was
-// not escaped.
+// Returns the number of characters after \\S\\ that belong to it. An apostrophe after \\S\\ is a shifted character (a
+// section sign), which some programs double. But if a comma or a bracket follows, the apostrophe ends the text, as in a
+// path that was not escaped.
 int shifted_length(std::string_view after) {
     if (!after.starts_with('\'')) return after.empty() ? 0 : 1;
     const auto ends_text = [&](std::size_t from) {
@@ -76,8 +76,8 @@ public:
         }
         return false;
     }
-    // Moves past the next semicolon that is outside texts and comments. Sets `text` to everything before it. Returns
-    // false if the file ends first.
+    // Moves past the next semicolon that is outside texts and comments. Sets `text` to everything before that
+    // semicolon. Returns false if the file ends first.
     bool statement(std::string_view& text) {
         const std::size_t begin = at_;
         while (!at_end()) {

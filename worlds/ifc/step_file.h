@@ -1,7 +1,7 @@
-// Reads STEP files (ISO 10303-21): the header, and an index of the numbered instances, which is made in one pass over
-// the bytes. The values of an instance are parsed only when they are requested. The reader accepts any bytes, never
-// recurses, and rejects damaged files with one sentence. A StepFile never changes after reading, so any thread may use
-// it. Source: ISO 10303-21:2016, clauses 5 to 8.
+// Reads STEP files (ISO 10303-21): the header, and an index of the numbered instances. It makes the index in one pass
+// over the bytes. The values of an instance are parsed only when they are requested. The reader accepts any bytes,
+// never recurses, and rejects damaged files with one sentence. A StepFile never changes after reading, so any thread
+// may use it. Source: ISO 10303-21:2016, clauses 5 to 8.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ struct StepValue {
 
 struct StepInstance {
     std::uint64_t id = 0;
-    // In upper case, as the standard requires: "IFCWALL"; empty if the instance has several names.
+    // Class in upper case, as the standard requires: "IFCWALL"; empty if the instance has several names.
     std::string_view name;
     std::string_view values;  // the text between the outer brackets; the whole record if the instance has several names
     int line = 0;
@@ -40,8 +40,8 @@ class StepFile {
 public:
     static constexpr int kDeepest = 32;  // greatest depth of nested lists
 
-    // Reads a file. Views in the StepFile point into `bytes`, which must outlive it. Fails if the file is not STEP, is
-    // cut short or is damaged.
+    // Reads a file. The views in the StepFile point into `bytes`, so `bytes` must outlive the StepFile. Fails if the
+    // file is not STEP, is cut short or is damaged.
     static Result<StepFile> read(std::string_view bytes, const std::string& file_name,
                                  const std::stop_token& stop = {});
 

@@ -1,6 +1,6 @@
-// The buildings of one venue may count their levels from different floors. This function finds how far each building
-// has to be shifted, so that the floors on both sides of a shared door have the same height and no building floats
-// above the ground. Pure function over plain values in metres.
+// Finds how far each building of a venue has to be shifted up or down, because the buildings may count their levels
+// from different floors. Afterwards the floors on both sides of a shared door have the same height, and no building
+// floats above the ground. Pure function over plain values in metres.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ struct VenueDoor {
     Vec2 at{0.0};
 };
 
-// Returns what to add to the ordinals of each building, mostly 0:
+// Returns the shift to add to the ordinals of each building, mostly 0:
 // - Building 0 stands for levels of several buildings or of none. It stays as it is, and so does the building with
 //   the most units.
 // - A building that shares doors with a settled building is shifted by the amount that most of these doors require.

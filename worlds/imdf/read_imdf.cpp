@@ -47,8 +47,8 @@ std::string text(const Json& value) {
                              : std::string();
 }
 
-// Picks one of several translations of a text: in the spoken language, else English, else the first. The language codes
-// may include a country: "ja-JP".
+// Returns a text in one of several translations: in the spoken language, else in English, else in the first language.
+// The language codes may include a country: "ja-JP".
 std::string label(const Json& value) {
     if (value.is_string()) return text(value);
     if (!value.is_object()) return {};
@@ -217,8 +217,8 @@ private:
             plan_.guessed.push_back(phrase("imdf.buildings_meet", {{"n", moved}}));
     }
 
-    // Merges levels at the same height into one. The merged level is named by a building that was not shifted, if there
-    // is one.
+    // Merges levels at the same height into one. The merged level has the name that a building without a shift gives
+    // it, if there is one.
     void lay_levels() {
         std::map<double, std::string> names;
         for (const bool moved : {false, true})
@@ -305,8 +305,8 @@ private:
         join_vertical();
     }
 
-    // Joins the unit's own name and that of its occupant. Many files write the same name in both places; it then
-    // appears once.
+    // Joins the unit's own name and that of its occupant. Many files write the same name in both places, which the
+    // result then contains only once.
     static std::string named_once(const std::string& unit, const std::string& occupant) {
         return unit.empty() || lower_ascii(unit) == lower_ascii(occupant) ? occupant : unit + ", " + occupant;
     }

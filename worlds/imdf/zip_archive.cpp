@@ -39,7 +39,7 @@ Result<std::map<std::string, std::string>> unzip(std::string_view bytes, const s
                                                  bool (*wanted)(std::string_view path)) {
     const auto damaged = [&] { return fail(phrase("imdf.damaged_zip"), file_name); };
     if (bytes.size() < kEnd_bytes) return damaged();
-    // The end record locates the directory. It is followed by a comment of at most 65,535 bytes.
+    // The end record states the position of the directory. A comment of at most 65,535 bytes follows the end record.
     std::size_t end = bytes.size() - kEnd_bytes;
     const std::size_t first = end > 65'535 ? end - 65'535 : 0;
     while (number(bytes, end, 4) != kEnd)

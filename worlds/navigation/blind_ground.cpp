@@ -10,7 +10,7 @@ namespace handrail::navigation {
 namespace {
 
 constexpr double kPartOfCell = 0.8;  // length of one stride on the grid, as a fraction of a cell
-// A shut leaf can be opened from this far before the point where it stops the walker.
+// A walker can open a shut leaf from places up to this far before the point where the leaf stops them.
 constexpr double kDoorReach_m = 0.5;
 constexpr double kLeast_m = 1e-4;  // least distance between a walker's centre and the border of its cell
 constexpr double kRiser_m = 0.03;
@@ -68,7 +68,7 @@ std::vector<DirectionsDoor> word_doors(const Scene& scene, std::span<const int> 
             door = doors.end() - 1;
         }
         door->leaves.push_back({own, mover.at(0.0), mover.at(1.0)});
-        // A lift's door opens only while the lift is behind it, so it does not count as a door that opens at any time.
+        // The door of a lift opens only while the lift is behind it, so it is not a door that opens at any time.
         const bool opens = mover.by_hand || !mover.approach_m.empty();
         door->opens = door->opens || (opens && mover.lift == kNoMover);
     }
@@ -143,8 +143,8 @@ void BlindGround::find_free() {
     }
 }
 
-// A walker, together with the borders of the walker's current cell. Most strides only read these fields and few change
-// them.
+// A walker, together with the borders of the walker's current cell. Most strides only read these fields, and few
+// strides change them.
 struct BlindGround::OnCell : BlindWalker {
     double low_m[2], high_m[2];
     std::uint32_t at_cell[2];
@@ -209,8 +209,8 @@ bool BlindGround::held(std::uint32_t from, std::uint32_t to, const DoorsOpen& op
     return shut_middle_[to] && !shut_middle_[from] && !open[there - 1U] && !through_doors;
 }
 
-// One stride, shorter than a cell. `next` contains the index in WalkSpan::next of the neighbour that the stride may
-// enter along each axis.
+// One stride, shorter than a cell. `next` contains, for each axis, the index in WalkSpan::next of the neighbour that
+// the stride may enter.
 struct BlindGround::Stride {
     Vec2 by_m;
     std::uint8_t next[2];
@@ -300,7 +300,7 @@ Paced BlindGround::walk(BlindWalker& walks, double heading_rad, double most_m, P
         strides = 0;
         window_from_m = paced.walked_m;
         if (!slow) continue;
-        // Slide the walker into the doorway whose frame stopped them.
+        // Slides the walker into the doorway whose frame stopped them.
         const std::optional<double> aside_m = lined_up < 2 ? line_up_m(body, heading_rad, open) : std::nullopt;
         if (!aside_m) {
             paced.stopped = true;
@@ -325,12 +325,13 @@ std::optional<double> BlindGround::line_up_m(const BlindWalker& body, double hea
         const Stride by(way * stride_m);
         for (double left_m = most_m; left_m > 0.0 && !edge; left_m -= stride_m) {
             if (!advance(from, by, open, through_doors, edge)) break;
-            // Give up early if all remaining strides together would not reach `least_m`, which is the usual case.
+            // Gives up early if all remaining strides together would not reach `least_m`, which is the usual case.
             if (glm::dot(from.at_m - start, way) + left_m + kLeast_m < least_m) break;
         }
         return edge ? 0.0 : glm::dot(from.at_m - start, way);
     };
-    // Returns whether the walker can go on ahead from there through an opening that is narrow enough to be a doorway.
+    // Returns whether the walker can go on ahead from the position `probe` through an opening that is narrow enough to
+    // be a doorway.
     const auto opens_there = [&](OnCell probe) {
         const double least_m = kLineUpDeep_m - 2.0 * stride_m;
         if (goes_m(probe, ahead, kLineUpDeep_m, true, least_m) < least_m) return false;
@@ -346,7 +347,7 @@ std::optional<double> BlindGround::line_up_m(const BlindWalker& body, double hea
             if (!goes[side]) continue;
             const double sign = side == 0 ? 1.0 : -1.0;
             goes[side] = goes_m(sides[side], right * sign, stride_m, false) > 0.25 * stride_m;
-            // Slide one stride farther than to the first position at which the walker fits.
+            // The slide is one stride longer than to the first position at which the walker fits.
             if (goes[side] && opens_there(sides[side])) return sign * (aside_m + stride_m);
         }
     return std::nullopt;

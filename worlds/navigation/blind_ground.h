@@ -1,8 +1,8 @@
-// Simulates how people walk who follow spoken directions with their eyes shut. They walk straight on, slide along
-// obstacles that they meet at a slant, and stop at obstacles that they meet more squarely. They slide into a doorway if
-// its frame stops them. Door leaves are either shut or open. Handrail tests spoken directions on this ground. Immutable
-// once made. Any thread may call its functions, which change nothing but their arguments. World metres; radians
-// clockwise from north. A walk costs a few nanoseconds for each centimetre.
+// Simulates how people walk who follow spoken directions with their eyes shut. They walk straight on, slide along an
+// obstacle if they hit it at a slant, and stop if they hit it more squarely. They slide into a doorway if its frame
+// stops them. Door leaves are either shut or open. Handrail tests spoken directions on this ground. Immutable once
+// made. Any thread may call its functions, which change nothing but their arguments. World metres; radians clockwise
+// from north. A walk costs a few nanoseconds for each centimetre.
 #pragma once
 
 #include <cstdint>
@@ -58,11 +58,11 @@ struct Paced {
     double rise_m = 0.0;
 };
 
-// A walk counts as stopped if the walker has covered less than this fraction of the intended distance over
+// A walk ends as stopped if the walker has covered less than this fraction of the intended distance over
 // kStoppedWindow_m. The fraction is between the sines of 22.5 and 45 degrees, with room for a turn that is 5 degrees
 // off.
 inline constexpr double kStoppedBelow = 0.55, kStoppedWindow_m = 0.2;
-// Least height of a flight, and the length of level floor after which it counts as over.
+// Least height of a flight, and the length of level floor after which the flight is over.
 inline constexpr double kFlightRise_m = 0.4, kFlightOver_m = 0.6;
 // Limits for sliding into a doorway that the walker has just missed. kLineUp_m: how far the walker slides sideways at
 // most. kLineUpDeep_m: how far the walker must be able to go on beyond the doorway. kDoorway_m: the greatest width over
@@ -71,8 +71,8 @@ inline constexpr double kLineUp_m = 0.5, kLineUpDeep_m = 0.35, kDoorway_m = 1.4;
 
 class BlindGround {
 public:
-    // `space` must outlive this object. The constructor searches around each leaf. The object needs a few bytes for
-    // each span.
+    // `space` must outlive this object. The constructor searches the space around each leaf. The object needs a few
+    // bytes for each span.
     BlindGround(const WalkSpace& space, std::vector<DirectionsDoor> doors);
 
     const WalkSpace& space() const { return space_; }
@@ -86,9 +86,9 @@ public:
     // `most_m`.
     Paced walk(BlindWalker& body, double heading_rad, double most_m, PaceEnd end, const DoorsOpen& open,
                const std::function<bool(const BlindWalker&)>& each_step = {}, double step_m = 0.7) const;
-    // Returns how far to the right a stopped walker must slide to go on through a doorway in the same direction.
-    // Negative: to the left. 0: the doorway is straight ahead, perhaps with a shut door. Returns nothing if there is no
-    // doorway within kLineUp_m.
+    // Returns the distance to the right that a stopped walker must slide to go on through a doorway in the same
+    // direction. Negative: to the left. 0: the doorway is straight ahead, perhaps with a shut door. Returns nothing if
+    // there is no doorway within kLineUp_m.
     std::optional<double> line_up_m(const BlindWalker& body, double heading_rad, const DoorsOpen& open) const;
     // Returns the index in doors() of the door that a walker on that span can reach; kNothing if there is none.
     std::uint32_t door_at(std::uint32_t span) const { return near_door_.empty() ? kNothing : near_door_[span]; }

@@ -16,12 +16,12 @@ constexpr std::uint32_t kPiece = 4;  // side of a piece of floor, in cells
 // Number of simulated walkers that try each candidate: one without errors, twelve with errors.
 constexpr int kBodies = 13;
 constexpr double kFarthestLeg_m = 30.0;
-constexpr double kMostApart_m = 1.8;  // a walker farther than this from the one without errors counts as lost
-// A walker who is this much farther from the goal than the one without errors also counts as lost.
+constexpr double kMostApart_m = 1.8;  // a walker farther than this from the walker without errors is lost
+// A walker is lost, too, if they are this much farther from the goal than the walker without errors.
 constexpr double kMostElsewhere_m = 4.0;
 constexpr double kLeg_m = 2.0;         // cost of each leg, in metres of route
 constexpr double kStraightOn_m = 0.5;  // cost of a leg that continues in the same direction
-// Extra cost of a turn that is not a multiple of a quarter turn; as much as two steps.
+// Extra cost of a turn that is not a multiple of a quarter turn. It is the length of two steps.
 constexpr double kCrooked_m = 1.4;
 constexpr double kBump_m = 0.4;  // cost of a leg that ends at a wall
 // Extra cost of each metre walked along a wall, or past furniture nearer than a shoulder.
@@ -31,13 +31,13 @@ constexpr double kDoorAskew_m = 3.0;  // cost of going through a doorway at a sl
 // About the cosine of half a notch: a walker within this angle goes squarely through a door.
 constexpr double kHeadOn = 0.98;
 constexpr double kApart_per_m = 0.6;  // cost for each metre that the walkers are spread apart
-// Factor of the remaining distance in A*. Above 1, so that the search expands fewer nodes.
+// Factor of the remaining distance in A*. It is above 1, so that the search expands fewer nodes.
 constexpr double kGreed = 1.4;
 constexpr double kWider = 1.1;  // the search makes the walkers' errors larger by this factor
 constexpr double kSamePlace_m = 0.35;
 constexpr int kRefusals = 2;  // after this many refused first legs, one more lost walker is accepted
-// A leg that ends at an obstacle must meet it within kStopWithin times the stated distance plus kStopWithin_m.
-// Otherwise the walker counts as having found none.
+// A leg that ends at an obstacle must reach it within kStopWithin times the stated distance plus kStopWithin_m.
+// Otherwise the walker has missed the obstacle.
 constexpr double kStopWithin = 2.0, kStopWithin_m = 4.0;
 constexpr double kBehind_m = 0.3;
 // The first legs are good enough once this many nodes are beyond a milestone, or this many were expanded since the
@@ -45,7 +45,7 @@ constexpr double kBehind_m = 0.3;
 constexpr int kToCommit = 3, kLongEnough = 25;
 constexpr int kMostAtPlace = 4;  // most nodes kept for one place; more would hardly improve the route
 constexpr int kMostExpanded = 1200, kMostTried = 25;
-constexpr int kGoodEnough = 98;  // a route is accepted if this many of kWordTrials walkers arrive
+constexpr int kGoodEnough = 98;  // a route is accepted if at least this many of kWordTrials walkers arrive
 // Distance added to the spread of the walkers if something stops a counted leg much too early.
 constexpr double kShort_m = 0.1;
 constexpr double kMostEndShort = 0.5;  // a counted leg may lack this fraction of a step when something stops it
@@ -145,7 +145,7 @@ DirectionsPlanner::DirectionsPlanner(const BlindGround& ground, double step_m) :
     for (std::size_t i = 1; i < first_beside_.size(); ++i) first_beside_[i] += first_beside_[i - 1];
 }
 
-// Returns whether a walker in the direction `notch` goes squarely through the door. A leaf is thinner along the
+// Returns true if a walker in the direction `notch` goes squarely through the door. A leaf is thinner along the
 // direction of walking than across it.
 bool DirectionsPlanner::head_on(std::uint32_t door, int notch) const {
     const DirectionsDoor::Leaf& leaf = ground_.doors()[door].leaves.front();
@@ -402,8 +402,8 @@ struct DirectionsPlanner::Search {
         return last;
     }
 
-    // Returns the node, from number `first` on, with the most milestones passed. Of several, it returns the one with
-    // the shortest estimated route.
+    // Returns the node, from number `first` on, that has passed the most milestones. Of several such nodes, returns the
+    // one with the shortest estimated route.
     const Node& farthest(std::uint32_t first) const {
         const auto estimate_m = [&](const Node& node) {
             return node.cost_m + kGreed * left_m(node.samples[0].body.span);
@@ -449,7 +449,7 @@ std::optional<DirectionsRoute> DirectionsPlanner::plan(const Vec3& from_m, doubl
     const std::vector<float> milestones_m = milestones(far, stands.span);
     const Trial trial{stands, nearest_notch(heading_rad), doors, errors};
     std::optional<DirectionsRoute> best;
-    // If no route works with the full errors, try smaller errors, and finally none.
+    // If no route succeeds with the full errors, tries smaller errors, and finally none.
     for (const double part : {1.0, 0.7, 0.4, 0.0}) {
         Search search{
             *this,
@@ -493,7 +493,7 @@ std::optional<DirectionsRoute> DirectionsPlanner::plan(const Vec3& from_m, doubl
             }
             ++expanded;
             if (node->behind > behind) {
-                // Later legs cannot bring back a walker who is lost at this stage, so refuse such a node.
+                // Later legs cannot bring back a walker who is lost at this stage, so such a node is refused.
                 const double left_m = static_cast<double>(milestones_m[static_cast<std::size_t>(node->behind - 1)]) +
                                       kSamePlace_m + kBehind_m;
                 const int passed = try_out(search.route_to(*node).legs, trial, kWordTrials, kTrialSeed,

@@ -1,11 +1,11 @@
 // Plans routes that can be spoken as directions. A route has a few straight legs, whose headings are multiples of a
-// sixteenth of a circle. If possible, a leg ends at something that stops the walker, such as a wall or a shut door, or
-// at the end of a flight. Otherwise it ends after a counted number of steps. So people still arrive if their steps are
-// a tenth longer or shorter, their turns are a few degrees off, and their start is not known exactly. A search over
-// straight walks proposes candidates. A handful of simulated walkers with errors try each candidate; a leg on which one
-// of them gets lost is dropped. Deterministic. Immutable once made; any thread may use it. World metres. A plan costs
-// milliseconds in simple cases, a few hundred in a house, and up to some seconds if errors are hard to tolerate. So
-// request it on a background task that you can stop. Sources: for the search, A*: Hart, Nilsson, Raphael, A formal
+// sixteenth of a circle. If possible, a leg ends at an obstacle that stops the walker, such as a wall or a shut door,
+// or at the end of a flight. Otherwise it ends after a counted number of steps. So people still arrive if their steps
+// are a tenth longer or shorter, their turns are a few degrees off, and their start is not known exactly. A search over
+// straight walks proposes candidates. A handful of simulated walkers with errors try each candidate; the planner drops
+// a leg on which one of them gets lost. Deterministic. Immutable once made; any thread may use it. World metres. A plan
+// costs milliseconds in simple cases, a few hundred in a house, and up to some seconds if errors are hard to tolerate.
+// So request it on a background task that you can stop. Sources: for the search, A*: Hart, Nilsson, Raphael, A formal
 // basis for the heuristic determination of minimum cost paths, 1968. For samples of possible positions: conformant
 // planning, as in Smith, Weld, 1998.
 #pragma once
