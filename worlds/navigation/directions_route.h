@@ -42,7 +42,7 @@ struct DirectionsLeg {
 struct DirectionsRoute {
     std::vector<DirectionsLeg> legs;
     double length_m = 0.0;
-    // How many of kWordTrials simulated walkers with errors reached the goal.
+    // Number of the kWordTrials simulated walkers with errors that reached the goal.
     int came = 0;
     // False: these are only the first legs, and the rest still has to be planned from their end. In that case `came` is
     // 0.
@@ -71,11 +71,12 @@ using DirectionsGoal = std::vector<std::uint8_t>;
 
 class DirectionsPlanner {
 public:
-    // `ground` must outlive this object. The constructor looks at each span once.
+    // `ground` must outlive this object. The constructor visits each span once.
     explicit DirectionsPlanner(const BlindGround& ground, double step_m = 0.7);
 
     // Plans from a place and a heading, which is rounded to a notch, to the nearest place of the goal. Returns nothing
-    // if no route over floor and stairs leads there, if `stop` was requested, or if no route works even without errors.
+    // if no route over floor and stairs leads to the goal, if `stop` was requested, or if no route succeeds even
+    // without errors.
     std::optional<DirectionsRoute> plan(const Vec3& from_m, double heading_rad, const DirectionsGoal& goal,
                                         const DoorsOpen& open, const DirectionsErrors& errors = {},
                                         const std::stop_token& stop = {}, const DirectionsParts& parts = {}) const;
@@ -101,8 +102,8 @@ private:
     std::vector<float> beside_m_;
 };
 
-// Returns the spans that are a little inside a room, and inside its outline if the file states one. If there are none,
-// it returns all spans of the room.
+// Returns the spans that are a little inside a room, and inside its outline if the file states one. If there are no
+// such spans, returns all spans of the room.
 DirectionsGoal goal_in_room(const WalkSpace& space, std::span<const std::uint32_t> room_of_span, std::uint32_t room,
                             const StatedRoom* outline = nullptr);
 

@@ -12,9 +12,9 @@ namespace handrail::navigation {
 
 class FootDistances {
 public:
-    // Computes distances from `feet_m`, which is in `room`. If `room` is kNothing, nothing can be reached. A stretch
-    // between two storeys includes its rise. The time grows with the square of the number of doorways in a room. Uses
-    // Dijkstra's algorithm of 1959.
+    // Computes distances from `feet_m`, which is in `room`. If `room` is kNothing, nothing can be reached. A straight
+    // line between two storeys includes its rise. The time grows with the square of the number of doorways in a room.
+    // Uses Dijkstra's algorithm of 1959.
     FootDistances(const RoomGraph& graph, std::uint32_t room, const Vec3& feet_m);
     // Returns the distance to a place in `room`. It is never longer than the shortest route made of straight stretches.
     // Returns nothing if no route is known.

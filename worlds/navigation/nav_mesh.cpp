@@ -19,9 +19,9 @@ namespace {
 
 // In Recast, y points up. Recast's coordinates are our (x, z, y), relative to the origin of the space.
 enum Area : unsigned char { kOpen = 1, kNearWall, kNearEdge, kWading, kDropArea, kLiftArea, kTeleportArea };
-constexpr double kComfortable_m = 0.2;  // clearance beyond the walker's radius that counts as comfortable
+constexpr double kComfortable_m = 0.2;  // clearance beyond the walker's radius at which floor is comfortable
 constexpr double kEdgeComfort_m = 0.5, kWallComfort_m = 0.3;
-constexpr double kLeastHeight_m = 0.02;  // Recast's unit of height; larger in very high worlds
+constexpr double kLeastHeight_m = 0.02;  // Recast's unit of height; the unit is larger in very high worlds
 // Largest side of a polygon. It is small, because paths run along polygon edges and should be close to the shortest
 // path.
 constexpr double kSquare_m = 1.0;
@@ -29,7 +29,7 @@ constexpr std::uint32_t kLargestSquare = 8;   // largest side of a polygon in la
 constexpr std::uint32_t kSquaresOfTile = 64;  // number of squares along a side of a tile
 // Most regions of a tile and of the whole world, and most vertices of a tile. Recast's indices have 16 bits.
 constexpr std::size_t kMostRegions = 30'000, kMostVertices = 60'000;
-// Detour identifies a polygon by its tile and its index there. It needs 10 bits for other purposes.
+// Detour identifies a polygon by its tile and its index in that tile. Detour needs 10 bits for other purposes.
 constexpr int kMostRefBits = 22;
 constexpr int kMostPath = 16'384;
 constexpr unsigned short kOnFoot = 1, kOverLink = 2;  // flags of polygons: floor, and links such as lifts
@@ -190,7 +190,7 @@ public:
         field.bmax[1] = highest_ + static_cast<float>(space_.body.height_m) + 1.0F;
         field.bmax[2] = field.bmin[2] + static_cast<float>(field.height) * field.cs;
         // Recast uses the arrays that this function fills; they must outlive `field`. Recast's own rasteriser is not
-        // used, because it knows only triangles, not the walker's body and the slopes on which it can stand.
+        // used, because it knows only triangles, not the walker's body and the slopes on which the walker can stand.
         field.cells = cells_.data();
         field.spans = spans_.data();
         field.areas = span_areas_.data();
@@ -297,8 +297,8 @@ Result<NavMesh> NavMesh::make(const WalkSpace& space, const std::stop_token& sto
             continue;
         }
         if (plain) break;
-        // If there is so much furniture that the spans near it form too many regions, only edges and liquids stay
-        // separate areas. Routes still keep away from walls, because each span knows its distance from them.
+        // If furniture divides the floor into too many regions, only edges and liquids stay separate areas. Routes
+        // still keep away from walls, because each span knows its distance from them.
         plain = true;
         square = finest;
         std::replace(areas.begin(), areas.end(), static_cast<unsigned char>(kNearWall),
@@ -449,8 +449,8 @@ std::optional<MeshPath> NavMesh::path(std::uint32_t from, std::uint32_t to, Rout
                      !dtStatusDetail(status, DT_PARTIAL_RESULT) && !dtStatusDetail(status, DT_BUFFER_TOO_SMALL);
     if (!found.complete) p.query->closestPointOnPoly(p.refs[static_cast<std::size_t>(count - 1)], on_b, on_b, nullptr);
 
-    // Straighten the path between links separately. Detour works as seen from above, so it would treat links that are
-    // above each other as one place and lose all but one.
+    // Straightens the path between links separately. Detour ignores heights, so it would treat links that are above
+    // each other as one place and lose all but one.
     const auto straighten = [&](const float* begin, const float* end, int first_ref, int refs) {
         int corners = 0;
         if (refs > 0 &&

@@ -14,7 +14,7 @@ namespace handrail::navigation {
 // Returns the cost of a metre over this span; 1 is the cost of comfortable floor.
 double cost_per_m(const WalkSpan& span, RouteWish wish);
 
-// A path over the mesh: straight stretches. Some of its corners are joined by links of WalkSpace::links instead.
+// A path over the mesh. Straight lines or links of WalkSpace::links join its corners.
 struct MeshPath {
     struct Corner {
         Vec3 place_m{0.0};
@@ -34,8 +34,8 @@ public:
 
     // Returns the path from the middle of one span to the middle of another. Returns nothing if one of them is not on
     // any polygon. `over_links`: the path may use links. Without links the path is closer to the shortest one, because
-    // Detour can then look straight ahead. Detour does that as seen from above, so it would confuse the two ends of a
-    // link.
+    // Detour can then look straight ahead. Detour ignores heights when it does that, so it would confuse the two ends
+    // of a link.
     std::optional<MeshPath> path(std::uint32_t from, std::uint32_t to, RouteWish wish, bool over_links);
     // Returns the cost of using a link.
     static double cost_of(const WalkLink& link, double length_m, RouteWish wish);

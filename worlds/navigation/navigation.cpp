@@ -12,16 +12,17 @@
 namespace handrail::navigation {
 namespace {
 
-// Greatest distance from a requested place, such as an object, to where people can stand next to it.
+// Greatest distance from a requested place, such as an object, to the nearest place where people can stand.
 constexpr double kGoalReach_m = 3.0;
 constexpr double kStartReach_m = 1.0;
 constexpr double kNarrow_m = 0.25;     // floor with less clearance is narrow
 constexpr double kStairsTold_m = 0.4;  // a passage over stairs with a smaller rise is not announced
-constexpr double kOneFlight_m = 1.0;   // two passages over stairs with a smaller distance between them count as one
+constexpr double kOneFlight_m = 1.0;   // two passages over stairs with a smaller distance between them are one passage
 constexpr double kGameCell_m = 0.1, kBuildingCell_m = 0.05;
 constexpr double kThroughLeaf_per_m = 30.0;  // cost of each metre through a leaf; worth about 15 metres of detour
 constexpr double kBesideLeaf_per_m = 3.0;
-constexpr double kRoundLeaf_m = 3.0;  // to go around a leaf, a route may change this far before and after it
+// Distance before and after a leaf within which a route may change to go around it.
+constexpr double kRoundLeaf_m = 3.0;
 constexpr double kOutOfLeaf_m = 1.0;
 constexpr double kMostGameDrop_m = 20.0, kMostPlannedDrop_m = 1.0;
 
@@ -52,7 +53,7 @@ Result<std::shared_ptr<Navigation>> Navigation::over(const Scene& scene, WalkSpa
             made->mesh_ = std::make_unique<NavMesh>(std::move(*mesh));
         if (made->mesh_ && made->mesh_->far_links() > 0)
             made->space_.said.push_back(phrase("navigation.far_links", {{"n", made->mesh_->far_links()}}));
-    } catch (const std::bad_alloc&) {  // continues without a mesh, from cell to cell
+    } catch (const std::bad_alloc&) {  // If memory is short, routes are planned without a mesh, from cell to cell.
     }
     if (stop.stop_requested()) return fail(phrase("navigation.given_up"), scene.source_file);
 
@@ -362,8 +363,8 @@ void Navigation::straighten(std::vector<Vec3>& points_m, RouteWish wish) const {
     points_m = std::move(kept);
 }
 
-// Moves the turning points to where there is more room, if that does not make the route worse. The route then leads
-// through the middle of doors, and keeps a distance from corners.
+// Moves the turning points of a route to places with more clearance, if that does not make the route worse. The route
+// then leads through the middle of doors, and keeps a distance from corners.
 void Navigation::make_way(std::vector<Vec3>& points_m, RouteWish wish) const {
     if (wish == RouteWish::Shortest || points_m.size() < 2) return;
     // Adds a turning point in each narrow place.
@@ -407,7 +408,7 @@ void Navigation::make_way(std::vector<Vec3>& points_m, RouteWish wish) const {
     straighten(points_m, wish);
 }
 
-// Adds the doors and stairs on a walked leg to the route, and the points where stairs begin and end.
+// Adds to the route the doors and stairs on a walked leg, and the points where these stairs begin and end.
 void Navigation::tell_passages(Route& route, const std::vector<Vec3>& leg) const {
     std::uint32_t door = kNothing;
     bool on_stairs = false;
@@ -538,7 +539,7 @@ double Navigation::cost(const Way& way, RouteWish wish) const {
 }
 
 // If the goal can be reached on foot and also over a link, for example by stairs and by a lift, compares both complete
-// routes and takes the cheaper one.
+// routes and returns the cheaper one.
 std::optional<Navigation::Way> Navigation::best_over_mesh(std::uint32_t from, std::uint32_t to, RouteWish wish) {
     std::optional<Way> foot, linked;
     if (piece_[from] == piece_[to]) foot = over_mesh(from, to, wish, false);
@@ -603,7 +604,7 @@ Route Navigation::plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish) {
         }
         tell_passages(route, way->legs_m[i]);
     }
-    // Stairs with so small a rise are not announced.
+    // Stairs with a rise below kStairsTold_m are not announced.
     std::erase_if(route.passages, [&](const RoutePassage& p) {
         return p.kind == PassageKind::Stairs && std::abs(p.rise_m) < kStairsTold_m;
     });

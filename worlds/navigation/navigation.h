@@ -22,9 +22,9 @@ WalkerMeasures walk_body(const Scene& scene, double radius_m, double height_m, d
 
 class Navigation {
 public:
-    // Fails with one sentence if there is no floor or if `stop` was requested. If the floor gives no mesh, or memory
-    // does not suffice for one, the object plans routes from cell to cell. That takes longer, and such routes never use
-    // drops, lifts and teleporters.
+    // Fails with one sentence if there is no floor or if `stop` was requested. If no mesh can be made from the floor,
+    // or memory does not suffice for one, the object plans routes from cell to cell. That costs more time, and such
+    // routes never use drops, lifts and teleporters.
     static Result<std::shared_ptr<Navigation>> make(const Scene& scene, const WalkerMeasures& body,
                                                     const std::stop_token& stop = {});
     // Uses a walkable space that an earlier call of make_walk_space made of this scene. Fails if `stop` was requested.
@@ -32,20 +32,21 @@ public:
                                                     const std::stop_token& stop = {});
 
     // Sets where the leaves of open doors are; initially there are none. Routes planned from now on go around these
-    // leaves, unless that is much longer than going through one. In that case the walker can shut the door.
+    // leaves, unless the route around a leaf is much longer than the route through it. In that case the walker can shut
+    // the door.
     void know_leaves(std::span<const OpenLeaf> leaves) { leaf_marks_ = mark_leaves(space_, leaves); }
     // Sets boxes that nobody can pass, instead of those set before. Routes planned from now on lead around the boxes,
     // on foot. If no route leads around them, a route ends at the nearest place before them.
     void block(std::span<const Aabb> boxes);
-    // Returns whether a walker along these points would meet a leaf.
+    // Returns whether a walker along these points would touch a leaf.
     bool meets_leaf(std::span<const Vec3> points_m) const;
 
-    // Plans a route from a walker's place to another place, or to the nearest place next to that one where people can
-    // stand. Doors count as open. If the goal cannot be reached, the route ends at the nearest place that can be
+    // Plans a route from a walker's place to another place, or to the place nearest to that one where people can stand.
+    // All doors are assumed to be open. If the goal cannot be reached, the route ends at the nearest place that can be
     // reached. A route without points means that there is no floor at `from_m`.
     Route plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish = RouteWish::Safest);
     // Returns where a route to that place would end: the nearest place to stand within 3 m. If the leaf of an open door
-    // is at that place, it is a place next to the leaf.
+    // is at that place, the route ends next to the leaf.
     std::optional<Vec3> nearest_place(const Vec3& at_m) const;
     // Returns whether a walker can get from one place to the other with all doors open. The walker may use drops, lifts
     // and teleporters.
@@ -55,7 +56,8 @@ public:
     const NavMesh* mesh() const { return mesh_.get(); }  // null if no mesh could be made
     // Frees the copy of the floor without furniture, which only the search for rooms needs.
     void let_walls_go() { space_.walls.reset(); }
-    // Returns sentences to announce about how the walkable space was made; empty if there is nothing special.
+    // Returns sentences about how the walkable space was made, which the program announces; empty if there is nothing
+    // special.
     const std::vector<std::string>& said() const { return space_.said; }
 
 private:
@@ -77,7 +79,8 @@ private:
     std::optional<Way> round_blocked(std::uint32_t from, std::uint32_t& to, const Vec3& to_m, RouteWish wish) const;
     std::uint32_t out_of_leaf(std::uint32_t span) const;
     struct Stretch {
-        double from_m = 0.0, to_m = -1.0;  // two distances along the points; to_m < from_m: no stretch
+        // Distances along the points at which the stretch begins and ends; to_m < from_m: no stretch.
+        double from_m = 0.0, to_m = -1.0;
     };
     Stretch in_leaves(std::span<const Vec3> points_m) const;
     void go_round_leaves(std::vector<Vec3>& points_m, RouteWish wish) const;

@@ -1,6 +1,6 @@
-// Limits how far from the building walkers can use the ground outside. A reader lays the ground around everything in
-// the file, but only the part near the building and its paths matters for rooms and routes. Only walk_space uses this
-// class. It costs one bit for each square of the ground, at most four million bits.
+// Limits the ground outside to the part near the building. A reader lays the ground around everything in the file, but
+// only the part near the building and its paths is useful for rooms and routes. Only walk_space uses this class. It
+// costs one bit for each square of the ground, at most four million bits.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@ namespace handrail::navigation {
 
 class NearGround {
 public:
-    // Leaves out ground that is farther than `within_m` from the boxes of all other objects. Neighbouring buildings do
-    // not count as such objects.
+    // Leaves out ground that is farther than `within_m` from the boxes of all other objects. Neighbouring buildings are
+    // not such objects.
     NearGround(const Scene& scene, const Obstacles& obstacles, double within_m);
 
     // Returns true if the obstacle is ground, and that ground is left out at `at_m`.

@@ -1,6 +1,6 @@
-// Marks where walkers would overlap the leaves of open doors. The walkable space itself is made as if all doors were
-// open and had no leaves. Pure function; any thread may call it. It searches around each leaf, and needs a byte for
-// each span while any door is open.
+// Marks the spans where walkers would overlap the leaves of open doors. The walkable space itself is made as if all
+// doors were open and had no leaves. Pure function; any thread may call it. It searches around each leaf, and needs a
+// byte for each span while any door is open.
 #pragma once
 
 #include <cstdint>

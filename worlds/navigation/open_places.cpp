@@ -16,7 +16,7 @@ namespace {
 
 // A place is a doorway if the walker's centre has less clearance than this, as in an opening of at most 1.2 m.
 constexpr double kDoorwayClear_m = 0.35;
-// A doorway's clearance must also be less than this fraction of the clearance on both sides.
+// The clearance in a doorway must also be less than this fraction of the clearance on both sides.
 constexpr double kDoorwayShare = 0.6;
 constexpr double kWideShare = 0.5;  // the fraction for an opening that is wider than a doorway
 constexpr double kLeastPiece_m2 = 0.3, kLeastWide_m2 = 4.0;
@@ -89,7 +89,7 @@ private:
         return order;
     }
 
-    // Assigns each name that the file gives to a place to the widest span around that place.
+    // Assigns each name that the file gives to a place to the widest span near that place.
     std::unordered_map<std::uint32_t, std::uint32_t> names_at_peaks() const {
         std::unordered_map<std::uint32_t, std::uint32_t> names;  // never iterated
         for (std::uint32_t k = 0; k < scene_.room_names.size(); ++k) {
@@ -110,13 +110,14 @@ private:
         return names;
     }
 
-    // Floods from the widest spans to the narrowest. Two areas that meet only at a narrow spot become separate places.
+    // Floods from the widest spans to the narrowest. If only a narrow spot connects two areas, they become separate
+    // places.
     void watershed() {
         const std::vector<std::uint64_t> order = by_width();
         const std::unordered_map<std::uint32_t, std::uint32_t> names = names_at_peaks();
         parent_.resize(walls_.spans.size());
         std::iota(parent_.begin(), parent_.end(), 0U);
-        // While the flood runs, of_span contains the number of the basin for each root, and kMet for every other
+        // While the flood runs, the entry of of_span is the number of the basin for each root, and kMet for every other
         // visited span.
         constexpr std::uint32_t kMet = kNothing - 1;
         places_.of_span.assign(walls_.spans.size(), kNothing);
@@ -125,7 +126,7 @@ private:
             const auto s = static_cast<std::uint32_t>(order[k]);
             const auto given = names.find(s);
             const std::uint32_t name = given == names.end() ? kNothing : given->second;
-            // Sort the neighbours by width. A span on a border then joins the widest basin.
+            // Sorts the neighbours by width. A span on a border then joins the widest basin.
             std::array<std::uint32_t, 4> around = {kNothing, kNothing, kNothing, kNothing};
             std::size_t count = 0;
             for (const std::uint32_t n : walls_.spans[s].next)
@@ -146,7 +147,7 @@ private:
             for (std::size_t i = 1; i < count; ++i) {
                 const std::uint32_t a = root(s), b = root(around[i]);
                 if (a == b || cut(basin(a), basin(b), s)) continue;
-                // Of two basins, the one with the wider peak absorbs the other.
+                // The basin with the wider peak absorbs the other one.
                 const std::uint32_t keep = basin(a).peak_m > basin(b).peak_m ? a : b, gone = keep == a ? b : a;
                 parent_[gone] = keep;
                 basin(keep).cells += basin(gone).cells;
@@ -211,7 +212,7 @@ private:
         std::vector<std::uint32_t> stretch = stretches_of(parts);
         join_crumbs(stretch);
         std::map<std::uint32_t, std::uint32_t> label;
-        // For each place: true once one of its stretches has kept its label.
+        // For each place: true once one of its stretches has kept the label of the place.
         std::vector<bool> kept(parts.size(), false);
         for (std::uint32_t s = 0; s < stretch.size(); ++s) {
             if (stretch[s] == kNothing) continue;
@@ -284,7 +285,7 @@ private:
         }
     }
 
-    // Counts the cells of each stretch, and how many of them border on another stretch of the same place.
+    // For each stretch, counts its cells and the cells that border on another stretch of the same place.
     Borders measure(const std::vector<std::uint32_t>& stretch, std::vector<std::size_t>& size) {
         Borders borders;
         std::fill(size.begin(), size.end(), 0);
@@ -300,7 +301,7 @@ private:
     }
 
     // Returns the larger stretch that has the longest common border with `part`. If several borders are equally long,
-    // it returns the first stretch. Returns `part` itself if there is none.
+    // returns the first of these stretches. Returns `part` itself if there is no larger stretch.
     static std::uint32_t longest_border(std::uint32_t part, const Borders& borders,
                                         const std::vector<std::size_t>& size) {
         std::size_t longest = 0;

@@ -101,7 +101,8 @@ std::vector<RoomOutOfReach> rooms_out_of_reach(const Scene& scene, const WalkSpa
     std::vector<RoomOutOfReach> rooms;
     for (std::uint32_t i = 0; i < graph.rooms.size(); ++i) {
         const Room& room = graph.rooms[i];
-        if (room.kind == RoomKind::Liquid) continue;  // nobody wants to walk into a basin with a rim
+        // Pools are left out, because nobody walks into a basin with a rim.
+        if (room.kind == RoomKind::Liquid) continue;
         const bool named = room.given || !room.map_name.empty();
         if (!reached[i] && (named || (room.kind != RoomKind::Niche && room.area_m2 >= kLeastTold_m2)))
             rooms.push_back({capitalised(room.name), i, room.middle_m});

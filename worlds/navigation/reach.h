@@ -1,5 +1,6 @@
 // Finds the rooms of a world that nobody can reach on foot from its base. Such rooms are walled in, or no door, lift or
-// teleporter connects them with the base. Works on the finished room graph. Pure functions; any thread may call them.
+// teleporter connects them with the base. The functions use the finished room graph. Pure functions; any thread may
+// call them.
 #pragma once
 
 #include <string>
@@ -29,14 +30,14 @@ struct RoomOutOfReach {
     std::uint32_t room = kNothing;
     Vec3 at_m{0.0};
 };
-// Returns all rooms out of reach, first those of the graph in its order, then those that only the map names. See
-// unreachable_rooms for which rooms count.
+// Returns all rooms out of reach, first those of the graph in its order, then those that only the map names. It leaves
+// out the same rooms as unreachable_rooms.
 std::vector<RoomOutOfReach> rooms_out_of_reach(const Scene& scene, const WalkSpace& space, const RoomGraph& graph);
 
 // Returns the names of the rooms out of reach as the program announces them, each once, in the order of the graph.
-// Locked doors count as passable. Liquids do not count. Niches, and rooms smaller than a square metre, count only if
-// the map names them. If the map names a place where nobody can stand, that name counts too. Empty if nobody can stand
-// at the base.
+// Locked doors are passable for this purpose. Liquids are left out. Niches, and rooms smaller than a square metre, are
+// included only if the map names them. If the map names a place where nobody can stand, that name is included too.
+// Empty if nobody can stand at the base.
 std::vector<std::string> unreachable_rooms(const Scene& scene, const WalkSpace& space, const RoomGraph& graph);
 
 // Returns a sentence such as "Vault cannot be reached on foot." It lists the first few names. Empty if `names` is

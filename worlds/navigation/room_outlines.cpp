@@ -41,7 +41,7 @@ std::vector<RoomOutline> room_outlines(const RoomGraph& graph, const WalkSpace& 
         met[room] = true;
         for (std::size_t first = 0; first < 4; ++first) {
             if (done[4 * start + first] || beside(start, first) != kNothing) continue;
-            // Follow the border with the room on the left. `side` is the side of the span on which the border runs.
+            // Follows the border with the room on the left. `side` is the side of the span on which the border runs.
             std::vector<Vec2> loop;
             std::uint32_t span = start;
             std::size_t side = first;
@@ -54,7 +54,7 @@ std::vector<RoomOutline> room_outlines(const RoomGraph& graph, const WalkSpace& 
                     span = to;
                     continue;
                 }
-                // At a corner, go from span to span around it until the next side with a border. On a stepped floor,
+                // At a corner, goes from span to span around it until the next side with a border. On a stepped floor,
                 // that side may belong to another span of the same step. Each side has only one predecessor, so the
                 // loop ends where it began.
                 if (to == kNothing) to = span, to_side = ahead;

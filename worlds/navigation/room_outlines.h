@@ -1,6 +1,6 @@
 // Makes the outlines of rooms as seen from above, for drawing. Outlines follow the cells where a walker's centre can
-// be, so they are a walker's radius inside the walls. For that reason outlines of neighbouring rooms do not hide each
-// other. Pure functions; any thread may call them. The cost is one lookup for each span.
+// be, so they are a walker's radius inside the walls, and outlines of neighbouring rooms do not hide each other. Pure
+// functions; any thread may call them. The cost is one lookup for each span.
 #pragma once
 
 #include <vector>

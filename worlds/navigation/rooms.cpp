@@ -23,7 +23,7 @@
 namespace handrail::navigation {
 namespace {
 
-// Returns the ground outside that a building's reader added, if the span is on it; else null.
+// If the span is on the ground that a reader added outside a building, returns that ground; else null.
 const Feature* outer_ground_under(std::uint32_t span, const WalkSpace& space, const Scene& scene) {
     const std::uint32_t ground = span == kNothing ? kNothing : space.spans[span].ground;
     const Feature* feature =
@@ -85,7 +85,7 @@ public:
         const auto liquid = [](const WalkSpan& s) { return s.liquid && s.door == kNothing; };
         const std::array<std::function<void()>, 11> stages{
             [&] { take_open_places(); },
-            // Makes rooms of the floor on top of furniture and of other floor that is in no open place.
+            // Makes rooms of floor that is in no open place, such as the floor on top of furniture.
             [&] { pieces_of([](const WalkSpan& s) { return plain(s); }, RoomKind::Room); },
             [&] { pieces_of(stairs, RoomKind::Stairs); },
             [&] { pieces_of(liquid, RoomKind::Liquid); },
@@ -145,7 +145,8 @@ private:
         }
     }
 
-    // Joins pieces that are too small to be rooms to the neighbour with which they have the longest common border.
+    // Joins pieces that are too small to be rooms to a neighbour. The neighbour is the one with which a piece has the
+    // longest common border.
     void absorb_crumbs() {
         for (int round = 0; round < 4 && !stop_.stop_requested(); ++round) {
             std::vector<std::size_t> cells(kinds_.size(), 0);
@@ -191,7 +192,7 @@ private:
         if (scene_.stated) take_stated_doors();
     }
 
-    // Uses what the file states about the two sides of a door, instead of what was found. If the file states only one
+    // Replaces the two sides of a door that were found with those that the file states. If the file states only one
     // room, the other side is outside, unless rooms were found on both sides.
     void take_stated_doors() {
         for (const StatedPortal& stated : scene_.stated->portals) {
@@ -208,7 +209,9 @@ private:
         }
     }
     bool beside_stated_door(const std::pair<std::uint32_t, std::uint32_t>& rooms, const Vec3& at_m) const {
-        constexpr double kSame_m = 1.0;  // a doorway's border is next to its leaf, at a distance of a walker's radius
+        // The border in a doorway is a walker's radius away from the leaf, so a door within this distance is the same
+        // door.
+        constexpr double kSame_m = 1.0;
         return scene_.stated && std::any_of(graph_.portals.begin(), graph_.portals.end(), [&](const Portal& p) {
                    return p.kind == PassageKind::Door && p.rooms[0] == rooms.first && p.rooms[1] == rooms.second &&
                           glm::length(p.place_m - at_m) < kSame_m;
@@ -256,9 +259,9 @@ private:
         graph_.room_of_span = label_;
     }
 
-    // If two rooms are open to each other, the widest place of a room may be on the border between them. There it would
-    // be unclear in which room a person is. This function moves such a middle to the place farthest from walls and
-    // borders.
+    // If two rooms are open to each other, the widest place of a room may be on the border between them. On the border
+    // it would be unclear in which room a person is. This function moves such a middle to the place farthest from walls
+    // and borders.
     void draw_middles_in() {
         constexpr double kOffBorder_m = 0.25;
         const auto most = static_cast<std::uint32_t>(std::lround(kOffBorder_m / space_.cell_m));
@@ -278,7 +281,7 @@ private:
                     }
         }
         if (std::none_of(drawn_in.begin(), drawn_in.end(), [](bool in) { return in; })) return;
-        // Measure the distance of each span from the borders, in rings that grow inwards.
+        // Measures the distance of each span from the borders, in rings that grow inwards.
         std::vector<float> off_m(space_.spans.size(), std::numeric_limits<float>::max());
         std::vector<std::uint32_t> ring;
         for (std::uint32_t s = 0; s < space_.spans.size(); ++s)
@@ -461,7 +464,7 @@ private:
         }
     }
 
-    // Names each room by an object in it; if the room has none, by its size and place.
+    // Names each room by an object in it. If a room has no object, its size and place give the name.
     void name() {
         std::vector<MadeRoomName> content(graph_.rooms.size());
         for (const Feature& feature : scene_.features) {
@@ -499,7 +502,8 @@ private:
         number_room_names(graph_);
     }
 
-    // Returns the file's name for each level. The median floor height of the level's rooms determines which name it is.
+    // Returns the name that the file gives to each level. The median floor height of the level's rooms selects the
+    // storey of the file.
     std::vector<std::string> storey_names() const {
         std::vector<std::string> names(static_cast<std::size_t>(levels_));
         if (!scene_.stated) return names;
@@ -578,7 +582,8 @@ private:
 
 RoomGraph make_rooms(const Scene& scene, const WalkSpace& space, const std::stop_token& stop) {
     if (space.walls) return Builder(scene, space, *space.walls, stop).build();
-    // This copy is used if nobody can stand on the floor without furniture, or if that floor was freed.
+    // A copy of the floor with furniture. It is used if nobody can stand on the floor without furniture, or if that
+    // floor was freed.
     SpanGrid<WallSpan> as_it_is{space.origin_m, space.cell_m, space.width, space.depth, space.first, {}};
     for (const WalkSpan& s : space.spans)
         as_it_is.spans.push_back({s.floor_m,

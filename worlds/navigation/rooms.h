@@ -13,7 +13,7 @@ namespace handrail::navigation {
 
 enum class RoomKind : std::uint8_t { Room, Stairs, Liquid, Niche };
 
-// The word for a room in a name that Handrail makes.
+// The noun for a room in a name that Handrail makes.
 enum class RoomLook : std::uint8_t { Niche, Corridor, SmallRoom, Room, LargeRoom, Hall };
 struct MadeRoomName {
     // Name of the object in the room from which the room has its name; empty: none. See Feature::name.
@@ -31,12 +31,13 @@ struct MadeRoomName {
 
 struct Room {
     RoomKind kind = RoomKind::Room;
-    // Lower case unless it is a proper name: "Kitchen", "large room, 12 by 8 metres, north". A name that no person gave
-    // is in the language that was spoken when the graph was made: see say_room_names. Files never use such a name to
-    // refer to a room.
+    // The spoken name, in lower case unless it is a proper name: "Kitchen", "large room, 12 by 8 metres, north". A name
+    // that no person gave is in the language that was spoken when the graph was made: see say_room_names. Files never
+    // use such a name to refer to a room.
     std::string name;
     bool given = false;  // `name` comes from a person
-    // The name that the map gives. Empty: it gives none, and Handrail made the name from what is known about the room.
+    // The name that the map gives. If it is empty, the map gives none, and Handrail made the name from what is known
+    // about the room.
     std::string map_name;
     OtherLanguages map_name_in;
     bool is_way = false;  // the room is a footway, a street or a platform outdoors
@@ -80,29 +81,30 @@ RoomGraph make_rooms(const Scene& scene, const WalkSpace& space, const std::stop
 
 // Returns the name that Handrail makes for a room without one, in the language spoken.
 std::string own_name(const Room& room);
-// Returns the name by which files refer to the room in any language: the one that a person gave, else the map's. Empty
-// if neither named the room.
+// Returns the name by which files refer to the room in any language: the name that a person gave, or else the map's
+// name. Empty if neither a person nor the map named the room.
 const std::string& known_as(const Room& room);
 
-// Numbers the rooms that have the same name and sets all names. The names are then as when the graph was made, before
-// any person gave one.
+// Numbers the rooms that have the same name and sets all names. Afterwards the names are those of a new graph, without
+// the names that persons gave.
 void number_room_names(RoomGraph& graph);
-// Remakes the names that Handrail made, if another language is spoken now. Otherwise returns at once.
+// If another language is spoken now, makes the names of rooms again in that language. Otherwise returns at once.
 void say_room_names(RoomGraph& graph);
 
 // Returns the room at that place; kNothing if nobody can walk there.
 std::uint32_t room_at(const RoomGraph& graph, const WalkSpace& space, const Vec3& feet_m);
 
 // Returns whether the walker is on the floor of the room and at least a hand's breadth inside it. The walker must also
-// be inside the outline that the file states for the room, if any. On the border it would be unclear which room is
-// announced.
+// be inside the outline that the file states for the room, if any. On the border it would be unclear which room the
+// program announces.
 bool stands_inside(const RoomGraph& graph, const WalkSpace& space, const Scene& scene, const Vec3& feet_m,
                    std::uint32_t room);
 
 // Returns whether the room is on the ground that a reader laid around a building. Such a room has no walls.
 bool is_outside(const Room& room, const WalkSpace& space, const Scene& scene);
 
-// Returns the boxes that nobody can pass if a door is blocked: the leaves as they are in the file, and the doorway.
+// Returns the boxes that nobody can pass if a door is blocked: those of the leaves at their places in the file, and
+// that of the doorway.
 std::vector<Aabb> door_boxes(const Scene& scene, const RoomGraph& graph, FeatureId door);
 
 // Applies each name that a person gave to the room around its place. Returns the names that no longer have a room, or

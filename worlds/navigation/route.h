@@ -9,7 +9,7 @@
 
 namespace handrail::navigation {
 
-// The kind of a passage: something that the walker meets on a route, or that joins two rooms.
+// The kind of a passage. A passage is something that the walker passes on a route, or that joins two rooms.
 enum class PassageKind : std::uint8_t {
     Door,
     Opening,
@@ -17,7 +17,7 @@ enum class PassageKind : std::uint8_t {
     Lift,
     Drop,
     Teleporter,
-    Climb,  // stairs without walkable steps, which the walker takes like a lift: see stated_stairs.h
+    Climb,  // stairs without walkable steps, which the walker uses like a lift: see stated_stairs.h
 };
 
 // Something that the walker passes on a route, such as a door.
@@ -35,7 +35,7 @@ struct Route {
     // The points of the route, from the start to the goal or to the nearest place that can be reached. Empty if nobody
     // can stand at the start.
     std::vector<Vec3> points_m;
-    std::vector<RoutePassage> passages;  // in the order in which the walker meets them
+    std::vector<RoutePassage> passages;  // in the order in which the walker reaches them
     // Length along the points, including the rise; a lift, climb, drop or teleporter adds nothing.
     double length_m = 0.0;
     bool reaches = false;     // the last point is the goal

@@ -58,7 +58,7 @@ RoutePlace near_on_way(std::span<const Vec3> points_m, const Vec3& from_m, doubl
         if (offer.counts > offers.front().counts + kRoundCorner_m) break;
         if (!sees || sees(offer.place.place_m)) return offer.place;
     }
-    // No suitable place was found, so return the former one.
+    // No suitable place was found, so the former place is returned.
     RoutePlace stays{points_m[0], 0.0, 0.0, 0};
     for (std::size_t leg = 0; leg + 1 < points_m.size(); ++leg) {
         const double length_m = glm::length(points_m[leg + 1] - points_m[leg]);

@@ -1,5 +1,5 @@
-// Finds the nearest place on a route made of straight legs: how far away it is, and how far along the route. Pure
-// functions; any thread may call them. The time is linear in the number of legs.
+// Finds the place on a route of straight legs that is nearest to a position, with its distance from that position and
+// its distance along the route. Pure functions; any thread may call them. The time is linear in the number of legs.
 #pragma once
 
 #include <cstddef>
@@ -21,11 +21,12 @@ struct RoutePlace {
 // length, and a single point is a route. Expects at least one point.
 RoutePlace nearest_on_way(std::span<const Vec3> points_m, const Vec3& from_m);
 
-// Returns the nearest place for a walker who was at `along_m` a moment ago. A route may pass close to itself, so places
-// farther along the route from `along_m` count as farther away. `height_counts`: how much a metre up or down counts.
-// For walkers it is one half, because a route over stairs is a straight line. `sees`: called for the places in order of
-// distance until it returns true, because the route may also be near on the other side of a wall. Without `sees`, the
-// walker sees all places. If the nearest visible place is much farther than the nearest one, returns the former place.
+// Returns the nearest place for a walker who was at `along_m` a moment ago. A route may pass close to itself, so the
+// distance of a place grows with its distance along the route from `along_m`. `height_counts`: factor for differences
+// in height. For walkers it is one half, because a route over stairs is a straight line. `sees`: called for the places
+// in order of distance until it returns true, because the route may also be near on the other side of a wall. Without
+// `sees`, the walker sees all places. If the nearest visible place is much farther than the nearest one, returns the
+// former place.
 inline constexpr double kFartherForEachMetreAlong_m = 0.05;
 // If the nearest visible place is farther away than this, a thin obstacle hides the nearest place.
 inline constexpr double kRoundCorner_m = 1.5;

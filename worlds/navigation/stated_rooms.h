@@ -9,8 +9,8 @@
 namespace handrail::navigation {
 
 // Returns, for each span, the index in StatedBuilding::rooms of the room that contains it by outline and height;
-// kNothing if no room does. If two rooms overlap, the first one counts. The time is proportional to the number of cells
-// under the rooms' outlines.
+// kNothing if no room does. If two rooms overlap, returns the first one. The time is proportional to the number of
+// cells under the rooms' outlines.
 template <class Span>
 std::vector<std::uint32_t> stated_rooms_of(const StatedBuilding& stated, const SpanGrid<Span>& grid);
 

@@ -96,7 +96,7 @@ std::optional<Stairs> stairs_of(const Scene& scene, const StatedBuilding& stated
     }
     const Aabb& box = feature->bounds_m;
     const double low_m = joins ? low->floor_m : box.min_m.z, high_m = joins ? high->floor_m : box.max_m.z;
-    // A part of a flight, such as a single step, does not count as stairs.
+    // A part of a flight, such as a single step, is not stairs.
     if (high_m - low_m < kLeastRise_m || box.min_m.z > low_m + kFirstTread_m || box.max_m.z < high_m - kLastTread_m)
         return std::nullopt;
     const std::vector<Tread>& treads = all.at(portal.feature.value);

@@ -1,6 +1,6 @@
-// Handles stairs that a file states but on which nobody can walk, such as a spiral of sheets under a low edge, or a
-// flight that was never drawn. A link takes walkers directly from the foot to the head, like a lift. Pure function; any
-// thread may call it.
+// Connects the ends of stairs that a file states but on which nobody can walk, such as a spiral of sheets under a low
+// edge, or a flight that was never drawn. A link moves walkers directly from the foot to the head, like a lift. Pure
+// function; any thread may call it.
 #pragma once
 
 #include "worlds/navigation/walk_space.h"

@@ -1,6 +1,6 @@
-// Checks that a walk space and its rooms are consistent. Route planning and room names rely on that without checking
-// it. Tests use these functions, and the preset debug calls them after each search for rooms. Any thread may call them.
-// Each call looks at every span once. The messages are for developers.
+// Checks that a walk space and its rooms are consistent. Route planning and room names rely on this consistency without
+// checking it. Tests use these functions, and the preset debug calls them after each search for rooms. Any thread may
+// call them. Each call visits every span once. The messages are for developers.
 #pragma once
 
 #include "worlds/base/result.h"

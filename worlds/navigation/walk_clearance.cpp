@@ -14,7 +14,7 @@ constexpr int kSampledColumns = 8'192;
 
 double standable_m2(const Obstacles& obstacles, const WalkerMeasures& body, const NearGround& ground,
                     double exact_enough_m2) {
-    // The floor area cannot exceed the area of the tops of all obstacles together.
+    // Limits the estimate: the floor area cannot exceed the area of the tops of all obstacles together.
     std::vector<double> so_far;
     so_far.reserve(obstacles.all.size());
     double tops_m2 = 0.0;
@@ -24,8 +24,8 @@ double standable_m2(const Obstacles& obstacles, const WalkerMeasures& body, cons
     }
     for (const PassingFloor& o : obstacles.passing) tops_m2 += o.shape.box_m.size_m().x * o.shape.box_m.size_m().y;
     if (tops_m2 <= exact_enough_m2 || so_far.empty()) return tops_m2;
-    // Sample columns that are spread evenly over the tops. If m tops overlap at a column, each place to stand there
-    // counts 1/m.
+    // Samples columns that are spread evenly over the tops. If m tops overlap in a column, each place to stand in that
+    // column adds 1/m to the sum.
     const BoxIndex index(boxes_of(obstacles.all));
     std::vector<std::uint32_t> near;
     std::vector<ColumnInterval> intervals;
@@ -36,8 +36,8 @@ double standable_m2(const Obstacles& obstacles, const WalkerMeasures& body, cons
             static_cast<std::size_t>(std::lower_bound(so_far.begin(), so_far.end(), at) - so_far.begin()),
             so_far.size() - 1);
         const Aabb& box = obstacles.all[chosen].box_m;
-        // Whole part, unused. The fractions form Roberts' sequence, which is even over the plane and never in step with
-        // a building's own grid.
+        // The whole part is not used. The fractions form Roberts' sequence, which is even over the plane and never in
+        // step with a building's own grid.
         double part;
         const Vec3 size = box.size_m();
         const double x = box.min_m.x + size.x * std::modf((k + 1) * 0.7548776662466927, &part),

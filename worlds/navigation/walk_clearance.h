@@ -1,5 +1,5 @@
-// Finds where people can stand in a column: the free stretches between obstacles that have a floor below. The tiles use
-// it, and so does the estimate of how much floor there is.
+// Finds where people can stand in a column: the free stretches between obstacles that have a floor below. The tiles of
+// the flood use these functions, and so does the estimate of how much floor there is.
 #pragma once
 
 #include <algorithm>
@@ -70,9 +70,9 @@ void free_stretches(std::span<const ColumnInterval> intervals, std::span<const C
     bearable(top, kSky);
 }
 
-// Estimates the floor area of the whole scene on which people could stand, whether they can get there or not, without
-// ground that is left out. The estimate decides how fine the columns can be. If there are many obstacles, it comes from
-// a fixed number of sampled columns, with an error of a few percent.
+// Estimates the floor area of the whole scene on which people could stand, whether they can get there or not. Ground
+// that is left out is not included. The estimate determines how fine the columns can be. If there are many obstacles,
+// it comes from a fixed number of sampled columns, with an error of a few percent.
 double standable_m2(const Obstacles& obstacles, const WalkerMeasures& body, const NearGround& ground,
                     double exact_enough_m2);
 

@@ -1,6 +1,6 @@
-// Finds floor to which nothing leads: a room without a door, or with a door that nobody gets through. Such floor counts
-// as a room, announced as out of reach, if obstacles enclose it on all sides. So tops of walls, roofs and ledges do not
-// count.
+// Finds floor to which nothing leads: a room without a door, or with a door that nobody gets through. If obstacles
+// enclose such floor on all sides, it becomes a room that is announced as out of reach. So tops of walls, roofs and
+// ledges do not become rooms.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -67,7 +67,7 @@ bool Flood::under_the_sky_at_the_start() {
 
 // Visits everything that a walker could reach from `from` if there were no furniture. Returns false if that area is
 // small, was reached already, is partly under open sky and partly not, or has an edge to fall from. The search ends as
-// soon as one of these is certain, and so does any later search that comes to a place in `seen`.
+// soon as one of these is certain. A later search ends as soon as it comes to a place in `seen`.
 bool Flood::is_closed_room(const Found& from, SeenPlaces& seen) {
     const auto trial = static_cast<std::uint32_t>(seen.size());
     const bool sky = tiles_[from.tile].places[from.place].ceiling >= kSky;

@@ -10,7 +10,7 @@
 namespace handrail::navigation {
 namespace {
 
-constexpr double kWading_m = 0.3;  // a walker counts as in a liquid if it is deeper than this
+constexpr double kWading_m = 0.3;  // a walker is in a liquid if the liquid is deeper than this
 
 bool lies_in(const Aabb& box, const Vec3& at) {
     return glm::all(glm::lessThanEqual(box.min_m, at)) && glm::all(glm::lessThanEqual(at, box.max_m));
@@ -103,8 +103,8 @@ std::uint32_t Flood::drop(const Place& here, std::uint32_t tile, Cell to, Layer 
     return down != kNothing && is_within(tiles_[tile].places[down], to) ? down : kNothing;
 }
 
-// Finds what blocks the walker in the directions in which no step is possible. A part of the building takes precedence
-// over objects in it.
+// Finds the obstacle that blocks the walker in each direction in which no step is possible. A part of the building
+// takes precedence over objects in it.
 void Flood::look_beside(std::uint32_t number, const Spot& spot, const Steps& steps) {
     const Tile& tile = tiles_[number];
     const Place here = tile.places[spot.place];
@@ -160,7 +160,8 @@ void Flood::seed_at(const Vec3& at, double level_m, double up_m, double down_m, 
     const Cell middle_cell = tiles_.cell_at(at);
     const auto rings = static_cast<std::int64_t>(std::min(level_m / body_.cell_m, 100.0));
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
-    double best[2] = {kInfinite, trial_ ? -kInfinite : kInfinite};  // a trial searches only the floor with furniture
+    // A trial searches only the floor with furniture, so the other layer gets no start.
+    double best[2] = {kInfinite, trial_ ? -kInfinite : kInfinite};
     Found found[2];
     const auto farthest = [&] { return std::max(best[kFurnished], best[kWalls]); };
     for (std::int64_t ring = 0; ring <= rings && static_cast<double>(ring) * body_.cell_m < farthest(); ++ring) {
@@ -214,7 +215,7 @@ void Flood::seed() {
         seed_at({centre.x, centre.y, feature.bounds_m.min_m.z}, 0.5 * std::max(size.x, size.y) + body_.radius_m + 0.3,
                 0.3, 2.0, true);
     }
-    // If the flood has no start so far, begin in the middle of the world, from above.
+    // If the flood has no start yet, begins in the middle of the world, from above.
     if (!layers_[kFurnished].any && scene_.starts.empty() && !scene_.bounds_m.empty()) {
         const Vec3 c = scene_.bounds_m.centre_m();
         seed_at({c.x, c.y, scene_.bounds_m.min_m.z}, 5.0, scene_.bounds_m.size_m().z + 0.1, 0.1, false);
@@ -312,7 +313,7 @@ bool Flood::write_spans(Layer layer, SpanGrid<Span>& grid, Each each) {
                     const std::size_t at = WalkTiles::local(to);
                     const Tile& other = tiles_[tiles_.beside(number, cell, static_cast<int>(d))];
                     const std::uint32_t n = tiles_.known_step(tile, k, d, other, at, layer);
-                    // Keep a step only if the step back leads to the same place.
+                    // Keeps a step only if the step back leads to the same place.
                     if (n == kNothing || !tiles_.leads_back(tile, cell, k, other.places[n], layer)) continue;
                     const Range there = WalkTiles::column(other, at, layer);
                     std::uint32_t before = 0;

@@ -1,5 +1,5 @@
-// Finds everything that a walker can reach on foot by a breadth-first flood fill, tile by tile. It does so once with
-// furniture and once without, and writes the results as spans. Only walk_space uses this class.
+// Finds all places that a walker can reach on foot by a breadth-first flood fill, tile by tile. It does so once with
+// furniture and once without, and writes the places as spans. Only walk_space uses this class.
 #pragma once
 
 #include <array>
@@ -57,11 +57,11 @@ private:
         Cell low, high;
     };
 
-    // Marks the place as reached. Returns false, and does not mark it, if there is too much floor already.
+    // Marks the place as reached. If there is too much floor already, returns false and does not mark the place.
     bool visit(Layer layer, std::uint32_t tile, std::uint32_t place, Cell cell);
     End spread_all();
     End spread(std::uint32_t tile);
-    // Finds rooms to which nothing leads, which the program announces as out of reach; in walk_closed.cpp.
+    // Finds rooms to which nothing leads, which the program announces as out of reach. Defined in walk_closed.cpp.
     End reach_closed_rooms();
     // For each visited place, the number of the search that visited it. Nothing iterates over this map, because its
     // order is arbitrary.

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kFlatMost_m = 1.5;   // a door that lies flat and is no thicker than this may be a bridge
 constexpr double kWideThing_m = 5.0;  // an object at least this wide is a floor or platform, not furniture
-constexpr double kTallThing_m = 2.3;  // an object at least this high counts as a wall
-// An object at least as high as a door counts as a wall if the wall above rests on it.
+constexpr double kTallThing_m = 2.3;  // an object at least this high is treated as a wall
+// An object at least as high as a door is treated as a wall if the wall above rests on it.
 constexpr double kDoorHigh_m = 1.8;
 constexpr double kRests_m = 0.02;  // greatest gap between a support and what rests on it
 
@@ -135,8 +135,8 @@ double Obstacles::support(const Vec3& n, bool narrow) const {
 // Adds an obstacle. `stands`: it is a part of the building that does not move, so it may belong to stairs.
 void Obstacles::finish(std::vector<Plane>& bounds, const Aabb& box, FeatureId feature, bool stands,
                        std::vector<WalkObstacle>& into) {
-    // Add the planes of the bounding box. Without them, a sharp solid that is grown by the walker's radius would stick
-    // out far.
+    // Adds the planes of the bounding box. Without these planes, a sharp solid that is grown by the walker's radius
+    // would stick out far.
     for (int axis = 0; axis < 3; ++axis)
         for (const double sign : {1.0, -1.0}) {
             Vec3 normal{0.0};
@@ -195,8 +195,8 @@ void Obstacles::add_triangle(const MeshTriangle& t, const PlacedFrame* frame, Fe
     if (is_looked_at(box)) finish(bounds, box, feature, !frame, all);
 }
 
-// Returns true if walkers can pass the mover; false if it blocks them like a wall. Doors count as open. The floor of a
-// moving platform is added at all its stops.
+// Returns true if walkers can pass the mover; false if it blocks them like a wall. All doors are passable. The floor of
+// a moving platform is added at all its stops.
 bool Obstacles::passes(const Scene& scene, std::uint32_t mover, const Solid& solid) {
     const Mover& m = scene.movers[mover];
     const Feature& feature = scene.features[m.feature.value];

@@ -1,5 +1,5 @@
-// Makes every solid of a scene into an obstacle: where a walker's soles cannot be. Each solid is grown by the walker's
-// size and stored as planes, which vertical lines are intersected with. Only walk_space uses this class.
+// Makes every solid of a scene into an obstacle: the region in which a walker's soles cannot be. Each solid is grown by
+// the walker's size and stored as planes, with which vertical lines are intersected. Only walk_space uses this class.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct WalkObstacle {
     Aabb box_m;  // bounding box, grown by the walker's size
     FeatureId feature = kNoFeature;
     bool furniture = false;  // true: an object that is lower than a wall
-    bool stairs = false;     // true: the obstacle counts as stairs; see StairRule
+    bool stairs = false;     // true: the obstacle may be part of stairs; see StairRule
 };
 // A floor on the top of a moving platform, which is there only while the platform stops at it.
 struct PassingFloor {
@@ -32,7 +32,7 @@ public:
     Obstacles(const Scene& scene, const WalkerMeasures& body, const Aabb* within = nullptr);
 
     // Computes the range of heights, above one place, in which the obstacle excludes a walker's soles. Returns false if
-    // there is none. `steep`: nobody can stand on the obstacle's top there.
+    // there is none. `steep`: nobody can stand on the obstacle's top at that place.
     bool column(const WalkObstacle& o, double x, double y, double& low, double& high, bool& steep) const;
 
     std::vector<WalkObstacle> all;

@@ -15,11 +15,11 @@ namespace handrail::navigation {
 namespace {
 
 constexpr double kCoarsest_m = 0.4;
-constexpr double kStairWindow_m = 0.6;  // how far on either side of a span the search for stairs looks
+constexpr double kStairWindow_m = 0.6;  // distance on either side of a span over which the search for stairs extends
 constexpr double kStairRise_m = 0.35;   // least rise over both sides together for stairs
 
-// Computes the distance of each span from the nearest border span, and which border span that is. All borders spread at
-// the same time, each over the spans that are nearer to it than to any other. After a stop request, the result is
+// Computes, for each span, the distance from the nearest border span, and which border span that is. All borders spread
+// at the same time, each over the spans that are nearer to it than to any other. After a stop request, the result is
 // incomplete.
 template <class Span, class Counts>
 std::vector<float> distance_from(const SpanGrid<Span>& space, Counts counts, std::vector<std::uint32_t>& source,
@@ -82,7 +82,7 @@ bool is_border(const Span& span) {
     return std::any_of(std::begin(span.next), std::end(span.next), [](std::uint32_t n) { return n == kNothing; });
 }
 
-// Measures how far each span is from the nearest border, and which obstacle is there.
+// Measures the distance of each span from the nearest border, and stores which obstacle is at that border.
 void measure_clearance(WalkSpace& space, const std::stop_token& stop) {
     std::vector<std::uint32_t> source;
     const std::vector<float> clearance = distance_from(
@@ -107,8 +107,8 @@ void find_stairs(SpanGrid<Span>& space, double step_up_m) {
     const auto reach = static_cast<std::size_t>(std::max(2L, std::lround(kStairWindow_m / space.cell_m)));
     const double least_range_m = std::max(0.6, 2.0 * step_up_m);
     const auto count = static_cast<std::uint32_t>(space.spans.size());
-    // Works along each row of consecutive spans, first to the east, then to the north. Each step also leads back, so
-    // the other two directions need no search.
+    // Scans each row of consecutive spans, first to the east, then to the north. Each step also leads back, so the
+    // other two directions need no search.
     struct Tread {
         float floor_m = 0.0F;
         std::uint32_t next = kNothing;
@@ -153,7 +153,7 @@ void find_stairs(SpanGrid<Span>& space, double step_up_m) {
     }
 }
 
-// People could step off almost anywhere along an edge. Keeps only one of these links for about each metre of the edge.
+// Keeps only one drop for about each metre of an edge, because people could step off almost anywhere along it.
 void thin_drops(WalkSpace& space) {
     std::unordered_map<std::uint64_t, std::size_t> kept;
     std::vector<WalkLink> thin;
@@ -221,7 +221,7 @@ std::uint32_t SpanGrid<Span>::nearest(const Vec3& feet_m, double level_m, double
     const double fx = (feet_m.x - origin_m.x) / cell_m, fy = (feet_m.y - origin_m.y) / cell_m;
     if (std::abs(fx) > 1e8 || std::abs(fy) > 1e8) return kNothing;
     const auto cx = static_cast<std::int64_t>(std::floor(fx)), cy = static_cast<std::int64_t>(std::floor(fy));
-    // Skip rings that are entirely outside the grid. Of the others, search only the part inside.
+    // Skips rings that are entirely outside the grid. Of the other rings, only the part inside is searched.
     const auto outside = [](std::int64_t c, std::int64_t count) {
         return std::max<std::int64_t>({std::int64_t{0}, -c, c - (count - 1)});
     };
@@ -269,7 +269,7 @@ bool WalkSpace::straight(const Vec3& from_m, const Vec3& to_m,
     std::uint32_t here = nearest(from_m, 1.5 * cell_m, 1.5 * body.step_up_m + 0.1, 1.5 * body.step_up_m + 0.1);
     if (here == kNothing) return false;
     if (touched) touched(here);
-    // Follow the line from cell to cell, across their sides.
+    // Follows the line from cell to cell, across their sides.
     const Vec3 start = place_m(here);
     const double dx = to_m.x - start.x, dy = to_m.y - start.y;
     auto x = static_cast<std::int64_t>(spans[here].cell % width),
@@ -305,8 +305,8 @@ std::vector<std::string> said_of(const WalkSpace& space, const WalkerMeasures& a
 
 namespace {
 
-// Possible column sizes, and how much of the ground outside is included with them, from best to worst. Columns wider
-// than 20 cm are hardly fine enough for doors, so ground is left out before such columns are used.
+// Possible column sizes from best to worst, each with the range within which the ground outside is included. Columns
+// wider than 20 cm are hardly fine enough for doors, so ground is left out before such columns are used.
 struct Fineness {
     double columns;  // multiple of the requested width
     double outdoors_m;
@@ -314,8 +314,8 @@ struct Fineness {
 constexpr Fineness kFineness[] = {{1, 100}, {2, 100}, {2, 25},  {4, 100}, {4, 25},
                                   {4, 8},   {4, 0.5}, {8, 100}, {8, 25},  {8, 8}};
 
-// Floods everything that can be reached, with the finest columns that do not exceed the limits. `flood` is null if
-// there is no floor or a stop was requested.
+// The result of flooding everything that can be reached, with the finest columns that do not exceed the limits. `flood`
+// is null if there is no floor or a stop was requested.
 struct Flooded {
     std::unique_ptr<NearGround> ground;
     std::unique_ptr<Flood> flood;

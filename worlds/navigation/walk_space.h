@@ -1,8 +1,8 @@
-// Where a walker of a certain size can stand and walk in a Scene. Solids are grown by the walker's size and cut into
-// vertical columns. So a place is free exactly if a walker there overlaps nothing. The growth and the slopes are the
-// same as in walking itself. A flood fill from the places where a designer put something finds the space, so its size
-// depends on what walkers can reach, not on the size of the world. Deterministic. Immutable afterwards; any thread may
-// use it.
+// Describes where a walker of a certain size can stand and walk in a Scene. Solids are grown by the walker's size and
+// cut into vertical columns. So a place is free exactly if a walker there overlaps nothing. The growth and the slopes
+// are the same as in walking itself. A flood fill from the places where a designer put something finds the space, so
+// its size depends on what walkers can reach, not on the size of the world. Deterministic. Immutable afterwards; any
+// thread may use it.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct WalkerMeasures {
     double radius_m = 0.25;
     double height_m = 1.8;
     double step_up_m = 0.25;
-    double most_drop_m = 1.0;  // routes never lead farther down an edge
+    double most_drop_m = 1.0;  // height of the deepest edge down which routes lead
     double cell_m = 0.05;      // width of the columns; it becomes larger if there is too much floor
     bool operator==(const WalkerMeasures&) const = default;
 };
@@ -92,7 +92,7 @@ struct WalkSpace : SpanGrid<WalkSpan> {
     std::vector<WalkLink> links;
     std::vector<FeatureId> obstacle_features;  // feature of each obstacle; kNoFeature: the building itself
     std::vector<std::string> said;             // sentences about what was simplified or left out
-    // How far from the building the ground outside is included. 0: none of it is left out.
+    // Range around the building within which the ground outside is included. 0: no ground is left out.
     double outdoors_m = 0.0;
     bool part = false;  // there was too much floor, so the space contains only the part nearest to the start
     // The floor without furniture, for make_rooms; null once it is freed.
@@ -107,16 +107,16 @@ struct WalkSpace : SpanGrid<WalkSpan> {
     double cell_area_m2() const { return cell_m * cell_m; }
 };
 
-// Returns sentences to announce about the space: that its columns are coarser than requested in `asked`, and what was
-// left out.
+// Returns sentences about the space, which the program announces: that its columns are coarser than requested in
+// `asked`, and what was left out.
 std::vector<std::string> said_of(const WalkSpace& space, const WalkerMeasures& asked);
 
-// Options of a space that is made only to try a walker of another size. Such a space contains what the walker can
-// reach, drops, lifts, and links over stairs that nobody can walk on. It contains no floor without furniture, no closed
-// rooms and no marks of stairs. It also does not know the nearest obstacles.
+// Options of a space that is made only to try a walker of another size. Such a space contains the places that the
+// walker can reach, drops, lifts, and links over stairs that nobody can walk on. It contains no floor without
+// furniture, no closed rooms, no marks of stairs and no nearest obstacles.
 struct WalkTrial {
     bool clearance = false;  // true: WalkSpan::clearance_m is measured, too
-    // If set, the walker starts at `from_m` and stays in the box. Only solids that touch the box are considered. Lifts,
+    // If set, the walker starts at `from_m` and stays in the box. Only solids that touch the box are included. Lifts,
     // teleporters and links over stairs are left out.
     struct Stretch {
         Vec3 from_m{0.0};

@@ -1,4 +1,4 @@
-// The places where people could stand, found tile by tile on request. Each tile has columns of the obstacles over each
+// Finds the places where people could stand, tile by tile on request. Each tile has columns of the obstacles over each
 // cell, and the places with and without furniture. It also has the steps from each place to its neighbours. Only the
 // flood uses this class.
 #pragma once
@@ -47,8 +47,8 @@ public:
         // The four neighbouring tiles; kNothing until a search requests them.
         std::array<std::uint32_t, 4> beside = {kNothing, kNothing, kNothing, kNothing};
         std::vector<std::uint32_t> first;  // for each cell: its first place; empty: the tile has no places
-        // For each cell: how many of its first places belong to the floor with furniture. kSame: furniture changes
-        // nothing in this cell. Empty: it changes nothing in the whole tile.
+        // For each cell: the number of its places that belong to the floor with furniture; these come first. kSame:
+        // furniture changes nothing in this cell. Empty: it changes nothing in the whole tile.
         std::vector<std::uint8_t> split;
         std::vector<Place> places;
         std::vector<std::uint8_t> marks;  // marks of each place
