@@ -51,7 +51,7 @@ std::optional<ConvexSolid> behind(const ConvexSolid& solid, const Plane& plane) 
     return solid_within(std::move(planes), solid.bounds_m.centre_m(), glm::length(solid.bounds_m.size_m()));
 }
 
-// Splits a sheet by a plane. If the sheet is in the plane and faces in the plane's direction, it goes to `front`.
+// Splits a sheet by a plane. If the sheet is in the plane, both `back` and `front` receive the whole sheet.
 void split_sheet(const Polygon& sheet, const Plane& plane, Polygon& back, Polygon& front) {
     split(sheet.points_m, plane, kTolerance.cut_m, back.points_m, front.points_m);
     tidy(back.points_m, kTolerance.merge_m);

@@ -1,6 +1,6 @@
-// The parts of an OpenStreetMap file that can matter for a building: nodes, ways and outlines with their tags. Plain
-// values. Only osm_data.cpp knows the library that reads the file. That library starts threads of its own, which end
-// before the call returns.
+// Reads the parts of an OpenStreetMap file that can matter for a building: nodes, ways and outlines with their tags.
+// Plain values. Only osm_data.cpp uses the library that reads the file. That library starts threads of its own, which
+// end before the call returns.
 #pragma once
 
 #include <cstdint>
@@ -44,18 +44,19 @@ struct OsmArea {
 };
 
 struct OsmData {
-    std::unordered_map<std::int64_t, OsmNode> nodes;  // by id; never iterated, because the order is arbitrary
+    std::unordered_map<std::int64_t, OsmNode> nodes;  // nodes by id; never iterated, because the order is arbitrary
     std::vector<std::int64_t> tagged_nodes;           // ids of the nodes with tags, in file order
     std::vector<OsmWay> ways;
-    std::unordered_map<std::int64_t, std::size_t> way_number;  // by id; never iterated, because the order is arbitrary
+    // Index of each way, by its id; never iterated, because the order is arbitrary.
+    std::unordered_map<std::int64_t, std::size_t> way_number;
     std::vector<OsmArea> areas;
     // The level of a way, by the way's id. IndoorOSM writes no level on rooms; instead, a relation of type level names
     // the level and lists its ways. The map is never iterated, because its order is arbitrary.
     std::unordered_map<std::int64_t, std::string> level_of_way;
     std::vector<OsmTags> levels;  // tags of the relations of type level
 
-    // Returns the level that the way states, or else the level of the relation that lists the way. Empty if neither
-    // states one.
+    // Returns the level that the way states, or else the level of the relation that lists the way. Empty if neither way
+    // nor relation states one.
     std::string_view level_of(const OsmWay& way) const;
 };
 

@@ -1,4 +1,4 @@
-// Levels as OpenStreetMap writes them: "0;1", "0-3", "-1-3", "-2;-1", "0.5". Pure functions.
+// Parses levels as OpenStreetMap writes them: "0;1", "0-3", "-1-3", "-2;-1", "0.5". Pure functions.
 #pragma once
 
 #include <string_view>
@@ -6,7 +6,7 @@
 
 namespace handrail::osm {
 
-// Levels in rising order without repetition, from -100 to 300, at most 200 of them. Empty if the text states none.
+// Levels in rising order without repetition, from -100 to 300, at most 200 of them. Empty if the text states no level.
 // `damaged` is true if part of the text was not understood.
 struct OsmLevels {
     std::vector<double> levels;

@@ -1,5 +1,5 @@
-// Lifts and stairs as mappers draw them: as one node within the rooms of several levels, or with an outline on each
-// level.
+// Adds lifts and stairs as mappers draw them: as one node within the rooms of several levels, or with an outline on
+// each level.
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -13,7 +13,7 @@ namespace handrail::osm {
 namespace {
 
 constexpr double kLift_m = 1.7, kRound_m = 0.3, kBeforeDoor_m = 1.2, kLiftDoor_m = 0.9;
-// Offsets at which the cabin is placed if walls are too close to the node itself.
+// Offsets from the node at which a cabin is tried if walls are too close to the node itself.
 const std::array<Vec2, 9> kAside_m{Vec2(0, 0),     Vec2(0, 1.2),    Vec2(1.2, 0),     Vec2(0, -1.2),  Vec2(-1.2, 0),
                                    Vec2(1.2, 1.2), Vec2(1.2, -1.2), Vec2(-1.2, -1.2), Vec2(-1.2, 1.2)};
 
@@ -30,8 +30,8 @@ bool holds_square(const floorplan::PlanSpace& space, const Vec2& at) {
 
 }  // namespace
 
-// Joins outlines of stairs and lifts that are above one another into one, because mappers can draw them on each level
-// separately.
+// Joins outlines of stairs and lifts that are above one another into one space, because mappers can draw them on each
+// level separately.
 void OsmPlan::stack_outlines() {
     std::vector<std::size_t> order(outlines_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

@@ -31,8 +31,8 @@ public:
     explicit OutlineIndex(const std::vector<floorplan::PlanSpace>& spaces) : index_(boxes_of(spaces)) {}
 
     struct Beside {
-        // The spaces on both sides of the wall that the door is in, in rising order. A room is left out if only a
-        // corner of it is next to the door.
+        // The spaces on both sides of the wall with the door, in rising order. A room is left out if only a corner of
+        // it is next to the door.
         std::vector<std::size_t> spaces;
         std::size_t nearest = static_cast<std::size_t>(-1);
     };
@@ -222,8 +222,8 @@ std::vector<Ring> OsmPlan::in_degrees(const std::vector<std::vector<std::int64_t
     return made;
 }
 
-// Assigns each outline to the building around its middle. If no building surrounds it, it belongs to the nearest one
-// within a kilometre. Then selects the building to read.
+// Assigns each outline to the building around the middle of the outline. If no building surrounds that point, the
+// outline belongs to the nearest building within a kilometre. Then selects the building to read.
 Result<void> OsmPlan::choose_building(const std::string& file_name) {
     std::vector<Aabb> boxes;
     for (const Building& building : buildings_) boxes.push_back({Vec3(building.least, 0.0), Vec3(building.most, 0.0)});
@@ -234,7 +234,8 @@ Result<void> OsmPlan::choose_building(const std::string& file_name) {
         Vec2 middle{0.0};
         for (const Vec2& p : rings[0]) middle += p / static_cast<double>(rings[0].size());
         double nearest = 1e300;
-        for (const double around_deg : {0.0, 1e-4, 1e-3, 1e-2}) {  // about 0, 10, 100 m and 1 km
+        // Distances in degrees: 0, about 10 m, 100 m and 1 km.
+        for (const double around_deg : {0.0, 1e-4, 1e-3, 1e-2}) {
             const Vec3 reach(around_deg, around_deg, 1.0);
             index.find({Vec3(middle, 0.0) - reach, Vec3(middle, 0.0) + reach}, near);
             for (const std::uint32_t b : near) {
@@ -294,7 +295,7 @@ Result<void> OsmPlan::choose_building(const std::string& file_name) {
     return {};
 }
 
-// Puts the origin in the middle of the area that is read, because lengths are correct near the origin.
+// Puts the origin in the middle of the area that is read, because lengths are exact only near the origin.
 void OsmPlan::set_origin() {
     bool around_building = false;
     Vec2 least{1e300}, most{-1e300};
@@ -356,7 +357,7 @@ void OsmPlan::lay_levels() {
     for (const double number : numbers) plan_.levels.push_back(level_made(number));
 }
 
-// A level is named after its own relation or outline. If it has neither, its name is made of the tag level:ref of its
+// Names each level after its relation or outline. If it has neither, its name is made of the tag level:ref of its
 // outlines ("Level B1").
 void OsmPlan::find_level_names() {
     const auto take = [&](std::string_view level, const std::string& name) {
@@ -436,8 +437,9 @@ void OsmPlan::add_doors() {
         }
         OsmLevels levels = levels_of(tags["level"], tags["repeat_on"]);
         odd_levels_ += levels.damaged ? 1 : 0;
-        // A door that states no level is on the levels of the outlines that it is part of, or else on those of the
-        // nearest outline. Other outlines are ignored, because walls of other storeys often pass by the same place.
+        // A door that states no level is on the levels of the outlines that contain its node, or else on those of the
+        // nearest outline. Other outlines are ignored, because walls of other storeys often pass through the same
+        // place.
         const auto part_of = spaces_of_.find(n);
         if (levels.levels.empty())
             for (const std::size_t s : part_of != spaces_of_.end() ? part_of->second : std::vector{nearest})

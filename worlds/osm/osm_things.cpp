@@ -1,4 +1,4 @@
-// Free-standing walls and pillars, objects, and other buildings of an OpenStreetMap file.
+// Adds the free-standing walls and pillars, the objects, and the other buildings of an OpenStreetMap file.
 #include <algorithm>
 #include <cmath>
 
@@ -88,7 +88,7 @@ void OsmPlan::add_drawn(const OsmWay& way) {
     }
 }
 
-// Names the object by its own name, or else by its kind.
+// Sets the name of the object: its own name, or else the name of its kind.
 void OsmPlan::name_thing(floorplan::PlanThing& thing, const OsmTags& tags, std::string_view what) const {
     thing.name = in_spoken(tags, "name");
     if (thing.name.empty()) thing.name = capitalised(kind_words(what));

@@ -1,4 +1,4 @@
-// Footways, platforms and stairs outside rooms of an OpenStreetMap file.
+// Adds the footways, platforms and stairs of an OpenStreetMap file that are outside rooms.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -148,8 +148,8 @@ std::vector<OsmPlan::Walked> OsmPlan::find_walked() {
     return walked;
 }
 
-// Adds a storey for each level that has only ways, but only if a point of a way is at its height. A footway that merely
-// slopes up to the level is not enough.
+// Adds a storey for each level that has only ways, if a point of a way is at the height of the level. A footway that
+// merely slopes up to the level is not enough.
 void OsmPlan::add_levels(const std::vector<Walked>& walked, const std::unordered_map<std::int64_t, double>& height_m) {
     std::vector<floorplan::PlanLevel> levels = plan_.levels;
     for (const Walked& way : walked) {
@@ -201,8 +201,8 @@ floorplan::PlanWay OsmPlan::way_of(const Walked& walked,
         for (const std::int64_t n : nodes) made.floor_m.push_back(made.area ? low_m : height_at(n, low_m));
         return made;
     }
-    // The ends of stairs have the heights of the ways that meet them there. If no way meets an end, its height comes
-    // from the levels of the stairs.
+    // The ends of stairs have the heights of the ways that end at the same nodes. If no way ends there, the height
+    // comes from the levels of the stairs.
     const bool down = tags.is("incline", "down");
     const double first_m = height_at(nodes.front(), down ? high_m : low_m),
                  last_m = height_at(nodes.back(), down ? low_m : high_m);
@@ -217,7 +217,7 @@ floorplan::PlanWay OsmPlan::way_of(const Walked& walked,
 
 namespace {
 
-// Finds the places and other ways that a way leads to.
+// Finds the places and other ways to which a way leads.
 class LedTo {
 public:
     LedTo(const std::vector<floorplan::PlanWay>& ways, std::vector<std::vector<std::int64_t>> nodes)
@@ -275,7 +275,7 @@ void OsmPlan::name_ways(const std::vector<Walked>& walked) {
         own.push_back(own_name(*way.tags));
     }
     const LedTo led(plan_.ways, std::move(nodes));
-    // Returns what is at a node. A named place takes precedence over lifts and stairs.
+    // Returns the name of the place or passage at a node. A named place takes precedence over lifts and stairs.
     const auto met_at = [&](std::int64_t node, const std::vector<std::size_t>& but) {
         std::string passage = is_lift_node(node) ? phrase("osm.the_lift") : std::string();
         for (const std::size_t other : led.ways_at(node)) {
@@ -293,7 +293,7 @@ void OsmPlan::name_ways(const std::vector<Walked>& walked) {
             }
         return passage;
     };
-    // Returns what a way leads to at one end. Looks at that end first, and then at ends that are reached through
+    // Returns the name of the place to which one end of a way leads. If there is none at that end, searches through
     // unnamed ways, through as few as possible.
     const auto led_to = [&](std::size_t w, bool at_end) {
         const floorplan::PlanWay& way = plan_.ways[w];
@@ -342,8 +342,8 @@ void OsmPlan::name_ways(const std::vector<Walked>& walked) {
     tell_ways_apart(walked);
 }
 
-// Makes the names of ways with the same name different: by their levels, and if these are equal, by the side of the
-// site.
+// Makes the names of ways with the same name different. It adds their levels or, if these are equal, the side of the
+// site on which they are.
 void OsmPlan::tell_ways_apart(const std::vector<Walked>& walked) {
     Aabb all;
     for (const floorplan::PlanWay& way : plan_.ways)
@@ -391,8 +391,8 @@ bool OsmPlan::is_within_rooms(const Walked& walked) const {
     });
 }
 
-// Adds the lines and areas that people walk on. A way is at its own level. It slopes between levels if the heights of
-// its ends differ. If the rooms are joined by doors, ways within rooms are left out.
+// Adds the lines and areas that people walk on. A way is at its own level. The way slopes between levels if the heights
+// of its ends differ. If doors join the rooms, ways within rooms are left out.
 void OsmPlan::add_ways(bool rooms_are_joined) {
     if (rooms_are_joined && surroundings_of_.empty()) {
         for (const floorplan::PlanSpace& space : plan_.spaces)

@@ -1,5 +1,5 @@
-// A horizontal section of a building, seen from above, as plain values in world metres. The window, the report and the
-// exports draw it. Pure functions; any thread may call them.
+// Makes a horizontal section of a building, seen from above, as plain values in world metres. The window, the report
+// and the exports draw it. Pure functions; any thread may call them.
 #pragma once
 
 #include <array>
@@ -11,7 +11,8 @@
 
 namespace handrail::plan {
 
-// Height of the section above the feet; it is the height of a hand, and cuts walls and doors.
+// Height of the section above the feet. It is the height of a hand, and at this height the section cuts walls and
+// doors.
 inline constexpr double kPlanCutAboveFeet_m = 1.0;
 // A solid whose top is between this height and the cut is drawn as low.
 inline constexpr double kPlanLowAboveFeet_m = 0.1;

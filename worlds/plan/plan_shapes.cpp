@@ -25,7 +25,7 @@ PlanBox box_around(const PlanOutline& hull) {
             high = glm::max(high, q);
         }
         const Vec2 size = high - low;
-        // The tolerance ensures that every machine chooses the first of several equally small boxes.
+        // The tolerance ensures that, of several equally small boxes, every machine chooses the first.
         if (size.x * size.y > least * (1.0 - 1e-6)) continue;
         least = size.x * size.y;
         const Vec2 middle = 0.5 * (low + high);
@@ -74,7 +74,7 @@ std::optional<SquaredWall> squared_wall(const PlanOutline& outline) {
     constexpr double kLeastSlant = 0.4, kMostSlant = 0.92;
     if (outline.size() != 4) return std::nullopt;
     for (std::size_t i = 0; i < 4; ++i) {
-        // Tests the end from a to b, which is between two sides that run in the same direction.
+        // Tests whether the side from a to b is a mitred end. The two sides next to it must be parallel.
         const Vec2 &before = outline[(i + 3) % 4], &a = outline[i], &b = outline[(i + 1) % 4],
                    &behind = outline[(i + 2) % 4];
         const double end = glm::distance(a, b), side_a = glm::distance(a, before), side_b = glm::distance(b, behind);

@@ -1,5 +1,5 @@
-// Boxes and outlines of a plan: the smallest box around an outline, tests whether a point is within an outline, and
-// thickness. Pure functions over plain values in world metres; any thread may call them.
+// Computes boxes and outlines of a plan: the smallest box around an outline, whether a point is within an outline, and
+// the thickness of an outline. Pure functions over plain values in world metres; any thread may call them.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ bool within_loop(const std::vector<Vec2>& loop, const Vec2& at);
 // True if `at` is inside a convex outline or on its border.
 bool within(const PlanOutline& outline, const Vec2& at);
 // A wall whose mitred end has been made square. `outline` is the wall with the square end; `added` is the triangle that
-// was added there. squared_wall() returns nothing if `outline` has no mitred end.
+// was added at that end. squared_wall() returns nothing if its argument has no mitred end.
 struct SquaredWall {
     PlanOutline outline;
     std::array<Vec2, 3> added;

@@ -64,7 +64,7 @@ void spread_rooms(RoomGrid& grid) {
     std::vector<std::size_t> reached;
     for (std::size_t i = 0; i < grid.room.size(); ++i)
         if (grid.blocked[i]) grid.room[i] = navigation::kNothing;
-    // A square can be reached next only if it is free and next to a square with a room.
+    // The flood fill goes on to a square only if that square is free and next to a square with a room.
     const auto is_free = [&](std::size_t square) {
         return grid.room[square] == navigation::kNothing && !grid.blocked[square];
     };

@@ -1,5 +1,6 @@
-// Finds where the rooms of a storey meet without anything in between, on a grid of squares. These are the openings that
-// a drawing shows. Plain values and pure functions; any thread may use them. The time grows with the number of squares.
+// Finds where the rooms of a storey adjoin without anything in between, on a grid of squares. These are the openings
+// that a drawing shows. Plain values and pure functions; any thread may use them. The time grows with the number of
+// squares.
 #pragma once
 
 #include <array>

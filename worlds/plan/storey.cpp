@@ -30,11 +30,11 @@ constexpr double kLongestTread_m = 1.5;  // greatest length of a tread of a wide
 constexpr int kBesideSteps = 8;
 constexpr double kWidestGap_m = 4.0;  // greatest distance between the jambs; a wider opening is not a gap in a wall
 
-constexpr double kBesidePortal_m = 0.5;  // how far an opening may extend beyond the width of its portal
+constexpr double kBesidePortal_m = 0.5;  // distance by which an opening may extend beyond the width of its portal
 constexpr double kStandsIn_m = 0.15;     // length of an opening that a thing must cover to close it
 constexpr double kFloorNearPortal_m = 2.0;
-// Floors whose heights differ by more than kFloorsApart_m count as above each other. A room of which at least
-// kLeastHidden_m2 is hidden goes on the second plan. That plan shows kAroundUpper_m around its rooms.
+// Floors whose heights differ by more than kFloorsApart_m are above each other. If at least kLeastHidden_m2 of a room
+// is hidden, the second plan shows the room. That plan extends kAroundUpper_m beyond its rooms.
 constexpr double kFloorNearJoint_m = 0.8, kFloorsApart_m = 1.0, kLeastHidden_m2 = 1.0, kAroundUpper_m = 2.0;
 
 bool inside_any(const std::vector<PlanOutline>& outlines, const Vec2& at) {
@@ -83,8 +83,8 @@ class StoreyMaker {
     };
 
 public:
-    // `upper` is empty for the first plan of a storey. For the second plan it holds the rooms of that plan, as indices
-    // in the graph.
+    // `upper` is empty for the first plan of a storey. For the second plan, it contains the rooms of that plan, as
+    // indices in the graph.
     StoreyMaker(const Scene& scene, const navigation::RoomGraph& graph, const navigation::WalkSpace& space, int number,
                 std::set<std::uint32_t> upper = {})
         : scene_(scene), graph_(graph), space_(space), level_(number - 1), upper_(std::move(upper)) {
@@ -287,8 +287,8 @@ private:
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(floor.wide) + static_cast<std::size_t>(x);
     }
 
-    // Finds rooms that other rooms hide. Flights are left out, because the plan shows their lower ends. Rooms that
-    // nothing leads to are left out too, because nobody gets there.
+    // Finds rooms that other rooms hide. Flights are left out, because the plan shows their lower ends. Rooms to which
+    // nothing leads are left out too, because nobody can walk into them.
     void find_hidden() {
         if (made_.upper) return;
         std::map<std::uint32_t, std::uint32_t> mine;
@@ -349,8 +349,8 @@ private:
         return span == navigation::kNothing ? std::nullopt : std::optional<double>(space_.place_m(span).z);
     }
 
-    // True for a ramp or a flight of solid steps. A person walks up on it through the height of the cut, so it is not a
-    // wall.
+    // True for a ramp or a flight of solid steps. A person walks up on the solid through the height of the cut, so it
+    // is not a wall.
     bool climbed(const ConvexSolid& solid, const PlanOutline& outline) const {
         constexpr double kSameFloor_m = 0.15;
         for (const Polygon& face : solid.faces) {
@@ -412,8 +412,8 @@ private:
                 if (auto sheet = cut(triangle)) made_.sheets_m.push_back(*sheet);
     }
 
-    // Makes mitred ends of a wall square. Otherwise a notch would be left in the corner where the neighbouring wall has
-    // no mitre. An end stays mitred if the added corner would cover floor.
+    // Makes mitred ends of a wall square. Otherwise there would be a notch in the corner where the neighbouring wall
+    // has no mitre. An end stays mitred if the added corner would cover floor.
     PlanOutline with_square_ends(PlanOutline outline) const {
         for (std::size_t ends = 0; ends < 2; ++ends) {
             const auto squared = squared_wall(outline);
@@ -533,8 +533,8 @@ private:
         return false;
     }
 
-    // A sloping roof may extend down to eaves far outside of the plan, and it stops a person's head before a hand
-    // touches it. So the line at which it stops the head counts as a wall.
+    // Adds the line at which a sloping roof stops a person's head to the walls. Such a roof stops the head before a
+    // hand touches it, and it may extend down to eaves far outside of the plan.
     void take_low_roofs() {
         const double head_m = made_.floor_m + space_.body.height_m - kUnderHead_m;
         for (const Solid& solid : scene_.solids) {
@@ -558,8 +558,8 @@ private:
 
     // --- openings from the route graph
 
-    // Balconies are left out. They belong to the ground outside, which is on another storey, so they would look like
-    // exits to another storey.
+    // Adds the exits to other storeys. Balconies are left out. They belong to the ground outside, which is on another
+    // storey, so they would look like exits to another storey.
     void take_exits(const std::map<std::uint32_t, std::uint32_t>& mine) {
         for (const navigation::Portal& portal : graph_.portals)
             for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
@@ -592,8 +592,8 @@ private:
         }
     }
 
-    // True if this plan of the storey shows the place where the portal's rooms meet. A portal between rooms that are on
-    // both plans appears on only one of them.
+    // True if this plan of the storey shows the place where the portal's rooms adjoin. If both rooms are on both plans,
+    // the portal appears on only one of them.
     bool is_seen(const navigation::Portal& portal) const {
         if (made_.upper && !upper_.contains(portal.rooms[0]) && !upper_.contains(portal.rooms[1])) return false;
         const Vec2 place(portal.place_m.x, portal.place_m.y);
@@ -617,7 +617,7 @@ private:
         return made_.upper || std::find(made_.hidden.begin(), made_.hidden.end(), place) != made_.hidden.end();
     }
 
-    // The area beyond all rooms counts as an additional room with this index.
+    // Returns the index of the area beyond all rooms, which is treated as an additional room.
     std::uint32_t outside() const { return static_cast<std::uint32_t>(made_.rooms.size()); }
     StoreyGrid squares() const { return StoreyGrid::of(made_); }
 
@@ -629,8 +629,8 @@ private:
         });
     }
 
-    // A flight is drawn with lines of its own. Its banisters are not drawn as walls, because that would leave no space
-    // for these lines.
+    // True for a flight of stairs, which is drawn with lines of its own. Its banisters are not drawn as walls, because
+    // they would leave no space for these lines.
     bool is_flight(std::uint32_t room) const {
         return room < made_.rooms.size() && made_.rooms[room].kind == navigation::RoomKind::Stairs;
     }
@@ -663,7 +663,7 @@ private:
         }
     }
 
-    // Removes ledges outside windows and roofs over doors, which nothing leads to. They are no rooms of the plan, and
+    // Removes ledges outside windows and roofs over doors, to which nothing leads. They are no rooms of the plan, and
     // their labels would be outside the building.
     void drop_ledges() {
         RoomGrid grid = squares().walls();
@@ -704,7 +704,7 @@ private:
         drop_rooms(std::move(kept));
     }
 
-    // `kept` holds one value for each room: 0 to keep it, or kNothing to remove it.
+    // For each room, `kept` is 0 to keep the room, or kNothing to remove it.
     void drop_rooms(std::vector<std::uint32_t> kept) {
         std::uint32_t count = 0;
         for (std::uint32_t& place : kept) place = place == navigation::kNothing ? navigation::kNothing : count++;
@@ -820,8 +820,8 @@ private:
         return ways;
     }
 
-    // Finds the narrowest place of a passage. Rooms may meet slightly in front of or behind the wall between them, so
-    // places on both sides are measured. If several are equally narrow, the one nearest to `place` is used.
+    // Finds the narrowest place of a passage. The rooms may adjoin slightly in front of or behind the wall between
+    // them, so places on both sides are measured. If several are equally narrow, the one nearest to `place` is used.
     void measure(StoreyGap& gap, const Vec2& place, const Vec2& way, int first, int last, double& least) const {
         constexpr double kApart_m = 0.05;
         const Vec2 through(-way.y, way.x);

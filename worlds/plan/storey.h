@@ -46,7 +46,8 @@ struct StoreyGap {
     Vec2 place_m{0.0};
     Vec2 along{1.0, 0.0};  // direction from one jamb to the other
     double width_m = 0.0;
-    double deep_m = 0.0;  // how far the gap extends from place_m to each side of the wall; 0: it is as deep as the wall
+    // Distance by which the gap extends from place_m to each side of the wall; 0: it is as deep as the wall.
+    double deep_m = 0.0;
     // The two rooms, as indices into Storey::rooms; kNothing: the room is on another storey.
     std::array<std::uint32_t, 2> rooms{navigation::kNothing, navigation::kNothing};
 };
@@ -64,8 +65,8 @@ struct StoreyStairs {
     std::vector<std::vector<Vec2>> loops_m;
 };
 
-// A connection of a room to another storey that is not by stairs on the plan: a lift, a ramp, or steps that belong to
-// the rooms at their ends. Drops are not included.
+// A connection of a room to another storey other than stairs that are drawn on the plan: a lift, a ramp, or steps that
+// belong to the rooms at their ends. Drops are not included.
 struct StoreyExit {
     navigation::PassageKind kind = navigation::PassageKind::Opening;
     std::uint32_t room = 0;  // the room on this storey, as an index into Storey::rooms
@@ -79,7 +80,7 @@ struct StoreyBase {
     double heading_rad = 0.0;
 };
 
-// A grid of square cells that says which room's floor is where.
+// A grid of square cells that states for each cell the room whose floor is there.
 struct StoreyFloor {
     double cell_m = 0.2;
     int wide = 0, high = 0;  // number of cells in x and y, beginning at Storey::min_m
@@ -104,7 +105,7 @@ struct Storey {
     Vec2 min_m{0.0}, max_m{0.0};  // the area that the plan shows; ground around a building does not enlarge it
     std::vector<StoreyRoom> rooms;
     StoreyFloor floor;
-    // Walls, cut 1 m above the floor. They include sills, parts that close windows, and everything else that stops a
+    // Walls, cut 1 m above the floor. They include sills, parts that close windows, and all other parts that stop a
     // person between rooms.
     std::vector<PlanOutline> walls_m;
     std::vector<std::array<Vec2, 2>> sheets_m;  // walls that are meshes without thickness

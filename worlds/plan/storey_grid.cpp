@@ -12,8 +12,8 @@ namespace {
 // Size of a square, and greatest number of squares along the longer side.
 constexpr double kSquare_m = 0.05, kMostSquares = 2000.0;
 constexpr double kCrack_m = 0.1;  // a crack between walls that is narrower than this leads nowhere
-// Distance from the middle of a floor cell within which everything counts as near the floor: slightly more than a
-// walker's radius.
+// Distance from the middle of a floor cell within which a place is near the floor. It is slightly more than a walker's
+// radius.
 constexpr double kBesideFloor_m = 0.45;
 constexpr double kRoundPortal_m = 0.5;
 // Greatest distance from the floor to a wall of the storey; furniture or a machine may be between them.
@@ -167,7 +167,7 @@ void find_beyond(Storey& storey) {
     spread_rooms(grid);
     for (std::size_t i = 0; i < grid.room.size(); ++i)
         if (grid.room[i] != navigation::kNothing) floor.beyond[cell_of(i)] = 1;
-    // A square of a wall does not count as beyond, because a room may be on the other side of a thin wall.
+    // The cell of a wall's square is not beyond the floors, because a room may be on the other side of a thin wall.
     for (std::size_t i = 0; i < walls.size(); ++i)
         if (walls[i]) floor.beyond[cell_of(i)] = 0;
 }

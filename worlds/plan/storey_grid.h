@@ -1,5 +1,5 @@
-// A storey on a grid of squares: where walls stop a person, where floors are, and where neither is. Pure functions over
-// plain values; any thread may call them. The time grows with the number of squares.
+// Represents a storey as a grid of squares: where walls stop a person, where floors are, and where neither is. Pure
+// functions over plain values; any thread may call them. The time grows with the number of squares.
 #pragma once
 
 #include "worlds/plan/room_borders.h"
@@ -32,8 +32,8 @@ private:
     double square_m_;
 };
 
-// Removes walls that are not near any floor of the storey, for example walls of a room on another storey. They would
-// seem to stand alone.
+// Removes walls that are not near any floor of the storey, for example walls of a room on another storey. On the plan,
+// these walls would seem to stand alone.
 void drop_far_walls(Storey& storey);
 
 // Fills StoreyFloor::beyond from the floor, walls and portals of the storey.

@@ -31,7 +31,7 @@ public:
 
     explicit Diagnostics(std::string file) : file_(std::move(file)) {}
 
-    // Adds a warning. `action` and `message` are keys of texts, and both texts are filled with the same values.
+    // Adds a warning. `action` and `message` are keys of texts. `values` fills both texts.
     using Values = std::initializer_list<TextValue>;
     void warn(TextPlace place, std::string_view action, std::string_view message, Values values = {}) {
         add(Severity::Warning, place, action, message, values);
@@ -64,8 +64,8 @@ private:
     int in_all_ = 0;
 };
 
-// Returns at most `most` bytes of `found`, the text in the file. Bytes other than printable ASCII become question
-// marks, so that the result is safe in a message.
+// Returns at most `most` bytes of `found`, a piece of text from the file. Bytes other than printable ASCII become
+// question marks, so that the result is safe in a message.
 std::string excerpt(std::string_view found, std::size_t most = 24);
 
 // Returns the error for a file without usable content. It includes the first fault if there was one: "... in this map.

@@ -9,11 +9,11 @@
 namespace handrail::readers {
 namespace {
 
-// By what the format of a file is recognised.
+// The property by which the format of a file is recognised.
 enum class Sign {
-    None,    // the bytes do not show it; only the ending of the file name does
+    None,    // only the ending of the file name shows the format, not the bytes
     Begins,  // the bytes begin with `mark`
-    // The file is a ZIP archive that contains a file named `mark`, a folder named `mark`, or a file with that ending.
+    // The file is a ZIP archive that contains a file or a folder named `mark`, or a file with the ending `mark`.
     Zip,
     Markup  // the file is XML with `mark` in its first lines
 };

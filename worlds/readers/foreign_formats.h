@@ -1,5 +1,6 @@
-// Formats that Handrail knows but does not read: which programs write them, and which format to export instead. They
-// are rows of one table, so that a row can later become a reader. Pure functions; any thread may call them.
+// Recognises formats that Handrail knows but does not read. It states which programs write them and which format to
+// export instead. The formats are rows of one table, so that a row can later become a reader. Pure functions; any
+// thread may call them.
 #pragma once
 
 #include <filesystem>
@@ -8,10 +9,10 @@
 
 namespace handrail::readers {
 
-// If the bytes are in such a format, returns one sentence that can be spoken, whatever the file's name is. Otherwise
-// returns an empty string.
+// If the bytes are in a format that Handrail knows but does not read, returns one sentence that can be spoken. The
+// file's name has no influence. Otherwise returns an empty string.
 std::string foreign_by_content(std::string_view bytes);
-// Like foreign_by_content, but decides by the ending of the file name.
+// Like foreign_by_content, but only the ending of the file name is compared.
 std::string foreign_by_ending(const std::filesystem::path& path);
 
 }  // namespace handrail::readers

@@ -103,8 +103,8 @@ constexpr std::array kComponents{
     Component{5126, 4, 1.0, read_as<float>},
 };
 
-// True for extensions that are read here and for those that change only the appearance. A file that requires any other
-// extension cannot be read correctly.
+// True for extensions that this reader reads and for those that change only the appearance. A file that requires any
+// other extension cannot be read correctly.
 bool leaves_form_alone(std::string_view extension) {
     constexpr std::array<std::string_view, 11> kBegin{"KHR_mesh_quantization",
                                                       "EXT_mesh_gpu_instancing",
@@ -153,7 +153,7 @@ public:
     GltfReader(std::string_view bytes, const std::string& file_name, const ReadOptions& options)
         : bytes_(bytes), file_name_(file_name), options_(options) {
         file_.format = "gltf";
-        // The unit of glTF is the metre, but a unit that the person states is preferred.
+        // The unit of glTF is the metre. A unit that the person states takes precedence.
         file_.metres_per_unit = options.unit_is_known ? options.obj_metres_per_unit : 1.0;
     }
 
@@ -262,8 +262,8 @@ private:
         return points;
     }
 
-    // Returns where the copies of a node's mesh are, relative to the node (EXT_mesh_gpu_instancing). Without that
-    // extension there is one copy.
+    // Returns the placements of the copies of a node's mesh, relative to the node (EXT_mesh_gpu_instancing). Without
+    // that extension there is one copy.
     std::optional<std::vector<glm::dmat4>> copies_of(const Json& node) const {
         const Json& attributes = in(in(in(node, "extensions"), "EXT_mesh_gpu_instancing"), "attributes");
         if (!attributes.is_object()) return std::vector<glm::dmat4>{glm::dmat4(1.0)};
@@ -285,7 +285,8 @@ private:
         return copies;
     }
 
-    // Returns the corners of the triangles in sequence. If the file gives no indices, these are all points in order.
+    // Returns the corners of all triangles, three for each. If the file gives no indices, the corners are all points in
+    // order.
     std::optional<std::vector<std::uint32_t>> corners_of(const Json& number, std::size_t points) const {
         std::vector<std::uint32_t> corners;
         if (number.is_null()) {

@@ -36,7 +36,7 @@ void take_bytes(png_structp png, png_bytep out, std::size_t count) {
 void keep_quiet(png_structp, png_const_charp) {}
 
 // Decodes to 16 bits per channel, grey or colour, with an alpha channel. This function must not contain an object with
-// a destructor, because libpng leaves it by a long jump.
+// a destructor, because libpng leaves the function by a long jump, which would skip the destructor.
 bool decode(Decoder& d) {
     if (setjmp(png_jmpbuf(d.png))) return false;
     png_set_read_fn(d.png, &d, take_bytes);
@@ -66,8 +66,8 @@ std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
     return value;
 }
 
-// True if each chunk up to the last has as many bytes in the file as it claims. The check is needed because libpng
-// allocates a chunk's claimed length before it reads: 1.5 GB for a file of 47 bytes.
+// True if each chunk up to the last has as many bytes in the file as its header states. The check is needed because
+// libpng allocates the stated length before it reads: 1.5 GB for a file of 47 bytes.
 bool holds_its_chunks(std::string_view bytes) {
     for (std::size_t at = 8; at + 8 <= bytes.size();) {
         const std::size_t length = big_endian(bytes, at);

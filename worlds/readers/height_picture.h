@@ -1,6 +1,6 @@
-// Reads a PNG picture as depths: black is the plain surface, white the greatest depth. In a colour
-// picture the blue channel gives the depth. Transparent pixels are plain. All bit depths, palettes and interlacing are
-// supported. Used on the loading thread.
+// Reads a PNG picture as depths: black is the plain surface, white the greatest depth. In a colour picture the blue
+// channel gives the depth. Transparent pixels have depth 0. All bit depths, palettes and interlacing are supported.
+// Used on the loading thread.
 #pragma once
 
 #include <string>

@@ -1,5 +1,4 @@
-// Rows of the table of readers for IFC, the format of architects' programs, plain or zipped. worlds/ifc does the
-// reading.
+// Registers the readers for IFC, the format of architects' programs, plain or zipped. worlds/ifc does the reading.
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/ifc/read_ifc.h"

@@ -1,4 +1,4 @@
-// A row of the table of readers for venues in the Indoor Mapping Data Format. worlds/imdf does the reading.
+// Registers the reader for venues in the Indoor Mapping Data Format. worlds/imdf does the reading.
 #include "worlds/imdf/read_imdf.h"
 #include "worlds/readers/reader.h"
 #include "worlds/readers/spoken_text.h"

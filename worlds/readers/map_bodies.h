@@ -23,18 +23,18 @@ struct BodyWish {
 };
 
 // Reads the keys of one entity. Set `dynamic` if its cs_name is one of dynamic_*: the entity is then free unless `free`
-// is 0. Set `can_move` if it is a separate object that nothing else moves. If an entity that cannot move should be
-// free, that is reported with its place. `surface` is what the entity's keys say about its surface. Returns nothing if
-// the entity is not free.
+// is 0. Set `can_move` if the entity is a separate object that nothing else moves. If the keys request a free body
+// although `can_move` is false, the function reports that with its place. `surface` contains the values of the entity's
+// surface keys. Returns nothing if the entity is not free.
 std::optional<BodyWish> body_wish_of(const MapEntity& entity, bool dynamic, bool can_move, const Material& surface,
                                      const MapKeys& keys, Diagnostics& diagnostics);
 
 class MapBodies {
 public:
-    // Adds a free body. `feature` is the feature of the entity's solids in the scene. A body that has no volume, or
-    // exceeds the maximum number of bodies, stays fixed, and that is reported.
+    // Adds a free body. `feature` is the feature of the entity's solids in the scene. A body without volume, or beyond
+    // the maximum number of bodies, stays fixed, and the function reports it.
     void add(Scene& scene, const BodyWish& wish, FeatureId feature, TextPlace place, Diagnostics& diagnostics);
-    // Notes an entity that has a position and a name, so that a string can be tied to it. `name` is its targetname.
+    // Stores the position and name of an entity, so that a string can be tied to it. `name` is the entity's targetname.
     void note_point(const std::string& name, const Vec3& at_m) { points_m_.emplace(name, at_m); }
     // Call after the last entity. Ties the strings to their entities. Reports strings whose target is missing and the
     // bodies beyond the maximum number.

@@ -1,5 +1,5 @@
-// Turns the brushes of a map into solids, finds out what their textures mean, and counts them. Used on the reading
-// thread only.
+// Turns the brushes of a map into solids, finds the special meaning of their textures, and counts the brushes. Used on
+// the reading thread only.
 #pragma once
 
 #include <cstdint>
@@ -26,17 +26,17 @@ public:
     // Like solid_of with warnings; also counts the brush in the report.
     BuiltSolid counted_solid_of(const MapBrush& brush);
     void count(const BuiltSolid& built);
-    // Returns the face of the brush that gave this plane of its solid. Refers to the brush built last.
+    // Returns the face of the brush that gave this plane of its solid. Refers to the brush that was built last.
     std::uint32_t face_of_plane(std::uint32_t plane) const { return face_of_plane_[plane]; }
 
     const TextureFacts& facts_of(std::string_view texture);
-    // Returns the special meaning that a brush's textures give it. It has one only if every face has a special texture;
-    // the first face then decides which.
+    // Returns the special meaning that a brush's textures give it. The brush has one only if every face has a special
+    // texture; the meaning is then that of the first face.
     TextureSense sense_of(const MapBrush& brush);
 
-    // Returns the line of an earlier brush of the same owner that equals the brush built last exactly. Returns 0 if
-    // there is none; the brush then counts as an earlier brush in later calls. Brushes of different owners never count
-    // as equal.
+    // Returns the line of an earlier brush of the same owner that equals the last built brush exactly. Returns 0 if
+    // there is no such brush; later calls then compare with the last built brush, too. Brushes of different owners are
+    // never equal.
     int repeats(const BuiltSolid& built, std::uint32_t owner, int line);
 
     void leave_out() { ++left_out_; }

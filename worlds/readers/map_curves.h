@@ -1,5 +1,5 @@
-// Collects the curved patches of a map while it is read. They are turned into triangles at the end, when the number of
-// patches is known. Used on the reading thread only.
+// Collects the curved patches of a map while the map is read. They are turned into triangles at the end, when the
+// number of patches is known. Used on the reading thread only.
 #pragma once
 
 #include <stop_token>
@@ -25,7 +25,7 @@ public:
     int left_out() const { return left_out_; }
 
     // Turns all patches into triangles of the scene and its features. No triangle is farther than chord_m from its
-    // curve. If that needs too many triangles, they are made coarser.
+    // curve. If this accuracy needs too many triangles, the patches get fewer and larger ones.
     void bend(Scene& scene, double chord_m, const std::stop_token& stop);
 
 private:

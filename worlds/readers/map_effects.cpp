@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kPulls{"point", "line", "surface", "object"};
 
-// Reads one entity. If the entity is refused, the reason is reported and reading ends.
+// Reads one entity. If the entity is refused, the reader reports the reason and stops.
 class EffectReader {
 public:
     EffectReader(const MapEntity& entity, std::string name, double units, Diagnostics& diagnostics)
@@ -94,7 +94,7 @@ public:
     }
 
     // Reports why the effect is left out. `why` is the key of a sentence about the effect {name}; {named} is "yes" if
-    // it has a name, else "no". Always returns false.
+    // the effect has a name, else "no". Always returns false.
     bool refuse(TextPlace place, std::string_view why) {
         diagnostics_.warn(place, "map.then_left_out", why, {{"name", name_}, {"named", name_.empty() ? "no" : "yes"}});
         return false;

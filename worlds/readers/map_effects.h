@@ -1,6 +1,6 @@
-// Reads entities of the class haptic_effect. Brushes, or an origin with a radius, say where the effect acts. Keys say
-// which force law it follows. An effect without size, or with a volume that is not closed, is left out and reported by
-// name; the rest of the map loads.
+// Reads entities of the class haptic_effect. Brushes, or an origin with a radius, state where the effect acts. Keys
+// state its force law. An effect without size, or with a volume that is not closed, is left out and reported by name;
+// the rest of the map loads.
 #pragma once
 
 #include <functional>
@@ -25,8 +25,8 @@ std::vector<ReadEffect> read_effects(const MapEntity& entity, int index, const s
                                      double metres_per_unit, const std::function<BuiltSolid(const MapBrush&)>& built,
                                      Diagnostics& diagnostics);
 
-// Call after the whole file. Connects the effects to the objects that they belong to. An unknown name is reported with
-// the nearest known one; the effect then does not move.
+// Call after the whole file. Connects the effects to the objects that they belong to. If no object has the name,
+// reports the name with the nearest known one; the effect then does not move.
 void attach_effects(std::vector<ReadEffect>& effects, Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace handrail::readers

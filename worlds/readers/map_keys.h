@@ -1,5 +1,5 @@
-// Reads the values of map keys. If a value is not a number or is out of range, that is reported with its place. The
-// default or the nearest legal value is then used.
+// Reads the values of map keys. If a value is not a number or is out of range, the reader reports it with its place and
+// uses the default or the nearest legal value.
 #pragma once
 
 #include <optional>
@@ -33,8 +33,8 @@ public:
     MapKeys(Diagnostics& diagnostics, double metres_per_unit) : diagnostics_(diagnostics), units_(metres_per_unit) {}
 
     // Reads a number from `least` to `most`. A value that is not a number is ignored, and a value out of range is
-    // replaced with the nearer limit. Each gives a warning. `range` is the key of the text that states the range, with
-    // {least} and {most}.
+    // replaced with the nearer limit. In both cases the function adds a warning. `range` is the key of the text that
+    // states the range, with {least} and {most}.
     std::optional<double> number_of(const MapEntity& entity, std::string_view key, double least, double most,
                                     std::string_view range) const;
     std::optional<double> number_of(const MapEntity& entity, const NumberKey& key) const {

@@ -11,7 +11,7 @@ namespace handrail::readers {
 namespace {
 
 constexpr NumberKey kLabyrinth{"labyrinth", 0.0, 9.0, "map.range"};
-constexpr double kGapAbove_m = 1.0;  // how far above a hole the gap in the floor may be
+constexpr double kGapAbove_m = 1.0;  // greatest height above a hole at which the gap in the floor may be
 constexpr double kLook_m = 0.01;
 
 bool inside(const Solid& solid, const Vec3& at_m) {

@@ -1,5 +1,5 @@
-// Decides what the surfaces of a map are made of and which surfaces look alike. The keys of an entity decide; without
-// such keys, the texture suggests a material. Used on the reading thread only.
+// Determines the material of a map's surfaces and which surfaces look alike. The keys of an entity state the material;
+// without such keys, the texture suggests one. Used on the reading thread only.
 #pragma once
 
 #include <map>
@@ -20,8 +20,8 @@ public:
     // `guess` says whether a texture's name may determine the material.
     explicit MapLooks(bool guess) : guess_(guess) {}
 
-    // Returns the look of a face. The result must not depend on whether guessing is on; otherwise the same map would
-    // have different walls when it is replayed.
+    // Returns the look of a face. The result must not depend on whether guessing is on. Otherwise the walls of the same
+    // map would be joined differently when the map is replayed.
     FaceLook look_of(const MapMeaning& meaning, const TextureFacts& facts);
     // Returns the index of a material in the scene; adds the material if it is new.
     MaterialId material_of(Scene& scene, const MapMeaning& meaning, const TextureFacts& facts,
@@ -29,7 +29,8 @@ public:
     void tell_guesses(ReadReport& report) const;
 
 private:
-    using LookKey = std::pair<std::string, std::string>;  // the material and the entity's keys about the surface
+    // Name of the material, and the entity's keys about the surface.
+    using LookKey = std::pair<std::string, std::string>;
 
     bool guess_;
     std::map<LookKey, FaceLook> known_looks_;

@@ -31,7 +31,7 @@ MapMeaning MapMeanings::read(const MapEntity& entity, const std::string& class_n
         feature.hinge = keys_.side_of(entity, "hinge");
         feature.handle = keys_.side_of(entity, "handle");
     }
-    // This is the end of the map: the person may look for it, and a message is announced there.
+    // The entity is the end of the map: the person may look for it, and its message is announced there.
     if (class_name == "trigger_changelevel") {
         feature.landmark = true;
         if (feature.message.empty()) {
@@ -110,7 +110,7 @@ MapMeaning MapMeanings::read(const MapEntity& entity, const std::string& class_n
     return meaning;
 }
 
-// Returns the exact shape that the key `shape` requests; empty if there is none.
+// Returns the exact shape that the key `shape` requests. Empty if it requests none.
 std::optional<PrimitiveKind> MapMeanings::shape_of(const MapEntity& entity, bool world, const MapMeaning& meaning) {
     const MapKey* key = entity.find("shape");
     if (!key) return std::nullopt;

@@ -1,4 +1,5 @@
-// Decides, by the class and the keys of an entity, what the entity's brushes become. Used on the reading thread only.
+// Determines, from the class and the keys of an entity, what the entity's brushes become. Used on the reading thread
+// only.
 #pragma once
 
 #include <optional>
@@ -26,7 +27,7 @@ struct MapMeaning {
     Vec3 flow_hand_m_per_s{0.0};
     std::optional<SoftWish> soft;
     std::optional<BodyWish> body;  // set if the entity is free to move
-    Material surface;              // what the keys say about the surface; its name is a library material or empty
+    Material surface;              // surface as the keys state it; its name is a library material or empty
     std::string look;              // a text that is equal for surfaces with the same keys
     SourcePlace source;
 };
@@ -37,7 +38,7 @@ public:
     MapMeanings(double metres_per_unit, Diagnostics& diagnostics, const MapKeys& keys, MapSurfaces& surfaces)
         : units_(metres_per_unit), diagnostics_(diagnostics), keys_(keys), surfaces_(surfaces) {}
 
-    // Decides what `entity` becomes. `index` is its index in the file, `class_name` its class in lower case.
+    // Determines what `entity` becomes. `index` is its index in the file, `class_name` its class in lower case.
     MapMeaning read(const MapEntity& entity, const std::string& class_name, int index);
 
 private:

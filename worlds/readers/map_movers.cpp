@@ -14,7 +14,7 @@ constexpr double kDoorSpeed_units_per_s = 100.0, kLiftSpeed_units_per_s = 150.0,
                  kTrainSpeed_units_per_s = 100.0;
 constexpr double kTurn_deg_per_s = 100.0, kMostTurn_deg_per_s = 720.0;
 constexpr double kDoorLip_units = 8.0, kButtonLip_units = 4.0, kLiftLip_units = 8.0;
-// How near a person must come to a door for it to open automatically.
+// Distances at which a door opens automatically for a person: next to the door, and above it.
 constexpr double kNearDoor_units = 60.0, kAboveDoor_units = 8.0;
 constexpr double kButtonWait_s = 1.0, kLiftWait_s = 3.0;
 constexpr double kLeastTravel_s = 0.1, kMostTravel_s = 60.0;
@@ -62,8 +62,8 @@ Aabb grown_by(Aabb box, const Vec3& by) {
     return box;
 }
 
-// Hangs a door leaf on one of its vertical edges. Decides which edge that is, and to which side the door opens. By
-// default it opens to the north or east.
+// Hangs a door leaf on one of its vertical edges. Chooses that edge, and the side to which the door opens. By default
+// the door opens to the north or east.
 void hang(ReadMover& read, const std::string& hinge) {
     const Aabb& box = read.bounds_m;
     const Vec3 size = box.size_m();
@@ -86,9 +86,9 @@ void hang(ReadMover& read, const std::string& hinge) {
     mover.travel_s = kLeafTravel_s;
 }
 
-// Returns the height of the lift's top at this part of its travel.
+// Returns the height of the lift's top at `part` of its travel.
 double top_m(const ReadMover& lift, double part) { return lift.bounds_m.max_m.z + lift.mover.slide_m.z * part; }
-// Returns the end of the lift's travel, 0 or 1, at which the lift's top is nearer to this height.
+// Returns the end of the lift's travel, 0 or 1, at which the lift's top is nearer to `floor_m`.
 double end_near(const ReadMover& lift, double floor_m) {
     return std::abs(top_m(lift, 0.0) - floor_m) <= std::abs(top_m(lift, 1.0) - floor_m) ? 0.0 : 1.0;
 }
@@ -122,7 +122,7 @@ void lay_track(ReadMover& read, const std::vector<ReadCorner>& corners, double u
     diagnostics.warn(read.target_place, "map.then_stands", "map.train_target");
 }
 
-// Connects movers, switches and their targets, and puts them into the scene. Call the public functions in the order in
+// Connects movers, switches and their targets, and adds them to the scene. Call the public functions in the order in
 // which attach_movers() calls them.
 class MoverLinks {
 public:
@@ -156,7 +156,7 @@ private:
     Scene& scene_;
     Diagnostics& diagnostics_;
     const double unit_m_;
-    std::vector<bool> wanted_;  // indexed by mover; true if a switch or another mover starts it
+    std::vector<bool> wanted_;  // indexed by mover; true if a switch or another mover starts this mover
 };
 
 void MoverLinks::lay_ways() {
@@ -176,7 +176,7 @@ void MoverLinks::lay_ways() {
 }
 
 void MoverLinks::lay_way(ReadMover& read) {
-    // In a building, a button calls a lift with a name, and the lift stays where it was sent.
+    // In a building, a button calls a lift with a name, and the lift stays at the storey to which it was sent.
     const bool called = read.lift && !scene_.game_map && !read.name.empty();
     if (called && !read.has_wait) read.mover.wait_s = -1.0;
     if (called && !read.has_speed) read.speed_units = kLiftSpeedInBuilding_units_per_s;
@@ -244,7 +244,7 @@ void MoverLinks::group_leaves() {
         }
 }
 
-// Returns the movers with the name `target`, and marks them as started by something.
+// Returns the movers with the name `target`, and marks them as started by a switch or another mover.
 std::vector<std::uint32_t> MoverLinks::want(const std::string& target) {
     std::vector<std::uint32_t> all;
     for (std::size_t i = 0; i < movers_.size(); ++i) {
@@ -304,7 +304,7 @@ void MoverLinks::join_lift(ReadMover& read) {
     read.mover.lift = static_cast<std::uint32_t>(lift - movers_.begin());
     read.mover.lift_part = end_near(*lift, read.bounds_m.min_m.z);
     if (!read.has_wait) read.mover.wait_s = kLiftDoorWait_s;
-    // The door also opens for a person in the lift, so that nobody is shut in.
+    // The door also opens for a person in the lift, so that nobody is trapped in the lift.
     read.mover.approach_m = lift->bounds_m;
     read.mover.approach_m.min_m.z = top_m(*lift, read.mover.lift_part);
     read.mover.approach_m.max_m.z = read.mover.approach_m.min_m.z + kStandingRoom_m;

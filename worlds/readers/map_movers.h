@@ -1,7 +1,7 @@
 // Reads the doors, lifts, buttons, trains, turning parts, switches and teleporters of a map. The classes are func_door,
 // func_plat, func_button, func_train with its path_corner, func_rotating and trigger_*. Their keys have the meaning
-// that the game of 1996 and its successors gave them. Doors of buildings, which swing, are read too. Entities are noted
-// one by one and connected after the last one, because a target may come later in the file.
+// that the game of 1996 and its successors gave them. Swinging doors of buildings are read too. The reader stores the
+// entities one by one and connects them after the last one, because a target may come later in the file.
 #pragma once
 
 #include <optional>
@@ -56,16 +56,16 @@ struct ReadMovers {
     std::set<std::string> names;  // all targetnames of the map
 };
 
-// Notes the targetname of an entity. Call for every entity.
+// Stores the targetname of an entity. Call for every entity.
 void note_name(ReadMovers& found, const MapEntity& entity);
 
-// Notes an entity whose brushes became `feature`. Does nothing if the entity's class does not move. `origin_units` is
+// Stores an entity whose brushes became `feature`. Does nothing if the entity's class does not move. `origin_units` is
 // the middle of the entity's brush with the texture "origin".
 void note_mover(ReadMovers& found, const MapEntity& entity, std::string_view class_name, FeatureId feature,
                 const MapKeys& keys, const std::optional<Vec3>& origin_units = {});
-// Notes a path_corner, which may be a stop of a train.
+// Stores a path_corner, which may be a stop of a train.
 void note_corner(ReadMovers& found, const MapEntity& entity, const MapKeys& keys);
-// note_switch notes the volume of a trigger or teleporter. note_destination notes a place that teleporters lead to.
+// note_switch stores the volume of a trigger or teleporter. note_destination stores a place to which teleporters lead.
 void note_switch(ReadMovers& found, const MapEntity& entity, std::string_view class_name, FeatureId feature);
 void note_destination(ReadMovers& found, const MapEntity& entity, const Vec3& feet_m, double heading_rad);
 

@@ -1,5 +1,5 @@
-// Furniture that an author places in a map with one key. It is turned into the brushes that the author would otherwise
-// have drawn. Used on the reading thread only.
+// Reads furniture that an author places in a map with one key. A piece is turned into the brushes that the author would
+// otherwise have drawn. Used on the reading thread only.
 #pragma once
 
 #include <optional>

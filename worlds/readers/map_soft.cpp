@@ -11,7 +11,7 @@ constexpr double kLeastStiffness = 0.02, kMostStiffness = 0.6;
 constexpr double kShortestRecoveryS = 0.02, kLongestRecoveryS = 60.0;
 constexpr double kLeastYieldN = 0.1, kMostYieldN = 4.0;
 constexpr double kMostOfThickness = 0.9;  // greatest share of a brush's thickness that may be soft; the rest stays hard
-// A face faces a direction if the cosine of the angle between them is above this (45 degrees).
+// A face faces a direction if the cosine of the angle between its normal and the direction is above this (45 degrees).
 constexpr double kFacesThatWay = 0.7;
 
 struct SideRow {

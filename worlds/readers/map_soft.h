@@ -9,7 +9,7 @@
 
 namespace handrail::readers {
 
-// What the keys of an entity say about the soft face of each of its brushes.
+// The soft face of each brush of an entity, as the keys of the entity state it.
 struct SoftWish {
     SoftFace face;             // a depth of 0 stands for half of the thickness
     Vec3 side{0.0, 0.0, 1.0};  // direction of the face that is soft
@@ -17,8 +17,8 @@ struct SoftWish {
     TextPlace depth_place;     // place of the key `soft_depth` in the file
 };
 
-// Reads the keys. Returns nothing if the key `soft` is missing. Also returns nothing, and reports it, if the value is
-// unknown or the depth is faulty; the object then stays hard.
+// Reads the keys. Returns nothing if the key `soft` is missing. If its value is unknown or the depth is faulty, reports
+// that and returns nothing; the object then stays hard.
 std::optional<SoftWish> soft_wish_of(const MapEntity& entity, double metres_per_unit, Diagnostics& diagnostics);
 
 // Returns the soft face of one brush. Reduces a depth that would leave nothing hard below the soft layer.

@@ -11,12 +11,13 @@
 namespace handrail::readers {
 namespace {
 
-// Greatest friction, that of rubber on rubber; with more, the hand sticks to the wall.
+// Greatest friction, that of rubber on rubber. With more friction, the hand sticks to the wall.
 constexpr double kMostFriction = 2.0;
-// Greatest damping; with more, the hand feels the noise of the device itself.
+// Greatest damping. With more damping, the hand feels the noise of the device itself.
 constexpr double kMostDampingNsPerM = 10.0;
 constexpr double kMillimetre = 1e-3;
-constexpr double kWaveDepth_mm = 0.4, kPictureDepth_mm = 2.0, kPeriod_mm = 10.0;  // used if the map gives none
+// Used if the map gives no depth or period.
+constexpr double kWaveDepth_mm = 0.4, kPictureDepth_mm = 2.0, kPeriod_mm = 10.0;
 
 constexpr NumberKey kStiffness{"stiffness", 0.0, 1.0, "map.range"};
 constexpr NumberKey kFriction{"friction", 0.0, kMostFriction, "map.range"};

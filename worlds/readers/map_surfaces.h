@@ -29,7 +29,7 @@ public:
           keys_(keys),
           built_(std::move(built)) {}
 
-    // Reads everything except the material's name.
+    // Reads all keys about the surface except the material's name.
     Material read(const MapEntity& entity);
 
 private:

@@ -53,8 +53,8 @@ public:
         return token_;
     }
 
-    // Takes an unquoted texture name. It runs to the next white space, whatever it contains. Do not call this after
-    // peek().
+    // Reads an unquoted texture name. The name extends to the next white space, whatever it contains. Do not call this
+    // after peek().
     Token take_texture() {
         while (at_ < bytes_.size() && is_blank(bytes_[at_])) step();
         Token token{TokenKind::Word, {}, here()};
