@@ -75,8 +75,8 @@ public:
         }
     }
 
-    // Skips the rest of a block after its opening brace. Only braces that stand alone count, because texture names may
-    // begin with a brace.
+    // Skips the rest of a block after its opening brace. Only braces that stand alone are matched, because texture
+    // names may begin with a brace.
     void skip_block() {
         if (peeked_) rewind_to_token();
         for (int depth = 1; at_ < bytes_.size(); step()) {
@@ -112,8 +112,8 @@ private:
         return (at_ == 0 || separates(bytes_[at_ - 1])) && (at_ + 1 >= bytes_.size() || separates(bytes_[at_ + 1]));
     }
 
-    // Puts back a token that was only peeked at. Tokens contain no line end, so the line and column are those of the
-    // token.
+    // Puts back a token that was only peeked at. A token contains no line end, so the position can return to the line
+    // and column of the token.
     void rewind_to_token() {
         peeked_ = false;
         if (token_.kind == TokenKind::End) return;
@@ -150,8 +150,9 @@ private:
         return token;
     }
 
-    // True if the quote at `quote`, which follows a backslash, ends the string. Usually it belongs to the string. It
-    // ends the string if white space and then a quote, a brace or the end of the line follow it, as in "c:\a\".
+    // True if the quote at `quote`, which follows a backslash, ends the string. Usually the quote belongs to the
+    // string. It ends the string if white space and then a quote, a brace or the end of the line follow it, as in
+    // "c:\\a\\".
     bool closes_after_backslash(std::size_t quote) const {
         std::size_t i = quote + 1;
         while (i < bytes_.size() && is_blank(bytes_[i]) && !is_line_end(bytes_[i])) ++i;
@@ -201,7 +202,8 @@ public:
             if (token.is('{')) read_entity(token.place);
             else if (token.text == "Version" && is_number(lexer_.peek())) read_version();
             else if (!complained_outside_) {
-                // Reported only once, because a file in another format would give thousands of such warnings.
+                // The fault is reported only once, because a file in another format would give thousands of such
+                // warnings.
                 complained_outside_ = true;
                 diagnostics_.error(token.place, "map.then_passed_over", "map.no_entity",
                                    {{"found", excerpt(token.text)}, {"end", is_end(token)}});
@@ -210,8 +212,8 @@ public:
     }
 
 private:
-    // Returns the value of {end} for texts about {found}. These texts need it because the end of the file cannot be
-    // shown as a word.
+    // Returns the value of {end} for texts about {found}. The texts need this value, because the end of the file cannot
+    // be shown as a word.
     static const char* is_end(const Token& token) { return token.kind == TokenKind::End ? "yes" : "no"; }
 
     void read_version() {
@@ -246,7 +248,7 @@ private:
         bool complained = false;
         while (!stop_.stop_requested()) {
             const Token token = lexer_.peek();
-            if (token.is('(')) {  // faces without a brush: this file, or this part of it, has brushes without an entity
+            if (token.is('(')) {  // Faces without a brush: the file, or this part of it, has brushes without an entity.
                 if (!complained_bare_) diagnostics_.warn(token.place, "map.then_building", "map.bare_brushes");
                 complained_bare_ = true;
                 read_faces(entity, place);
@@ -448,7 +450,7 @@ private:
     int brushes_before() const { return file_.brushes - file_.brushes_damaged - 1; }
 
     // Reads "( x y z ) ( x y z ) ( x y z ) TEXTURE" and then either numbers, or two axes in square brackets and
-    // numbers. Games add further numbers; none of them is required.
+    // numbers. Games add further numbers, which are optional.
     bool read_face(MapFace& face, bool silent, FaceForm form) {
         face.place = lexer_.peek().place;
         const auto refuse = [&](const Token& found, std::string_view what, int point = 0) {
@@ -494,8 +496,8 @@ private:
         return true;
     }
 
-    // Turns "( a b c d )" of brushDef3 into three points on the plane ax + by + cz + d = 0. Their order is that seen
-    // from the side where the sum is positive. Returns false if the normal is zero.
+    // Turns "( a b c d )" of brushDef3 into three points on the plane ax + by + cz + d = 0. Their order is the order
+    // seen from the side where the sum is positive. Returns false if the normal is zero.
     static bool points_of_plane(const std::array<double, 4>& plane, MapFace& face) {
         constexpr double kApart_units = 128.0;
         const Vec3 normal(plane[0], plane[1], plane[2]);

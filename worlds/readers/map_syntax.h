@@ -1,7 +1,7 @@
-// The grammar of .map files of the Quake family, without its meaning: entities with keys, brushes and curved patches. A
-// brush face is given by three points or by a plane. Faces with points have the Standard or the Valve 220 form, which
-// may differ from face to face, plain or within brushDef. Faces with planes are those of brushDef3 (Doom 3). The parser
-// accepts any bytes; it reports damage and keeps what is complete. It uses no recursion. Time and memory are
+// Parses the grammar of .map files of the Quake family, without their meaning: entities with keys, brushes and curved
+// patches. Three points or a plane define a brush face. Faces with points have the Standard or the Valve 220 form,
+// which may differ from face to face, plain or within brushDef. Faces with planes are those of brushDef3 (Doom 3). The
+// parser accepts any bytes; it reports damage and keeps the complete parts. It uses no recursion. Time and memory are
 // proportional to the size of the file.
 #pragma once
 
@@ -42,7 +42,7 @@ struct MapPatch {
 };
 
 struct MapEntity {
-    std::vector<MapKey> keys;  // each key occurs once; if the file repeats a key, the last value counts
+    std::vector<MapKey> keys;  // each key occurs once; if the file repeats a key, the last value is used
     std::vector<MapBrush> brushes;
     std::vector<MapPatch> patches;
     TextPlace place;
@@ -62,7 +62,7 @@ struct MapFile {
     int version = 0;
 };
 
-// Parses a map. After a stop request it returns what it has read by then.
+// Parses a map. After a stop request it returns the part that it has read by then.
 MapFile parse_map(std::string_view bytes, Diagnostics& diagnostics, const std::stop_token& stop = {});
 
 // Decodes a quoted string: \" becomes ", everything else is unchanged.

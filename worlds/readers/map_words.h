@@ -1,6 +1,6 @@
-// The meaning of the words in a map: the classes of its entities, the sounds that they make, and the names of its
-// textures. Tables and pure functions that any thread may use. The names are those that files use; for speech use
-// phrase("kind." + name).
+// Tables of the words in a map: the classes of its entities, the sounds that they make, and the names of its textures.
+// The functions are pure; any thread may use them. The names are those that files use; for speech use phrase("kind." +
+// name).
 #pragma once
 
 #include <string_view>
@@ -10,8 +10,8 @@
 
 namespace handrail::readers {
 
-// A row of the table of entity classes: what the brushes of an entity become. The first row that matches counts. A
-// class_name that ends in * matches as a prefix.
+// A row of the table of entity classes. It states what the brushes of an entity become. The first row that matches is
+// used. A class_name that ends in * matches as a prefix.
 struct ClassRow {
     std::string_view class_name;
     SolidRole role;
@@ -21,7 +21,7 @@ struct ClassRow {
 // Returns null for a class without a row, whose entities are ordinary things.
 const ClassRow* class_row(std::string_view class_name);
 
-// Gives the feature one of our own names. Use it if the map gives no name.
+// Gives the feature one of our own names. Use this function if the map gives no name.
 void give_name(Feature& feature, std::string_view name);
 
 // True for classes that are part of the building itself. Their brushes are joined, and named by side unless the entity

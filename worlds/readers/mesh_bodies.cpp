@@ -19,7 +19,7 @@ struct ShellPlace {
     std::size_t piece = 0;
     MeshShell shell;
     bool is_body = false;
-    // For a shell that faces inwards: index of the shell of its body, or its own index if it has none.
+    // For a shell that faces inwards: index of the shell of its body. If it belongs to no body, its own index.
     std::size_t hollow_of = 0;
 };
 
@@ -92,8 +92,8 @@ private:
         }
     }
 
-    // True if the shell contains another shell: the box of the other is within its box, and the middle of that box is
-    // inside the shell.
+    // True if the shell contains another shell: the box of the other shell is within its box, and the middle of that
+    // box is inside the shell.
     bool holds_others(std::size_t s, const BoxIndex& index) {
         index.find(boxes_[s], near_);
         const std::vector<std::uint32_t> near = near_;
@@ -127,15 +127,15 @@ private:
         const bool alone = shells_.size() == 1;
         if (alone && (body.solids.size() == 1 || (body.solids.empty() && goes_out_all_round(s)))) return false;
         const Vec3 size = boxes_[s].size_m();
-        // A sheet that the file gives twice, once for each side.
+        // The piece is a sheet that the file gives twice, once for each side.
         if (std::min({size.x, size.y, size.z}) < kBarelyIn_m) return false;
         solids += body.solids.size();
         made.bodies.push_back(std::move(body));
         return true;
     }
 
-    // True if the shell is convex, that is, if all corners are behind all faces. It is used for shells that are too
-    // finely made to be filled. Tests at most 1000 faces.
+    // True if the shell is convex, that is, if all corners are behind all faces. The test is used for shells with too
+    // many faces to be filled. Tests at most 1000 faces.
     bool goes_out_all_round(std::size_t s) const {
         const MeshPiece& mesh = meshes_[shells_[s].piece];
         const std::vector<std::uint32_t>& all = shells_[s].shell.triangles;

@@ -1,5 +1,5 @@
-// Finds the closed pieces of meshes that are solid bodies. A body is filled with convex solids. If it is too finely
-// made for that, only its outer surface can be touched. The remaining triangles are sheets. Used on the reading thread
+// Finds the closed pieces of meshes that are solid bodies. A body is filled with convex solids. If it has too many
+// faces for that, only its outer surface can be touched. The remaining triangles are sheets. Used on the reading thread
 // only.
 #pragma once
 

@@ -127,7 +127,7 @@ private:
     bool is_free(const Aabb& body, std::size_t shell) const {
         for (std::size_t i = 0; i < pieces_.size(); ++i)
             if (i != shell && overlap(pieces_[i].box, body)) return false;
-        // The solids of the shell itself may be its walls.
+        // The body is compared with the solids of the shell instead of its box, because these solids may be its walls.
         const auto solids = std::span(scene_.solids).subspan(pieces_[shell].first_solid, pieces_[shell].solids);
         return std::none_of(solids.begin(), solids.end(), [&](const Solid& solid) { return meets(solid, body); });
     }
@@ -147,7 +147,7 @@ private:
     }
 
     // Chooses the start, because mesh formats state none. It is in the shell that contains the most other pieces, on
-    // its floor, at the free place nearest to its middle.
+    // the floor of the shell, at the free place nearest to its middle.
     void start_within() {
         constexpr Vec3 kBody_m{0.6, 0.6, 1.9};
         constexpr int kPlaces = 21;  // number of places tried in each direction
@@ -160,7 +160,7 @@ private:
                 static_cast<std::size_t>(std::count_if(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
                     return glm::all(glm::greaterThanEqual(piece.box.min_m, outer.min_m)) &&
                            glm::all(glm::lessThanEqual(piece.box.max_m, outer.max_m));
-                }));  // the count includes the shell itself
+                }));  // the number includes the shell itself
             if (held > std::max<std::size_t>(most, 1)) shell = i, most = held;
         }
         if (shell == pieces_.size()) return;
@@ -183,9 +183,10 @@ private:
         if (best) start_at(*best, pieces_[shell]);
     }
 
-    // Chooses the start if no shell contains other pieces, as in a building made of slabs. Without it, the person would
-    // start next to the mesh and fall. The start is on the widest slab that has room for a person above it, at the free
-    // place nearest to the slab's middle. Slabs under a roof are preferred; of two equal slabs, the lower one is used.
+    // Chooses the start if no shell contains other pieces, as in a building made of slabs. Without this choice, the
+    // person would start next to the mesh and fall. The start is on the widest slab that has room for a person above
+    // it, at the free place nearest to the slab's middle. Slabs under a roof are preferred; of two equal slabs, the
+    // lower one is used.
     void start_upon() {
         constexpr Vec3 kBody_m{0.6, 0.6, 1.9};
         constexpr std::size_t kTried = 12;
@@ -223,7 +224,7 @@ private:
         }
     }
 
-    // True if something wide is above the place at the height of a ceiling.
+    // True if a wide part is above the place at the height of a ceiling.
     bool is_covered(const Vec3& feet_m) const {
         constexpr double kLow_m = 1.9, kHigh_m = 8.0;
         return std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
@@ -276,7 +277,8 @@ private:
     void write_report() {
         ReadReport& report = scene_.report;
         report.polygons_kept = report.polygons;
-        report.polygons_hidden = 0;  // the hidden faces are cuts through the inside of bodies, not faces of the file
+        // The hidden faces are cuts through the inside of bodies, not faces of the file, so they are not counted.
+        report.polygons_hidden = 0;
         report.triangles = static_cast<int>(scene_.triangles.size());
         if (filled_ > 0)
             report.guessed.push_back(phrase("mesh.solids", {{"solids", filled_}, {"all", pieces_.size()}}));

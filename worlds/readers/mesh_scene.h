@@ -1,5 +1,5 @@
-// Turns named triangle meshes into a Scene. The readers of glTF, PLY and STL share it. A closed mesh is solid
-// (mesh_bodies decides which). Everything else becomes sheets that can be touched from both sides.
+// Turns named triangle meshes into a Scene. The readers of glTF, PLY and STL share it. Closed meshes become solids
+// (mesh_bodies chooses which). All other triangles become sheets that can be touched from both sides.
 #pragma once
 
 #include <array>

@@ -18,7 +18,7 @@ constexpr double kKnee_m = 0.25;                // a person can step over obstac
 constexpr double kAside_m = 0.6, kSameFloor_m = 0.25;
 constexpr double kRoof_m = 8.0;         // height of the highest ceiling
 constexpr double kLevel = 0.7;          // least upward component of a floor's normal
-constexpr double kFloorsAlike_m = 1.0;  // floors whose heights differ by less than this count as one storey
+constexpr double kFloorsAlike_m = 1.0;  // floors whose heights differ by less than this are on one storey
 constexpr int kPlaces = 21;             // number of places tried in each direction
 constexpr std::size_t kMostFloors = 16;
 
@@ -134,7 +134,7 @@ std::optional<Vec3> place_to_stand(const Scene& scene, const std::stop_token& st
     if (std::min(size.x, size.y) < 2.0 * kAside_m) return std::nullopt;
     Columns columns(scene);
     // A place to stand. Places are sorted with the best first: under a roof, then on the lower storey, then nearer to
-    // the middle.
+    // the middle of the mesh.
     struct Place {
         Vec3 feet_m{0.0};
         bool open = false;

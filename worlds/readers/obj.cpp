@@ -1,4 +1,4 @@
-// Reads Wavefront .obj meshes. Closed objects are solid (see mesh_bodies). All others become sheets of triangles.
+// Reads Wavefront .obj meshes. Closed objects become solids (see mesh_bodies). All others become sheets of triangles.
 // Sheets are two-sided, unless a comment "#touch_side front" or "back" changes that for the faces below it. Damage is
 // reported by line, and the rest of the file loads.
 #include <algorithm>
@@ -57,7 +57,7 @@ std::vector<std::array<std::size_t, 3>> triangles_of(const std::vector<Vec3>& co
         });
     };
     while (ring.size() > 3 && !stop.stop_requested()) {
-        std::size_t ear = 1;  // if there is no ear, the next corner is cut off, which makes a fan
+        std::size_t ear = 1;  // if there is no ear, the next corner is cut off, so that the rest becomes a fan
         for (std::size_t at = 0; at < ring.size() && !stop.stop_requested(); ++at) {
             if (!is_ear(at)) continue;
             ear = at;
@@ -99,7 +99,8 @@ public:
         if (options_.stop.stop_requested()) return fail(phrase("files.stopped"), scene_.source_file);
         ReadReport& report = scene_.report;
         report.polygons_kept = report.polygons;
-        report.polygons_hidden = 0;  // the hidden faces are cuts through the inside of bodies, not faces of the file
+        // The hidden faces are cuts through the inside of bodies, not faces of the file, so they are not counted.
+        report.polygons_hidden = 0;
         report.triangles = static_cast<int>(scene_.triangles.size());
         if (curves_ > 0) report.left_out.push_back(phrase("obj.curves_left_out", {{"n", curves_}}));
         if (faces_left_out_ > 0) report.left_out.push_back(phrase("obj.faces_left_out", {{"n", faces_left_out_}}));
@@ -136,7 +137,7 @@ private:
         return true;
     }
 
-    // Reads "#touch_side". It is written as a comment so that other programs ignore it.
+    // Reads "#touch_side". The key is written as a comment so that other programs ignore it.
     void read_side(std::string_view word) {
         if (const std::optional<TouchSide> side = touch_side_named(word)) side_ = *side;
         else
@@ -175,7 +176,7 @@ private:
         else if (what == "l" || what == "p" || what == "curv" || what == "surf") ++curves_;
         else if (what != "vt" && what != "vn" && what != "vp" && what != "s" && what != "mtllib" &&
                  !complained_unknown_) {
-            // Reported only once, because a file in another format would give thousands of such warnings.
+            // The fault is reported only once, because a file in another format would give thousands of such warnings.
             complained_unknown_ = true;
             diagnostics_.warn(place(0), "map.then_passed_over", "obj.no_statement", {{"word", excerpt(what)}});
         }
@@ -332,8 +333,8 @@ private:
         if (outsides > 0) scene_.report.simplified.push_back(phrase("mesh.outsides", {{"n", outsides}}));
     }
 
-    // Adds a solid of a body. Each face takes the material of the mesh surface at the middle of the face. A face that
-    // is only a cut through the body takes the material of the first triangle.
+    // Adds a solid of a body. Each face gets the material of the mesh surface at the middle of the face. A face that is
+    // only a cut through the body gets the material of the first triangle.
     void add_solid(ConvexSolid shape, const std::vector<std::size_t>& skin) {
         const MeshTriangle& first = scene_.triangles[skin.front()];
         const bool alike = std::all_of(skin.begin(), skin.end(),
@@ -400,8 +401,8 @@ private:
     bool y_up_ = false;
 };
 
-// True if Sweet Home 3D wrote the file. It states its name in the file, and its files always have the same axes and
-// unit.
+// True if Sweet Home 3D wrote the file. That program states its name in the file, and its files always have the same
+// axes and unit.
 bool is_of_sweet_home(std::string_view bytes) {
     constexpr std::size_t kHead = 1024;
     const std::string_view head = bytes.substr(0, kHead);

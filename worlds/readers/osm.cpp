@@ -1,4 +1,4 @@
-// A row of the table of readers for buildings from OpenStreetMap. worlds/osm does the reading.
+// Registers the reader for buildings from OpenStreetMap. worlds/osm does the reading.
 #include "worlds/osm/read_osm.h"
 #include "worlds/readers/reader.h"
 #include "worlds/readers/spoken_text.h"

@@ -1,5 +1,5 @@
-// Reads PLY, as text and in binary of both byte orders: points and faces with z up, without unit or names. Other
-// elements and properties are ignored.
+// Reads PLY, as text and in binary of both byte orders. It reads points and faces with z up, without unit or names.
+// Other elements and properties are ignored.
 #include <algorithm>
 #include <bit>
 #include <cstring>

@@ -1,5 +1,5 @@
-// Turns the entities of a Quake-family .map into a Scene. map_meaning decides what each entity means; the code here
-// makes solids, curves, sounds and places of them.
+// Turns the entities of a Quake-family .map into a Scene. map_meaning determines what each entity becomes; the code
+// here makes solids, curves, sounds and places from them.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -106,7 +106,7 @@ private:
         if (class_name.starts_with("info_player_")) read_start(entity, class_name, index);
         if (class_name.starts_with("func_door")) ++scene_.report.doors;
         note_name(movers_, entity);
-        // The entity is a place that a rubber string can be tied to.
+        // A rubber string can be tied to a named entity with an origin, so its place is stored.
         if (const MapKey* name = entity.find("targetname"); name && entity.find("origin"))
             if (const std::optional<Vec3> origin = keys_.vector_of(entity, "origin"))
                 bodies_.note_point(std::string(trimmed(name->value)), *origin * units_);
@@ -190,7 +190,7 @@ private:
         else if (const std::optional<Vec3> angles =
                      keys_.vector_of(entity, entity.find("angles") ? "angles" : "mangle"))
             angle_deg = angles->y;
-        // -1 and -2 mean up and down, which are no headings.
+        // The values -1 and -2 mean up and down, so they give no heading.
         if (angle_deg == -1.0 || angle_deg == -2.0) angle_deg = 0.0;
         const double heading = std::remainder(radians_from_degrees(90.0 - angle_deg), 2.0 * kPi);
         return heading < 0.0 ? heading + 2.0 * kPi : heading;
@@ -335,13 +335,13 @@ private:
         return thing;
     }
 
-    // What a brush is because of its texture, in addition to the meaning of its entity.
+    // The role and volume that a brush has because of its texture, in addition to the meaning of its entity.
     struct BrushSense {
         SolidRole role = SolidRole::Solid;
         FeatureKind kind = FeatureKind::Liquid;  // kind of the volume
         std::string_view volume;                 // name of the volume; empty: no volume
     };
-    // Returns what the brush is. Empty for brushes that only editors need and nobody can touch.
+    // Returns the role and volume of the brush. Empty for brushes that only editors need and nobody can touch.
     std::optional<BrushSense> sense_of(const MapBrush& brush, const MapMeaning& meaning) {
         if (meaning.role == SolidRole::Trigger || meaning.role == SolidRole::Illusion || meaning.liquid)
             return BrushSense{meaning.role, FeatureKind::Liquid, {}};
@@ -366,7 +366,7 @@ private:
         return BrushSense{meaning.role, FeatureKind::Liquid, {}};
     }
 
-    // What the brushes of an entity have become up to now.
+    // The features that have been made from an entity's brushes up to now.
     struct Made {
         FeatureId whole = kNoFeature;
         bool moves = false;
@@ -403,7 +403,7 @@ private:
         Feature& feature = scene_.features[made.whole.value];
         const Vec3 size = feature.bounds_m.size_m();
         if (feature.kind == FeatureKind::Door && feature.name == "door" && size.z < 0.5 * std::min(size.x, size.y))
-            feature.name = "sliding floor";  // the mover is flat, so it is a bridge or trapdoor
+            feature.name = "sliding floor";  // the mover is lower than it is wide, so it is a bridge or trapdoor
     }
 
     void read_brush(const MapBrush& brush, const MapMeaning& meaning, int index, Made& made) {
@@ -446,8 +446,8 @@ private:
         scene_.solids.push_back(std::move(solid));
     }
 
-    // True if the brush repeats an earlier one; it is then left out. An author who copied a brush twice by mistake
-    // feels only one anyway, and thousands at one place would cost time.
+    // True if the brush repeats an earlier one and is therefore left out. If an author copied a brush twice by mistake,
+    // a hand feels only one anyway, and thousands at one place would cost time.
     bool repeats(const MapBrush& brush, const BuiltSolid& built, const BrushSense& sense, const MapMeaning& meaning,
                  int index) {
         if (sense.role != SolidRole::Solid || meaning.soft) return false;
@@ -498,8 +498,8 @@ private:
         return TouchSide::Both;
     }
 
-    // Notes a patch of an entity. `whole` is the entity's feature; if the entity has only patches, the feature is made
-    // here.
+    // Reads a patch of an entity for MapCurves. `whole` is the entity's feature; if the entity has only patches, the
+    // feature is made here.
     void read_patch(const MapPatch& patch, const MapMeaning& meaning, int index, FeatureId& whole, TouchSide side) {
         const TextureFacts& facts = brushes_.facts_of(patch.texture);
         if ((meaning.role != SolidRole::Solid && meaning.role != SolidRole::Mover) ||

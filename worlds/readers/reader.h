@@ -17,7 +17,7 @@ namespace handrail::readers {
 struct ReadOptions {
     double map_metres_per_unit = 1.0 / 32.0;  // unit of .map files (Quake: 1/32)
     double obj_metres_per_unit = 1.0;         // unit of .obj, .ply and .stl files
-    // The person stated the unit. So read_world does not warn about a very wide or narrow world.
+    // The person stated the unit, so read_world does not warn about a very wide or narrow world.
     bool unit_is_known = false;
     bool guess_materials = true;  // guess materials from texture names; true for exploring, false for replay
     bool solid_meshes = true;     // make closed objects of an .obj solid; true for exploring, false for replay
@@ -30,16 +30,16 @@ struct ReadOptions {
     std::function<void(double fraction)> progress;
     // Called with the current stage, as the key of a text ("import.shapes"); may be empty.
     std::function<void(std::string_view stage)> stage;
-    // Readers check it many times a second, whatever the file contains. After a stop request, reading fails; ignore the
-    // sentence of that failure.
+    // Readers check `stop` many times a second, whatever the file contains. After a stop request, reading fails; ignore
+    // the sentence of that failure.
     std::stop_token stop;
 };
 
-// One file format: which files it accepts and how they are read. This is a row of the table of readers; new formats are
-// added there.
+// One file format: which files it accepts and how they are read. A MapReader is a row of the table of readers, to which
+// new formats are added.
 struct MapReader {
     std::string_view name;  // name of the format, as in `info --json`: "map"
-    // Decides by the ending of the file name and the first bytes.
+    // Returns true if the reader accepts a file with this ending of its name and these first bytes.
     bool (*accepts)(const std::filesystem::path& path, std::string_view bytes);
     Result<Scene> (*read)(std::string_view bytes, const std::string& file_name, const ReadOptions& options);
 };
@@ -97,10 +97,11 @@ Result<Scene> read_quake_map(std::string_view bytes, const std::string& file_nam
 // names materials. Closed meshes are solid, as described below for glTF; everything else becomes Scene::triangles.
 Result<Scene> read_obj(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 
-// Read meshes. read_gltf reads glTF 2.0 as .glb or .gltf (with its .bin next to it). It is in metres with y up and is
-// turned to z up; its nodes become things with their names. PLY and STL files give one thing, or one for each solid of
-// a text STL; they have z up and are in metres unless the options state another unit. In all these formats a closed
-// mesh is solid, unless it contains other meshes, or is convex and the only one. All other meshes become sheets.
+// These functions read meshes. read_gltf reads glTF 2.0 as .glb or .gltf (with its .bin next to it). glTF is in metres
+// with y up and is turned to z up; its nodes become things with their names. PLY and STL files give one thing, or one
+// for each solid of a text STL; they have z up and are in metres unless the options state another unit. In all these
+// formats a closed mesh is solid, unless it contains other meshes, or is convex and the only one. All other meshes
+// become sheets.
 Result<Scene> read_gltf(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 Result<Scene> read_ply(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 Result<Scene> read_stl(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});

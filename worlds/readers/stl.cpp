@@ -1,4 +1,4 @@
-// Reads STL, binary and as text: triangles with z up, without unit, names or materials.
+// Reads STL, binary and as text. It reads triangles with z up, without unit, names or materials.
 #include <charconv>
 #include <cstring>
 
@@ -21,7 +21,8 @@ bool begins(std::string_view text, std::string_view word) {
     return text.size() >= word.size() && lower_ascii(text.substr(0, word.size())) == word;
 }
 
-// True for a binary file. Such a file may begin with "solid" too, so its length decides.
+// True for a binary file. A binary file may begin with "solid" too, so the length of the file is tested first, and then
+// its first bytes.
 bool is_binary(std::string_view bytes) {
     if (bytes.size() < kHead) return false;
     if (bytes.size() == kHead + kTriangle * count_in(bytes)) return true;
@@ -86,7 +87,7 @@ Result<Scene> read_stl(std::string_view bytes, const std::string& file_name, con
         if (!good) {
             diagnostics.warn({line, 0}, "obj.then_face", "mesh.bad_point");
             ++file.faces_left_out;
-            corners = 4;  // the facet has more than three corners and gives no further triangle
+            corners = 4;  // The facet has more than three corners and gives no further triangle.
             continue;
         }
         part.points_m.push_back(p * file.metres_per_unit);

@@ -1,4 +1,4 @@
-// Units of length for files that do not state theirs. Any thread may call these functions.
+// Converts units of length, and warns about files that do not state theirs. Any thread may call these functions.
 #pragma once
 
 #include <optional>
@@ -19,8 +19,8 @@ std::optional<double> unit_named(std::string_view word);
 // report. The warning states the width as read and in other units.
 void ask_about_unit(Scene& scene);
 // If a mesh seems to lie on its side, inserts a warning at the front of the report. Such a mesh is thin from south to
-// north, and most of its flat area faces in that direction. It occurs because formats without a stated axis are often
-// written with y upwards.
+// north, and most of its flat area faces in that direction. Formats without a stated axis are often written with y
+// upwards, which causes this.
 void ask_about_axes(Scene& scene);
 
 }  // namespace handrail::readers

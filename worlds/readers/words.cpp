@@ -1,4 +1,4 @@
-// A row of the table of readers for room descriptions. worlds/words does the reading.
+// Registers the reader for room descriptions. worlds/words does the reading.
 #include "worlds/readers/reader.h"
 #include "worlds/readers/spoken_text.h"
 #include "worlds/words/read_words.h"

@@ -55,8 +55,8 @@ Aabb building_bounds_m(const Scene& scene) {
     Aabb building = rooms;
     const auto take = [&](const Aabb& box) {
         if (box.empty() || box.size_m().z < kUpright_m) return;
-        // Includes only the part of the box near the rooms, because a garden wall that continues from the house does
-        // not belong to the building.
+        // Includes only the part of `box` near the rooms, because a garden wall that continues from the house does not
+        // belong to the building.
         const Aabb part{glm::max(box.min_m, near.min_m), glm::min(box.max_m, near.max_m)};
         if (!part.empty()) building.include(part);
     };

@@ -1,5 +1,5 @@
-// Haptic effects as the world file states them: forces in space, without visible geometry. haptic/compile turns them
-// into force laws. The kinds of effects are rows of a table.
+// Defines haptic effects as the world file states them: forces in space, without visible geometry. haptic/compile turns
+// them into force laws. The kinds of effects are rows of a table.
 #pragma once
 
 #include <span>
@@ -30,16 +30,16 @@ struct EffectSpec {
 
 // Returns all kinds, in a fixed order.
 std::span<const EffectSpec> effect_table();
-// Finds the kind with exactly this name, ignoring case. Returns nullptr if there is none.
+// Finds the kind with exactly this name, ignoring case. Returns nullptr if there is no such kind.
 const EffectSpec* find_effect(std::string_view name);
 // Explains in a sentence what strength and width mean for this kind.
 std::string effect_meaning(const EffectSpec& spec);
 
-// The part of its surroundings to which a magnet pulls the hand.
+// The part of a magnet or object to which a magnet pulls the hand.
 enum class MagnetPull {
     Point,    // the middle of the magnet's volume
-    Line,     // the longest middle line of its volume
-    Surface,  // the largest middle plane of its volume
+    Line,     // the longest middle line of the magnet's volume
+    Surface,  // the largest middle plane of the magnet's volume
     Object,   // the faces of the box around the object that the magnet belongs to
 };
 

@@ -1,5 +1,5 @@
-// Objects of a world that are free to move: they can be pushed, lifted and dropped. Plain values of a Scene.
-// haptic/compile/compile_dynamics makes rigid bodies of them, and app/core/bodies moves them.
+// Defines the objects of a world that are free to move: they can be pushed, lifted and dropped. Plain values of a
+// Scene. haptic/compile/compile_dynamics makes rigid bodies of them, and app/core/bodies moves them.
 #pragma once
 
 #include <cstddef>
@@ -19,13 +19,13 @@ struct FreeBody {
     FeatureId feature = kNoFeature;
     double mass_kg = 1.0;  // mass of the body, from kLeast_kg to kMost_kg
     // Coefficients of friction while sliding and at rest, each from 0 to 2. Each is multiplied by the coefficient of
-    // the other surface; a plain floor has 1.
+    // the other surface, which is 1 for a plain floor.
     double friction = 0.4, friction_static = 0.5;
     // The speed after an impact as a share of the speed before it, from 0 to 0.95. It is multiplied by the elasticity
     // of the other body.
     double elasticity = 0.2;
-    // Rolling resistance: how far ahead of the centre the floor's force acts, as a share of the body's least half
-    // width.
+    // Rolling resistance: the distance ahead of the centre at which the floor's force acts, as a share of the body's
+    // least half width.
     double rolling = 0.1;
     // A rubber string leads from the middle of the body to string_at_m. The farther it is stretched, the harder it
     // pulls. A stiffness of 0 means that there is no string.

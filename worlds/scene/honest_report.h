@@ -1,6 +1,6 @@
-// A report on a building whose file states rooms and doors. It says what Handrail understood, and what must be checked
-// before anybody relies on it. Speech, terminal and JSON all use it. Pure functions over a Scene; any thread may call
-// them.
+// Makes a report on a building whose file states rooms and doors. It lists what Handrail understood, and what must be
+// checked before anybody relies on it. Speech, terminal and JSON all use it. Pure functions over a Scene; any thread
+// may call them.
 #pragma once
 
 #include <cstdint>
@@ -36,13 +36,13 @@ bool is_of_a_room(ToCheck what);
 std::string_view word_of(ToCheck what);
 
 struct HonestReport {
-    // What Handrail understood.
+    // The numbers of what Handrail understood.
     int storeys = 0, storeys_with_rooms = 0, rooms = 0, doors = 0, windows = 0, openings = 0;
     int stairs = 0, ramps = 0, lifts = 0, escalators = 0, walkways = 0, furnishings = 0;
     int doors_of_two_rooms = 0, doors_of_one_room = 0, doors_of_no_room = 0;
     int largest_connected = 0;  // number of rooms in the largest group that doors, openings and stairs connect
     int landmarks = 0;          // number of things that the file marks as landmarks
-    // What Handrail did not understand, or only in part.
+    // The numbers of what Handrail did not understand, or only in part.
     int parts_missing = 0;     // number of parts that are missing or have another volume than in the file
     int openings_uncut = 0;    // number of openings that could not be cut and so remain solid wall
     int doors_cut_free = 0;    // number of doors that something blocked until it was cut away
@@ -60,8 +60,8 @@ std::string honest_sentence(const Scene& scene, const HonestReport& report);
 // Returns one sentence each about the rooms that doors connect, the openings, the largest connected part, the landmarks
 // and each storey.
 std::vector<std::string> honest_details(const Scene& scene, const HonestReport& report);
-// Returns how much was guessed, simplified, left out and found faulty while reading the file, and where to find the
-// details. For files of any format.
+// Returns the numbers of guessed, simplified, left out and faulty items while reading the file, and where to find the
+// details. It works for files of any format.
 std::string honest_counts(const ReadReport& report);
 // Describes a missing part, without a full stop: "North wall, 2O2Fr$t4X7Zf8NOew3FLOH, on Level 1, is not there:
 // Handrail does not read IFCSWEPTDISKSOLID".

@@ -1,5 +1,5 @@
-// The labyrinth game of a world: the player rolls a ball past holes to a goal. Other free bodies may help or hinder.
-// Plain data, as the world's file states it.
+// Defines the labyrinth game of a world: the player rolls a ball past holes to a goal. Other free bodies may help or
+// hinder. Plain data, as the world's file states it.
 #pragma once
 
 #include <vector>

@@ -24,8 +24,8 @@ bool textures_differ(const Finish& a, const Finish& b) {
     return a_wave && reaches(a.wave.period_hand_m, b.wave.period_hand_m, kPeriodApart);
 }
 
-// Suggests how to make the two materials differ: make the softer one softer still, or give the rougher one more
-// friction.
+// Suggests a change that makes the two materials differ: a still softer surface for the softer one, or more friction
+// for the rougher one.
 std::string advice(const Finish& a, const Finish& b) {
     const Finish& soft = a.stiffness_fraction <= b.stiffness_fraction ? a : b;
     const Finish& hard = a.stiffness_fraction <= b.stiffness_fraction ? b : a;
@@ -94,7 +94,7 @@ bool can_be_told_apart(const Finish& a, const Finish& b) {
 std::string crowded_view(const Scene& scene) {
     const std::vector<std::vector<Aabb>> boxes = visible(scene);
     const std::vector<std::size_t> used = named(scene, boxes);
-    // Looks at the view around the middle of each surface of a named material, and reports the view with the most
+    // Examines the view around the middle of each surface of a named material, and reports the view with the most
     // materials.
     std::set<std::string> most;
     Vec3 where(0.0);

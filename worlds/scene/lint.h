@@ -1,7 +1,7 @@
 // Checks whether a hand can distinguish the materials of a world. Pure functions over a Scene, called on the loading
 // thread. People notice differences of compliance from 15 % and of force from 10 % (Bergmann Tiest & Kappers). So
-// materials that are meant to differ must differ by at least twice that: by 30 % in stiffness, by 50 % in friction, or
-// in texture. Different sounds do not count, because a material may be touched without sound.
+// materials that are meant to differ must differ by at least twice as much: by 30 % in stiffness, by 50 % in friction,
+// or in texture. Different sounds are ignored, because a material may be touched without sound.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ inline constexpr std::size_t kMostMaterialsInView = 5;
 // Width of a view: the part of the world that a device with 15 cm of workspace covers at the room scale.
 inline constexpr double kView_m = 9.0;
 
-// How a surface feels. The values combine the map's keys with those of the library.
+// The properties of a surface that a hand feels. The values combine the map's keys with those of the library.
 struct Finish {
     std::string name;
     double stiffness_fraction = 0.8;
@@ -38,7 +38,7 @@ struct AlikeMaterials {
     std::string one, other;
     std::string sentence;
 };
-// Returns each pair once. Considers only the named materials that a hand can reach.
+// Returns each pair of alike materials once. Only named materials that a hand can reach are compared.
 std::vector<AlikeMaterials> alike_materials(const Scene& scene);
 
 struct LintReport {

@@ -14,7 +14,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kBeyondWall_m = 0.02;  // how far the cut extends beyond both sides of the wall
+constexpr double kBeyondWall_m = 0.02;  // distance by which the cut extends beyond both sides of the wall
 constexpr double kTouches_m = 1e-4;     // a part that extends less than this into the doorway is not cut
 constexpr double kThreshold_m = 0.1;
 
@@ -142,7 +142,7 @@ void cut_surfaces(Scene& scene, const Doorway& box) {
         bool within = surface.role == SolidRole::Solid && (!feature || feature->made_name);
         for (const Plane& plane : box.planes) {
             if (!within) break;
-            // Parts that only touch a side of the doorway count as outside it.
+            // Moves the plane slightly inwards, so that parts that only touch a side of the doorway are outside it.
             const Plane in{plane.normal, plane.offset_m - kTouches_m};
             split(inner, in, 1e-7, back, front);
             if (front.size() >= 3) outside.push_back(front);
@@ -204,7 +204,7 @@ void add_threshold(Scene& scene, const Doorway& box) {
     scene.solids.push_back(std::move(solid));
 }
 
-// True if nothing in the doorway blocks a walker any more.
+// True if nothing is left in the doorway that blocks a walker.
 bool is_free(const Scene& scene, const Doorway& box) {
     for (double along = -1.0; along <= 1.0; along += 0.1)
         for (const double across : {-0.8, 0.0, 0.8})

@@ -1,6 +1,6 @@
-// Doorways that a person has reported at places where the file has a wall. They are cut through the walls of the world,
-// so that touch, walking, drawing and sound all have them. Pure functions over plain values in world metres; any thread
-// may call them.
+// Cuts doorways that a person has reported at places where the file has a wall. They are cut through the walls of the
+// world, so that touch, walking, drawing and sound all have them. Pure functions over plain values in world metres; any
+// thread may call them.
 #pragma once
 
 #include <span>
@@ -14,7 +14,7 @@ struct MadeDoor {
     double heading_rad = 0.0;  // direction in which a walker goes straight through the wall
     double width_m = 0.9;
     double through_m = 0.3;  // thickness of the wall at the door
-    std::string name;        // the names of what the doorway connects: "Hall, kitchen"
+    std::string name;        // names of the two rooms that the doorway connects: "Hall, kitchen"
 };
 
 inline constexpr double kMadeDoorHigh_m = 2.05;

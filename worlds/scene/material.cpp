@@ -10,7 +10,7 @@ namespace {
 // Stiffness is a fraction of what the device can render, friction is Coulomb's mu. There are four steps of stiffness,
 // each at least a third above the step below. More steps could not be distinguished on a device of 3 N. Two materials
 // of the same step differ by half in friction, or one of them has a texture (test:
-// any_two_can_be_distinguished_by_touch). Plaster is what the walls of most rooms are made of. Depths and periods of
+// any_two_can_be_distinguished_by_touch). Plaster is the material of the walls in most rooms. Depths and periods of
 // textures are in hand travel.
 constexpr TextureWave kBars{WaveShape::Square, 0.4e-3, 10e-3};
 constexpr TextureWave kJoints{WaveShape::Sine, 0.2e-3, 7e-3};
@@ -42,7 +42,7 @@ struct TextureRule {
     bool at_start = false;  // the pattern matches only at the beginning of the texture's name
 };
 
-// The first rule that matches decides. So "wizwood" is wood, although a name that begins with "wiz" is stone; and
+// The first rule that matches is used. So "wizwood" is wood, although a name that begins with "wiz" is stone; and
 // "plaster" is plaster, although "plat" means metal. In the game's own texture sets, tech, slip, comp, base, key and m5
 // are metal panels, cop and ecop are copper, and uwall, city and church are cut stone.
 constexpr std::array kTextureRules{

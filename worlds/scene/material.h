@@ -1,4 +1,4 @@
-// Materials: what a surface is made of, as a name and as fractions of what a device can render. The library of
+// Defines materials: what a surface is made of, as a name and as fractions of what a device can render. The library of
 // materials is a table.
 #pragma once
 
@@ -57,8 +57,8 @@ struct HeightPicture {
     std::vector<float> depths;
 };
 
-// A picture on a surface. From whichever side a face is viewed, the picture's lower left corner is at that of the box.
-// The picture repeats in both directions.
+// A picture on a surface. From either side of a face, the picture's lower left corner is at the lower left corner of
+// the box. The picture repeats in both directions.
 struct TexturePicture {
     std::shared_ptr<const HeightPicture> heights;
     double depth_hand_m = 0.0;
@@ -87,8 +87,8 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
-// If the ratio of static to kinetic friction is above this, a sliding hand sticks and slips in turns, although the
-// person does not intend it.
+// Above this ratio of static to kinetic friction, a sliding hand sticks and slips in turns, although the person does
+// not intend it.
 inline constexpr double kMostStaticOverKinetic = 1.25;
 
 // A row of the material library.

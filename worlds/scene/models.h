@@ -1,5 +1,5 @@
-// Scenes of a single object, built in code, which can be placed in a world while it runs. Pure functions; any thread
-// may call them.
+// Makes scenes of a single object in code, which can be placed in a world while the world runs. Pure functions; any
+// thread may call them.
 #pragma once
 
 #include <memory>
@@ -22,10 +22,10 @@ Result<std::shared_ptr<const Scene>> box_model(const Vec3& size_m);
 // nearest name.
 Result<Scene> with_placed(const Scene& world, const std::string& name, std::shared_ptr<const Scene> model,
                           const Placement& at, const std::string& material);
-// Takes the movers out of the building and places each as a separate object, so that it can be moved while it is
-// touched. The origin of its frame is at its pivot. The world then has at most `most_things` placed objects; further
-// movers stay part of the building. `thing_of_mover` receives the index of each mover in Scene::placed, or -1 if the
-// mover stayed.
+// Removes the movers from the building and places each as a separate object, so that it can be moved while it is
+// touched. The origin of the object's frame is at its pivot. The world then has at most `most_things` placed objects;
+// further movers stay part of the building. `thing_of_mover` receives the index of each mover in Scene::placed, or -1
+// if the mover stayed.
 Scene with_movers_apart(const Scene& world, std::size_t most_things, std::vector<int>& thing_of_mover);
 // Does the same as with_movers_apart for bodies that are free to move (Scene::bodies). The origin of each frame is in
 // the middle of the body's box. `thing_of_body` receives the index of each body in Scene::placed, or -1 if the body

@@ -1,6 +1,6 @@
-// Parts of the building that move as the map says: doors, lifts, buttons, sliding bridges, trains and turning parts.
-// Also the volumes that start movers or teleport the person. Plain values of a Scene; they say where each part can be
-// and what starts it. app/core/world/mover_play moves the parts.
+// Defines parts of the building that move as the map says: doors, lifts, buttons, sliding bridges, trains and turning
+// parts. It also defines the volumes that start movers or teleport the person. Plain values of a Scene; they state
+// where each part can be and what starts it. app/core/world/mover_play moves the parts.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace handrail {
 
-// A stop of a train: where the origin of the train's frame is at the stop, and how long the train waits there. After a
-// negative wait, the train waits until something starts it again.
+// A stop of a train: the position of the origin of the train's frame at the stop, and the time for which the train
+// waits. After a negative wait, the train waits until something starts it again.
 struct TrainStop {
     Vec3 at_m{0.0};
     double wait_s = 0.0;
@@ -42,8 +42,8 @@ struct Mover {
     Aabb approach_m;          // if a person enters this box, the mover starts; empty: there is no such box
     std::uint32_t group = 0;  // movers with the same group move together
     std::vector<std::uint32_t> sets_going;  // other movers that this one starts, as indices into Scene::movers
-    // Movers with the same value of `passes` may pass through each other, as the map's author intended. With kNoMover,
-    // only movers of the same group may.
+    // Movers with the same value of `passes` may pass through each other, as the map's author intended. If the value is
+    // kNoMover, only movers of the same group may do so.
     std::uint32_t passes = kNoMover;
 
     // For a lift: the parts of its travel at which it stops, in rising order. If empty, it stops at its two ends.

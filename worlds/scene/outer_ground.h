@@ -1,5 +1,5 @@
-// The ground that readers add around a building whose file ends at its walls. People can stand on it, but it does not
-// count as a thing. Pure functions; any thread may call them.
+// Identifies the ground that readers add around a building whose file ends at its walls. People can stand on this
+// ground, but it is not treated as a thing. Pure functions; any thread may call them.
 #pragma once
 
 #include "worlds/scene/scene.h"

@@ -16,7 +16,7 @@ constexpr int kSphereBands = 8;   // number of bands of faces of a sphere or cap
 
 bool differ(double a, double b) { return std::abs(a - b) > 1e-9 * std::max(std::abs(a), std::abs(b)); }
 
-// Says why the sizes do not give this shape. Empty if they do.
+// Returns the reason why the sizes do not give this shape. Empty if they do.
 std::string refusal(const Primitive& p, const Vec3& size) {
     const std::string name = spoken_kind(kPrimitiveNames[static_cast<std::size_t>(p.kind)]);
     const Rotation& q = p.at.rotation;
@@ -103,7 +103,7 @@ Result<Solid> make_solid(const Primitive& primitive, MaterialId material) {
     const Vec3 size = primitive.size_m * primitive.stretch * primitive.at.scale;
     if (std::string why = refusal(primitive, size); !why.empty()) return fail(std::move(why));
     const PlacedFrame frame(Placement{primitive.at.position_m, normalized(primitive.at.rotation), 1.0});
-    // Faces are computed at a size of 1, for which the tolerances are made. Then they are scaled and placed.
+    // Faces are computed at a size of 1, for which the tolerances are made, and then scaled and placed.
     const double unit = std::max({size.x, size.y, size.z});
     BuiltSolid built = solid_from_planes(planes_of(primitive.kind, size / unit), Vec3(0.0), 4.0);
     if (built.fault != SolidFault::None)

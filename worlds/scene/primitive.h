@@ -1,7 +1,7 @@
-// Exact shapes, built in code or by a reader: box, sphere, cylinder, cone and capsule. They may be moved, turned and
-// scaled. The hand feels a round shape exactly. Drawing, walking and covering use a flat-faced solid that encloses it
-// and is wider by at most 4 % (sphere and capsule) or 1 % (cylinder and cone). Pure functions; any thread may call
-// them.
+// Makes exact shapes, in code or for a reader: box, sphere, cylinder, cone and capsule. They may be moved, turned and
+// scaled. The hand feels a round shape exactly. Drawing, walking and covering use a flat-faced solid that encloses the
+// shape and is wider by at most 4 % (sphere and capsule) or 1 % (cylinder and cone). Pure functions; any thread may
+// call them.
 #pragma once
 
 #include <array>

@@ -27,13 +27,13 @@ namespace handrail {
 
 enum class FeatureKind { Wall, Floor, Ceiling, Slope, Object, Door, Button, Lift, Mover, Liquid, Trigger, Teleport };
 
-// Anything that has a name: a joined wall, the floor of a room, a table, a door, a pool.
+// A part of the world that has a name: a joined wall, the floor of a room, a table, a door, a pool.
 struct Feature {
     FeatureKind kind = FeatureKind::Wall;
-    // Without the material: "north wall", "Table"; files and scenarios identify the feature by this name.
+    // The name without the material: "north wall", "Table". Files and scenarios identify the feature by this name.
     std::string name;
     OtherLanguages name_in;  // its name in languages other than the map's own
-    // The map gave no name, so `name` is one of our own English names; spoken_name translates it.
+    // The map gave no name, so `name` is one of our own English names, which spoken_name translates.
     bool made_name = false;
     MaterialId material = kDefaultMaterial;
     Vec3 normal{0.0};  // outward normal of walls, floors, ceilings and slopes; zero for objects
@@ -46,14 +46,14 @@ struct Feature {
     OtherLanguages message_in;
     bool made_message = false;  // the map gave no message, so `message` is the key of one of our own texts
     std::string hinge;          // the side on which a door's hinge is: "north", "east", ... or empty
-    std::string handle;         // the side on which a door's handle is, in the same form
+    std::string handle;         // the side on which a door's handle is: "north", "east", ... or empty
     SourcePlace source;
 };
 
-// What the hand and the walker meet in a convex solid.
+// The effect of a convex solid on the hand and the walker.
 enum class SolidRole : std::uint8_t {
     Solid,     // stops the hand and the walker
-    Mover,     // stops both, but may move: a door, lift or button; it is placed where the file has it
+    Mover,     // stops both, but may move: a door, lift or button; its position is that in the file
     BodyClip,  // stops the walker, but never the hand
     Liquid,    // a volume that both can move through; the hand feels its viscosity
     Trigger,   // a volume whose feature's message is announced once when the person enters it
@@ -142,8 +142,8 @@ struct PlacedModel {
 
 struct StatedBuilding;
 
-// What the reader understood, for the honest report and for `handrail info`. The counts are defined as for `info
-// --json`.
+// The numbers and sentences that the reader found, for the honest report and for `handrail info`. The counts are
+// defined as for `info --json`.
 struct ReadReport {
     std::string format;  // the format: "map", "obj", "ifc"
     int brushes = 0, polygons = 0, polygons_kept = 0, polygons_hidden = 0, triangles = 0;
@@ -185,10 +185,10 @@ struct Scene {
 };
 
 // Returns the feature's name, and its material if it has one, in the spoken language: "north wall, plaster" or "Table".
-// A name from the map is returned in the spoken language if the map has a translation, else as the map states it. Empty
-// for kNoFeature.
+// If the name comes from the map, returns the map's translation, or else the name as the map states it. Empty for
+// kNoFeature.
 std::string spoken_name(const Scene& scene, FeatureId id);
-// Return the name in the spoken language, without a material.
+// These functions return the name in the spoken language, without a material.
 std::string spoken_name(const Feature& feature);
 std::string spoken_name(const SoundSource& sound);
 std::string spoken_name(const Scene& scene);
@@ -197,7 +197,7 @@ std::string spoken_message(const Feature& feature);
 // unchanged.
 std::string spoken_kind(std::string_view name);
 std::string spoken_material(std::string_view name);
-// Returns the name and material, such as "north wall, plaster", always in English. For tables and comparisons.
+// Returns the name and material, such as "north wall, plaster", always in English, for tables and comparisons.
 std::string stored_name(const Scene& scene, FeatureId id);
 
 // Returns the index of this material in the scene; adds the material if it is new. Returns the default wall if there

@@ -7,7 +7,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kBeside_m = 0.3;    // a part within this distance of the stairs in plan can count as above them
+constexpr double kBeside_m = 0.3;    // a part within this distance of the stairs in plan may be treated as above them
 constexpr double kOverFoot_m = 1.0;  // a part whose underside is less than this above the foot of the stairs is a wall
 // A part whose top is more than this above the head of the stairs is a wall or a roof.
 constexpr double kOverHead_m = 0.3;
@@ -24,8 +24,9 @@ bool meets_level(const Aabb& a, const Aabb& b) {
     return a.min_m.x < b.max_m.x && a.max_m.x > b.min_m.x && a.min_m.y < b.max_m.y && a.max_m.y > b.min_m.y;
 }
 
-// Returns the height of the flight's head: that of the highest room that the stairs lead to, because the railings of
-// the flight continue above it.
+// Returns the height of the flight's head. It is the floor of the highest room to which the stairs lead, not the top of
+// the flight, because the flight's railings continue above that floor. If there is no such floor, returns the top of
+// the flight.
 double head_m(const StatedBuilding& stated, const StatedPortal& portal, const Aabb& box) {
     double highest_m = box.min_m.z;
     for (const std::uint32_t room : portal.rooms)
@@ -49,7 +50,8 @@ StairRule::StairRule(const Scene& scene) {
     find_walls(scene);
 }
 
-// Examines the pieces from the lowest up, so that the pieces of a wall that are below another piece are already known.
+// Examines the pieces from the lowest up, so that each piece of a wall is known before the pieces on top of it are
+// examined.
 void StairRule::find_walls(const Scene& scene) {
     for (Flight& flight : flights_) {
         const Aabb around = beside(flight.box_m);

@@ -1,8 +1,8 @@
-// How a walker climbs stairs that the file states. On stairs the walker has a narrow foot and a bowed head, and can
-// climb steps that would stop them elsewhere. So treads that are narrower than the walker's body carry the walker, and
-// railings and the edge of the floor above do not stop them. Routes, walkers and directions all use this rule. Pure
-// functions; any thread may call them. For a scene without stated stairs, construction scans the portals once; each
-// stated flight costs a scan of all solids.
+// Determines how a walker climbs stairs that the file states. On stairs the walker has a narrow foot and a bowed head,
+// and can climb steps that would stop them elsewhere. So treads that are narrower than the walker's body carry the
+// walker, and railings and the edge of the floor above do not stop the walker. Routes, walkers and directions all use
+// this rule. Pure functions; any thread may call them. For a scene without stated stairs, construction scans the
+// portals once; each stated flight costs a scan of all solids.
 #pragma once
 
 #include <algorithm>
@@ -24,12 +24,12 @@ public:
 
     bool any() const { return !flights_.empty(); }
     bool is_stairs(FeatureId feature) const { return feature.value < is_stairs_.size() && is_stairs_[feature.value]; }
-    // True if the walker meets this part with the narrow size. That applies to the stairs themselves, and to parts
+    // True if the walker has the narrow size relative to this part. That applies to the stairs themselves, and to parts
     // between foot and head of the flight that are above its lower steps, such as the edge of the upper floor. It does
     // not apply to a piece of a wall on top of another piece, because the walker would find a ledge on the lower piece.
     bool narrow(FeatureId feature, const Aabb& box) const;
 
-    // Return the walker's size where narrow() is true.
+    // These functions return the walker's size relative to parts for which narrow() is true.
     static double reach_m(double radius_m) { return std::min(radius_m, kStairReach_m); }
     static double height_m(double height_m) { return std::min(height_m, kStairHeight_m); }
     // Returns the height of the highest step that the walker can climb from or to stairs.
@@ -38,7 +38,7 @@ public:
 private:
     struct Flight {
         Aabb box_m;                // from the foot of the flight up to the floor at its head
-        std::vector<Aabb> wide_m;  // walls next to the flight, which the walker meets with the whole width of the body
+        std::vector<Aabb> wide_m;  // walls next to the flight, for which the walker has the whole width of the body
     };
     bool above(const Flight& flight, const Aabb& box) const;
     bool on_wall(const Flight& flight, const Aabb& box) const;

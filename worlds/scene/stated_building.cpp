@@ -10,8 +10,8 @@
 namespace handrail {
 
 bool holds(const StatedRoom& room, const Vec3& at_m) {
-    // The ceiling counts as lower by the same step, so that a room as high as its storey does not contain the floor
-    // above.
+    // A place is in the room from this far below its floor to this far below its ceiling, so that a room as high as its
+    // storey does not contain the floor above.
     constexpr double kStep_m = 0.35;
     const double top_m = room.floor_m + std::max(0.5 * room.height_m, room.height_m - kStep_m);
     if (at_m.z < room.floor_m - kStep_m || at_m.z >= top_m) return false;

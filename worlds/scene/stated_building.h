@@ -1,5 +1,5 @@
-// What a file itself states about its building: storeys, rooms with outlines, and doors with the rooms that they
-// connect. Only readers of formats with rooms (such as IFC) fill it. For a .map or a mesh, worlds/navigation finds
+// Contains the statements of a file about its building: storeys, rooms with outlines, and doors with the rooms that
+// they connect. Only readers of formats with rooms (such as IFC) fill it. For a .map or a mesh, worlds/navigation finds
 // rooms by analysis. Plain values in world metres. A reader builds them; afterwards they never change.
 #pragma once
 
@@ -55,8 +55,8 @@ struct StatedPortal {
     bool opened_by_box = false;  // a walker did not fit through the file's geometry, so a box was cut out of it
     bool passable = true;        // a walker can go through in both directions
     std::string why;         // if not passable and the reason is known: the key of the text about it, "door_trial.step"
-    std::string in_the_way;  // names of the parts in the way, for that text
-    double step_m = 0.0;     // height of the step, for that text
+    std::string in_the_way;  // names of the parts in the way, for the text `why`
+    double step_m = 0.0;     // height of the step, for the text `why`
     SourcePlace source;
 };
 
@@ -64,13 +64,13 @@ struct StatedPortal {
 struct MissingPart {
     std::string name, guid, storey;  // as the file states them; may be empty
     std::string reason;              // the key of the text about the reason: "ifc.lost_unread"
-    std::string detail;              // a value for that text: the IFC class that Handrail does not read
+    std::string detail;              // a value for the text `reason`: the IFC class that Handrail does not read
     double share = 0.0;              // the share of the part's volume that is missing
     Vec3 at_m{0.0};                  // position of the part, as the file states it
     SourcePlace source;
 };
 
-// A window or a piece of furniture, counted once as in the file.
+// A window or a piece of furniture. The list has one entry for each that the file contains.
 struct StatedThing {
     FeatureId feature = kNoFeature;  // the feature of the whole thing, if this is only a part of it
     Aabb bounds_m;                   // empty if the file gives the thing no shape

@@ -27,7 +27,7 @@ FeatureKind kind_of_face(const Vec3& normal) {
     return std::abs(normal.z) <= kSteep ? FeatureKind::Wall : FeatureKind::Slope;
 }
 
-// Sizes in metres that decide how a flat surface or a small thing is named.
+// Sizes in metres that determine the name of a flat surface or a small thing.
 constexpr double kNarrow = 0.4;     // a level strip narrower than this is a ledge, not a floor
 constexpr double kSmallArea = 0.3;  // in square metres; a level surface smaller than this is a ledge, not a floor
 constexpr double kStepDepth[] = {0.15, 1.1};
@@ -43,8 +43,8 @@ std::string name_of_surface(FeatureKind kind, const Vec3& normal, const Aabb& bo
         case FeatureKind::Ceiling:
             return small ? "underside" : "ceiling";
         case FeatureKind::Wall:
-            // Walls are named after the side of the room on which they are. The normal points to the person, so the
-            // wall is on the opposite side.
+            // A wall is named after the side of the room on which it is. Its normal points into the room, so the wall
+            // is on the opposite side.
             return std::string(compass_point(-normal)) + " wall";
         default:
             return normal.z > 0.0 ? "slope rising " + std::string(compass_point(-normal)) : "sloping ceiling";
@@ -60,7 +60,7 @@ struct Surface {
     double largest_piece_m2 = -1.0;
     MaterialId material = kDefaultMaterial;
     bool sky = false;
-    bool outside = true;  // true if every piece faces away from the building
+    bool outside = true;  // true if every piece of the surface faces away from the building
     std::vector<std::uint32_t> pieces;
     FeatureId feature = kNoFeature;
 };
@@ -114,8 +114,8 @@ private:
         return scene_.solids[piece.solid].shape.planes[piece.face];
     }
 
-    // 1. Finds the parts of each face that nothing covers. Moving things cover only themselves, because what is
-    //   behind them may become visible.
+    // 1. Finds the parts of each face that nothing covers. A moving thing covers only its own faces, because the
+    //   surfaces behind it may become visible.
     void expose() {
         std::vector<SurfaceSolid> solids;
         for (const Solid& solid : scene_.solids) {
@@ -156,7 +156,7 @@ private:
         return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && at >= 0.0 && at <= 1.0;
     }
 
-    // True if a straight line from `from_m` in that direction leaves the world without meeting a solid or a sheet of
+    // True if a straight line from `from_m` in that direction leaves the world without hitting a solid or a sheet of
     // the building.
     bool escapes(const Vec3& from_m, const Vec3& direction) {
         const Vec3 to_m = from_m + direction * (2.0 * glm::length(all_m_.size_m()) + 1.0);
@@ -181,8 +181,8 @@ private:
         });
     }
 
-    // 2. Finds the pieces that face away from the building: a straight line outwards from them meets nothing. If the
-    //   start of the world is under a roof, a line straight up that meets nothing counts, too.
+    // 2. Finds the pieces that face away from the building: a straight line outwards from them hits nothing. If the
+    //   start of the world is under a roof, a piece also faces away if a line straight up from it hits nothing.
     void look_outside() {
         bool roofed = false;
         for (const Start& start : scene_.starts) {
@@ -207,7 +207,7 @@ private:
         }
     }
 
-    // 3. Small free-standing solids, alone or in clusters, become things: pillars, blocks.
+    // 3. Makes things of small free-standing solids, alone or in clusters: pillars, blocks.
     void find_things() {
         const auto small = [&](std::uint32_t s) {
             const Vec3 size = scene_.solids[s].shape.bounds_m.size_m();
@@ -296,7 +296,7 @@ private:
 
     FaceLook look_of(const ExposedPiece& piece) const { return looks_[piece.solid][piece.face]; }
 
-    // 4. Coplanar neighbours of the building become one surface.
+    // 4. Joins coplanar neighbours of the building into one surface.
     void join() {
         std::vector<FlatPiece> flat;
         std::vector<std::uint32_t> which;
@@ -330,8 +330,9 @@ private:
         surface.material = scene_.solids[pieces_[i].solid].face_materials[pieces_[i].face];
     }
 
-    // 5. The outer side of a wall gets the wall's name: the outer pieces of a solid join the largest inner surface of
-    //   the same solid.
+    // 5. Gives the outer side of a wall the name of the wall: the outer pieces of a solid join the largest inner
+    //   surface
+    //   of the same solid.
     void fold_outer_sides() {
         std::vector<Surface> rest(surfaces_.size());
         for (std::uint32_t g = 0; g < surfaces_.size(); ++g) {
@@ -356,7 +357,7 @@ private:
             smaller.sky = surface.sky;
             for (const std::uint32_t i : kept) add_piece(smaller, i);
             rest[g] = std::move(smaller);
-            // Marks the surface, so that its extent is replaced once nothing reads the old one any more.
+            // Marks the surface. Its extent is replaced later, when the old extent is no longer needed.
             surface.largest_piece_m2 = -2.0;
         }
         for (std::uint32_t g = 0; g < surfaces_.size(); ++g)
@@ -366,7 +367,7 @@ private:
 
     static bool within(double value, const double (&range)[2]) { return value >= range[0] && value <= range[1]; }
 
-    // 6. A narrow tread and the low riser under its edge are one step.
+    // 6. Joins a narrow tread and the low riser under its edge into one step.
     void join_steps() {
         step_.assign(surfaces_.size(), false);
         DisjointSets sets(surfaces_.size());
@@ -401,7 +402,7 @@ private:
         }
     }
 
-    // 7. Every surface becomes a feature with a name.
+    // 7. Makes a feature with a name of every surface.
     void name_surfaces() {
         for (std::uint32_t g = 0; g < surfaces_.size(); ++g) {
             Surface& surface = surfaces_[g];
@@ -426,8 +427,9 @@ private:
                     surfaces_[surface_of_piece_[i]].feature;
     }
 
-    // 8. A hand that slides over a seam may touch the edge of a hidden face. The face gets the name of the surface
-    //   that covers it, or else of the solid's largest surface.
+    // 8. Names hidden faces, because a hand that slides over a seam may touch the edge of such a face. The face gets
+    //   the
+    //   name of the surface that covers it, or else of the solid's largest surface.
     void name_hidden_faces() {
         std::vector<Aabb> boxes;
         for (const ExposedPiece& piece : pieces_) boxes.push_back(bounds_of(piece.polygon));

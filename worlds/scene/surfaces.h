@@ -11,8 +11,8 @@
 
 namespace handrail {
 
-// How a face looks. Neighbouring faces are joined into one wall only if their numbers are equal. kSkyLook means painted
-// sky.
+// The appearance of a face, as a number. Neighbouring faces are joined into one wall only if their numbers are equal.
+// kSkyLook means painted sky.
 using FaceLook = std::uint32_t;
 inline constexpr FaceLook kSkyLook = 0xffffffffU;
 
@@ -23,8 +23,8 @@ inline constexpr FaceLook kSkyLook = 0xffffffffU;
 void derive_surfaces(Scene& scene, std::span<const std::vector<FaceLook>> looks, double metres_per_unit,
                      const std::stop_token& stop = {});
 
-// Return the nearest of eight compass directions, such as "north-east", for a heading or a direction. compass_point
-// returns the English form, of which names are made. compass_word returns the form in the spoken language.
+// These functions return the nearest of eight compass directions, such as "north-east", for a heading or a direction.
+// compass_point returns the English form, which is part of names. compass_word returns the form in the spoken language.
 std::string_view compass_point(double heading_rad) noexcept;
 std::string compass_word(double heading_rad);
 std::string compass_word(const Vec3& direction);

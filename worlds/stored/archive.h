@@ -1,7 +1,7 @@
 // Packs values into bytes and reads them back bit for bit. The bytes use the number formats of this machine and must
 // not leave it. One function template serves both directions, so that these cannot differ. Reading is safe for any
-// bytes: it always ends, never gives an invalid enumerator, and takes at most some hundred times their size in memory.
-// Any thread may use this.
+// bytes: it always ends, never gives an invalid enumerator, and needs at most some hundred times their size in memory.
+// Any thread may use these classes.
 #pragma once
 
 #include <algorithm>
@@ -85,7 +85,7 @@ public:
         return good_;
     }
     void ascend() { --depth_; }
-    // Returns the shared values of a type that have been read, by their numbers.
+    // Returns the shared values of one type that have been read, indexed by their numbers.
     std::map<std::uint32_t, std::shared_ptr<const void>>& known(const void* kind) { return known_[kind]; }
 
 private:
@@ -259,7 +259,8 @@ void one(A& a, T& value) {
     } else if constexpr (Kind<V>::shared) {
         shared(a, value);
     } else {
-        // Found in the namespace of the type; a structured binding names all members, so that none is forgotten.
+        // The function fields() is found in the namespace of the type. Its structured binding names all members, so
+        // that none is forgotten.
         fields(a, value);
     }
 }

@@ -298,7 +298,7 @@ bool is_whole(const Scene& scene, const StatedBuilding& stated) {
     return true;
 }
 
-// Makes the checks that validate() leaves out because readers cannot violate them.
+// Returns true if the scene passes the checks that validate() leaves out because readers cannot violate them.
 bool holds_together(const Scene& scene) {
     for (const Solid& solid : scene.solids)
         if (solid.soft && solid.soft->face >= solid.shape.planes.size()) return false;

@@ -12,7 +12,8 @@
 
 namespace handrail::stored {
 
-// Changes whenever a source file in worlds or a text of the program changes. It is part of the cache's keys.
+// A number that changes whenever a source file in worlds or a text of the program changes. The number is part of the
+// cache's keys.
 extern const std::uint64_t kWorldsVersion;
 
 std::string stored(const Scene& scene);

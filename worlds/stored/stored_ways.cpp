@@ -51,7 +51,7 @@ void fields(A& a, T& v) {
 
 namespace {
 
-// Greatest size without compression; two million spans need 90 MB.
+// Greatest size of the bytes before compression; two million spans need 90 MB.
 constexpr std::size_t kMostKept_bytes = std::size_t{512} << 20;
 constexpr std::size_t kPacked_bytes = 1 << 18;  // the bytes are compressed in pieces of this size
 constexpr std::uint8_t kEdge = 1, kLiquid = 2, kStairs = 4;
@@ -196,7 +196,7 @@ void all_but_spans(A& a, T& space) {
       space.outdoors_m, space.part);
 }
 
-// Packs both without compression. Empty if the space must not be kept.
+// Packs the space and the graph without compression. Empty if the space must not be kept.
 std::string plain_ways(const navigation::WalkSpace& space, const navigation::RoomGraph& graph) {
     const std::optional<SpanColumns> columns = columns_of(space);
     if (!columns || graph.room_of_span.size() != space.spans.size()) return {};
@@ -206,7 +206,7 @@ std::string plain_ways(const navigation::WalkSpace& space, const navigation::Roo
     return all.take();
 }
 
-// Reads both and makes all checks that do not need the scene.
+// Reads the space and the graph, and makes all checks that do not need the scene.
 std::optional<FoundWays> whole_ways(std::string_view plain) {
     Unpacker all(plain);
     FoundWays found;
@@ -275,7 +275,7 @@ std::optional<FoundWays> ways_from(std::string_view plain, const navigation::Wal
     std::optional<FoundWays> found = whole_ways(plain);
     if (!found || !belong_to(scene, body, found->space, found->graph)) return std::nullopt;
     found->space.said = navigation::said_of(found->space, body);
-    // In the language that is spoken now, in which the person may have texts of their own.
+    // Makes the names in the language that is spoken now, in which the person may have texts of their own.
     navigation::number_room_names(found->graph);
     return found;
 }

@@ -1,6 +1,6 @@
-// Packs the walkable space of a world and the rooms found in it into bytes. The cache keeps them, so that the next
+// Packs the walkable space of a world and the rooms found in it into bytes. The cache keeps the bytes, so that the next
 // start need not search again. They are valid only for the same scene, walker and build, which the key identifies. Pure
-// functions. Call them on any thread except the app thread, because a large building takes a while.
+// functions. Call them on any thread except the app thread, because a large building costs noticeable time.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct FoundWays {
 };
 
 // Returns the compressed bytes for the cache; equal values give equal bytes. Empty after a stop request, or if the
-// space must not be kept because a column has over 255 floors. Takes about a tenth of the time of the search.
+// space must not be kept because a column has over 255 floors. Costs about a tenth of the time of the search.
 std::string stored_ways(const navigation::WalkSpace& space, const navigation::RoomGraph& graph,
                         const std::stop_token& stop = {});
 // Uncompresses the result of stored_ways, checks it with validate() and packs it again without compression. Empty if

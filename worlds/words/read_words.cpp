@@ -14,7 +14,7 @@ Result<Scene> read_words_building(std::string_view bytes, const std::string& fil
     if (options.stop.stop_requested()) return fail(phrase("files.stopped"), file_name);
     Result<Scene> scene = floorplan::scene_of_plan(std::move(*plan), file_name, options);
     if (!scene) return scene;
-    // Warnings about the text precede the scene's own warnings, in the order of the lines.
+    // Puts the warnings about the text before the scene's own warnings, in the order of the lines.
     std::vector<Diagnostic> warnings = words.warnings();
     for (Diagnostic& warning : scene->report.warnings)
         if (warnings.size() < kMostKept) warnings.push_back(std::move(warning));

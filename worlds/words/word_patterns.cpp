@@ -148,7 +148,7 @@ struct KindWord {
     std::string_view word;
     SentenceKind kind;
 };
-// Words that begin a sentence and determine its kind. Those in kColons do so only if a colon follows.
+// Words that begin a sentence and determine its kind. The words in kColons do so only if a colon follows.
 constexpr KindWord kEnglishHeads[] = {
     {"door", SentenceKind::Door},           {"sliding door", SentenceKind::SlidingDoor},
     {"automatic door", SentenceKind::Door}, {"opening", SentenceKind::Opening},
@@ -190,7 +190,7 @@ constexpr KindWord kColons[] = {
 constexpr std::string_view kEnglishArticles[] = {"the", "a", "an", "its", "his", "our", "my"};
 constexpr std::string_view kGermanArticles[] = {"der", "die",  "das",   "dem",    "den",   "des",
                                                 "ein", "eine", "einen", "seiner", "ihrer", "einem"};
-// Words that carry no meaning here and are ignored.
+// Words without a meaning for the description, which are ignored.
 constexpr std::string_view kNoise[] = {"and", "with", "is",   "are",   "lies",   "stands", "there", "und",
                                        "mit", "ist",  "sind", "liegt", "steht",  "hier",   "here",  "it",
                                        "es",  "room", "raum", "raums", "raumes", "also",   "auch",  "from",
@@ -393,7 +393,7 @@ private:
         return false;
     }
 
-    // Takes the direction from words such as "behind" and "links", which belong to a pattern and are a direction at the
+    // Reads the direction from words such as "behind" and "links", which belong to a pattern and are a direction at the
     // same time.
     static void side_word(std::string_view word, SaidPart& part) {
         if (part.says == Statement::SideOf && part.sides.empty()) {
@@ -466,7 +466,7 @@ private:
             ++at;
             return !part.name.empty();
         }
-        // After "called" comes a new name. It may begin like the name of a room, so known names are tried only for
+        // After "called" follows a new name. It may begin like the name of a room, so known names are tried only for
         // other patterns.
         const bool own = part.says == Statement::Called;
         if (!own && known_name(at, part)) return true;
@@ -675,7 +675,7 @@ std::size_t kind_of(const WordSentence& sentence, WordLanguage language, SaidSen
     return from;
 }
 
-// Returns the patterns that match in a sentence if it is read as this kind.
+// Returns the patterns that match in a sentence if it is read as a sentence of the kind `kind`.
 std::set<Statement> said_as(const WordSentence& sentence, const SpeakersOf& speaker, SentenceKind kind,
                             std::size_t from) {
     std::set<Statement> says;
@@ -688,7 +688,7 @@ std::set<Statement> said_as(const WordSentence& sentence, const SpeakersOf& spea
     return says;
 }
 
-// Decides from the content of the sentence whether it describes a room (true) or a thing.
+// Determines from the content of the sentence whether it describes a room (true) or a thing.
 bool is_room(const WordSentence& sentence, const SpeakersOf& speaker, std::size_t from) {
     const std::set<Statement> as_room = said_as(sentence, speaker, SentenceKind::Room, from);
     const auto any = [](const std::set<Statement>& says, std::initializer_list<Statement> of) {
@@ -748,7 +748,7 @@ public:
     }
 
     SaidSentence read() {
-        // In a sentence of these kinds, everything after the beginning is the name.
+        // In sentences about the building or the language, all words after the beginning are the name.
         const bool all_name = kind_ == SentenceKind::Building || kind_ == SentenceKind::Language;
         for (int looked_at = 0; at_ < sentence_.tokens.size(); ++looked_at) {
             if (looked_at >= static_cast<int>(kMostWords)) {
@@ -798,14 +798,14 @@ private:
         return true;
     }
 
-    // Takes a subject in quotation marks.
+    // Reads a subject in quotation marks.
     bool take_name() {
         if (token().kind != WordToken::Kind::Name || !begins_subject()) return false;
         subject_end_ = ++at_;
         return true;
     }
 
-    // Takes a pattern. A number or word at the very beginning of the subject belongs to the name, even if it matches a
+    // Reads a pattern. A number or word at the very beginning of the subject belongs to the name, even if it matches a
     // pattern. Only phrases such as "stairs to ..." are name and pattern at once.
     bool take_part() {
         auto part = matcher_.at(at_);
@@ -819,7 +819,8 @@ private:
         return true;
     }
 
-    // Handles a word that matches nothing. It belongs to the subject, is ignored, or counts as not understood.
+    // Skips a word that matches nothing. The word becomes part of the subject, is ignored, or is added to the words
+    // that were not understood.
     void leave_word() {
         const bool noise = token().kind == WordToken::Kind::Word &&
                            (has(kNoise, token().folded) || has(articles_of(speaker_.language), token().folded));
@@ -1014,7 +1015,7 @@ const UsualSize* usual_row(std::string_view name) {
 
 std::optional<std::string> one_of_several(std::string_view names) {
     const std::string key = folded(names);
-    // Folding may change letters but not their number. So `names` can be cut by lengths that were found in the folded
+    // Folding may change letters but not their number, so `names` can be cut by lengths that were found in the folded
     // key.
     const auto cut = [&](std::string_view several, std::string_view one) -> std::optional<std::string> {
         if (!key.ends_with(several)) return std::nullopt;

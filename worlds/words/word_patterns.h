@@ -1,5 +1,5 @@
-// Finds out what the words of a sentence say, with patterns for English and German. Pure functions; any thread may call
-// them.
+// Extracts the statements of a sentence from its words, with patterns for English and German. Pure functions; any
+// thread may call them.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace handrail::words {
 
 enum class WordLanguage { English, German };
 
-// What a part of a sentence says. Numbers have already been converted to metres.
+// The statement that a part of a sentence makes. Numbers have already been converted to metres.
 enum class Statement {
     Size2,       // numbers: the sizes from west to east and from south to north
     Size3,       // numbers: the sizes from west to east and from south to north, and the height
@@ -51,8 +51,8 @@ enum class Statement {
     Clue,
     Called,    // a name for the subject: `name`
     MadeOf,    // made of the library's material `name`
-    Floor,     // its floor is made of the library's material `name`
-    Walls,     // its walls are made of the library's material `name`
+    Floor,     // the floor of the subject is made of the library's material `name`
+    Walls,     // the walls of the subject are made of the library's material `name`
     Thick,     // numbers[0] is the thickness of the walls
     Facing,    // subject faces sides[0]
     ByItself,  // a door that opens automatically when somebody comes near
@@ -65,7 +65,7 @@ enum class Statement {
     UpAndBack  // stairs rise towards sides[0] and turn back there
 };
 
-// Sides 0 to 7 are compass directions: 0 north, 1 north-east, ... 7 north-west. The four sides here are relative to the
+// Sides 0 to 7 are compass directions: 0 north, 1 north-east, ... 7 north-west. These four sides are relative to the
 // direction in which a person looks or walks.
 inline constexpr int kLeftSide = 8, kRightSide = 9, kFrontSide = 10, kBackSide = 11;
 
@@ -126,7 +126,7 @@ SaidSentence understood(const WordSentence& sentence, const SpeakersOf& speaker)
 std::string name_key(std::string_view name, WordLanguage language);
 // True if a name must be written in quotation marks to be read back unchanged.
 bool needs_quotation_marks(std::string_view name, WordLanguage language);
-// Returns the name of a material in the material library. Empty if the word is not a material.
+// Returns the name in the material library for a word that means a material. Empty for any other word.
 std::string material_of_word(std::string_view word);
 // Returns the word for a material of the library in that language.
 std::string word_of_material(std::string_view name, WordLanguage language);

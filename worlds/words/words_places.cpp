@@ -28,7 +28,7 @@ constexpr double kLeastSide_m = 0.2, kMostSide_m = 1000.0, kFarthest_m = 5000.0,
 constexpr double kLeastRoom_m2 = 0.05, kLeastPiece_m2 = 1e-4;
 constexpr std::size_t kMostCornersOfOne = 1500;
 
-// Returns pairs of numbers as an outline; empty if they do not form one.
+// Returns pairs of numbers as an outline. Empty if they do not form an outline.
 std::optional<Ring> ring_of(const std::vector<double>& numbers) {
     Ring ring;
     for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
@@ -183,8 +183,8 @@ void WordsPlan::place_rooms() {
         }
         if (!open) return;
         if (moved) continue;
-        // Takes the first room that does not wait for another. If all remaining rooms wait for each other in a circle,
-        // takes the first of them.
+        // Chooses the first room whose position does not depend on another room. If all remaining rooms depend on each
+        // other in a circle, chooses the first of them.
         std::size_t next = kNoRoom;
         for (std::size_t r = 0; r < rooms_.size(); ++r)
             if (rooms_[r].rings.empty() && (next == kNoRoom || (wishes[next].part && !wishes[r].part))) next = r;
@@ -214,8 +214,8 @@ void WordsPlan::find_overlaps() {
 
 int WordsPlan::wall_side(const WordRoom& room, int side) {
     if (side < 8) return side / 2 * 2;
-    // Left, right, front and back are those of a person who walks along the longer side of the room, to the east or to
-    // the north.
+    // Left, right, front and back are the sides of a person who walks along the longer side of the room, to the east or
+    // to the north.
     const bool eastwards = room.size_m.x >= room.size_m.y;
     // Compass directions of left, right, front, back.
     constexpr std::array<int, 4> kEastwards{0, 4, 2, 6}, kNorthwards{6, 2, 0, 4};

@@ -30,8 +30,8 @@ Result<floorplan::FloorPlan> WordsPlan::build(std::string_view bytes) {
     const std::vector<WordSentence> sentences = sentences_of(bytes);
     if (sentences.size() > kMostSentences) return fail(phrase("rooms_text.too_large"), file_);
     speaker_.language = language_of(sentences);
-    // The first pass collects all names, because a sentence may use a name before another sentence defines it. It also
-    // reads the length of a step.
+    // The first pass collects all names, because a sentence may use a name before another sentence defines it. The pass
+    // also reads the length of a step.
     std::vector<std::string> names;
     for (const WordSentence& sentence : sentences) {
         SaidSentence head = head_of(sentence, speaker_);
@@ -207,7 +207,7 @@ std::string WordsPlan::room_words(const WordRoom& room) const { return one_line(
 std::size_t WordsPlan::room_named(const std::string& name, std::size_t but) const {
     const auto found = by_name_.find(name_key(name, speaker_.language));
     if (found == by_name_.end()) return kNoRoom;
-    // Prefers rooms of the same storey.
+    // Prefers rooms of the same storey over other rooms with the same name.
     std::size_t best = kNoRoom;
     for (const std::size_t r : found->second) {
         if (r == but) continue;

@@ -1,6 +1,6 @@
 // Turns a room description into a plan: sentences become rooms, doors and things, which are then placed relative to
-// each other. If the position of something is missing, it is assumed, and the assumption is reported with its line.
-// Used on one thread.
+// each other. If a position is missing, the class assumes one and reports the assumption with its line. Used on one
+// thread.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@
 namespace handrail::words {
 
 // Returns a side as a vector east and north. A diagonal direction has one metre both ways. Left, right, front and back
-// are as on a page with north at the top.
+// are those of a page with north at the top.
 Vec2 side_direction(int side);
 // Returns the vector of a position such as "2 metres east and 3 metres north".
 Vec2 offset_of(const SaidPart& part);
@@ -98,8 +98,8 @@ private:
     std::optional<Border> shared(const WordRoom& a, const WordRoom& b);
     static Border wall_of(const WordRoom& room, int side);
     static int wall_side(const WordRoom& room, int side);  // returns a compass direction: 0, 2, 4 or 6
-    // Returns the position along a wall that the sentence states, else the middle of the wall. Sets `placed` to whether
-    // the sentence states one.
+    // Returns the position along a wall that the sentence states, or else the middle of the wall. Sets `placed` to true
+    // if the sentence states one.
     double along_wall(const Said& said, const WordRoom& room, const Border& wall, bool& placed);
     Vec2 free_corner(const WordRoom& room, const Vec3& size_m) const;
     // True if the thing would be inside the room, clear of the things placed before, and not in front of a door. With

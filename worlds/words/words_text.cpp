@@ -11,7 +11,8 @@ namespace {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' ' || c == '\x7f'; }
 
-// Returns the text as UTF-8. Windows editors that do not write UTF-8 write umlauts as Latin-1.
+// Returns the text as UTF-8. Bytes that are not UTF-8 are read as Latin-1, because some Windows editors write umlauts
+// so.
 std::string as_utf8(std::string_view bytes) {
     if (is_utf8(bytes)) return std::string(bytes);
     std::string text;

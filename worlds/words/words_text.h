@@ -9,7 +9,7 @@
 namespace handrail::words {
 
 struct WordToken {
-    enum class Kind { Word, Number, Name, Comma, Colon };  // Name is text in quotation marks
+    enum class Kind { Word, Number, Name, Comma, Colon };  // Name: text in quotation marks
     Kind kind = Kind::Word;
     std::string text;    // spelled as in the text, without quotation marks
     std::string folded;  // the text in lower case, for comparisons

@@ -11,8 +11,8 @@ namespace {
 constexpr double kBesideDoor_m = 0.15, kWindow_m = 1.2, kWindowHigh_m = 1.2, kSill_m = 0.9, kProud_m = 0.02;
 constexpr double kLeastThing_m = 0.05, kMostThing_m = 200.0, kOut_m = 0.4;
 constexpr std::size_t kMostThings = 30'000;
-// In a room with more things than this, no free place is searched for, because the time grows with the square of their
-// number.
+// If a room contains more things than this, no free place is searched for, because the time grows with the square of
+// their number.
 constexpr std::size_t kMostLookedAt = 300;
 
 // Returns the distance from a place to the nearest edge of an outline. `side` receives the ends of that edge.
@@ -44,7 +44,7 @@ int side_of_border(const Vec2& from, const Vec2& to, const Vec2& least, const Ve
     return 2 * static_cast<int>(std::min_element(off.begin(), off.end()) - off.begin());
 }
 
-// At the wall on that side: `least` and `most` bound the places that the middle of the thing can have.
+// Returns the middle of a thing at the wall on that side. `least` and `most` bound the places that the middle can have.
 Vec2 middle_at_wall(int side, double along, const Vec2& least, const Vec2& most) {
     switch (side) {
         case 0:
@@ -61,7 +61,7 @@ Vec2 middle_at_wall(int side, double along, const Vec2& least, const Vec2& most)
 }  // namespace
 
 std::size_t WordsPlan::level_for(const WordRoom& a, const WordRoom* b) const {
-    // A room with stairs is on several levels. Chooses the level that the other room is on as well.
+    // A room with stairs is on several levels. Chooses the level on which the other room is, too.
     const std::size_t own = level_of_[a.storey];
     if (!b) return own;
     const auto on = [](const WordRoom& room, std::size_t level) {
@@ -73,8 +73,8 @@ std::size_t WordsPlan::level_for(const WordRoom& a, const WordRoom* b) const {
     return own;
 }
 
-// Among the rooms with that name on a common storey, finds the one with the longest shared border. If the sentence
-// gives a position, finds the one nearest to that position instead.
+// Finds a room with that name on a common storey. If there are several, it is the one with the longest shared border,
+// or, if the sentence gives a position, the one nearest to that position.
 std::size_t WordsPlan::beside(std::size_t r, const std::string& name, const SaidPart* at, Border& border) {
     constexpr double kNear_m = 1.0;
     const auto found = by_name_.find(name_key(name, speaker_.language));
@@ -341,8 +341,8 @@ void WordsPlan::add_door(std::size_t r, const Said& said) {
     plan_.doors.push_back(std::move(door));
 }
 
-// Returns the wall of a window and the position along it. They are as the sentence states; if it gives a place, the
-// wall is the side of the outline nearest to that place.
+// Returns the wall of a window and the position along that wall, as the sentence states them. If the sentence gives a
+// place, the wall is the side of the outline nearest to that place.
 WordsPlan::InWall WordsPlan::place_of_window(const Said& said, const WordRoom& room) {
     if (const SaidPart* at = said.words.find(Statement::At)) {
         const Vec2 place = offset_of(*at);
@@ -413,8 +413,8 @@ bool WordsPlan::stands_free(const WordRoom& room, const Vec2& at, const Vec2& ha
            });
 }
 
-// Finds a place where the thing is out of the way. Tries these in turn: a free corner; a free place along the walls or
-// farther in; a place that keeps the doors free; the middle.
+// Finds a place where the thing is out of the way. Tries these places in turn: a free corner; a free place along the
+// walls or farther in; a place that keeps the doors free; the middle.
 Vec2 WordsPlan::free_corner(const WordRoom& room, const Vec3& size_m) const {
     constexpr int kMostPlaces = 40;
     constexpr double kStep_m = 0.25;
@@ -449,8 +449,8 @@ Vec2 WordsPlan::nearest_free(const WordRoom& room, const Vec2& at, const Vec2& h
     return at;
 }
 
-// Places the thing at the first free side of the other thing, or else at the free place nearest to it, or else at the
-// first side that is inside the room.
+// Places the thing at the first free side of the other thing. If there is none, uses the free place nearest to the
+// other thing, or else the first side that is inside the room.
 Vec2 WordsPlan::place_next_to(const Placed& other, const WordRoom& room, const Vec2& half) const {
     const double inside_m = 0.5 * plan_.wall_m;
     const Vec2 least = room.least + inside_m, most = room.most - inside_m, there = 0.5 * (other.least + other.most);
@@ -473,7 +473,7 @@ Vec2 WordsPlan::place_next_to(const Placed& other, const WordRoom& room, const V
     return places[3];
 }
 
-// The number of the side whose wall the sentence names; -1 if it names none.
+// Returns the number of the side whose wall the sentence names; -1 if it names none.
 int WordsPlan::stated_side(const Said& said, const WordRoom& room) {
     int side = -1;
     for (const Statement says : {Statement::InWall, Statement::MiddleOf, Statement::Along})
@@ -484,7 +484,8 @@ int WordsPlan::stated_side(const Said& said, const WordRoom& room) {
     return side;
 }
 
-// The middle of the room, or as far from its walls as the sentence states. Nothing if the sentence states neither.
+// Returns the middle of the room, or the place at the stated distances from its walls. Returns nothing if the sentence
+// states neither.
 std::optional<Vec2> WordsPlan::place_from_walls(const Said& said, const WordRoom& room, const Vec3& size_m) {
     const double inside_m = 0.5 * plan_.wall_m;
     const Vec2 least = room.least + inside_m, most = room.most - inside_m;
@@ -515,7 +516,7 @@ std::optional<Vec2> WordsPlan::place_from_walls(const Said& said, const WordRoom
 Vec2 WordsPlan::place_of_thing(const Said& said, const WordRoom& room, Vec3& size_m, bool usual) {
     const double inside_m = 0.5 * plan_.wall_m;
     const Vec2 least = room.least + inside_m, most = room.most - inside_m;
-    // Things of usual size are turned so that the longer side is along the wall.
+    // Turns things of usual size so that the longer side is along the wall.
     const auto turn_to = [&](int side) {
         const bool upright = side == 2 || side == 6;
         if (usual && (size_m.x > size_m.y) == upright && size_m.x != size_m.y) std::swap(size_m.x, size_m.y);
