@@ -168,8 +168,9 @@ std::size_t offset_of(const std::string& text, const toml::source_position& plac
     return at;
 }
 
-// Changes or adds one value in the text of a file and keeps everything else, including comments. It works for files
-// that are written in the usual way, with [tables]. The caller must check the result by reading the returned text back.
+// Changes or adds one value in the text of a file and keeps everything else, including comments. The result is correct
+// for files that are written in the usual way, with [tables]. The caller must check the result by reading the returned
+// text back.
 std::string with_value(std::string text, std::span<const std::string> path, const SettingValue& value) {
     try {
         const toml::table table = parse_toml(text);
@@ -271,7 +272,7 @@ struct SettingsStore::Impl {
         return {};
     }
 
-    // If a stronger source sets a value for all devices, removes what a weaker source set for one device.
+    // If `layer` sets a value for all devices, removes the value that a weaker source set for one device.
     void forget_weaker(const Layer& layer) {
         for (const OverrideInfo& info : override_table()) {
             if (!layer.contains(std::string(info.plain->key))) continue;

@@ -139,7 +139,7 @@ struct Settings {
         bool guide = true;      // a cue: a sound when leading the hand begins or ends
     } sound;
     struct Desk {
-        // Pulling the hand through a wall towards the body, or pressing the desk's key, brings it to the desk.
+        // The hand gets to the desk if the person pulls it through a wall towards the body, or presses the desk's key.
         bool use = true;
     } desk;
     // Objects that can be pushed and lifted.

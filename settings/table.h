@@ -1,6 +1,6 @@
-// The table of all settings: key, unit, range, default, and where the value is stored. The texts about the settings are
-// in settings/languages. The code for files, the command line, `handrail settings` and its documentation uses this
-// table. Private to this folder; app thread only.
+// Defines the table of all settings: key, unit, range, default, and where the value is stored. The texts about the
+// settings are in settings/languages. The code for files, the command line, `handrail settings` and its documentation
+// uses this table. Private to this folder; app thread only.
 #pragma once
 
 #include <cstdint>

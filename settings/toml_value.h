@@ -1,6 +1,6 @@
-// The content of a TOML file as plain values, each with its line in the file. Code that reads TOML uses only these
-// values and no headers of toml++. So another process can parse the file (app/import/toml_apart.h). Any thread may use
-// the values.
+// Represents the content of a TOML file as plain values, each with its line in the file. Code that reads TOML uses only
+// these values and no headers of toml++. So another process can parse the file (app/import/toml_apart.h). Any thread
+// may use the values.
 #pragma once
 
 #include <cstdint>

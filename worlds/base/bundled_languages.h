@@ -1,4 +1,5 @@
-// The files of settings/languages, built into the program, so that it can speak wherever it is installed.
+// Gives access to the files of settings/languages, which are built into the program. So Handrail can speak wherever it
+// is installed.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
-// An interface for real time, which SteadyClock and VirtualClock implement. Each object that needs the time receives a
-// clock from its owner, so every test can control the time.
+// Defines an interface for real time, which SteadyClock and VirtualClock implement. Each object that needs the time
+// receives a clock from its owner, so every test can control the time.
 #pragma once
 
 #include <atomic>

@@ -38,7 +38,7 @@ struct Language {
 };
 
 // Collects the texts of a table under the keys "section.key". Adds a diagnostic for each value that is not a text or
-// that `fits` rejects. `fits` returns what is wrong with a text, or an empty string.
+// that `fits` rejects. `fits` returns the fault of a text, or an empty string.
 template <class Fits>
 void gather(const toml::table& table, const std::string& prefix, const std::string& file, const Fits& fits,
             Language& into, std::vector<Diagnostic>& faults) {

@@ -1,7 +1,7 @@
-// Handrail's texts in the person's language. Every string that a person hears or reads is in settings/languages under a
-// key, with one file for each language. The code supplies only the key and the values. Patterns use ICU's
-// MessageFormat, so each language has its own number format, plural forms and word order: "{steps, plural, one {# step}
-// other {# steps}}".
+// Looks up Handrail's texts in the person's language. Every string that a person hears or reads is in
+// settings/languages under a key, with one file for each language. The code supplies only the key and the values.
+// Patterns use ICU's MessageFormat, so each language has its own number format, plural forms and word order: "{steps,
+// plural, one {# step} other {# steps}}".
 //
 // The whole process has one spoken language, as it has one C locale, because a reader that fails deep in a file has no
 // access to a session. The process starts in English. The app thread changes the language with speak_language(). Any
@@ -22,8 +22,8 @@
 
 namespace handrail {
 
-// One value for a pattern, where it appears as "{name}". Whole numbers select plural forms. The pattern decides how
-// many decimals a number gets ("{m, number, ::.0}").
+// One value for a pattern, where it appears as "{name}". Whole numbers select plural forms. The pattern states the
+// number of decimals ("{m, number, ::.0}").
 struct TextValue {
     std::string_view name;
     std::variant<std::int64_t, double, std::string_view> value;

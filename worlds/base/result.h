@@ -29,7 +29,7 @@ inline tl::unexpected<Error> fail(std::string message, std::string file = {}, in
 
 enum class Severity { Warning, Error };
 
-// A fault that a reader found. `message` says what the reader expected and found; `action` says what the reader did
+// A fault that a reader found. `message` states what the reader expected and found; `action` states what the reader did
 // about the fault.
 struct Diagnostic {
     Severity severity = Severity::Warning;

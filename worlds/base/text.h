@@ -1,4 +1,4 @@
-// Small functions on text for the readers, the settings and the command line.
+// Declares small functions on text for the readers, the settings and the command line.
 #pragma once
 
 #include <optional>

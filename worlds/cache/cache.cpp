@@ -70,8 +70,8 @@ std::vector<KeptFile> files_in(int folder) {
     return files;
 }
 
-// Removes the least recently used files until the rest is no larger than most_bytes. A file that another process
-// removes in the meantime is subtracted too.
+// Removes the least recently used files until the remaining ones are no larger than most_bytes together. The size of a
+// file is subtracted even if another process has removed the file in the meantime.
 void remove_oldest(int folder, std::uint64_t most_bytes) {
     std::vector<KeptFile> files = files_in(folder);
     std::sort(files.begin(), files.end(), [](const KeptFile& a, const KeptFile& b) {

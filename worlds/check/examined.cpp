@@ -10,7 +10,7 @@
 namespace handrail::check {
 namespace {
 
-constexpr float kOpenSky = 1e6F;  // a ceiling at least this high stands for the open sky
+constexpr float kOpenSky = 1e6F;  // a ceiling at least this high means the open sky
 
 bool stops_a_body(const Solid& solid) { return solid.role == SolidRole::Solid || solid.role == SolidRole::Mover; }
 

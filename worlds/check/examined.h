@@ -1,5 +1,4 @@
-// A world that is prepared for the search for faults: its solids are indexed by position. Only the sources of
-// worlds/check use it.
+// Prepares a world for the search for faults: indexes its solids by position. Only the sources of worlds/check use it.
 #pragma once
 
 #include <functional>

@@ -17,14 +17,14 @@ namespace handrail::check {
 
 // Ordered by severity: first faults that stop or endanger a walker, then those that mislead, then missing landmarks.
 enum class FaultKind : std::uint8_t {
-    NowhereToStand,    // the world has no floor at all
+    NowhereToStand,    // the world has no floor
     StartLost,         // nobody can stand at this start
     RoomOutOfReach,    // no walking route leads from the base to the room
     ImpassableDoor,    // a door that nobody fits through, or that cannot open
     MissingPart,       // a part has a shape in the file, but is missing here in whole or in part
     DoorOnNoWall,      // a door that is not in a wall
     DoorOverLevels,    // a door that extends across the floors of two storeys
-    FloorEnds,         // an edge of the floor with nothing below and nothing to hold on to
+    FloorEnds,         // an edge of the floor with neither a floor below nor a railing
     UnguardedDrop,     // an edge that is too high for routes to lead a walker down
     CrossingOutline,   // the outline that the file states for a room crosses itself
     OverlappingRooms,  // two rooms in the same place
@@ -56,8 +56,8 @@ std::vector<FaultKind> all_fault_kinds();
 
 struct WorldFault {
     FaultKind kind = FaultKind::UnnamedRoom;
-    // Place of the fault in world metres. If people walk there, it is on the floor. For stairs and for a room out of
-    // reach, it is the place at which the route lacks something.
+    // Place of the fault in world metres. If people walk there, the place is on the floor. For stairs and for a room
+    // out of reach, it is where the route is too low, too narrow or too steep.
     Vec3 at_m{0.0};
     SourcePlace source = {};         // place of the fault in the file; line 0: unknown
     FeatureId feature = kNoFeature;  // the door or thing with the fault

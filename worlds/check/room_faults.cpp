@@ -18,7 +18,7 @@ namespace handrail::check {
 namespace {
 
 constexpr double kLeastNamed_m2 = 2.0;  // a room smaller than this is treated as a niche, whatever its shape
-// In a room smaller than this everything is within reach, so it needs no landmark.
+// A room smaller than this needs no landmark, because everything in it is within reach.
 constexpr double kLeastLandmarked_m2 = 4.0;
 constexpr double kOneRoom_m = 1.5;  // two names nearer to each other than this belong to the same room
 constexpr std::size_t kMostCandidates = 3;
@@ -72,7 +72,7 @@ void tell_lack(const Examined& world, WorldFault& fault, const WayLacks& found) 
     fault.needed_m = found.needs_m;
 }
 
-// Stores what the best routes lack in those faults that have no explanation yet.
+// For each fault without an explanation, stores what the best route lacks.
 void tell_lacks(const Examined& world, std::span<WorldFault> faults, std::span<const Lack> kinds,
                 const std::stop_token& stop) {
     const Start* const base = navigation::base_of(world.scene);

@@ -29,7 +29,7 @@ enum class Calls {
     Drive,
 };
 
-// What a confined process may still do. Paths that do not exist are ignored.
+// The accesses that a confined process keeps. Paths that do not exist are ignored.
 struct Permissions {
     Calls calls = Calls::Compute;
     std::vector<std::filesystem::path> read, read_and_write;  // files, or folders with everything in them

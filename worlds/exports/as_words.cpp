@@ -15,7 +15,7 @@ namespace handrail::exports {
 namespace {
 
 constexpr double kFinest_m = 1e-4;
-constexpr double kLevel_m = 0.02;  // two floors with a smaller difference in height count as level
+constexpr double kLevel_m = 0.02;  // two floors with a smaller difference in height are level with each other
 
 bool on_grid(double value) { return std::abs(value / kFinest_m - std::round(value / kFinest_m)) < 1e-3; }
 

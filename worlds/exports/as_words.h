@@ -34,7 +34,7 @@ struct WordsHouse {
         std::vector<std::size_t> rooms;  // the rooms on both sides; a single one: the door leads outside
         Vec2 at_m{0.0};
         double width_m = 0.9;
-        double drop_m = 0.0;  // how far the floor of the second room is below that of the first, at an opening
+        double drop_m = 0.0;  // height of the first room's floor above that of the second room, at an opening
     };
     // A lift platform without a shaft.
     struct Lift {
@@ -69,7 +69,7 @@ struct WordsHouse {
     std::vector<Lift> lifts;
     std::vector<Flight> flights;
     std::vector<Thing> things;
-    std::vector<std::string> lost;  // sentences about what the text cannot express, in the language of the text
+    std::vector<std::string> lost;  // sentences about parts that the text cannot describe, in the language of the text
 };
 
 // Describes a world whose file states its rooms.

@@ -9,7 +9,7 @@
 namespace handrail::exports {
 namespace {
 
-constexpr double kTread = 0.7;  // a surface counts as a tread if the vertical component of its normal is at least this
+constexpr double kTread = 0.7;  // a surface is a tread if the vertical component of its normal is at least this
 // Fraction of the climb, from the bottom, that is regarded as the foot of the stairs. The same fraction from the top is
 // regarded as their top.
 constexpr double kEnd = 0.2;

@@ -1,6 +1,6 @@
-// A page as a picture of black and white pixels. Functions on the picture find, for shapes of any form, where something
-// still fits, where black is too near to other black, and where black is too thick. Pure functions; any thread may call
-// them. Lengths are in pixels unless the name says millimetres.
+// Represents a page as a picture of black and white pixels. Functions on the picture find, for shapes of any form,
+// where something still fits, where black is too near to other black, and where black is too thick. Pure functions; any
+// thread may call them. Lengths are in pixels unless the name says millimetres.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// A printed page as plain values: black shapes and dots in millimetres. Functions write the page to a file. That file
-// contains only paths and circles, so no font is needed and every length is exact. Pure functions; any thread may call
-// them.
+// Represents a printed page as plain values: black shapes and dots in millimetres. Functions write the page to a file.
+// That file contains only paths and circles, so no font is needed and every length is exact. Pure functions; any thread
+// may call them.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace handrail::exports {
 
-// A shape. A point is black if it is inside an odd number of the loops.
+// A shape. A point is black if it is inside an odd number of `loops_mm`.
 struct SheetShape {
     // Lines around the shape; x to the right, y up, measured from the lower left corner of the page.
     std::vector<std::vector<Vec2>> loops_mm;

@@ -133,7 +133,7 @@ private:
         return at.x < low_mm_.x || at.y < low_mm_.y || at.x > high_mm_.x || at.y > high_mm_.y;
     }
 
-    // Returns the walls; everything outside the part shown also counts as wall. A finger that leaves the part is on
+    // Returns the walls, and treats everything outside the part shown as wall. A finger that leaves the part is on
     // another sheet, so rooms must not be joined there.
     Ink walls_within_part() const {
         Ink walls = walls_.ink;

@@ -319,8 +319,8 @@ std::optional<Vec2> place_of_sign(const plan::Storey& storey, std::size_t room, 
     const plan::StoreyRoom& mine = storey.rooms[room];
     const double reach = glm::distance(on_paper(mine.min_m), on_paper(mine.max_m)) + 5.0;
     const auto box_at = [&](const Vec2& p) { return plan::PlanBox{p, {1.0, 0.0}, half_mm}; };
-    // How far beyond its floor a room's sign may be. The floor begins a walker's radius inside the walls. Farther out,
-    // nobody would know to which room the sign belongs, even if no wall is between them.
+    // Greatest distance of a room's sign from the room's floor. The floor begins a walker's radius inside the walls.
+    // Farther out, nobody would know to which room the sign belongs, even if no wall is between them.
     constexpr double kBesideFloor_m = 0.35;
     const Vec2 low = on_paper(mine.min_m - Vec2(kBesideFloor_m)), high = on_paper(mine.max_m + Vec2(kBesideFloor_m));
     const auto is_mine = [&](const Vec2& p) {

@@ -80,7 +80,7 @@ struct BaseArrow {
 std::optional<BaseArrow> arrow_of_base(const plan::StoreyBase& base, const OnPaper& on_paper, const Ink& walls,
                                        const Places& places, const Vec2& half_mm);
 
-// Least distance between two signs, so that readers do not take them for one word.
+// Least distance between two signs, so that readers do not read them as one word.
 inline constexpr double kBetweenSigns_mm = 6.4;
 
 // Returns where a sign with these half sides fits into the room with index `room`. All four corners must be in the room

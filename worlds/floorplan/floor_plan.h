@@ -1,6 +1,6 @@
-// A building as a drawn plan states it: spaces with outlines on levels, doors on those outlines, and the connections
-// between levels. Readers of files (OpenStreetMap, IMDF, room descriptions) make it, and scene_of_plan turns it into a
-// Scene. Plain values in metres, x east, y north.
+// Defines a building as a drawn plan states it: spaces with outlines on levels, doors on those outlines, and the
+// connections between levels. Readers of files (OpenStreetMap, IMDF, room descriptions) make a FloorPlan, and
+// scene_of_plan turns it into a Scene. Plain values in metres, x east, y north.
 #pragma once
 
 #include <cstdint>
@@ -161,7 +161,8 @@ struct FloorPlan {
     std::vector<PlanStart> starts;
     // Sentences for the report about what was guessed, simplified and left out.
     std::vector<std::string> guessed, simplified, left_out;
-    std::vector<std::pair<std::string, std::string>> warnings;  // each with the fault and what was done about it
+    // Warnings, each with the fault and the action that was taken.
+    std::vector<std::pair<std::string, std::string>> warnings;
 };
 
 }  // namespace handrail::floorplan

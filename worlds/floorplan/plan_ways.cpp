@@ -95,7 +95,7 @@ FeatureId PlanBuilder::add_cabin(const Ring& floor, double low_m, double way_m, 
     return feature;
 }
 
-// Adds the floors of lift cabins, each at its lowest level. A cabin stops at all levels of its space.
+// Adds the floors of lift cabins, each at the lowest level of its lift. A cabin stops at all levels of its space.
 void PlanBuilder::add_lifts() {
     for (std::size_t s = 0; s < plan_.spaces.size(); ++s) {
         const PlanSpace& space = plan_.spaces[s];

@@ -1,4 +1,4 @@
-// A hierarchy over boxes in double precision. It finds the boxes that overlap a given box, and the boxes that a
+// Defines a hierarchy over boxes in double precision. It finds the boxes that overlap a given box, and the boxes that a
 // straight line may enter before it hits something. After construction the hierarchy is only read, from any thread.
 // Building costs O(n log n), a query O(log n + found). Bvh, which the haptic tick uses instead, answers queries about
 // points in single precision.

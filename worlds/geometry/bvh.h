@@ -1,9 +1,9 @@
-// A hierarchy of bounding boxes that finds which things are near a point. Built once off the real-time path, then only
-// read; queries neither allocate nor throw. Each node has four children, each of them another node or one item. The
-// children's boxes are in single precision, relative to the middle of all items, rounded outwards, and tested together.
-// Memory: about 40 bytes per item. Building: about 0.3 us per item. Sources: Wald, On fast construction of SAH-based
-// bounding volume hierarchies, 2007 (binning); Hjaltason & Samet, Distance browsing in spatial databases, 1999 (nearest
-// first).
+// Defines a hierarchy of bounding boxes that finds which things are near a point. It is built once off the real-time
+// path and then only read; queries neither allocate nor throw. Each node has four children, each of them another node
+// or one item. The children's boxes are in single precision, relative to the middle of all items, rounded outwards, and
+// tested together. Memory: about 40 bytes per item. Building: about 0.3 us per item. Sources: Wald, On fast
+// construction of SAH-based bounding volume hierarchies, 2007 (binning); Hjaltason & Samet, Distance browsing in
+// spatial databases, 1999 (nearest first).
 #pragma once
 
 #include <algorithm>

@@ -61,7 +61,7 @@ public:
             if (side == Side::Back) continue;
             if (side == Side::On) {
                 // The polygon is in the plane of a face of the solid. If that face has the opposite direction, it
-                // covers the polygon from outside. Otherwise FaceClaim decides which of the two faces keeps the common
+                // covers the polygon from outside. Otherwise FaceClaim selects which of the two faces keeps the common
                 // part.
                 if (glm::dot(plane.normal, normal) < 0.0 || !own.covers) continue;
                 if (claim_of(solid, solid_index, p, tolerance_.cut_m)

@@ -1,6 +1,6 @@
-// The position, rotation and scale of an object with its own frame: world = position + scale * (rotation applied to
-// own). Plain values and pure functions; any thread may use them. They use only + - x / and square root, so that every
-// build gives bit-identical results.
+// Defines the position, rotation and scale of an object with its own frame: world = position + scale * (rotation
+// applied to own). Plain values and pure functions; any thread may use them. They use only + - x / and square root, so
+// that every build gives bit-identical results.
 #pragma once
 
 #include <algorithm>
@@ -86,8 +86,8 @@ inline Placement between(const Placement& from, const Placement& to, double part
     return result;
 }
 
-// Returns an upper bound of how far a point travels between two placements. The point is at most reach_m, in metres of
-// the object's own frame, from the frame's origin.
+// Returns an upper bound of the distance that a point travels between two placements. The point is at most reach_m, in
+// metres of the object's own frame, from the frame's origin.
 inline double farthest_travel_m(const Placement& from, const Placement& to, double reach_m) noexcept {
     const Rotation &a = from.rotation, &b = to.rotation;
     const double sign = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z < 0.0 ? -1.0 : 1.0;

@@ -1,5 +1,5 @@
-// The shape of a part of a building while the file is being read: convex solids, and sheets for surfaces that enclose
-// no volume. Pure functions on plain values in metres.
+// Represents the shape of a part of a building while the file is being read: convex solids, and sheets for surfaces
+// that enclose no volume. Pure functions on plain values in metres.
 #pragma once
 
 #include <cstdint>

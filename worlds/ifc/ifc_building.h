@@ -1,5 +1,5 @@
-// The parts of a building from an IFC file, with their shapes in place, after openings were cut and doors tested.
-// read_building makes it from the file, and IfcScene turns it into a Scene. Used on the reading thread only.
+// Reads the parts of a building from an IFC file and puts their shapes in place. It also cuts openings and tests doors.
+// IfcScene turns the resulting IfcBuilding into a Scene. Used on the reading thread only.
 #pragma once
 
 #include <functional>

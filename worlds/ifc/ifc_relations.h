@@ -1,5 +1,5 @@
-// The relations between the instances of an IFC file, and the role of each class of part in a building. Filled in one
-// pass over the instances.
+// Reads the relations between the instances of an IFC file, and defines the role of each class of part in a building.
+// The relations are read in one pass over the instances.
 #pragma once
 
 #include <map>

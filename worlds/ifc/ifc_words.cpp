@@ -36,7 +36,7 @@ constexpr std::array kRules{
     Rule{"grass", "grass"},
 };
 
-// Where the text must occur: anywhere in a word, at the start of a word, or as the whole word.
+// The place where the text must occur: anywhere in a word, at the start of a word, or as the whole word.
 enum class Found { Anywhere, AtStart, Alone };
 struct KindRule {
     std::string_view part, prefab;

@@ -64,9 +64,9 @@ struct Paced {
 inline constexpr double kStoppedBelow = 0.55, kStoppedWindow_m = 0.2;
 // Least height of a flight, and the length of level floor after which the flight is over.
 inline constexpr double kFlightRise_m = 0.4, kFlightOver_m = 0.6;
-// Limits for sliding into a doorway that the walker has just missed. kLineUp_m: how far the walker slides sideways at
-// most. kLineUpDeep_m: how far the walker must be able to go on beyond the doorway. kDoorway_m: the greatest width over
-// which the walker's centre can move; a wider opening is not a doorway.
+// Limits for sliding into a doorway that the walker has just missed. kLineUp_m: greatest distance that the walker
+// slides sideways. kLineUpDeep_m: distance that the walker must be able to go on beyond the doorway. kDoorway_m: the
+// greatest width over which the walker's centre can move; a wider opening is not a doorway.
 inline constexpr double kLineUp_m = 0.5, kLineUpDeep_m = 0.35, kDoorway_m = 1.4;
 
 class BlindGround {

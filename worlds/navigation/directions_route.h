@@ -28,7 +28,7 @@ constexpr double notch_heading_rad(int notch) { return notch * (2.0 * kPi / kNot
 // Returns the notch that is nearest to the heading: 0 to 15, clockwise from north.
 int nearest_notch(double heading_rad);
 
-// One instruction: how to turn, then how far to walk, then what ends the leg.
+// One instruction: a turn, a number of steps, and the event that ends the leg.
 struct DirectionsLeg {
     int turn_notches = 0;  // turn before the leg, clockwise, from -7 to 8
     int steps = 1;         // number of steps; exact if `end` is Steps, otherwise approximate

@@ -1,6 +1,6 @@
-// A polygon mesh of the walkable spans, made tile by tile, with which the program finds shortest paths. It uses Recast
-// and Detour, which only nav_mesh.cpp includes. Queries are not const because they share scratch memory, so only one
-// thread at a time may make them. Making the mesh costs time and memory in proportion to the floor.
+// Makes a polygon mesh of the walkable spans, tile by tile, and finds shortest paths on it. It uses Recast and Detour,
+// which only nav_mesh.cpp includes. Queries are not const because they share scratch memory, so only one thread at a
+// time may make them. Making the mesh costs time and memory in proportion to the floor.
 #pragma once
 
 #include <memory>

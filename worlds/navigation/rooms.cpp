@@ -209,8 +209,8 @@ private:
         }
     }
     bool beside_stated_door(const std::pair<std::uint32_t, std::uint32_t>& rooms, const Vec3& at_m) const {
-        // The border in a doorway is a walker's radius away from the leaf, so a door within this distance is the same
-        // door.
+        // An opening within this distance of a door is the doorway of that door, whose border is a walker's radius away
+        // from the leaf.
         constexpr double kSame_m = 1.0;
         return scene_.stated && std::any_of(graph_.portals.begin(), graph_.portals.end(), [&](const Portal& p) {
                    return p.kind == PassageKind::Door && p.rooms[0] == rooms.first && p.rooms[1] == rooms.second &&

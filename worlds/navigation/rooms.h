@@ -1,5 +1,5 @@
-// The rooms of a world and the portals between them. Every kind of world has such a graph, made from the walkable space
-// and the rooms that the file states. Pure functions; any thread may call them.
+// Defines the rooms of a world and the portals between them as a graph. Every kind of world has such a graph, made from
+// the walkable space and the rooms that the file states. Pure functions; any thread may call them.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// A walking route from one place to another, as plain values. Guidance and spoken directions use it, and so does the
-// touchable wall along the route. World metres; points are at the height of the soles.
+// Defines a walking route from one place to another as plain values. Guidance and spoken directions use it, and so does
+// the touchable wall along the route. World metres; points are at the height of the soles.
 #pragma once
 
 #include <vector>

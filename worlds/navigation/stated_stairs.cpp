@@ -13,7 +13,7 @@
 namespace handrail::navigation {
 namespace {
 
-constexpr double kLevel = 0.7;  // a surface counts as a tread if the vertical component of its normal is at least this
+constexpr double kLevel = 0.7;         // a surface is a tread if the vertical component of its normal is at least this
 constexpr double kFirstTread_m = 0.6;  // greatest height of the first tread above the lower floor
 // Greatest depth of the last tread below the upper floor. The last tread may also be up to a tenth of a metre above
 // that floor.

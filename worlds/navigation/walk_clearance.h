@@ -1,5 +1,5 @@
 // Finds where people can stand in a column: the free stretches between obstacles that have a floor below. The tiles of
-// the flood use these functions, and so does the estimate of how much floor there is.
+// the flood use these functions, and so does the estimate of the whole floor area.
 #pragma once
 
 #include <algorithm>

@@ -27,7 +27,7 @@ std::vector<float> distance_from(const SpanGrid<Span>& space, Counts counts, std
     struct Wave {
         std::uint32_t span, source;
     };
-    struct Place {  // everything that the search reads of a span, in half a cache line
+    struct Place {  // the data of a span that the search reads, in half a cache line
         std::uint32_t next[4];
         std::uint32_t x = 0, y = 0;  // column and row of the span
         float found = 1e6F;

@@ -29,7 +29,8 @@ private:
     struct Walked {
         std::string id;
         const OsmTags* tags = nullptr;
-        // For a line: the ids of its nodes. For an area: those of its outlines, without repetition of the first node.
+        // For a line: the ids of its nodes. For an area: the ids of the nodes of its outlines, without repetition of
+        // the first node.
         std::vector<std::vector<std::int64_t>> lines;
         bool area = false;
         std::string_view level;  // the level as the file states it

@@ -77,7 +77,7 @@ class StoreyMaker {
     struct Barrier {
         FeatureId feature = kNoFeature;
         std::vector<PlanOutline> outlines_m = {};
-        // Where the barrier stops a body, if that area is larger than its outlines.
+        // The area where the barrier stops a body, if that area is larger than its outlines.
         std::vector<PlanOutline> reach_m = {};
         bool wall = false;
     };

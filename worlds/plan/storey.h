@@ -1,6 +1,7 @@
-// A plan of one storey of a building for drawing or printing: walls with windows closed and doors open, rooms, things,
-// passages and the base. Windows are drawn closed, by their sills and panes, because every gap in a raised line feels
-// like a door to a finger. Plain values and pure functions; any thread may use them. World metres, x east, y north.
+// Makes a plan of one storey of a building for drawing or printing: walls with windows closed and doors open, rooms,
+// things, passages and the base. Windows are drawn closed, by their sills and panes, because every gap in a raised line
+// feels like a door to a finger. Plain values and pure functions; any thread may use them. World metres, x east, y
+// north.
 #pragma once
 
 #include <array>

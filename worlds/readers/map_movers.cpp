@@ -50,7 +50,8 @@ double travel_s(double way_m, double speed_m_per_s) {
     return std::clamp(way_m / std::max(speed_m_per_s, 1e-6), kLeastTravel_s, kMostTravel_s);
 }
 
-// Returns how far a box must slide along `direction` to leave its opening, except for the lip that remains in it.
+// Returns the distance that a box must slide along `direction` to leave its opening, except for the lip that remains in
+// the opening.
 Vec3 slide_of(const Aabb& bounds_m, const Vec3& direction, double lip_m) {
     const double way = glm::dot(glm::abs(direction), bounds_m.size_m()) - lip_m;
     return way > 0.0 ? direction * way : Vec3(0.0);

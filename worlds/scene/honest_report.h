@@ -60,8 +60,8 @@ std::string honest_sentence(const Scene& scene, const HonestReport& report);
 // Returns one sentence each about the rooms that doors connect, the openings, the largest connected part, the landmarks
 // and each storey.
 std::vector<std::string> honest_details(const Scene& scene, const HonestReport& report);
-// Returns the numbers of guessed, simplified, left out and faulty items while reading the file, and where to find the
-// details. It works for files of any format.
+// Returns the numbers of guessed, simplified, left out and faulty items in a file of any format, and where to find the
+// details.
 std::string honest_counts(const ReadReport& report);
 // Describes a missing part, without a full stop: "North wall, 2O2Fr$t4X7Zf8NOew3FLOH, on Level 1, is not there:
 // Handrail does not read IFCSWEPTDISKSOLID".

@@ -31,7 +31,7 @@ struct Mover {
     double swing_rad = 0.0;
     Vec3 pivot_m{0.0};      // origin of the mover's own frame, in world metres
     double travel_s = 1.0;  // time for the whole travel from one end to the other
-    // How long the mover waits at the other end before it returns automatically; negative: it stays there.
+    // Time that the mover waits at the other end before it returns automatically; negative: it stays there.
     double wait_s = 3.0;
     // The mover rests at the other end (like a lift that waits below) and goes to its place in the file when something
     // starts it.

@@ -1,6 +1,6 @@
-// Ready-made furniture, so that an author need not draw it. The pieces have usual sizes, and each consists of a few
-// boxes with materials. We designed them after furniture in European homes and public buildings. Pure data; any thread
-// may use it.
+// Defines ready-made furniture, so that an author need not draw it. The pieces have usual sizes, and each consists of a
+// few boxes with materials. We designed them after furniture in European homes and public buildings. Pure data; any
+// thread may use it.
 #pragma once
 
 #include <span>

@@ -1,6 +1,6 @@
-// The content of a building: solids, named surfaces, volumes and starts, in world metres with z up. A reader builds a
-// Scene; afterwards it never changes. Every representation (for touch, drawing, sound and walking) is compiled from it
-// and refers to it by FeatureId.
+// Defines the content of a building: solids, named surfaces, volumes and starts, in world metres with z up. A reader
+// builds a Scene; afterwards it never changes. Every representation (for touch, drawing, sound and walking) is compiled
+// from the Scene and refers to its parts by FeatureId.
 #pragma once
 
 #include <cstdint>

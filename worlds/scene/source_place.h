@@ -1,4 +1,4 @@
-// The place in a file from which a part of a world comes.
+// Defines the place in a file from which a part of a world comes.
 #pragma once
 
 namespace handrail {

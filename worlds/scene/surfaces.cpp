@@ -331,8 +331,7 @@ private:
     }
 
     // 5. Gives the outer side of a wall the name of the wall: the outer pieces of a solid join the largest inner
-    //   surface
-    //   of the same solid.
+    //   surface of the same solid.
     void fold_outer_sides() {
         std::vector<Surface> rest(surfaces_.size());
         for (std::uint32_t g = 0; g < surfaces_.size(); ++g) {

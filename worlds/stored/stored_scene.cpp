@@ -243,7 +243,7 @@ void fields(A& a, T& v) {
     a(format, brushes, polygons, polygons_kept, polygons_hidden, triangles, liquids, movers, doors, starts, patches,
       guessed, simplified, left_out, warnings, warnings_in_all);
 }
-// Packs everything in the building, without the report about reading it.
+// Packs the whole scene except the report about reading it.
 template <class A, Is<Scene> T>
 void all_but_report(A& a, T& v) {
     auto& [name, name_in, source_file, game_map, metres_per_unit, bounds, materials, features, solids, triangles,

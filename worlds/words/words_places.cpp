@@ -156,7 +156,7 @@ void WordsPlan::place_rooms() {
         const SaidPart* where = room.said.words.find(Statement::SideOf);
         if (!where) where = room.said.words.find(Statement::Above);
         if (!where) continue;
-        // If the sentence says above or below, the named room must be on another storey.
+        // If the sentence contains "above" or "below", the named room must be on another storey.
         std::size_t other = room_named(where->name, r);
         if (where->says == Statement::Above)
             if (const auto same = by_name_.find(name_key(where->name, speaker_.language)); same != by_name_.end())
