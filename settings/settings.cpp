@@ -379,7 +379,7 @@ std::vector<Diagnostic> SettingsStore::load_file(const fs::path& path, SettingSo
     impl_->collect(*table->table(), "", path, source, layer, damaged, problems);
     Impl::set_aside(damaged, layer);
     if (source == SettingSource::UserFile) impl_->damaged_profiles = std::move(damaged);
-    // A TOML table is sorted by name, but people read their file from the top, so the problems are sorted by line.
+    // Sorts the problems by line, because a TOML table is sorted by name, but people read their file from the top.
     std::stable_sort(problems.begin(), problems.end(),
                      [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; });
     impl_->layers[source] = std::move(layer);

@@ -27,7 +27,7 @@ enum class KeyboardHand { Both, Left, Right };
 // How directions are announced: "30 degrees left", "at 11 o'clock", "north".
 enum class DirectionChoice { Sides, Clock, Compass };
 
-// The results of `handrail calibrate` for one device and the person who uses it. The settings file has them as
+// The results of `handrail calibrate` for one device and the person who uses the device. The settings file has them as
 // [profile."falcon a9001"]. An empty value was not measured.
 struct DeviceProfile {
     // The strongest force that is comfortable for the person, in N, 0.5 to 40. The smaller of this force and

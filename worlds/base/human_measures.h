@@ -7,8 +7,7 @@ namespace handrail {
 inline constexpr double kGravity_m_per_s2 = 9.81;  // acceleration of free fall, rounded from ISO 80000-3
 
 // ---- reach and feet ----
-// Distance from the middle of the walker to the farthest object that they can grasp or operate.
-inline constexpr double kArmsReach_m = 1.2;
+inline constexpr double kArmsReach_m = 1.2;  // greatest distance from the middle of the walker to an object in reach
 inline constexpr double kAtWall_m = 0.8;     // distance from the middle of the walker to a wall that they stand at
 inline constexpr double kHandTap_m = 0.005;  // distance by which one press of a hand key moves the hand
 // Least z of the unit normal of walkable ground: it allows slopes of up to about 45 degrees.

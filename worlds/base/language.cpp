@@ -160,7 +160,8 @@ std::string fill(const Language& language, const std::string& pattern, std::init
     return U_SUCCESS(status) ? narrow(made) : pattern;
 }
 
-// Returns a sentence that says why `pattern` cannot replace the English text under `key`, or an empty string if it can.
+// Returns a sentence with the reason why `pattern` cannot replace the English text under `key`, or an empty string if
+// `pattern` can.
 std::string misfit(const std::string& key, const std::string& pattern) {
     std::vector<std::string> asked, offered;
     if (pattern.empty()) return phrase("language.empty_text", {{"key", key}});

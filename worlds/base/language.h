@@ -57,7 +57,7 @@ std::string in_spoken_language(const std::string& text, const OtherLanguages& ot
 // letter is returned unchanged.
 std::string capitalised(std::string_view text);
 
-// A language that a person can choose: its code ("de") and its name in that language itself ("Deutsch").
+// A language that a person can choose: its code ("de") and its name in the language itself ("Deutsch").
 struct LanguageName {
     std::string code;
     std::string name;

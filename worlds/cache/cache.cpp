@@ -110,7 +110,8 @@ void Cache::keep(const std::string& name, std::string_view content) const {
     std::string all = digest_of(name, content);
     all += content;
     if (!write_private_file_atomically(folder_ / name, all)) return;
-    // Opens the folder a second time, because it may have been removed in the meantime and made again by the write.
+    // Opens the folder a second time, because another process may have removed the folder in the meantime, and the
+    // write may have made it again.
     if (const Descriptor folder = own_folder(folder_); folder.get() >= 0) remove_oldest(folder.get(), most_bytes_);
 }
 

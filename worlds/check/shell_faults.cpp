@@ -112,7 +112,7 @@ void roofs(const Examined& world, std::vector<WorldFault>& faults) {
         const bool first_in = world.cover(portal.rooms[0]).covered() && world.cover(portal.rooms[1]).under_sky(),
                    second_in = world.cover(portal.rooms[1]).covered() && world.cover(portal.rooms[0]).under_sky();
         if (!first_in && !second_in) continue;
-        // A covered area is only a niche under the eaves if it is not a room, so it gives no fault.
+        // If the covered area is not a room, it is only a niche under the eaves and gives no fault.
         if (rooms[portal.rooms[first_in ? 0 : 1]].kind != navigation::RoomKind::Room) continue;
         const std::uint32_t in = portal.rooms[first_in ? 0 : 1], out = portal.rooms[first_in ? 1 : 0];
         put(FaultKind::OpenToOutside, in, portal.place_m, world.room_name(out));

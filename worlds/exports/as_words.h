@@ -24,7 +24,7 @@ struct WordsHouse {
         std::string name, floor_material;
         // Index of the storey; `to_storey` is the highest storey that stairs or a lift reach.
         std::size_t storey = 0, to_storey = 0;
-        double height_m = 0.0;  // height of the room; 0: it is that of the storey
+        double height_m = 0.0;  // height of the room; 0: it has the height of the storey
         double raised_m = 0.0;  // height of the room's floor above that of its storey
         std::vector<std::vector<Vec2>> rings;
     };
@@ -42,7 +42,7 @@ struct WordsHouse {
         std::size_t from = 0, to = 0;  // indices of rooms, the lower first
         Vec2 at_m{0.0}, size_m{1.4};
     };
-    // Stairs inside a room, not in a room of their own.
+    // Stairs inside a room that are not a room themselves.
     struct Flight {
         std::string name;
         std::size_t from = 0, to = 0;  // indices of rooms, the lower first
@@ -55,7 +55,7 @@ struct WordsHouse {
         std::string name;  // empty for a window without a name
         std::size_t room = 0;
         Aabb box_m;
-        std::string material;  // material in the scene; the text may have no word for it
+        std::string material;  // material in the scene, for which the text may have no word
         bool landmark = false, clue = false;
         bool window = false;
         bool fixture = false;  // part of the building, not furniture

@@ -15,7 +15,7 @@ constexpr double kEdgeAside_mm = 0.4;  // distance on either side of an edge at 
 // The stretch without lines at an exit extends this far beyond the width of the exit.
 constexpr double kBesideExit_m = 0.6;
 
-// Finds places on a closed line by their distance along it.
+// Finds places on a closed line by their distance along the line.
 class AlongLoop {
 public:
     explicit AlongLoop(const std::vector<Vec2>& loop) : loop_(loop), from_(1, 0.0) {

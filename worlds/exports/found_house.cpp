@@ -197,7 +197,7 @@ public:
             } while (now != first);
             if (ring.size() > 3) rings.push_back(std::move(ring));
         }
-        // Remove the first corner of a ring if it is in the middle of a straight side.
+        // Removes the first corner of a ring if it is in the middle of a straight side.
         for (Ring& ring : rings) {
             const Vec2 before = ring.back(), &here = ring[0], after = ring[1];
             if ((before.x == here.x && here.x == after.x) || (before.y == here.y && here.y == after.y))
@@ -279,8 +279,8 @@ void lay_drops(WordsHouse& house, const navigation::RoomGraph& graph, const std:
     }
 }
 
-// Builds the house step by step, as each step depends on those before: storeys, rooms, their outlines, and doors and
-// flights between them.
+// Builds the house step by step, because each step depends on the previous steps: storeys, rooms, their outlines, and
+// doors and flights between them.
 class FoundHouse {
 public:
     FoundHouse(const Scene& scene, const navigation::RoomGraph& graph, const navigation::WalkSpace& space, bool german)
@@ -385,7 +385,7 @@ private:
         }
     }
 
-    // Makes the outline of a room that is too small for one: a square metre around its middle.
+    // Makes the outline of a room that is too small to be traced: a square metre around the middle of the room.
     void outline_small_rooms() {
         for (std::size_t r = 0; r < graph_.rooms.size(); ++r) {
             if (!house_.rooms[r].rings.empty()) continue;

@@ -71,8 +71,8 @@ std::uint32_t storey_of(const StatedBuilding& stated, const StatedRoom& room) {
     return best;
 }
 
-// Builds the house step by step, as each step depends on those before: storeys, rooms that belong together, rooms,
-// doors, lifts and flights.
+// Builds the house step by step, because each step depends on the previous steps: storeys, rooms that belong together,
+// rooms, doors, lifts and flights.
 class StatedHouse {
 public:
     StatedHouse(const Scene& scene, bool german) : scene_(scene), stated_(*scene.stated), german_(german) {

@@ -15,7 +15,7 @@ bool is_name(char c) {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
 }
 
-// Returns the number of characters after \\S\\ that belong to it. An apostrophe after \\S\\ is a shifted character (a
+// Returns the number of characters after \S\ that belong to it. An apostrophe after \S\ is a shifted character (a
 // section sign), which some programs double. But if a comma or a bracket follows, the apostrophe ends the text, as in a
 // path that was not escaped.
 int shifted_length(std::string_view after) {

@@ -58,8 +58,8 @@ private:
     std::unordered_map<std::uint64_t, std::uint32_t> place_of_;
 };
 
-// Decodes a string of the file to UTF-8. Decodes doubled apostrophes, doubled backslashes, \\S\\, \\P.\\, \\X\\hh,
-// \\X2\\...\\X0\\ and \\X4\\...\\X0\\. A byte above 127 that is not UTF-8 is read as Latin-1.
+// Decodes a string of the file to UTF-8, including doubled apostrophes, doubled backslashes, \S\, \P.\, \X\hh,
+// \X2\...\X0\ and \X4\...\X0\. A byte above 127 that is not UTF-8 is read as Latin-1.
 std::string decoded(std::string_view raw);
 
 }  // namespace handrail::ifc

@@ -83,7 +83,7 @@ std::string decoded(std::string_view raw) {
             i += 5;
         } else if (rest.starts_with("\\S\\") && rest.size() > 3) {
             add_utf8(text, of_page(page, 0x80 | (static_cast<unsigned char>(rest[3]) & 0x7fU)));
-            i += rest.substr(3).starts_with("''") ? 5 : 4;  // Some programs double the apostrophe after \\S\\ too.
+            i += rest.substr(3).starts_with("''") ? 5 : 4;  // Some programs double the apostrophe after \S\ too.
         } else if (rest.size() >= 4 && rest.starts_with("\\P") && rest[3] == '\\') {
             page = rest[2];
             i += 4;

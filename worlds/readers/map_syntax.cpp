@@ -152,7 +152,7 @@ private:
 
     // True if the quote at `quote`, which follows a backslash, ends the string. Usually the quote belongs to the
     // string. It ends the string if white space and then a quote, a brace or the end of the line follow it, as in
-    // "c:\\a\\".
+    // "c:\a\".
     bool closes_after_backslash(std::size_t quote) const {
         std::size_t i = quote + 1;
         while (i < bytes_.size() && is_blank(bytes_[i]) && !is_line_end(bytes_[i])) ++i;

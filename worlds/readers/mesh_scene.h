@@ -16,9 +16,10 @@ namespace handrail::readers {
 inline constexpr std::size_t kMostMeshTriangles = 2'000'000;
 
 struct MeshPart {
-    std::uint32_t thing = 0;  // parts with the same number are one object, which has the name of its first part
-    std::string name;         // name as the file states it
-    std::string material;     // name of the material as the file states it
+    // Parts with the same number are one object, which has the name of the first of these parts.
+    std::uint32_t thing = 0;
+    std::string name;      // name as the file states it
+    std::string material;  // name of the material as the file states it
     std::vector<Vec3> points_m;
     std::vector<std::array<std::uint32_t, 3>> triangles;  // corners of each triangle, as indices into points_m
 };

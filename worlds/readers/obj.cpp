@@ -412,7 +412,7 @@ bool is_of_sweet_home(std::string_view bytes) {
                std::string_view::npos;
 }
 
-// True if the mesh seems to have y up: the objects called floor or ceiling are thin from south to north, and none of
+// True if the mesh appears to have y up: the objects called floor or ceiling are thin from south to north, and none of
 // them is thin in height.
 bool lies_on_its_side(const Scene& scene) {
     constexpr std::array<std::string_view, 6> kFlatThings{"floor", "ceiling", "ground", "boden", "decke", "slab"};

@@ -45,7 +45,7 @@ struct HonestReport {
     // The numbers of what Handrail did not understand, or only in part.
     int parts_missing = 0;     // number of parts that are missing or have another volume than in the file
     int openings_uncut = 0;    // number of openings that could not be cut and so remain solid wall
-    int doors_cut_free = 0;    // number of doors that something blocked until it was cut away
+    int doors_cut_free = 0;    // number of doors that were blocked until an obstacle was cut away
     int doors_impassable = 0;  // number of doors that remained blocked
     int guessed = 0, simplified = 0, left_out = 0;  // numbers of entries in the lists of ReadReport with these names
     int problems = 0;                               // number of warnings while reading
@@ -66,7 +66,7 @@ std::string honest_counts(const ReadReport& report);
 // Describes a missing part, without a full stop: "North wall, 2O2Fr$t4X7Zf8NOew3FLOH, on Level 1, is not there:
 // Handrail does not read IFCSWEPTDISKSOLID".
 std::string missing_words(const MissingPart& part);
-// Says why nobody can walk through a door: "in its way stands Lining". Empty if the reason is unknown.
+// Returns the reason why nobody can walk through a door: "in its way stands Lining". Empty if the reason is unknown.
 std::string door_trial_words(const StatedPortal& portal);
 // Describes a finding, without a full stop: "Room B105 holds stairs, and its name does not say so".
 std::string check_words(const Scene& scene, const CheckPoint& point);

@@ -48,8 +48,8 @@ struct Mover {
 
     // For a lift: the parts of its travel at which it stops, in rising order. If empty, it stops at its two ends.
     std::vector<double> halts;
-    // For the door of a lift: `lift` is that lift, and the door is open only while the lift is at `lift_part` of its
-    // travel.
+    // For the door of a lift: `lift` is the lift of the door. The door is open only while that lift is at `lift_part`
+    // of its travel.
     std::uint32_t lift = kNoMover;
     double lift_part = 0.0;
     // For a lift's button: the part of the travel to which the button sends the lift. Negative: the button sends it to
@@ -61,7 +61,8 @@ struct Mover {
     double speed_m_per_s = 0.0;     // speed of a train
     double turn_rad_per_s = 0.0;    // angular speed of a turning part, right-handed about turn_axis through pivot_m
     Vec3 turn_axis{0.0, 0.0, 1.0};  // axis of a turning part, unit length
-    // For a train or a turning part: it moves from the beginning. If false, something must start it.
+    // For a train or a turning part: true if it moves from the beginning. If false, a switch or another mover must
+    // start it.
     bool starts_going = true;
 
     // True if the mover moves until something stops it and has no end at which it rests.

@@ -21,7 +21,7 @@ struct Prefab {
 };
 
 std::span<const Prefab> prefabs();
-// Finds a piece by its name, which must be in lower case. Returns null if there is none.
+// Finds a piece by its name, which must be in lower case. Returns null if there is no piece of that name.
 const Prefab* find_prefab(std::string_view name);
 
 }  // namespace handrail

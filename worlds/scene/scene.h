@@ -32,7 +32,7 @@ struct Feature {
     FeatureKind kind = FeatureKind::Wall;
     // The name without the material: "north wall", "Table". Files and scenarios identify the feature by this name.
     std::string name;
-    OtherLanguages name_in;  // its name in languages other than the map's own
+    OtherLanguages name_in;  // the feature's name in languages other than the map's own
     // The map gave no name, so `name` is one of our own English names, which spoken_name translates.
     bool made_name = false;
     MaterialId material = kDefaultMaterial;
@@ -176,7 +176,8 @@ struct Scene {
     LabyrinthPlan labyrinth;       // the labyrinth game of this world, if there is one
     std::vector<FreeBody> bodies;  // which of the solids are free to move; at most FreeBody::kMost bodies
     std::vector<Switch> switches;
-    // Rooms and doors as the file itself states them (worlds/scene/stated_building.h). Null if the file states none.
+    // Rooms and doors as the file itself states them (worlds/scene/stated_building.h). Null if the file states no rooms
+    // and doors.
     std::shared_ptr<const StatedBuilding> stated;
     ReadReport report;
 

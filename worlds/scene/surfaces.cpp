@@ -427,8 +427,7 @@ private:
     }
 
     // 8. Names hidden faces, because a hand that slides over a seam may touch the edge of such a face. The face gets
-    //   the
-    //   name of the surface that covers it, or else of the solid's largest surface.
+    //   the name of the surface that covers it, or else of the solid's largest surface.
     void name_hidden_faces() {
         std::vector<Aabb> boxes;
         for (const ExposedPiece& piece : pieces_) boxes.push_back(bounds_of(piece.polygon));

@@ -42,7 +42,7 @@ private:
         Said said;
         std::size_t storey = 0;
         std::vector<Said> doors, windows, things;
-        std::vector<Ring> rings;  // outlines of the room; empty if it has not been placed yet
+        std::vector<Ring> rings;  // outlines of the room; empty if the room has not been placed yet
         Vec2 least{0.0}, most{0.0}, size_m{4.0};
         std::optional<double> raised_m;   // height of the room's floor above that of its storey
         std::vector<std::size_t> levels;  // levels of the room, as indices into FloorPlan::levels

@@ -334,7 +334,7 @@ void WordsPlan::add_door(std::size_t r, const Said& said) {
             {door.at, door.width_m.value_or(0.9), side_of_border(door.at, door.at, here.least, here.most),
              to_room == kNoRoom ? std::string() : name_key(rooms_[to_room].said.words.name, speaker_.language)});
     };
-    // Leaves out a door that the author described in both of its rooms.
+    // Leaves out the second door if the author described one door in both of its rooms.
     if (told_before(door, placed)) return;
     note(r, other);
     if (there) note(other, r);
