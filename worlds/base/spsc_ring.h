@@ -1,5 +1,5 @@
-// A bounded queue from one producer thread to one consumer thread. push() never allocates and returns false if the
-// queue is full.
+// Defines a bounded queue from one producer thread to one consumer thread. push() never allocates and returns false if
+// the queue is full.
 #pragma once
 
 #include <boost/lockfree/spsc_queue.hpp>

@@ -57,7 +57,7 @@ std::vector<FaultKind> all_fault_kinds();
 struct WorldFault {
     FaultKind kind = FaultKind::UnnamedRoom;
     // Place of the fault in world metres. If people walk there, the place is on the floor. For stairs and for a room
-    // out of reach, it is where the route is too low, too narrow or too steep.
+    // out of reach, it is where the route is too low or too narrow, or has too high a step.
     Vec3 at_m{0.0};
     SourcePlace source = {};         // place of the fault in the file; line 0: unknown
     FeatureId feature = kNoFeature;  // the door or thing with the fault

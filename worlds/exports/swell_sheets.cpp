@@ -24,7 +24,7 @@ constexpr double kBesideSign_mm = 3.7;
 Vec2 needed_mm(std::size_t cells) { return braille_size_mm(cells) + Vec2(2.0 * kBesideSign_mm); }
 
 // Makes the sheets of one storey. First come sheets of one scale that cover the storey, then larger sheets of the rooms
-// that are too small on those.
+// that are too small on the first sheets.
 class SheetsMaker {
 public:
     SheetsMaker(const plan::Storey& storey, const SheetWish& wish)

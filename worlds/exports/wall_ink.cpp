@@ -294,7 +294,7 @@ std::optional<BaseArrow> arrow_of_base(const plan::StoreyBase& base, const OnPap
 
 namespace {
 
-// least distance of a sign from a door. The sign of the ground outside keeps a larger distance, because it has plenty
+// Least distance of a sign from a door. The sign of the ground outside keeps a larger distance, because it has plenty
 // of space.
 constexpr double kBeforeDoor_mm = 2.0, kBeforeHouse_mm = 12.0;
 

@@ -33,8 +33,8 @@ struct ExposedPiece {
 
 // Returns every exposed part of every face, ordered by solid and face. A face without any part is wholly covered. If
 // two faces in one plane have the same direction, one of them keeps the common part, regardless of the order of the
-// solids. If they have opposite directions, both lose it. After a stop request the result is incomplete and must not be
-// used.
+// solids. If they have opposite directions, both faces lose the common part. After a stop request the result is
+// incomplete and must not be used.
 std::vector<ExposedPiece> exposed_surface(std::span<const SurfaceSolid> solids, const BoxIndex& index,
                                           const CutTolerance& tolerance, const std::stop_token& stop = {});
 

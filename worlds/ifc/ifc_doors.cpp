@@ -134,7 +134,7 @@ void IfcScene::add_leaf(const WallGap& gap, double from, double to, bool hinge_a
         mover.pivot_m = leaf->bounds_m.centre_m();
         mover.slide_m = {0.0, 0.0, most.z - least.z};
     } else {
-        // The leaf swings towards +y, as IFC defines it. It turns about its edge on that side.
+        // The leaf swings towards +y, as IFC defines it, and turns about its edge on that side.
         mover.pivot_m = gap.axes.at({hinge_at_least ? least.x : most.x, most.y, least.z});
         mover.swing_rad = hinge_at_least ? 0.5 * kPi : -0.5 * kPi;
         Feature& named = scene_.features[feature.value];

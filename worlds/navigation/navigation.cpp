@@ -435,7 +435,7 @@ void Navigation::tell_passages(Route& route, const std::vector<Vec3>& leg) const
         stairs_end_m = route.length_m + glm::length(space_.place_m(at) - route.points_m.back());
     };
     if (route.points_m.empty() || glm::length(leg.front() - route.points_m.back()) > 1e-9)
-        route.points_m.push_back(leg.front());  // the points of two legs are joined by a link, which adds no length
+        route.points_m.push_back(leg.front());  // A link joins the ends of two legs and adds no length.
     std::uint32_t last = kNothing;
     for (std::size_t i = 1; i < leg.size(); ++i) {
         const Vec3 from = leg[i - 1], to = leg[i];

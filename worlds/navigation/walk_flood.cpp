@@ -210,7 +210,7 @@ void Flood::seed() {
         const bool thing = feature.kind == FeatureKind::Object || feature.kind == FeatureKind::Button ||
                            feature.kind == FeatureKind::Trigger || feature.kind == FeatureKind::Teleport;
         const Vec3 centre = feature.bounds_m.centre_m(), size = feature.bounds_m.size_m();
-        // The middle of something as large as a room, or of a hall's ceiling, is no useful start.
+        // The middle of a large object, such as a room or the ceiling of a hall, is no useful start.
         if (!thing || std::max(size.x, size.y) > 6.0) continue;
         seed_at({centre.x, centre.y, feature.bounds_m.min_m.z}, 0.5 * std::max(size.x, size.y) + body_.radius_m + 0.3,
                 0.3, 2.0, true);
