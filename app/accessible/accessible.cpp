@@ -34,7 +34,8 @@ double now_s() { return std::chrono::duration<double>(SteadyTime::now().time_sin
 class Accessible::Impl {
 public:
     explicit Impl(std::shared_ptr<sinks::ReaderChannel> channel) : channel_(std::move(channel)) {
-        // The accessibility bridges of all toolkits obey this variable.
+        // Do nothing if NO_AT_BRIDGE is 1, because the accessibility bridges of all toolkits obey this variable. Do
+        // nothing without a session bus either.
         const char* unwanted = std::getenv("NO_AT_BRIDGE");
         if ((unwanted && std::string_view(unwanted) == "1") || !session_bus_is_there()) return;
         channel_->set_state(sinks::VoiceState::Opening);
@@ -114,7 +115,8 @@ private:
         g_main_context_iteration(nullptr, TRUE);
         g_source_destroy(alarm);
         g_source_unref(alarm);
-        // Handle the queued bus messages, but at most 50, so that words need not wait long.
+        // Process the queued bus messages, but at most 50 of them, so that a text that must be spoken need not wait
+        // long.
         for (int i = 0; i < 50 && g_main_context_iteration(nullptr, FALSE); ++i) {
         }
     }
@@ -123,22 +125,22 @@ private:
         tried_ = true;
         frame_ = make_node(handrail_frame_get_type(), ATK_ROLE_FRAME, "Handrail", root_node(),
                            {ATK_STATE_SHOWING, ATK_STATE_VISIBLE, ATK_STATE_ENABLED, ATK_STATE_SENSITIVE});
-        // If the role were a drawing area, Orca 43 would add it to the name whenever the focus returns. The name is
-        // always a message, so the role is unknown.
+        // The role is unknown, because the name is always a message. If the role were a drawing area, Orca 43 would add
+        // the role to the name whenever the focus returns.
         view_ = make_node(
             handrail_node_get_type(), ATK_ROLE_UNKNOWN, phrase("window.building").c_str(), frame_,
             {ATK_STATE_SHOWING, ATK_STATE_VISIBLE, ATK_STATE_FOCUSABLE, ATK_STATE_ENABLED, ATK_STATE_SENSITIVE});
-        // The bridge reads no arguments of the program.
+        // The arguments are null, because the bridge needs no arguments of the program.
         if (atk_bridge_adaptor_init(nullptr, nullptr) != 0) return;
         // By default, libdbus ends the whole program when the person's session ends. The force on the hand would then
-        // end abruptly, without a ramp.
+        // end abruptly, without a ramp. So switch that off.
         if (DBusConnection* session = dbus_bus_get(DBUS_BUS_SESSION, nullptr)) {
             dbus_connection_set_exit_on_disconnect(session, FALSE);
             dbus_connection_unref(session);
         }
         answer_reader({[this](std::size_t item, int action) {
                            constexpr std::array kActs{core::ItemAct::Kind::Choose, core::ItemAct::Kind::More,
-                                                      // In the order of the actions in ReaderCalls::act.
+                                                      // `action` is an index into this array; see ReaderCalls::act.
                                                       core::ItemAct::Kind::Less};
                            note_act(item, kActs[static_cast<std::size_t>(action)], {});
                        },
@@ -186,9 +188,9 @@ private:
         if (told_focus_) set_state(focus_, ATK_STATE_FOCUSED, true);
     }
 
-    // After the settling time, notifies the reader of the window and its focus again. From then on, the reader speaks
-    // for Handrail until it ends, even if another window has the keyboard. The reader then reads in that window, and a
-    // second voice would talk over it.
+    // After the settling time, notifies the reader of the window and its focus again. From then on, the channel's voice
+    // is ready: the reader speaks for Handrail until the reader ends, even if another window has the keyboard. The
+    // reader then also reads that other window, and a second voice would talk over the reader.
     void settle() {
         if (heard_ && told_focus_ && !settled_ && now_s() >= settles_at_s_) {
             show_focus(true);
@@ -201,18 +203,19 @@ private:
         if (!settled_ || !told_focus_) return;
         auto text = channel_->take();
         if (!text) return;
-        follow_dialogue();  // the reader must know the open list before it gets words about it
+        follow_dialogue();  // the reader must know the open list before it receives a text about that list
         if (!told_by_focus_.empty() && (*text == told_by_focus_ || text->ends_with(". " + told_by_focus_))) {
             told_by_focus_.clear();
-            return;  // Orca has announced this text already, because the focus moved to that item
+            return;  // Orca has announced this text already, because the focus moved to the item with that name
         }
         if (focus_ != view_) {
-            // If an item has the keyboard, Orca reads each new description of it as a message. The name of the item
-            // stays the same.
+            // If an item of a list has the keyboard, Orca reads each new description of that item as a message. So the
+            // text becomes the description, and the name of the item stays the same.
             if (const char* shown = atk_object_get_description(&focus_->parent); shown && *text == shown) *text += ' ';
             return atk_object_set_description(&focus_->parent, text->c_str());
         }
-        // The reader reads a name only if it changes, so make it different with a blank.
+        // The reader reads a name only if the name changes. If the text is the same as before, a blank makes it
+        // different.
         if (const char* shown = atk_object_get_name(&view_->parent); shown && *text == shown) *text += ' ';
         atk_object_set_name(&view_->parent, text->c_str());
     }
@@ -221,8 +224,8 @@ private:
         return item.value.empty() ? item.name : phrase("window.item", {{"name", item.name}, {"value", item.value}});
     }
 
-    // Updates the objects of the open list or question. If another one is open now, makes new objects. The current
-    // item, or the question, gets the keyboard.
+    // Updates the objects of the open list or question. If another list or question is open now, makes new objects. The
+    // current item, or the question, gets the keyboard.
     void follow_dialogue() {
         if (!built_) return;
         std::optional<core::DialogueView> next;
@@ -248,8 +251,8 @@ private:
                           });
     }
 
-    // Notifies the reader only of the changed name, which contains the value. If the number were notified as well, Orca
-    // 43 would say the value twice.
+    // Sets the name of an item, which contains its value, and its number. Notifies the reader only of the name: if the
+    // number were notified as well, Orca 43 would say the value twice.
     static void fill_item(HandrailNode& node, const core::ListItem& item) {
         node.actions = item.adjustable ? 3 : 1;
         node.number = item.number.value_or(core::ItemNumber{});

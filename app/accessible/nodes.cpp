@@ -23,7 +23,7 @@ struct HandrailItem {
 struct HandrailItemClass {
     HandrailNodeClass parent;
 };
-// An item that also has a number.
+// An item that a reader can also read and set as a number.
 struct HandrailQuantity {
     HandrailItem parent;
 };
@@ -71,7 +71,8 @@ void item_action_init(gpointer interface, gpointer) {
     actions->get_name = item_action_name;
 }
 
-// Returns the number of an item. If a reader sets it, the item takes the nearest value that it accepts.
+// Returns the number of an item and its text. A reader may set any number; the item then stores the nearest value that
+// it accepts.
 void quantity_now(AtkValue* object, gdouble* now, gchar** words) {
     if (now) *now = node_of(object)->number.now;
     if (words) *words = g_strdup(node_of(object)->text->c_str());
@@ -93,8 +94,8 @@ void quantity_value_init(gpointer interface, gpointer) {
     value->set_value = quantity_put;
 }
 
-// Returns the typed text, which a reader can only read. Typed characters go through the program's own keys, and the
-// program echoes them.
+// Returns the typed text. A reader can read this text but not change it, because typed characters go through the
+// program's own keys, and the program echoes them.
 gchar* entry_text(AtkText* object, gint begin, gint end) {
     const gchar* text = node_of(object)->text->c_str();
     const glong length = g_utf8_strlen(text, -1);
@@ -112,7 +113,7 @@ void entry_text_init(gpointer interface, gpointer) {
 }  // namespace
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wold-style-cast"  // needed because of GLib's macros
+#pragma GCC diagnostic ignored "-Wold-style-cast"  // GLib's macros contain casts in the style of C
 G_DEFINE_TYPE_WITH_CODE(HandrailNode, handrail_node, ATK_TYPE_OBJECT,
                         G_IMPLEMENT_INTERFACE(ATK_TYPE_COMPONENT, node_component_init))
 G_DEFINE_TYPE_WITH_CODE(HandrailFrame, handrail_frame, handrail_node_get_type(),
@@ -186,7 +187,7 @@ HandrailNode* make_node(GType type, AtkRole role, const char* name, HandrailNode
     HandrailNode* node = node_of(g_object_new(type, nullptr));
     atk_object_set_role(&node->parent, role);
     atk_object_set_name(&node->parent, name);
-    // Set an empty one now, because the first description of an object causes no notification.
+    // Set an empty description now, because the first description of an object causes no notification.
     atk_object_set_description(&node->parent, "");
     for (const AtkStateType state : states) atk_state_set_add_state(node->states, state);
     if (parent) {

@@ -1,6 +1,6 @@
-// The objects that represent the window for a screen reader. They are GObject classes, hence the C style. AtkUtil calls
-// plain functions, so the objects and functions are global: there may be only one Accessible at a time. Accessibility
-// thread only.
+// Defines the objects that represent the window for a screen reader. They are GObject classes, hence the C style.
+// AtkUtil calls plain functions, so the objects and functions are global, and only one Accessible may exist at a time.
+// Accessibility thread only.
 #pragma once
 
 #include <atk/atk.h>
@@ -31,25 +31,25 @@ GType handrail_node_get_type();
 GType handrail_frame_get_type();     // a window
 GType handrail_item_get_type();      // an item of a list, which can be pressed
 GType handrail_quantity_get_type();  // an item that also has a number
-// A text entry that readers can only read. Typed characters go through the program's own keys, and the program echoes
-// them.
+// A text entry that readers can read but not change. Typed characters go through the program's own keys, and the
+// program echoes them.
 GType handrail_entry_get_type();
 
 HandrailNode* make_node(GType type, AtkRole role, const char* name, HandrailNode* parent,
                         std::initializer_list<AtkStateType> states);
 void set_state(HandrailNode* node, AtkStateType state, bool on);
 
-// Functions that are called when a reader acts on an item. `item` is the position of the item in the list. The program
-// decides whether it accepts a number.
+// Functions that are called when a reader acts on an item. `item` is the position of the item in the list. `put`
+// receives any number, and the program decides whether it accepts that number.
 struct ReaderCalls {
     std::function<void(std::size_t item, int action)> act;  // `action`: 0 press, 1 increase, 2 decrease
     std::function<void(std::size_t item, double number)> put;
 };
 void answer_reader(ReaderCalls calls);  // sets the functions; empty functions: calls are ignored
 
-// Returns the root of the tree. The first call makes it, and AtkUtil returns it from then on.
+// Returns the root of the tree of objects. The first call makes the root, and AtkUtil returns it from then on.
 HandrailNode* root_node();
-// The function that receives keys. It belongs to the screen reader, if the reader has registered one.
+// The function that receives keys. The screen reader registers it; `listens` is null if there is none.
 struct KeyListener {
     AtkKeySnoopFunc listens = nullptr;
     gpointer data = nullptr;

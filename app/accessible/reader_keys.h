@@ -1,5 +1,5 @@
-// Passes keys to a screen reader, and its answers back. The window offers each key to the reader first. The reader
-// answers whether it uses the key itself.
+// Passes keys to a screen reader, and passes the reader's answers back. The window offers each key to the reader first.
+// The reader answers whether it uses the key itself.
 #pragma once
 
 #include <atomic>
@@ -19,8 +19,8 @@ public:
     std::uint64_t offer(const window::KeyStroke& stroke, double now_s);
     window::KeyVerdict verdict(std::uint64_t ticket);
 
-    // Accessibility thread. `heard`: a reader has noticed the window. From then on, a reader that listens to keys may
-    // be asked.
+    // Accessibility thread. `heard`: a reader has noticed the window. From then on, the class offers keys to a reader
+    // that listens to keys.
     void set_heard(bool heard);
     // Accessibility thread. Asks the reader about each offered key.
     void ask();
@@ -33,7 +33,7 @@ private:
     };
 
     std::atomic<bool> listened_to_{false};
-    std::uint64_t last_ticket_ = 0;  // only the app thread uses it
+    std::uint64_t last_ticket_ = 0;  // used only by the app thread
     std::mutex mutex_;               // guards all members below
     std::deque<Offered> offered_;
     std::map<std::uint64_t, window::KeyVerdict> verdicts_;

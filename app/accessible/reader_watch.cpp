@@ -58,7 +58,7 @@ bool ReaderWatch::listens() {
     return names && focus;
 }
 
-// Connects to the bus that screen readers use, if that bus runs. Does not start a bus.
+// Connects to the bus that screen readers use, if that bus runs. Never starts the bus.
 bool ReaderWatch::connect() {
     if (bus_ && !g_dbus_connection_is_closed(bus_.get())) return true;
     forget();

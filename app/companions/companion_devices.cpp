@@ -74,8 +74,8 @@ void CompanionDevices::run() {
     plugged_.clear();
 }
 
-// Finds, opens and announces new devices. If a device could not be opened, it is tried again only after it was
-// disconnected.
+// Finds, opens and announces new devices. If opening a device fails, this function tries again only after the device
+// was disconnected.
 void CompanionDevices::look_around(double now_s) {
     looked_s_ = now_s;
     std::vector<drivers::FoundCompanion> found = drivers::find_companions();
@@ -104,7 +104,7 @@ void CompanionDevices::look_around(double now_s) {
     news_.insert(news_.end(), std::make_move_iterator(news.begin()), std::make_move_iterator(news.end()));
 }
 
-// Reads a device and gives it its cue. Returns false if the device was disconnected.
+// Reads a device and sends `cue` to it. Returns false if the device was disconnected.
 bool CompanionDevices::serve(Plugged& plugged, const device::FingerCue& cue, double now_s, core::Steering& sum) {
     const std::uint32_t was = plugged.state.buttons;
     if (!plugged.device->read(plugged.state, now_s)) return false;

@@ -1,8 +1,8 @@
-// The game pads, SpaceMouse and rumble pads of a session. The class finds these devices, even if they are connected
-// later. It turns their sticks and buttons into steering and commands, and gives them cues. Only a separate thread
-// accesses the devices, so a slow one delays neither the app thread nor the servo. The functions for the app thread
-// lock a mutex for microseconds. step() is the whole body of the thread's loop, so tests with a virtual clock need no
-// thread. If no device is connected, the thread only searches every two seconds.
+// Finds the game pads, SpaceMouse devices and rumble pads of a session, even if they are connected later. Turns their
+// sticks and buttons into steering and commands, and sends cues to them. Only a separate thread accesses the devices,
+// so a slow device delays neither the app thread nor the servo. The functions for the app thread lock a mutex for
+// microseconds. step() is the whole body of the thread's loop, so tests with a virtual clock need no thread. If no
+// device is connected, the thread only searches every two seconds.
 #pragma once
 
 #include <atomic>
@@ -25,7 +25,7 @@ std::optional<core::Command> command_of(drivers::CompanionButton button);
 class CompanionDevices {
 public:
     static constexpr double kPeriod_s = 0.008, kLookAgain_s = 2.0;
-    // Interval between cues, about 62 a second; that is half of what a pad accepts over Bluetooth.
+    // Interval between cues. There are about 62 cues a second, which is half of what a pad accepts over Bluetooth.
     static constexpr double kCueEvery_s = 0.016;
     // Interval after which an unchanged cue is sent again, in case a report was lost.
     static constexpr double kCueAgain_s = 0.5;
@@ -36,7 +36,7 @@ public:
     CompanionDevices(const CompanionDevices&) = delete;
     CompanionDevices& operator=(const CompanionDevices&) = delete;
 
-    // App thread. stop() leaves every device still and without force. It may be called again.
+    // App thread. stop() stops the motion and the force of every device. stop() may be called again.
     void start();
     void stop();
 
@@ -44,8 +44,8 @@ public:
     bool any() const { return count_.load(std::memory_order_relaxed) > 0; }
     core::Steering steering();                   // sum of the steering of all devices
     std::vector<core::Command> take_commands();  // commands of the buttons that were pressed since the last call
-    std::vector<std::string> take_news();        // sentences about devices: found, disconnected, or not permitted
-    void give(const device::FingerCue& cue);     // gives a cue that lasts until the next one
+    std::vector<std::string> take_news();     // sentences about devices: found, disconnected, or not permitted to open
+    void give(const device::FingerCue& cue);  // gives a cue that lasts until the next one
 
     // Runs one round at the clock's present time. The thread calls it; with a virtual clock, the owner of the clock
     // calls it.
@@ -69,15 +69,15 @@ private:
     std::atomic<bool> stop_asked_{false};
     std::atomic<std::size_t> count_{0};
 
-    std::mutex mutex_;  // guards the next four members
+    std::mutex mutex_;  // guards the four members after it
     core::Steering steering_;
     std::vector<core::Command> commands_;
     std::vector<std::string> news_;
     device::FingerCue cue_;
 
-    // Members that only the thread of this object uses.
+    // Members that only the thread of this object uses:
     std::vector<Plugged> plugged_;
-    std::set<std::string> refused_;  // paths of devices that could not be opened, which are reported once
+    std::set<std::string> refused_;  // paths of devices that could not be opened; each is reported once
     double looked_s_ = -1e9;
 };
 

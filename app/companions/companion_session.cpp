@@ -16,7 +16,7 @@ std::vector<std::string> CompanionSession::guide(core::Session& app, double now_
     if (steering != steering_) app.apply(core::Steered{steering}, now_s);
     steering_ = steering;
     for (const core::Command command : devices_.take_commands()) {
-        if (busy_elsewhere) continue;  // discards the command, so that it does not act later
+        if (busy_elsewhere) continue;  // discards the command, so that the session does not carry it out later
         app.apply(core::CommandDown{command}, now_s);
         app.apply(core::CommandUp{command}, now_s);
     }

@@ -14,15 +14,16 @@ namespace handrail::companions {
 
 class CompanionSession {
 public:
-    // Begins to search for devices on a separate thread. If `run_thread` is false, the owner of a virtual clock calls
-    // devices().step() instead.
+    // Starts to search for devices on a separate thread. If `run_thread` is false, there is no thread, and the owner of
+    // a virtual clock calls devices().step().
     explicit CompanionSession(Clock& clock, bool run_thread = true);
 
-    // Call before the session's tick. Steers the session and carries out pressed buttons, unless the person is busy
-    // elsewhere. Returns the sentences that are due: which devices were found or disconnected.
+    // Call before the session's tick. Steers the session and carries out the commands of pressed buttons. If
+    // `busy_elsewhere`, discards them, because the person is answering something else. Returns the sentences that are
+    // due: which devices were found or disconnected.
     std::vector<std::string> guide(core::Session& app, double now_s, bool busy_elsewhere = false);
-    // Call after the tick. Makes cues from the session's cue requests and the contacts of the hand. `tool` is nullptr
-    // if there is no hand.
+    // Call after the tick. Makes cues from the session's cue requests and from the contacts of the hand. `tool` is
+    // nullptr if there is no hand.
     void follow(const core::Session& app, std::span<const cues::CueRequest> requests, const servo::ToolState* tool,
                 double now_s);
 
@@ -36,7 +37,7 @@ private:
     core::Steering steering_;
 };
 
-// Returns true if the name is that of a device without a hand.
+// Returns true if `name` names a device that gives cues or steers, but has no hand to feel with.
 bool is_companion(std::string_view name);
 std::string cues_and_walking_sentence(std::string_view model);
 std::string no_companion_sentence(std::string_view name);

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Identifies the contents of a file at a certain time.
+// Identifies the contents of a file at the time when the file was read.
 struct FileState {
     std::uint64_t size = 0;
     timespec changed{};
@@ -33,7 +33,7 @@ struct FileState {
 };
 
 // Returns the state of the file. Returns nothing if the file is smaller than `least_bytes`, is not a regular file, or
-// cannot be read, or if `stop` was requested. The reason is reported when the file is read.
+// cannot be read, or if `stop` was requested. Reports no error, because read_world reports the reason later.
 std::optional<FileState> state_of(const fs::path& path, std::uint64_t least_bytes, const std::stop_token& stop) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     struct stat of {};
@@ -54,8 +54,8 @@ std::optional<FileState> state_of(const fs::path& path, std::uint64_t least_byte
     return state;
 }
 
-// Returns the cache key. It depends on everything that affects the result, except the files next to the world. That
-// includes the person's own language files, which may change between two starts.
+// Returns the cache key. The key depends on everything that affects the result, except the files next to the world.
+// That includes the person's own language files, which may change between two starts.
 std::string name_in_cache(const FileState& file, const readers::ReadOptions& options, const fs::path& path) {
     cache::Sha256 sum;
     sum.add_counted(fmt::format("{:x} {} {} {} {} {} {}", stored::kWorldsVersion, file.sha256,
@@ -93,7 +93,7 @@ Result<ImportedWorld> import_world(const fs::path& path, const readers::ReadOpti
     Result<Scene> scene = stored::scene_from(read->scene);
     if (!scene) return tl::unexpected(scene.error());
     if (read->kept && options.progress) options.progress(1.0);
-    // Keep the result only if the file did not change while it was read.
+    // Store the result in the cache only if the file did not change while it was read.
     if (before && !read->kept)
         if (const auto after = state_of(path, 0, options.stop); after && after->same_as(*before))
             how.cache.keep(name, kept_scene(read->beside, read->scene));

@@ -1,6 +1,6 @@
-// Gets a world from a file. A separate process reads the file (see reader_process). The result is kept in a cache, so
-// that the next start is as fast as with a small .map; small files are not cached. Any thread except the app thread may
-// use this, because it waits.
+// Reads a world from a file in a separate process (see reader_process). Stores the result in a cache, so that the next
+// start is as fast as with a small .map; small files are not cached. Any thread except the app thread may call
+// import_world, because it waits.
 #pragma once
 
 #include "app/import/reader_process.h"
@@ -18,7 +18,7 @@ struct ImportHow {
 
 // Smaller files are not cached, because reading them is faster than unpacking a cached result.
 inline constexpr std::uintmax_t kLeastKept_bytes = 65'536;
-// The same limit for .map files.
+// The same limit, but for .map files.
 inline constexpr std::uintmax_t kLeastKeptMap_bytes = 4'194'304;
 
 struct ImportedWorld {

@@ -1,4 +1,4 @@
-// The protocol between read_apart and the process that it starts, handrail-reader. Private to this folder.
+// Defines the protocol between read_apart and handrail-reader, the process that it starts. Private to this folder.
 #pragma once
 
 #include "app/import/reader_process.h"
@@ -6,8 +6,8 @@
 #include "worlds/stored/archive.h"
 #include "worlds/stored/stored_scene.h"
 
-// The archive finds these functions by argument-dependent lookup in its own namespace. Their types belong neither to
-// the archive nor to this folder.
+// These functions pack types that belong neither to the archive (worlds/stored) nor to this folder. They are in the
+// archive's namespace, because the archive finds them there by argument-dependent lookup.
 namespace handrail::stored {
 
 template <class A, Is<Error> T>
@@ -41,8 +41,8 @@ namespace handrail::importing {
 inline constexpr int kAnswerFd = 3, kTellFd = 4, kFilesFd = 5, kKeptFd = 6;
 inline constexpr int kReaderWords = 12;  // number of arguments, including the program's name
 inline constexpr int kWrongUse = 2, kNoMemory = 3, kNoRoom = 4, kCutMeanwhile = 5;
-// The program passes this word instead of the names of a world and of a cached file. It means that the text at kKeptFd
-// is TOML. No cached file has this name.
+// The program passes this word instead of the names of a world and of a cached file. It means that the text at the
+// descriptor kKeptFd is TOML. No cached file has this name.
 inline constexpr const char* kTomlText = "toml";
 inline constexpr std::size_t kMostHandedOver_bytes = std::size_t{1} << 30;
 
@@ -64,7 +64,7 @@ void fields(A& a, T& v) {
     a(read, kept, kept_damaged, error, beside);
 }
 
-// Follows the ReaderAnswer if the request was kTomlText. If `fault` has a line, there are no values.
+// Follows the ReaderAnswer if the request was kTomlText. If `fault` has a line number, there are no values.
 struct TomlAnswer {
     Error fault;
     settings::TomlValue values;

@@ -1,4 +1,4 @@
-// The part of the protocol with read_apart that runs in handrail-reader.
+// Implements the side of the protocol with read_apart that runs in handrail-reader.
 #include <fmt/format.h>
 #include <signal.h>
 #include <sys/prctl.h>
@@ -26,7 +26,8 @@ namespace {
 
 void limit(int what, rlim_t most) {
     rlimit both{most, most};
-    // At the soft limit, a signal tells the reason; a second later, the hard limit ends the process.
+    // The limit is the soft limit, and for processor time the hard limit is a second later. The signal at the soft
+    // limit then tells the parent why the process ended.
     if (what == RLIMIT_CPU) ++both.rlim_max;
     ::setrlimit(static_cast<__rlimit_resource_t>(what), &both);
 }
@@ -54,12 +55,14 @@ double metres(const char* word) {
     return parse_finite(word, value) ? value : 0.0;
 }
 
-// From now on, ends the process if it reads a part of a mapped file that somebody has cut off meanwhile.
+// From now on, ends the process with kCutMeanwhile if it reads a part of a mapped file that somebody has cut off since
+// it was mapped.
 void end_where_the_file_was_cut() {
     struct sigaction act {};
     act.sa_sigaction = [](int, siginfo_t* info, void*) {
         if (info->si_code == BUS_ADRERR) ::_exit(kCutMeanwhile);
-        // The default action: the faulting access is repeated, and the signal then ends the process.
+        // For any other bus error, restore the default action: the faulting access is repeated, and the signal then
+        // ends the process.
         ::signal(SIGBUS, SIG_DFL);
     };
     act.sa_flags = SA_SIGINFO;
@@ -84,8 +87,8 @@ Result<Scene> read_requested(const std::string& name, const readers::ReadOptions
     return mapped ? readers::read_world_bytes(name, mapped->bytes(), options) : tl::unexpected(mapped.error());
 }
 
-// Returns true if the files that the world needs next to it are unchanged. Files that were missing must still be
-// missing.
+// Returns true if the files in `beside`, which the world needs next to its own file, are unchanged. Files that were
+// missing must still be missing.
 bool same_beside(const std::vector<NeighbourFile>& beside) {
     return std::all_of(beside.begin(), beside.end(), [](const NeighbourFile& file) {
         const Result<std::string> bytes = read_requested_beside(file.name);
@@ -93,8 +96,8 @@ bool same_beside(const std::vector<NeighbourFile>& beside) {
     });
 }
 
-// Returns the cached scene with that name. Returns nothing if it is out of date or cannot be trusted. In the second
-// case, sets `damaged`.
+// Returns the cached scene with that name. Returns nothing if the scene is out of date, or if its bytes are damaged. In
+// the second case, sets `damaged`.
 std::optional<Scene> scene_kept(const std::string& name, bool& damaged) {
     const std::optional<std::string> kept = cache::kept_content(kKeptFd, name);
     Result<std::optional<Scene>> scene = fail("");
@@ -147,12 +150,12 @@ int answer_with_toml() {
 int reader_process(int argc, char** argv) {
     if (argc != kReaderWords) return kWrongUse;
     const auto parent = number<pid_t>(argv[3]);
-    // Returns if the parent has already ended. The kernel then did not know yet that it must end this process together
-    // with its parent.
+    // The kernel ends this process together with its parent, but only if the parent was still running at the time of
+    // this call. If the parent had already ended, return at once.
     if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent) return kWrongUse;
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, kMostHandedOver_bytes);
-    ::signal(SIGXFSZ, SIG_IGN);  // writing too much then fails instead of ending the process
+    ::signal(SIGXFSZ, SIG_IGN);  // writing beyond RLIMIT_FSIZE then fails instead of ending the process
     limit(RLIMIT_CPU, number<rlim_t>(argv[5]));
 #ifndef HANDRAIL_SANITIZED
     limit(RLIMIT_AS, number<rlim_t>(argv[4]));
@@ -161,16 +164,16 @@ int reader_process(int argc, char** argv) {
     std::set_new_handler([] { ::_exit(kNoMemory); });
     const std::string name = argv[6];
     const bool reads_toml = name.empty() && std::string_view(argv[11]) == kTomlText;
-    if (!reads_toml) {  // parsing TOML needs neither, and a person waits for it
+    if (!reads_toml) {  // parsing TOML needs neither the language nor Libgcrypt, and a person waits for the result
         (void)speak_language(argv[1], argv[2]);
-        // Libgcrypt reads files of the system when it is first used, which must be before confinement.
+        // When Libgcrypt is first used, it reads files of the system. That must happen before confinement.
         (void)cache::sha256_of("");
     }
     confine::Permissions permissions;
 #if defined(HANDRAIL_SANITIZED)
-    permissions.read.emplace_back("/proc");  // the leak check of the sanitizer needs it
+    permissions.read.emplace_back("/proc");  // the leak check of the sanitizer reads files in /proc
 #endif
-    // A failure is ignored; `handrail devices` reports what the kernel does not support.
+    // Ignore a failure: `handrail devices` reports what the kernel does not support.
     (void)confine::confine(permissions);
 
     readers::ReadOptions options;
@@ -180,8 +183,8 @@ int reader_process(int argc, char** argv) {
     options.guess_materials = argv[9][1] == '1';
     options.solid_meshes = argv[9][2] == '1';
     options.building = argv[10];
-    // Send progress as lines through the pipe. Only whole hundredths are sent, however often the reader calls this
-    // function.
+    // Send progress as lines through the pipe, but only when the percentage has changed. So the number of lines stays
+    // small, however often the reader calls this function.
     int told = -1;
     options.progress = [&](double fraction) {
         const int percent = static_cast<int>(100.0 * std::clamp(fraction, 0.0, 1.0));

@@ -34,8 +34,8 @@ namespace fs = std::filesystem;
 constexpr std::string_view kReaderProgram = "handrail-reader";
 constexpr int kLookEvery_ms = 50;  // interval at which the caller checks whether the result is still wanted
 
-// The reader must not write to the person's terminal, because terminals obey control sequences that are written to
-// them.
+// The handrail-reader process must not write to the person's terminal, because terminals obey control sequences that
+// are written to them.
 #if defined(HANDRAIL_SANITIZED)
 constexpr bool kSanitized = true;  // a sanitizer writes its reports to the terminal
 #else
@@ -48,7 +48,7 @@ public:
     explicit Reading(pid_t process) : process_(process) {}
     ~Reading() {
         if (ended_) return;
-        // Kills all processes that it may have started, too, because it leads its own process group.
+        // The process leads its own process group, so this also kills all processes that it may have started.
         ::kill(-process_, SIGKILL);
         wait();
     }
@@ -68,7 +68,8 @@ private:
     bool ended_ = false;
 };
 
-// Handles a line of progress. "p57": 57 percent; "stext.key": the key of the current stage.
+// Passes a line of progress to `options`. "p57" means 57 percent, and "stext.key" contains the key of the current
+// stage.
 void tell(const readers::ReadOptions& options, std::string_view line) {
     if (line.starts_with('p') && options.progress) {
         int percent = 0;
@@ -102,7 +103,8 @@ std::string end_words(int status, const ReaderLimits& limits, double cpu_s) {
     if (WIFSIGNALED(status)) {
         const int signal = WTERMSIG(status);
         if (signal == SIGXCPU) return too_long();
-        // The kernel killed the process: either it used up its processor time, or the machine had no memory left.
+        // The kernel killed the process: either the process used up its processor time, or the machine had no memory
+        // left.
         if (signal == SIGKILL) return cpu_s >= limits.cpu_s ? too_long() : too_much();
         return phrase("import.broke_down", {{"reason", ::strsignal(signal)}});
     }
@@ -156,7 +158,7 @@ Result<pid_t> start(const fs::path& program, std::vector<std::string> words, con
     posix_spawn_file_actions_addclosefrom_np(&actions, next);
     posix_spawnattr_t how;
     posix_spawnattr_init(&how);
-    // Put the process into its own process group. Keys of a terminal then signal only this program, which ends the
+    // Put the process into its own process group. Keys of a terminal then signal only this program, which then ends the
     // process.
     sigset_t none, all;
     sigemptyset(&none);
@@ -222,11 +224,11 @@ Result<ReadApart> read_apart(const fs::path& path, const readers::ReadOptions& o
     }
     Reading reading(process);
     const SteadyClock clock;
-    // On a busy machine, reading takes long. So the limit of time on the clock ends only a process that uses no
-    // processor time at all.
+    // On a busy machine, reading takes long. So the limit of time on the clock ends the process only if it has used no
+    // processor time during that time.
     double worked_s = 0.0, idle_since_s = clock.now_s();
     std::string line;
-    // True if the process may request files; unpacking routes and parsing TOML need no world.
+    // True if the process may request files. Unpacking routes and parsing TOML need no world, so `path` is empty.
     bool asks = !path.empty();
     for (bool open = true; open;) {
         if (options.stop.stop_requested()) return fail(phrase("files.stopped"), name);
@@ -259,7 +261,7 @@ std::string unpack_ways_apart(const KeptForReader& kept, const fs::path& program
                               const ReaderLimits& limits) {
     readers::ReadOptions options;
     options.stop = stop;
-    // No file, because the routes come from the cache.
+    // Pass an empty path, because the process unpacks the routes from the cached file in `kept`.
     Result<ReadApart> read = read_apart({}, options, program, limits, kept);
     return read ? std::move(read->scene) : std::string();
 }

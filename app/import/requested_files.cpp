@@ -13,10 +13,10 @@ namespace handrail::importing {
 namespace {
 
 constexpr std::size_t kLongestRequest_bytes = 4096, kLongestAnswer_bytes = 16'384;
-// First byte of a request: for the world itself, and for a file next to it; the name follows.
+// First byte of a request: kWorld requests the world itself, kBeside a file next to the world, whose name follows.
 constexpr char kWorld = 'w', kBeside = 'b';
 
-// The answer to a request. If the file was opened, its descriptor follows.
+// The answer to a request. If `opened` is true, the descriptor of the file is sent with the answer.
 struct FileAnswer {
     bool opened = false;
     std::uint64_t size = 0;
@@ -119,7 +119,8 @@ bool answer_request(int socket, const std::filesystem::path& world) {
     std::string bytes = pack.take();
     Parcel parcel(bytes);
     if (file) parcel.put(file->file.get());
-    // Does not wait. A reader that fills the socket instead of reading answers gets none.
+    // This call does not wait. If a reader fills the socket with requests and reads no answers, sending fails, and the
+    // reader gets no more answers.
     return ::sendmsg(socket, &parcel.head, MSG_DONTWAIT | MSG_NOSIGNAL) >= 0;
 }
 

@@ -1,6 +1,6 @@
-// Gives a confined reader the files that it needs. The reader cannot open files, so it requests each one by name over a
-// socket. The program opens the file if it belongs to the world, and passes the descriptor to the reader. Private to
-// this folder, except for tests.
+// Gives a confined handrail-reader process the files that it needs. The process cannot open files, so it requests each
+// one by name over a socket. The program opens the file if it belongs to the world, and passes the descriptor to the
+// process. Private to this folder, except for tests.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,8 @@
 
 namespace handrail::importing {
 
-// The reader calls these two functions. They wait for the program's answer. The name is relative to the world's file.
+// handrail-reader calls these two functions. They wait for the program's answer. `name` is relative to the world's
+// file.
 Result<OpenFile> request_world(int socket);
 Result<OpenFile> request_beside(int socket, const std::string& name);
 

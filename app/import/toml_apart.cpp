@@ -19,13 +19,13 @@ namespace handrail::importing {
 namespace {
 
 constexpr std::size_t kLongestFault_bytes = 300;
-// Limits for the size of an answer, relative to the text. A value takes at most 27 bytes in an answer, and at least 2
-// in a text.
+// Bytes of an answer for each byte of the text, and the limit for the shortest texts. A TOML value needs at most 27
+// bytes in an answer, and at least 2 in a text.
 constexpr std::size_t kAnswerPerText = 16, kShortestAnswer_bytes = 4096;
 
 bool is_sound(const settings::TomlMoment& moment) {
     using std::chrono::day, std::chrono::month, std::chrono::year;
-    settings::TomlMoment told;  // the moment as it must be: fields that it does not state are 0
+    settings::TomlMoment told;  // a copy in which the fields that the moment does not state are 0, as they must be
     if (moment.has_date) told.year = moment.year, told.month = moment.month, told.day = moment.day;
     if (moment.has_time) {
         told.hour = moment.hour, told.minute = moment.minute, told.second = moment.second;
@@ -40,7 +40,7 @@ bool is_sound(const settings::TomlMoment& moment) {
            moment.second <= 59 && moment.nanosecond <= 999'999'999 && std::abs(moment.offset_minutes) < 24 * 60;
 }
 
-// Returns whether toml_of could have made this value.
+// Returns true if toml_of could have made this value.
 bool is_sound(const settings::TomlValue& value) {
     if (value.line < 0 || value.column < 0) return false;
     if (const std::string* text = value.text()) return is_utf8(*text);
@@ -118,7 +118,7 @@ struct TomlApart::Known {
     }
 
     std::mutex mutex;
-    std::deque<One> all;  // cached texts with their results, the oldest first
+    std::deque<One> all;  // cached texts with their results; the oldest is the first
     std::size_t bytes = 0;
 };
 

@@ -45,7 +45,7 @@ Result<void> note_exported(const fs::path& learner_folder, const fs::path& file,
                               {"crc32", checksum_of(content)}};
     list += line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
     auto written = write_file_atomically(list_in(learner_folder), list);
-    // A failure does no harm, because other users cannot enter the folder.
+    // Ignore a failure of chmod: other users cannot enter the folder in any case.
     if (written) (void)::chmod(list_in(learner_folder).c_str(), 0600);
     return written;
 }

@@ -80,7 +80,7 @@ Result<void> keep_results(const fs::path& learner_folder, const KeptResults& res
         if (!all.empty() && all.back() != '\n') all += '\n';
     }
     auto written = write_file_atomically(file, all + line_of(results));
-    // A failure does no harm, because other users cannot enter the folder.
+    // Ignore a failure of chmod: other users cannot enter the folder in any case.
     if (written) (void)::chmod(file.c_str(), 0600);
     return written;
 }

@@ -22,7 +22,7 @@ constexpr std::size_t kLongestLearner_bytes = 60;
 
 int line_of_node(const toml::node* node) { return node ? static_cast<int>(node->source().begin.line) : 0; }
 
-// Parses a file as TOML. If that fails, the error is a sentence of Handrail, not of the library.
+// Parses a file as TOML. If parsing fails, the error is a sentence of Handrail, not of the TOML library.
 Result<toml::table> parsed(const std::string& text, const std::string& file) {
     if (!is_utf8(text)) return fail(phrase("learner.no_text"), file);
     try {
@@ -32,7 +32,7 @@ Result<toml::table> parsed(const std::string& text, const std::string& file) {
     }
 }
 
-// Returns the text under `key`; empty if there is none. A day may also be a TOML date.
+// Returns the text under `key`; empty if there is none. The value may also be a TOML date, which is returned as text.
 Result<std::string> text_at(const toml::table& table, std::string_view key, const std::string& file) {
     const toml::node* node = table.get(key);
     if (!node) return std::string();
@@ -189,8 +189,8 @@ Result<std::string> good_learner_name(std::string_view typed) {
 bool may_be_real(std::string_view name) {
     const std::vector<std::string> words = words_of(name);
     const auto capital = [](const std::string& word) {
-        // A word that begins with a non-ASCII letter may be a name, because this function does not know which of those
-        // are capitals.
+        // A word that begins with a non-ASCII letter may be a name, because this function cannot tell which non-ASCII
+        // letters are capitals.
         return (word.front() >= 'A' && word.front() <= 'Z') || static_cast<unsigned char>(word.front()) >= 0x80;
     };
     if (std::count_if(words.begin(), words.end(), capital) < 2) return false;

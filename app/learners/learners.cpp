@@ -39,7 +39,7 @@ tl::unexpected<Error> no_folder(const fs::path& folder, int error) {
     return fail(phrase("learner.no_folder", {{"folder", folder.string()}, {"reason", reason_of(error)}}));
 }
 
-// Creates a folder that only the person can access, regardless of the umask.
+// Creates a folder that only the person at the computer can access, regardless of the umask.
 Result<void> make_private(const fs::path& folder) {
     if (::mkdir(folder.c_str(), 0700) == 0 || errno == EEXIST) return {};
     return no_folder(folder, errno);
@@ -83,7 +83,7 @@ Result<Learner> Learners::find(const std::string& name_or_id) const {
     }
     std::error_code ec;
     if (!folder_.empty() && is_id(name_or_id) && fs::is_directory(folder_of(name_or_id), ec))
-        return read(name_or_id);  // fails with what is wrong
+        return read(name_or_id);  // fails with what is wrong in learner.toml
     if (names.empty()) return fail(phrase("learner.nobody", {{"name", one_line(name_or_id)}}));
     return fail(
         phrase("learner.unknown", {{"name", one_line(name_or_id)}, {"nearest", nearest_name(name_or_id, names)}}));
@@ -101,7 +101,8 @@ Result<Learner> Learners::make(const std::string& name, const std::string& setti
     if (!good) return tl::unexpected(good.error());
     if (folder_.empty()) return fail(phrase("files.no_home"));
     std::error_code ec;
-    fs::create_directories(folder_.parent_path(), ec);  // a failure also makes the next line fail, which reports it
+    // Ignore a failure: the next line then fails, too, and reports it.
+    fs::create_directories(folder_.parent_path(), ec);
     if (auto made = make_private(folder_); !made) return tl::unexpected(made.error());
     const core::FolderLock lock(folder_, kLockWait_s);
     if (lock.held_elsewhere()) return fail(phrase("side_file.locked", {{"file", folder_.filename().string()}}));

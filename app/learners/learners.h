@@ -28,17 +28,18 @@ public:
         std::vector<Error> faults;      // one fault for each folder whose learner.toml cannot be read
     };
     Found all() const;
-    // Finds a learner by the chosen name, ignoring the case of ASCII letters, or by id. Fails with the nearest name, or
-    // with what is wrong with the learner's file.
+    // Finds a learner by id, or by the chosen name, ignoring the case of ASCII letters. If there is no such learner,
+    // fails and suggests the nearest name. If the learner's file is damaged, fails and says what is wrong with it.
     Result<Learner> find(const std::string& name_or_id) const;
     // Returns the name of the learner's folder, which is the id; empty if there is none. If learner.toml is damaged,
     // the function recognises only the id, not the chosen name.
     std::string id_of(const std::string& name_or_id) const;
-    // Creates a learner with a folder. `settings` is the initial text of settings.toml. Fails if the name is taken.
+    // Creates a learner with a folder. `settings` is the initial text of settings.toml. Fails if another learner has
+    // this name.
     Result<Learner> make(const std::string& name, const std::string& settings) const;
     // Reads the learner's file, calls `to` to change the learner, and writes the file.
     Result<Learner> change(const std::string& id, const std::function<void(Learner&)>& to) const;
-    // Returns a name from the two lists that no learner has yet.
+    // Returns an offered name (see offered_name) that no learner has yet.
     std::string offer() const;
 
     const std::filesystem::path& folder() const { return folder_; }

@@ -31,7 +31,7 @@ fs::path known_by(const fs::path& lesson) {
     return ec ? lesson : whole;
 }
 
-// Returns the table in the file; an empty one if the file does not exist.
+// Parses the file. Returns an empty table if the file does not exist.
 Result<toml::table> table_of(const fs::path& file) {
     std::error_code ec;
     if (!fs::exists(file, ec)) return toml::table();
@@ -108,7 +108,7 @@ Result<void> note_session_taught(const fs::path& learner_folder, const fs::path&
     out.exceptions(std::ios::badbit);
     out << *table << '\n';
     auto written = write_file_atomically(file, out.str());
-    // A failure does no harm, because other users cannot enter the folder.
+    // Ignore a failure of chmod: other users cannot enter the folder in any case.
     if (written) (void)::chmod(file.c_str(), 0600);
     return written;
 }

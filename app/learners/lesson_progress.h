@@ -1,6 +1,7 @@
 // Stores how far a learner has come in lessons with several sessions. The file is lessons.toml in the learner's own
-// folder; it exists only if the learner agreed to be remembered. It has one [[lesson]] for each lesson file, with the
-// number of the last completed session, and keeps unknown keys. Any thread; writing locks the folder and is atomic.
+// folder; it exists only if the learner agreed to be remembered. The file has one [[lesson]] for each lesson, with the
+// number of the last completed session. Rewriting the file keeps its unknown keys. Any thread; writing locks the folder
+// and is atomic.
 #pragma once
 
 #include <cstddef>
@@ -25,9 +26,9 @@ Result<std::size_t> session_taught(const std::filesystem::path& learner_folder, 
 Result<void> note_session_taught(const std::filesystem::path& learner_folder, const std::filesystem::path& lesson,
                                  std::size_t session);
 // Returns the index, from 0, of the session that follows the first `taught` ones in a lesson with `sessions` sessions.
-// After the last session, the lesson starts again with the first.
+// After the last session, returns 0, so the lesson starts again.
 inline std::size_t session_behind(std::size_t taught, std::size_t sessions) { return taught < sessions ? taught : 0; }
-// Deletes the progress in lessons and their results.
+// Deletes the learner's progress in lessons and the results of lessons.
 Result<void> forget_lessons(const std::filesystem::path& learner_folder);
 
 }  // namespace handrail::learners

@@ -16,7 +16,7 @@ fs::path real_path(const fs::path& path) {
     return fs::weakly_canonical(fs::absolute(path, ec), ec);
 }
 
-// Returns the path of `inside` relative to `whole`; empty if it is not below `whole`.
+// Returns the path of `inside` relative to `whole`; empty if `inside` is not below `whole`.
 fs::path below(const fs::path& inside, const fs::path& whole) {
     const auto [of_whole, of_inside] = std::mismatch(whole.begin(), whole.end(), inside.begin(), inside.end());
     fs::path rest;

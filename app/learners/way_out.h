@@ -1,6 +1,7 @@
-// Every command that writes a file from data that may belong to a learner writes it with a WayOut. There is no other
-// way for a learner's data to leave the learner's folder. A WayOut checks that the learner agreed to share. It also
-// adds the file to the list in the learner's folder, so that deleting the learner deletes the file, too. Any thread.
+// Writes a file outside the learner's folder from data that may belong to that learner. Every command that writes such
+// a file must use a WayOut, so that no data of a learner leave the folder in any other way. A WayOut checks that the
+// learner agreed to share. It also adds the file to the list in the learner's folder, so that deleting the learner
+// deletes the file, too. Any thread.
 #pragma once
 
 #include <filesystem>
@@ -14,11 +15,11 @@ namespace handrail::learners {
 
 class WayOut {
 public:
-    // Makes a WayOut for a file or folder with data. The data belongs to a learner if it is in that learner's folder
-    // after links are resolved; otherwise it belongs to nobody. Fails if the learner's file cannot be read, because the
-    // consents are then unknown.
+    // Makes a WayOut for `data`, a file or folder. The data belong to a learner if they are in that learner's folder
+    // after links are resolved; otherwise they belong to nobody. Fails if the learner's file cannot be read, because
+    // the consents are then unknown.
     static Result<WayOut> of(const Learners& learners, const std::filesystem::path& data);
-    // Makes a WayOut for any data of this learner.
+    // Makes a WayOut for data of this learner, wherever they are.
     static WayOut of(const Learners& learners, Learner learner);
 
     // Returns the owner of the data; null: nobody.

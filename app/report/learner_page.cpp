@@ -47,7 +47,7 @@ std::optional<double> wrong_turns(const ReportTask& task) {
     return missed.value_or(0.0) + early.value_or(0.0);
 }
 
-// Returns the first and the last measured value; nothing if there are fewer than two.
+// Returns the first and the last measured value of a goal; nothing if there are fewer than two values.
 template <class Of>
 std::optional<std::pair<double, double>> first_and_last(const Goal& goal, Of of) {
     std::vector<double> values;

@@ -12,8 +12,8 @@
 namespace handrail::report {
 namespace {
 
-// Light and dark colours of text, links, headings, plan lines and the route. Each has a contrast of at least 4.5 to 1
-// on its background; the tests compute it.
+// Light and dark colours of text, links, headings, plan lines and the route. Each colour has a contrast of at least 4.5
+// to 1 on its background; the tests compute this contrast.
 constexpr std::string_view kStyle =
     R"(:root{color-scheme:light dark;--paper:#fff;--ink:#16181d;--soft:#4a4f59;--line:#6b7280;--way:#9a1f1f}
 @media(prefers-color-scheme:dark){:root{--paper:#14161a;--ink:#f1f2f4;--soft:#c3c8d0;--line:#9aa1ad;--way:#ff9b8f}}
@@ -56,7 +56,7 @@ std::string task_words(const ReportTask& task) {
     return phrase(kTasks.at(static_cast<std::size_t>(task.kind)), {{"name", task.name}});
 }
 
-// Returns the time since the start as text, such as "3:05".
+// Returns the number of seconds in minutes and seconds, such as "3:05".
 std::string clock_of(double seconds) {
     const long whole = std::lround(std::clamp(seconds, 0.0, 1e7));
     return fmt::format("{}:{:02}", whole / 60, whole % 60);

@@ -1,4 +1,4 @@
-// Makes the plan on a page: where the learner walked and what was touched, followed by the same in words.
+// Draws the plan on a page: where the learner walked and which objects were touched. Words below the plan say the same.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace handrail::report {
 namespace {
 
-// A box on the plan that is taken by a text, so that no other text may overlap it.
+// A box on the plan that a text occupies, so that no other text may overlap it.
 struct Box {
     double left, top, right, bottom;
     bool meets(const Box& other) const {
@@ -22,15 +22,15 @@ struct Box {
     }
 };
 
-// Returns the space for a name in letters of height `letter`, centred at a point. It assumes a generous mean width of
-// the letters.
+// Returns the space that a name needs in letters of height `letter`, centred at a point. Assumes a generous mean width
+// of the letters, because fonts differ.
 Box box_of(const std::string& name, double x, double y, double letter) {
     const double half = 0.32 * letter * static_cast<double>(characters_of(name).size());
     return {x - half, y - letter, x + half, y + 0.3 * letter};
 }
 
-// Returns the height at which a name can be read without overlaps: at its place, or up to two lines above or below,
-// inside the picture. Returns nothing if there is no space; the name is then only in the words below the plan.
+// Returns a height at which the name overlaps no other text: its own place, or up to two lines above or below, inside
+// the picture. Returns nothing if there is no space; the name is then only in the words below the plan.
 std::optional<double> free_line(const std::string& name, double x, double y, double letter, double wide, double high,
                                 const std::vector<Box>& taken) {
     for (const double lines : {0.0, 1.4, -1.4, 2.8, -2.8}) {
@@ -42,8 +42,8 @@ std::optional<double> free_line(const std::string& name, double x, double y, dou
     return std::nullopt;
 }
 
-// Draws the plan as SVG in tenths of a metre, north up. Its texts are hidden from screen readers, which would otherwise
-// read them in the middle of the page. The words below the plan contain the same in order.
+// Draws the plan as SVG in tenths of a metre, with north at the top. Texts in the SVG are hidden from screen readers,
+// which would otherwise read them in the middle of the page. The words below the plan contain the same facts in order.
 std::string plan_svg(const SessionReport& report, std::string_view id) {
     const plan::Storey& storey = *report.storey;
     const auto x = [&](const Vec2& p) { return (p.x - storey.min_m.x) * 10.0; };

@@ -18,12 +18,12 @@ struct ReportMeasureInfo {
     std::string_view key, unit;
     int decimals = 0;
 };
-// Returns all measures in the order of the table: "path_ratio", "time", "pauses" and so on. Their words are the texts
-// `report.measure_KEY` and `report.means_KEY`.
+// Returns all measures in the order of the table: "path_ratio", "time", "pauses" and so on. The texts
+// `report.measure_KEY` and `report.means_KEY` name and explain the measure with this key.
 std::span<const ReportMeasureInfo> report_measures();
 
 struct ReportMeasure {
-    std::string key;  // a key of report_measures(); the tables also contain other keys, the page does not
+    std::string key;  // a key of report_measures(); the tables also contain measures with other keys, the page does not
     double value = 0.0;
 };
 
@@ -67,7 +67,7 @@ struct SessionReport {
     double walked_m = 0.0;
     std::vector<std::string> rooms;  // rooms through which the learner walked, in order
     // Where the walker went on the storey of the plan. A new piece begins whenever the walker returned to the storey,
-    // or was put somewhere else.
+    // or was moved to another place without walking.
     std::vector<std::vector<Vec2>> ways_m;
     std::optional<plan::Storey> storey;  // the storey of the plan; nothing: no plan is drawn
 };
@@ -76,8 +76,8 @@ struct SessionReport {
 std::vector<std::string> report_words(const SessionReport& report);
 // Returns sentences that describe the learner's route through the rooms, as the plan shows it.
 std::vector<std::string> plan_words(const SessionReport& report);
-// Returns one HTML file in the spoken language, with words, tables, the plan and the course of events. It contains no
-// scripts, fonts, picture files or network requests.
+// Returns one HTML file in the spoken language, with words, tables, the plan and the course of events. The file
+// contains no scripts, fonts, picture files or network requests.
 std::string report_page(const SessionReport& report);
 
 // These functions report on several sessions of one learner, in the order of time. They describe how each route
@@ -103,7 +103,7 @@ std::vector<ResultRow> result_rows(std::span<const SessionReport> reports);
 std::string results_csv(std::span<const ResultRow> rows);
 std::string results_json(std::span<const ResultRow> rows);
 // Returns a description of the columns of results.csv in the format CSV on the Web (W3C, Metadata Vocabulary for
-// Tabular Data, 2015). `csv_name` is the file that it describes.
+// Tabular Data, 2015). `csv_name` is the name of the described file.
 std::string results_metadata(const std::string& csv_name);
 // Read tables that these functions wrote. They fail with the line of the first mistake.
 Result<std::vector<ResultRow>> read_results_csv(std::string_view text, const std::string& file);

@@ -28,7 +28,7 @@ std::optional<double> value_of(const ReportTask& task, std::string_view key) {
     return std::nullopt;
 }
 
-// Makes the sentences about one task. Values that were not measured are left out.
+// Makes the sentences about one task. Leaves out values that were not measured.
 class TaskWords {
 public:
     TaskWords(const ReportTask& task, std::vector<std::string>& said) : task_(task), said_(said) {}
@@ -41,7 +41,7 @@ public:
                 : *ratio < 1.5 ? "report.way_longer"
                                : "report.way_times",
                 {{"times", *ratio}});
-        // True if the learner did not reach the goal; there is then nothing to praise.
+        // True if the learner did not reach the goal. Few missed turns are then no reason for praise.
         const bool given_up = task_.reached == false;
         if (const auto missed = value("turns_missed"); missed && !(given_up && *missed < 0.5))
             say(*missed < 0.5 ? "report.turns_made" : "report.turns_missed", {{"count", std::lround(*missed)}});

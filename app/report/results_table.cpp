@@ -22,7 +22,7 @@ std::string kind_word(ReportTaskKind kind) {
     return kWords[static_cast<std::size_t>(kind)];
 }
 
-// Returns the shortest text that reads back as the same number.
+// Returns the shortest text that reads back as exactly `value`.
 std::string number_text(double value) {
     std::array<char, 40> text{};
     const auto done = std::to_chars(text.data(), text.data() + text.size(), value);
@@ -39,8 +39,8 @@ std::string cell_of(const std::string& text) {
     return out + '"';
 }
 
-// Returns the cells of the record that begins at `at`. Moves `at` behind the record, and adds its lines to `line`.
-// Returns nothing if a quote is not closed.
+// Returns the cells of the record that begins at `at`. Moves `at` behind that record, and adds the record's number of
+// lines to `line`. Returns nothing if a quote is not closed.
 std::optional<std::vector<std::string>> record_of(std::string_view text, std::size_t& at, int& line) {
     std::vector<std::string> cells(1);
     bool quoted = false;

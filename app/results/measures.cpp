@@ -11,7 +11,8 @@ namespace {
 
 double flat_distance(const Vec3& a, const Vec3& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
-// A position relative to the line from a to b: the distance along the line from a, and the distance to the right of it.
+// A position relative to the line from a to b: the distance along the line from a, and the distance to the right of the
+// line.
 struct Beside {
     double along_m = 0.0, right_m = 0.0;
 };
@@ -159,7 +160,7 @@ TurnsMet turns_met(std::span<const Vec3> route_m, std::span<const WayPoint> walk
         const Beside after = beside(from, turn, next);
         // The angle of the turn; positive: to the right.
         const double turned_rad = std::atan2(after.right_m, after.along_m - leg_m);
-        // Consider the walk up to where it comes near the point after the turn.
+        // Use only the part of the walk before the walker comes near the point after the turn.
         std::size_t end = begin;
         while (end < walk.size() && flat_distance(walk[end].place_m, next) >= kNearTurn_m) ++end;
         if (std::abs(turned_rad) < kTurn_rad) continue;
@@ -171,12 +172,13 @@ TurnsMet turns_met(std::span<const Vec3> route_m, std::span<const WayPoint> walk
             const Vec3& place = walk[p].place_m;
             const Beside at = beside(from, turn, place);
             at_turn = at_turn || (at.along_m >= leg_m - kNearTurn_m && std::abs(at.right_m) < kOff_m);
-            if (glm::length(place - turn) < kNearTurn_m) past = p;  // the last time that the walker was near the turn
+            // The last sample in which the walker was near the turn.
+            if (glm::length(place - turn) < kNearTurn_m) past = p;
             if (!at_turn && at.along_m >= 0.0 && leg_m - at.along_m >= kEarly_m && side * at.right_m >= kEarlyOff_m)
                 early = true;
             if (!at_turn) continue;
-            // The walker missed the turn if they are past it and off the next leg. Being past the turn is not enough:
-            // after a shallow turn, the next leg continues in nearly the same direction.
+            // The walker missed the turn if they are past the turn and off the next leg. Being past the turn is not
+            // enough: after a shallow turn, the next leg continues in nearly the same direction.
             const double off_m = off_leg(turn, next, place);
             missed = missed || (at.along_m - leg_m >= kPast_m && off_m >= 0.5 * kPast_m) ||
                      (off_m >= kOff_m && off_leg(from, turn, place) >= kOff_m);

@@ -1,6 +1,6 @@
-// Measures of walks, and of answers about places. Pure functions over plain values in metres, seconds and radians. The
-// signed and circular pointing errors are those of orientation research (Batschelet's mean direction). We chose the
-// thresholds for turns and hesitations.
+// Computes measures of walks, and of answers about places. Pure functions over plain values in metres, seconds and
+// radians. The signed and circular pointing errors are those of orientation research (Batschelet's mean direction). We
+// chose the thresholds for turns and hesitations.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace handrail::results {
 
-// A position of the walker. `leap`: the walker was put there and did not walk there.
+// A position of the walker. `leap`: the walker was moved to this position without walking.
 struct WayPoint {
     double t_s = 0.0;
     Vec3 place_m{0.0};
@@ -20,8 +20,8 @@ struct WayPoint {
 };
 
 inline constexpr double kWaySpacing_m = 0.25;
-// Returns the walked length. It only uses points that are at least kWaySpacing_m apart, so that swaying on the spot
-// does not count. Leaps are left out.
+// Returns the walked length. Only uses points that are at least kWaySpacing_m apart, so that swaying on the spot adds
+// no length. Leaves out leaps.
 double way_walked_m(std::span<const WayPoint> walk);
 // Returns the horizontal length of a route, computed in the same way as a walked length.
 double level_way_m(std::span<const Vec3> route_m);
@@ -34,8 +34,8 @@ struct Span {
 };
 // Returns how much of `span` is outside the `busy` times. These times may overlap.
 double free_s(const Span& span, std::span<const Span> busy);
-// A hesitation is a pause longer than kPause_s, during which the walker stays within kPause_m. `busy` times do not
-// count: a list was open, or the voice was speaking.
+// A hesitation is a pause longer than kPause_s, during which the walker stays within kPause_m. Leave `busy` times out
+// of pauses: during them, a list was open or the voice was speaking.
 inline constexpr double kPause_s = 2.0, kPause_m = 0.15;
 struct Hesitations {
     int count = 0;
@@ -43,7 +43,7 @@ struct Hesitations {
 };
 Hesitations hesitations(std::span<const WayPoint> walk, std::span<const Span> busy = {});
 
-// A touch. Touches of one object within two seconds of each other count as one contact.
+// A touch. Touches of one object within two seconds of each other form one contact.
 struct Touch {
     double t_s = 0.0;
     std::uint32_t thing = 0;
@@ -51,13 +51,14 @@ struct Touch {
 inline constexpr double kSameContact_s = 2.0;
 int contact_episodes(std::span<const Touch> touches);
 
-// Returns the pointing error in (-pi, pi]: the pointed direction minus the right direction.
+// Returns the pointed direction minus the right direction, in (-pi, pi].
 double pointing_error_rad(double pointed_rad, double right_rad);
 struct Pointing {
     double absolute_rad = 0.0;  // mean of the absolute values of the errors
     double signed_rad = 0.0;    // direction of the mean vector of the errors
     double agreement = 0.0;     // length of that mean vector, 0 to 1
-    // True if there are at least kLeastAnswers, and these agree so well that the signed error is meaningful.
+    // True if there are at least kLeastAnswers answers, and their errors agree so well that the signed error is
+    // meaningful.
     bool biased = false;
 };
 inline constexpr std::size_t kLeastAnswers = 3;
@@ -71,13 +72,14 @@ struct Judged {
 };
 std::optional<double> distance_ratio(std::span<const Judged> answers);
 
-// Returns Kendall's tau of an order: 1 if it is right, -1 if it is reversed. `order` contains the right position of the
-// item put first, of the item put second and so on; each position occurs once. Returns nothing for fewer than two
-// items.
+// Returns Kendall's tau of an order: 1 if the order is right, -1 if it is reversed. `order` contains the right position
+// of the item put first, of the item put second and so on; each position occurs once. Returns nothing for fewer than
+// two items.
 std::optional<double> order_tau(std::span<const std::size_t> order);
 
-// Turns of a route by 30 degrees or more, and how a walk along the route met them.
-// - Missed: the walker went 2 m past the turn before coming near the next one, or was 2 m off the route by then.
+// Turns of a route by 30 degrees or more, and whether a walk along the route missed them or turned too early.
+// - Missed: the walker went 2 m past the turn and at least 1 m off the next leg, or 2 m off both legs, before coming
+//   near the next turn.
 // - Early: the walker left the route by 1 m to the side of the turn, 1.5 m or more before the turn.
 inline constexpr double kTurn_rad = 0.5235987755982988, kPast_m = 2.0, kOff_m = 2.0, kEarly_m = 1.5, kEarlyOff_m = 1.0,
                         kNearTurn_m = 1.0;

@@ -112,7 +112,7 @@ void join_straight(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
     legs = std::move(joined);
 }
 
-// Returns whether two legs are lanes of one grid, which run side by side in opposite directions.
+// Returns true if two legs are lanes of one grid, which run side by side in opposite directions.
 bool are_lanes(const WalkedLeg& a, const WalkedLeg& b, const StrategyTuning& tuning) {
     const double long_m = length_of(a), other_m = length_of(b);
     if (other_m < 0.5 * long_m || long_m < 0.5 * other_m) return false;
@@ -146,7 +146,7 @@ Strategy kind_of(const WalkedLeg& leg, bool between_lanes, const StrategyTuning&
 }
 
 void name_legs(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
-    // A leg between two lanes may be longer than the greatest distance of lanes by this length.
+    // A leg that joins two lanes may exceed the greatest distance between lanes (lane_high_m) by this length.
     constexpr double kStep_m = 0.4;
     for (std::size_t i = 0; i < legs.size(); ++i) {
         const bool between = i > 0 && i + 1 < legs.size() && legs[i - 1].kind == Strategy::Grid &&
@@ -155,8 +155,8 @@ void name_legs(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
     }
 }
 
-// Gives one kind to all legs of the path from one visit to the next, or between a visit and the base, if that path is
-// direct enough.
+// Finds each path from one visit to the next, or between a visit and the base. If the path is direct enough and no leg
+// of it follows a wall, gives all its legs the same kind.
 void name_ways(std::vector<WalkedLeg>& legs, const StrategyTuning& tuning) {
     constexpr double kSlack_m = 0.5;
     for (std::size_t first = 0; first < legs.size();) {

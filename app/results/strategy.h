@@ -1,7 +1,8 @@
-// Recognises by which strategy a person explores, from where the person walked. The strategies: along the walls
-// (perimeter), in lanes (grid), from object to object, or out from the base and back. The walk is divided into legs,
-// and each leg gets a kind. A window of several legs then gets a strategy. Windows have no fixed length, so that large
-// and small rooms are judged alike. Pure functions. The kinds are those of Lahav and Mioduser; we chose the thresholds.
+// Recognises by which strategy a person explores, from the path that the person walked. The strategies: along the walls
+// (perimeter), in lanes (grid), from object to object, or out from the base and back. The functions divide the walk
+// into legs and give each leg a kind. They then give each window of several legs a strategy. Windows have no fixed
+// length, so that large and small rooms are judged alike. Pure functions. The kinds are those of Lahav and Mioduser; we
+// chose the thresholds.
 #pragma once
 
 #include <array>
@@ -30,18 +31,19 @@ struct StrategyTuning {
     // A leg ends where the path deviates from a straight line by more than bend_m and by more than bend_share of the
     // line's length.
     double bend_m = 0.4, bend_share = 0.07;
-    // Two legs are joined if the turn between them is less than merge_deg, and if both together are at most
-    // merge_longer times as long as the straight line.
+    // Two legs are joined if the turn between them is less than merge_deg, and if their total length is at most
+    // merge_longer times the straight distance from the start of the first to the end of the second.
     double merge_deg = 35.0, merge_longer = 1.06;
     double least_leg_m = 0.5;
     double parallel_deg = 25.0, lane_m = 1.2, lane_low_m = 0.3, lane_high_m = 2.2;
-    std::size_t lane_within = 5;  // number of legs in which two lanes of one grid must be
+    std::size_t lane_within = 5;  // greatest difference between the indices of two legs that are lanes of one grid
     double base_m = 1.0;
     double near_wall_m = 0.45, touched_s = 1.5, wall_share = 0.6;
-    double direct = 1.6;  // greatest ratio of path to distance for the direct path from one visit to the next
+    // For the path from one visit to the next: greatest ratio of its length to the straight distance, if it is direct.
+    double direct = 1.6;
     std::size_t legs = 6;
     double least_s = 20.0, most_s = 90.0, step_s = 5.0, least_way_m = 2.0;
-    double share = 0.5;  // a kind names a window if it has at least this share of the window's path
+    double share = 0.5;  // a window gets the strategy of a kind that has at least this share of the window's path
 };
 
 struct WalkedLeg {
