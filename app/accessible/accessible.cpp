@@ -251,8 +251,8 @@ private:
                           });
     }
 
-    // Sets the name of an item, which contains its value, and its number. Notifies the reader only of the name: if the
-    // number were notified as well, Orca 43 would say the value twice.
+    // Stores the value of an item without notifying the reader. The reader is notified only of the changed name, which
+    // contains the value. If the number were notified as well, Orca 43 would say the value twice.
     static void fill_item(HandrailNode& node, const core::ListItem& item) {
         node.actions = item.adjustable ? 3 : 1;
         node.number = item.number.value_or(core::ItemNumber{});

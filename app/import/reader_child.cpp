@@ -26,8 +26,8 @@ namespace {
 
 void limit(int what, rlim_t most) {
     rlimit both{most, most};
-    // The limit is the soft limit, and for processor time the hard limit is a second later. The signal at the soft
-    // limit then tells the parent why the process ended.
+    // For processor time, the hard limit is a second later than the soft limit. So the signal at the soft limit ends
+    // the process first, and tells the parent the reason.
     if (what == RLIMIT_CPU) ++both.rlim_max;
     ::setrlimit(static_cast<__rlimit_resource_t>(what), &both);
 }

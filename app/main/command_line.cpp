@@ -26,8 +26,8 @@ namespace handrail::program {
 namespace fs = std::filesystem;
 namespace {
 
-// Adds an option with a number that is read in the same way in every locale. CLI11's own conversion would follow
-// LC_NUMERIC.
+// Adds an option with a number. The number is read in the same way in every locale, whereas CLI11's own conversion
+// would follow LC_NUMERIC.
 CLI::Option* add_number(CLI::App& app, const std::string& name, const std::string& unit,
                         std::function<void(double)> take, bool zero_allowed, const std::string& help) {
     const auto read = [name, take = std::move(take), zero_allowed](const std::string& word) {
@@ -71,7 +71,8 @@ std::string part_words() {
     return words;
 }
 
-// The whole grammar of the command line. It lives during one parse, which fills in the arguments of the commands.
+// The whole grammar of the command line. The object exists during one parse, which fills in the arguments of the
+// commands.
 struct Grammar {
     CLI::App app{phrase("help.program")};
     ExploreCall explore;
@@ -236,13 +237,13 @@ struct Grammar {
     }
 };
 
-// Adds to the sentence how to get help.
+// Adds a hint to the sentence: how to get help on the command.
 UsageError with_hint(const CLI::App& app, const std::string& sentence) {
     return {phrase(app.get_parent() ? "help.see_command" : "help.see", {{"sentence", sentence}})};
 }
 
-// Returns whether a word that the parser took as a world is a misspelt command. CLI11 reads "handrail inof" as a world
-// named inof. If no such file exists, and the word is not a path either, the person meant a command.
+// Returns true if `world`, a word that the parser accepted as a world, is a misspelt command. CLI11 reads "handrail
+// inof" as a world named inof. If no such file exists, and the word is not a path either, the person meant a command.
 bool is_misspelt_command(const fs::path& world) {
     std::error_code ec;
     return world.string().find_first_of("./") == std::string::npos && !fs::exists(world, ec);
@@ -254,7 +255,7 @@ UsageError no_such_command(Grammar& grammar, const std::string& word) {
     return {phrase("help.no_such_command", {{"word", word}, {"nearest", nearest_name(word, names)}})};
 }
 
-// Explains a word that the grammar does not know: an unknown option, or one name too many.
+// Returns an error about a word that the grammar does not know: an unknown option, or one name too many.
 UsageError leftover_word(Grammar& grammar, const std::string& word) {
     CLI::App& app = grammar.chosen();
     if (word.starts_with("-")) {
@@ -281,7 +282,7 @@ std::optional<UsageError> options_before_command(Grammar& grammar) {
 }
 
 std::optional<UsageError> check_touch(TouchArguments& touch) {
-    // If only one of the two friction options is given, it sets both values.
+    // If only one of the two friction options is given, its value applies to both kinds of friction.
     if (!touch.friction_static) touch.friction_static = touch.friction_kinetic;
     if (!touch.friction_kinetic) touch.friction_kinetic = touch.friction_static;
     if (touch.friction_static && *touch.friction_static < *touch.friction_kinetic)
@@ -290,8 +291,8 @@ std::optional<UsageError> check_touch(TouchArguments& touch) {
     return std::nullopt;
 }
 
-// The language that the program speaks until it has read the settings, and the faults of that language's file. The
-// faults are reported later, and only if the settings choose the same language.
+// The language that the program speaks before it has read the settings, and the faults in that language's file. The
+// program reports these faults later, and only if the settings choose the same language.
 struct FirstLanguage {
     std::string code;
     std::vector<Diagnostic> faults;
@@ -345,7 +346,8 @@ int explore(ExploreCall call, FirstLanguage first, std::ostream& err, const Long
 ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
     Grammar grammar;
     try {
-        std::vector<std::string> reversed(words.rbegin(), words.rend());  // CLI11 expects the words in reverse order
+        // CLI11 expects the arguments in reverse order.
+        std::vector<std::string> reversed(words.rbegin(), words.rend());
         grammar.app.parse(std::move(reversed));
     } catch (const CLI::CallForHelp&) {
         return PrintedText{grammar.app.help()};
@@ -388,7 +390,7 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
     grammar.explore.arguments.program_version = HANDRAIL_VERSION;
     auto& world = grammar.explore.arguments.world;
     if (world && is_misspelt_command(*world)) {
-        const auto named = world_by_name(*world);  // a name such as "house", as in "handrail house"
+        const auto named = world_by_name(*world);  // a name without a path, as in "handrail house"
         if (!named) return no_such_command(grammar, world->string());
         world = *named;
     }
@@ -452,7 +454,7 @@ int run_command_line(const std::vector<std::string>& words, std::ostream& to_out
                 return 0;
             },
             [&](const UsageError& error) {
-                // One line, because the sentence may quote what the person typed.
+                // The sentence may quote what the person typed, so make sure that it is printed as one line.
                 err << one_line(error.sentence) << "\n";
                 return 2;
             }},

@@ -52,7 +52,7 @@ using ParsedCommandLine = std::variant<ExploreCall, InfoArguments, CheckArgument
                                        ExportCall, BenchArguments, SettingsCall, DevicesArguments, LessonCall,
                                        ReplayCall, ReportArguments, LearnerArguments, PrintedText, UsageError>;
 
-// Parses the words, which are the arguments after the program's name. Accesses no file, except to check whether a WORLD
+// Parses the words, which are the arguments after the program's name. Accesses no file, but checks whether a WORLD
 // exists.
 ParsedCommandLine parse_command_line(const std::vector<std::string>& words);
 

@@ -19,8 +19,8 @@ constexpr std::array<int, 5> kSignals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 std::array<struct sigaction, kSignals.size()> former_actions{};
 volatile std::sig_atomic_t noted = -1;  // descriptor of the file for the note; -1: none
 
-// The functions from here to on_crash call only what a signal handler may call. For backtrace() that is true only after
-// a first call, so CrashSignal calls it before any crash.
+// The functions from here to on_crash call only functions that a signal handler may call. backtrace() is such a
+// function only after its first call, so CrashSignal calls it before any crash.
 void write_number(unsigned long value, unsigned base) {
     std::array<char, 24> digits;
     std::size_t at = digits.size();
@@ -56,7 +56,8 @@ void on_crash(int signal) {
     }
     for (std::size_t i = 0; i < kSignals.size(); ++i)
         if (kSignals[i] == signal) ::sigaction(signal, &former_actions[i], nullptr);
-    ::raise(signal);  // this function blocks the signal, so the previous handler receives it after the return
+    // The signal is blocked during this function, so the previous handler receives it after the return.
+    ::raise(signal);
     errno = error;
 }
 

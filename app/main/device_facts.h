@@ -1,5 +1,5 @@
-// Describes the connected devices in sentences. `handrail devices` prints these sentences, and a session announces them
-// on request. A session uses DeviceFacts, because it must not wait while devices are searched for.
+// Describes the connected devices in sentences. `handrail devices` prints these sentences. A session announces them on
+// request, and uses DeviceFacts for that, because a session must not wait for the search for devices.
 #pragma once
 
 #include <span>
@@ -14,15 +14,15 @@ namespace handrail::program {
 
 // Returns the sentences about one device; the most important one comes first.
 std::vector<std::string> device_sentences(const drivers::FoundDevice& device);
-// Returns the sentences about all devices, or a sentence that there is none. The simulated devices come last, as they
-// are always present.
+// Returns the sentences about all devices, or a sentence that there is none. The simulated devices come last, because
+// they are always present.
 std::vector<std::string> device_sentences(std::span<const drivers::FoundDevice> devices);
 
-// Answers the requests of a session about devices. The app thread owns and uses it. It searches on a background thread,
-// for up to half a second.
+// Answers a session's requests for facts about devices. The app thread owns and uses the object. It searches on a
+// background thread, for up to half a second.
 class DeviceFacts {
 public:
-    // Call once a frame. Starts a search if the session has requested one, and gives the session the result.
+    // Call once a frame. Starts a search if the session has requested one, and passes the result to the session.
     void answer(core::Session& app, double now_s);
 
 private:

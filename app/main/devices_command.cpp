@@ -16,7 +16,7 @@ std::string_view kind_word(drivers::DeviceKind kind) {
     return kind == drivers::DeviceKind::Cues ? "cues" : "navigation";
 }
 
-// Returns null for an unknown value, so that nobody takes 0 for a fact.
+// Returns null for an unknown value, so that nobody believes that the value is 0.
 Json known(double value) { return value > 0.0 && std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json known(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 

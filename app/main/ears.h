@@ -25,7 +25,7 @@ public:
     cues::AudioThread& sound() { return *sound_; }
     cues::AudioThread::ContactRing& contacts() { return contacts_; }  // contacts of the hand that leads the session
     bool has_sound() const { return has_sound_; }                     // true if there is a sound device
-    // Null without a window. Call close_accessible if the window failed to open.
+    // Null without a window. If the window failed to open, call close_accessible.
     accessible::Accessible* accessible() { return accessible_.get(); }
     sinks::BrailleLink* braille() { return braille_.get(); }
     void close_accessible() { accessible_.reset(); }
@@ -33,7 +33,8 @@ public:
     // Returns the name of the voice that will speak. Waits at most 1.5 s for a better voice that is still opening,
     // because the welcome is due within two seconds.
     std::string voice_that_speaks();
-    // Passes the open list to the screen reader and the braille display, and the heading to the braille display.
+    // Passes the open list to the screen reader and the braille display. Passes the walker's heading to the braille
+    // display.
     void show(const core::Session& app);
     void follow_hands(bool two, bool stands_in);
     // Stores which sentence was spoken last; last_spoken() returns it.

@@ -17,7 +17,7 @@ void EndInTime::end_within(double seconds, int status) {
         std::condition_variable_any wake;
         std::unique_lock lock(mutex);
         wake.wait_for(lock, stop, std::chrono::duration<double>(seconds), [] { return false; });
-        // Ends without destructors, because another thread may still use what they would destroy.
+        // End the process without destructors, because another thread may still use what they would destroy.
         if (!stop.stop_requested()) std::_Exit(status);
     });
 }

@@ -1,7 +1,7 @@
-// Makes sure that the program ends in time once it has decided to end. It then gives up work on other threads, such as
-// the search for routes through a large building; some of that work is in libraries that cannot be stopped. Construct
-// this object before everything whose destructor may have to wait. App thread. Costs a sleeping thread once end_within
-// was called.
+// Makes sure that the program ends in time once it has decided to end. The program then gives up work on other threads,
+// such as the search for routes through a large building; some of that work is in libraries that cannot be stopped.
+// Construct this object before everything whose destructor may have to wait. App thread. Once end_within was called,
+// the object costs a sleeping thread.
 #pragma once
 
 #include <thread>

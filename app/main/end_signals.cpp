@@ -5,7 +5,7 @@
 namespace handrail::program {
 namespace {
 
-// A signal handler may change nothing except a plain flag.
+// The signal handler changes only this flag, because a handler may change nothing else safely.
 std::atomic<bool> end_asked{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 

@@ -10,7 +10,7 @@
 
 namespace handrail::program {
 
-// Catches these signals as long as the object exists. Only one object at a time may exist.
+// Catches these signals while the object exists. Only one object at a time may exist.
 class EndSignals {
 public:
     EndSignals();

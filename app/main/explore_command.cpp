@@ -36,10 +36,10 @@
 namespace handrail::program {
 namespace {
 
-// How long the program waits at the end for the current sentence; "Goodbye." takes this long. Together with
-// kAfterLastWord_s it waits at most a second.
+// Longest time that the program waits at the end for the current sentence; "Goodbye." needs this long. Together with
+// kAfterLastWord_s, the program waits at most a second.
 constexpr double kLastWords_s = 0.6;
-// The process ends this long after the last word, whatever other threads are doing.
+// The process ends this long after the last word, even if other threads are still busy.
 constexpr double kAfterLastWord_s = 0.3;
 
 bool a_display_is_there() {
@@ -58,7 +58,8 @@ std::string joined(const std::vector<std::string>& sentences) {
     return text;
 }
 
-// One session with a person. It owns every part and passes values between the parts about sixty times a second.
+// Runs one session with a person. The object owns every part and passes values between the parts about sixty times a
+// second.
 class Exploration {
 public:
     Exploration(const ExploreArguments& arguments, settings::SettingsStore& settings)
@@ -97,7 +98,7 @@ public:
 private:
     // ---- the start ----
 
-    // Does everything up to the welcome. Returns the time of the reply to which the welcome belongs.
+    // Starts the session, up to and including the welcome. Returns the time of the reply to which the welcome belongs.
     double begin() {
         news_.insert(news_.begin(), arguments_.news.begin(), arguments_.news.end());
         if (std::vector<std::string> faults = sentences_of(arguments_.settings_problems); !faults.empty()) {
@@ -105,7 +106,7 @@ private:
             app_.apply(core::SettingsFaultsKnown{std::move(faults)}, clock_.now_s());
         }
         open_window();
-        // If the terminal supports it, keys act at once. The first sentence says so.
+        // If the terminal supports it, each key acts as soon as it is pressed. The first sentence says so.
         if (!window_) keys_ = TypedKeys::open(app_, worlds_, switches_, clock_);
         if (keys_) {
             speak_to(ActsBy::TerminalKeys);
@@ -119,7 +120,7 @@ private:
         const std::string voice = first ? ears_.voice_that_speaks() : std::string{};
         const double asked_s = clock_.now_s();
         if (first)
-            // The first minutes include the set-up only if there is a sound device.
+            // The set-up is part of the first minutes only if there is a sound device.
             app_.apply(core::FirstMinutesBegun{voice, ears_.has_sound()}, asked_s);
         news_.push_back(worlds_.take_news());
         news_.push_back(worlds_.crash_words(!speaks_to_typist(), asked_s));
@@ -133,7 +134,7 @@ private:
         auto opened = window::Window::open();
         if (!opened) {
             ears_.close_accessible();
-            // A person without a display need not hear that no window opened.
+            // If there is no display, do not announce that no window opened, because the person expects none.
             if (a_display_is_there()) news_.push_back(opened.error().message);
             return;
         }
@@ -145,10 +146,10 @@ private:
         if (!window_ && !keys_) lines_.emplace(app_, worlds_, switches_, arguments_.lines);
     }
 
-    // ---- the three loops: while the first world is read, in a world, and in a set-up without one ----
+    // ---- the three loops: while the first world is read, in a world, and in a set-up without a world ----
 
     // Reads the first world while the person waits. Returns false if the world cannot be read, or if the person leaves
-    // meanwhile.
+    // before it is read.
     bool load_world(std::ostream& err) {
         WorldLoading loading(worlds_.first(), arguments_.common);
         watch_lines();
@@ -162,7 +163,7 @@ private:
             kept_.keep_saved(clock_.now_s());
             worlds_.keep_notes(clock_.now_s());
             loading.tell(clock_.now_s(), [this](const std::string& words) { say_(words); });
-            hand_over();  // passes on the replies to keys and lines
+            hand_over();  // passes the replies to keys and lines to the ears
             draw_words();
         }
         auto world = loading.take();
@@ -172,7 +173,8 @@ private:
             return false;
         }
         if (ended()) return false;
-        // The world's announcement waits for the greeting instead of interrupting it.
+        // The announcement of the world is part of the greeting's reply, so it waits for the greeting instead of
+        // interrupting it.
         worlds_.enter(std::move(*world), hand_.asked_s());
         return true;
     }
@@ -194,7 +196,8 @@ private:
             set_up_.begin_if_asked();
             recording_.set_up(set_up_.under_way());
             if (auto ended = recording_.take_problem()) say_(std::move(*ended));
-            driver_.hand_over_settings();  // before another world brings settings that override these changes
+            // Before another world brings settings, which would override the person's changes.
+            driver_.hand_over_settings();
             worlds_.change(now_s);
             learners_.turn(now_s);
             if (set_up_.under_way()) {
@@ -251,7 +254,7 @@ private:
         set_up_.end_if_finished(now_s);
     }
 
-    // Draws the last spoken words in large letters, because the window has nothing else to show without a world.
+    // Draws the last spoken words in large letters. Without a world, the window has nothing else to show.
     void draw_words() {
         ears_.note_spoken();
         if (!window_) return;
@@ -276,7 +279,7 @@ private:
         if (set_up_.under_way()) set_up_.hand_over();
     }
 
-    // The functions that the session driver calls around each hand-over.
+    // Returns the functions that the session driver calls before and after it hands over results.
     core::SessionDriver::Steps steps() {
         return {.ticked =
                     [this](double now_s, const servo::ToolState& tool, const servo::ToolState& left_tool) {
@@ -301,8 +304,8 @@ private:
                     }};
     }
 
-    // If the sound device drops out with two periods, sets sound.periods to three, which takes effect at the next
-    // start.
+    // If the sound device drops out although two periods are buffered, sets sound.periods to three, which becomes
+    // effective at the next start.
     void hold_more_sound() {
         if (settings_.values().sound.periods >= 3 || !ears_.sound().sound_drops_out()) return;
         app_.apply(core::SettingSet{"sound.periods", "3"}, clock_.now_s());
@@ -330,8 +333,8 @@ private:
         progress.at(phrase("progress.recording_end"));
         recording_.end();
         progress.done();
-        // Everything is saved and spoken. If another learner follows, this process continues. Otherwise it does not
-        // wait for work on other threads.
+        // Everything is saved and spoken. If another learner follows, this process continues. Otherwise the process
+        // ends in time, and does not wait for work on other threads.
         if (!learners_.next()) signals_.in_time.end_within(kAfterLastWord_s, status);
         worlds_.end();
     }

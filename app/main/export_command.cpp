@@ -23,11 +23,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A file that the command will write. It writes none before the contents of all files are complete.
+// A file that the command will write. The command writes no file before the contents of all files are complete.
 struct MadeFile {
     fs::path path;
     std::string content, said;
-    bool named = true;  // the person named the file; otherwise its name is derived from one that the person gave
+    // True if the person gave this name; otherwise the name is derived from one that the person gave.
+    bool named = true;
 };
 
 std::string ending_of(const fs::path& path) { return lower_ascii(path.extension().string()); }
@@ -60,13 +61,13 @@ Result<exports::SheetWish> wishes_of(const ExportArguments& arguments) {
     return wishes;
 }
 
-// The plan of a storey and, if it has floors above each other, its second plan.
+// The plan of a storey. If the storey has floors above each other, also the second plan, which shows the upper floors.
 struct StoreyPlans {
     plan::Storey storey;
     std::optional<plan::Storey> upper;
 };
 
-// Returns only those of several sheets that show the middle of the room with that name.
+// Makes several sheets. Returns only the sheets that show the middle of the room with that name.
 Result<std::vector<exports::SwellSheet>> sheets_around(const std::string& name, const StoreyPlans& plans,
                                                        const exports::SheetWish& wish) {
     std::vector<std::string> names;
@@ -103,14 +104,14 @@ Result<std::vector<exports::SwellSheet>> sheets_of(const StoreyPlans& plans, con
     Result<std::vector<exports::SwellSheet>> sheets = exports::swell_sheets(plans.storey, wish);
     if (!sheets || !plans.upper) return sheets;
     exports::SheetWish without_plate = wish;
-    without_plate.plate_signs.clear();  // the plate shows only the lower floors
+    without_plate.plate_signs.clear();  // the swell plate belongs to the lower floors, so leave it out here
     Result<std::vector<exports::SwellSheet>> more = exports::swell_sheets(*plans.upper, without_plate);
     if (!more) return more;
     std::move(more->begin(), more->end(), std::back_inserter(*sheets));
     return sheets;
 }
 
-// Returns whether the request leaves out rooms that are above others, which only a second plan can show.
+// Returns true if the sheets leave out rooms above other rooms, because the person requested no second plan.
 bool hides_rooms(const StoreyPlans& plans, const ExportArguments& arguments) {
     return plans.upper && !arguments.sheets && !arguments.around;
 }
@@ -122,8 +123,8 @@ bool keep_promises(const StoreyPlans& plans, const exports::SheetWish& wish, con
                                  [](const exports::SwellSheet& sheet) { return sheet.broken.empty(); });
 }
 
-// Returns sentences that suggest what to change if sheets do not keep their promises. Larger paper and a coarser plan
-// are suggested only if a trial shows that they help.
+// Returns sentences that suggest what to change if sheets do not keep their promises. Suggests larger paper and a
+// coarser plan only if a trial shows that these help.
 std::vector<std::string> helps(const StoreyPlans& plans, const exports::SheetWish& wish,
                                const ExportArguments& arguments) {
     std::vector<std::string> said;
@@ -243,7 +244,7 @@ Result<void> add_card(const fs::path& path, const std::vector<exports::CardRoute
     return {};
 }
 
-// Writes all files. Writes none if one of them exists and must not be replaced.
+// Writes all files. Writes none of them if one exists already and must not be replaced.
 Result<void> write_all(const learners::WayOut& way_out, const std::vector<MadeFile>& files, bool force,
                        std::ostream& out) {
     std::error_code ec;

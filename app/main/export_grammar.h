@@ -7,7 +7,8 @@
 
 namespace handrail::program {
 
-// Adds the command without its settings and --map-scale. Parsing fills in `arguments`, which must outlive the grammar.
+// Adds the command without its settings and --map-scale. Parsing fills in `arguments`, which must exist for as long as
+// the grammar.
 CLI::App* add_export_command(CLI::App& app, ExportArguments& arguments);
 
 }  // namespace handrail::program

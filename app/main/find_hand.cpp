@@ -43,8 +43,8 @@ Result<std::optional<Hand>> choose_hand(const std::string& wanted, std::vector<s
             if (device.usable) return real_hand(device);
             news.push_back(device.problem);
         }
-        // If no device is connected, there is no news: a person who has not requested a hand does not want to hear
-        // about it.
+        // If no device is connected, return no news: a person who has not requested a hand does not want to hear about
+        // it.
         if (!news.empty()) news.push_back(phrase("program.simulated_instead"));
         return std::nullopt;
     }
@@ -117,7 +117,7 @@ Result<HandSearch::Found> HandSearch::search(const std::string& wanted) {
         opening_ = nullptr;
     }
     device->tell_while_opening(nullptr);
-    device->take_news();  // its sentences are all announced already
+    device->take_news();  // discards the device's sentences, which were all announced while it was opening
     if (!opened) {
         tell(opened.error().sentence());
         return Found{{}, nullptr, std::move(plugged)};

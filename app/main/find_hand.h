@@ -1,6 +1,6 @@
-// Decides which hand the session uses. A separate thread searches for devices and opens them, because both can take
-// seconds. Meanwhile the person already uses the program by keyboard. Sentences report the progress. App thread; the
-// search thread accesses only what its mutex guards.
+// Decides which hand the session uses. A separate thread searches for devices and opens them, because this can take
+// seconds. Meanwhile the person already uses the program by keyboard. The search reports its progress in sentences. App
+// thread; the search thread accesses only what its mutex guards.
 #pragma once
 
 #include <atomic>
@@ -27,7 +27,7 @@ struct Hand {
 
 Hand simulated_hand(std::string_view name);
 
-// Returns the hand that `wanted` names if that needs no search for devices: none, or a simulated one.
+// Returns the hand that `wanted` names if no search for devices is needed: no hand, or a simulated one.
 std::optional<Hand> hand_without_looking(const std::string& wanted);
 
 // Chooses a hand by name or serial number, or with "auto" from the connected devices. Takes up to a second. Returns no
@@ -40,7 +40,7 @@ class HandSearch {
 public:
     struct Found {
         core::HandFacts facts;
-        // The opened device; null if none can be used, and the news say why.
+        // The opened device. If it is null, no device can be used, and the news say why.
         std::unique_ptr<drivers::GuardedDevice> device;
         std::vector<drivers::PluggedHand> plugged;  // devices that were connected when the search began
     };
@@ -89,7 +89,7 @@ private:
     void run();
 
     std::optional<std::vector<drivers::PluggedHand>> known_;  // used only by the thread of this object
-    std::mutex mutex_;  // guards new_, and together with ended_ the waiting of the thread
+    std::mutex mutex_;                                        // guards new_; together with ended_, lets the thread wait
     std::condition_variable wake_;
     std::vector<drivers::PluggedHand> new_;
     bool ended_ = false;

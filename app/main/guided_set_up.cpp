@@ -79,7 +79,8 @@ void GuidedSetUp::end_if_finished(double now_s) {
     if (!app.scene()) return;
     app.apply(core::SettingsChanged{parts_.settings.values()}, now_s);
     app.apply(core::Stopped{stops_}, now_s);
-    // In the wizard, the person stopped the forces with the stop key and then switched them on again.
+    // The session still has its forces switched off, because the person used the stop key during the set-up. The person
+    // has since switched them on again in the wizard, so switch them on in the session, too.
     if (app.hand().tuning.panic && !stopped) {
         app.apply(core::CommandDown{core::Command::ToggleForces}, now_s);
         app.apply(core::CommandUp{core::Command::ToggleForces}, now_s);

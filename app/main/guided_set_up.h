@@ -29,7 +29,7 @@ public:
         Ears& ears;
         KeptSettings& kept;
         const SessionVoice& say;
-        // True without a world. The set-up then searches for the hand only when it reaches that step, so that the
+        // True if there is no world. The set-up then searches for the hand only when it reaches that step, so that the
         // person hears the news of the search at the right place.
         bool alone;
     };

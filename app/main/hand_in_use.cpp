@@ -51,7 +51,7 @@ void HandInUse::use(const core::HandFacts& facts, std::unique_ptr<drivers::Guard
         parts_.driver.drive(0, servo_.get(), simulated_);
         return servo_->start();
     }
-    // Opening failed although the device was open a moment ago, so it was disconnected meanwhile.
+    // The device was open a moment ago, so this failure means that the device was disconnected since then.
     servo_.reset();
     guarded_ = nullptr;
     facts_ = {};
@@ -69,7 +69,7 @@ void HandInUse::tell_how_it_runs() {
         told_how_it_runs_ = true;
         if (report.scheduling == servo::Scheduling::Ordinary) parts_.say(servo::scheduling_sentence(report.scheduling));
         if (!report.memory_locked) parts_.say(servo::memory_sentence(report.memory_locked));
-        for (std::string& sentence : guarded_->unprotected())  // unprotected() reports the same limit only once
+        for (std::string& sentence : guarded_->unprotected())  // unprotected() reports each limit only once
             if (report.memory_locked || sentence != phrase("guard.memory_not_locked")) parts_.say(std::move(sentence));
     }
     tell_of_guard();
@@ -142,7 +142,7 @@ bool HandInUse::take_found(std::ostream& err) {
     return true;
 }
 
-// Continues without the wanted device. Returns false if the session cannot continue.
+// Continues although the wanted device is not available. Returns false if the session cannot continue.
 bool HandInUse::do_without(const Error& problem, std::ostream& err) {
     parts_.say(problem.sentence());
     // The lost device will not come back, so a simulated hand replaces it.
@@ -175,7 +175,7 @@ void HandInUse::offer(drivers::PluggedHand hand) {
     offer_ = std::move(hand);
 }
 
-// Offers to set up a device that has no profile yet.
+// Offers to set up the current device if the device has no profile yet.
 void HandInUse::offer_calibration() {
     if (parts_.settings.values().profiles.contains(settings::profile_key(facts_.spec.name, facts_.serial))) return;
     parts_.say(phrase("program.not_set_up", {{"device", facts_.spec.spoken_name()},

@@ -1,4 +1,4 @@
-// The hand that leads the session. This class decides which one the person wants, searches for it, and offers devices
+// Manages the hand that leads the session: decides which hand the person wants, searches for it, and offers devices
 // that are connected later. App thread.
 #pragma once
 
@@ -28,24 +28,24 @@ public:
         servo::ServoSwitches& switches;
         servo::ServoLoop::EventRing& contacts;  // contacts of the hand in use
         core::Session& app;
-        core::SessionDriver& driver;  // learns which servo is used
+        core::SessionDriver& driver;  // is informed which servo is in use
         const SessionVoice& say;
         servo::HandRing* recording;  // null if nothing is recorded
     };
     explicit HandInUse(const Parts& parts) : parts_(parts) {}
 
-    // Returns a name, a serial number, "auto" or "none", from the command line or else from the settings.
+    // Returns the wanted hand: a name, a serial number, "auto" or "none". The command line overrides the settings.
     std::string wanted() const { return parts_.arguments.device.value_or(parts_.settings.values().haptic.device); }
 
-    // Starts the search. Until it finds a real hand, the session uses a simulated one; if there is no real hand, it
-    // keeps the simulated one. A person who requested a certain device waits for it instead. Sentences about the search
-    // belong to the reply of `asked_s`.
+    // Starts the search. Until it finds a real hand, the session uses a simulated one; if there is no real hand, the
+    // session keeps the simulated one. If the person requested a certain device, the session instead waits without a
+    // hand until that device is found. Sentences about the search belong to the reply of `asked_s`.
     void begin(double asked_s);
     // Call once a frame. Announces news of the search and of connected devices, and starts to use a hand that the
     // search has found. Returns false, and writes the reason to `err`, if a device requested on the command line is not
     // available.
     bool look(std::ostream& err);
-    // For the set-up without a world: begin_for_set_up starts the search, and look_for_set_up takes its result. The
+    // For the set-up without a world: begin_for_set_up starts the search, and look_for_set_up stores its result. The
     // sentences go to `news`, so that the set-up can speak them at the right place.
     void begin_for_set_up();
     void look_for_set_up(std::vector<std::string>& news);
@@ -55,26 +55,25 @@ public:
 
     // Returns true if a servo runs, so that the person can feel forces.
     bool driven() const { return servo_ != nullptr; }
-    // Returns true if the hand is a simulated one that nobody requested.
+    // Returns true if the hand is a simulated one, and the person requested neither a simulated hand nor "none".
     bool stands_in() const { return facts_.present && facts_.simulated && !hand_without_looking(wanted()); }
-    // Returns true if the hand can be set up. A simulated hand counts only if the person requested it: nobody else
-    // wants to be asked to move its grip.
+    // Returns true if the hand can be set up. A simulated hand can be set up only if the person requested it, because
+    // only that person wants to be asked to move its grip.
     bool can_be_set_up() const;
     const core::HandFacts& facts() const { return facts_; }
     // Reads the newest state of the servo. tool() returns that state until the next call.
     void read();
     const servo::ToolState& tool() const { return tool_; }
-    // For a real device: announces once what may make the servo run unevenly, and announces everything that the guard
-    // reports.
+    // For a real device: announces once what may make the servo run unevenly, and announces each report of the guard.
     void tell_how_it_runs();
 
-    // Call once a frame. Once a real device has been used, removes all force before the computer sleeps, as the stop
-    // key does. Afterwards it says how to bring the force back. `left` is the newest state of the left hand; null if
+    // Call once a frame. If a real device is or was in use, removes all force before the computer sleeps, as the stop
+    // key does. Afterwards announces how to bring the force back. `left` is the newest state of the left hand; null if
     // the left hand is no real device.
     void watch_sleep(const servo::ToolState* left);
 
-    // Removes the force, and announces it if that cannot be guaranteed. Waits at most 76 ms for a remaining force to
-    // fade.
+    // Removes the force. Announces it if the removal of the force cannot be guaranteed. Waits at most 76 ms for a
+    // remaining force to fade.
     void let_go();
     void stop_looking() { search_.reset(); }
 
@@ -98,7 +97,7 @@ private:
     std::optional<drivers::PluggedHand> offer_;  // the device that was last offered to the person
     double asked_s_ = 0.0;                       // when the program or the person started the search
     bool told_how_it_runs_ = false;
-    bool guard_missed_ = false;  // the guard ended, and the device was offered again
+    bool guard_missed_ = false;  // true if the guard process ended and the device was offered again
     std::optional<SleepWatch> sleep_;
 };
 

@@ -57,12 +57,12 @@ std::vector<std::string> material_names(const Scene& scene) {
     return names;
 }
 
-// Counts only movers that can move. A door of a map that cannot open counts as a wall.
+// Returns the number of movers that can move. A door of a map that cannot open is not counted, because it is a wall.
 std::ptrdiff_t moving_parts(const Scene& scene) {
     return std::count_if(scene.movers.begin(), scene.movers.end(), [](const Mover& mover) { return mover.moves(); });
 }
 
-// Lists the freely movable objects, the heaviest last: "Ball 0.5 kg, Safe 400 kg".
+// Returns a list of the freely movable objects, the heaviest last: "Ball 0.5 kg, Safe 400 kg".
 std::string bodies_words(const Scene& scene) {
     constexpr std::size_t kMostTold = 20;
     std::vector<FreeBody> bodies = scene.bodies;
@@ -196,7 +196,7 @@ std::string spoken_stages(const std::vector<std::string_view>& stages) {
     return text;
 }
 
-// For a file that states rooms, prints sentences about what Handrail understood and about what the author should check.
+// For a file that states rooms, prints sentences: what Handrail understood, and what the author should check.
 void tell_honestly(const Scene& scene, std::ostream& out) {
     constexpr std::size_t kMostTold = 20;
     const HonestReport report = honest_report(scene);
@@ -213,7 +213,7 @@ void tell_honestly(const Scene& scene, std::ostream& out) {
         out << "  " << phrase("info.more", {{"count", report.check.size() - kMostTold}}) << '\n';
 }
 
-// Prints sentences for people who listen to them in order, so the important ones come first.
+// Prints sentences for people who listen to them in order, so the important sentences come first.
 void tell(const Scene& scene, const compile::TouchModel& touch, const Cost& cost, std::ostream& out) {
     const ReadReport& report = scene.report;
     const Aabb building = building_bounds_m(scene);
@@ -282,8 +282,8 @@ void tell(const Scene& scene, const compile::TouchModel& touch, const Cost& cost
     if (cost.kept) line(phrase("info.kept"));
 }
 
-// Finds the rooms of a world whose file states none, as a session does. If it finds none, it says why. `unreachable`
-// receives a sentence about the rooms that cannot be reached on foot, or stays empty.
+// Finds the rooms of a world whose file states none, in the same way as a session. If there are none, `left_out` says
+// why. `unreachable` receives a sentence about the rooms that cannot be reached on foot, or stays empty.
 navigation::RoomGraph rooms_of(const std::shared_ptr<const Scene>& scene, std::string& unreachable,
                                std::vector<std::string>& left_out) {
     const core::WalkerSize size = core::body_size(*scene, settings::Settings{}.walk.body_radius_m);
@@ -356,7 +356,8 @@ int tell_lint(const Scene& scene, std::ostream& out) {
     return lint.problems.empty() ? 0 : 1;
 }
 
-// Prints a room description: of the rooms that the file states, otherwise of those that Handrail finds.
+// Prints a room description of the rooms that the file states. If it states none, describes the rooms that Handrail
+// finds.
 int tell_as_words(const Scene& scene, const std::string& wish, const LongWork& progress, std::ostream& out,
                   std::ostream& err) {
     const std::string code = wish.empty() ? spoken_language() : wish;
@@ -418,7 +419,7 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
         return 2;
     }
     const auto scene = std::make_shared<Scene>(std::move(*read));
-    // Prepares the world as a session does, to measure the time.
+    // Prepare the world as a session does, so that the time for this is measured.
     progress.at(phrase("progress.touch"));
     compile::CompileReport compiled;
     const settings::Settings defaults;

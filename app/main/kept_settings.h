@@ -1,4 +1,4 @@
-// Keeps the settings that a session changes, and saves them: soon after each change, and once more at the end. A
+// Stores the settings that a session changes, and saves them soon after each change and once more at the end. A
 // background task writes the file, because a disk may be slow. App thread.
 #pragma once
 
@@ -21,12 +21,12 @@ public:
     KeptSettings(settings::SettingsStore& settings, Clock& clock, const SessionVoice& say)
         : settings_(settings), clock_(clock), say_(say) {}
 
-    // Applies changes of settings in their order. Returns true if at least one was accepted. A rejected change leaves
-    // its setting as it was.
+    // Applies changes of settings in their order. Returns true if at least one change was accepted. A rejected change
+    // leaves its setting as it was.
     bool take(const std::vector<std::pair<std::string, std::string>>& changes);
-    // Call once a frame. Saves changes that are due, and announces it if they cannot be saved.
+    // Call once a frame. Saves changes that are due. Announces a failure to save them.
     void keep_saved(double now_s);
-    // Saves the last changes. Call it while the session still has a voice, so that it can announce a failure.
+    // Saves the last changes. Call it while the session can still speak, so that a failure can be announced.
     void save_at_the_end(std::ostream& err);
 
 private:

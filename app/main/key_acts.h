@@ -1,5 +1,5 @@
-// Decides what a key does, whether it comes from the window or the terminal. During a set-up by voice, the key is an
-// answer. Otherwise an open list or question receives it; without either, it is a command. App thread.
+// Decides what a key from the window or the terminal does. During a set-up by voice, the key is an answer. Otherwise an
+// open list or question receives the key; if none is open, the key is a command. App thread.
 #pragma once
 
 #include <string>
@@ -17,9 +17,9 @@ public:
     KeyActs(core::Session& app, WorldVisits& worlds) : app_(app), worlds_(worlds) {}
 
     void take(const window::KeyEvent& key, wizard::WizardSession* wizard, double now_s);
-    // Takes the characters of the key that was last given to take().
+    // Applies the characters of the key that was last given to take().
     void take_text(const std::string& utf8, wizard::WizardSession* wizard, double now_s);
-    // Returns true if the person left before there was a world.
+    // Returns true if the person left before the first world was entered.
     bool closed() const { return closed_; }
 
 private:

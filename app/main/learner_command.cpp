@@ -22,7 +22,7 @@ std::string purpose_words(learners::Purpose purpose) {
     return phrase(purpose == learners::Purpose::Record ? "learner.record" : "learner.share");
 }
 
-// One run of the command. It has the list of learners, the person who is asked, and the answers.
+// Runs the command once. The object has the list of learners, the person who is asked, and the answers.
 class LearnerCommand {
 public:
     LearnerCommand(const LearnerArguments& arguments, const LongWork& progress, std::istream& in, std::ostream& out,
@@ -87,7 +87,8 @@ private:
         if (learners::may_be_real(arguments_.name) &&
             !agreed(phrase("learner.real_name", {{"name", arguments_.name}, {"offer", learners_.offer()}})))
             return refuse(phrase("learner.not_made"), 1);
-        // The new learner's settings begin as a copy of the user's own, because the device and the voice are the same.
+        // The new learner's settings begin as a copy of the user's own settings, because the learner uses the same
+        // device and voice.
         std::error_code ec;
         std::string settings;
         if (const fs::path own = settings::user_settings_path(); fs::exists(own, ec))
@@ -135,7 +136,7 @@ private:
         }
     }
 
-    // Parses purposes such as "remember,record". Reports wrong usage and then returns nothing.
+    // Parses purposes such as "remember,record". If one of them is unknown, reports wrong usage and returns nothing.
     std::optional<std::vector<learners::Purpose>> purposes(const std::string& words) {
         std::vector<learners::Purpose> all;
         for (std::size_t at = 0; at < words.size();) {
@@ -196,7 +197,7 @@ private:
     }
 
     // Searches for what is left of a deleted learner: files that contain the learner's name or id, and exported files
-    // that somebody has changed since.
+    // that somebody has changed since Handrail wrote them.
     int search(const std::array<std::string, 2>& words, const std::vector<fs::path>& changed) {
         std::vector<fs::path> folders = {core::user_data_folder(), settings::user_settings_path().parent_path()};
         if (const fs::path sessions = core::sessions_folder(); !sessions.empty())

@@ -8,11 +8,10 @@
 
 namespace handrail::program {
 
-// Adds the command. Parsing fills in `arguments`, which must outlive the grammar.
+// Adds the command. Parsing fills in `arguments`, which must exist for as long as the grammar.
 CLI::App* add_learner_command(CLI::App& app, LearnerArguments& arguments);
 
-// Adds --learner NAME for exploring. It cannot be combined with --record-in, so that option must be in the grammar
-// already.
+// Adds --learner NAME for exploring. --learner excludes --record-in, so --record-in must be in the grammar already.
 void add_learner_option(CLI::App& app, ExploreArguments& arguments);
 
 }  // namespace handrail::program

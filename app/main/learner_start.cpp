@@ -33,7 +33,7 @@ Result<void> begin_as_learner(LessonCall& call) {
     LessonArguments& arguments = call.arguments;
     if (arguments.learner.empty() || arguments.check || (arguments.file == "watch" && !fs::exists(arguments.file, ec)))
         return {};
-    if (arguments.protocol) {  // the command can print a protocol for a learner who does not exist yet
+    if (arguments.protocol) {  // the command can also print a protocol for a learner who does not exist yet
         if (const auto learner = learners::Learners(core::user_data_folder()).find(arguments.learner))
             arguments.learner = learner->name;
         return {};
@@ -47,11 +47,11 @@ Result<void> begin_as_learner(LessonCall& call) {
 ExploreCall as_somebody_else(ExploreCall asked, ExploreEnd end) {
     ExploreArguments& arguments = asked.arguments;
     arguments.learner = end.learner.value_or(std::string());
-    // Whether the session is recorded depends on what the learner has agreed to.
+    // For a named learner, whether the session is recorded depends on what that learner has agreed to.
     if (!arguments.learner.empty()) arguments.record_in.reset();
     arguments.world = std::move(end.world.file);
     arguments.common.building = std::move(end.world.building);
-    arguments.common.unit_m.reset();  // the next session finds the unit next to the world
+    arguments.common.unit_m.reset();  // the next session reads the unit from the file next to the world
     arguments.lesson_settings.clear();
     arguments.lines = std::move(end.lines);
     arguments.lesson.reset();

@@ -10,13 +10,13 @@ namespace handrail::program {
 // if there is no such learner, if the learner's file cannot be read, or if the call requests a recording to which the
 // learner has not agreed.
 Result<void> begin_as_learner(ExploreCall& call);
-// Does the same for a lesson that is taught. A lesson that is only printed or checked needs just the learner's name,
-// because the order of tasks and the protocol depend on it. The function spells the name as the learner does; that
-// learner need not exist yet.
+// Changes `call` in the same way for a lesson that is taught. A lesson that is only printed needs just the learner's
+// name, because the order of tasks and the protocol depend on it. The function then spells the name as the learner
+// does; the learner need not exist yet. A lesson that is only checked does not change.
 Result<void> begin_as_learner(LessonCall& call);
 
-// Returns the call that continues in the same world after a session in which another learner was chosen. `asked` is the
-// original call, before begin_as_learner changed it.
+// Returns the call that continues in the same world after a session in which the person chose another learner. `asked`
+// is the original call, before begin_as_learner changed it.
 ExploreCall as_somebody_else(ExploreCall asked, ExploreEnd end);
 
 }  // namespace handrail::program

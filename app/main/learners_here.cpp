@@ -36,7 +36,7 @@ void LearnersHere::show(double now_s) {
     app_.apply(std::move(act), now_s);
 }
 
-// Returns sentences about the current learner: what is kept about the person, and where the lessons continue.
+// Returns sentences about the current learner: which data about the person are stored, and where the lessons continue.
 std::string LearnersHere::told_of(const learners::Learner& learner) const {
     const std::filesystem::path folder = learners_.folder_of(learner.id);
     const learners::Holdings holdings = learners::holdings_of(folder);
@@ -64,7 +64,7 @@ void LearnersHere::choose(std::size_t at, double now_s) {
         return;
     }
     if (at > shown_.size()) return;
-    // Another process may have deleted or damaged the learner since the list was made.
+    // Read the learner again, because another process may have deleted or damaged the learner since the list was made.
     const auto learner = learners_.find(shown_[at - 1].id);
     if (!learner) return say_(learner.error().sentence(), now_s);
     if (learner->name == here) return say_(told_of(*learner), now_s);

@@ -1,6 +1,6 @@
-// The list of learners in the program. The person chooses a learner and hears what is remembered of that learner; the
-// session then continues as that learner. Only a learner's own recording may contain the learner's name, so this class
-// ends the recording of the session before it announces the list. App thread.
+// Shows the list of learners in a session. The person chooses a learner and hears what is remembered of that learner;
+// the session then continues as that learner. A learner's name may only be in that learner's own recordings, so this
+// class ends the recording of the session before it announces the list. App thread.
 #pragma once
 
 #include <optional>
@@ -23,8 +23,8 @@ public:
 
     // Call once a frame, before the session's tick.
     void turn(double now_s);
-    // Returns the id of the learner who takes over; empty for nobody named. The session then ends for the current
-    // learner. Returns nothing while no learner takes over.
+    // Returns the id of the learner for whom the program continues; empty for nobody named. The session of the current
+    // learner then ends. Returns nothing until another learner is chosen.
     const std::optional<std::string>& next() const { return next_; }
 
 private:
@@ -37,7 +37,8 @@ private:
     SessionRecording& recording_;
     const SessionVoice& say_;
     const learners::Learners learners_;
-    std::vector<learners::Learner> shown_;  // learners in the list, after the entry for nobody named
+    // Learners in the list; the first entry of the list, for nobody named, is not included.
+    std::vector<learners::Learner> shown_;
     std::optional<std::string> next_;
 };
 

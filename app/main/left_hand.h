@@ -1,5 +1,5 @@
-// A second force device for the left hand, in addition to the hand that leads the session. This class finds the device,
-// drives it and releases it. App thread.
+// Finds, drives and releases a second force device for the left hand, in addition to the hand that leads the session.
+// App thread.
 #pragma once
 
 #include <memory>
@@ -40,7 +40,7 @@ private:
     const servo::ServoSwitches& switches_;
     servo::HandRing* recording_;
     servo::ServoLoop::EventRing contacts_;
-    std::optional<Hand> simulated_;  // a simulated hand that take_change has still to put into use
+    std::optional<Hand> simulated_;  // a simulated hand, which the next take_change puts into use
     std::optional<HandSearch> search_;
     std::unique_ptr<servo::ServoLoop> servo_;
     drivers::GuardedDevice* guarded_ = nullptr;  // servo_ owns it

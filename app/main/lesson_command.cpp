@@ -14,8 +14,8 @@
 namespace handrail::program {
 namespace {
 
-// Tries the lesson with simulated pupils. Returns 0 if the expectations of every pupil are met. Returns 1 if one is not
-// met, or if a pupil's script cannot be carried out.
+// Tries the lesson with simulated pupils. Returns 0 if every pupil meets all expectations. Returns 1 if an expectation
+// is not met, or if a pupil's script cannot be carried out.
 int check_lesson(const std::shared_ptr<teaching::TaughtWorld>& world, core::RoomsKept& rooms_kept,
                  const LongWork& progress, std::ostream& out) {
     bool all_hold = true;
@@ -42,8 +42,8 @@ int check_lesson(const std::shared_ptr<teaching::TaughtWorld>& world, core::Room
 
 }  // namespace
 
-// Returns 0 on success. Returns 1 if a pupil failed or if there is nothing to watch, and 2 if the lesson is refused.
-// Returns nothing if the lesson is to be taught; `explore` then says how.
+// Returns 0 on success. Returns 1 if a pupil failed or if there is nothing to watch, and 2 if the lesson has a mistake.
+// Returns nothing if the lesson is to be taught; `explore` then contains the arguments of the session.
 std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments& explore, std::ostream& out,
                               std::ostream& err, const LongWork& progress) {
     std::error_code ec;
@@ -62,7 +62,9 @@ std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments
     progress.done();
     if (!world) return refused(world.error());
     if (arguments.check) return check_lesson(*world, of_all_pupils, progress, out);
-    if (arguments.protocol) {  // the world was read before, so that only a lesson that can be taught is printed
+    // The world was read before this, although the protocol does not need it, so that only a lesson that can be taught
+    // is printed.
+    if (arguments.protocol) {
         out << teaching::protocol_of((*world)->lesson(), learner);
         return 0;
     }

@@ -7,7 +7,7 @@
 
 namespace handrail::program {
 
-// Adds the command without its settings. Parsing fills in `call`, which must outlive the grammar.
+// Adds the command without its settings. Parsing fills in `call`, which must exist for as long as the grammar.
 CLI::App* add_lesson_command(CLI::App& app, LessonCall& call);
 
 }  // namespace handrail::program

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kTurn_s = 0.1;
-constexpr std::size_t kMostLooked = 50;  // most lessons of one folder that are offered
+constexpr std::size_t kMostLooked = 50;  // greatest number of lessons that are offered from one folder
 constexpr std::string_view kEnding = ".lesson.toml";
 
 // Returns the lesson files in a folder, sorted by name.
@@ -142,11 +142,11 @@ void LessonHere::write_draft(double now_s) {
         else if (!stem.empty() && stem.back() != '-') stem += '-';
     while (stem.ends_with('-')) stem.pop_back();
     if (stem.empty()) stem = "lesson";
-    fs::create_directories(folder, ec);  // if the folder cannot be made, writing the file fails with the reason
+    fs::create_directories(folder, ec);  // ignore a failure: writing the file then fails, too, with the reason
     fs::path file = folder / (stem + ".lesson.toml");
     for (int number = 2; fs::exists(file, ec); ++number) file = folder / fmt::format("{}-{}.lesson.toml", stem, number);
-    // The draft may contain a learner's own marks and routes, and it is saved where other people find it. So it is
-    // written through a WayOut.
+    // The draft may contain a learner's own marks and routes, and this folder is outside the learner's folder. So write
+    // the draft through a WayOut, which checks that the learner agreed to share.
     const fs::path& data = arguments_.common.data_in;
     const auto way_out =
         learners::WayOut::of(learners::Learners(core::user_data_folder()), data.empty() ? folder : data);
@@ -160,7 +160,7 @@ void LessonHere::write_draft(double now_s) {
     if (written) offer(now_s);
 }
 
-// Reads the lesson that the person chose from the list, with its world, and then starts it.
+// Reads the lesson that the person chose from the list, and its world. Then starts the lesson.
 void LessonHere::begin_chosen(double now_s) {
     if (const auto chosen = app_.requests().take_lesson(); chosen && *chosen < offered_.size() && !looked_for_.busy())
         looked_for_.begin([lesson = offered_[*chosen]](const std::stop_token&) { return read_taught_world(lesson); });
@@ -201,7 +201,8 @@ void LessonHere::turn(bool speaking, double now_s) {
     offer(now_s);
 }
 
-// Writes the results of the lesson. A recording contains them already.
+// Stores the results of the lesson if the learner agreed to be remembered. If the session is recorded, the recording
+// contains the results already.
 void LessonHere::close(double now_s) {
     if (run_ && arguments_.remember && !arguments_.common.data_in.empty()) {
         const std::filesystem::path& folder = arguments_.common.data_in;

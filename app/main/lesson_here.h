@@ -1,5 +1,6 @@
-// An instructor's lesson in a session with a person, and the desk from which the instructor follows it. The lesson
-// begins from the command line or from the list of lessons. It advances ten times a second. App thread.
+// Runs an instructor's lesson in a session with a person, and the desk from which the instructor follows the lesson.
+// The lesson begins from the command line or from the list of lessons. The lesson advances ten times a second. App
+// thread.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +22,7 @@ namespace handrail::program {
 
 class LessonHere {
 public:
-    // All arguments must outlive this object. `arguments` says which lesson is taught, and to whom.
+    // All arguments must outlive this object. `arguments` contains which lesson is taught, and to whom.
     LessonHere(const ExploreArguments& arguments, core::Session& app, WorldVisits& worlds, const SessionVoice& say)
         : arguments_(arguments), app_(app), worlds_(worlds), say_(say) {}
 
@@ -29,7 +30,7 @@ public:
     void turn(bool speaking, double now_s);
     // Call after the tick, with the events of that tick.
     void see(const std::vector<core::SessionEvent>& events);
-    // Call when the session ends. Saves the measures made until now, if the learner has agreed to that.
+    // Call when the session ends. Stores what was measured so far, if the learner has agreed to that.
     void end(double now_s);
 
 private:
@@ -44,12 +45,12 @@ private:
     core::Session& app_;
     WorldVisits& worlds_;
     const SessionVoice& say_;
-    int world_ = 0;  // Session::worlds_entered() when turn() last looked at it
+    int world_ = 0;  // Session::worlds_entered() at the last call of turn()
     bool began_ = false;
     std::vector<std::filesystem::path> offered_;
     BackgroundTask<Result<std::shared_ptr<teaching::TaughtWorld>>> looked_for_{on_threads(), "lesson"};
     std::optional<teaching::TeachingRun> run_;
-    LessonToTeach taught_;  // the lesson that runs; set only while run_ is
+    LessonToTeach taught_;  // the lesson that runs; set only while run_ is set
     double begun_s_ = 0.0;
     std::string begun_utc_;
     std::unique_ptr<teaching::DeskServer> desk_;
@@ -57,8 +58,8 @@ private:
     double turned_s_ = -1e9, told_s_ = -1e9;
 };
 
-// Reads the lessons that will be offered in a world. The app thread then gets them from the cache of
-// toml_beside_worlds, without waiting.
+// Reads the lessons that will be offered in a world. The results are stored in the cache of toml_beside_worlds, so the
+// app thread later gets them without waiting.
 void read_lessons_ahead(const std::filesystem::path& world, const std::stop_token& stop);
 // Finds the lesson that a command names. `word` is a file, or a name such as "school": one of the person's own lessons,
 // or a lesson that is shipped with the program. Fails with a list of the existing names.
@@ -66,8 +67,8 @@ Result<std::filesystem::path> lesson_given(const std::filesystem::path& word);
 // Reads a lesson and its world. Fails with file and line. `rooms_kept` is as for TaughtWorld::find.
 Result<std::shared_ptr<teaching::TaughtWorld>> read_taught_world(const std::filesystem::path& file,
                                                                  core::RoomsKept* rooms_kept = nullptr);
-// Returns which session of the lesson, counted from 0, comes next for the learner of these arguments. If nothing is
-// remembered, it is the first. Faults of the file with the learner's progress are added to `news`.
+// Returns which session of the lesson, counted from 0, comes next for the learner in `arguments`. If nothing is
+// remembered, returns 0. Adds faults in the file with the learner's progress to `news`.
 std::size_t next_session(const ExploreArguments& arguments, const teaching::LessonFile& lesson,
                          std::vector<std::string>& news);
 // Returns the folder of the person's own lessons.

@@ -17,12 +17,12 @@
 namespace handrail::program {
 
 struct LongWork::State {
-    std::mutex mutex;  // held while a sentence is reported, so that no report follows after done() has returned
+    std::mutex mutex;  // locked while a sentence is reported, so that no sentence is reported after done() has returned
     std::condition_variable changed;
     bool under_way = false, reads = false;
-    std::string what;  // the current work in words; while a file is read, its stage, which may be empty
+    std::string what;  // the current work in words; while a file is read, the stage of reading, which may be empty
     int percent = 0;
-    std::optional<Patience> patience;  // decides when a sentence is due; exists from the first call of tell() on
+    std::optional<Patience> patience;  // decides when a sentence is due; created by the first call of tell()
     std::function<void(const std::string&)> noted;
 
     std::string words(double now_s) const {

@@ -1,6 +1,6 @@
 // Reports progress to a person who waits for a command or a world. It reports nothing during the first two seconds,
-// then a sentence every few seconds. The thread that works says what it does; the thread that reports queries what is
-// due.
+// then a sentence every few seconds. The working thread states what it does; the reporting thread queries which
+// sentence is due.
 #pragma once
 
 #include <condition_variable>
@@ -21,8 +21,8 @@ class LongWork {
 public:
     // Makes a handle for work that nobody waits for; nothing is reported.
     LongWork() = default;
-    // Makes a handle for work that somebody waits for. `noted` is called on the working thread each time when other
-    // work begins, but not when the work is done. It is for callers that log the work itself.
+    // Makes a handle for work that somebody waits for. Calls `noted` on the working thread whenever other work begins,
+    // but not when the work is done. `noted` is meant for callers that log the work.
     static LongWork begun(std::function<void(const std::string& what)> noted = {});
 
     // ---- the working side ----
@@ -30,14 +30,14 @@ public:
     // routes".
     // If other work is already under way, the time does not start again.
     void at(std::string what) const;
-    // Says that a file is being read. Percent and stage are reported. `stage` is the key of a text ("import.shapes"),
-    // or empty if it is unknown.
+    // States that a file is being read, so that percent and stage are reported. `stage` is the key of a text
+    // ("import.shapes"), or empty if the stage is unknown.
     void reading(std::string_view stage = {}) const;
     void read(double fraction) const;
     // Returns the same options, except that the reader reports its progress to this object.
     readers::ReadOptions followed(readers::ReadOptions options) const;
-    // Ends the current work. The next work may again take two seconds without a report. When this function returns, no
-    // report is under way.
+    // Ends the current work. The next work may again go on for two seconds without a report. When this function
+    // returns, no report is under way.
     void done() const;
 
     // ---- the reporting side ----
@@ -55,8 +55,8 @@ private:
     std::shared_ptr<State> state_;
 };
 
-// Writes each sentence that is due as a line to a stream, for a terminal. A separate thread does that. It sleeps while
-// there is no work, and receives no signals.
+// Writes each sentence that is due as a line to a stream, for a terminal. A separate thread writes the lines. The
+// thread sleeps while there is no work, and receives no signals.
 class LongWorkLines {
 public:
     // The stream must outlive this object.

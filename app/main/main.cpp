@@ -11,7 +11,7 @@
 namespace {
 
 // Opens those of the descriptors 0, 1 and 2 that our parent process has closed. Otherwise the next file that we open
-// would get one of these numbers, and our printed output would be written into that file.
+// would get one of these numbers, and our printed output would overwrite that file.
 void open_standard_descriptors() {
     for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(number, F_GETFD) < 0 && errno == EBADF && ::open("/dev/null", O_RDWR) != number)

@@ -15,7 +15,7 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-// Parses a number. A device fault may have written `nan` or `inf`, which are accepted.
+// Parses a number. Accepts `nan` and `inf`, because a device with a fault may have written them.
 bool parse_cell(std::string_view cell, double& value) {
     cell = trimmed(cell);
     const auto taken = take_number(cell);

@@ -7,8 +7,8 @@
 namespace handrail::program {
 namespace {
 
-// Returns true if the bytes may be the beginning of a direction control. All direction controls begin in one of these
-// ways.
+// Returns true if the bytes may be the beginning of a direction control. The UTF-8 of every direction control begins
+// with one of these byte sequences.
 bool may_become_one(std::string_view bytes) {
     return bytes == "\xd8" || bytes == "\xe2" || bytes == "\xe2\x80" || bytes == "\xe2\x81";
 }

@@ -1,6 +1,6 @@
-// Filters what commands print, because it may contain names from files of unknown origin. Drops direction controls,
+// Filters the output of commands, because it may contain names from files of unknown origin. Drops direction controls,
 // which would reverse the order of the following words, and all control characters except line ends and tabs. Only one
-// thread may use an object. Looks at each byte once.
+// thread may use an object. Costs one look at each byte.
 #pragma once
 
 #include <ostream>
@@ -23,7 +23,7 @@ private:
     void let_go();
 
     std::ostream& to_;
-    std::string held_;  // first bytes of what may become a direction control; at most two
+    std::string held_;  // the last bytes, which may be the beginning of a direction control; at most two
 };
 
 }  // namespace handrail::program

@@ -1,5 +1,5 @@
-// Lines that a person or a script types to the program. During a set-up, the wizard takes them as answers. Otherwise
-// the session carries them out, and lines of a script wait while a world is read. App thread.
+// Carries out lines that a person or a script types to the program. During a set-up, the lines are answers to the
+// wizard. Otherwise the session carries them out, and lines of a script wait while a world is read. App thread.
 #pragma once
 
 #include <string>
@@ -20,7 +20,8 @@ public:
 
     core::CarriedLines& lines() { return lines_; }
     // Call once a frame. While another world is read, a person's lines are carried out at once, in the world that the
-    // person has not left yet. Lines of a script wait. Returns false if there was no line and nothing is awaited.
+    // person has not left yet. Lines of a script wait. Returns false if there was no line and the program awaits
+    // nothing else.
     bool take(double now_s, wizard::WizardSession* wizard);
     // Returns true if a line has ended the program.
     bool left() const { return left_ || lines_.left(); }
@@ -32,7 +33,7 @@ private:
     WorldVisits& worlds_;
     const bool by_person_;
     core::CarriedLines lines_;
-    bool left_ = false;  // true if the person left before there was a world
+    bool left_ = false;  // true if the person left before the first world was entered
 };
 
 }  // namespace handrail::program

@@ -32,10 +32,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A line that was handed over to the voice counts as being spoken for at least this time.
+// After a line was handed over to the voice, the program assumes for at least this time that the voice is speaking.
 constexpr double kBegins_s = 0.1;
 constexpr double kReplayLastWords_s = 3.0;  // longest time that the program waits at the end for the current sentence
-constexpr double kEars_m = 1.6;             // height of the ears above the soles
+constexpr double kEars_m = 1.6;             // height of the listener's ears above the soles
 
 // ---- playback ----
 

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Keeps the world of the previous recording. Most sessions of a learner are in the same world, so its file is read, and
+// Keeps the world of the previous recording. Most sessions of a learner are in the same world. So its file is read, and
 // its rooms are found, only once.
 class WorldBefore {
 public:
@@ -46,7 +46,8 @@ private:
     std::shared_ptr<const Scene> scene_;
 };
 
-// Makes the report of one recording. Prints a sentence if the recording is damaged or continues in other worlds.
+// Makes the report of one recording. Prints sentences about damage to the recording, and a sentence if the session
+// continued in other worlds.
 Result<report::SessionReport> report_of_folder(const fs::path& folder, WorldBefore& before, const LongWork& progress,
                                                std::ostream& out, std::ostream& err) {
     progress.at(phrase("progress.recording"));
@@ -73,7 +74,7 @@ std::vector<fs::path> folders_in(const fs::path& folder) {
     return found;
 }
 
-// One run of the command.
+// Runs the command once.
 class ReportCommand {
 public:
     ReportCommand(const ReportArguments& arguments, const LongWork& progress, std::ostream& out, std::ostream& err)
@@ -82,7 +83,7 @@ public:
     int run() {
         if (!arguments_.html && !arguments_.csv && !arguments_.json)
             return refuse({{}, 0, 0, phrase("report.nothing_asked")}, 2);
-        // Checks this first, because reading and measuring take long.
+        // Check the output files first, because reading and measuring take long.
         std::error_code ec;
         for (const auto& file : {arguments_.html, arguments_.csv, arguments_.json})
             if (file && !arguments_.force && fs::exists(fs::symlink_status(*file, ec)))
@@ -113,8 +114,8 @@ private:
         return 0;
     }
 
-    // Returns through which WayOut the results are written. A recording in a learner's folder belongs to that learner;
-    // for any other recording, the person says to whom it belongs.
+    // Returns the WayOut through which the results are written. A recording in a learner's folder belongs to that
+    // learner. For any other recording, --learner says to whom it belongs.
     Result<learners::WayOut> way_out_of(const fs::path& folder) const {
         auto way = learners::WayOut::of(learners_, folder);
         if (!way || arguments_.learner.empty()) return way;
@@ -131,7 +132,7 @@ private:
         return {};
     }
 
-    // Reports all sessions of a learner that can be read. Names the others and leaves them out.
+    // Reports all sessions of a learner that can be read. Prints the names of the others and leaves them out.
     int of_learner() {
         const auto learner = learners_.find(arguments_.learner);
         if (!learner) return refuse(learner.error());
@@ -147,7 +148,7 @@ private:
             }
             reports.push_back(std::move(*report));
         }
-        // Add the sessions for which the learner agreed only that the results are kept.
+        // Add the sessions whose results, but no recordings, were stored with the learner's consent.
         std::vector<Error> faults;
         for (const learners::KeptResults& kept : learners::kept_results(learners_.folder_of(learner->id), faults))
             reports.push_back(report_of(kept));
@@ -174,7 +175,7 @@ private:
         struct Made {
             fs::path path;
             std::string content;
-            bool named = true;  // the person named the file
+            bool named = true;  // true if the person gave this name
         };
         std::vector<Made> files;
         if (arguments_.html) files.push_back({*arguments_.html, std::move(page)});

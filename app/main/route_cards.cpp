@@ -14,7 +14,7 @@ namespace {
 struct CardPlace {
     std::string name;
     Vec3 at_m{0.0};
-    std::optional<double> heading_rad;  // the direction in which a person faces at that place, if it is known
+    std::optional<double> heading_rad;  // the direction in which a person at this place faces, if it is known
     bool room = false;
 };
 
@@ -48,7 +48,7 @@ Result<CardPlace> base_of(const Scene& scene) {
     return CardPlace{phrase("export.the_base"), base->feet_m, base->heading_rad};
 }
 
-// A session with a simulated person who stands at the start of a route and requests directions.
+// A session with a simulated person, who stands at the start of a route and requests directions.
 class AtStart {
 public:
     AtStart(const std::shared_ptr<const Scene>& scene, const settings::Settings& settings)
@@ -88,7 +88,7 @@ std::optional<exports::CardRoute> way_between(AtStart& at_start, navigation::Nav
         }
     }
     heading_rad = navigation::notch_heading_rad(
-        navigation::nearest_notch(heading_rad));  // Round to a direction that the card can name.
+        navigation::nearest_notch(heading_rad));  // Round to a direction that the card has a word for.
     const std::vector<std::string> legs = at_start.legs(start_m, heading_rad, to);
     if (legs.empty()) return std::nullopt;
     exports::CardRoute way{phrase("export.card_title", {{"from", from.name}, {"to", to.name}}),

@@ -28,10 +28,9 @@ struct CardRoutes {
     std::vector<std::string> unreached;  // names of the rooms on the storey to which no route leads
 };
 
-// Returns directions from one place to another, or to every room of the storey in the order of their names. Each leg is
-// a sentence. It is the same sentence that a session with these settings announces to a person at that place. Fails
-// with one sentence if a name is unknown, which suggests the nearest name. Also fails if there is no base or no route
-// at all.
+// Returns directions from one place to another, or to every room of the storey in the order of the rooms' names. Each
+// leg is a sentence, the same that a session with these settings announces to a person at that place. Fails with one
+// sentence if a name is unknown, which suggests the nearest name. Also fails if there is no base or no route at all.
 Result<CardRoutes> card_ways(const std::shared_ptr<const Scene>& scene, const navigation::RoomGraph& graph,
                              navigation::Navigation& navigation, const plan::Storey& storey, const CardWish& wish);
 

@@ -49,7 +49,7 @@ Result<std::vector<fs::path>> scenario_files(const std::vector<fs::path>& paths)
     return files;
 }
 
-// Adds the sounds and sentences that the recording sinks received to `log`, with which the expectations are compared.
+// Adds the sounds and sentences that the recording sinks received to `log`. The expectations are compared with `log`.
 void note_heard(const sinks::RecordingAudio& audio, const sinks::RecordingSpeech& speech, core::SessionLog& log) {
     for (const sinks::HeardSound& sound : audio.sounds()) log.sounds.push_back({sound.time_s, sound.cue, false});
     for (const sinks::HeardSound& change : audio.loop_changes())
@@ -141,7 +141,7 @@ int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::os
         fmt::print(err, "{}\n", files.error().sentence());
         return 2;
     }
-    // Read all files before running any, so that nothing has run if one of them is bad.
+    // Read all files before running any scenario, so that no scenario has run if one of the files is bad.
     std::vector<core::Scenario> scenarios;
     std::vector<learners::WayOut> ways_out;
     const learners::Learners learners(core::user_data_folder());

@@ -1,5 +1,5 @@
-// The recording of a session with a person, if the person requested one. All other parts report to this class; without
-// a recording, its functions do nothing. App thread, except for the functions that the audio thread calls.
+// Records a session with a person, if the person requested it. All other parts report to this class; without a
+// recording, its functions do nothing. App thread, except for the functions that the audio thread calls.
 #pragma once
 
 #include <memory>
@@ -25,12 +25,13 @@ public:
     SessionRecording(const ExploreArguments& arguments, const settings::Settings& settings, Clock& clock,
                      std::vector<std::string>& news);
 
-    // These functions return where other parts write what is recorded of them; null if nothing is recorded.
+    // These functions return the objects into which other parts write what they do. They return null if nothing is
+    // recorded.
     Arrivals* arrivals() { return arrivals_ ? &*arrivals_ : nullptr; }
     servo::HandRing* hand(std::size_t which) { return recorder_ ? &recorder_->hand(which) : nullptr; }
     dynamics::EngineRecording* bodies() { return recorder_ ? &recorder_->bodies() : nullptr; }
     void listen_to(core::Session& app);
-    // Wraps the outputs, so that their use is recorded. Call it before the audio thread starts.
+    // Wraps the outputs, so that their use is recorded. Call noted() before the audio thread starts.
     sinks::SoundOutputs noted(sinks::SoundOutputs outputs);
     void listen_to(cues::AudioThread& sound);
 
@@ -44,10 +45,10 @@ public:
     void note(const char* is, std::uint64_t number = 0) {
         if (recorder_) recorder_->note(is, clock_.now_s(), number);
     }
-    // Stops recording, because what follows concerns other people. Returns false if nothing was being recorded.
+    // Stops recording before other people are concerned. Returns false if nothing was being recorded.
     bool leave_off();
-    // Call each frame. `under_way`: the set-up, not the session, leads the person. The recording notes the beginning of
-    // each set-up.
+    // Call each frame. `under_way`: the set-up, not the session, leads the person. Records the beginning of each
+    // set-up.
     void set_up(bool under_way);
     // If the recording ended too early, returns the reason once; otherwise nothing.
     std::optional<std::string> take_problem() { return recorder_ ? recorder_->take_problem() : std::nullopt; }

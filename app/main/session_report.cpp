@@ -18,7 +18,7 @@ namespace handrail::program {
 namespace {
 
 constexpr double kSample_s = 0.1, kLeap_m = 1.0;
-// A place where the person touched or visited something counts for this long as "here".
+// For this long after a touch, the person is still assumed to be at the touched wall.
 constexpr double kTouchCounts_s = 0.5;
 constexpr std::size_t kMostContacts = 20, kMostLines = 400;
 
@@ -32,7 +32,8 @@ std::vector<results::WayPoint> way_of(const record::Recording& recording, const 
     for (const record::FrameRow& frame : recording.frames) {
         const double t_s = frame.now_s - recording.head.begun_s;
         if (t_s < events.from_s || t_s > events.to_s) continue;
-        // Frames contain the state at the end of a tick, but leaps were noted during the tick.
+        // `leaps_s` contains times during a tick, but a frame contains the state at the end of a tick. So assign each
+        // leap to the next frame.
         for (; leaps < events.leaps_s.size() && events.leaps_s[leaps] <= t_s + 1e-3; ++leaps) leap = true;
         leap = leap || (!first && glm::length(frame.feet_m - before) > kLeap_m);
         before = frame.feet_m;
@@ -92,7 +93,7 @@ std::vector<report::ReportStrategy> strategies_of(std::span<const results::WalkS
          {results::Strategy::None, "none"}}};
     const std::vector<results::StrategyWindow> windows = results::strategy_windows(samples, base_m);
     std::array<double, results::kStrategies> seconds{};
-    // Windows overlap. Each window counts from the end of the one before to its own end.
+    // Windows overlap. Add to each strategy only the time from the end of the previous window to the end of this one.
     for (std::size_t i = 0; i < windows.size(); ++i) {
         const double begin_s = i == 0 ? windows[i].from_s : windows[i].to_s;
         const double end_s = i + 1 < windows.size() ? windows[i + 1].to_s : to_s;
@@ -179,7 +180,7 @@ report::ReportTask task_of(const record::RecordedTask& done) {
     return task;
 }
 
-// Adds the rooms through which the person walked, and the walked path on that storey.
+// Adds the rooms through which the person walked, and the walked path on `storey`.
 void add_rooms(report::SessionReport& report, std::span<const results::WayPoint> walk,
                const navigation::RoomGraph& graph, const navigation::WalkSpace& space, int storey) {
     bool on_plan = false;
@@ -199,7 +200,7 @@ void add_rooms(report::SessionReport& report, std::span<const results::WayPoint>
     }
 }
 
-// Returns what was said. If the person looked through a list, only the first answer is included, not the items of the
+// Returns what was said. If the person stepped through a list, includes only the first answer, not the items of the
 // list.
 std::vector<report::ReportEvent> course_of(const record::Recording& recording, const record::RecordedEvents& events) {
     std::vector<report::ReportEvent> course;
@@ -243,7 +244,7 @@ Result<report::SessionReport> report_of(const record::Recording& recording, cons
     report.tasks.push_back(whole(events, walk));
     report.lesson = events.lesson;
     for (const record::RecordedTask& task : events.tasks) report.tasks.push_back(task_of(task));
-    // In a session without a lesson, each route on which the person was guided counts as a task.
+    // In a session without a lesson, each route on which the person was guided becomes a task of the report.
     for (std::size_t i = 0; i < (events.lesson.empty() ? events.ways.size() : 0); ++i)
         report.tasks.push_back(task_of(events.ways[i],
                                        i + 1 < events.ways.size() ? events.ways[i + 1].from_s : events.to_s, walk,

@@ -20,8 +20,8 @@ Result<report::SessionReport> report_of(const record::Recording& recording, cons
                                         const std::shared_ptr<const Scene>& scene,
                                         core::RoomsKept* rooms_kept = nullptr);
 
-// Makes the report of a session of which only the results were kept. It contains the tasks, but neither path nor
-// course.
+// Makes the report of a session of which only the results were stored. The report contains the tasks, but neither path
+// nor course.
 report::SessionReport report_of(const learners::KeptResults& results);
 
 }  // namespace handrail::program

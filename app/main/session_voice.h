@@ -1,4 +1,4 @@
-// Lets the parts of a session speak. They call a function that the owner of the session provides. App thread.
+// Lets the parts of a session speak. The parts call a function that the owner of the session provides. App thread.
 #pragma once
 
 #include <functional>

@@ -3,8 +3,8 @@
 
 namespace handrail::program {
 
-// Prints one setting per line. --explain adds unit, range, meaning and source in whole phrases, so that each line makes
-// sense when it is read aloud alone.
+// Prints one setting per line. With --explain, also prints unit, range, meaning and source in whole phrases, so that
+// each line makes sense when it is read aloud alone.
 int run_settings(const SettingsArguments& arguments, settings::SettingsStore& settings, std::ostream& out,
                  std::ostream& err) {
     for (const settings::SettingRow& row : settings.explain()) {

@@ -62,7 +62,7 @@ void SleepWatch::let_sleep() {
     inhibitor_ = Descriptor(-1);
 }
 
-// Runs on the thread of this object. libdbus's own calls wait up to 25 s for an answer, so this function only sends
+// Runs on the thread of this object. libdbus's own calls wait up to 25 s for an answer. So this function only sends
 // messages, and take() receives the answers.
 void SleepWatch::run(const std::stop_token& end) {
     bus_ = dbus_connection_open_private(system_bus(), nullptr);

@@ -30,11 +30,11 @@ namespace {
 
 constexpr double kFarthest_m = 1e6;
 constexpr double kFirstTick_s = 1e-3;
-constexpr double kMostReact_s = 0.01;  // the hand pushes free bodies for at most this time at each row
+constexpr double kMostReact_s = 0.01;  // at each row, the hand pushes free bodies for at most this time
 constexpr double kMostGap_s = 10.0;    // longest simulated time between two rows; free bodies come to rest sooner
-// Force limit, in newtons, with which the hand pushes bodies if no device gives one.
+// Force limit, in newtons, with which the hand pushes bodies if no device with a limit is given.
 constexpr double kIdealCeiling_n = 2.5;
-// Farthest that a hand can travel between two rows without counting as a fault of the device.
+// If a hand travels farther than this between two rows, the row is a fault of the device.
 constexpr double kJump_hand_m = 0.020;
 
 // Appends the shortest decimal that reads back as the same double. Zero never has a sign.
@@ -62,14 +62,14 @@ void append_text(std::string& out, std::string_view text) {
     out += '"';
 }
 
-// Finds faults of rows, so that the renderer sees only sound ones.
+// Finds faulty rows, so that the renderer receives only rows without faults.
 class RowChecks {
 public:
     // `jump_m`: greatest distance between two rows that is not a fault; infinity if no device's limits apply.
     explicit RowChecks(double jump_m) : jump_m_(jump_m) {}
 
-    // Returns the name of the row's fault, or an empty string. A row is accepted if it is near the last good row, or
-    // near the row before. So a single spike is refused, but a real jump is accepted from its second row on.
+    // Returns the name of the row's fault, or an empty string. A position must be near that of the last good row, or
+    // near that of the row before. So a single spike is refused, but a real jump is accepted from its second row on.
     const char* judge(const Vec3& p) {
         if (!is_finite(p)) return "not_finite";
         if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kFarthest_m) return "out_of_range";
@@ -95,7 +95,7 @@ render::TouchTuning tuning_of(const TouchArguments& arguments, const device::Dev
     constexpr double kNotGiven = -1.0;
     tuning.override_stiffness_n_per_m = arguments.stiffness_n_per_m.value_or(kNotGiven);
     tuning.override_damping_ns_per_m = arguments.damping_ns_per_m.value_or(kNotGiven);
-    // If only one of the two friction options is given, it sets both values.
+    // If only one of the two friction options is given, its value applies to both kinds of friction.
     tuning.override_friction_static =
         arguments.friction_static.value_or(arguments.friction_kinetic.value_or(kNotGiven));
     tuning.override_friction_kinetic =
@@ -107,7 +107,7 @@ render::TouchTuning tuning_of(const TouchArguments& arguments, const device::Dev
 // advances in its own steps. Equal rows give bit-identical results. Does nothing if no body is free.
 class MovingThings {
 public:
-    // `felt` is compiled from the scene from which the free bodies were separated.
+    // `felt` is compiled from the same scene, before its free bodies were separated.
     MovingThings(const core::EnteringWorld& world, const render::HapticScene& felt, const render::TouchTuning& tuning,
                  double ceiling_n)
         : scene_(world.moves_freely), engine_(scene_) {
@@ -119,7 +119,8 @@ public:
         for (const auto& body : felt.bodies) poses_.push_back({body.start, true});
         engine_.step(frame_, events_);
     }
-    // Computes the contact of the hand with the scene and with the bodies, where they are at the time of this row.
+    // Computes the contact of the hand with the scene and with the free bodies, at their positions at the time of this
+    // row.
     render::TouchResult touch(render::TouchState& state, const render::HapticScene& felt,
                               const render::TouchTuning& tuning, const Vec3& hand_m, double dt_s) {
         bodies_.hear(frame_);

@@ -9,9 +9,10 @@
 namespace handrail::program {
 
 // Returns a text with one line for each sentence ("   1.250 say ..."), each sound and each change of a loop, in the
-// order of time. Every tenth of a second, a line says where the walker and the hand are. Each such line ends in a
-// checksum of all ticks until then, a thousand a second. So the texts of two sessions differ if the sessions differ
-// anywhere. Numbers read back bit for bit. Seconds, metres, newtons, radians; world axes. The text ends in a line feed.
+// order of time. Every tenth of a second, a line contains the positions of the walker and the hand. Each such line ends
+// in a checksum of all ticks until then, a thousand a second. So the texts of two sessions differ if the sessions
+// differ anywhere. Numbers read back bit for bit. Seconds, metres, newtons, radians; world axes. The text ends in a
+// line feed.
 std::string transcript(const core::SessionLog& log);
 
 }  // namespace handrail::program

@@ -10,8 +10,8 @@
 namespace handrail::program {
 namespace {
 
-// If the same key arrives again within this time, it counts as held down. The Linux console repeats eleven times a
-// second, other terminals faster, and nobody taps a key so fast on purpose.
+// If the same key arrives again within this time, the key is assumed to be held down. The Linux console repeats eleven
+// times a second, other terminals faster, and nobody taps a key so fast on purpose.
 constexpr double kRepeats_s = 0.1;
 
 std::string_view terminal_kind() {
@@ -64,7 +64,8 @@ void TypedKeys::take(double now_s, wizard::WizardSession* wizard) {
 }
 
 void TypedKeys::take_input(const terminal::TimedInput& came, wizard::WizardSession* wizard, double now_s) {
-    // Another input has answered the question, or left it, so close the line for its answer.
+    // The line was for the answer to a question. Another input has answered the question, or left it, so close the
+    // line.
     if (editor_.is_open() && answers_ && !asked(wizard)) show(editor_.close());
     if (!editor_.is_open()) {
         const terminal::TerminalInput& input = came.input;
@@ -98,7 +99,7 @@ void TypedKeys::take_key(const terminal::TimedInput& came, wizard::WizardSession
     const bool held = !key.empty() && key == last_key_ && came.at_s - last_key_s_ < kRepeats_s;
     last_key_ = key;
     last_key_s_ = came.at_s;
-    // A newly pressed key discards the typed lines that still wait.
+    // A newly pressed key discards the typed lines that are still waiting.
     if (!held) lines_.lines().drop();
     const auto command = app_.keys().find(key);
     const bool again =

@@ -1,6 +1,7 @@
-// Keys of a terminal, which act at once as the keys of the window do, and words that the person types after a colon. A
-// terminal never reports that a key was released, so each key counts as a tap. A held key repeats, and then acts again
-// only after the action that it began has ended. App thread; the stop key acts on the thread of terminal::TerminalKeys.
+// Reads the keys of a terminal, which act at once like the keys of the window, and words that the person types after a
+// colon. A terminal never reports that a key was released, so each key is treated as a tap. A held key repeats, and
+// then acts again only after the action that it began has ended. App thread; the stop key acts on the thread of
+// terminal::TerminalKeys.
 #pragma once
 
 #include <memory>
@@ -19,8 +20,8 @@ namespace handrail::program {
 
 class TypedKeys {
 public:
-    // Returns null if standard input or output is no terminal. Also returns null if the terminal supports no keys
-    // (TERM=dumb), as in editors. All arguments must outlive the object. Its destructor restores the terminal.
+    // Returns null if standard input or output is no terminal, or if the terminal supports no keys (TERM=dumb), as in
+    // editors. All arguments must outlive the object. Its destructor restores the terminal.
     static std::unique_ptr<TypedKeys> open(core::Session& app, WorldVisits& worlds, servo::ServoSwitches& switches,
                                            Clock& clock);
 

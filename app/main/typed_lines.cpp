@@ -32,8 +32,8 @@ std::vector<std::string> TypedLines::take_rest() {
     return rest;
 }
 
-// Carries out the word for the stop key at once, if a person typed it at a terminal. In a file or a pipe, the word
-// waits for its turn like any line of a script. Runs on the thread of the LineWatch.
+// If a person typed the word for the stop key at a terminal, carries it out at once and returns true. In a file or a
+// pipe, the word waits for its turn like any line of a script. Runs on the thread of the LineWatch.
 bool TypedLines::stops_at_once(std::string_view line) {
     if (!typed_) return false;
     const auto parsed = core::parse_terminal_line(line);
@@ -43,7 +43,7 @@ bool TypedLines::stops_at_once(std::string_view line) {
 }
 
 void TypedLines::take(double now_s, wizard::WizardSession* wizard, bool hand_is_sought) {
-    // Queried first, so that the lines that arrived before the end are certainly read below.
+    // Query this first, so that take() below certainly returns the lines that arrived before the end.
     const bool ended = watch_.ended();
     bool emptied = false;
     std::vector<std::string> typed =

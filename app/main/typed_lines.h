@@ -1,5 +1,5 @@
 // Reads the lines that a person or a script types when there is no window. App thread. If a person types the word for
-// the stop key at a terminal, it acts on the thread of the LineWatch.
+// the stop key at a terminal, the word acts on the thread of the LineWatch.
 #pragma once
 
 #include <string>
@@ -14,15 +14,15 @@ namespace handrail::program {
 
 class TypedLines {
 public:
-    // All arguments must outlive this object. From its construction on, it reads standard input. The lines in `before`
-    // are carried out first.
+    // All arguments must outlive this object. The object reads standard input from its construction on. It carries out
+    // the lines in `before` first.
     TypedLines(core::Session& app, WorldVisits& worlds, servo::ServoSwitches& switches,
                const std::vector<std::string>& before = {});
 
     // Call once a frame. If `wizard` is not null, it receives the input. If `hand_is_sought`, the session does not end
-    // at the end of the lines, because the search for a hand is not over.
+    // at the end of the lines, because a search for a hand is under way.
     void take(double now_s, wizard::WizardSession* wizard, bool hand_is_sought);
-    // Returns true if the person left, or if all lines were carried out and nothing is awaited.
+    // Returns true if the person left, or if all lines were carried out and the program awaits nothing else.
     bool closed() const { return closed_ || lines_.left(); }
     // Returns the lines that were read but not yet carried out, for the next session.
     std::vector<std::string> take_rest();

@@ -1,4 +1,4 @@
-// Handles the person's input if there is a window: keys, text, pointer movement, the accessible list, and the keys of
+// Passes on the person's input if there is a window: keys, text, pointer movement, the accessible list, and the keys of
 // the braille display. App thread. The stop key and the loss of keyboard focus also act at once, on the thread of the
 // window.
 #pragma once
@@ -17,13 +17,13 @@ namespace handrail::program {
 
 class WindowInput {
 public:
-    // All arguments that are references must outlive this object. `ears` owns the outputs that belong to a window.
+    // Everything that is passed by reference must outlive this object. `ears` owns the outputs that belong to a window.
     WindowInput(std::unique_ptr<window::Window> window, core::Session& app, WorldVisits& worlds, Ears& ears,
                 servo::ServoSwitches& switches, Clock& clock);
 
     // Call once a frame. If `wizard` is not null, it receives the input.
     void take(wizard::WizardSession* wizard);
-    // Returns true if the person left before there was a world, or closed the window.
+    // Returns true if the person left before the first world was entered, or closed the window.
     bool closed() const { return closed_ || acts_.closed(); }
     void draw(const core::ViewState& view) { window_->draw(view); }
 

@@ -19,8 +19,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Returns the folder with the worlds that are installed with the program. A build folder contains a link to it, which
-// this function follows. If the folder does not exist, returns its path all the same, so that an error can name it.
+// Returns the folder with the worlds that are installed with the program. A build folder contains a link to that
+// folder, which this function follows. If the folder does not exist, returns its path all the same, so that an error
+// can name it.
 fs::path installed_folder() {
     std::error_code ec;
     const fs::path program = fs::read_symlink("/proc/self/exe", ec);

@@ -22,8 +22,8 @@ std::filesystem::path world_folder();
 // Returns true if the world is in world_folder(), or in the folder that would be used without HANDRAIL_WORLDS or
 // without an installation. `world` may be any path to it; links are followed.
 bool is_shipped(const std::filesystem::path& world);
-// Returns the path under which data about a world is kept and found again. It is `world` as given. If the world is
-// shipped with the program, it is the absolute path with links followed.
+// Returns the path under which data about `world` are stored and found again. If the world is shipped with the program,
+// it is the absolute path with links followed. Otherwise it is `world` as given.
 std::filesystem::path kept_by(const std::filesystem::path& world);
 // Returns the world in world_folder() with this name, such as "house". Returns nothing if there is no such world, or if
 // a file in the current folder has that name.
@@ -31,7 +31,8 @@ std::optional<std::filesystem::path> world_by_name(const std::filesystem::path& 
 // Returns the names of the worlds in world_folder(), such as "house".
 std::vector<std::string> world_names();
 // Finds the world that a command names: a file, or a name such as "house". If neither exists, and `word` may be a name,
-// fails and suggests the nearest name. If `word` is a path, returns it, and the reader then reports the missing file.
+// fails and suggests the nearest name. If `word` is a path, returns that path, and the reader then reports the missing
+// file.
 Result<std::filesystem::path> world_given(const std::filesystem::path& word);
 // Calls import_world with the person's cache. Any thread except the app thread may call it.
 Result<importing::ImportedWorld> imported(const std::filesystem::path& world, const readers::ReadOptions& options);
@@ -40,14 +41,15 @@ Result<Scene> imported_scene(const core::WorldRequest& request);
 // Returns a reader for the TOML files next to a world, which somebody else may have written. It parses them in a
 // separate process with TomlApart, or in this process if handrail-reader is missing. Any thread may use it.
 const settings::TomlReader& toml_beside_worlds();
-// Returns an object that keeps routes and rooms in the person's cache. It does nothing if there is no cache. It also
-// does nothing if handrail-reader is missing, because that program unpacks them.
+// Returns an object that keeps routes and rooms in the person's cache. The object does nothing if there is no cache. It
+// also does nothing if handrail-reader is missing, because handrail-reader unpacks routes and rooms.
 core::RoutesKeeper ways_in_cache();
-// Returns the request with the unit that a person has stated for this world before, if it contains none. See keep_unit.
-// Any thread may call it.
+// If the request contains no unit, returns it with the unit that a person has stated for this world before. See
+// keep_unit. Any thread may call it.
 core::WorldRequest with_kept_unit(core::WorldRequest request, const CommonArguments& common);
-// Returns the scene with the doors that a person has marked as missing from the file. They come from the data folder of
-// `common`, which is the user's or a learner's. Without such doors, the scene does not change. Any thread may call it.
+// Returns the scene with the doors that a person has marked as missing from the world's file. The marks are in the data
+// folder of `common`, which is the user's or a learner's. Without such marks, the scene does not change. Any thread may
+// call it.
 Scene mended(Scene scene, const std::filesystem::path& world, const CommonArguments& common);
 // Returns an imported world as commands use it: with the missing doors added, and checked by validate(). Any thread may
 // call it.

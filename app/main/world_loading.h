@@ -35,12 +35,12 @@ public:
     bool ready() const { return task_.ready(); }
     // Calls `say` with the sentence that is due, such as "Loading, 40 percent: building walls and floors."
     void tell(double now_s, const std::function<void(const std::string&)>& say) const { progress_.tell(now_s, say); }
-    // Returns the world once, when it is ready. Fails as read_world does, or if memory did not suffice.
+    // Returns the world once, when it is ready. Fails as read_world does, and also if there was not enough memory.
     Result<LoadedWorld> take();
 
 private:
     LongWork progress_ = LongWork::begun();
-    std::string file_;  // name of the file
+    std::string file_;  // name of the world's file
     // Declared last, because its thread uses the other members.
     BackgroundTask<Result<LoadedWorld>> task_{on_threads(), "world"};
 };

@@ -16,8 +16,8 @@ namespace handrail::program {
 
 namespace {
 
-// Returns the word for an input in a crash report. Empty if the input does not help to explain a crash, or only says
-// something about the person.
+// Returns a word for the input, for a crash report. Returns an empty text if the input does not help to explain a
+// crash, or only says something about the person.
 std::string_view act_word(const core::SessionInput& input) {
     if (const auto* down = std::get_if<core::CommandDown>(&input)) return core::info(down->command).word;
     if (std::holds_alternative<core::LineTyped>(input)) return "line-typed";
@@ -122,13 +122,12 @@ void WorldVisits::enter(LoadedWorld world, double asked_s) {
                     {{"count", report.warnings_in_all}, {"first", report.warnings.front().sentence()}}),
              asked_s);
     core::SideFile side_file = additions_to(world.request.file);
-    // Stores the unit that the command line states when the person first enters the world. From then on, the stored
-    // unit applies.
+    // If the command line states a unit, store it. Later sessions without that option use the stored unit.
     if (world.asked.unit_m) {
         core::keep_unit(side_file, *world.asked.unit_m);
         if (const auto saved = side_file.save(); !saved) say_(saved.error().sentence(), asked_s);
     }
-    // Deletes progress that was stored without consent, or before the consent was withdrawn.
+    // For a learner, delete progress that was stored without consent, or before the consent was withdrawn.
     if (!arguments_.common.data_in.empty()) {
         core::set_remembers(side_file, arguments_.remember);
         if (const auto saved = side_file.save(); !saved) say_(saved.error().sentence(), asked_s);
@@ -148,7 +147,7 @@ void WorldVisits::enter(LoadedWorld world, double asked_s) {
 }
 
 // Returns the person's additions to the world. Those of a learner are in the learner's own folder, and begin as a copy
-// of the common ones.
+// of the additions in the user's folder.
 core::SideFile WorldVisits::additions_to(const std::filesystem::path& path) const {
     const std::filesystem::path kept = kept_by(path);
     if (arguments_.common.data_in.empty())
@@ -168,7 +167,7 @@ void WorldVisits::begin_reading(core::WorldRequest request) {
     next_ = std::make_unique<WorldLoading>(asked_, arguments_.common);
 }
 
-// Leads the person to the last place. If that place is in another world, reads that world first.
+// Leads the person to `last`. If that place is in another world, reads that world first.
 void WorldVisits::go_on_at(core::LastPlace last, double now_s) {
     std::error_code ec;
     if (std::filesystem::equivalent(last.world.file, here_.file, ec) && last.world.building == here_.building)
@@ -201,7 +200,8 @@ void WorldVisits::change(double now_s) {
     if (place) app_.apply(core::WentOnAt{*place}, now_s);
 }
 
-// Announces it if the file has changed. The current world does not change until the person reloads it.
+// Announces a change or the removal of the current world's file. The world in the session does not change until the
+// person reloads it.
 void WorldVisits::watch_file(double now_s) {
     const WorldWatch::News news = watch_.look(now_s);
     if (news == WorldWatch::News::None) return;

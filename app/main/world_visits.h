@@ -1,5 +1,5 @@
-// Knows in which world the session is, which world is being read to be entered next, and where the last session was.
-// App thread.
+// Stores in which world the session is, and where the last session was. Reads the world that is to be entered next. App
+// thread.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,8 @@
 
 namespace handrail::program {
 
-// Returns one fault in full. If there are several, only the first, because reading all of them aloud took minutes. The
-// menu lists the others.
+// Returns one fault in full. If there are several, returns only the first, because reading all of them aloud took
+// minutes. The menu lists the others.
 std::string settings_faults_words(const std::vector<std::string>& faults);
 std::vector<std::string> sentences_of(const std::vector<Diagnostic>& problems);
 
@@ -35,23 +35,24 @@ public:
                 const SessionVoice& say)
         : arguments_(arguments), settings_(settings), app_(app), say_(say) {}
 
-    // take_news() returns problems with the list of worlds. crash_words() says that the previous session did not end
-    // properly, and how to continue it. Both return an empty text if there is nothing to say.
+    // take_news() returns sentences about problems with the list of worlds. crash_words() says that the previous
+    // session did not end properly, and how to continue that session. Both return an empty text if there is nothing to
+    // say.
     std::string take_news() { return recent_.take_news(); }
     std::string crash_words(bool with_window, double now_s);
-    // Begins the notes from which the next session would report a crash of this one. Call it once, before anything else
-    // happens.
+    // Begins notes about this session. If this session crashes, the next one reports the crash from these notes. Call
+    // it once, before anything else happens.
     void begin_notes(double now_s);
-    // Updates these notes. Call it once a frame.
+    // Updates the notes that begin_notes began. Call it once a frame.
     void keep_notes(double now_s);
 
     // Returns the world that the command line requests.
     core::WorldRequest first() const;
-    // Enters the world. Announces the report on its file, and faults of its settings and its side file, as parts of the
-    // reply of `asked_s`.
+    // Enters the world. Announces the report on the world's file, and faults of its settings and its side file, as
+    // parts of the reply of `asked_s`.
     void enter(LoadedWorld world, double asked_s);
-    // Call once a frame. Reads another world if the person has requested one, while this world continues. If it cannot
-    // be read, nothing changes. The settings must already contain all changes of this session.
+    // Call once a frame. If the person has requested another world, reads it while this world continues. If that world
+    // cannot be read, nothing changes. The settings must already contain all changes of this session.
     void change(double now_s);
     // Returns true if a world has brought or removed settings since the last call.
     bool take_new_settings() { return std::exchange(new_settings_, false); }
@@ -84,7 +85,7 @@ private:
     settings::SettingsStore& settings_;
     core::Session& app_;
     const SessionVoice& say_;
-    // For a learner, the list and the notes are in the learner's own folder, so that the learner leaves no trace
+    // A learner's list of worlds and notes are in the learner's own folder, so that the learner leaves no trace
     // elsewhere.
     core::RecentWorlds recent_{of_learner() ? arguments_.common.data_in / "recent-worlds.txt"
                                             : core::recent_worlds_path()};

@@ -11,7 +11,7 @@ class WorldWatch {
 public:
     static constexpr double kEvery_s = 2.0;
 
-    // From now on, watches this file and compares it with its present state.
+    // From now on, compares `file` with its present state.
     void begin(const std::filesystem::path& file, double now_s);
 
     enum class News : std::uint8_t { None, Changed, Gone };

@@ -14,7 +14,7 @@ std::string first_line_as_sentence(std::string text) {
     return text;
 }
 
-// Returns what is wrong with this option, if the error is about it.
+// Returns what is wrong with `option`; nothing if the error is about something else.
 std::optional<std::string> wrong_with(const CLI::Option& option, const CLI::ParseError& error) {
     const std::string name = option.get_name(), message = error.what();
     const auto other_of = [](const std::set<CLI::Option*>& others, bool given) -> const CLI::Option* {
@@ -33,7 +33,8 @@ std::optional<std::string> wrong_with(const CLI::Option& option, const CLI::Pars
     if (dynamic_cast<const CLI::RequiresError*>(&error) && option.count() > 0)
         if (const CLI::Option* other = other_of(option.get_needs(), false))
             return phrase("help.needs", {{"option", name}, {"other", other->get_name()}});
-    // CLI11 converts only whole numbers itself, so its own conversion error means one of those.
+    // CLI11 converts only whole numbers itself; add_number reads all others. So a conversion error of CLI11 means that
+    // a whole number is needed.
     if (dynamic_cast<const CLI::ConversionError*>(&error) && option.count() > 0 &&
         message.find(name + " = ") != std::string::npos)
         return phrase("help.needs_whole", {{"option", name}, {"word", option.results().front()}});

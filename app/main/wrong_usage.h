@@ -1,5 +1,5 @@
-// Explains in one sentence of the spoken language what is wrong with a command line. CLI11 finds the fault; this file
-// has the sentences. App thread.
+// Explains in one sentence of the spoken language what is wrong with a command line. CLI11 finds the fault; the
+// functions here choose the sentence. App thread.
 #pragma once
 
 #include <CLI/CLI.hpp>
