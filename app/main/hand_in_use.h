@@ -38,8 +38,8 @@ public:
     std::string wanted() const { return parts_.arguments.device.value_or(parts_.settings.values().haptic.device); }
 
     // Starts the search. Until it finds a real hand, the session uses a simulated one; if there is no real hand, the
-    // session keeps the simulated one. If the person requested a certain device, the session instead waits without a
-    // hand until that device is found. Sentences about the search belong to the reply of `asked_s`.
+    // session keeps the simulated one. If the person requested a certain device, the session has no hand until the
+    // search has found that device. Sentences about the search belong to the reply of `asked_s`.
     void begin(double asked_s);
     // Call once a frame. Announces news of the search and of connected devices, and starts to use a hand that the
     // search has found. Returns false, and writes the reason to `err`, if a device requested on the command line is not

@@ -282,8 +282,9 @@ void tell(const Scene& scene, const compile::TouchModel& touch, const Cost& cost
     if (cost.kept) line(phrase("info.kept"));
 }
 
-// Finds the rooms of a world whose file states none, in the same way as a session. If there are none, `left_out` says
-// why. `unreachable` receives a sentence about the rooms that cannot be reached on foot, or stays empty.
+// Finds the rooms of a world whose file states none, in the same way as a session. `left_out` receives sentences: why
+// there are no rooms, or what was left out of the search. `unreachable` receives a sentence about the rooms that cannot
+// be reached on foot, or stays empty.
 navigation::RoomGraph rooms_of(const std::shared_ptr<const Scene>& scene, std::string& unreachable,
                                std::vector<std::string>& left_out) {
     const core::WalkerSize size = core::body_size(*scene, settings::Settings{}.walk.body_radius_m);

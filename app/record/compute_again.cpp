@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// If a recording was cut off, some of its files may lack this much of the end.
+// The last part of a file, of up to this length, may be missing if a recording was cut off.
 constexpr double kLost_s = 0.6;
 
 // A temporary folder for the files that the computed session saves. The destructor deletes it.
@@ -40,8 +40,8 @@ public:
     Aside& operator=(const Aside&) = delete;
     const fs::path& path() const { return path_; }
 
-    // Makes a folder with a link to the world and, next to the link, a file with the additions that the person had made
-    // to the world.
+    // Makes a folder with a link to the world. If the person had made additions to the world, writes them to a file
+    // next to the link.
     core::SideFile additions_of(const RecordedWorld& world) {
         const fs::path folder = path_ / std::to_string(++worlds_);
         std::error_code ec;
@@ -141,7 +141,7 @@ private:
         return options;
     }
 
-    // Takes the next line of the recording. Returns false if the computation cannot continue.
+    // Applies the next line of the recording to the computed session. Returns false if the computation cannot continue.
     Result<bool> take(const RecordedLine& line) {
         const bool of_ears = line.is == "ears_settings" || line.is == "ears_two_hands" || line.is == "ears_stand_in";
         const bool is_one =
@@ -203,8 +203,8 @@ private:
         return {};
     }
 
-    // Computes one tick of the session; `flush` later hands over the results of the tick. Returns false if the
-    // recording has no such tick, or lacks something that the tick read.
+    // Computes one tick of the session; `flush` later hands over the results of that tick. Returns false if the
+    // recording has no such tick, or if the tick read something that cannot be computed.
     bool frame() {
         flush();
         if (frames_ >= recording_.frames.size()) return false;
@@ -223,7 +223,7 @@ private:
         if (std::exchange(to_hand_over_, false)) driver_.hand_over();
     }
 
-    // Computes all steps of the ears for which the recording and the computation have everything that they take.
+    // Computes the next steps of the ears, until one lacks an item or a contact that it read during the recording.
     void hear() {
         while (cues_ < recording_.cues.size()) {
             const CueRow& row = recording_.cues[cues_];
@@ -246,7 +246,8 @@ private:
     core::Session app_;
     PlayedHand right_, left_;
     PlayedEars ears_;
-    // `take_settings` does nothing, because lines of the recording say when the ears received the settings.
+    // `take_settings` does nothing here: lines of the recording say when the ears received the settings, and take()
+    // applies them.
     core::SessionDriver driver_{
         app_, ears_, {.ticked = {}, .take_settings = [](auto) { return false; }, .hands_over = {}, .look_at_cues = {}}};
     ComputedAgain again_;
@@ -279,8 +280,8 @@ std::optional<LineDifference> first_difference(const Recording& recording, const
         if (both && said[i].text == again.said[i].text && said[i].speech_class == again.said[i].speech_class &&
             said[i].voiced == again.said[i].voiced)
             continue;
-        // If a recording was cut off, one of its files may reach farther than another. So lines near its end are not
-        // compared.
+        // If a recording was cut off, one of its files may contain later times than another. So do not compare the
+        // lines near the end of the recording.
         if ((i < said.size() ? said[i].t_s : again.said[i].t_s) > sure_s) break;
         return LineDifference{i, i < said.size() ? said[i].text : "", i < again.said.size() ? again.said[i].text : ""};
     }

@@ -12,7 +12,8 @@
 namespace handrail::record {
 namespace {
 
-constexpr int kGzip = 15 + 16;  // 15: the largest window; 16: the gzip format
+// windowBits of zlib: 15 selects the largest window, and adding 16 selects the gzip format.
+constexpr int kGzip = 15 + 16;
 
 Bytef* bytes_of(std::string_view text) { return reinterpret_cast<Bytef*>(const_cast<char*>(text.data())); }
 
@@ -51,7 +52,8 @@ GzipText gunzip_pieces(std::string_view bytes, std::size_t most_bytes) {
             result = inflate(&stream, Z_NO_FLUSH);
             read.text.append(part.data(), part.size() - stream.avail_out);
             read.huge = read.text.size() > most_bytes;
-            if (result == Z_OK && stream.avail_in == 0 && stream.avail_out != 0) break;  // the input is cut off
+            // Stops, because the input is cut off.
+            if (result == Z_OK && stream.avail_in == 0 && stream.avail_out != 0) break;
         }
         read.whole = result == Z_STREAM_END;
         bytes.remove_prefix(given - stream.avail_in);

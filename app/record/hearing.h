@@ -1,6 +1,6 @@
 // Plays a recording back to a listener: its lines and knocks at their times, faster or slower, with pause and jumps.
-// The playback stops while the present voice needs longer for a line than the recorded voice did. Pure logic; the owner
-// of the voice calls `go_on`.
+// The playback pauses while the current voice needs longer for a line than the recorded voice did. Pure logic; the
+// owner of the voice calls `go_on`.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@ public:
         double force_n = 0.0;
     };
     struct Heard {
-        std::vector<SaidLine> lines;  // at most one of these lines has to be spoken, the last one
+        std::vector<SaidLine> lines;  // lines that became due; only the last of them has to be spoken
         std::vector<Knock> knocks;
     };
 

@@ -38,7 +38,7 @@ Json json_of(const core::HandFacts& hand) {
     json["simulated"] = hand.simulated;
     json["device"] = std::string(spec.name);
     json["serial"] = hand.serial;
-    // A device without a limit has the value infinity, which JSON cannot express, so the key is left out.
+    // A device without a limit has the value infinity, which JSON cannot express. So leave the key out.
     if (std::isfinite(spec.peak_force_n)) json["peak_force_n"] = spec.peak_force_n;
     json["rated_stiffness_n_per_m"] = spec.rated_stiffness_n_per_m;
     json["workspace_radius_m"] = spec.workspace_radius_m;
@@ -100,7 +100,7 @@ core::LastPlace last_place_of(const Json& json) {
     return {world, vec_of(json.at("feet_m")), json.at("heading_rad").get<double>()};
 }
 
-// Writes a world that was entered, with the options of the world readers.
+// Converts a WorldEntered to JSON, including the options of the world readers.
 Json json_of(const core::WorldEntered& in) {
     const readers::ReadOptions read = core::read_options(in.request);
     Json json{{"world", in.request.file.string()},

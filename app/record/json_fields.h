@@ -14,7 +14,7 @@ namespace handrail::record {
 
 using Json = nlohmann::ordered_json;
 
-// The words for SpeechClass, in its order.
+// The words for the values of SpeechClass, in the order of the enumeration.
 inline constexpr std::array<const char*, 6> kClassWords = {"alarm",    "warning", "answer",
                                                            "guidance", "contact", "ambient"};
 
@@ -36,7 +36,7 @@ Whole whole_of(const Json& json) {
     }
     throw Json::out_of_range::create(401, "range", &json);
 }
-// Returns the JSON as one line without its line break. Invalid UTF-8 is replaced.
+// Returns the JSON as one line, without a line break at the end. Replaces invalid UTF-8.
 inline std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 }  // namespace handrail::record

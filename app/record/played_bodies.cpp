@@ -10,7 +10,7 @@
 namespace handrail::record {
 namespace {
 
-// Keeps those frames of an engine that one reader reads.
+// Stores the frames of an engine that one reader (a hand or the session) will read.
 class FramesRead {
 public:
     void will_read(std::uint64_t number) {
@@ -22,7 +22,7 @@ public:
         wanted_.pop_front();
         there_.push_back(frame);
     }
-    // Returns the frame; null if it is not available. The pointer is valid until the next call.
+    // Returns the frame with that number; null if it is not available. The pointer is valid until the next call.
     const render::DynamicsFrame* take(std::uint64_t number) {
         while (!there_.empty() && there_.front().number < number) there_.pop_front();
         if (there_.empty() || there_.front().number != number) return nullptr;
@@ -41,16 +41,16 @@ constexpr std::size_t kSession = 2;  // index of the session, after those of the
 
 }  // namespace
 
-// The data of one engine, which remain after the engine has ended.
+// The data of one engine. The object remains after the engine itself has ended.
 struct PlayedBodies::Book {
     std::vector<dynamics::EngineRow> rows;
     std::array<FramesRead, 3> frames;  // frames for the two hands and the session
     std::array<std::shared_ptr<render::HandChannel>, 2> hands;
     std::array<std::uint64_t, 2> published{};  // for each hand: number of the last frame that was published to it
-    // Pushes and places of each hand that no step of the engine has taken yet.
+    // Pushes and places of each hand that no step of the engine has read yet.
     std::array<std::deque<render::HandPush>, 2> pushes;
     std::array<std::deque<render::HandPlace>, 2> places;
-    Engine* engine = nullptr;  // null after it has ended
+    Engine* engine = nullptr;  // the engine of this book; null after it has ended
 };
 
 class PlayedBodies::Engine : public dynamics::BodyEngine {
@@ -65,7 +65,7 @@ public:
             hand->engine = number;
         }
     }
-    // A hand may have read results of steps after this point, so compute the remaining rows.
+    // Compute the remaining rows, because a hand may have read results of later steps before the engine ended.
     ~Engine() override {
         while (!all_.closed_ && next_ < book_.rows.size() && step()) {
         }
@@ -127,8 +127,8 @@ private:
         return true;
     }
 
-    // Computes ticks of the hand until it has given everything that this step took from it. Returns false if that is
-    // impossible.
+    // Computes ticks of the hand until the hand has made all pushes and places that this step read. Returns false if
+    // that is impossible.
     bool hand_is_there(std::size_t which, const dynamics::EngineRow& row) {
         while (book_.pushes[which].size() < row.pushes[which])
             if (!all_.step_hand_(which)) return false;
@@ -141,7 +141,7 @@ private:
         return places.front().time_s == place_s;
     }
 
-    // Computes one step in the same order as DynamicsLoop.
+    // Computes one step. Applies pushes, places and orders in the same order as DynamicsLoop.
     void make(const dynamics::EngineRow& row) {
         if (row.skipped > 0) dynamics_.skip(static_cast<double>(row.skipped) * dynamics::Dynamics::kStep_s);
         for (std::uint32_t i = 0; i < row.orders; ++i) {
@@ -175,7 +175,7 @@ private:
     dynamics::Dynamics dynamics_;
     std::size_t next_ = 0;  // index of the next row
     bool stepping_ = false;
-    // now_: the frame of the last step; frame_: the frame that the session last read.
+    // `now_` is the frame of the last step; `frame_` is the frame that the session last read.
     render::DynamicsFrame now_, frame_;
     std::vector<render::BodyEvent> heard_;
     std::deque<render::BodyEvent> events_;
@@ -183,7 +183,7 @@ private:
     std::deque<Order> orders_;
     std::deque<DrivenPoses> driven_;
     std::uint32_t drives_ = 0, driven_taken_ = 0;
-    std::array<double, 2> places_s_{};  // as in EngineRow, for the last step
+    std::array<double, 2> places_s_{};  // value of EngineRow for each hand in the last step
 };
 
 PlayedBodies::PlayedBodies(const Recording& recording, std::function<bool(std::size_t which)> step_hand)

@@ -77,7 +77,7 @@ void PlayedEars::hear_of(std::uint64_t step, bool from_voice, std::string text) 
     (from_voice ? told.first : told.second) = std::move(text);
 }
 
-// Takes the posted items in the same way as AudioThread::step takes its inbox.
+// Applies the posted items in the same way as AudioThread::step applies the items of its inbox. Then computes one step.
 void PlayedEars::step(const CueRow& row, std::vector<servo::ContactEvent> contacts) {
     std::vector<cues::CueRequest> requests;
     std::shared_ptr<const Scene> entered, edited;
@@ -116,8 +116,8 @@ void PlayedEars::step(const CueRow& row, std::vector<servo::ContactEvent> contac
     voice_.begin(row.speaking);
     planner_.tick({.now_s = row.now_s, .contacts = contacts, .requests = requests, .listener = listener_}, sound_,
                   voice_);
-    // AudioThread::step makes this call too. It is made here so that `voice_` is queried equally often; its result is
-    // in the recording.
+    // AudioThread::step makes this call, too. Make it here as well, so that speaking() of `voice_` is called equally
+    // often. Discard the result, because the recording contains it.
     (void)planner_.take_owed(row.now_s, voice_);
     voice_.end();
 }

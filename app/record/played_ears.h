@@ -1,5 +1,5 @@
-// Computes the ears of a recorded session again, step by step. The inputs are the items that the app hands over and the
-// contacts of the hands. A voice answers as the recorded one did. One thread.
+// Computes the ears (the audio thread) of a recorded session again, step by step. The inputs are the items that the app
+// hands over, and the contacts of the hands. A simulated voice answers as the recorded one did. One thread.
 #pragma once
 
 #include <deque>
@@ -17,7 +17,7 @@ class PlayedEars final : public cues::EarsInbox {
 public:
     PlayedEars(const settings::Settings& settings, double begun_s);
 
-    // Functions by which the app hands over items. Each item is counted.
+    // Functions by which the app hands over items. Each call counts as one item of posted().
     void post(cues::CueRequest request) override;
     void set_settings(const settings::Settings& settings) override;
     void set_two_hands(bool two) override;
@@ -26,10 +26,10 @@ public:
     void follow_edit(std::shared_ptr<const Scene> scene) override;
     void set_listener(const cues::Listener& listener) override { listener_ = listener; }
     std::size_t posted() const { return posts_.size(); }
-    // Stores what a sink reported about itself, and in which step.
+    // Stores what a sink reported about itself, and the step in which it reported that.
     void hear_of(std::uint64_t step, bool from_voice, std::string text);
 
-    // Computes one step, which takes row.posts items. Requires row.posts <= posted().
+    // Computes one step, which reads row.posts items. Requires row.posts <= posted().
     void step(const CueRow& row, std::vector<servo::ContactEvent> contacts);
     // Writes the lines that still wait. Call it at the end.
     void finish();
@@ -50,7 +50,8 @@ private:
         void say(const cues::Utterance& utterance) override { keep(utterance, true); }
         void write(const cues::Utterance& utterance) override { keep(utterance, false); }
         void stop() override {}
-        // Returns the next recorded answer, because the queries come in the same order as during the recording.
+        // Returns the next recorded answer. The computed ears call speaking() in the same order as the recorded ones,
+        // so the answers match.
         bool speaking() const override { return const_cast<Voice*>(this)->answer(); }
         std::optional<std::string> news() override;
         void keep(const cues::Utterance& utterance, bool voiced);

@@ -7,7 +7,7 @@
 namespace handrail::record {
 namespace {
 
-// Greatest difference due to rounding, because forces are written in whole millinewtons.
+// Greatest difference between equal forces, because recorded forces are rounded to whole millinewtons.
 constexpr double kAsWritten_n = 0.501e-3;
 
 }  // namespace

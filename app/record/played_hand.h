@@ -1,4 +1,4 @@
-// Computes a recorded hand again, tick by tick as its servo did. It uses the same samples of the device and the same
+// Computes a recorded hand again, tick by tick, as its servo did. Uses the same samples of the device, and the same
 // values from the app, which the recording identifies by their numbers. One thread.
 #pragma once
 
@@ -15,14 +15,14 @@
 
 namespace handrail::record {
 
-// The values that the app has handed over, numbered from 1 in their order.
+// Stores the values that the app has handed over, numbered from 1 in their order.
 template <class T>
 class NumberedValues {
 public:
     void give(T value) { values_.push_back(std::move(value)); }
     std::uint32_t given() const { return let_go_ + static_cast<std::uint32_t>(values_.size()); }
-    // Returns the value with that number; 0 means the value before any was given. Requires number <= given(). Once a
-    // value was requested, earlier ones must not be requested.
+    // Returns the value with that number. 0 means the initial value, before the app had handed over any. Requires
+    // number <= given(). The function drops earlier values, so never call it with a smaller number than before.
     const T& at(std::uint32_t number) {
         if (number == 0) return none_;
         while (let_go_ + 1 < number) {
@@ -50,7 +50,7 @@ public:
     void set_pose(const servo::WorkspacePose& pose) override { poses_.give(pose); }
     void set_bodies(const servo::BodyFrame& bodies) override { bodies_.give(bodies); }
     void set_guidance(const servo::GuidancePath& guidance) override { guidances_.give(guidance); }
-    // Returns whether the app has already handed over everything that the tick read.
+    // Returns true if the app has already handed over everything that the tick read.
     bool can(const servo::ServoReads& reads) const;
     // Computes one tick and returns its force.
     device::ForceCommand tick(const servo::HandRow& row);
@@ -81,15 +81,15 @@ public:
 
     // Call if the session receives another hand. Returns the servo of that hand; null if no hand is present.
     servo::ServoInbox* change(const core::HandFacts& facts);
-    // Computes ticks until the newest servo has done `tick` ticks. Returns false if the rows end before. The servo may
-    // already have done more, because other readers needed them.
+    // Computes ticks until the newest servo has done `tick` ticks. Returns false if the rows end before that. The servo
+    // may already have done more ticks, because other readers needed their results.
     bool run_to(std::uint64_t tick);
-    // Computes ticks until `count` events wait. Returns false if the rows contain fewer.
+    // Computes ticks until `count` events are waiting. Returns false if the rows contain fewer events.
     bool run_to_events(std::size_t count);
     // Returns the state that the newest servo reported after the tick given to run_to.
     const servo::ToolState& tool() const { return tool_; }
     std::vector<servo::ContactEvent> take_events(std::size_t count);
-    // Computes one more tick. Returns false if something that the tick read is missing.
+    // Computes one more tick. Returns false if a value that the tick read is missing.
     bool step();
     // Return how many ticks were computed, and how many of them gave another force than the recorded one.
     std::size_t ticks() const { return next_; }
@@ -104,7 +104,7 @@ private:
     std::vector<std::unique_ptr<PlayedServo>> servos_;
     bool driven_ = false;  // true while the session has a hand
     servo::ToolState tool_;
-    std::deque<servo::ToolState> told_;  // states that the newest servo reported after tool_
+    std::deque<servo::ToolState> told_;  // states that the newest servo has reported since tool_
     std::deque<servo::ContactEvent> events_;
 };
 

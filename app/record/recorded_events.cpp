@@ -12,7 +12,7 @@ public:
         for (const RecordedLine& line : recording.lines) {
             if (events_.more_worlds) break;
             const Json json = Json::parse(line.json, nullptr, false);
-            // Skip lines with missing fields. Such damage was reported when the recording was read.
+            // Skip lines with missing fields. read_recording has reported this damage already.
             if (!json.is_object()) continue;
             try {
                 take(line, json);
@@ -30,8 +30,8 @@ public:
     }
 
 private:
-    // Adds the times during which the voice was speaking. They come from the ears' queries whether it speaks; the last
-    // answer in a step is valid until the next step with an answer.
+    // Adds the times during which the voice was speaking. They are derived from the answers of SpeechSink::speaking().
+    // The last answer in a step is valid until the next step with an answer.
     void add_speaking(const Recording& recording) {
         std::optional<double> since_s;
         for (const CueRow& row : recording.cues) {
@@ -65,7 +65,7 @@ private:
         if (line.is == "teacher") teacher(line, json);
         if (line.is == "led") {
             const std::string goal = json.at("goal").get<std::string>();
-            // Guidance that resumes to the same goal belongs to the same route.
+            // If guidance to the same goal was interrupted and resumes, it is still the same route.
             if (events_.ways.empty() || events_.ways.back().goal != goal || events_.ways.back().arrived_s)
                 events_.ways.push_back({goal, line.t_s, {}});
         }

@@ -1,5 +1,4 @@
-// The events of a recorded session as plain values, taken from the lines of the recording. Reports use them. Any
-// thread.
+// Extracts the events of a recorded session from the lines of the recording, as plain values for reports. Any thread.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +22,7 @@ struct RecordedVisit {
     double t_s = 0.0;
     std::uint32_t feature = kNoFeature.value;
 };
-// Guidance to a goal: when it began, and when the walker arrived.
+// Guidance to a goal: when the guidance began, and when the walker arrived.
 struct RecordedRoute {
     std::string goal;
     double from_s = 0.0;
@@ -48,17 +47,18 @@ struct RecordedSpan {
     double from_s = 0.0, to_s = 0.0;
 };
 
-// The events in the first world that was entered.
+// The events in the first world that the person entered.
 struct RecordedEvents {
     std::string lesson;  // title of the lesson; empty: no lesson
     std::vector<RecordedTask> tasks;
     std::optional<RecordedWorld> world;
-    double from_s = 0.0, to_s = 0.0;  // when the person entered that world and left it
+    double from_s = 0.0, to_s = 0.0;  // when the person entered the first world and left it
     bool more_worlds = false;         // the person entered another world later
     std::vector<RecordedContact> contacts;
     std::vector<RecordedVisit> visits;
     std::vector<RecordedRoute> ways;
-    // Times at which the person requested help, used the key that leads back to the base, and was put somewhere else.
+    // Times at which the person requested help, used the key that leads back to the base, or was moved to another place
+    // without walking.
     std::vector<double> help_s, home_s, leaps_s;
     std::vector<RecordedNote> notes;
     std::vector<RecordedSpan> busy;   // times when a list was open or the voice was speaking

@@ -1,5 +1,5 @@
-// Wraps the voice and the sounds, so that a recorder notes what they are given and what they answer. AudioThread owns
-// the wrappers and calls all their functions on its thread.
+// Wraps the voice and the sounds, so that a recorder receives what they are given and what they answer. AudioThread
+// owns the wrappers and calls all their functions on its thread.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@ struct StepNotes {
     double now_s = 0.0;
     std::uint64_t step = 0;  // number of the step, counted from 0
     bool in_step = false;
-    std::uint64_t answers = 1;  // answers of speaking() in this step as binary digits, after a leading 1
+    std::uint64_t answers = 1;  // answers of speaking() in this step as binary digits after a leading 1
     bool last_answer = false, changed = false;
 
     void begin(double at_s);

@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 using SteadyTime = std::chrono::steady_clock::time_point;
 
 constexpr std::size_t kMostWaiting_bytes = std::size_t{64} << 20;  // most bytes of lines that may wait to be written
-constexpr std::size_t kMostWaitingRows = 200'000;  // most rows of each table that may wait to be written
+constexpr std::size_t kMostWaitingRows = 200'000;  // greatest number of rows of each table that may wait to be written
 
 double seconds_since(SteadyTime then) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
@@ -57,7 +57,7 @@ public:
     Growing(const Growing&) = delete;
     Growing& operator=(const Growing&) = delete;
 
-    // Appends the text. Returns 0, or the errno of the failure. The first text creates the file.
+    // Appends the text. Returns 0, or the errno of the failure. The first text that is not empty creates the file.
     int append(std::string_view text) {
         if (text.empty()) return 0;
         if (file_ < 0) file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0600);
@@ -136,15 +136,15 @@ struct Recorder::State {
     std::array<servo::HandRing, 2> rings;
     struct {
         dynamics::EngineRecording recording;
-        Table<EngineNumbers> table;  // only the writing thread uses the members from here on
+        Table<EngineNumbers> table;  // the members from here on are used only by the writing thread
         std::uint64_t told_lost = 0;
     } bodies;
-    std::atomic<bool> over{false};  // true once nothing is recorded any more
+    std::atomic<bool> over{false};  // true once the recording has ended
 
     // Members that only the app thread uses.
     std::uint64_t frames_told = 0;
     std::uint32_t stops = 0;
-    bool fresh_frame = false;  // nothing was recorded since the last frame
+    bool fresh_frame = false;  // true if nothing was recorded since the last frame
     bool problem_told = false, ended = false;
 
     std::mutex mutex;  // guards the members from here to `problem`
@@ -185,7 +185,7 @@ struct Recorder::State {
     int write_round(bool last);
 };
 
-// Writes everything that waits. Called on the writing thread. Returns 0, or the errno of the failure.
+// Writes all lines and rows that are waiting. Called on the writing thread. Returns 0, or the errno of the failure.
 int Recorder::State::write_round(bool last) {
     std::string text;
     std::vector<FrameRow> more_frames;
@@ -287,7 +287,7 @@ dynamics::EngineRecording& Recorder::bodies() { return state_->bodies.recording;
 
 void Recorder::input(const core::SessionInput& input, double now_s) {
     if (state_->over) return;
-    // Each frame reports the number of stops. Only a new number is recorded.
+    // Each frame reports the number of stops. Record it only if it has changed.
     if (const auto* stopped = std::get_if<core::Stopped>(&input);
         stopped && std::exchange(state_->stops, stopped->count) == stopped->count)
         return;
@@ -308,7 +308,7 @@ void Recorder::frame(const FrameRow& row) {
 }
 
 void Recorder::handed_over() {
-    // After each frame, the session hands over its results anyway, so no line is needed.
+    // After each frame, the session always hands over its results, so no line is needed.
     if (std::exchange(state_->fresh_frame, false) || state_->over) return;
     state_->add(line_of({{"is", "handed_over"}, {"frame", state_->frames_told}}));
 }

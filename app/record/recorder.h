@@ -23,7 +23,8 @@ namespace handrail::record {
 
 // The contents of the first line of events.jsonl.
 struct RecordingHead {
-    // Version of the format. 2 adds what the engine of free bodies reads, and what others read from it.
+    // Version of the format. Version 2 adds what the engine of free bodies reads, and what the hands and the session
+    // read from the engine.
     static constexpr int kForm = 2;
 
     int form = kForm;
@@ -39,9 +40,9 @@ class Recorder {
 public:
     static constexpr double kLines_s = 0.05, kPieces_s = 0.4, kSync_s = 10.0;
 
-    // Creates a folder below `recordings`. Its name contains the time and random letters. Only the person can access it
-    // (0700, files 0600). Fills in the time of day in `head`. If it fails, it returns a sentence and leaves nothing
-    // behind.
+    // Creates a folder below `recordings`. The name of the new folder contains the time and random letters. Only the
+    // person can access it (0700, files 0600). Fills in the time of day in `head`. If the function fails, it returns a
+    // sentence and leaves nothing behind.
     static Result<std::unique_ptr<Recorder>> begin(const std::filesystem::path& recordings, RecordingHead head);
     // Calls end() if nobody has called it.
     ~Recorder();
@@ -50,34 +51,35 @@ public:
 
     const std::filesystem::path& folder() const;
 
-    // App thread. Call input, not_taken, frame and handed_over in the order in which the session received or did these
-    // things.
+    // App thread. Call input, not_taken, frame and handed_over in the order in which the session received the inputs
+    // and did these things.
     void input(const core::SessionInput& input, double now_s);
     void not_taken();                 // call if the session refused the last input
     void frame(const FrameRow& row);  // call after the session's tick
-    // Call if the session handed something to the servos and the ears at another time than after a frame.
+    // Call if the session handed results to the servos and the ears at another time than after a frame.
     void handed_over();
     void event(const core::SessionEvent& event, const Scene* scene);
-    // Records another action of the app that is needed to compute the session again. The line contains `is` as "is" and
-    // a whole number.
+    // Records another action of the app that must be repeated when the session is computed again. The line contains
+    // `is` as "is" and `number`.
     void note(const char* is, double now_s, std::uint64_t number);
 
-    // Records a step of the ears. Call it on the thread of the ears.
+    // Records a step of the ears. Call it on the thread of the ears (AudioThread).
     void cue_step(const CueRow& row);
-    // Records a line. `voiced`: a voice spoke it; otherwise it was only written.
+    // Records a line that was said. `voiced`: a voice spoke the line; otherwise it was only written.
     void said(double now_s, const cues::Utterance& utterance, bool voiced);
     // Records a sentence that a sink reported about itself before `step`. `from_voice`: the voice reported it;
-    // otherwise the sounds did.
+    // otherwise the sink for sounds did.
     void sink_news(double now_s, std::uint64_t step, bool from_voice, const std::string& text);
 
-    // Returns where a servo writes its ticks. `which` is 0 for the right or only hand, 1 for the left one.
+    // Returns the ring into which a servo writes its ticks. `which` is 0 for the right or only hand, 1 for the left
+    // one.
     servo::HandRing& hand(std::size_t which);
-    // Returns where the engine of free bodies writes its steps.
+    // Returns the object into which the engine of free bodies writes its steps.
     dynamics::EngineRecording& bodies();
 
     // If the recording has ended early, returns the reason once; otherwise nothing. App thread.
     std::optional<std::string> take_problem();
-    // Writes the rest and the last line. After that, nothing is recorded.
+    // Writes everything that is waiting, and the last line. After that, nothing is recorded.
     void end(double now_s);
 
 private:

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostBytes = std::size_t{512} << 20;  // most unpacked bytes of one file
+constexpr std::size_t kMostBytes = std::size_t{512} << 20;  // greatest size of one file after unpacking
 constexpr double kLongest_s = 1e7;                          // longest accepted time in a line, about a hundred days
 
 Result<RecordingHead> read_head(const std::string& line) {
@@ -51,8 +51,8 @@ bool read_line(const std::string& text, RecordedLine& line) {
     return true;
 }
 
-// Reads one table of the folder. If the file does not exist, there are no rows. That is no problem, because a session
-// without a hand has no such table.
+// Reads one table of the folder. If the file does not exist, returns no rows and no problem, because a session without
+// a hand has no such table.
 template <std::size_t N, class Row>
 void read_table(const fs::path& file, std::string_view header, std::vector<Row>& rows, std::vector<Error>& problems) {
     std::error_code ec;
@@ -67,7 +67,7 @@ void read_table(const fs::path& file, std::string_view header, std::vector<Row>&
     TableRows<N> table = read_rows<N>(unpacked.text, header, name);
     rows.reserve(table.rows.size());
     for (const auto& numbers : table.rows) rows.push_back(row_of(numbers));
-    // If the end of the file is cut off, report only that. It explains an incomplete last line.
+    // If the end of the file is cut off, report only that, because it also explains an incomplete last line.
     if (!unpacked.whole || unpacked.huge)
         problems.push_back({name, static_cast<int>(table.rows.size()) + 2, 0,
                             phrase(unpacked.huge ? "recording.huge" : "recording.cut_file")});

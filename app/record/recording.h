@@ -1,4 +1,4 @@
-// Reads a recording: everything in it that is intact, however the recording ended. Any thread.
+// Reads everything that is intact in a recording, however the recording ended. Any thread.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace handrail::record {
 
-// One line of events.jsonl. `json` is the text of the line, so it also contains fields that have no member here.
+// One line of events.jsonl. `json` is the whole line, so it also contains the fields that have no member here.
 struct RecordedLine {
     double t_s = 0.0;  // time since the recording began
     std::string is;
@@ -24,12 +24,12 @@ struct RecordedLine {
 
 struct Recording {
     RecordingHead head;
-    std::vector<RecordedLine> lines;  // lines without the first one, which is the head
+    std::vector<RecordedLine> lines;  // all lines except the first one, which is the head
     std::vector<servo::HandRow> hands[2];
     std::vector<FrameRow> frames;
     std::vector<CueRow> cues;
     std::vector<dynamics::EngineRow> bodies;  // steps of the engine of free bodies
-    bool ended = false;                       // the last line, which a properly ended recording has, is present
+    bool ended = false;                       // true if the last line of a properly ended recording is present
     std::vector<Error> problems;  // where and why a file is cut off or damaged; one entry for each such file
 };
 

@@ -23,11 +23,11 @@ constexpr std::string_view kEngineHeader =
 
 constexpr double kMillionths = 1e6;
 constexpr double kThousandths = 1e3;
-constexpr std::int64_t kAway = -1;  // value that means that there is no hand
+constexpr std::int64_t kAway = -1;  // number of a tick if there is no hand
 constexpr double kLargest = 9e15;   // whole numbers up to this are exact as doubles
 constexpr double kCentidegrees = 18000.0 / std::numbers::pi;
 
-// The flags of a DeviceSample, which form one number.
+// The flags of a DeviceSample. Their sum is one column of the table.
 enum StateBit : std::int64_t {
     kNotFresh = 1,
     kNotConnected = 2,
@@ -65,7 +65,7 @@ std::int64_t state_of(const device::DeviceSample& sample) {
     return state + static_cast<std::int64_t>(sample.loss) * kLossFrom + sample.homed_legs * std::int64_t{kLegsFrom};
 }
 
-// Reads a whole number. `text` is a single column.
+// Reads a whole number. `text` contains exactly one column.
 bool read_number(std::string_view text, std::int64_t& number) {
     number = 0;
     if (text.empty()) return true;
@@ -91,7 +91,7 @@ bool read_row(std::string_view line, bool first, const std::array<std::int64_t, 
     }
 }
 
-// Returns whether the header begins with these columns, at least one.
+// Returns true if the header begins with all of these columns. Returns false if `columns` is empty.
 bool begins(std::string_view header, std::string_view columns) {
     return !columns.empty() && header.starts_with(columns) &&
            (columns.size() == header.size() || header[columns.size()] == ',');

@@ -28,11 +28,11 @@ struct FrameRow {
     std::uint32_t engine = 0;
     std::uint64_t engine_frame = 0, engine_events = 0;
 };
-// One step of the ears, with the number of items that it took. Times are in whole microseconds of the session's clock.
+// One step of the ears, with how many items it read. Times are in whole microseconds of the session's clock.
 struct CueRow {
     double now_s = 0.0;
-    std::uint32_t contacts = 0, left_contacts = 0;  // numbers of contacts of each hand that this step took
-    std::uint32_t posts = 0;                        // number of items from the app that this step took
+    std::uint32_t contacts = 0, left_contacts = 0;  // how many contacts of each hand this step read
+    std::uint32_t posts = 0;                        // how many items from the app this step read
     // The answers of SpeechSink::speaking() in binary: a leading 1, then a digit for each answer. 0: all answers equal
     // the last answer of an earlier step.
     std::uint64_t speaking = 0;
@@ -54,8 +54,8 @@ HandNumbers numbers_of(const servo::HandRow& row);
 FrameNumbers numbers_of(const FrameRow& row);
 CueNumbers numbers_of(const CueRow& row);
 EngineNumbers numbers_of(const dynamics::EngineRow& row);
-// Returns the values that were given to numbers_of, if they were multiples of the stored steps. Heading and feet are
-// rounded to the stored precision.
+// Returns the values that were given to numbers_of. They are exact if they were multiples of the stored steps. Heading
+// and feet are rounded to the stored precision.
 servo::HandRow row_of(const HandNumbers& numbers);
 FrameRow row_of(const FrameNumbers& numbers);
 CueRow row_of(const CueNumbers& numbers);
@@ -66,7 +66,7 @@ template <std::size_t N>
 std::string row_text(const std::array<std::int64_t, N>& row, const std::array<std::int64_t, N>& before, bool absolute);
 
 // The rows of a table up to the first invalid one. `problem` says why the rows end there, with file and line; nothing
-// if all were read. A last line without a line break is not a row, and counts as a problem.
+// if all rows were read. A last line without a line break is not a row, and is reported as a problem.
 template <std::size_t N>
 struct TableRows {
     std::vector<std::array<std::int64_t, N>> rows;

@@ -19,11 +19,12 @@ namespace handrail::record {
 namespace {
 
 constexpr double kHandEvery_s = 0.1;   // interval between two moves of the hand in the scenario
-constexpr double kHandMoved_m = 1e-3;  // movements of the hand that are smaller are ignored
+constexpr double kHandMoved_m = 1e-3;  // smaller movements of the hand than this are ignored
 constexpr double kTail_s = 5.0;        // time at the end of the scenario in which the last lines are spoken
 constexpr std::size_t kMostExpected = 40;
 
-// Returns a text as a TOML string. JSON strings are valid in TOML, unless JSON escapes the slash.
+// Returns a text as a TOML string. A JSON string is also valid in TOML unless JSON escapes the slash, which dump() does
+// not.
 std::string in_quotes(const std::string& text) {
     return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -96,7 +97,7 @@ struct Writer {
     }
 };
 
-// Returns the movements of the hand: one move from each position to the one a tenth of a second later.
+// Returns the movements of the hand. Each of them goes from one position to the position a tenth of a second later.
 std::vector<std::pair<double, std::string>> moves_of(const Recording& recording, double begun_s) {
     std::vector<std::pair<double, std::string>> moves;
     Vec3 was_m(0.0);
@@ -132,14 +133,15 @@ std::string without_actions(const std::string& toml, const std::vector<int>& lin
     return kept;
 }
 
-// Reads a recording line by line: which world the person entered and how, what the person did in it, and what the
-// program answered.
+// Reads a recording line by line. Collects which world the person entered and how, what the person did in it, and what
+// the program answered.
 class RecordingReader {
 public:
     explicit RecordingReader(const Recording& recording)
         : recording_(recording), writer_{recording, 0.0, {}, {}, {}}, settings_(recording.head.settings) {
-        // Whether the rooms are known when the recording begins. A scenario knows the rooms of its world at once, so
-        // answers that the program gave before it had found the rooms would differ.
+        // If no line reports that a room was entered, the rooms are known from the beginning. A scenario always knows
+        // the rooms of its world at once. So answers that the program gave before it had found the rooms would differ,
+        // and take_said() ignores them.
         rooms_known_ = std::none_of(recording.lines.begin(), recording.lines.end(), enters_room);
     }
 
@@ -168,7 +170,8 @@ private:
             acts_by_ = who == 1 ? "terminal-keys" : who == 2 ? "lines" : "window-keys";
         }
         if (line.is == "said") take_said(line);
-        // If no list took a key, the key's command follows as another line. So drop the key.
+        // The recording contains each key as an input. If no list used the key, "not_taken" follows, and then the key's
+        // command as another input. So drop the key.
         if (line.is == "not_taken" && !writer_.inputs.empty()) writer_.inputs.pop_back();
         if (!is_input(line.is)) return {};
         auto input = read_input_line(line.json);
@@ -178,7 +181,7 @@ private:
     }
 
     // Adds an answer to the expectations if it was spoken at least half a second after the person entered the world. An
-    // earlier answer may belong to something before that.
+    // earlier answer may be the reply to an earlier action.
     void take_said(const RecordedLine& line) {
         if (!entered() || !expects_ || !rooms_known_) return;
         const Json json = Json::parse(line.json, nullptr, false);
@@ -192,7 +195,7 @@ private:
     void take_input(RecordedInput input) {
         if (const auto* hand = std::get_if<core::HandChanged>(&input.input); hand && hand->hand.present && !entered())
             device_ = std::string(hand->hand.spec.name) == "sim-f" ? "sim-f" : "sim-t";
-        // What the program itself announced is not an answer of the world.
+        // Remember what the program itself announced, because that is not an answer of the world.
         if (const auto* told = std::get_if<core::Told>(&input.input)) told_by_program_.insert(told->text);
         if (const auto* world = std::get_if<core::WorldEntered>(&input.input)) {
             if (!entered()) {
@@ -205,7 +208,7 @@ private:
             over_ = true;
         }
         if (!entered()) return;
-        // The scenario must not contain the command Leave, which would end it.
+        // The scenario must not contain the command Leave, which would end the scenario.
         if (const auto* down = std::get_if<core::CommandDown>(&input.input)) {
             expects_ = down->command != core::Command::Leave;
             if (!expects_) return;

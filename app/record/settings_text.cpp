@@ -51,7 +51,7 @@ settings::DeviceProfile profile_of(const Json& json) {
     return profile;
 }
 
-// Returns the keys of the settings table. [workspace.device], [profile] and [keys] are handled separately.
+// Returns the keys of the settings table. Other functions convert [workspace.device], [profile] and [keys].
 const std::vector<std::string>& table_keys() {
     static const std::vector<std::string> keys = [] {
         std::vector<std::string> all;

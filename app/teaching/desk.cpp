@@ -46,7 +46,7 @@ bool address_of(const fs::path& path, sockaddr_un& address) {
 }
 
 bool connects(int descriptor, const sockaddr_un& address) {
-    // The socket functions require this type of address.
+    // The socket functions require a pointer to sockaddr.
     return ::connect(descriptor, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
 }
 
@@ -200,7 +200,7 @@ void DeskServer::tell(const std::string& line) {
 
 namespace {
 
-// An instructor's connection to a desk.
+// The instructor's end of the connection to a desk.
 class WatchedDesk {
 public:
     explicit WatchedDesk(int descriptor) : descriptor_(descriptor) {}
@@ -212,7 +212,7 @@ public:
     }
 
     int descriptor() const { return descriptor_; }
-    // Waits for data and appends it to come_. Returns false if the other end is closed.
+    // Waits for data and appends the data to come_. Returns false if the desk has closed the connection.
     bool receive() {
         std::array<char, 1024> bytes{};
         const ssize_t got = ::recv(descriptor_, bytes.data(), bytes.size(), 0);

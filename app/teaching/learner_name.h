@@ -1,4 +1,4 @@
-// The name of a learner in a lesson, and a number derived from it. Plain data.
+// Defines the name of a learner in a lesson, and a number derived from that name. Plain data.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,4 @@
-// Connects a lesson with a session. Also tries a lesson with its scripted pupils, in a session without a user
-// interface.
+// Connects a lesson with a session. Also runs a lesson with its scripted pupils, in a session without a user interface.
 #pragma once
 
 #include <span>
@@ -15,7 +14,7 @@ class Session;
 
 namespace handrail::teaching {
 
-// Runs one turn of a lesson. The lesson receives the events since the last turn, and its acts are applied to the
+// Runs one turn of a lesson. Passes the events since the last turn to the lesson, and applies the lesson's acts to the
 // session. Call it between two ticks of the session; ten times a second is enough. `speaking`: the voice is speaking.
 void teach_on(TeachingRun& run, core::Session& app, std::span<const core::SessionEvent> events, double now_s,
               bool speaking = false);
@@ -26,17 +25,19 @@ TeachingRun begin_lesson(const std::shared_ptr<TaughtWorld>& world, std::size_t 
 
 struct PupilOutcome {
     std::string name;
-    std::vector<std::string> failures;  // what the pupil did not achieve: sentences with file and line
+    // One sentence with file and line for each expectation that the pupil did not meet.
+    std::vector<std::string> failures;
     std::vector<TaskResult> results;
     std::vector<core::LoggedLine> lines;
     double seconds = 0.0;  // duration on the virtual clock
 };
-// Fails only if the script asks for something impossible. `read` and `rooms_kept` are as for run_scenario.
+// Runs the pupil's script. Fails only if the script contains something impossible. `read` and `rooms_kept` are as for
+// run_scenario.
 Result<PupilOutcome> run_pupil(const std::shared_ptr<TaughtWorld>& world, const LessonPupil& pupil,
                                cues::AudioSink& audio, cues::SpeechSink& speech, const core::WorldReader& read,
                                core::RoomsKept* rooms_kept = nullptr);
 
-// Returns the protocol of a lesson for a learner, which an instructor can write down in advance: sessions, steps in
+// Returns the protocol of a lesson for a learner, which an instructor can print before the lesson: sessions, steps in
 // their order, help in each lap, and blocked doors.
 std::string protocol_of(const LessonFile& lesson, const LearnerName& learner);
 

@@ -43,7 +43,7 @@ LessonText text_in(const settings::TomlValue& table, core::TomlFields& fields, c
         if (name.size() != head.size() + 2 || !name.starts_with(head)) continue;
         text.others.push_back({name.substr(head.size()), name_in(fields, name.c_str())});
     }
-    // Looks up the main text again, to report that it is missing.
+    // If there are translations but no main text, this call reports that `key` is missing.
     if (text.text.empty() && !text.others.empty()) fields.node(key);
     return text;
 }
@@ -85,8 +85,8 @@ const settings::TomlValue& table_in(core::TomlFields& fields, const char* key) {
     return node;
 }
 
-// Returns whether a lesson may set `key`. It must not set anything that affects the person directly: the strength of
-// forces, or what the person hears and how fast.
+// Returns true if a lesson may set `key`. A lesson must not change the strength of forces, what the person hears, or
+// how fast.
 bool may_be_set(std::string_view key) {
     for (const std::string_view topic : {"haptic.", "speech.", "sound.", "keyboard.", "welcome.", "desk.", "profile."})
         if (key.starts_with(topic)) return false;
@@ -153,7 +153,7 @@ StepKind kind_in(core::TomlFields& fields) {
                 {"nearest", nearest_name(word, std::vector<std::string>(kStepWords.begin(), kStepWords.end()))}}));
 }
 
-// Returns the help in each lap. The last lap has none.
+// Returns the help in each lap, in percent. The last lap has none.
 std::vector<int> laps_in(core::TomlFields& fields) {
     std::vector<int> help{0};
     if (fields.has("help_percent")) {
@@ -384,8 +384,8 @@ std::vector<std::size_t> step_order(const TaughtSession& session, std::size_t se
     std::vector<std::size_t> order(session.steps.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     if (!session.shuffle) return order;
-    // Shuffle with SplitMix64 (Steele, Lea, Flood 2014), which gives the same order on every machine. std::shuffle does
-    // not guarantee that.
+    // Shuffle with SplitMix64 (Steele, Lea, Flood 2014), which gives the same order on every machine. The order of
+    // std::shuffle differs between implementations.
     std::uint64_t state = learner * 0x9e3779b97f4a7c15U + session_index + 1;
     const auto next = [&] {
         std::uint64_t z = (state += 0x9e3779b97f4a7c15U);

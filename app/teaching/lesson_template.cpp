@@ -11,7 +11,7 @@ LessonPlace place_of(const core::LessonDraft::Place& from) {
     place.name = from.name;
     place.thing = from.thing;
     if (from.thing.empty()) place.room = from.room;
-    place.place_m = from.place_m;  // the place tells apart several objects or rooms of the same name
+    place.place_m = from.place_m;  // the position distinguishes several objects or rooms of the same name
     return place;
 }
 

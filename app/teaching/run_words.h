@@ -1,4 +1,4 @@
-// Functions that both parts of a running lesson use, teaching_run.cpp and teaching_questions.cpp.
+// Declares functions that both parts of TeachingRun use, teaching_run.cpp and teaching_questions.cpp.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace handrail::teaching {
 
-// Returns whether two places are on the same storey and at most `level_m` apart horizontally.
+// Returns true if two places are on the same storey and at most `level_m` apart horizontally.
 inline bool near_place(const Vec3& a, const Vec3& b, double level_m) {
     constexpr double kSameHeight_m = 1.0;
     return std::abs(a.z - b.z) < kSameHeight_m && std::hypot(a.x - b.x, a.y - b.y) < level_m;

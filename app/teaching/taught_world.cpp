@@ -161,7 +161,7 @@ Result<void> TaughtWorld::know(const LessonPlace& place) {
     return {};
 }
 
-// Looks up a name in a step. A step may name any object of the world, not only landmarks.
+// Looks up a name that a step uses. The name may be that of any object of the world, not only of a landmark.
 Result<void> TaughtWorld::know_asked(const std::string& name, int line) {
     if (place(name)) return {};
     LessonPlace thing;
@@ -177,7 +177,7 @@ Result<void> TaughtWorld::know_asked(const std::string& name, int line) {
 }
 
 // Checks that the question in a step has an answer. An object under the learner's feet has no direction and no
-// distance, and nobody can approach it. The ground outside has no walls.
+// distance, and nobody can approach it. The ground outside the building has no walls.
 Result<void> TaughtWorld::check_asked(const TaughtStep& step) const {
     constexpr double kUnderFeet_m = 0.3, kSameStorey_m = 2.5;
     const TaughtPlace& from = step.from.empty() ? base_ : *place(step.from);

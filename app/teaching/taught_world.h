@@ -1,4 +1,4 @@
-// A lesson together with its world. All names in the lesson are looked up before anything runs. One thread owns and
+// Looks up the names of a lesson in its world. Does so for all names before the lesson runs. One thread owns and
 // queries the object. Finding the rooms takes from milliseconds to seconds.
 #pragma once
 
@@ -17,17 +17,17 @@ namespace handrail::teaching {
 
 struct TaughtPlace {
     std::string name;    // the name as announced
-    Vec3 stand_m{0.0};   // where people stand at this place
+    Vec3 stand_m{0.0};   // where the learner stands at this place
     Vec3 middle_m{0.0};  // the target when the learner points to this place
-    Aabb box_m{};        // box of the whole object; empty for a room or another place
+    Aabb box_m{};        // bounding box of the object; empty for a room or another place
 };
 
 class TaughtWorld {
 public:
     // Looks up everything in the lesson. Fails with file and line if an object, room or door is not in the world; the
     // message suggests the nearest name. Also fails if nobody can walk a route, or if blocked doors leave no route.
-    // `checksum`: of the world's file now; empty: unknown. `rooms_kept`: the rooms for all sessions that will enter the
-    // same scene; null: the rooms are found for this lesson alone.
+    // `checksum` is the present checksum of the world's file; empty: unknown. `rooms_kept` contains the rooms for all
+    // sessions that will enter the same scene; null: the rooms are found for this lesson alone.
     static Result<std::shared_ptr<TaughtWorld>> find(LessonFile lesson, const std::shared_ptr<const Scene>& scene,
                                                      const std::string& checksum = {},
                                                      core::RoomsKept* rooms_kept = nullptr);
@@ -36,12 +36,14 @@ public:
     const std::shared_ptr<const Scene>& scene() const { return scene_; }
     const TaughtPlace& base() const { return base_; }
     double base_heading_rad() const { return base_heading_rad_; }
-    // Returns a place by any name of the lesson or of a room; null if there is none.
+    // Returns the place with that name. `name` may be any name in the lesson, or the name of a room. Returns null if
+    // there is no such place.
     const TaughtPlace* place(std::string_view name) const;
     // Returns the places at which a route stops.
     std::vector<TaughtPlace> stops_of(const LessonRoute& route) const;
     std::optional<FeatureId> door(std::string_view name) const;
-    // nearest returns the most similar of all names that place() knows; nearest_door returns that of the doors.
+    // `nearest` returns the most similar of all names that place() knows. `nearest_door` returns the most similar of
+    // the names of doors.
     std::string nearest(std::string_view name) const;
     std::string nearest_door(std::string_view name) const;
     // Returns the walking route through all stops while the given doors are blocked.
@@ -52,7 +54,8 @@ public:
 
 private:
     TaughtWorld() = default;
-    // Returns the candidate that `place` means. Fails if there are several candidates and nothing decides between them.
+    // Returns the candidate that `place` means. If there are several candidates, `place.place_m` must decide between
+    // them; otherwise the function fails.
     Result<TaughtPlace> one_of(const LessonPlace& place, const std::vector<TaughtPlace>& candidates) const;
     Result<TaughtPlace> look_up(const LessonPlace& place) const;
     Result<void> know(const LessonPlace& place);
@@ -60,8 +63,8 @@ private:
     Result<void> check_asked(const TaughtStep& step) const;
     Result<void> check_step(const TaughtStep& step);
     std::vector<std::string> names() const;
-    // Returns each door with its name, with its kind if it is the only one of that kind, and with the rooms that it
-    // joins.
+    // Returns each door, once for each of its names: its own name, its kind if no other door is of that kind, and the
+    // rooms that it joins.
     std::vector<std::pair<std::string, FeatureId>> doors() const;
     std::vector<std::string> door_names() const;
     tl::unexpected<Error> bad(int line, const char* key, const std::string& name,

@@ -9,9 +9,9 @@
 namespace handrail::teaching {
 namespace {
 
-constexpr double kAway_m = 1.0;  // a learner who is farther than this from the place of a question is put there
+constexpr double kAway_m = 1.0;  // a learner who is farther than this from the place of a question is moved there
 
-// Returns whether an answer passes. The tolerance is half a hundredth of a degree, because answers are in whole
+// Returns true if an answer passes. The tolerance is half a hundredth of a degree, because answers are rounded to
 // hundredths.
 bool passes(double error_rad, double pass_deg) { return std::abs(degrees_from_radians(error_rad)) <= pass_deg + 0.005; }
 
@@ -28,7 +28,7 @@ void TeachingRun::ask() {
         return act(core::TeacherActed::Kind::Ask, asked_.text);
     }
     if (now.kind == StepKind::Order) {
-        // Shows the items in a shuffled order that is never the right one.
+        // Show the items in a shuffled order that is never the right one.
         asked_.shown.clear();
         TaughtSession drawn;
         drawn.shuffle = true;
@@ -122,7 +122,8 @@ void TeachingRun::answered(const std::string& text) {
                                      : "teaching.pointed_left",
                        {{"degrees", degrees}});
         const bool passed = now.pass_deg && passes(error, *now.pass_deg);
-        // Not announced after a very good answer, which the learner knows has passed.
+        // Do not announce that the answer passes if its error is less than 5 degrees, because the learner then knows
+        // it.
         if (now.pass_deg && !(passed && degrees < 5))
             words = one_after(words, phrase(passed ? "teaching.point_passes" : "teaching.point_passes_not",
                                             {{"degrees", *now.pass_deg}}));

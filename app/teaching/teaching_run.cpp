@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSample_s = 0.1, kArrived_m = 1.5, kNotReachedHigh_m = 1.0;
 constexpr double kAtDoor_m = 1.5, kLeftDoor_m = 2.0;
-constexpr std::size_t kMostSamples = 36000;  // samples of one hour
+constexpr std::size_t kMostSamples = 36000;  // number of samples in one hour
 constexpr double kWallTouched_s = 0.5;
 
 // Returns the horizontal distance of a place from a route, if both are on the same storey.
@@ -160,7 +160,7 @@ void TeachingRun::follow_walk() {
                                   .thing = std::exchange(whole_.visited, -1)});
 }
 
-// Updates what the learner knows about the room to learn. After the learner has left the room, the last values count.
+// Updates what the learner knows about the room to learn. When the learner leaves the room, the last values remain.
 void TeachingRun::follow_room() {
     if (step().kind != StepKind::Learn || lower_ascii(view_.room) != lower_ascii(step().room)) return;
     if (view_.perimeter_m > 0.0) task_.walls_percent = 100.0 * view_.walls_share;
@@ -169,8 +169,8 @@ void TeachingRun::follow_room() {
 
 void TeachingRun::tick(double now_s, const core::LessonView& view, bool speaking) {
     now_s_ = now_s;
-    // The view is current, but events arrive a frame later. Until then, a walker who was put somewhere must not seem to
-    // have walked there.
+    // The view is current, but the event of a leap arrives a frame later. So derive the leap from the view, or a walker
+    // who was moved would seem to have walked there.
     if (view.times_put != view_.times_put) task_.leap = true;
     view_ = view;
     if (!speaking) end_busy(speaks_since_s_);
@@ -254,7 +254,7 @@ void TeachingRun::begin_go() {
     begin_lap();
 }
 
-// Returns the help in this lap, as a fraction, at the level that the learner has reached.
+// Returns the help in this lap as a fraction. It depends on the level that the learner has reached.
 double TeachingRun::level() const {
     const std::vector<int>& help = step().help_percent;
     const bool last = laps_.lap + 1 == static_cast<int>(help.size());
@@ -278,8 +278,8 @@ void TeachingRun::begin_lap() {
     lead();
 }
 
-// Returns the stops to which the lap leads. The learner may be unable to pass a stop behind a blocked door, so if doors
-// are blocked, only the last stop counts.
+// Returns the stops to which the lap leads. If doors are blocked, the learner may be unable to reach a stop behind
+// them, so the lap then leads only to the last stop.
 std::vector<TaughtPlace> TeachingRun::led_stops() const {
     return laps_.blocked.empty() ? laps_.stops : std::vector{laps_.stops.back()};
 }
@@ -315,10 +315,11 @@ TaskResult TeachingRun::measured(std::string name) const {
 void TeachingRun::end_lap(bool reached) {
     TaskResult result = measured(laps_.stops.back().name);
     result.measures["reached"] = reached ? 1.0 : 0.0;
-    // The lap put the walker at its start, so the walk counts from there.
+    // At the start of the lap, the walker was moved to the base, and the recorded walk begins there. So compare the
+    // whole walk with the route.
     int errors = times_off(laps_.shortest.points_m, task_.walk, step().off_route_m);
     if (reached) {
-        // The shortest route is measured to where the walker arrived, which is a little before the stop itself.
+        // Measure the shortest route to where the walker arrived, which is a little before the stop itself.
         std::vector<TaughtPlace> stops = led_stops();
         stops.back().stand_m = view_.feet_m;
         const navigation::Route shortest = world_->way(world_->base().stand_m, stops, laps_.blocked);

@@ -1,6 +1,6 @@
-// A running session of a lesson. It receives what happens, says what the learner does next, and measures. It changes
-// nothing directly: its acts become inputs of the session (session_input.h), so a recording contains all of them. Plain
-// state; one thread.
+// Runs a session of a lesson. It receives what happens, says what the learner does next, and measures how well the
+// learner does it. TeachingRun changes nothing directly: its acts become inputs of the session (session_input.h), so a
+// recording contains all of them. Plain state; one thread.
 #pragma once
 
 #include <map>
@@ -46,17 +46,17 @@ public:
 
     void see(const core::SessionEvent& event);
     // Call after the session's tick; about ten times a second is enough. The lesson begins once the rooms are known.
-    // `speaking`: the voice is speaking, as the ears report it.
+    // `speaking`: the ears (AudioThread) report that the voice is speaking.
     void tick(double now_s, const core::LessonView& view, bool speaking = false);
     // Returns the inputs to apply to the session now, in their order.
     std::vector<core::SessionInput> take_acts() { return std::exchange(acts_, {}); }
     bool over() const { return over_; }
-    // Returns true if the lesson is over and all its steps were done, so that it was not left early.
+    // Returns true if all steps of the lesson were done. If the lesson was left early, returns false.
     bool finished() const { return finished_; }
 
-    // The orders of the instructor. Each returns what happened, or why it is impossible. If the instructor blocks a
-    // door on a route that the learner is learning, it counts like a door that the lesson blocks: the lap is then
-    // measured against the detour.
+    // The orders of the instructor. Each function returns what happened, or why the order is impossible. If the
+    // instructor blocks a door on a route that the learner is learning, the lap is measured against the detour, as if
+    // the lesson itself blocked the door.
     std::string next(double now_s);
     std::string repeat();
     std::string change_help(int by);  // `by`: 1 for more help, -1 for less
@@ -68,7 +68,7 @@ public:
     void note(const std::string& text);
     std::string end(double now_s);
 
-    // Returns one line about the current state: place, walls, contacts, help, strategy.
+    // Returns one line about the current state of the learner: place, walls, contacts, help, strategy.
     std::string summary() const;
     const std::vector<TaskResult>& results() const { return results_; }
     // Returns the strategy's share of the session's time until now.
@@ -87,7 +87,7 @@ private:
     void end_lap(bool reached);
     void end_step();
     void finish(bool all);
-    // Ends a time in which the learner was busy, and adds it to the current task. `since_s` is its beginning.
+    // Ends a time that began at `since_s`, in which the learner was busy. Adds that time to the current task.
     void end_busy(std::optional<double>& since_s);
     void follow_walk();
     void follow_room();
@@ -118,7 +118,7 @@ private:
     // the moment.
     std::optional<double> led_since_s_, list_since_s_, speaks_since_s_;
 
-    // What was measured in the current task.
+    // The measurements in the current task.
     struct Task {
         double begun_s = 0.0;
         std::vector<results::WayPoint> walk;
@@ -127,7 +127,7 @@ private:
         double led_s = 0.0;
         std::vector<results::Span> busy;  // times when a list was open, or the voice was speaking
         bool leap = false;
-        // How much of a room to learn was known when the learner was last in it.
+        // How much of the room to learn was known when the learner was last in that room.
         std::optional<double> walls_percent, exits_percent;  // nothing: the room has no walls, or no exits
     } task_;
     struct Questions {
@@ -145,7 +145,8 @@ private:
         std::vector<TaughtPlace> stops;
         std::vector<FeatureId> blocked;
         navigation::Route shortest;
-        // When the learner first came to a blocked door in this lap, and was last near it.
+        // `met_s`: when the learner first came to a blocked door in this lap. `left_s`: when the learner was last near
+        // that door.
         std::optional<double> met_s, left_s;
     } laps_;
     struct Whole {

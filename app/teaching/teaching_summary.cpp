@@ -1,4 +1,4 @@
-// Makes the instructor's summary of the lesson until now. See teaching_run.h.
+// Makes the instructor's summary of the lesson so far. See teaching_run.h.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace handrail::teaching {
 namespace {
 
-constexpr double kWindow_s = 100.0;  // length of the time whose samples decide the current strategy
+constexpr double kWindow_s = 100.0;  // the current strategy is that of the samples in the last time of this length
 
 }  // namespace
 
