@@ -14,7 +14,7 @@ constexpr char kEscape = '\x1b';
 constexpr std::string_view kPasteEnds = "\x1b[201~";
 constexpr std::size_t kLongestSequence = 64;
 
-// Modifier keys as bits. Key sequences contain the sum of these bits plus one.
+// Modifier keys as bits. Key sequences contain one plus the sum of these bits.
 enum Modifier : unsigned { kShift = 1, kAlt = 2, kControl = 4 };
 
 struct Sign {
@@ -22,8 +22,8 @@ struct Sign {
     std::string_view key;
 };
 
-// Characters and the keys that type them on an English keyboard. The characters on the digit keys are in
-// TerminalKeyboard instead.
+// Characters and the keys that type them on an English keyboard. TerminalKeyboard contains the characters on the digit
+// keys.
 constexpr Sign kSigns[] = {{" ", "Space"},
                            {"`", "Grave"},
                            {"-", "Minus"},
@@ -53,14 +53,15 @@ struct Numbered {
     std::string_view key;
 };
 
-// Keys sent as CSI number ~. The numbers are those of VT220 and its successors, and Home and End of rxvt.
+// Keys that a terminal sends as CSI number ~. The numbers are those of VT220 and its successors, and of rxvt for Home
+// and End.
 constexpr Numbered kNumbered[] = {{1, "Home"},     {2, "Insert"}, {3, "Delete"}, {4, "End"},  {5, "PageUp"},
                                   {6, "PageDown"}, {7, "Home"},   {8, "End"},    {11, "F1"},  {12, "F2"},
                                   {13, "F3"},      {14, "F4"},    {15, "F5"},    {17, "F6"},  {18, "F7"},
                                   {19, "F8"},      {20, "F9"},    {21, "F10"},   {23, "F11"}, {24, "F12"}};
 
-// The numbers after that of F12, which mean function keys with Shift. On the Linux console, they begin with Shift+F1;
-// on rxvt, with Shift+F3.
+// The numbers after that of F12. They stand for function keys with Shift. On the Linux console, they begin with
+// Shift+F1; on rxvt, with Shift+F3.
 constexpr unsigned kShiftedFunctions[] = {25, 26, 28, 29, 31, 32, 33, 34};
 
 struct Lettered {
@@ -68,7 +69,7 @@ struct Lettered {
     std::string_view key;
 };
 
-// Keys that are sent as CSI letter, CSI 1 ; modifiers letter, or SS3 letter.
+// Keys that a terminal sends as CSI letter, CSI 1 ; modifiers letter, or SS3 letter.
 constexpr Lettered kLettered[] = {{'A', "Up"},      {'B', "Down"}, {'C', "Right"},   {'D', "Left"},
                                   {'E', "Keypad5"}, {'F', "End"},  {'G', "Keypad5"}, {'H', "Home"},
                                   {'P', "F1"},      {'Q', "F2"},   {'R', "F3"},      {'S', "F4"}};
@@ -80,7 +81,7 @@ constexpr Lettered kKeypad[] = {
     {'s', "Keypad3"},       {'t', "Keypad4"},      {'u', "Keypad5"},        {'v', "Keypad6"},   {'w', "Keypad7"},
     {'x', "Keypad8"},       {'y', "Keypad9"}};
 
-// Numbers in the kitty protocol of modifiers that are pressed alone.
+// Numbers that the kitty protocol uses for modifier keys that are pressed alone.
 constexpr Numbered kLoneModifiers[] = {{57441, "Shift"}, {57442, "Control"}, {57443, "Alt"},
                                        {57447, "Shift"}, {57448, "Control"}, {57449, "Alt"}};
 
@@ -101,8 +102,8 @@ std::string_view key_of(const Rows& rows, unsigned number) {
     return {};
 }
 
-// Puts the modifiers before the key in the order that the window uses. A modifier that the name already contains is not
-// repeated.
+// Returns the name of the key with the modifiers before it, in the order that the window uses. Does not repeat a
+// modifier that `key` already contains.
 std::string with_modifiers(std::string_view key, unsigned modifiers) {
     if (key.empty()) return {};
     constexpr std::string_view kShifted = "Shift+";
@@ -125,7 +126,8 @@ std::size_t length_of_character(unsigned char first) {
     return 0;
 }
 
-// Returns the numbers of a sequence. A missing number is 0. If a number has parts ("97:65"), the first part counts.
+// Returns the numbers of a sequence, which semicolons separate. A missing number is 0. If a number has parts ("97:65"),
+// returns the first part.
 std::vector<unsigned> numbers_of(std::string_view text) {
     std::vector<unsigned> numbers;
     while (true) {
@@ -138,7 +140,8 @@ std::vector<unsigned> numbers_of(std::string_view text) {
     }
 }
 
-// Returns the kind of event, which follows the colon after the modifiers: 3 in "1;5:3". 1 is a press.
+// Returns the kind of event, which is the number after the colon that follows the modifiers: 3 in "1;5:3". The kind 1,
+// a press, is the default.
 unsigned event_of(std::string_view parameters) {
     const std::size_t colon = parameters.find(':', std::min(parameters.find(';'), parameters.size()));
     unsigned event = 1;
@@ -161,7 +164,7 @@ std::string_view sign_key(std::string_view text) {
 
 TerminalKeyboard terminal_keyboard(std::string_view language, std::string_view terminal, char erase) {
     TerminalKeyboard keyboard;
-    // The slash and the equals sign are empty, because they have keys of their own.
+    // The characters that are keys of their own, the slash and the equals sign, are empty here.
     if (language == "de") keyboard.shifted_digits = {"", "!", "\"", "§", "$", "%", "&", "", "(", ")"};
     keyboard.erase = erase;
     keyboard.rxvt_functions = terminal.starts_with("rxvt");
@@ -198,8 +201,8 @@ void KeyDecoder::take_held(std::vector<TerminalInput>& done, bool nothing_follow
 bool KeyDecoder::paste_step(std::vector<TerminalInput>& done) {
     const std::size_t escape = held_.find(kEscape);
     if (escape != 0) {
-        // If the text ends in an incomplete character, it waits for the remaining bytes, unless they can no longer
-        // come.
+        // If the text ends in an incomplete UTF-8 character, keep its bytes until the remaining bytes arrive. Do not
+        // wait if an Escape follows, because then they can no longer arrive.
         std::size_t end = std::min(escape, held_.size());
         for (std::size_t back = 1; escape == std::string::npos && back <= std::min<std::size_t>(3, end); ++back) {
             const auto byte = static_cast<unsigned char>(held_[end - back]);
@@ -218,7 +221,7 @@ bool KeyDecoder::paste_step(std::vector<TerminalInput>& done) {
         return true;
     }
     if (kPasteEnds.starts_with(held_)) return false;
-    // Terminals remove Escape from pasted text, so the end mark of the paste was lost. This Escape begins a key.
+    // Terminals remove Escape from pasted text, so this Escape begins a key, and the mark that ends the paste was lost.
     pasting_ = false;
     return true;
 }
@@ -238,13 +241,14 @@ KeyDecoder::Step KeyDecoder::escape_step(std::string_view bytes, bool nothing_fo
         behind = control_step(bytes);
         if (behind.bytes > 0) return behind;
         if (!nothing_follows) return {};
-        // Two bytes are Alt with the second character as a key. A longer sequence was cut off and is skipped.
+        // If nothing follows these two bytes, the person pressed Alt with the second character. A longer sequence was
+        // cut off, so skip it.
         if (bytes.size() > 2) return {bytes.size(), {}};
         return {2, {with_modifiers(bytes[1] == '[' ? "LeftBracket" : "O", bytes[1] == '[' ? kAlt : kAlt | kShift), {}}};
     }
     behind = step(bytes.substr(1), nothing_follows);
     if (behind.bytes == 0) return {};
-    // Two Escapes with nothing after them are two presses of Escape.
+    // Two Escapes with nothing after them are two presses of Escape, so return the first alone.
     if (behind.input.key == "Escape" || behind.input.pasted) return alone;
     if (behind.input.key.empty()) return {1 + behind.bytes, {}};
     std::string key = behind.input.key;
@@ -274,7 +278,7 @@ KeyDecoder::Step KeyDecoder::control_step(std::string_view bytes) const {
     while (end < bytes.size() && bytes[end] >= 0x30 && bytes[end] <= 0x3F) ++end;
     const std::string_view parameters = bytes.substr(2, end - 2);
     const bool plain_number = !parameters.empty() && parameters.find_first_not_of("0123456789") == std::string::npos;
-    // rxvt ends the sequence of a key with Shift in $. Other terminals use that character only for intermediate bytes
+    // If a key is pressed with Shift, rxvt ends its sequence in $. Other terminals use $ only as an intermediate byte
     // before the final letter.
     const bool rxvt_shift = plain_number && end < bytes.size() && bytes[end] == '$';
     while (!rxvt_shift && end < bytes.size() && bytes[end] >= 0x20 && bytes[end] <= 0x2F) ++end;
@@ -282,11 +286,11 @@ KeyDecoder::Step KeyDecoder::control_step(std::string_view bytes) const {
     if (end == bytes.size()) return {};
     const char last = bytes[end];
     const std::size_t used = end + 1;
-    // A byte that cannot be part of a sequence ends it, and is decoded separately.
+    // A byte that cannot be part of a sequence ends the sequence. The byte is then decoded separately.
     if (!rxvt_shift && (last < 0x40 || last > 0x7E)) return {end, {}};
     const std::vector<unsigned> numbers = numbers_of(parameters);
     unsigned modifiers = modifiers_of(numbers, 1);
-    // If a key ends in a letter, some terminals send the modifiers as its only number.
+    // For a key whose sequence ends in a letter, some terminals send the modifiers as the only number of the sequence.
     if (numbers.size() == 1 && !key_of(kLettered, last).empty()) modifiers = modifiers_of(numbers, 0);
     if (parameters.find_first_of("<=>?") != std::string_view::npos || event_of(parameters) == 3) return {used, {}};
 
@@ -306,7 +310,7 @@ KeyDecoder::Step KeyDecoder::control_step(std::string_view bytes) const {
     return named(used, key_of(kLettered, last), modifiers);
 }
 
-// Decodes a key whose sequence contains the code of its character.
+// Decodes a key whose sequence contains `code`, the code of the key's character.
 KeyDecoder::Step KeyDecoder::coded_step(std::size_t used, unsigned code, unsigned modifiers) const {
     if (const std::string_view alone = key_of(kLoneModifiers, code); !alone.empty()) return named(used, alone, 0);
     if (code == 27) return named(used, "Escape", modifiers);
@@ -317,7 +321,8 @@ KeyDecoder::Step KeyDecoder::coded_step(std::size_t used, unsigned code, unsigne
             {with_modifiers(typed.input.key, modifiers), modifiers == 0 ? typed.input.text : std::string{}, false}};
 }
 
-// Decodes a key whose sequence contains its number. `last` is the character that ends the sequence.
+// Decodes a key whose sequence contains `number`, the number of the key. `last` is the character that ends the
+// sequence.
 KeyDecoder::Step KeyDecoder::numbered_step(std::size_t used, char last, unsigned number, unsigned modifiers) const {
     unsigned held = modifiers;
     if (last == '^' || last == '@') held |= kControl;

@@ -1,10 +1,11 @@
-// Turns the bytes from a terminal into names of keys and text. It is a pure state machine, without a clock or a
-// terminal. It knows the sequences of xterm and its successors (VTE, kitty, tmux), VT220, the Linux console and rxvt,
-// UTF-8 text, and bracketed paste. The names are those of the window (app/window/keys.h): "Control+Up", "Shift+5".
+// Converts the bytes from a terminal into names of keys and text. It is a pure state machine, without a clock or a
+// terminal. It decodes the sequences of xterm and its successors (VTE, kitty, tmux), VT220, the Linux console and rxvt,
+// UTF-8 text, and bracketed paste. The names of keys are those of the window (app/window/keys.h): "Control+Up",
+// "Shift+5".
 //
-// A terminal reports characters and not keys. A letter is therefore the key with that letter, regardless of its place.
-// Shift with a digit is recognised by the character that it types on the keyboard of a language. Terminals never report
-// that a key was released. They report modifiers alone only if they use the kitty protocol.
+// A terminal reports characters and not keys. So a letter names a key, wherever that key is on the keyboard. Shift with
+// a digit is recognised by the character that it types on the keyboard of a language. Terminals never report that a key
+// was released. They report modifiers alone only if they use the kitty protocol.
 //
 // Sources: ECMA-48; XTerm Control Sequences (T. Dickey), PC-Style Function Keys; console_codes(4); urxvt(7); the
 // keyboard protocol of kitty.
@@ -27,28 +28,28 @@ struct TerminalInput {
 };
 
 struct TerminalKeyboard {
-    // The characters that Shift with the digits 0 to 9 types. If an entry is empty, that character has a key of its
-    // own.
+    // The characters that Shift with the digits 0 to 9 types. An entry is empty if its character is a key of its own.
     std::array<std::string_view, 10> shifted_digits{")", "!", "@", "#", "$", "%", "^", "&", "*", "("};
     char erase = '\x7f';          // the character that Backspace sends (VERASE in termios)
     bool rxvt_functions = false;  // CSI 25 ~ is Shift+F3, as in rxvt; otherwise it is Shift+F1, as on the Linux console
 };
 
-// Returns the keyboard of a person who is spoken to in `language`, such as "de". `terminal` is the kind of terminal
-// (TERM), and `erase` its erase character.
+// Returns the keyboard of a person to whom the program speaks `language`, such as "de". `terminal` is the kind of
+// terminal (TERM), and `erase` its erase character.
 TerminalKeyboard terminal_keyboard(std::string_view language, std::string_view terminal, char erase);
 
 class KeyDecoder {
 public:
     explicit KeyDecoder(const TerminalKeyboard& keyboard = {}) : keyboard_(keyboard) {}
 
-    // Returns the inputs that these bytes complete, in their order. Unknown sequences, and bytes that are not UTF-8,
-    // are skipped.
+    // Returns the inputs that these bytes complete, in their order. Skips unknown sequences, and bytes that are not
+    // UTF-8.
     std::vector<TerminalInput> take(std::string_view bytes);
-    // Returns true while the decoder holds the beginning of an input, such as an Escape. It is the key Escape if
-    // nothing follows at once.
+    // Returns true while the decoder holds the beginning of an input, such as an Escape. If nothing follows at once,
+    // that Escape is the key Escape.
     bool waits() const { return !held_.empty() && !pasting_; }
-    // Call this function if nothing has followed in time. Returns the inputs that the held bytes mean as they are.
+    // Call this function if no bytes have followed in time. Returns the inputs that the held bytes stand for if nothing
+    // follows them.
     std::vector<TerminalInput> time_out();
 
 private:
@@ -64,7 +65,8 @@ private:
     Step numbered_step(std::size_t used, char last, unsigned number, unsigned modifiers) const;
     static Step named(std::size_t used, std::string_view key, unsigned modifiers);
     Step character_step(std::string_view bytes) const;
-    // Decodes the text of a paste. Returns false if all held bytes may be part of the mark that ends the paste.
+    // Decodes the text of a paste. Returns false if more bytes are needed: the held bytes may be the beginning of a
+    // character, or of the mark that ends the paste.
     bool paste_step(std::vector<TerminalInput>& done);
 
     TerminalKeyboard keyboard_;

@@ -69,7 +69,7 @@ LineEditor::Reply LineEditor::take_text(std::string_view text) {
         reply.lines.push_back(std::exchange(text_, {}));
         reply.echo += '\n';
     }
-    // If the pasted text ends in a line end, it completes the line, as Enter does.
+    // If the pasted text ends in a line end, that line end completes the line, as Enter does.
     if (!reply.lines.empty() && text_.empty()) open_ = false;
     return reply;
 }

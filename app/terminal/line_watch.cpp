@@ -96,8 +96,8 @@ void LineWatch::run() {
         }
         if (waits) continue;
         for (std::string& line : input_.take()) {
-            // The mutex stays locked while the line acts. So a caller who takes lines afterwards finds none from before
-            // that line.
+            // Keep the mutex locked while `at_once_` carries out the line. Then a caller of take() never receives lines
+            // from before that line afterwards.
             const std::lock_guard guard(mutex_);
             if (at_once_(line)) {
                 lines_.clear();

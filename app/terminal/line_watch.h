@@ -14,12 +14,12 @@
 
 namespace handrail::terminal {
 
-// Reads lines from a file descriptor without ever waiting. It does not own the descriptor.
+// Reads lines from a file descriptor without ever waiting. Does not own the descriptor.
 class LineInput {
 public:
     explicit LineInput(int descriptor) : descriptor_(descriptor) {}
-    // Returns the lines that have arrived since the last call, without their line ends. Reads at most kBytesAtOnce; the
-    // rest can still be read later. A line longer than 4096 bytes is split after that length.
+    // Returns the lines that have arrived since the last call, without their line ends. Reads at most kBytesAtOnce; a
+    // later call reads the rest. A line longer than 4096 bytes is split after that length.
     std::vector<std::string> take();
     bool ended() const { return ended_; }  // true at the end of the input or after an error: no more lines will come
 
@@ -31,15 +31,15 @@ private:
     bool ended_ = false;
 };
 
-// Reads lines on a separate thread. So a line that must act at once does so, even while the app thread is busy.
+// Reads lines on a separate thread. So a line that must act at once acts even while the app thread is busy.
 class LineWatch {
 public:
-    // What happens if kMostWaiting or more lines have not been taken yet. `Waits`, for a script: the rest stays in its
-    // pipe or file. `Loses`, for a person who types or lets a key repeat: further lines are lost, but lines that must
-    // act at once still do.
+    // What happens to further lines while kMostWaiting or more lines are waiting. `Waits`, for a script: they stay in
+    // the pipe or file. `Loses`, for a person who types or lets a key repeat: they are lost, except that lines that
+    // must act at once still act.
     enum class WhenFull { Waits, Loses };
-    // `at_once` is called on the thread of this object with each line as it arrives. If it returns true, it has carried
-    // out the line, and all lines before it must be dropped.
+    // Calls `at_once` on the thread of this object with each line as it arrives. If `at_once` returns true, it has
+    // carried out the line, and all lines before that line must be dropped.
     LineWatch(int descriptor, WhenFull when_full, std::function<bool(std::string_view)> at_once);
     ~LineWatch();
     LineWatch(const LineWatch&) = delete;
@@ -48,7 +48,7 @@ public:
     // App thread: returns at most `most` lines. Sets `emptied` if lines that an earlier call returned must not be
     // carried out any more.
     std::vector<std::string> take(bool& emptied, std::size_t most = kMostWaiting);
-    // Returns true if no lines will come other than those that still wait to be taken.
+    // Returns true if no lines will arrive any more. Some may still be waiting for take().
     bool ended() const { return ended_.load(std::memory_order_acquire); }
 
     static constexpr std::size_t kMostWaiting = 1024;
@@ -58,7 +58,7 @@ private:
     void wake();
     bool is_full();
 
-    LineInput input_;  // only the thread of this object uses it
+    LineInput input_;  // used only by the thread of this object
     int descriptor_;
     WhenFull when_full_;
     std::function<bool(std::string_view)> at_once_;

@@ -15,8 +15,8 @@
 namespace handrail::terminal {
 namespace {
 
-// Data for the signal handlers. The program writes them before it sets `is_taken`, and only reads them while that is
-// set.
+// Data for the signal handlers. The program writes `held` before it sets `is_taken`, and only reads it while `is_taken`
+// is set.
 struct Held {
     int input = -1, output = -1;
     termios before{}, raw{};
@@ -25,8 +25,8 @@ Held held;
 std::atomic<bool> is_taken{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-// Signals that end a program by default. If a session handles (EndSignals) or ignores one of them, RawTerminal does not
-// change that.
+// Signals that end a program by default. If the process already handles one of them (EndSignals) or ignores it,
+// RawTerminal does not change that.
 constexpr std::array kEnding{SIGHUP,  SIGINT,  SIGQUIT, SIGILL,  SIGTRAP, SIGABRT,   SIGBUS,  SIGFPE,  SIGSEGV, SIGSYS,
                              SIGPIPE, SIGALRM, SIGTERM, SIGUSR1, SIGUSR2, SIGVTALRM, SIGPROF, SIGXCPU, SIGXFSZ};
 std::array<struct sigaction, kEnding.size()> ending_before;
@@ -39,14 +39,14 @@ alignas(16) std::array<char, 65536> spare_stack;
 
 constexpr std::string_view kMarkPastes = "\x1b[?2004h", kMarkNoPastes = "\x1b[?2004l";
 
-// Returns whether the program is in the foreground of the terminal. In the background, the terminal's modes belong to
-// the shell, and changing them would stop this process. A negative group means that there is no job control.
+// Returns true if the program is in the foreground of the terminal. In the background, the terminal's modes belong to
+// the shell, and changing them would stop this process. A negative process group means that there is no job control.
 bool is_ours(int terminal) {
     const pid_t foreground = ::tcgetpgrp(terminal);
     return foreground < 0 || foreground == ::getpgrp();
 }
 
-// Writes text to the terminal without waiting. If the terminal accepts nothing, the text is dropped.
+// Writes text to the terminal without waiting. Drops the text if the terminal cannot accept it at once.
 void write_if_ready(std::string_view text) {
     pollfd ready{held.output, POLLOUT, 0};
     if (::poll(&ready, 1, 0) != 1 || (ready.revents & POLLOUT) == 0) return;
@@ -115,8 +115,8 @@ bool ends_by_default(int signal) {
     return ::sigaction(signal, nullptr, &now) == 0 && (now.sa_flags & SA_SIGINFO) == 0 && now.sa_handler == SIG_DFL;
 }
 
-// Returns whether the signal reports a crash. Crashes are handled even if another handler exists, such as a
-// sanitizer's. That handler is called after this one.
+// Returns true if the signal reports a crash. RawTerminal handles crashes even if another handler exists, such as a
+// sanitizer's. That other handler is called after on_ending.
 bool is_crash(int signal) {
     return signal == SIGSEGV || signal == SIGBUS || signal == SIGFPE || signal == SIGILL || signal == SIGABRT ||
            signal == SIGTRAP || signal == SIGSYS;
@@ -159,7 +159,7 @@ std::unique_ptr<RawTerminal> RawTerminal::take(int input, int output) {
     held = {input, output, before, before};
     held.raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO | ECHONL | IEXTEN);
     held.raw.c_lflag |= ISIG;
-    // Enter arrives as CR, Ctrl+S and Ctrl+Q are keys, and all eight bits of a character arrive.
+    // Enter arrives as CR, Ctrl+S and Ctrl+Q arrive as keys, and all eight bits of each byte arrive.
     held.raw.c_iflag &= ~static_cast<tcflag_t>(ICRNL | INLCR | IGNCR | IXON | ISTRIP);
     held.raw.c_cc[VMIN] = 1;
     held.raw.c_cc[VTIME] = 0;
@@ -180,8 +180,8 @@ std::unique_ptr<RawTerminal> RawTerminal::take(int input, int output) {
 RawTerminal::RawTerminal() = default;
 
 RawTerminal::~RawTerminal() {
-    // Discard keys that were meant for this program, so that the shell does not receive them: Up and Enter would repeat
-    // its last command.
+    // Discard keys that the person meant for this program. Otherwise the shell would receive them, and Up and Enter
+    // would repeat the shell's last command.
     if (is_ours(held.input)) ::tcflush(held.input, TCIFLUSH);
     give_back();
     is_taken.store(false, std::memory_order_release);

@@ -1,9 +1,9 @@
-// A terminal that delivers each key at once, without waiting for the end of a line and without echo, as long as this
-// object exists. Ctrl+C, Ctrl+Z and Ctrl+\ still send signals.
+// Switches a terminal to raw mode while this object exists: each key arrives at once, without waiting for the end of a
+// line and without echo. Ctrl+C, Ctrl+Z and Ctrl+\ still send signals.
 //
 // However the program ends, the terminal is restored: by the destructor, at exit(), and by a signal that ends the
 // program, including a crash. If Ctrl+Z stops the program, the terminal is restored. When the program continues in the
-// foreground, it takes the terminal again. The code in signal handlers is async-signal-safe. No program can catch
+// foreground, the terminal returns to raw mode. The code in signal handlers is async-signal-safe. No program can catch
 // SIGKILL; `reset` or `stty sane` then helps.
 //
 // Only one such object can exist in the process. If the stack of the thread that constructed the object overflows, the

@@ -42,7 +42,8 @@ std::vector<TimedInput> TerminalKeys::take(bool& emptied) {
 
 void TerminalKeys::add(std::vector<TerminalInput> inputs) {
     const double now_s = clock_.now_s();
-    // The mutex stays locked while a key acts. So a caller who takes keys afterwards finds none from before that key.
+    // Keep the mutex locked while `at_once` acts on a key. Then a caller of take() never receives keys from before that
+    // key afterwards.
     const std::lock_guard guard(mutex_);
     for (TerminalInput& input : inputs) {
         if (!input.key.empty() && at_once_(input.key)) {

@@ -1,5 +1,5 @@
-// Reads the keys of a terminal on a separate thread. So a key that must act at once does so, even while the app thread
-// is busy.
+// Reads the keys of a terminal on a separate thread. So a key that must act at once acts even while the app thread is
+// busy.
 #pragma once
 
 #include <atomic>
@@ -23,14 +23,14 @@ struct TimedInput {
 
 class TerminalKeys {
 public:
-    // How long an Escape waits for further bytes that would make it a sequence.
+    // How long the thread waits after an Escape for further bytes, which would make it the beginning of a sequence.
     static constexpr double kEscapeAlone_s = 0.1;
     // Most inputs that can wait. A person who holds a key down never reaches this number; further input is lost.
     static constexpr std::size_t kMostWaiting = 1024;
 
     // Reads `descriptor`, a terminal that delivers keys at once (RawTerminal). The descriptor and the clock must
-    // outlive this object. `at_once` is called on the thread of this object with the name of each key as it arrives. If
-    // it returns true, the key has acted, and all input before it must be dropped.
+    // outlive this object. Calls `at_once` on the thread of this object with the name of each key as it arrives. If
+    // `at_once` returns true, it has acted on the key, and all input before that key must be dropped.
     TerminalKeys(int descriptor, const TerminalKeyboard& keyboard, Clock& clock,
                  std::function<bool(const std::string&)> at_once);
     ~TerminalKeys();
@@ -48,7 +48,7 @@ private:
     int descriptor_;
     Clock& clock_;
     std::function<bool(const std::string&)> at_once_;
-    KeyDecoder decoder_;  // only the thread of this object uses it
+    KeyDecoder decoder_;  // used only by the thread of this object
     Descriptor wake_;
     std::mutex mutex_;  // guards waiting_ and emptied_
     std::deque<TimedInput> waiting_;

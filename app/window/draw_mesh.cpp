@@ -7,7 +7,8 @@
 namespace handrail::window {
 namespace {
 
-// Points on one line may be this far apart: far above the rounding of file coordinates, far below what is visible.
+// Greatest distance of points from a line on which they are. It is far above the rounding of file coordinates, and far
+// too small to be visible.
 constexpr double kSameLine_m = 1e-4;
 constexpr double kAngleCell_rad = 1e-3;
 constexpr double kOffsetCell_m = 1e-3;
@@ -84,7 +85,8 @@ private:
         const std::int64_t angles = std::llround(kPi / kAngleCell_rad);
         std::int64_t angle = std::llround(angle_rad / kAngleCell_rad) + d_angle;
         double offset = offset_m;
-        // Beyond either end of the range of angles, the direction of the line reverses.
+        // Angles of lines repeat after pi, but with the opposite direction. So an angle outside the range moves to the
+        // other end, and the offset changes its sign.
         if (angle < 0 || angle >= angles) {
             angle += angle < 0 ? angles : -angles;
             offset = -offset;
@@ -94,7 +96,7 @@ private:
 
     static void cover(const PlaneEdge& edge, const PlaneEdge& other, std::vector<std::pair<double, double>>& covered) {
         const double turned = std::abs(edge.angle_rad - other.angle_rad) > kPi / 2 ? -1.0 : 1.0;
-        // The other piece is on the same side of the line, so it does not continue the surface.
+        // The other piece is on the same side of the edge, so the surface does not continue there.
         if (edge.forward == (other.forward == (turned > 0.0))) return;
         const Vec3 along = (edge.b_m - edge.a_m) / glm::distance(edge.a_m, edge.b_m);
         for (const Vec3& p : {other.a_m, other.b_m}) {
@@ -154,8 +156,8 @@ public:
             if (both_sides) indices.insert(indices.end(), {first, first + i + 1, first + i});
         }
 
-        // Two coplanar pieces can have different keys because of rounding. A line is then drawn between them, which
-        // does no harm.
+        // Because of rounding, two coplanar pieces can have different keys. A line is then drawn between them, which is
+        // harmless.
         const Vec3 local = points.front() - mesh_.origin_m;
         const auto rounded = [](double value) { return std::llround(value * 1000.0); };
         const auto key = std::tuple(feature.value, rounded(normal.x), rounded(normal.y), rounded(normal.z),
@@ -230,7 +232,7 @@ DrawLook look_of(FeatureKind kind, SolidRole role, const Vec3& normal) {
     if (normal.z < -0.9) return {grey(object ? 0.30 : 0.36), DrawPattern::Plain, false};
     if (normal.z > 0.2) return {{56, 66, 90}, DrawPattern::Plain, false};
     // Walls that face east and west are lighter than those that face north and south. So the corner between two walls
-    // is visible without its outline.
+    // is visible even without an outline.
     const double level = 0.64 + 0.14 * std::abs(normal.x);
     if (!object) return {grey(level), DrawPattern::Plain, false};
     return {{static_cast<std::uint8_t>(std::lround(255.0 * (level + 0.15))),

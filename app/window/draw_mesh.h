@@ -1,6 +1,6 @@
 // Converts a Scene to data for the graphics card: triangles, outlines and the brightness of each surface. These pure
-// functions run once for each scene, on any thread. Kinds of surface differ in luminance or pattern, never in hue
-// alone, so that people with any colour vision can tell them apart.
+// functions run once for each scene, on any thread. Kinds of surface always differ in luminance or pattern, and not
+// only in hue, so that people with any colour vision can tell them apart.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ struct DrawLook {
 // a distance of 128 m, neighbouring values differ by 0.008 mm.
 struct DrawVertex {
     std::array<float, 3> position_m;  // position relative to DrawMesh::origin_m
-    std::array<float, 2> surface_m;   // position on the surface's own axes, for patterns
+    std::array<float, 2> surface_m;   // position in the axes of the surface, for patterns
     std::array<std::uint8_t, 3> rgb;
     DrawPattern pattern;
 };
@@ -45,7 +45,7 @@ struct DrawMesh {
     Vec3 origin_m{0.0};
     std::vector<DrawVertex> vertices;
     std::vector<std::uint32_t>
-        // Corners of triangles as vertex indices, counter-clockwise as seen from outside; sheets have triangles for
+        // Corners of triangles as vertex indices, counter-clockwise as seen from outside. Sheets have triangles for
         // both sides.
         opaque;
     std::vector<std::uint32_t> translucent;  // corners of triangles that are visible from both sides; drawn last
@@ -57,10 +57,10 @@ struct DrawMesh {
 // between. Liquids have slanted stripes and are translucent.
 DrawLook look_of(FeatureKind kind, SolidRole role, const Vec3& normal);
 
-// Returns the perceived luminance, 0 to 255. It uses the weights of ITU-R BT.709 on the encoded values.
+// Returns the perceived luminance, 0 to 255: the encoded values weighted as in ITU-R BT.709.
 double luminance(const std::array<std::uint8_t, 3>& rgb);
 
-// Makes the mesh. Leaves out volumes without a visible surface, such as triggers and clips. Outlines are drawn at the
+// Makes the mesh. Leaves out volumes without a visible surface, such as triggers and clips. Draws outlines at the
 // borders of surfaces, but not where two pieces of one feature meet in one plane. Takes about 25 ms for a map of 7,000
 // polygons. `drawn` selects the features; an empty function selects all.
 DrawMesh build_draw_mesh(const Scene& scene, const std::function<bool(FeatureId)>& drawn = {});

@@ -14,7 +14,8 @@ constexpr ImU32 kWallColour = IM_COL32(200, 200, 200, 255);
 
 ImVec2 im(const Vec2& p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
-// Returns indices into ViewState::rooms of the rooms on the storey, the smallest first, but the current room last.
+// Returns the rooms on the storey as indices into ViewState::rooms. The smallest comes first, except that the current
+// room is the last.
 std::vector<std::size_t> rooms_of_storey(const core::ViewState& view) {
     std::vector<std::size_t> rooms;
     if (!view.rooms) return rooms;
@@ -31,8 +32,8 @@ std::vector<std::size_t> rooms_of_storey(const core::ViewState& view) {
 }
 
 // Draws the name of each room white on black in the middle of the room. The name of the current room is inverted. If
-// names would cover each other or the walker, a name moves up or down or becomes smaller. If that does not suffice, a
-// name is left out, but never that of the current room. Larger rooms come first.
+// names would cover each other or the walker, a name moves up or down or becomes smaller. If that does not suffice, the
+// name is left out, except that of the current room. Names of larger rooms are placed first.
 void draw_room_names(ImDrawList& list, ImFont& font, const PlanLayout& layout, const core::ViewState& view,
                      float unit_px) {
     const std::vector<std::size_t> rooms = rooms_of_storey(view);
@@ -155,7 +156,7 @@ void PlanDrawing::draw(const core::ViewState& view, ImFont& font, PixelSize pict
     const PlanLayout layout = lay_out_plan(view.scene->bounds_m, view.feet_m, view.heading_rad, view.north_up, box);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.PushClipRect({0.0F, 0.0F}, im(box.max_px));
-    // Cut the plan again after a step up or down, but not after each of the small height changes on a slope.
+    // Compute the plan's cut again after a step up or down, but not after each of the small height changes on a slope.
     if (!cut_ || std::abs(cut_->feet_height_m - view.feet_m.z) > 0.1) cut(view);
     for (const plan::PlanShape& shape : cut_->shapes) draw_shape(list, layout, shape);
     const auto where_free = [&](std::size_t thing) -> std::optional<Placement> {
@@ -236,8 +237,8 @@ void PlanDrawing::draw_shape(ImDrawList& list, const PlanLayout& layout, const p
     }
 }
 
-// Draws the outlines of the rooms on the storey. The outline of the current room is drawn last and three times as
-// thick. It is white on black, like everything important on the plan.
+// Draws the outlines of the rooms on the storey. Draws the outline of the current room last and three times as thick.
+// All outlines are white on black, like everything important on the plan.
 void PlanDrawing::draw_room_outlines(ImDrawList& list, const PlanLayout& layout, const core::ViewState& view,
                                      float unit_px) {
     for (const std::size_t r : rooms_of_storey(view)) {

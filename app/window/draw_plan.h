@@ -30,7 +30,7 @@ private:
     void draw_hatch(ImDrawList& list, const Aabb& bounds_px);
 
     std::optional<plan::PlanCut> cut_;  // the cut without freely moving bodies
-    std::vector<bool> free_;      // for each thing of Scene::placed: whether it moves freely; empty: not known yet
+    std::vector<bool> free_;      // for each thing in Scene::placed: true if it moves freely; empty: not known yet
     std::vector<ImVec2> points_;  // corners of the current shape
 };
 

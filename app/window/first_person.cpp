@@ -10,10 +10,10 @@ namespace {
 
 constexpr double kFieldOfView_rad = kPi / 3.0;  // vertical field of view
 constexpr double kNear_m = 0.02;
-// Smallest radius of the ball as a fraction of its distance. So the ball of 5 mm at the proxy stays visible across a
-// room.
+// Smallest radius of the drawn ball as a fraction of its distance. So the ball at the proxy, whose radius is 5 mm,
+// stays visible across a room.
 constexpr double kSmallestBallPart = 0.02;
-// Width of an outline as a fraction of the picture's height. Its white core takes a third of the width.
+// Width of an outline as a fraction of the picture's height. The white core of the outline is a third of this width.
 constexpr float kEdgePart = 1.0F / 100.0F;
 
 constexpr const char* kSurfaceVertex = R"(#version 330 core
@@ -129,7 +129,7 @@ void main() {
     }
 })";
 
-// A mesh to draw, its rotation about its origin, and the position of that origin relative to the eye.
+// A mesh to draw, its rotation about its origin, and the position of its origin relative to the eye.
 struct Part {
     UploadedMesh* mesh;
     glm::mat3 turn;
@@ -193,7 +193,7 @@ void FirstPerson::draw(const core::ViewState& view, UploadedScene& scene, PixelS
     glDepthFunc(GL_LEQUAL);
     glDisable(GL_BLEND);
     glEnable(GL_CULL_FACE);
-    // The view is limited by the four sides of the picture and by the plane through the eyes.
+    // Choose what is visible: inside the four sides of the picture, and in front of the plane through the eyes.
     const double half_high = std::tan(0.5 * kFieldOfView_rad), half_wide = aspect * half_high;
     scene.building().choose(origin_from_eye, {forward, forward * half_wide - right, forward * half_wide + right,
                                               forward * half_high - up, forward * half_high + up});
@@ -238,7 +238,8 @@ void FirstPerson::draw_ball(const core::ViewState& view, const glm::mat4& clip_f
     ball_program_.set("clip_from_eye", clip_from_eye);
     ball_program_.set("centre_from_eye_m", glm::vec3(centre));
     ball_program_.set("radius_m", static_cast<float>(radius_m));
-    // Moves the ball in front of the surface on which it rests. A wall between the eye and the ball still hides it.
+    // Draw the ball nearer to the eye, so that the surface on which it rests does not hide it. A wall between the eye
+    // and the ball still hides the ball.
     ball_program_.set("pull", static_cast<float>(std::max(0.5, 1.0 - 2.0 * radius_m / std::max(distance_m, 1e-3))));
     ball_program_.set("right", glm::vec3(right));
     ball_program_.set("up", glm::vec3(up));

@@ -1,5 +1,5 @@
 // Draws the first-person view: surfaces, their outlines, the ball that shows the proxy, and translucent surfaces last.
-// The app thread uses it; its OpenGL context must be current.
+// Used by the app thread, on which an OpenGL context must be current.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -15,8 +15,8 @@ class FirstPerson {
 public:
     // Fails if the driver rejects a shader program.
     Result<void> start();
-    // Draws into a picture that begins `bottom_px` above the lower edge of the framebuffer. `scene` must be the scene
-    // of the view.
+    // Draws into a picture that begins `bottom_px` above the lower edge of the framebuffer. `scene` must be the
+    // uploaded scene of `view`.
     void draw(const core::ViewState& view, UploadedScene& scene, PixelSize picture, int bottom_px);
 
 private:

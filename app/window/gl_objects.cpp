@@ -13,7 +13,7 @@ Result<void> GlProgram::build(const char* vertex, const char* fragment) {
         glShaderSource(shader, 1, &text, nullptr);
         glCompileShader(shader);
         glAttachShader(name_, shader);
-        glDeleteShader(shader);  // frees the shader only together with the program
+        glDeleteShader(shader);  // marks the shader for deletion, which happens together with that of the program
     }
     glLinkProgram(name_);
     GLint linked = GL_FALSE;

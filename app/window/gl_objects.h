@@ -1,5 +1,5 @@
-// Classes that own objects of the graphics card: buffers, vertex arrays and programs. The app thread uses them; its
-// OpenGL context must be current.
+// Owns objects of the graphics card: buffers, vertex arrays and programs. Used by the app thread, on which an OpenGL
+// context must be current.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -14,7 +14,7 @@
 
 namespace handrail::window {
 
-// Owns one OpenGL name. When it is destroyed, the context must be current.
+// Owns one OpenGL name. The context must be current when the object is destroyed.
 class GlName {
 protected:
     GLuint name_ = 0;

@@ -1,6 +1,6 @@
-// Offers each key to a screen reader before the program acts on it. This class sends the request at once and fetches
-// the answer later, so the app's loop never waits for another program. Keys keep their order. If a reader does not
-// answer in time, the program acts on the key. App thread.
+// Offers each key to a screen reader before the program acts on the key. This class sends the request at once and
+// fetches the answer later, so the app's loop never waits for another program. Keys keep their order. If a reader does
+// not answer in time, the program acts on the key. App thread.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,8 @@ struct KeyStroke {
 enum class KeyVerdict { Waiting, Ours, Readers };
 
 struct KeyReader {
-    // Offers a key to the reader. Returns a ticket with which the answer can be fetched; 0: no reader listens.
+    // `offer` offers a key to the reader. It returns a ticket, with which `verdict` returns the reader's answer; 0: no
+    // reader listens.
     std::function<std::uint64_t(const KeyStroke&)> offer;
     std::function<KeyVerdict(std::uint64_t)> verdict;
 };
@@ -47,7 +48,7 @@ public:
     bool take_text(const std::string& utf8);
     // Returns the keys that were decided since the last call, in the order in which they were pressed.
     std::vector<Passed> decided(double now_s);
-    // Call this function when the window loses the keyboard. It drops all undecided keys.
+    // Call this function when the window loses the keyboard. Drops all undecided keys.
     void clear() { waiting_.clear(); }
 
 private:

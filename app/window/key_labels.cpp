@@ -52,7 +52,8 @@ std::map<int, int> keys_by_label(const KeyLabels& labels) {
     const auto give = [&](int key, int name) {
         if (!named.contains(key) && taken.insert(name).second) named[key] = name;
     };
-    // Try letters at their American places first. If two keys have the same label, the usual one then gets the letter.
+    // Try letters at their American places first. If two keys have the same label, the key at the letter's American
+    // place then gets the letter.
     for (int key = GLFW_KEY_A; key <= GLFW_KEY_Z; ++key)
         if (letter_of(label_of(labels, key)) == key) give(key, key);
     const auto by_label = [&](int key) {
@@ -60,7 +61,7 @@ std::map<int, int> keys_by_label(const KeyLabels& labels) {
     };
     for (int key = GLFW_KEY_A; key <= GLFW_KEY_Z; ++key) by_label(key);
     for (const auto& [key, sign] : kSigns) by_label(key);
-    // All other keys keep their places.
+    // A key whose label is no letter keeps its place, unless another key has already got that name.
     for (int key = GLFW_KEY_A; key <= GLFW_KEY_Z; ++key) give(key, key);
     for (const auto& [key, sign] : kSigns) give(key, key);
     for (const auto& [name, sign] : kSigns)

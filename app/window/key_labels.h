@@ -1,6 +1,6 @@
-// Finds which letter each key stands for. Letters act by the label of their key: Q is where a French keyboard has it,
-// which is the place of A on an American one. Digits and signs act by the place of their key. Pure functions, except
-// key_labels(), which belongs to GLFW's thread.
+// Finds which letter each key stands for. Letters act by the label of their key: on a French keyboard, the key labelled
+// A is Q's place on an American one, and acts as A. Digits and signs act by the place of their key. Pure functions,
+// except key_labels(), which must run on GLFW's thread.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace handrail::window {
 
-// For each key that types something, what it types without modifiers, in UTF-8. GLFW's key token, which stands for the
-// place of a key, is the map's key.
+// For each key that types something: the text that the key types without modifiers, in UTF-8. The map's key is GLFW's
+// key token, which stands for the place of the key on the keyboard.
 using KeyLabels = std::map<int, std::string>;
 
 // Returns the labels in the current keyboard layout.

@@ -1,5 +1,6 @@
-// Names of keys. Letters are found by the label of their key (key_labels.h), and all other keys by their place, because
-// GLFW derives the key token from the scancode. The names are those of settings files. Plain values; app thread.
+// Defines the names of keys. Letters are found by the label of their key (key_labels.h). All other keys are found by
+// their place, because GLFW derives the key token from the scancode. The names are those of settings files. Plain
+// values; app thread.
 #pragma once
 
 #include <optional>
@@ -20,21 +21,21 @@ struct KeyEvent {
     bool operator==(const KeyEvent&) const = default;
 };
 
-// Returns the name of a GLFW key token with GLFW's modifier bits. Returns nothing for a key that has no name. Lock keys
-// do not count as modifiers.
+// Returns the name of a GLFW key token with GLFW's modifier bits. Returns nothing for a key that has no name. Ignores
+// the bits of lock keys.
 std::optional<std::string> key_name(int glfw_key, int glfw_modifiers);
 
-// Turns raw keys into events. A release has the same name as its press, even if the modifiers changed in between.
-// Pressing Control, Shift or Alt gives no event. If such a key is released, and no other key or mouse button went down
-// in the meantime, it gives a press followed at once by a release. So Control+C never stops speech, but Control alone
-// does, even while a walking key is held.
+// Converts raw keys into events. A release has the same name as its press, even if the modifiers changed in between.
+// Pressing Control, Shift or Alt gives no event. Releasing such a key gives a press followed at once by a release,
+// unless another key or mouse button went down in the meantime. So Control+C never stops speech, but Control alone
+// stops it, even while a walking key is held.
 class KeyTracker {
 public:
     std::vector<KeyEvent> take(int glfw_key, int glfw_action, int glfw_modifiers);
     // Call this function when the person uses a mouse button or the wheel. A held modifier then belongs to that action.
     void other_input() { lone_modifier_ = 0; }
     // Call this function when the window loses the keyboard. Returns releases for all keys that are down. Modifiers
-    // that were down no longer count as pressed alone.
+    // that are down give no events when they are released later.
     std::vector<KeyEvent> let_go();
 
 private:

@@ -21,7 +21,7 @@ void put(ImDrawList& list, ImFont& font, float line_px, ImVec2 at, ImU32 colour,
     list.AddText(&font, line_px, at, colour, text.data(), text.data() + text.size());
 }
 
-// Shortens the text so that it fits on one line. Three dots show that something is left out.
+// Shortens the text so that it fits on one line. Adds three dots if something is left out.
 std::string cut_short(ImFont& font, float line_px, const std::string& text, float wrap_px) {
     if (width_of(font, line_px, text) <= wrap_px) return text;
     const auto lines = wrapped_lines(font, line_px, text, std::max(line_px, wrap_px - width_of(font, line_px, " ...")));
@@ -55,7 +55,7 @@ std::vector<std::string_view> wrapped_lines(ImFont& font, float line_px, const s
 #else
         const char* stop = font.CalcWordWrapPositionA(line_px / font.FontSize, at, end, wrap_px);
 #endif
-        if (stop == at) ++stop;  // not even one letter fits, so put one on the line anyway
+        if (stop == at) ++stop;  // not even one letter fits, so put one letter on the line in any case
         const char* newline = std::find(at, stop, '\n');
         lines.emplace_back(at, static_cast<std::size_t>(newline - at));
         at = newline < stop ? newline + 1 : stop;
@@ -69,7 +69,8 @@ ListWindow list_window(std::span<const std::size_t> lines, std::size_t at, std::
     contract_pre(at < lines.size());
     ListWindow window{at, 1};
     std::size_t used = lines[at];
-    // Add neighbours on alternate sides, beginning with the next item, until none fits on either side.
+    // Add neighbours of the current item on alternate sides, beginning with the next item, until none fits on either
+    // side.
     for (bool more = true; more;) {
         more = false;
         if (const std::size_t after = window.first + window.count;

@@ -1,6 +1,6 @@
 // Draws text in large letters for people with low vision: lines that fit into a width, and the open list or question.
-// Text is white on black. The chosen item is inverted and has a pointer, so that not only its colour marks it. Draws
-// into an ImGui draw list; no state. App thread.
+// Text is white on black. The chosen item is inverted and has a pointer, so that people need not rely on its colour.
+// Draws into an ImGui draw list; no state. App thread.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +17,8 @@ struct ImVec2;
 
 namespace handrail::window {
 
-// Splits `text` into lines that are no wider than `wrap_px` if letters are `line_px` high. It splits at blanks and at
-// line feeds. The lines are views into `text`.
+// Splits `text` into lines that are no wider than `wrap_px` if letters are `line_px` high. Splits at blanks and at line
+// feeds. The lines are views into `text`.
 std::vector<std::string_view> wrapped_lines(ImFont& font, float line_px, const std::string& text, float wrap_px);
 
 // The range of visible items of a list.
@@ -26,12 +26,13 @@ struct ListWindow {
     std::size_t first = 0, count = 0;
 };
 // Returns the visible items. `lines` contains the height of each item in lines, at least 1. The item `at` is always
-// visible, and so are its neighbours if there is space. A list that fits begins at its first item. Pure function: the
-// result depends only on the current item, not on the one before.
+// visible, and so are its neighbours if there is space. If the whole list fits, returns all items. Pure function: the
+// result does not depend on an earlier current item.
 ListWindow list_window(std::span<const std::size_t> lines, std::size_t at, std::size_t room_lines);
 
 // Draws the open list or question, so that it covers the box. Title and position ("2/7") are at the top. Arrows show
-// that there are more items beyond either end. A question shows the typed text, or only the end of it if it is long.
+// that there are more items beyond either end. A question also shows the typed text, or only the end of that text if it
+// is long.
 void draw_dialogue(ImDrawList& list, ImFont& font, const core::DialogueView& dialogue, ImVec2 min_px, ImVec2 max_px,
                    float line_px);
 

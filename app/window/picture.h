@@ -1,4 +1,4 @@
-// A picture of the window in memory, as a plain value.
+// Defines a picture of the window in memory, as a plain value.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // Computes which part of the storey around the walker is shown on the screen, and where. worlds/plan makes the plan
-// itself, and the renderer draws it with this layout. Pure functions.
+// itself, and draw_plan draws it with this layout. Pure functions.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct PixelBox {
 // Maps the world's x and y to pixels.
 struct PlanLayout {
     Vec2 centre_m{0.0};     // the point shown in the middle of the box
-    double turn_rad = 0.0;  // the heading that points up
+    double turn_rad = 0.0;  // the heading that points up on the screen
     double pixels_per_m = 1.0;
     PixelBox box;
 
@@ -23,17 +23,17 @@ struct PlanLayout {
     Vec2 to_pixels(const Vec3& world_m) const { return to_pixels(Vec2(world_m.x, world_m.y)); }
 };
 
-// Returns the layout. With north up, it shows the whole world if a metre is then at least kPlanFinest_px_per_m wide;
-// else the part around the feet, inside the world's bounds. With the heading up, the feet are in the middle.
-// Least size of a metre when the whole world is shown; a 0.2 m wall is then 3 pixels wide.
+// Least scale at which the whole world is shown; a wall of 0.2 m is then 3 pixels wide. lay_out_plan returns the
+// layout. With north up, it shows the whole world if the scale is then at least kPlanFinest_px_per_m; otherwise the
+// part around the feet, inside the world's bounds. With the heading up, the feet are in the middle.
 inline constexpr double kPlanFinest_px_per_m = 16.0;
 // Limits the scale, so that one wall of a small room does not fill a large window.
 inline constexpr double kPlanClosest_px_per_m = 100.0;
 PlanLayout lay_out_plan(const Aabb& bounds_m, const Vec3& feet_m, double heading_rad, bool north_up,
                         const PixelBox& box);
 
-// The length of the scale bar: 1, 2 or 5 times a power of ten, and at most `widest_px` wide on the screen. Its words
-// are "5 metres" or "50 centimetres".
+// A scale bar with a length of 1, 2 or 5 times a power of ten, which is at most `widest_px` wide on the screen. Its
+// words are "5 metres" or "50 centimetres".
 struct ScaleBar {
     double length_m = 1.0;
     std::string words;

@@ -22,8 +22,8 @@ namespace {
 
 constexpr float kFontBaked_px = 64.0F;
 
-// Loads a bold font with Latin letters from the folders in which Debian and related systems install it. If no such font
-// exists, ImGui's own small font is enlarged.
+// Loads a bold font with Latin letters from the folders in which Debian and related systems install such fonts. If
+// there is none, enlarges ImGui's own small font.
 ImFont* load_font(ImFontAtlas& atlas) {
     // Ranges of characters for the names in European buildings: Latin with its extensions, general punctuation, Greek
     // and Cyrillic.
@@ -36,7 +36,7 @@ ImFont* load_font(ImFontAtlas& atlas) {
         std::error_code none;
         if (!std::filesystem::is_regular_file(path, none)) continue;
         ImFontConfig config;
-        config.OversampleH = 1;  // off, because letters are rasterised at about the size in which they are shown
+        config.OversampleH = 1;  // off, because letters are rasterised at about the size at which they are shown
         config.OversampleV = 1;
         if (ImFont* font = atlas.AddFontFromFileTTF(path, kFontBaked_px, &config, kRanges.data())) return font;
     }
@@ -52,7 +52,7 @@ public:
         imgui_ = ImGui::CreateContext();
         ImGui::SetCurrentContext(imgui_);
         ImGuiIO& io = ImGui::GetIO();
-        io.IniFilename = nullptr;  // ImGui saves no file, because it would contain nothing that Handrail needs
+        io.IniFilename = nullptr;  // ImGui saves no settings file, because Handrail needs none of these settings
         font_ = load_font(*io.Fonts);
         if (!ImGui_ImplOpenGL3_Init("#version 330 core")) return fail(phrase("window.driver_no_text"));
         imgui_drawing_ = true;
@@ -86,8 +86,8 @@ public:
         const double line_px = kTextLinePart * size.height;
         const PixelSize picture{size.width,
                                 size.height - static_cast<int>(std::ceil(2.0 * line_px + 2.0 * margin_px(size)))};
-        // An open list or question replaces the picture, because a person who reads a list does not need the picture.
-        // The spoken sentence then gets only the two lines below the list.
+        // An open list or question covers the picture, because a person who reads a list does not need the picture. The
+        // spoken sentence is then drawn only in the two lines below the list.
         const bool open = view.dialogue.kind != core::DialogueView::Kind::None;
         if (open)
             draw_dialogue(*ImGui::GetForegroundDrawList(), *font_, view.dialogue, {0.0F, 0.0F},
@@ -115,7 +115,7 @@ private:
         list.AddRectFilled({0.0F, height - band_px}, {static_cast<float>(size.width), height}, IM_COL32(0, 0, 0, 255));
         for (std::size_t i = 0; i < shown; ++i) {
             std::string line(lines[i]);
-            // The rest of the sentence is only spoken and printed in the terminal.
+            // The three dots show that the sentence is longer; its end is only spoken and printed in the terminal.
             if (i + 1 == shown && shown < lines.size()) line += " ...";
             list.AddText(font_, line_px, {margin, height - band_px + margin + static_cast<float>(i) * line_px},
                          IM_COL32(255, 255, 255, 255), line.c_str());

@@ -1,6 +1,6 @@
 // Draws a ViewState with OpenGL 3.3 core into the current framebuffer: the first-person view, the plan, or the open
-// list or question. The last spoken line is below it in large letters on a black band. The class knows nothing of
-// windows and takes no input. The app thread uses it; its context must be current.
+// list or question. Below that, draws the last spoken line in large letters on a black band. The class uses no window
+// and receives no input. Used by the app thread, on which the context must be current.
 #pragma once
 
 #include <memory>
@@ -20,14 +20,14 @@ struct PixelSize {
 
 // Height of a line of text as a fraction of the picture's height, for people with low vision.
 inline constexpr double kTextLinePart = 1.0 / 12.0;
-// Greatest height of the band as a fraction of the picture's height. The band always takes at least two lines, so that
-// the picture does not move from one sentence to the next.
+// Greatest height of the band as a fraction of the picture's height. The band is always at least two lines high, so
+// that the picture does not move from one sentence to the next.
 inline constexpr double kLargestBandPart = 0.75;
 
 class Renderer {
 public:
-    // Makes a renderer. An OpenGL context of 3.3 or later must be current. Fails with a sentence if the driver lacks
-    // something.
+    // Makes a renderer. An OpenGL context of version 3.3 or later must be current. Fails with a sentence if the driver
+    // lacks something that the renderer needs.
     static Result<std::unique_ptr<Renderer>> create();
     // On destruction, the context that create() used must be current.
     ~Renderer();
@@ -35,7 +35,7 @@ public:
     Renderer& operator=(const Renderer&) = delete;
 
     // Draws the view. The first call with another scene uploads that scene (see build_draw_mesh). After that, a frame
-    // costs almost only time of the graphics card.
+    // costs hardly any processor time, because the graphics card does the work.
     void draw(const core::ViewState& view, PixelSize size);
 
     // Returns the picture in the read buffer of the current framebuffer.

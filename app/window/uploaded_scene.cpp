@@ -36,7 +36,8 @@ UploadedMesh::UploadedMesh(const DrawMesh& mesh) {
     glVertexAttribPointer(2, 3, GL_UNSIGNED_BYTE, GL_TRUE, stride, byte_offset(offsetof(DrawVertex, rgb)));
     glVertexAttribIPointer(3, 1, GL_UNSIGNED_BYTE, stride, byte_offset(offsetof(DrawVertex, pattern)));
 
-    // Store each edge four times. The vertex shader derives from the vertex number which of the four corners to make.
+    // Store each edge four times, once for each corner of the drawn line. The vertex shader derives from the vertex
+    // number which of these corners to compute.
     std::vector<DrawEdge> corners;
     std::vector<std::uint32_t> corner_indices;
     corners.reserve(4 * mesh.edges.size());

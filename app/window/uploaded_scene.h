@@ -1,5 +1,5 @@
-// A scene on the graphics card: triangles and outlines of the building, and separately those of each thing that moves
-// freely. Also chooses which parts a view may show. The app thread uses it; its context must be current.
+// Stores a scene on the graphics card: triangles and outlines of the building, and separately those of each thing that
+// moves freely. Also chooses which parts a view may show. Used by the app thread, on which the context must be current.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@ public:
 
     const Vec3& origin_m() const { return origin_m_; }
     double reach_m() const { return reach_m_; }  // greatest distance of a drawn point from the origin
-    // Chooses the chunks that the view may show, nearest first. The graphics card then need not paint what near walls
-    // hide.
+    // Chooses the chunks that the view may show, the nearest first. Near walls are then drawn first, so the graphics
+    // card need not paint what they hide.
     void choose(const Vec3& origin_from_eye_m, const std::array<Vec3, 5>& inward_normals);
     void choose_all();
     // draw_opaque and draw_edges draw the chunks that were chosen last.
@@ -52,7 +52,7 @@ public:
     const Scene* scene() const { return scene_.get(); }
     UploadedMesh& building() { return *building_; }
     double reach_m() const { return building_->reach_m(); }
-    // A thing that moves freely, at the place that the scene states for it.
+    // A thing that moves freely, uploaded at its initial place in the scene.
     struct Body {
         std::uint32_t thing = 0;  // index into Scene::placed
         std::unique_ptr<UploadedMesh> mesh;
@@ -60,7 +60,8 @@ public:
     const std::vector<Body>& bodies() const { return bodies_; }
 
 private:
-    std::shared_ptr<const Scene> scene_;  // owned, so that no other scene can get the same address
+    // Shared ownership, so that no later scene can have the same address and be mistaken for this one.
+    std::shared_ptr<const Scene> scene_;
     std::unique_ptr<UploadedMesh> building_;
     std::vector<Body> bodies_;
 };

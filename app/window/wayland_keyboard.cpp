@@ -19,7 +19,7 @@ struct FreeContext {
     void operator()(xkb_context* context) const { xkb_context_unref(context); }
 };
 
-// Reads the compositor's description of the keyboard layout; null if it cannot be read.
+// Reads the compositor's description of the keyboard layout. Returns null if it cannot be read.
 Keymap keymap_from(int fd, std::uint32_t size) {
     void* text = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, fd, 0);
     if (text == MAP_FAILED) return nullptr;
@@ -91,7 +91,7 @@ struct WaylandKeyboard::Listeners {
 
 WaylandKeyboard::WaylandKeyboard(wl_display* display, Calls calls)
     : display_(display), calls_(std::move(calls)), queue_(wl_display_create_queue(display)) {
-    // All objects that are made with this wrapper send their events to queue_.
+    // All objects that are made through this wrapper send their events to queue_.
     auto* own = static_cast<wl_display*>(wl_proxy_create_wrapper(display));
     wl_proxy_set_queue(reinterpret_cast<wl_proxy*>(own), queue_);
     registry_ = wl_display_get_registry(own);
@@ -128,14 +128,14 @@ KeySymbol WaylandKeyboard::symbol_of(int scancode, bool shift) const {
     return keymap_ ? key_symbol(*keymap_, scancode, layout_, shift) : KeySymbol{};
 }
 
-// Use the first seat, which is the person's; GLFW does the same.
+// Uses the first seat, which is the person's; GLFW does the same.
 void WaylandKeyboard::bind_seat(wl_registry* registry, std::uint32_t name, std::uint32_t version) {
     if (seat_ || version < kSeatVersion) return;
     seat_ = static_cast<wl_seat*>(wl_registry_bind(registry, name, &wl_seat_interface, kSeatVersion));
     wl_seat_add_listener(seat_, &Listeners::kSeat, this);
 }
 
-// Called whenever a keyboard is connected or removed.
+// Called whenever a keyboard is connected to the seat or removed from it.
 void WaylandKeyboard::take_capabilities(std::uint32_t capabilities) {
     const bool there = (capabilities & WL_SEAT_CAPABILITY_KEYBOARD) != 0;
     if (there && !keyboard_) {

@@ -1,5 +1,5 @@
-// The keyboard of a Wayland session, as the compositor reports it to this program's window. The object has its own
-// event queue on GLFW's connection, so it needs neither GLFW's thread nor its key table. Only one thread uses an
+// Follows the keyboard of a Wayland session, as the compositor reports it to this program's window. The object has its
+// own event queue on GLFW's connection, so it needs neither GLFW's thread nor its key table. Only one thread uses an
 // object; two objects on two threads do not affect each other.
 #pragma once
 
@@ -18,11 +18,11 @@ struct FreeKeymap {
 };
 using Keymap = std::unique_ptr<xkb_keymap, FreeKeymap>;
 
-// Returns the meaning of the key in that layout, alone or with Shift. If the layout has no second level for the key,
+// Returns what the key types in the given `layout`, alone or with Shift. If the layout has no second level for the key,
 // `shift` has no effect.
 KeySymbol key_symbol(xkb_keymap& keymap, int scancode, unsigned layout, bool shift);
 
-// Returns X's code for a kernel key code. X counts the codes from 8.
+// Returns X's code for a kernel key code. X adds 8 to the kernel's codes.
 constexpr unsigned x_code_of(int scancode) { return static_cast<unsigned>(scancode) + 8; }
 
 class WaylandKeyboard {
@@ -39,7 +39,7 @@ public:
     WaylandKeyboard(const WaylandKeyboard&) = delete;
     WaylandKeyboard& operator=(const WaylandKeyboard&) = delete;
 
-    // Makes the calls for all events that have arrived. Never waits for events.
+    // Reports all events that have arrived, by the functions in `calls`. Never waits for events.
     void take_pending();
     // Waits for events, or until `wake` is readable. Returns false if `wake` is readable, or if the connection is
     // broken.

@@ -40,7 +40,7 @@ public:
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
         glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-        // Some displays provide OpenGL only through EGL.
+        // Try EGL as well, because some displays provide OpenGL only through EGL.
         for (const int way : {GLFW_NATIVE_CONTEXT_API, GLFW_EGL_CONTEXT_API}) {
             glfwWindowHint(GLFW_CONTEXT_CREATION_API, way);
             window_ = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
@@ -103,7 +103,7 @@ public:
         const PixelSize size = framebuffer_size();
         if (size != shown_size_) frames_in_size_ = 0;
         if (shown_ && *shown_ == view && frames_in_size_ >= kFramesToSettle) return;
-        // Without a graphics card, drawing a picture can take longer than the time until the next one, so skip
+        // Without a graphics card, drawing a picture can take longer than the time until the next frame. So skip
         // pictures.
         const double begin_s = glfwGetTime();
         if (begin_s < rest_until_s_) return;
@@ -132,7 +132,7 @@ private:
         return size;
     }
 
-    // Returns the token whose name the key has. A held key keeps its name even if the layout changes in the meantime.
+    // Returns the token whose name the key gets. A held key keeps its name even if the layout changes in the meantime.
     // GLFW does not report changes of the layout, so this function reads GLFW's table at each key press.
     int named_key(int key, int action) {
         if (key < GLFW_KEY_SPACE || key > GLFW_KEY_WORLD_2) return key;
@@ -170,7 +170,8 @@ private:
         }
     }
 
-    // Adds typed text. It follows its key directly, and goes to whoever received that key.
+    // Adds typed text. The text arrives directly after its key, and goes to whoever received that key: the screen
+    // reader or the program.
     void take_text(std::string text) {
         if (!gate_.take_text(text)) events_.emplace_back(TextEvent{std::move(text)});
     }
@@ -183,11 +184,12 @@ private:
         events_.emplace_back(FocusChange{focused});
         if (focused) return;
         gate_.clear();
-        // GLFW also reports these releases later. By then, the tracker has no key down and ignores them.
+        // GLFW also reports these releases later. The tracker then ignores them, because none of its keys is down any
+        // more.
         for (KeyEvent& event : keys_.let_go()) events_.emplace_back(std::move(event));
     }
 
-    // Does nothing if the display is lost, because poll() reports that once.
+    // Adds a CloseRequest. Does nothing if the display is lost, because poll() reports that loss once.
     void take_close() {
         if (!system_->lost()) events_.emplace_back(CloseRequest{});
     }
@@ -219,11 +221,12 @@ private:
     std::unique_ptr<KeyWatch> watch_;
     std::unique_ptr<Renderer> renderer_;
     KeyTracker keys_;
-    std::map<int, int> held_as_;  // for each held key by its place: the key by its label
+    std::map<int, int> held_as_;  // for each held key: from its token by place to its token by label
     KeyGate gate_;
     std::function<bool(const std::string&)> never_waits_;  // empty: keys are not offered to a screen reader
     std::vector<WindowEvent> events_;
-    // Position in the last motion event; GLFW itself would only return the present position.
+    // Position in the last motion event. GLFW itself would only return the present position, which may be newer than
+    // the event.
     std::optional<Vec2> cursor_;
     std::optional<core::ViewState> shown_;  // the view that the window shows; none if it must be drawn again
     PixelSize shown_size_;

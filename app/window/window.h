@@ -1,6 +1,6 @@
-// The program's window: takes keys, mouse and focus, and shows a picture for people with low vision and sighted
-// helpers. Everything in it is also available by touch, sound and terminal. Only the app thread uses it, which must be
-// the main thread, as GLFW requires. There is at most one Window at a time.
+// Opens the program's window, receives keys, mouse and focus, and shows a picture for people with low vision and
+// sighted helpers. Everything in the window is also available by touch, sound and terminal. Only the app thread uses
+// it, which must be the main thread, as GLFW requires. There is at most one Window at a time.
 #pragma once
 
 #include <functional>
@@ -24,14 +24,14 @@ namespace handrail::window {
 struct HandDragged {
     Vec3 by_m{0.0};
 };
-inline constexpr double kHandMetresPerPixel = 0.0002;  // a workspace of 15 cm then spans 750 pixels
+inline constexpr double kHandMetresPerPixel = 0.0002;  // at this scale, a workspace of 15 cm spans 750 pixels
 inline constexpr double kHandMetresPerNotch = 0.005;
 
 struct FocusChange {
     bool focused = false;
 };
 
-// Characters that the keyboard's layout gives. They follow the event of their key.
+// Characters that the last key typed in the keyboard's layout. They follow the KeyEvent of that key.
 struct TextEvent {
     std::string utf8;
 };
@@ -61,20 +61,20 @@ public:
     std::vector<WindowEvent> poll();
 
     // From now on, a separate thread also reports keys, and the loss of the keyboard, at once; see KeyWatch. poll()
-    // still returns all of them. Returns false if the display allows no second connection.
+    // still returns all of them. Returns false if the display does not allow a KeyWatch.
     bool watch_keys(KeyWatchCalls calls);
 
-    // From now on, each key is first offered to a screen reader. Keys for which `never_waits` returns true are not
-    // offered; it receives the name as in KeyEvent::key.
+    // From now on, offers each key to a screen reader first. Does not offer a key if `never_waits` returns true for its
+    // name, which is as in KeyEvent::key.
     void offer_keys(KeyReader reader, std::function<bool(const std::string&)> never_waits);
 
-    // Returns X's number of this window. With it, other programs know which window has the keyboard. 0 on Wayland,
-    // which has no such numbers.
+    // Returns X's number of this window, by which other programs know which window has the keyboard. Returns 0 on
+    // Wayland, which has no such numbers.
     unsigned number() const;
 
-    // Shows the view. Call it each time round the loop. It never waits for the refresh of the screen, because the app
-    // thread also serves sound and hand. It costs nothing if neither view nor window has changed. If drawing is slow,
-    // it skips pictures, so that drawing takes at most a third of the time. A later call then shows the newest view.
+    // Shows the view. Call it once a frame. It never waits for the refresh of the screen, because the app thread also
+    // serves sound and hand. It costs nothing if neither view nor window has changed. If drawing is slow, the function
+    // skips pictures, so that drawing takes at most a third of the time. A later call then shows the newest view.
     void draw(const core::ViewState& view);
 
     // Returns a picture of the view as draw() would show it.

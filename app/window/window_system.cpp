@@ -10,7 +10,7 @@
 namespace handrail::window {
 namespace {
 
-// These hints exist since GLFW 3.4. An older library rejects them and continues.
+// These hints exist since GLFW 3.4. An older library rejects them, which has no consequences.
 constexpr int kPlatform = 0x00050003, kPlatformWayland = 0x00060003, kPlatformX11 = 0x00060004;
 constexpr int kWaylandLibdecor = 0x00053001, kWaylandDisableLibdecor = 0x00038002;
 #ifdef GLFW_PLATFORM
@@ -32,7 +32,7 @@ bool start_glfw(int platform) {
     return glfwInit() == GLFW_TRUE;
 }
 
-// Returns whether this GLFW supports Wayland. The version string names the window systems for which the library was
+// Returns true if this GLFW supports Wayland. The version string names the window systems for which the library was
 // built; before 3.4 there was only one.
 bool glfw_knows_wayland() { return std::string(glfwGetVersionString()).find("Wayland") != std::string::npos; }
 

@@ -1,6 +1,7 @@
-// The display that GLFW has opened, X11 or Wayland, and the differences that GLFW does not hide. X11 is preferred.
-// There, the stop key has a separate connection, and braille displays know which window has the keyboard. The window
-// owns the object and destroys it after all other objects of GLFW. App thread only. Opening takes about 20 ms.
+// Opens the display, X11 or Wayland, through GLFW. Hides the differences between the two that GLFW does not hide. X11
+// is preferred, because there the stop key has a separate connection, and braille displays know which window has the
+// keyboard. The window owns the object and destroys it after all other objects of GLFW. App thread only. Opening takes
+// about 20 ms.
 #pragma once
 
 #include <functional>
@@ -14,7 +15,7 @@ struct GLFWwindow;
 
 namespace handrail::window {
 
-// The meaning of a key in the person's layout, as X and screen readers express it.
+// What a key types in the person's layout, as X and screen readers express it.
 struct KeySymbol {
     unsigned keysym = 0;  // keysym of X; 0: none
     std::string name;     // name of the keysym, such as "Return" or "exclam"
@@ -34,7 +35,7 @@ public:
     virtual KeySymbol symbol_of(int scancode, bool shift) = 0;
     // Returns the code of the key for X and for screen readers.
     virtual unsigned x_key_code(int scancode) const = 0;
-    // Makes a KeyWatch. The window and this object must outlive it. Returns null if the display allows none.
+    // Makes a KeyWatch. The window and this object must outlive the KeyWatch. Returns null if the display allows none.
     virtual std::unique_ptr<KeyWatch> watch_keys(GLFWwindow* window, KeyWatchCalls calls) = 0;
     // Returns true if the display was lost. Nothing may then be drawn any more.
     virtual bool lost() const = 0;
@@ -46,7 +47,7 @@ protected:
 // Returns GLFW's last error message.
 std::string glfw_problem();
 
-// GLFW must be initialised. Each function returns null unless GLFW runs on that window system.
+// Each function returns null unless GLFW uses that window system. GLFW must be initialised.
 std::unique_ptr<WindowSystem> x11_system();
 std::unique_ptr<WindowSystem> wayland_system();
 

@@ -24,7 +24,8 @@ public:
         : display_(display), calls_(std::move(calls)), keys_(keys_by_code()), wake_(::eventfd(0, EFD_CLOEXEC)) {
         XSetIOErrorExitHandler(
             display_, [](Display*, void* self) { static_cast<X11KeyWatch*>(self)->lost_ = true; }, this);
-        // Any number of programs may select the keys of a window; each receives all keys.
+        // Selecting the keys here does not affect the window itself: any number of programs may select them, and each
+        // receives all keys.
         XSelectInput(display_, window, KeyPressMask | FocusChangeMask);
         XSync(display_, False);
         thread_ = std::thread([this] {
@@ -36,7 +37,8 @@ public:
         const std::uint64_t one = 1;
         [[maybe_unused]] const ssize_t written = ::write(wake_.get(), &one, sizeof one);
         thread_.join();
-        // Xlib keeps a broken connection locked, so closing it would wait for ever. The program is about to end anyway.
+        // Xlib keeps a broken connection locked, so closing the connection would wait for ever. Leave it open, because
+        // the program is about to end.
         if (!lost_ && !broken()) XCloseDisplay(display_);
     }
 

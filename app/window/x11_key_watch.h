@@ -1,5 +1,5 @@
-// A KeyWatch on X11. It opens a separate connection, on which the server reports the window's keys as it reports them
-// to the window.
+// Makes a KeyWatch on X11. It opens a separate connection, on which the server reports the window's keys as it reports
+// them to the window.
 #pragma once
 
 #include <memory>

@@ -19,7 +19,7 @@ class X11System final : public WindowSystem {
 public:
     explicit X11System(Display* display) : display_(display) {
         // By default, Xlib ends the whole program when the display is lost. The force on the hand would then end
-        // abruptly, without a ramp.
+        // abruptly, without a ramp. So replace Xlib's handlers.
         XSetIOErrorHandler([](Display*) { return 0; });
         XSetIOErrorExitHandler(
             display_, [](Display*, void* self) { static_cast<X11System*>(self)->lost_ = true; }, this);

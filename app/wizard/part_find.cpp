@@ -1,5 +1,5 @@
-// The part `find` of the set-up: the search for a device. The host searches, and this part announces the news of the
-// search.
+// Implements the part `find` of the set-up: the search for a device. The program searches, and this part announces the
+// news of the search.
 #include "app/wizard/wizard.h"
 
 #include "worlds/base/language.h"

@@ -1,5 +1,5 @@
-// The part `gentlest` of the set-up: a force that grows until the person notices it. There is enough time for the
-// person to let go of the grip.
+// Implements the part `gentlest` of the set-up: a force that grows until the person notices it. There is enough time
+// for the person to let go of the grip.
 #include "app/wizard/wizard.h"
 
 #include <fmt/format.h>
@@ -12,14 +12,15 @@
 namespace handrail::wizard {
 namespace {
 
-// The force begins at the earliest this long after the question began, and never before the question has been spoken.
+// The force begins this long after the question began, or later if the question is still being spoken.
 constexpr double kPressAfter_s = 1.5;
 constexpr double kLetGoAfter_s = 5.0;  // after this time at the greatest force of this part, the force is switched off
-// If the person answers while the force is smaller, the answer is not about the force.
+// If the person answers while the force is smaller than this, the person has not felt it, so the answer is not about
+// the force.
 constexpr double kNoticed_n = 0.05;
 
-// Returns a scene whose force fills the whole workspace and pushes the hand towards the person. The servo's force
-// ceiling decides how strong the force is.
+// Returns a scene with a force that fills the whole workspace and pushes the hand towards the person. The servo's force
+// ceiling determines how strong the force is.
 std::shared_ptr<const render::HapticScene> pressing_scene() {
     render::EffectVolume push;
     push.region = render::SphereRegion{Vec3(0.0), 1.0};

@@ -1,4 +1,5 @@
-// The part `hand` of the set-up: which hand holds the grip. The person presses a key or moves the grip to that side.
+// Implements the part `hand` of the set-up: which hand holds the grip. The person presses a key or moves the grip to
+// the side of that hand.
 #include "app/wizard/wizard.h"
 
 #include <cmath>

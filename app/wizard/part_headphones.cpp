@@ -1,5 +1,5 @@
-// The part `headphones` of the set-up: plays a bell on each side, and swaps the sides if the person hears them
-// reversed.
+// Implements the part `headphones` of the set-up: plays a bell on each side, and swaps the sides if the person hears
+// them reversed.
 #include "app/wizard/wizard.h"
 
 #include "worlds/base/language.h"

@@ -1,5 +1,5 @@
-// The part `home` of the set-up: the person pulls and pushes the grip until the device knows its position. A click
-// reports each completed movement.
+// Implements the part `home` of the set-up: the person pulls and pushes the grip until the device knows its position. A
+// click reports each completed movement.
 #include "app/wizard/wizard.h"
 
 #include <bit>
@@ -16,8 +16,8 @@ void Wizard::accept_homing() {
     say(phrase("wizard.not_homed", {{"legs", std::popcount(static_cast<unsigned>(sense_.tool.homed_legs))}}));
 }
 
-// Watches the device find its position. Returns true, so that the button is ignored: a person who takes the grip may
-// squeeze it.
+// Watches how the device finds its position. Returns true, so that the button is ignored: a person who grasps the grip
+// may press the button by accident.
 bool Wizard::watch_homing(double) {
     const auto legs = [](std::uint8_t bits) { return std::popcount(static_cast<unsigned>(bits)); };
     const int fresh = legs(sense_.tool.homed_legs) - legs(homing_.legs_seen);

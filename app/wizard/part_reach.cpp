@@ -1,5 +1,5 @@
-// The part `reach` of the set-up: how far the hand can move, how much of a world that distance stands for, and whether
-// a rim marks the end of the workspace.
+// Implements the part `reach` of the set-up: how far the hand can move, what length in the world this distance
+// represents, and whether a rim marks the end of the workspace.
 #include "app/wizard/wizard.h"
 
 #include <fmt/format.h>
@@ -14,14 +14,16 @@
 namespace handrail::wizard {
 namespace {
 
-constexpr double kSideShare = 0.3;        // a side counts as reached beyond this fraction of the device's radius
-constexpr double kLeastReachShare = 0.3;  // a movement smaller than this fraction of the device's width was no sweep
+// The hand has reached a side if it is farther out than this fraction of the device's radius.
+constexpr double kSideShare = 0.3;
+// A movement is no sweep if it is smaller than this fraction of the device's width.
+constexpr double kLeastReachShare = 0.3;
 // How far ahead of the body the middle of the workspace is, as a fraction of the workspace's depth: 5 parts of the
 // depth are ahead of the body, 3 behind.
 constexpr double kAheadShare = 0.125;
 constexpr std::array kScales{7.5, 15.0, 30.0, 60.0, 120.0, 240.0};
 
-// Rounds to whole numbers, and below 10 to tenths: 9, 7.5.
+// Rounds numbers below 10 to tenths, and others to whole numbers: 7.5, 12.
 double rounded(double value) { return value < 10.0 ? std::round(value * 10.0) / 10.0 : std::round(value); }
 
 }  // namespace
@@ -59,7 +61,7 @@ void Wizard::keep_reach() {
     change_profile("depth_m", kept(size_m.y));
     change_profile("height_m", kept(std::max(size_m.z, 0.01)));
     // Put the middle of the hand's workspace a little ahead of the body, and at the height that the workspace settings
-    // require.
+    // state.
     change_profile("offset_ahead_m", kept(std::clamp(kAheadShare * size_m.y - middle_m.y, -0.1, 0.1)));
     change_profile("offset_up_m", kept(std::clamp(-middle_m.z, -0.1, 0.1)));
     say(phrase("wizard.reach",

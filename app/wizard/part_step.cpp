@@ -1,4 +1,4 @@
-// The part `step` of the set-up: the length of the person's step, typed in figures or set with the arrows.
+// Implements the part `step` of the set-up: the length of the person's step, typed in figures or set with the arrows.
 #include "app/wizard/wizard.h"
 
 #include <fmt/format.h>
@@ -29,8 +29,8 @@ bool Wizard::adjust_step_length(WizardKey key) {
     return true;
 }
 
-// Stores the typed number. Its size shows which unit the person means: metres of one step, metres of ten steps, or
-// centimetres of one step.
+// Stores the typed number. The size of the number shows which unit the person means: metres for one step, metres for
+// ten steps, or centimetres for one step.
 void Wizard::keep_step_length() {
     double typed = 0.0;
     if (!asked_.typed.empty()) {

@@ -1,5 +1,5 @@
-// The part `strongest` of the set-up: a wall to push against. With the arrows, the person changes its force until it is
-// as strong as the device should ever be.
+// Implements the part `strongest` of the set-up: a wall to push against. With the arrows, the person changes the wall's
+// force until it is as strong as the device should ever be.
 #include "app/wizard/wizard.h"
 
 #include <fmt/format.h>
@@ -31,7 +31,8 @@ double Wizard::weakest_ceiling_n() const {
     return std::min(strongest_n(), std::max(kLeastCeiling_n, 2.0 * found_.gentlest_n));
 }
 
-// Returns the first force of the wall. If the person has never chosen one, it is light, so that nobody is startled.
+// Returns the first force of the wall. If the person has never chosen a force, returns a light one, so that nobody is
+// startled.
 double Wizard::first_ceiling_n() const { return own_profile().ceiling_n.value_or(settings::kLightCeiling_n); }
 
 void Wizard::begin_wall() {
@@ -75,8 +76,8 @@ bool Wizard::watch_wall(double dt_s) {
 
 void Wizard::keep_ceiling() {
     change_profile("ceiling_n", fmt::format("{:.1f}", found_.ceiling_n));
-    // Raises the force level that all devices share if it would be too low for this device. Never lowers it because of
-    // a single device.
+    // Raises the force level that all devices share if that level would be too low for this device. Never lowers it
+    // because of a single device.
     const bool above_normal = found_.ceiling_n > settings::kNormalCeiling_n,
                above_light = found_.ceiling_n > settings::kLightCeiling_n;
     if (above_normal && settings_.haptic.ceiling != settings::ForceCeiling::Full) change("haptic.ceiling", "full");

@@ -11,7 +11,8 @@
 namespace handrail::wizard {
 namespace {
 
-// A longer time since the last tick counts as this, so that the force does not rise faster after a late frame.
+// Greatest time step of a tick. After a late frame, the wizard uses this step instead of a longer one, so that the
+// force does not rise faster.
 constexpr double kLongestTick_s = 0.05;
 
 }  // namespace
@@ -28,7 +29,7 @@ Wizard::Wizard(const settings::Settings& settings, std::span<const WizardPart> p
 }
 
 servo::WorkspacePose Wizard::pose() const {
-    servo::WorkspacePose pose;  // in the set-up, device metres equal world metres
+    servo::WorkspacePose pose;  // in the set-up, a metre of the device is a metre of the world
     pose.time_s = now_s_;
     pose.jump = kFirstJump + felt_.jump;
     return pose;
@@ -147,14 +148,14 @@ void Wizard::answer(const WizardEvent& event, double now_s) {
     switch (*key) {
         case WizardKey::Enter:
             return accept();
-        case WizardKey::Forces:  // nothing to switch on, because the force is on
+        case WizardKey::Forces:  // the force is on already, so this key only repeats the question
             return repeat_question();
         case WizardKey::Repeat:
             if (asked_.step == Step::Press) begin_force(felt_.scene);
             begin_bell();
             return repeat_question();
         case WizardKey::Back:
-            if (!asked_.typed.empty()) {  // Back first deletes a typed number
+            if (!asked_.typed.empty()) {  // if a number has been typed, Back only deletes that number
                 asked_.typed.clear();
                 return ask();
             }
@@ -179,7 +180,7 @@ void Wizard::pause(std::string words) {
     say(std::move(words));
 }
 
-// Continues after a pause: repeats the question from its beginning. This also confirms a fault that was announced.
+// Continues after a pause: repeats the question from its beginning. Also confirms a fault that was announced.
 void Wizard::resume() {
     ++felt_.tuning.confirm;
     enter(index_);
@@ -219,14 +220,15 @@ void Wizard::watch_hand(double dt_s) {
         lost_device_ = true;
         reply_s_ = now_s_;
         say(phrase(tool.fault == servo::Fault::Unplugged ? "wizard.unplugged"
-                                                         // The device's own alarm has already said what happened.
+                                                         // If a device is lost without being unplugged, its own alarm
+                                                         // has already said what happened.
                                                          : "wizard.lost"));
         return go_on();
     }
-    // A fault does not matter if this question needs no force.
+    // Ignore a fault if this question needs no force.
     if (tool.fault_latched && felt_.tuning.forces_on && !paused_) {
         reply_s_ = now_s_;
-        return pause(phrase("wizard.fault"));  // the session announces the fault itself, as in a world
+        return pause(phrase("wizard.fault"));  // the session announces the cause of the fault, as it does in a world
     }
     const bool pressed = tool.buttons != 0 && !std::exchange(button_was_down_, tool.buttons != 0);
     if (tool.buttons == 0) button_was_down_ = false;

@@ -1,12 +1,13 @@
-// The voice-led set-up of headphones, device, workspace and force, as a state machine. It receives the time, the state
-// of the hand and the person's answers. It returns what the person is to hear and feel, and which settings to store. It
-// has no thread, clock, device or sound, so the same machine runs in the program and in tests. App thread, about 60
-// times a second.
+// Leads a person by voice through the set-up of headphones, device, workspace and force, as a state machine. It
+// receives the time, the state of the hand and the person's answers. It returns what the person is to hear and feel,
+// and which settings to store. It has no thread, clock, device or sound, so the same machine runs in the program and in
+// tests. App thread, about 60 times a second.
 //
 // Every question waits until the person answers. Enter accepts the current value. Space repeats the question word for
-// word. Backspace goes back by one question, and so does Up if it changes no value. Escape explains and removes the
-// force; pressed again, it leaves the set-up and keeps what was found until then. As always, force passes through the
-// servo's ForceLimiter. In the set-up only its ceiling rises, in steps of a few hundredths of a newton.
+// word. Backspace goes back by one question, and so does Up if it changes no value. Escape explains how to leave and
+// removes the force. Pressed again, Escape leaves the set-up and keeps what was found until then. As always, each force
+// passes through the servo's ForceLimiter. In the set-up only the ceiling of the limiter rises, in steps of a few
+// hundredths of a newton.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +28,7 @@
 
 namespace handrail::wizard {
 
-// `Forces` switches the force on again after a fault, as the announcement of the fault suggests.
+// `Forces` switches the force on again after a fault, as the announcement of a fault suggests.
 enum class WizardKey : std::uint8_t { Enter, Repeat, Back, Leave, Left, Right, Up, Down, Stop, Forces };
 // A key, or figures that the person has typed.
 using WizardEvent = std::variant<WizardKey, std::string>;
@@ -54,8 +55,8 @@ public:
     // Rate at which the wall's force changes when the person chooses another ceiling.
     static constexpr double kCeilingRise_n_per_s = 1.0;
 
-    // `parts` must be in their order, and none may occur twice. If one of them uses a device, the wizard adds the
-    // search for it, and homing if the device needs it.
+    // `parts` must be in the order of WizardPart, and none may occur twice. If one of them uses a device, the wizard
+    // adds the search for the device, and homing if the device needs it.
     Wizard(const settings::Settings& settings, std::span<const WizardPart> parts);
 
     void answer(const WizardEvent& event, double now_s);
@@ -66,7 +67,7 @@ public:
     std::vector<cues::CueRequest> take_cues() { return std::exchange(cues_, {}); }
     std::vector<std::pair<std::string, std::string>> take_setting_changes() { return std::exchange(changes_, {}); }
     const servo::ServoTuning& tuning() const { return felt_.tuning; }
-    // Null: nothing can be felt.
+    // The scene that the hand touches; null: the hand touches nothing.
     std::shared_ptr<const render::HapticScene> haptic_scene() const { return felt_.scene; }
     servo::WorkspacePose pose() const;
     bool waits_for_person() const { return asked_.step != Step::Search && !finished_; }
@@ -89,12 +90,12 @@ private:
         StepLength,
         Done
     };
-    // First value of the jump count. It is far from those of a world, so that the servo sees a jump when the set-up
-    // begins and when it ends.
+    // First value of the jump count. It is far from the jump counts of a world, so that the servo notices a jump when
+    // the set-up begins and when it ends.
     static constexpr std::uint32_t kFirstJump = 0x40000000;
-    // The hand counts as pulled, pushed or moved aside if it has moved by this fraction of the device's radius.
+    // If the hand has moved by this fraction of the device's radius, it has been pulled, pushed or moved aside.
     static constexpr double kMovedShare = 0.4;
-    // The functions of one question. If one is null, the question has only the common behaviour.
+    // The functions of one question. If a function is null, the question has only the common behaviour.
     struct Row {
         WizardPart part;
         void (Wizard::*begin)();  // called when the question begins, before it is spoken
@@ -103,7 +104,7 @@ private:
         // Called for an arrow key. Returns false if the arrow changes nothing, so that Up goes back.
         bool (Wizard::*adjust)(WizardKey key);
         void (Wizard::*frame)();  // called in each tick, for questions that need no hand
-        // Called in each tick in which a hand is present. Returns true if the button of the hand has no meaning now.
+        // Called in each tick in which a hand is present. Returns true if the hand's button must be ignored now.
         bool (Wizard::*watch)(double dt_s);
     };
     static const Row& row(Step step);
@@ -133,8 +134,8 @@ private:
     void watch_hand(double dt_s);
     void begin_force(std::shared_ptr<const render::HapticScene> scene);
 
-    // Functions of the questions. Each is defined in the file of its part; the table in wizard_table.cpp says to which
-    // question it belongs.
+    // Functions of the questions. Each is defined in the file of its part. The table in wizard_table.cpp assigns them
+    // to questions.
     void begin_bell();
     std::string ask_bell_left() const;
     std::string ask_bell_right() const;
@@ -196,12 +197,13 @@ private:
 
     settings::Settings settings_;
     std::vector<Step> plan_;
-    // True: the person homes the device in any case; false: only if the device does not know its position.
+    // True: the set-up includes homing in any case. False: only if the device does not know its position.
     bool home_wanted_ = false;
     std::size_t index_ = 0;
     WizardSense sense_;
     double now_s_ = 0.0;
-    // Time of the current reply; sentences with the same time wait for each other, and those with a new time interrupt.
+    // Time of the current reply. Sentences with the same time wait for each other; a sentence with a new time
+    // interrupts them.
     double reply_s_ = 0.0;
     bool begun_ = false, finished_ = false, paused_ = false, wants_search_ = false, lost_device_ = false;
 
@@ -213,7 +215,7 @@ private:
         // Lowest and highest coordinates of the hand during this question, device frame.
         Vec3 least_m{0.0}, most_m{0.0};
         Vec3 measured_m{0.0};  // size of the workspace; zero: not measured yet
-        // The sides that the hand has reached; bit 2i: low side of axis i; bit 2i + 1: its high side.
+        // Which sides the hand has reached, as bits. Bit 2i: the low side of axis i; bit 2i + 1: its high side.
         std::uint8_t sides_seen = 0;
         double scale = 60.0;
     };
@@ -226,13 +228,13 @@ private:
         Vec3 hand_m{0.0};  // position of the hand when the question began, device frame
         std::string typed;
     };
-    // What the wizard has found out about the person's touch and step. The initial values are defaults.
+    // What the wizard has found out about the person's touch and step. The initial values apply until then.
     struct Found {
         double gentlest_n = 0.3;
         double ceiling_n = settings::kLightCeiling_n;
         double step_length_m = 0.7;
     };
-    // What the host gives to the servo.
+    // What the program must pass to the servo.
     struct Felt {
         servo::ServoTuning tuning;
         std::shared_ptr<const render::HapticScene> scene;
@@ -240,7 +242,7 @@ private:
     };
 
     double bell_due_s_ = 0.0;
-    double search_begun_s_ = -1.0;  // time at which the device was ready
+    double search_begun_s_ = -1.0;  // time at which the search had found a device; negative: not yet
     bool button_was_down_ = false;
     Homing homing_;
     Reach reach_;

@@ -1,4 +1,4 @@
-// The parts of the voice-led set-up (wizard.h), and their names. Plain data.
+// Defines the parts of the voice-led set-up (wizard.h), and their names. Plain data.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@ enum class WizardPart : std::uint8_t { Headphones, Find, Home, Hand, Gentlest, S
 
 struct WizardPartInfo {
     WizardPart part;
-    std::string_view word;  // name of the part as --only takes it, such as "headphones"
+    std::string_view word;  // name of the part in the option --only, such as "headphones"
     bool needs_device;
 };
 std::span<const WizardPartInfo> wizard_parts();
-// Converts a text such as "headphones,reach" to parts in their order. An empty text means all parts. Fails and suggests
-// the nearest known word.
+// Converts a text such as "headphones,reach" to parts in the order of WizardPart. An empty text means all parts. Fails
+// if a word is unknown, and suggests the nearest known word.
 Result<std::vector<WizardPart>> parse_wizard_parts(std::string_view words);
 
 }  // namespace handrail::wizard

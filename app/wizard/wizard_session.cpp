@@ -102,7 +102,7 @@ void WizardSession::move_hand(const Vec3& by_m) {
 
 void WizardSession::press(std::string_view key_name, double now_s) {
     if (key_name == "F1") return type("help");
-    // The figures of the keypad count as figures.
+    // The figure keys of the keypad type the same figures as the other keys.
     if (key_name.starts_with("Keypad") && key_name.size() == 7) key_name.remove_prefix(6);
     if (key_name.size() == 1 && key_name[0] >= '0' && key_name[0] <= '9')
         return wizard_.answer(std::string(key_name), now_s);

@@ -1,4 +1,4 @@
-// The wizard together with its inputs: window keys by name, lines of text in their order, and a simulated hand if there
+// Connects the wizard with its inputs: window keys by name, lines of text in their order, and a simulated hand if there
 // is no real one. The program and the tests use this class. App thread.
 #pragma once
 
@@ -25,23 +25,24 @@ struct WizardLine {
     double wait_s = 0.0;
 };
 Result<WizardLine> parse_wizard_line(std::string_view line);
-// Returns a sentence or two that explain the keys and lines.
+// Returns one or two sentences that explain the keys and lines.
 std::string wizard_help();
 
 class WizardSession {
 public:
     WizardSession(const settings::Settings& settings, std::span<const WizardPart> parts) : wizard_(settings, parts) {}
 
-    // Queues a line. The wizard carries it out when it waits for an answer and earlier lines have taken effect.
+    // Queues a line. The wizard carries the line out when it waits for an answer and all earlier lines have been
+    // carried out.
     void type(std::string line) { lines_.push_back(std::move(line)); }
     // Call this function if no more lines will come. The wizard then leaves the set-up after the last line.
     void end_of_lines() { lines_end_ = true; }
-    // Call this function when a key goes down or repeats. `key_name` is as in app/window. Names without a meaning in
-    // the set-up are ignored.
+    // Call this function when a key goes down or repeats. `key_name` is as in app/window. Ignores keys that have no
+    // meaning in the set-up.
     void press(std::string_view key_name, double now_s);
 
     void tick(const WizardSense& sense);
-    // Returns true if all lines have been carried out and the wizard waits for an answer.
+    // Returns true if all lines have been carried out and the wizard is waiting for an answer.
     bool wants_line(double now_s) const {
         return lines_.empty() && wizard_.waits_for_person() && now_s >= settle_until_s_;
     }

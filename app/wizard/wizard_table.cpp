@@ -1,5 +1,6 @@
-// The table of the set-up: the parts with the names under which people request them, and the questions of each part.
-// The state machine in wizard.cpp calls the functions in a question's row. They are defined in the file of the part.
+// Defines the table of the set-up: the parts with the names under which people request them, and the questions of each
+// part. The state machine in wizard.cpp calls the functions in a question's row. Each function is defined in the file
+// of its part.
 #include "app/wizard/wizard.h"
 
 #include <algorithm>
@@ -66,7 +67,8 @@ const Wizard::Row& Wizard::row(Step step) {
         Row{WizardPart::Reach, nullptr, &W::ask_beyond, &W::keep_beyond, &W::adjust_beyond, nullptr, nullptr},
         Row{WizardPart::Step, nullptr, &W::ask_step_length, &W::keep_step_length, &W::adjust_step_length, nullptr,
             nullptr},
-        Row{WizardPart::Step, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr},  // the row for Done
+        // The row of the step Done, which has no question.
+        Row{WizardPart::Step, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr},
     };
     static_assert(kRows.size() == static_cast<std::size_t>(Step::Done) + 1);
     return kRows[static_cast<std::size_t>(step)];
@@ -74,7 +76,7 @@ const Wizard::Row& Wizard::row(Step step) {
 
 const WizardPartInfo& Wizard::part_of(Step step) { return kParts[static_cast<std::size_t>(row(step).part)]; }
 
-// Returns the questions that these parts need, in their order, and Done.
+// Returns the questions of these parts, in the order of Step, and Done at the end.
 std::vector<Wizard::Step> Wizard::plan_of(std::span<const WizardPart> parts) {
     const auto wanted = [&](WizardPart part) { return std::find(parts.begin(), parts.end(), part) != parts.end(); };
     const bool device = std::any_of(parts.begin(), parts.end(), [](WizardPart part) {
@@ -83,8 +85,8 @@ std::vector<Wizard::Step> Wizard::plan_of(std::span<const WizardPart> parts) {
     std::vector<Step> plan;
     for (int i = 0; i < static_cast<int>(Step::Done); ++i) {
         const WizardPart part = row(static_cast<Step>(i)).part;
-        // If any part needs a device, the plan includes the questions of Find and Home. The wizard skips homing if the
-        // device does not need it.
+        // If any part needs a device, the plan also includes the questions of Find and Home. The wizard skips homing if
+        // the device does not need it.
         if (wanted(part) || (device && (part == WizardPart::Find || part == WizardPart::Home)))
             plan.push_back(static_cast<Step>(i));
     }
