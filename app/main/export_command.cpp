@@ -104,7 +104,8 @@ Result<std::vector<exports::SwellSheet>> sheets_of(const StoreyPlans& plans, con
     Result<std::vector<exports::SwellSheet>> sheets = exports::swell_sheets(plans.storey, wish);
     if (!sheets || !plans.upper) return sheets;
     exports::SheetWish without_plate = wish;
-    without_plate.plate_signs.clear();  // the swell plate belongs to the lower floors, so leave it out here
+    // The printed plate shows only the lower floors, so this sheet is no key to the plate.
+    without_plate.plate_signs.clear();
     Result<std::vector<exports::SwellSheet>> more = exports::swell_sheets(*plans.upper, without_plate);
     if (!more) return more;
     std::move(more->begin(), more->end(), std::back_inserter(*sheets));

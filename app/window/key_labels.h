@@ -1,5 +1,5 @@
-// Finds which letter each key stands for. Letters act by the label of their key: on a French keyboard, the key labelled
-// A is Q's place on an American one, and acts as A. Digits and signs act by the place of their key. Pure functions,
+// Finds which letter each key stands for. Letters act by the label of their key: on a French keyboard, the key at the
+// place of the American Q is labelled A, and acts as A. Digits and signs act by the place of their key. Pure functions,
 // except key_labels(), which must run on GLFW's thread.
 #pragma once
 

@@ -1,5 +1,5 @@
-// A person types commands in the first second, before the program knows the rooms of a world. The program must still
-// answer them. If a command opens a list, the next line answers the list and is not a command.
+// Tests that the program answers commands that a person types in the first second, before it knows the rooms of a
+// world. If a command opens a list, the next line must answer the list and must not be a command.
 #include <gmock/gmock.h>
 
 #include "tests/support/names.h"

@@ -1,4 +1,4 @@
-// Tests where the program caches its results, and that it never writes through a symbolic link in somebody else's
+// Tests where the program caches its results, and that it never writes through a symbolic link in another person's
 // folder.
 #include <gmock/gmock.h>
 #include <sys/stat.h>
@@ -35,7 +35,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
 
 class Caches : public testing::Test {
 protected:
-    // Runs `handrail info FILE` with the home of this test.
+    // Runs `handrail info FILE` with the home folder of this test.
     ProgramRun info(const fs::path& file, std::map<std::string, std::string> environment = {}) const {
         ProgramCall call;
         call.program = built_program("handrail");
@@ -56,7 +56,7 @@ protected:
         EXPECT_EQ(run.exit_status, 0) << run.err;
         return run.out + run.err;
     }
-    // Writes an office that is large enough for the cache of worlds, with enough rooms for the cache of routes.
+    // Writes an office that is large enough to be cached as a world, with enough rooms for its routes to be cached.
     fs::path office(const std::string& name) const {
         return folder_.write(name, office_ifc({.storeys = 2, .corridors = 1, .rooms_along = 20}).text);
     }
@@ -104,7 +104,8 @@ TEST_F(Caches, never_write_through_a_symbolic_link_in_the_folder_of_a_world) {
     info(map);
     info(file);
     EXPECT_EQ(content_of(diary), "my diary");
-    if (kThreadSanitizer) return;  // the tests AskedEarly.* run the same threads under this sanitizer
+    // Skip the rest, because the tests AskedEarly.* run the same threads under this sanitizer.
+    if (kThreadSanitizer) return;
     const std::string said = marked(map);
     EXPECT_EQ(content_of(diary), "my diary");
     EXPECT_THAT(said, HasSubstr("house.map.handrail.toml is a link to another file"));

@@ -1,5 +1,5 @@
-// Runs `handrail calibrate` as a process. The tests type lines, read the sentences that come out, and check the results
-// in the settings.
+// Runs `handrail calibrate` as a process. The tests type lines, compare the sentences that the program prints, and
+// check the results in the settings.
 #include "tests/support/names.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
@@ -37,9 +37,9 @@ protected:
 constexpr const char* kSimulatedHand =
     "left\n\n"                                       // the bell is heard at both ears
     "hand-back 15\nhand-forward 30\nhand-left 12\n"  // the person pulls, pushes and moves to the left hand's side
-    "wait 12\nbutton\n"                              // the force grows until the person feels it
-    "up\nhand-back 20\nhand-forward 20\nwait 1\n\n"  // the person presses against the wall at normal force
-    // The person finds the workspace, the scale and the rim.
+    "wait 12\nbutton\n"                              // the force grows until the person feels it and presses the button
+    "up\nhand-back 20\nhand-forward 20\nwait 1\n\n"  // the person chooses normal force and presses against the wall
+    // The person moves to all sides of the workspace, accepts the scale and the rim, and types the length of a step.
     "hand-right 30\nhand-left 30\nhand-forward 30\nhand-back 30\n\n\n\n"
     "65\n";
 

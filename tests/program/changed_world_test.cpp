@@ -1,5 +1,5 @@
-// A world's file is changed or deleted while a person is in the world. The program must say so once, and read the file
-// again when the person wants it.
+// Tests what happens if a world's file is changed or deleted while a person is in the world. The program must announce
+// it once, and read the file again when the person requests it.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -47,8 +47,9 @@ TEST(ChangedWorld, is_announced_once_and_can_be_reloaded_from_the_menu) {
     EXPECT_EQ(times_in(content_of(told), "no longer exists"), 1U);
 }
 
-// Earlier, the program accepted a key that cannot be pressed without a message, and nobody could reach its command.
-// When the program announced all faults of a file in one sentence, it spoke for a minute and a half.
+// Earlier, the program accepted a setting with a key that cannot be pressed, and reported nothing. Nobody could then
+// reach the command of that key. When the program announced all faults of a file in one sentence, it spoke for a minute
+// and a half.
 TEST(FaultySettings, report_the_first_with_a_count_and_leave_the_rest_to_the_menu) {
     const TemporaryFolder home;
     std::filesystem::create_directories(home.path() / "handrail");

@@ -1,5 +1,5 @@
-// A person requests a device that is missing, or whose maker's library is missing, incomplete or a stand-in. The
-// program must continue or say why it cannot.
+// Tests what happens if a person requests a device that is missing, or whose maker's library is missing, incomplete or
+// a stand-in. The program must continue or say why it cannot.
 #include <nlohmann/json.hpp>
 
 #include "tests/support/names.h"
@@ -18,7 +18,7 @@ ProgramRun run(std::vector<std::string> arguments, const std::filesystem::path& 
     ProgramCall call;
     call.program = test::built_program("handrail");
     call.arguments = std::move(arguments);
-    // At the end of the input, the program still waits until it has searched for devices; after "quit" it does not.
+    // At the end of the input, the program waits until it has searched for devices; after "quit" it would not wait.
     call.input = "where\n";
     if (!libraries.empty()) call.environment["LD_LIBRARY_PATH"] = libraries.string();
     return run_program(call);
@@ -35,8 +35,7 @@ TEST(Devices, command_reports_their_absence_in_words_and_as_data) {
     EXPECT_EQ(json["udev_rule"], "70-handrail.rules");
 }
 
-// Which means can confine a process depends on the kernel. If the kernel offers none, the program must say so and
-// continue.
+// The kernel determines which means can confine a process. If it offers none, the program must say so and continue.
 TEST(Devices, command_describes_the_confinement_of_processes_that_handle_files_and_devices) {
     const auto on_old_kernel = [](std::vector<std::string> arguments) {
         ProgramCall call;

@@ -1,5 +1,5 @@
-// Checks every command that a document shows. It runs the program's commands, with Handrail's worlds in place of the
-// reader's files. Of commands that run test programs, it checks that the filter matches a test. Scripts, presets and
+// Checks every command that a document shows. Runs commands of the program, with Handrail's worlds in place of the
+// reader's files. For a command that runs a test program, checks that the filter matches a test. Scripts, presets and
 // labels must exist. A mark in the document, such as "# needs a device", excludes commands that need a device, root or
 // the network.
 #include <algorithm>
@@ -33,12 +33,13 @@ bool is_command(const std::string& text) {
     static const std::regex kCommand(
         R"re(^([A-Z_]+=\S+ )*(\./run|handrail|build/release/bin/\w+|cmake|ctest|sudo|git|debootstrap|cp|valgrind)re"
         R"re(|tests/[\w/]+\.sh|\.ci/run|docs/\w+\.py|(unit|property|program|voices|window|umockdev)_\w+)( .*|$))re");
-    // A line like "unit_m = 0.001" is a key in a scenario, not a command.
+    // Lines such as "unit_m = 0.001" are keys in a scenario, and not commands.
     return std::regex_match(text, kCommand) && text.find("cp -") == std::string::npos &&
            !std::regex_search(text, std::regex(R"(^\w+ = )"));
 }
 
-// Adds the commands of one page, which are in code lines and between backticks. In a table, \| stands for a bar.
+// Adds the commands of one page, which are in code lines and between backticks. Inside a table, \| stands for a
+// vertical bar.
 void add_commands_of(const fs::path& page, std::vector<DocCommand>& all) {
     static const std::regex kSpan("`([^`]+)`"), kMark(R"(^(.*?)\s+# (.*)$)");
     std::istringstream lines(content_of(page));
@@ -77,7 +78,7 @@ std::vector<DocCommand> commands() {
     return all;
 }
 
-// Splits `text` as a shell does and removes quotes and redirections.
+// Splits `text` into words as a shell does, and removes quotes and redirections.
 Words words_of(const std::string& text) {
     Words words;
     std::string word;
@@ -113,7 +114,7 @@ std::string fault_of_test_program(const std::string& name, const Words& options)
         name != "handrail")
         return "no program is named " + name;
     const fs::path program = test::built_program(name);
-    if (!fs::exists(program)) return {};  // this preset does not build the program
+    if (!fs::exists(program)) return {};  // skip the check, because this preset does not build the test program
     for (const std::string& option : options) {
         const bool gtest = option.starts_with("--gtest_filter="), speed = option.starts_with("--benchmark_filter=");
         if (!gtest && !speed) continue;
@@ -126,7 +127,7 @@ std::string fault_of_test_program(const std::string& name, const Words& options)
         bool any = false;
         for (std::string line; std::getline(lines, line);)
             any = any || (gtest ? line.starts_with("  ") : !line.empty() && line.find(' ') == std::string::npos);
-        // Some benchmarks need real maps and do not exist without them.
+        // Some benchmarks exist only on machines that have certain real maps.
         if (!any && !(speed && !test::real_world("quake-e1m1.map")))
             return name + " has nothing that " + option + " names";
     }
@@ -156,8 +157,8 @@ std::string fault_of_ctest(const Words& words) {
     return {};
 }
 
-// A folder in which the test runs the commands of a document's reader. It contains worlds under the names that the
-// documents use.
+// A folder in which the test runs the commands of a document. It contains worlds under the names that the documents
+// use.
 class Reader {
 public:
     Reader() {
@@ -190,8 +191,8 @@ public:
         call.environment["XDG_DATA_HOME"] = (folder_.path() / "data").string();
         return run_program(call);
     }
-    // Makes the learner whom the documents name, if `words` name that learner. The learner has one recorded session if
-    // `words` request a report.
+    // If `words` contain the learner whom the documents name, makes that learner. If `words` request a report, the
+    // learner gets one recorded session.
     void make_learner_for(const Words& words) const {
         const std::string name = "Maple Heron";
         if (std::find(words.begin(), words.end(), name) == words.end()) return;
@@ -202,7 +203,7 @@ public:
         if (words[0] == "report")
             run({"house", "--no-window", "--device", "none", "--learner", name}, "forward 2\nquit\n");
     }
-    // Replaces words of a document by words that work in this folder.
+    // Replaces names in a command of a document by files that exist in this folder.
     Words arguments(Words words) const {
         static const std::set<std::string> kWritten{"--swell", "--stl",  "--route-card", "--html",
                                                     "--csv",   "--json", "--junit",      "--scenario"};
@@ -248,12 +249,12 @@ std::string fault_of_program(const Reader& reader, Words words) {
         return script.find("\nbench)\n") == std::string::npos ? "./run knows no bench" : "";
     if (!words.empty() && words[0] == "COMMAND") words.erase(words.begin());
     const bool command = !words.empty() && kCommands.contains(words[0]);
-    // A lesson takes as long as its learner needs, so the test does not run it. It only looks for the options in the
-    // command's help.
+    // A lesson goes on for as long as its learner needs, so do not run it. Only look for the options in the command's
+    // help.
     if (command && words[0] == "lesson")
         words.erase(std::remove_if(words.begin() + 1, words.end(), [](const auto& w) { return !w.starts_with("-"); }),
                     words.end());
-    // If a document names a command alone or only with options, the test looks for them in the command's help.
+    // If a document shows a command alone or only with options, look for the command and its options in the help.
     const bool named = command && words[0] != "settings" && words[0] != "devices" && words[0] != "calibrate" &&
                        words[0] != "replay" && words[0] != "report" &&
                        std::all_of(words.begin() + 1, words.end(), [](const auto& w) { return w.starts_with("-"); });
@@ -275,7 +276,8 @@ std::string fault_of_program(const Reader& reader, Words words) {
     return {};
 }
 
-// Checks a command. Its first word decides how.
+// Checks a command. Returns an empty string, or what is wrong. The first word of the command determines the kind of
+// check.
 std::string fault_of(const Reader& reader, Words words) {
     while (!words.empty() && std::regex_match(words[0], std::regex("[A-Z_]+=.*"))) words.erase(words.begin());
     if (words.empty()) return "nothing is called";

@@ -1,5 +1,5 @@
-// A world that takes more than a minute to read, because its faces have the greatest number of corners that the reader
-// accepts.
+// Makes a world that needs more than a minute to be read, because its faces have the greatest number of corners that
+// the reader accepts.
 #pragma once
 
 #include <cmath>

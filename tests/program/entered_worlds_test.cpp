@@ -1,5 +1,6 @@
-// A person can enter a world from the command line, from the menu, where a session broke off, or in a recording. In
-// each case the world's settings must come and go with it, and the program must read it as requested.
+// Tests each way in which a person can enter a world: from the command line, from the menu, where a session broke off,
+// or in a recording. In each case, the world's settings must apply while the person is in the world. The program must
+// also read the world with the requested options.
 #include <gmock/gmock.h>
 
 #include <csignal>
@@ -24,7 +25,8 @@ ProgramRun run_with(std::vector<std::string> arguments, const std::string& lines
     return run_program(call);
 }
 
-// Returns the answers to the scale-bar command: how large five steps are under the hand, once for each command.
+// Returns the answers to the scale-bar command, one for each command. Each answer says what length in the world five
+// steps are under the hand.
 std::vector<std::string> bars_of(const std::string& out) {
     std::vector<std::string> bars;
     for (std::size_t at = 0; (at = out.find("metres are ", at)) != std::string::npos; ++at)
@@ -98,7 +100,7 @@ TEST_F(BuildingOfSeveral, is_reopened_after_a_crash) {
     killed.close_input = false;
     killed.signal_when_said = SIGKILL;
     killed.signal_after = "acing south";
-    // The session saves the walker's place every 3 seconds.
+    // The session saves the walker's place every 3 seconds, so this walk is long enough.
     const ProgramRun first =
         explore({"--building", "Annex"},
                 "forward\nback\nforward\nback\nforward\nback\nforward\nback\nright 8\nheading\n", killed);

@@ -25,7 +25,7 @@ ProgramRun explore(std::vector<std::string> arguments, const std::string& input,
 
 TEST(Explore, without_any_device_gives_the_position_mentions_no_missing_hardware_and_exits_cleanly) {
     ProgramCall call;
-    call.voice = true;  // no settings, as for a new user
+    call.voice = true;  // the program finds no settings, as for a new user
     const ProgramRun run = explore({}, "", call);
     EXPECT_EQ(run.exit_status, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("say: "));
@@ -35,7 +35,7 @@ TEST(Explore, without_any_device_gives_the_position_mentions_no_missing_hardware
     EXPECT_THAT(run.out, HasSubstr("facing north"));
 }
 
-// Until 2026-11-28, PipeWire printed its own line on the terminal in both cases when OpenAL used it (Debian 13).
+// Until 2026-11-28, PipeWire printed a line on the terminal in both cases when OpenAL used PipeWire (Debian 13).
 TEST(Explore, sound_libraries_print_no_complaints_if_they_find_no_device) {
     for (const char* missing : {"PIPEWIRE_CONFIG_DIR", "SPA_PLUGIN_DIR"}) {
         ProgramCall call;
@@ -56,8 +56,8 @@ TEST(Explore, also_enters_a_complete_map) {
     }
 }
 
-// Every thread of the program must have a name that `top -H` shows. The first thread has the program's name, and so has
-// a thread that OpenAL starts.
+// Every thread of the program must have a name that `top -H` shows. The first thread has the program's own name, and so
+// has a thread that OpenAL starts.
 TEST(Explore, all_its_threads_have_names) {
     const TemporaryFolder home;
     const std::filesystem::path out = home.path() / "out";
@@ -137,8 +137,8 @@ TEST(Explore, after_a_crash_the_next_start_gives_the_path_of_an_anonymous_report
     crashing.close_input = false;
     crashing.signal_when_said = SIGSEGV;
     crashing.signal_after = "Facing east";
-    // Without these options, a sanitizer would report the signal as a fault and end with its own status.
-    // Keeps options that are already set, such as suppressions.
+    // Without these options, a sanitizer would report the signal as a fault and end the program with another status.
+    // Keep options that are already set, such as suppressions.
     for (const char* options : {"ASAN_OPTIONS", "TSAN_OPTIONS"}) {
         const char* given = std::getenv(options);
         crashing.environment[options] = (given ? std::string(given) + ":" : std::string()) + "handle_segv=0";

@@ -1,5 +1,5 @@
-// Runs the first start as a process and types lines, from the welcome to the choice. Checks the key words of each step
-// in order. Another test runs a script that does not expect the welcome.
+// Runs the first start as a process and types lines, from the welcome to the choice. Checks that the key words of each
+// step occur in order. Another test runs a script that does not expect the welcome.
 #include <chrono>
 #include <fstream>
 #include <memory>
@@ -76,14 +76,14 @@ TEST_F(FirstMinutes, run_from_welcome_to_choice_with_the_keyboard_alone_and_neve
 }
 
 // Simulates a person with the simulated Touch, who waits for announced words and then types. If the machine was too
-// busy for steady touch, the person follows the instructions and repeats the step.
+// busy for steady forces, the person follows the announced instructions and repeats the step.
 class FirstMinutesWithTouch : public FirstMinutes {
 protected:
     struct Step {
         const char* words;  // the person types the lines after these words were announced
         std::string lines;
-        // Lines that the person types if the force went off before the next step's words. In the set-up, a short stall
-        // has no consequences. In a world, it lets the hand into a wall.
+        // Lines that the person types if the force was switched off before the program announced the next step's words.
+        // In the set-up, a short stall has no consequences. In a world, the hand sinks into a wall meanwhile.
         std::string again{};
         bool in_world = false;
     };
@@ -133,15 +133,15 @@ private:
     using Clock = std::chrono::steady_clock;
 };
 
-// The first minutes set the device up in the same steps as the wizard: pull, push, move to the left hand's side, feel a
-// force, press on a wall.
+// In the first minutes, the person sets the device up in the same steps as in the wizard: pull, push, move to the left
+// hand's side, feel a force, press on a wall.
 TEST_F(FirstMinutesWithTouch, run_through_the_setup_to_the_first_wall_and_the_choice) {
     const std::string to_wall = "hand-forward 30\nhand-forward 30\n";
     const std::string to_radiator = "hand-left 20\nhand-down 10\nhand-left 10\nhand-up 10\n";
-    // The hand goes back here. Otherwise it would already be at a wall of the room when the room begins, and name the
-    // wall too early.
+    // Move the hand back here. Otherwise it would already touch a wall of the room when the room begins, and the
+    // program would name that wall too early.
     const std::string push = "hand-back 20\nhand-forward 20\nwait 1\nhand-back 20\n\n";
-    // In this order, because otherwise the hand could not reach things behind a wall.
+    // Touch the things in this order, because otherwise a wall would be between the hand and the next thing.
     const std::string anew = "hand-centre\nhome\n";
     const Outcome outcome = take({
         {"Type an empty line to begin", "space\n\n"},
@@ -163,8 +163,8 @@ TEST_F(FirstMinutesWithTouch, run_through_the_setup_to_the_first_wall_and_the_ch
     if (outcome == Outcome::TooBusy) GTEST_SKIP() << "this machine is too busy to give a servo its rate";
     ASSERT_EQ(outcome, Outcome::Done);
     EXPECT_EQ(program_->exit_status(), 0) << said();
-    // These lines omit the names of touched things. The session drops a name if the hand moves on before it can be
-    // announced, as happens on a busy machine. scenarios/first_minutes_sim_t.toml checks the names in virtual time.
+    // These lines omit the names of touched things. On a busy machine, the hand may move on before a name is announced,
+    // and the session then drops that name. scenarios/first_minutes_sim_t.toml checks the names in virtual time.
     expect_in_order(said(), {"say: Welcome. Handrail is speaking with text alone. Type an empty line to begin, "
                              "space to hear this again, or escape to leave.",
                              "say: Welcome. Handrail is speaking with text alone. Type an empty line to begin, "
@@ -204,8 +204,8 @@ TEST_F(FirstMinutesWithTouch, run_through_the_setup_to_the_first_wall_and_the_ch
                              "facing north"});
 }
 
-// The choice must start a real activity. Here it is a hunt in the practice room, and then a hunt in the house, which
-// the program reads first.
+// The choice must start a real activity. In this test, the activity is a hunt in the practice room, and then a hunt in
+// the house, which the program reads first.
 TEST_F(FirstMinutes, end_in_a_hunt_if_the_person_chooses_it) {
     const char* const kToChoice = "\nleft\n\nforward 6\nleft 4\nforward 3\nright 8\nforward 7\nhome\n";
     const ProgramRun here = run({"--device", "none"}, std::string(kToChoice) + "find\nwhere\nquit\n");
@@ -245,15 +245,14 @@ TEST_F(FirstMinutes, yield_to_a_script_without_knowledge_of_them_and_to_the_end_
     expect_in_order(nobody.out, {"Welcome.", "First room,", "facing north"});
 }
 
-// Every command in the table of commands must have an effect or an answer when its word is typed. This is a deliverable
-// of the terminal.
+// Every command in the table of commands must have an effect or an answer when a person types its word at the terminal.
 TEST(Terminal, every_command_of_the_table_works_when_its_word_is_typed) {
     std::string lines;
     for (const CommandInfo& row : command_table())
         if (row.command != Command::Leave && row.command != Command::Calibrate &&
             row.command != Command::FirstMinutes && row.command != Command::InputHelp)
             lines += std::string(row.word) +
-                     "\ncancel\n";  // cancel leaves a list if the command opened one; otherwise it has no effect
+                     "\ncancel\n";  // cancel closes a list if the command opened one; otherwise cancel has no effect
     lines += "input-help\nforward\ninput-help\nwelcome\nescape\ncalibrate\nquit\nwher\nleave\nleave\n";
     ProgramCall call;
     call.program = test::built_program("handrail");

@@ -1,5 +1,5 @@
-// Checks with readelf how the built programs are protected. Both programs load at random addresses, their tables are
-// read-only while they run, and functions with arrays detect an overwritten stack.
+// Checks with readelf how the built programs are protected. Both programs must load at random addresses, their tables
+// must be read-only while they run, and functions with arrays must detect an overwritten stack.
 #include <array>
 #include <cstdio>
 
@@ -39,7 +39,7 @@ TEST(Hardened, programs_start_at_random_addresses_with_read_only_tables_and_guar
     }
 #ifdef __OPTIMIZE__
     EXPECT_THAT(told_of(test::built_program("handrail")),
-                ContainsRegex("__[a-z]+_chk@"));  // the checked versions of the C library's functions
+                ContainsRegex("__[a-z]+_chk@"));  // the programs call the checked versions of the C library's functions
 #endif
     EXPECT_THAT(told_of(test::built_program("handrail")), HasSubstr("__glibcxx_assert_fail"));
 }

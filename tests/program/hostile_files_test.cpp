@@ -1,5 +1,5 @@
-// Gives the program what it does not expect from a person, a script or a system: pipes in place of files, closed
-// descriptors, floods of input, and an immediate end of the input.
+// Gives the program unexpected input from a person, a script or a system: pipes in place of files, closed descriptors,
+// floods of input, and an immediate end of the input.
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -53,13 +53,14 @@ TEST(HostileFiles, pipes_without_a_writer_and_endless_devices_give_one_sentence_
     expect_refused(run({"info", fifo("world.map")}), "world.map");
     expect_refused(run({"--no-window", "--device", "none", fifo("other.map")}), "other.map");
     expect_refused(run({"info", "/dev/zero"}), "zero");
-    EXPECT_FALSE(run({"scenario", fifo("scenario.toml")}).timed_out);  // the program refuses a pipe before it opens it
+    // The program refuses a pipe before opening it, so it does not wait for a writer.
+    EXPECT_FALSE(run({"scenario", fifo("scenario.toml")}).timed_out);
     fs::create_directories(folder.path() / "handrail");
     fifo("handrail/settings.toml");
     ProgramCall call;
     call.environment["XDG_CONFIG_HOME"] = folder.path();
     expect_refused(run({"settings", "--explain"}, call), "settings.toml");
-    // Tests a picture next to a world, and the cache next to the world.
+    // Put pipes in place of a picture next to a world, and of the cache next to the world.
     std::ifstream in(test::bundled_world("first_room.map"));
     std::string map{std::istreambuf_iterator<char>(in), {}};
     const std::size_t at = map.find("\"classname\" \"worldspawn\"");
@@ -70,8 +71,8 @@ TEST(HostileFiles, pipes_without_a_writer_and_endless_devices_give_one_sentence_
     expect_refused(run({"info", (folder.path() / "room.map").string()}), "picture.png");
 }
 
-// If a standard descriptor is closed, the first file that the program opens would get its number. The program would
-// then print into that file.
+// If a standard descriptor is closed, the first file that the program opens would get the number of that descriptor.
+// The program would then print into that file.
 TEST(HostileFiles, closed_descriptors_are_reopened_before_anything_else) {
     const TemporaryFolder home;
     std::array<int, 2> input{-1, -1};
@@ -87,7 +88,7 @@ TEST(HostileFiles, closed_descriptors_are_reopened_before_anything_else) {
     std::vector<std::string> variables;
     for (const auto& [name, value] : bare_environment(home.path()))
         if (!value.empty()) variables.push_back(name + "=" + value);
-    // These sanitizers would report faults of foreign libraries.
+    // Without these options, the sanitizers would report faults of foreign libraries.
     for (const std::string sanitizer : {"LSAN_OPTIONS", "TSAN_OPTIONS"})
         if (const char* options = std::getenv(sanitizer.c_str())) variables.push_back(sanitizer + "=" + options);
     std::vector<char*> envp;
@@ -127,8 +128,8 @@ TEST(HostileFiles, hostile_toml_next_to_a_world_ends_only_its_reader_process) {
     for (const std::string& name : names) EXPECT_EQ(content_of(folder.path() / name), deadly_toml()) << name;
 }
 
-// Here the reader process reads nothing. A scenario could play its world only if the program read the world without
-// that process.
+// The reader process of this test reads nothing. So a scenario can only run if the program reads the world without that
+// process, which it must not.
 TEST(HostileFiles, worlds_of_scenarios_are_read_in_the_reader_process) {
     const TemporaryFolder folder;
     fs::create_directories(folder.path() / "bin");

@@ -1,5 +1,5 @@
-// Runs `./run kernel-tests` on a machine that lacks what the tests need. The command must print one sentence and end
-// with the status of a skipped test, never as a pass or a failure.
+// Runs `./run kernel-tests` on a machine that lacks what these tests need. The command must print one sentence and end
+// with the status of a skipped test, never with that of a pass or a failure.
 #include "tests/support/precompiled.h"
 #include "tests/support/project_root.h"
 #include "tests/support/run_program.h"
@@ -37,8 +37,7 @@ TEST(KernelTests, are_skipped_with_a_message_if_qemu_is_missing) {
 TEST(KernelTests, are_skipped_with_a_message_if_no_kernel_can_be_downloaded) {
     const TemporaryFolder folder;
     fs::create_directories(folder.path() / "bin");
-    // These stand-ins only need to exist. A shell script is not a dynamically linked program, and neither is a static
-    // busybox.
+    // These stand-ins only need to exist. Like a static busybox, a shell script is not a dynamically linked program.
     for (const char* name : {"qemu-system-x86_64", "busybox"}) {
         std::ofstream(folder.path() / "bin" / name) << "#!/bin/bash\n";
         fs::permissions(folder.path() / "bin" / name, fs::perms::owner_all);

@@ -1,5 +1,5 @@
-// Tests that no command releases a learner's data without consent, and that no data remains after the learner is
-// deleted. The test reads the commands and options from the program's own help, so that it tries new ones, too.
+// Tests that no command releases a learner's data without consent, and that no data remain after the learner is
+// deleted. The test finds the commands and options in the program's own help, so that it also tries new ones.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -70,8 +70,8 @@ protected:
         write(own_ / "results.jsonl",
               "{\"begun_utc\":\"2026-11-22T17:30:00Z\",\"lesson\":\"Corridors\",\"world\":\"House\",\"seconds\":60.0,"
               "\"tasks\":[{\"t_s\":30.0,\"kind\":\"learn\",\"name\":\"Kitchen\",\"measures\":{\"time\":12.0}}]}\n");
-        // Files inside the learner's folder that other commands could read. Somebody could make them from the learner's
-        // data, and nobody looks for them there.
+        // Files in the learner's folder that other commands could read. A person could make them from the learner's
+        // data, and nobody expects them in that folder.
         fs::copy_file(test::project_root() / "tests/scenarios/regression_workspace_offset.toml", own_ / "own.toml");
         fs::copy_file(test::bundled_world("first_room.map"), own_ / "own.map");
         write(own_ / "path.csv", "t,x,y,z\n0,0,0,1\n0.001,0,0,1\n");
@@ -131,7 +131,8 @@ protected:
         std::sort(files.begin(), files.end());
         return files;
     }
-    // Returns the files below the home whose name or content contains `words`, even if the content is compressed.
+    // Returns the files below the home folder whose name or content contains `words`, even if the content is
+    // compressed.
     std::vector<std::string> files_with(const std::string& words) const {
         std::vector<std::string> files;
         for (const auto& entry : fs::recursive_directory_iterator(home_.path())) {

@@ -85,13 +85,14 @@ TEST_F(LearnerProgram, has_a_learner_chosen_in_the_session_and_named_in_no_other
     std::size_t at = 0;
     for (const char* words : {
              "Oak Owl is learning.",
-             "Oak Owl is here.",  // the list begins at the learner's entry
+             "Oak Owl is here.",  // the current item is the learner's own entry, so the list announces it first
              "Oak Owl, is remembered and is recorded, 3 of 3",
              "Fig Finch is learning.",
-             "1 of 2",  // the list of marks, without the mark of the other learner
+             "1 of 2",  // the learner's list has two marks, and neither is the mark of the other learner
              "Fig Finch is here.",
              "Fig Finch, is remembered, 2 of 3",
-             "Fig Finch: is remembered. No recordings.",  // choosing the present learner announces their details
+             // Choosing the current learner announces what is stored about them.
+             "Fig Finch: is remembered. No recordings.",
              "Oak Owl is learning.",
              "1 of 3",
              "No learner is signed in.",
@@ -147,7 +148,7 @@ TEST_F(LearnerProgram, does_not_list_a_learners_world_among_everyones_recent_wor
     EXPECT_EQ(run(here, "forward 2\n").exit_status, 0);
     EXPECT_THAT(files_that_say("owls_very_own"), testing::Contains("recent-worlds.txt"));
     EXPECT_FALSE(fs::exists(home_.path() / "state/handrail/recent-worlds.txt"));
-    // The program must also offer this place to the learner in a later session.
+    // In a later session, the program must also offer this place to the learner.
     EXPECT_THAT(run({test::bundled_world("house.map"), "--no-window", "--device", "none", "--learner", "Oak Owl"},
                     "menu\n2\n2\n")
                     .out,
@@ -159,7 +160,7 @@ TEST_F(LearnerProgram, does_not_list_a_learners_world_among_everyones_recent_wor
 
 TEST_F(LearnerProgram, resumes_the_learning_progress_only_with_consent) {
     EXPECT_EQ(run({"learner", "new", "Oak Owl"}).exit_status, 0);
-    // The beginning of the list of rooms; on a busy machine, more may be announced after it.
+    // Returns the beginning of the list of rooms. On a busy machine, the program may announce more after the list.
     const auto rooms_learnt = [this] {
         const std::string out = explore("Oak Owl", "learnt\n").out;
         const std::size_t list = out.find("Rooms learnt");

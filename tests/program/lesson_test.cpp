@@ -1,4 +1,4 @@
-// The program itself teaches a lesson to a named learner, by text alone and with the desk. The program records the
+// Tests a lesson that the program teaches to a named learner, by text alone and with the desk. The program records the
 // lesson if the learner has agreed. The test replays the recording, reports on it and deletes the learner's data.
 #include <gmock/gmock.h>
 
@@ -96,7 +96,7 @@ TEST_F(TaughtByTheProgram, keeps_marks_and_recordings_of_its_learner_and_can_be_
     ASSERT_TRUE(first.hears("Get to know Entrance hall")) << first.all();
     first.type("mark");
     first.type("door");
-    desk.type("summary");  // without this, the desk prints a line every ten seconds
+    desk.type("summary");  // request a line, because otherwise the desk prints one only every ten seconds
     ASSERT_TRUE(desk.hears("walls done")) << desk.all();
     first.type("done");
     ASSERT_TRUE(first.hears("Face Trophy case")) << first.all();
@@ -171,11 +171,11 @@ TEST_F(TaughtByTheProgram, resumes_with_the_next_session_and_stores_results_only
     ASSERT_TRUE(first.hears("Begin From the main door to the library, session 2 of 3")) << first.all();
     first.type("1");
     ASSERT_TRUE(first.hears("Route with help, 1 task.")) << first.all();
-    // The learner leaves in the middle of the session, so the next lesson continues with it.
+    // The learner leaves in the middle of the session, so the next lesson begins with the same session.
     EXPECT_EQ(first.leave(), 0);
     EXPECT_TRUE(recordings().empty());
 
-    // A report must show what was measured, also in the session that the learner left. The program must not keep any
+    // A report must show the measures, also those of the session that the learner left. The program must not store any
     // announced text.
     const std::string table = (home_.path() / "results.csv").string(), page = (home_.path() / "page.html").string();
     const ProgramRun report = run({"report", "--learner", "Oak Owl", "--csv", table, "--html", page});
@@ -198,8 +198,8 @@ TEST_F(TaughtByTheProgram, resumes_with_the_next_session_and_stores_results_only
     ASSERT_TRUE(second.hears("From the main door to the library: session 2 of 3 is next.")) << second.all();
     EXPECT_EQ(second.leave(), 0);
 
-    // The learner has withdrawn consent, so the program no longer remembers them. The course must begin again, and the
-    // kept data must be gone.
+    // The learner has withdrawn consent to be remembered. So the course must begin again, and the stored data must be
+    // deleted.
     EXPECT_EQ(run({"learner", "consent", "Oak Owl", "--withdraw", "remember"}).exit_status, 0);
     Pupil third(*this, "third", words);
     ASSERT_TRUE(third.hears("Walls, 2 tasks.")) << third.all();
@@ -243,8 +243,8 @@ TEST_F(TaughtByTheProgram, has_a_step_order_that_depends_on_the_learner_whether_
     EXPECT_EQ(pupil.leave(), 0);
 }
 
-// The lesson's scale must be effective from its beginning to its end, whether the command line or the list started the
-// lesson.
+// The lesson's scale must apply from the beginning of the lesson to its end, whether the command line or the list
+// started the lesson.
 TEST_F(TaughtByTheProgram, applies_the_lesson_settings_until_it_ends_whether_it_is_named_or_chosen) {
     fs::create_directories(home_.path() / "data/handrail/lessons");
     const std::string file = (home_.path() / "data/handrail/lessons/scale.lesson.toml").string();
@@ -327,7 +327,7 @@ TEST_F(TaughtByTheProgram, gives_the_same_errors_in_the_check_and_in_the_lesson_
         const ProgramRun checked = run({"lesson", file, "--check"}), written = run({"lesson", file, "--protocol"});
         EXPECT_EQ(checked.exit_status, 2) << wrong;
         EXPECT_EQ(written.exit_status, 2) << wrong;
-        // On a busy machine, progress messages may precede the last line.
+        // Compare only the last line, because on a busy machine progress messages may precede it.
         const auto last_line = [](const std::string& told) {
             return told.substr(told.rfind('\n', told.size() - 2) + 1);
         };

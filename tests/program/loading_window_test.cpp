@@ -1,4 +1,5 @@
-// Uses the program's real window on a virtual display. A person does not want to wait until a world has been read.
+// Tests the program's real window on a virtual display while a world is being read. The person must be able to leave
+// without waiting for the world.
 #include <X11/Xlib.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +30,7 @@ protected:
         fs::copy_file(test::bundled_world("first_room.map"), folder_.path() / "first_room.map");
     }
 
-    // If a failed test leaves the program running, closing the display ends it.
+    // If a test fails while the program is running, closing the display ends the program.
     void TearDown() override { display_.reset(); }
 
     void start(const fs::path& world) {

@@ -1,5 +1,5 @@
-// A world's file lacks a door. The person adds the door from the list of faults, walks through it in this session and
-// the next, and removes it again. The world's file must stay unchanged.
+// Tests what a person can do if a world's file lacks a door. The person adds the door from the list of faults, walks
+// through it in this session and the next, and removes it again. The world's file must stay unchanged.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -22,7 +22,7 @@ constexpr const char* kText =
     "Building: Two rooms.\n\nRoom: Hall, 4 by 6 metres. Door outside in the south wall.\n\n"
     "Room: Kitchen, 4 by 4 metres, east of Hall. Stove in the north-east corner, landmark.\n";
 
-// Types the lines into a session, which then ends. Returns what the program printed.
+// Types the lines into a session and ends it. Returns what the program printed.
 std::string said_in(const std::filesystem::path& world, const std::string& lines) {
     ProgramCall call;
     call.program = test::built_program("handrail");

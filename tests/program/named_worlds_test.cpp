@@ -1,5 +1,6 @@
-// Tests the worlds that come with the program. Every command that reads a world must know their names. They may have no
-// fault that would stop a walker. Exported as room descriptions, they must read back as the same building.
+// Tests the worlds that are shipped with the program. Every command that reads a world must accept their names. The
+// worlds must have no fault that would stop a walker. If they are exported as room descriptions, reading these must
+// give the same building.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -60,7 +61,7 @@ TEST(BundledWorlds, have_no_fault_that_would_stop_or_mislead_anyone) {
     EXPECT_GE(worlds, 6U);
 }
 
-// Returns where each room leads, such as "door Hall", "opening Garden" or "door outside".
+// Returns for each room where its doors and openings lead, such as "door Hall", "opening Garden" or "door outside".
 std::map<std::string, std::multiset<std::string>> rooms_in(const std::string& text) {
     std::map<std::string, std::multiset<std::string>> rooms;
     const auto name_at = [](const std::string& line, std::size_t at) {
@@ -80,7 +81,7 @@ std::map<std::string, std::multiset<std::string>> rooms_in(const std::string& te
             rooms[room];
             EXPECT_TRUE(described.insert(room).second) << "twice: " << room;
         }
-        // The room descriptions call an opening at an edge a drop.
+        // The room descriptions contain the word "Drop" for an opening at an edge.
         if (line.starts_with("Drop of ")) join("Opening", name_at(line, line.find(" to ") + 4));
         for (const std::string kind : {"Door", "Sliding door", "Opening"}) {
             if (line.starts_with(kind + " outside")) rooms[room].insert(kind + " outside");

@@ -63,20 +63,20 @@ constexpr const char* kBusy[] = {
     "hand-left\nfind\nstairs\ntake-me\nleft 3\nforward 12\nname-room\nMy "
     "hall\nwhere\nlost\n"
     "desk\nescape\nhelp\nescape\n",
-    // This person has a device in each hand.
+    // The person has a device in each hand.
     "forward 3\nwhat\nhand-forward 8\nhand-left 12\nscale-down\nroom\nframe\nhand-right 20\nwhere\nfind\nkitchen\n"
     "take-me\nforward 4\nright 3\nforces\nforces\nhand-back 6\ndetail\nhand-left 9\nexits\nescape\n",
-    // The device is disconnected during a walk, found again, and disconnected again.
+    // The device is disconnected during a walk, connected again, and disconnected again.
     "forward 3\nwhere\nexits\nescape\nforward 6\nleft 2\nfind\nkitchen\nforward 4\nforces\nwhat\nbackward 9\n"
     "around\nforward 9\nwhere\nforces\nforward 5\nahead\nbackward 5\nmark\nmine\n",
-    // The person has a device in each hand, among movable bodies. The person pushes bodies, holds them by hand and by
+    // The person has a device in each hand, among movable bodies. The person pushes bodies, grabs them by hand and by
     // keys, releases them and puts them back. Then the person enters a labyrinth, in which a ball rolls.
     "hand-forward 3\nuse\nhand-back 2\nhand-up\nuse\nforward 3\nuse\nforward\nleft\nuse\nput-back\nmenu\nWorlds\n"
     "labyrinth\nhand-forward 2\nuse\nright\nforward\nuse\nput-back\nwhere\n",
 };
 constexpr int kTwoHands = 3, kPulledOut = 4, kFreeBodies = 5;
 
-// Returns a hall with a crate, a ball and a thing that is too heavy to push.
+// Returns a hall with a crate, a ball and an object that is too heavy to push.
 std::string hall_of_things() {
     const auto thing = [](const char* kind, const char* name, const char* kg, const std::string& brush) {
         return entity("thing", key("cs_name", kind) + key("name", name) + key("mass", kg), brush);
@@ -147,7 +147,8 @@ TEST(RecordedSession, becomes_a_scenario_that_passes) {
     EXPECT_THAT(content_of(scenario), HasSubstr("press = \"exits\""));
 }
 
-// Returns random input of a person who knows no rules: commands, numbers, names, and keys by their names.
+// Returns random input, as from a person who does not know what can be typed: commands, numbers, names, and keys by
+// their names.
 std::string typed_by_chance(std::uint32_t seed) {
     std::mt19937 random(seed);
     const auto below = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
@@ -156,7 +157,7 @@ std::string typed_by_chance(std::uint32_t seed) {
     std::string lines;
     for (int i = 0; i < scaled(60); ++i) {
         const CommandInfo& command = command_table()[below(command_table().size())];
-        // Leave ends the session, and Calibrate waits for minutes.
+        // Leave these two commands out: Leave ends the session, and Calibrate waits for minutes.
         const bool ends = command.command == Command::Leave || command.command == Command::Calibrate;
         if (below(3) > 0 && !ends) lines += std::string(command.word) + (below(4) == 0 ? " 3" : "");
         else lines += kWords[below(kWords.size())];
@@ -183,7 +184,7 @@ TEST_P(RecordedByChance, becomes_a_scenario_that_passes_unchanged) {
     replay.arguments = {"replay", recording, "--scenario", scenario};
     const ProgramRun made = run_program(replay);
     ASSERT_EQ(made.exit_status, 0) << made.err;
-    // The replay must repeat most of the recorded answers.
+    // The scenario made from the recording must expect most of the recorded answers.
     std::smatch told;
     if (std::regex_search(made.out, told, std::regex("not expected: ([0-9]+) of ([0-9]+)\\."))) {
         EXPECT_LE(3 * std::stoi(told[1]), std::stoi(told[2])) << made.out;
@@ -209,8 +210,8 @@ TEST(ReplayCommand, checks_a_recording_plays_it_and_reports_differences) {
     call.arguments = {"replay", recording.string(), "--speed", "4"};
     const ProgramRun heard = run_program(call);
     EXPECT_EQ(heard.exit_status, 0);
-    // If another announcement replaces a line before its turn, the program writes the line but does not speak it, so
-    // the replay omits it. On a busy machine this happens to the first answer.
+    // If another announcement replaces a line before the line is spoken, the program only writes the line, so the
+    // replay omits it. On a busy machine, this happens to the first answer.
     const auto read = read_recording(recording);
     ASSERT_TRUE(read) << read.error().sentence();
     std::size_t at = 0;
@@ -222,7 +223,7 @@ TEST(ReplayCommand, checks_a_recording_plays_it_and_reports_differences) {
         ASSERT_NE(at, std::string::npos) << line.text << "\n" << heard.out;
     }
     EXPECT_GE(voiced, 2);
-    // Replaces the recorded command "where" by another command.
+    // Replace the recorded command "where" by another command.
     std::string events = content_of(recording / "events.jsonl");
     const std::size_t where = events.find("\"command\":\"where\"");
     ASSERT_NE(where, std::string::npos);
@@ -244,7 +245,7 @@ TEST(ReportCommand, makes_a_page_and_tables_of_a_recording_and_replaces_nothing_
     if (test::kThreadSanitizer) GTEST_SKIP() << "RecordedUnderLoad.* runs the same threads";
     const TemporaryFolder folder;
     ProgramCall call = recorded_in(folder.path());
-    // "routes" waits until the program knows the rooms.
+    // The answer to "routes" waits until the program knows the rooms.
     call.input = "routes\nkitchen\nwhere\nleft 4\nforward 6\nexits\n";
     EXPECT_EQ(run_program(call).exit_status, 0);
     const std::string recording = folders_in(folder.path()).at(0).string();
@@ -258,8 +259,8 @@ TEST(ReportCommand, makes_a_page_and_tables_of_a_recording_and_replaces_nothing_
     EXPECT_THAT(html, testing::StartsWith("<!DOCTYPE html>\n<html lang=\"en\">"));
     EXPECT_THAT(html, HasSubstr("Kim"));
     EXPECT_THAT(html, HasSubstr("<svg"));
-    // The course of the session contains the announcements. Early input interrupts the first announcements of a
-    // session.
+    // The report's course of the session contains the announcements. The first announcements are missing if early input
+    // interrupts them.
     EXPECT_THAT(html, HasSubstr("Hall, at the base, by the door, facing north."));
     EXPECT_THAT(content_of(table),
                 testing::AllOf(HasSubstr(",time,"), HasSubstr(",contacts_hand,"), testing::Not(HasSubstr("Kim"))));

@@ -1,5 +1,5 @@
-// The program must keep a person's additions to a bundled world in the person's own folder, whichever way the person
-// opened the world.
+// Tests that the program stores a person's additions to a shipped world in the person's own folder. This must not
+// depend on how the person opened the world.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 class ShippedWorld : public testing::Test {
 protected:
-    // Opens `world`, sets a mark at the start and leaves. Returns the files that then contain the mark, below the
-    // person's own folder.
+    // Opens `world`, sets a mark at the start and leaves. Then returns the files below the person's own folder that
+    // contain the mark.
     std::vector<std::string> kept_after_mark_in(const std::string& world,
                                                 const std::map<std::string, std::string>& environment = {}) {
         const TemporaryFolder home;

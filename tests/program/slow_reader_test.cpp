@@ -1,4 +1,4 @@
-// Runs the program with a world that takes long to read. The reader process reports its progress and then waits.
+// Runs the program with a world that is slow to read. The reader process reports its progress and then waits.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -23,8 +23,8 @@ protected:
     void SetUp() override {
         fs::create_directories(folder_.path() / "bin");
         fs::copy_file(test::built_program("handrail"), program());
-        // A script in place of the reader. It reports progress as the real reader does (reader_process), waits, and
-        // then runs the real reader.
+        // A script in place of handrail-reader. It reports progress as handrail-reader does (reader_process), waits,
+        // and then runs the real handrail-reader.
         const fs::path reader =
             folder_.write("bin/handrail-reader", "#!/bin/sh\nprintf 'p40\\nsimport.shapes\\n' >&4\nsleep 3\nexec '" +
                                                      test::built_program("handrail-reader") + "' \"$@\"\n");

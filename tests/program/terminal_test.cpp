@@ -1,4 +1,4 @@
-// Runs the program in a separate terminal, as a person uses it. Keys act immediately, and a colon begins a typed
+// Runs the program in a separate terminal, as a person uses it. Keys must act at once, and a colon must begin a typed
 // command. However the program ends, it must restore the terminal.
 #include <unistd.h>
 

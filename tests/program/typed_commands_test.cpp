@@ -1,5 +1,5 @@
-// Gives the same typed lines to two programs. One is the real program with its threads in real time. The other is the
-// session on a virtual clock that scenarios and tests use. Both must announce the same.
+// Gives the same typed lines to two programs, which must announce the same. One is the real program with its threads in
+// real time. The other is the session on a virtual clock that scenarios and tests use.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ std::string joined(const std::vector<std::string>& lines) {
     return all;
 }
 
-// Removes the lines before the world's first sentence.
+// Removes the lines before the first sentence about the world.
 std::vector<std::string> from_greeting(std::vector<std::string> said) {
     const auto greeting =
         std::find_if(said.begin(), said.end(), [](const std::string& line) { return line.starts_with("House with"); });

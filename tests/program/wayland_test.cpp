@@ -1,5 +1,5 @@
-// Runs the program in a Wayland session without X11. It must use its window if GLFW supports Wayland, otherwise the
-// terminal.
+// Runs the program in a Wayland session without X11. It must use its window if GLFW supports Wayland; otherwise it must
+// use the terminal.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
@@ -52,8 +52,8 @@ protected:
     bool says(const std::string& words) {
         return eventually([&] { return said().find(words) != std::string::npos; });
     }
-    // The window receives the keyboard focus a moment after the first announcement. Therefore this function presses the
-    // key until the program answers.
+    // Presses `key` until the program says `words`. One press may not suffice, because the window receives the keyboard
+    // focus a moment after the first announcement.
     bool answers(const std::string& key, const std::string& words) {
         return eventually([&] {
             return session_->xdotool("key " + key) &&

@@ -80,7 +80,7 @@ TEST(WindowOfTheProgram, accepts_keys_speaks_and_shows_the_first_person_wall_and
     ASSERT_EQ(run.exit_status, 0) << run.out << run.err << said;
     EXPECT_THAT(said, HasSubstr("say: Press Escape again to leave."));
     EXPECT_THAT(said, HasSubstr("say: Goodbye."));
-    // The picture must change clearly when the walker reaches the wall, and again when the plan opens.
+    // The picture must differ clearly when the walker has reached the wall, and again when the plan is open.
     EXPECT_GT(difference(folder.path() / "first.png", folder.path() / "wall.png"), 0.05);
     EXPECT_GT(difference(folder.path() / "wall.png", folder.path() / "plan.png"), 0.05);
 }

@@ -17,7 +17,7 @@ using test::MockHidraw;
 using testing::Contains;
 using testing::HasSubstr;
 
-// Returns a hall with a brick wall in the north, two metres ahead of the base.
+// Returns a hall with a brick wall in the north, which is two metres ahead of the base.
 std::shared_ptr<const Scene> hall() {
     test::SceneBuilder b;
     b.box({0, 0, -0.2}, {6, 4, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
@@ -142,8 +142,8 @@ TEST_F(Companions, a_press_while_the_person_is_busy_elsewhere_has_no_effect_then
     ASSERT_TRUE(run_until([&] { return session_.devices().steering().ahead > 0.9; }, 5.0));
     push(pad, node, {128, 0, 128, 128});
     EXPECT_FALSE(run_until([&] { return app_.feet_m().y > 2.01 || !said_.empty(); }, 1.0));
-    // The person still pushes the stick, which must have an effect from now on. The earlier press of the button must
-    // have none.
+    // The person is still pushing the stick, which must have an effect from now on. The earlier press of the button
+    // must have no effect.
     busy_elsewhere_ = false;
     EXPECT_TRUE(run_until([&] { return app_.feet_m().y > 2.2; }, 5.0));
     EXPECT_TRUE(said_.empty()) << said_.front();
@@ -158,7 +158,7 @@ TEST_F(Companions, a_space_mouse_walks_and_turns_and_counts_as_at_rest_when_it_f
     {
         const std::lock_guard guard(node.lock);
         EXPECT_TRUE(puck.light);
-        puck.tell(1, {0, -20, 0});  // this push is within the dead band
+        puck.tell(1, {0, -20, 0});  // this deflection is within the dead band
     }
     node.ring();
     const Vec3 at = app_.feet_m();
@@ -218,7 +218,7 @@ TEST_F(Companions, a_rumble_only_pad_knocks_at_the_wall_and_is_still_afterwards)
     EXPECT_EQ(pad.bad_uploads, 0);
 }
 
-// Runs the whole program: it must use the pad for cues and for walking, but not as a hand.
+// Runs the whole program. The program must use the pad for cues and for walking, but not as a hand.
 TEST_F(Companions, the_program_uses_a_dual_sense_for_cues_and_walking) {
     test::PadEmulator pad(true, false);
     MockHidraw node(bed_.bed, pad, {0, false, 0x054c, 0x0ce6, "DualSense Wireless Controller"});

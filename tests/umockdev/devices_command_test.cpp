@@ -1,5 +1,5 @@
 // Runs `handrail devices` with every supported kind of device. The command must report each fact as data, and as text
-// that a voice can read.
+// that a voice can read aloud.
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -27,7 +27,7 @@ ByName by_name_of(const nlohmann::json& json) {
     return by_name;
 }
 
-// Checks that every fact that a user may query is present. A fact is null if the device lacks it.
+// Checks that every fact that a user may query is present. A fact that the device does not have must be null.
 void expect_every_fact(const ByName& by_name) {
     for (const auto& [name, device] : by_name) {
         SCOPED_TRACE(name);

@@ -1,4 +1,4 @@
-// Tests the Falcon's driver on the installed libusb. umockdev emulates the bus.
+// Tests the Falcon's driver with the installed libusb, on a bus that umockdev emulates.
 #include "haptic/drivers/falcon_device.h"
 #include "haptic/drivers/usb_link.h"
 #include "tests/emulators/falcon_claims.h"

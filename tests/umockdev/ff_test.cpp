@@ -47,8 +47,8 @@ TEST_F(OverEvdev, a_rumble_pad_follows_commands_and_stops_when_closed) {
     EXPECT_FALSE(pad.loaded);
 }
 
-// The stick moves in a plane: x is right, and y is away from the person. A force to the right must have the kernel's
-// direction "right", and so on.
+// The stick moves in a plane: x is right, and y is away from the person. For a force to the right, the driver must send
+// the kernel's direction "right", and so on.
 TEST_F(OverEvdev, a_stick_maps_right_and_forward_to_east_and_north_and_pushes_right_for_a_force_east) {
     MockStick stick(bed_.bed, true);
     auto link = open_ff_link("/dev/input/event5");
@@ -71,8 +71,8 @@ TEST_F(OverEvdev, a_stick_maps_right_and_forward_to_east_and_north_and_pushes_ri
     sample = device.read(0.0);
     EXPECT_EQ(sample.position_m, Vec3(0.0, device.spec().workspace_radius_m, 0.0));
     EXPECT_EQ(sample.buttons, 0U);
-    // Checks the directions through the whole conversion to the world and back. The stick goes half of its travel to
-    // the right or away. The hand then presses 2 mm into a surface, which must push it east or north.
+    // Checks the directions through the whole conversion to the world and back. The stick moves by half of its travel
+    // to the right or away. The hand is then 2 mm inside a surface, which must push it east or north.
     for (const auto& [axis, code, value, direction] :
          {std::tuple{0, ABS_X, 256, 0xC000}, std::tuple{1, ABS_Y, -256, 0x8000}}) {
         stick.tell(EV_ABS, ABS_X, 0);

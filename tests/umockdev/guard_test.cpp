@@ -33,8 +33,8 @@ using test::times_in;
 
 const std::filesystem::path kGuard = test::built_program("standin_umockdev_guard");
 
-// Returns whether this machine wakes a thread less than 10 ms late. The watchdogs check every 10 ms, and the second
-// guard needs some exchanges, so a later machine cannot show that the guard meets its deadline.
+// Returns true if this machine wakes a thread less than 10 ms late. The watchdogs check every 10 ms, and the second
+// guard needs some exchanges. So on a slower machine, the test cannot show that the guard meets its deadline.
 bool gives_its_time() {
     constexpr int kLooks = 100;
     constexpr auto kLate = 10ms;
@@ -49,7 +49,7 @@ bool gives_its_time() {
     return worst < kLate;
 }
 
-constexpr std::size_t kBusyEnough = 4;  // the test gives up after this many messages that the computer is too busy
+constexpr std::size_t kBusyEnough = 4;  // the test gives up after this many announcements that the computer is too busy
 
 // Returns the child processes that any thread of `process` has started, the oldest first.
 std::vector<pid_t> children_of(pid_t process) {
@@ -155,12 +155,12 @@ TEST_F(GuardProcess, unplugging_and_replugging_are_detected) {
         bus_.unplugged = false;
     }
     EXPECT_TRUE(tick_until(true));
-    // If its guard is killed, the program must treat the device as lost. The second guard makes sure that the device
-    // exerts no force.
+    // If the guard is killed, the program must report that the device is lost. The second guard must make sure that the
+    // device exerts no force.
     ::kill(device.guard_process(), SIGKILL);
     EXPECT_TRUE(tick_until(false));
     for (const auto end = Clock_::now() + 20s; Clock_::now() < end && device.read(0.0).loss != DeviceLoss::ForceOff;) {
-        (void)device.take_news();  // the app calls this, too; the call also replaces a second guard that died
+        (void)device.take_news();  // the app makes this call, too; the call also replaces a second guard that has died
         std::this_thread::sleep_for(1ms);
     }
     EXPECT_EQ(device.read(0.0).loss, DeviceLoss::ForceOff);
@@ -183,8 +183,8 @@ public:
         std::vector<char*> argv;
         for (std::string& word : words) argv.push_back(word.data());
         argv.push_back(nullptr);
-        // The program also gets no speech server. Starting one forks the process, and umockdev's lock does not survive
-        // a fork while another thread looks for devices.
+        // The program also gets no speech server. Starting one forks the process. A lock of umockdev may stay locked in
+        // the child if another thread is looking for devices at that moment.
         const auto bare = test::bare_environment(home.string());
         std::vector<std::string> variables;
         for (char** variable = environ; *variable; ++variable) {
@@ -227,7 +227,7 @@ public:
             if (said().find(words) != std::string::npos) return true;
         return false;
     }
-    // Returns true once the program has announced `words` a second time.
+    // Returns true once the program has announced `words` another time.
     bool says_again(const std::string& words) {
         for (const auto end = Clock_::now() + 300s; Clock_::now() < end; std::this_thread::sleep_for(10ms)) {
             const std::string text = said();
@@ -238,8 +238,8 @@ public:
     void type(std::string_view line) {
         [[maybe_unused]] const auto written = ::write(input_, line.data(), line.size());
     }
-    // Also waits until the program's guards have ended: umockdev ends the test if a process still uses a bus that is
-    // being removed.
+    // Kills the program, and waits until its guards have ended, too. umockdev would end the test if a process still
+    // used a bus that is being removed.
     void kill_and_wait() {
         const std::vector<pid_t> guards = children_of(pid_);
         ::kill(pid_, SIGKILL);
@@ -277,7 +277,7 @@ protected:
         if (!gives_its_time()) GTEST_SKIP() << "this machine is too busy to give a servo its rate";
         ASSERT_TRUE(program_.says("First room, 6 by 4 metres.") && program_.says("The Falcon is ready."))
             << program_.said();
-        for (const double up_m : {0.006, 0.0}) {  // the hand must first move; then the force ramps up over 1 s
+        for (const double up_m : {0.006, 0.0}) {  // first move the hand; then wait for the force, which rises over 1 s
             std::this_thread::sleep_for(100ms);
             const std::lock_guard guard(bus_.lock);
             bus_.falcon.grip_m.y = up_m;
@@ -288,8 +288,8 @@ protected:
             bus_.falcon.held = false;
             bus_.falcon.push_n = {0.0, -2.0, 0.0};
         }
-        // On a busy machine, the watchdog of the servo rate may switch the force off. The test then brings the force
-        // back with the force command, as a user would.
+        // On a busy machine, the watchdog of the servo rate may switch the force off. In that case, the test switches
+        // the force on again with the force command, as a user would.
         std::size_t answered = 0;
         bool pressed = false;
         wait(
@@ -308,7 +308,7 @@ protected:
         ASSERT_TRUE(pressed) << program_.said();
     }
     // Waits for zero force. Checks that at most `most_frames_with_force` frames after `since` carried a force, and that
-    // no force comes back. Prints how long it took.
+    // no force returns. Prints how long it took until the force was zero.
     void expect_zero_since(Clock_::time_point since, int most_frames_with_force) {
         ASSERT_TRUE(wait([this] { return no_force_now(); }));
         const std::lock_guard guard(bus_.lock);
@@ -340,8 +340,8 @@ TEST_F(DyingProgram, killed_with_2_newtons_in_the_hand_leaves_zero_force) {
     const auto killed = Clock_::now();
     program_.kill_and_wait();
     std::printf("kill -9: ");
-    // A killed program sends no more commands. At most two frames should still carry a force: the one under way and the
-    // one that the program had ordered. The test allows 20 frames, which take about 20 ms.
+    // A killed program sends no more commands. At most two frames should still carry a force: the frame under way, and
+    // the frame that the program had ordered. The test allows 20 frames, which are about 20 ms.
     expect_zero_since(killed, 20);
     const std::lock_guard guard(bus_.lock);
     EXPECT_LE(bus_.falcon.largest_force_n, 3.0);
@@ -361,7 +361,7 @@ protected:
     // Returns the process numbers of both guards. The first guard starts before the second one, so its number is
     // smaller.
     std::vector<pid_t> guards() { return children_of(program_.pid()); }
-    // Returns the milliseconds from `since` until the motors first had no force. Also checks that no force comes back
+    // Returns the milliseconds from `since` until the motors first had no force. Also checks that no force returns
     // during the next 300 ms.
     double zero_after_ms(Clock_::time_point since) {
         EXPECT_TRUE(wait([this] { return no_force_now(); }));
@@ -377,8 +377,8 @@ protected:
             << "no force comes back";
         return std::chrono::duration<double, std::milli>(zero->at - since).count();
     }
-    // Runs `act` while the hand feels 2 N. Expects zero force within `most_ms`. If it took longer on a machine that is
-    // too busy to measure times, skips the test.
+    // Runs `act` while the hand feels 2 N. Expects zero force within `most_ms`. If the force was zero only later, and
+    // the machine is too busy to measure times, skips the test.
     void expect_zero_within(double most_ms, const char* what, const std::function<void()>& act) {
         press_on_the_floor();
         if (IsSkipped() || HasFatalFailure()) return;
@@ -427,7 +427,7 @@ TEST_F(FailingGuard, frozen_while_the_program_exits_leaves_zero_force) {
     EXPECT_EQ(program_.wait_for_end(), 0) << program_.said();
 }
 
-// The test first freezes the second guard, so that only the program can stop the force when the first guard dies.
+// The test first freezes the second guard. So when the first guard dies, only the program can remove the force.
 TEST_F(FailingGuard, killed_with_a_frozen_second_guard_is_still_followed_by_zero_force) {
     expect_zero_within(250.0, "second guard frozen, first killed", [this] {
         const auto both = guards();
@@ -459,8 +459,8 @@ TEST_F(FailingGuard, drops_all_privileges_and_is_replaced_when_the_second_guard_
         const std::string text{std::istreambuf_iterator<char>(limits), {}};
         EXPECT_THAT(text, testing::ContainsRegex("Max core file size +0 +0"));
         EXPECT_THAT(text, testing::ContainsRegex("Max open files +256 +256"));
-        // If the system denies the guard protection from running out of memory, or a memory lock, the program must say
-        // so.
+        // If the system does not protect the guard from running out of memory, or refuses to lock its memory, the
+        // program must say so.
         int score = 0;
         std::ifstream(fmt::format("/proc/{}/oom_score_adj", guard)) >> score;
         EXPECT_EQ(score != -1000, program_.said().find("If memory runs out") != std::string::npos) << program_.said();
@@ -479,7 +479,7 @@ TEST_F(FailingGuard, drops_all_privileges_and_is_replaced_when_the_second_guard_
     EXPECT_TRUE(wait([this] { return no_force_now(); })) << "the new second guard does its work";
 }
 
-// A system bus with logind on it. The constructor starts it before the program starts and looks for logind.
+// A system bus with logind on it. The constructor starts the bus before the program starts and looks for logind.
 struct SystemBus {
     test::TemporaryFolder folder;
     std::optional<test::LoginManager> logind;
@@ -544,8 +544,8 @@ TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
         bus.falcon.grip_m.y = y_m;
     };
     bool felt = false;
-    // On a busy machine, the force may be off. The test then brings the force back with the force command, as a user
-    // would.
+    // On a busy machine, the force may be off. In that case, the test switches the force on again with the force
+    // command, as a user would.
     std::size_t told = 0;
     for (const auto end = Clock_::now() + 300s; !felt && Clock_::now() < end;) {
         const std::string said = program.said();
@@ -561,7 +561,8 @@ TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
         }
     }
     EXPECT_TRUE(felt) << program.said();
-    // When its guard is killed, the program must treat the Falcon as lost and then be able to open it again.
+    // When the guard of the Falcon is killed, the program must report that the Falcon is lost. It must then be able to
+    // open the Falcon again.
     const auto both = children_of(program.pid());
     ASSERT_EQ(both.size(), 2U);
     ::kill(both.front(), SIGKILL);
@@ -569,7 +570,7 @@ TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
         << program.said();
     program.type("forces\n");
     ASSERT_TRUE(program.says_again("The Falcon is ready.")) << program.said();
-    program.end();  // the program must end while the bus still exists
+    program.end();  // end the program while the bus still exists
     const std::lock_guard guard(bus.lock);
     EXPECT_LE(bus.falcon.largest_force_n, 3.0);
 }
@@ -577,7 +578,7 @@ TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
 class CalibratingProgram : public GuardProcess {
 protected:
     // Waits until the program has announced `words`. If a fault interrupts on a busy machine, presses Enter, as a user
-    // would. Returns false if the guard let the device go because it ran out of time, or if the servo complained too
+    // would. Returns false if the guard released the device because it ran out of time, or if the servo complained too
     // often about lack of time. Fails and returns false after 300 s.
     bool hears(const std::string& words) {
         for (const auto end = Clock_::now() + 300s; Clock_::now() < end; std::this_thread::sleep_for(10ms)) {
@@ -618,8 +619,8 @@ protected:
         const std::lock_guard guard(bus_.lock);
         bus_.falcon.buttons = down ? 4 : 0;
     }
-    // Presses the button when the hand feels a force. Presses it again if the program repeats the question, either
-    // because a fault interrupted or because the device let go.
+    // Presses the button when the hand feels a force. Presses it again if the program repeats the question, because a
+    // fault interrupted the question or because the guard released the device.
     bool feels_and_presses() {
         if (!hears("I will press")) return false;
         const auto feels = [this] { return glm::length(bus_.falcon.force_on_hand_n()) > 0.2; };
@@ -630,11 +631,11 @@ protected:
             const bool has_let_go = std::exchange(let_go, times) < times;
             if (!has_let_go && !wait(feels, 1s)) continue;
             press_button(true);
-            // Waits, because a second press would answer the next question.
+            // Wait for this sentence, because a second press would answer the next question.
             const bool felt = program_->says("You felt it at", 5s);
             press_button(false);
             if (felt) return true;
-            // So that the program, which polls sixty times a second, sees the released button.
+            // Wait, so that the program, which polls sixty times a second, sees that the button is released.
             std::this_thread::sleep_for(100ms);
         }
         return hears("You felt it at");
@@ -643,7 +644,7 @@ protected:
         for (const Vec3& side : {Vec3(0.03, 0.0, 0.125), Vec3(-0.03, 0.0, 0.125), Vec3(0.0, 0.02, 0.125),
                                  Vec3(0.0, -0.02, 0.125), Vec3(0.0, 0.0, 0.15), Vec3(0.0, 0.0, 0.1)}) {
             if (!move_to(side)) return false;
-            // So that the program, which polls sixty times a second, sees the hand at this side.
+            // Wait, so that the program, which polls sixty times a second, sees the hand at this side.
             std::this_thread::sleep_for(100ms);
         }
         return true;
@@ -664,7 +665,7 @@ protected:
     std::optional<RunningProgram> program_;
     std::size_t faults_ = 0;
     bool lost_ = false;
-    Vec3 target_m_{0.0, 0.0, 0.145};  // `bus_.lock` guards this place
+    Vec3 target_m_{0.0, 0.0, 0.145};  // `bus_.lock` guards this position
 };
 
 TEST_F(CalibratingProgram, guides_through_the_whole_setup_by_voice_and_saves_a_profile) {
@@ -735,7 +736,7 @@ TEST_F(GuardProcess, devices_command_names_the_udev_rule_if_access_is_denied) {
     EXPECT_THAT(asleep.out, testing::HasSubstr("nvent_firmware.bin"));
     EXPECT_THAT(asleep.out, testing::HasSubstr("cannot be used yet"));
     // If the user requested no device, the program must announce the failure and continue with a simulated hand. If the
-    // user requested this device, the program must end.
+    // user requested this device by name, the program must end.
     call.arguments = {"--no-window"};
     const test::ProgramRun left_to_itself = test::run_program(call);
     EXPECT_EQ(left_to_itself.exit_status, 0) << left_to_itself.err;

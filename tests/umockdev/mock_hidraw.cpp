@@ -74,7 +74,7 @@ void MockHidraw::ring() {
     ring_locked();
 }
 
-// Keeps one byte in the terminal while reports wait, and none otherwise.
+// Makes sure that the terminal contains one byte while reports are waiting, and none otherwise.
 void MockHidraw::ring_locked() {
     if (device_.to_host.empty() == !rung_) return;
     rung_ = !rung_;
@@ -116,9 +116,9 @@ gboolean MockHidraw::on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, g
                                       static_cast<std::int16_t>(node.identity_.product)};
             return answer(&info, sizeof info);
         }
-        case 4:  // this is HIDIOCGRAWNAME with any length
+        case 4:  // HIDIOCGRAWNAME with any length
             return answer(node.identity_.name.c_str(), node.identity_.name.size() + 1);
-        case 7: {  // this is HIDIOCGFEATURE with any length
+        case 7: {  // HIDIOCGFEATURE with any length
             const std::vector<std::uint8_t> report = node.device_.feature(data->data[0]);
             return report.empty() ? complete(client, -1, EPIPE) : answer(report.data(), report.size());
         }

@@ -1,6 +1,6 @@
-// A hidraw node in umockdev. It leads to a HID emulator and preserves the boundaries of reports. The node is a terminal
-// that only signals that reports wait; this class answers the reads and writes. The testbed answers on its own thread,
-// and `lock` guards the emulator.
+// Makes a hidraw node in umockdev. The node leads to a HID emulator and preserves the boundaries of reports. The node
+// itself is a terminal, which only signals that reports are waiting; this class answers the reads and writes. The
+// testbed answers on its own thread, and `lock` guards the emulator.
 #pragma once
 
 #include <umockdev.h>
@@ -25,7 +25,7 @@ public:
     MockHidraw(const MockHidraw&) = delete;
     MockHidraw& operator=(const MockHidraw&) = delete;
 
-    // The test must call this after the emulator has queued reports.
+    // The test must call ring() after the emulator has queued reports.
     void ring();
 
     std::mutex lock;

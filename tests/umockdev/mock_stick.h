@@ -1,4 +1,4 @@
-// An event node with force feedback in umockdev. It is a rumble pad, or a joystick with a constant force and a
+// Makes an event node with force feedback in umockdev. It is a rumble pad, or a joystick with a constant force and a
 // simulated hand on it. The testbed answers on its own thread. `lock` guards what the device has received and what it
 // reports.
 #pragma once
@@ -15,7 +15,7 @@ namespace handrail::test {
 
 class MockStick {
 public:
-    // If `constant` is true, the device is a joystick with a constant force; otherwise a pad that only rumbles.
+    // If `constant` is true, the device is a joystick with a constant force. Otherwise it is a pad that only rumbles.
     MockStick(UMockdevTestbed* bed, bool constant);
     ~MockStick();
     MockStick(const MockStick&) = delete;

@@ -24,7 +24,8 @@ std::string hex(std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 MockUsbDevice::MockUsbDevice(UMockdevTestbed* bed, UsbFunction& function, int address) : function_(function) {
-    ::signal(SIGPIPE, SIG_IGN);  // umockdev may write answers to processes that tests have killed
+    // Umockdev may write answers to processes that tests have killed, which would end this process.
+    ::signal(SIGPIPE, SIG_IGN);
     const std::vector<std::uint8_t> numbers = function.device_descriptor();
     const std::string node = fmt::format("bus/usb/{:03}/{:03}", kBus, address);
     const std::string device = fmt::format(
@@ -61,7 +62,7 @@ void MockUsbDevice::finish(const Urb& urb, int status, std::size_t length) {
     done_.push_back(urb);
 }
 
-// Completes the waiting transfers to the host for which the device now has data.
+// Completes the waiting transfers to the host if the device now has data for them.
 void MockUsbDevice::serve_waiting() {
     const auto now = std::chrono::steady_clock::now();
     while (!waiting_.empty()) {
@@ -75,7 +76,7 @@ void MockUsbDevice::serve_waiting() {
     }
 }
 
-// Handles a control transfer. Its buffer has eight set-up bytes, then the data in either direction.
+// Executes a control transfer. Its buffer has eight set-up bytes, then the data in either direction.
 void MockUsbDevice::control(const Urb& urb) {
     constexpr std::size_t kSetup = 8;
     std::uint8_t* bytes = urb.buffer->data;

@@ -1,4 +1,4 @@
-// A USB device in umockdev. It answers usbfs requests as the kernel would, for any device of
+// Makes a USB device in umockdev. It answers usbfs requests as the kernel would, for any device of
 // tests/emulators/usb_function.h. The testbed answers on its own thread, and `lock` guards the emulator.
 #pragma once
 
@@ -45,7 +45,7 @@ private:
     std::deque<Urb> waiting_, done_;
 };
 
-// A bus with one Falcon on it.
+// A bus with one Falcon connected to it.
 class MockFalconBus : public FalconAndItsChip, public MockUsbDevice {
 public:
     static constexpr int kAddress = 7;

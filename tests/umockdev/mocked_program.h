@@ -1,4 +1,4 @@
-// A copy of the program whose guard can reach the devices that umockdev emulates.
+// Makes a copy of the program whose guard can reach the devices that umockdev emulates.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 
 namespace handrail::test {
 
-// Returns the path of a copy of the program in a folder laid out like a build. The copy is deleted when this process
-// ends.
+// Returns the path of the copied program, which is in a folder laid out like a build. The copy is deleted when this
+// process ends.
 inline const std::filesystem::path& mocked_program() {
     namespace fs = std::filesystem;
     static const TemporaryFolder folder;

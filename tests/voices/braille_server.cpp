@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kBrlApiPort = 4101;  // BrlAPI's server number N listens on the port with this number plus N
 
-// Returns a server number on whose port nobody listens at present.
+// Returns a server number whose port nobody listens on at present.
 int free_number() {
     for (int number = 100 + ::getpid() % 800;; ++number) {
         const int probe = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
@@ -125,7 +125,7 @@ bool BrailleServer::shows(const std::string& words) {
 void BrailleServer::press(const std::string& command) const {
     const std::string line = command + "\n";
     if (::write(display_, line.data(), line.size()) < 0) {
-        // The process has ended; other functions report that.
+        // Ignore a failure: the process has ended, which other functions report.
     }
 }
 

@@ -1,5 +1,5 @@
-// A private BRLTTY for the test, whose display is a socket. The test can read the displayed text and press the
-// display's keys. Only one thread may use it.
+// Runs a private BRLTTY for the test, whose display is a socket. The test can read the displayed text and press the
+// display's keys. Only one thread may use the object.
 #pragma once
 
 #include <filesystem>
@@ -15,9 +15,9 @@ class BrailleServer {
 public:
     static constexpr int kCells = 40;
 
-    // Returns why BRLTTY cannot run here; empty if it can.
+    // Returns why BRLTTY cannot run on this machine; empty if it can.
     static std::string why_not();
-    // Starts BRLTTY and its display in `folder`. If one of the two does not start, running() returns false.
+    // Starts BRLTTY and its display in `folder`. If BRLTTY or the display does not start, running() returns false.
     explicit BrailleServer(const std::filesystem::path& folder);
     ~BrailleServer();
     BrailleServer(const BrailleServer&) = delete;
@@ -31,8 +31,8 @@ public:
 
     // Returns the text on the display, without trailing blanks.
     std::string shown();
-    bool shows(const std::string& words);          // waits up to a minute
-    void press(const std::string& command) const;  // command: BRLTTY's name, such as "FWINRT" or "ROUTE 7"
+    bool shows(const std::string& words);          // waits up to a minute until the display shows `words`
+    void press(const std::string& command) const;  // `command` is a name of BRLTTY, such as "FWINRT" or "ROUTE 7"
     std::string everything() const;
 
 private:

@@ -1,4 +1,5 @@
-// Runs the program with a braille display. The tests take away everything that can fail while a person explores.
+// Runs the program with a braille display. While a person explores, the tests end everything that can fail: the
+// display, the voices and the sound.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -79,12 +80,12 @@ TEST_F(Brailled, session_shows_the_heading_and_the_spoken_text) {
 TEST_F(Brailled, session_pans_with_the_display_keys_and_says_more_on_a_routing_key) {
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;
-    // Repeats the query until the session knows the room, because a background task finds the rooms.
+    // Repeat the query until the session knows the room, because a background task finds the rooms.
     const auto told = [&] { return program->said().find("say: Room with") != std::string::npos; };
     ASSERT_TRUE(eventually([&] { return press("F2") && eventually(told, 2.0); })) << everything();
     ASSERT_TRUE(braille->shows("N  Room with")) << everything();
-    // Each displayed piece must consist of words of the message, after the heading. The keys pan forward, back,
-    // forward, and to the beginning.
+    // Each displayed piece must consist of words of the message, after the heading. The keys move the display forwards,
+    // back, forwards, and to the beginning of the message.
     const std::string first = braille->shown();
     const auto other = [&] { return braille->shown() != first; };
     const auto same = [&] { return braille->shown() == first; };
@@ -126,8 +127,8 @@ TEST_F(Brailled, session_accepts_another_display_of_the_same_server) {
     leave();
 }
 
-// Takes away, one after the other, everything that tells a person where they are. Whatever remains must announce each
-// loss, and the session must continue.
+// Ends one after the other everything that informs a person. The outputs that remain must announce each loss, and the
+// session must continue.
 TEST_F(Brailled, session_goes_on_when_braille_sound_and_speech_are_taken_away_in_turn) {
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;

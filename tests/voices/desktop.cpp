@@ -35,7 +35,7 @@ Desktop::Desktop(const fs::path& folder, int word_ms) : folder_(folder) {
 }
 
 Desktop::~Desktop() {
-    // Only if the bus receives SIGTERM does it also end everything that it has started.
+    // End the bus with SIGTERM, because only then does it also end everything that it has started.
     if (bus_) bus_->send(SIGTERM);
 }
 
@@ -58,8 +58,8 @@ Environment Desktop::environment(bool speech_server) const {
     return all;
 }
 
-// Orca does not start if the same user already runs one, whatever session that one serves. It may be a developer's own,
-// or that of another test. Orca checks with pgrep, so here it gets a pgrep that finds no process.
+// Orca does not start if the same user already runs one, even for another session. Such an Orca may be a developer's
+// own, or that of another test. Orca checks this with pgrep, so in this test it gets a pgrep that finds no process.
 std::string Desktop::without_other_orcas() const {
     const fs::path folder = folder_ / "programs";
     fs::create_directories(folder);
@@ -73,9 +73,10 @@ bool Desktop::start_orca(const Environment& braille) {
     Environment environment = session();
     environment.merge(speech->environment());
     for (const auto& [name, value] : braille) environment[name] = value;
-    environment["PATH"] = without_other_orcas() + ":/usr/bin:/bin";  // the system's Python has what Orca needs
-    // Orca 43 quits if it has not started within 10 s, which a busy machine exceeds. It runs this file before that
-    // check, so the file can extend the limit.
+    // The system's Python has the modules that Orca needs.
+    environment["PATH"] = without_other_orcas() + ":/usr/bin:/bin";
+    // Orca 43 quits if it has not started within 10 s, which it may not manage on a busy machine. Orca runs this file
+    // before that check, so the file can extend the limit.
     fs::create_directories(folder_ / "orca");
     std::ofstream(folder_ / "orca" / "orca-customizations.py")
         << "import signal\nfrom orca import settings\nsettings.timeoutTime = 0\nsignal.alarm(0)\n";
@@ -117,8 +118,8 @@ std::string Desktop::ask_objects(const std::string& python) const {
     fs::remove(out);
     Environment environment = session();
     environment["PATH"] = "/usr/bin:/bin";
-    // By default, pyatspi treats a program that does not answer within 0.8 s as having no children. On a busy machine
-    // this happens.
+    // By default, pyatspi reports no children for a program that does not answer within 0.8 s, which happens on a busy
+    // machine. So extend this limit.
     const std::string patient = "import pyatspi\npyatspi.setTimeout(120000, 120000)\n";
     const auto reader = ChildProcess::start({"python3", "-c", patient + python}, environment, out);
     if (reader) reader->exit_status();

@@ -1,5 +1,6 @@
-// A private desktop of a blind person for the test, isolated from that of the machine. It has a session bus, an X
-// server, a speech server that records what it receives, and the screen reader Orca, which speaks through that server.
+// Runs a private desktop of a blind person for the test, isolated from the desktop of the machine. It has a session
+// bus, an X server, a speech server that records what it receives, and the screen reader Orca, which speaks through
+// that server.
 #pragma once
 
 #include <filesystem>
@@ -15,8 +16,8 @@ namespace handrail::test {
 
 class Desktop {
 public:
-    // Returns why the desktop cannot run here; empty if it can. Either a package is missing, or a sanitizer is active,
-    // under which the tests do not judge time and memory of foreign libraries.
+    // Returns why the desktop cannot run on this machine; empty if it can. Either a package is missing, or a sanitizer
+    // is active. Under a sanitizer, the tests would also judge the time and memory of foreign libraries.
     static std::string why_not();
     // Starts everything except Orca in `folder`. If a part does not start, running() returns false.
     explicit Desktop(const std::filesystem::path& folder, int word_ms = 1);
@@ -25,12 +26,12 @@ public:
     Desktop& operator=(const Desktop&) = delete;
 
     bool running() const { return display && speech && speech->running(); }
-    // Starts Orca and waits until it says that it is on. `braille` is the environment of a display that Orca uses.
+    // Starts Orca and waits until Orca says that it is on. `braille` is the environment of a display that Orca uses.
     bool start_orca(const Environment& braille = {});
     void kill_orca() { orca_->kill(); }
     void end_session() { bus_->kill(); }  // ends the bus and everything that was started through it
 
-    // Returns variables that connect a program to this desktop. If `speech_server` is false, the program finds no
+    // Returns the variables that connect a program to this desktop. If `speech_server` is false, the program finds no
     // speech server.
     Environment environment(bool speech_server) const;
     // Gives the program's window the keyboard focus as soon as the window exists.

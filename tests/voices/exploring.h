@@ -1,4 +1,5 @@
-// The program with its own home folder. The test types into it or, if the program has a window, presses keys.
+// Runs the program with a separate home folder. The test types into the program or, if the program has a window,
+// presses keys.
 #pragma once
 
 #include <memory>
@@ -23,8 +24,8 @@ public:
         if (first_start) std::filesystem::remove(folder.path() / ".config" / "handrail" / "settings.toml");
         std::vector<std::string> words{test::built_program("handrail")};
         words.insert(words.end(), arguments.begin(), arguments.end());
-        // On a busy machine, the sound device runs out of data. With fewer periods, the program would report this in
-        // the middle of other messages.
+        // On a busy machine, the sound device runs out of data if it has fewer periods. The program would then report
+        // that in the middle of other messages.
         for (const char* steady : {"--set", "sound.periods=3"}) words.emplace_back(steady);
         process_ = ChildProcess::start(words, environment, said_);
     }

@@ -1,6 +1,6 @@
 // Measures how long a person waits, in wall-clock time. The tests print the times but never judge them, because they
-// depend on the machine as much as on the program. A time begins before xdotool starts, so it includes xdotool's start
-// and key press. It ends at the voice's first word, or at its silence.
+// depend on the machine as much as on the program. Each measurement begins before xdotool starts, so it includes
+// xdotool's start and key press. It ends at the voice's first word, or when the voice is silent.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,8 +22,8 @@ constexpr int kTimes = 12;
 
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-// Presses `key`. Returns the time until the speech server records an entry that `is_it` accepts. The search begins at
-// entry `from`, and then sets `from` to the entry after the match.
+// Presses `key`. Returns the time until the speech server records an entry that `is_it` accepts. Searches from entry
+// `from` on, and sets `from` to the entry after the match.
 std::optional<double> time_to(const Desktop& desktop, const std::string& key, std::size_t& from,
                               const std::function<bool(const Recorded&)>& is_it) {
     const double pressed_s = now_s();
@@ -48,7 +48,8 @@ void report(const char* what, std::vector<double> times_s) {
                 1000.0 * times_s.back(), times_s.size());
 }
 
-// Presses the query for the heading. The voice speaks the answer until a key interrupts it.
+// Measures two times: from the query for the heading to the first word of the answer, and from another key to silence.
+// The answer is long enough for the second key to interrupt it.
 void measure(const Desktop& desktop, const char* to_word, const char* to_silence) {
     std::vector<double> word_s, silence_s;
     for (int i = 0; i < kTimes; ++i) {
@@ -92,7 +93,8 @@ void explore_and_measure(bool orca, int word_ms, const char* to_word, const char
 
 TEST(Latency, of_the_screen_reader_is_reported) {
     if (const std::string why = Desktop::why_not(); !why.empty()) GTEST_SKIP() << why;
-    // Orca first says the key, which is two words long including the blank. The answer waits for that.
+    // Orca first says the name of the key, which is as long as two words including the blank. The answer waits for
+    // that.
     explore_and_measure(true, 100, "key to the first word, after 200 ms of key echo, by Orca",
                         "key to silence, by Orca");
 }
@@ -103,10 +105,11 @@ TEST(Latency, of_the_speech_server_is_reported) {
                         "key to silence, by speech-dispatcher");
 }
 
-// When the program sets a gain to zero, OpenAL lowers it over the next period that it mixes: 256 samples at 48 kHz.
+// When the program sets a gain to zero, OpenAL lowers the gain over the next period that it mixes: 256 samples at 48
+// kHz.
 constexpr double kMixerRamp_s = 256.0 / 48000.0;
 
-// Returns what the program requested of OpenAL for its own voice: when speech began, and when it had to be silent.
+// Returns what the program requested of OpenAL for its own voice: when the speech began, and when it had to be silent.
 std::vector<Recorded> own_voice(const std::filesystem::path& file) {
     std::vector<Recorded> all;
     std::istringstream lines(content_of(file));

@@ -1,4 +1,4 @@
-// Runs the whole program with the voices of a desktop. The tests take the voices away in turn while a person explores.
+// Runs the whole program with the voices of a desktop. The tests end these voices in turn while a person explores.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -43,8 +43,8 @@ TEST_F(ProgramSpeaking, through_the_speech_server_speaks_each_line_of_text_there
     ASSERT_TRUE(eventually([&] { return server->spoke("Ahead: north wall"); }))
         << program->said() << server->everything();
     leave();
-    // Every spoken text must also have been written. If the next key interrupted an answer, the answer may exist only
-    // as text.
+    // Every spoken text must also have been written. The reverse need not be true: if the next key interrupted an
+    // answer, that answer may exist only as text.
     for (const Recorded& entry : server->recorded()) {
         if (entry.event != "speak") continue;
         EXPECT_THAT(program->said(), HasSubstr(": " + entry.words + "\n"));
@@ -54,7 +54,7 @@ TEST_F(ProgramSpeaking, through_the_speech_server_speaks_each_line_of_text_there
 }
 
 TEST_F(ProgramSpeaking, continues_when_the_speech_server_is_killed_and_uses_it_again_when_it_returns) {
-    // libspeechd cancels its thread. If g++ 12's sanitizer looks up names for its suppressions at that moment, the
+    // libspeechd cancels its thread. If g++ 12's sanitizer is looking up names for its suppressions at that moment, the
     // thread never ends and blocks all others.
     if (test::kThreadSanitizer) GTEST_SKIP() << "SpeechdVoice.notices_a_killed_server_* runs the same threads";
     ASSERT_NO_FATAL_FAILURE(explore());

@@ -1,4 +1,4 @@
-// Orca reads the program, on a private desktop for the test.
+// Tests that Orca reads the program aloud, on a private desktop for the test.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace screen_reader_test {
 using testing::HasSubstr;
 using testing::Not;
 
-// Removes blanks and a full stop at the end. The program appends a blank to a name that repeats the last one, because
+// Removes blanks and full stops at the end. The program appends a blank to a name that repeats the last name, because
 // Orca reads only changes. Orca 48 ends its utterances with a full stop, but Orca 43 does not.
 std::string without_end(std::string text) {
     text.erase(text.find_last_not_of(" .") + 1);
@@ -64,15 +64,15 @@ protected:
     bool speaks_of(const std::string& words) const {
         return eventually([&] { return desktop->speech->spoke(words); });
     }
-    // Opens the desk as a list.
+    // Opens the settings desk as a list.
     void open_desk() {
         ASSERT_TRUE(speaks_of("facing north")) << everything();
         ASSERT_TRUE(desktop->press("F10"));
         ASSERT_TRUE(eventually([&] { return desktop->objects().find("list \"Your desk") != std::string::npos; }))
             << desktop->objects();
     }
-    // Runs a Python program, in which the variable `desk` is the desk's list. Returns the lines that it prints, each
-    // with `cells` cells that | separates.
+    // Runs a Python program, in which the variable `desk` is the desk's list. Returns the lines that the program
+    // prints. Each line must have `cells` cells, which | separates.
     std::vector<std::vector<std::string>> work_at_desk(const std::string& python, std::size_t cells) const {
         const std::string find = "import os, pyatspi, time\nsaid = '" + (folder.path() / "said").string() + "'" + R"(
 def told(): return os.path.getsize(said)
@@ -152,7 +152,7 @@ TEST_F(ReadByOrca, gives_orca_each_key_first_except_the_stop_key) {
     if (!program) return;
     ASSERT_TRUE(speaks_of("facing north")) << everything();
     // Insert with F makes Orca describe the font; F alone is Handrail's force key. If a busy machine delays Orca's
-    // answer, the key goes to the program (KeyGate). So the test tries several times.
+    // answer, the key goes to the program (KeyGate). So try several times.
     const auto ours = [&] { return times_in(program->said(), "There is no touch device"); };
     bool used_by_orca = false;
     for (std::size_t asked = 1; asked <= 20 && !used_by_orca; ++asked) {
@@ -165,8 +165,8 @@ TEST_F(ReadByOrca, gives_orca_each_key_first_except_the_stop_key) {
     }
     EXPECT_TRUE(used_by_orca) << everything();
     const std::size_t before = ours();
-    // On a busy machine, Orca 48 also takes the first key after Insert is released, and ignores it. So the test presses
-    // the key again.
+    // On a busy machine, Orca 48 also uses the first key after Insert is released, and ignores it. So press the key
+    // again.
     EXPECT_TRUE(eventually([&] { return desktop->press("f") && eventually([&] { return ours() > before; }, 2.0); }))
         << everything();
     EXPECT_TRUE(speaks_of("There is no touch device")) << everything();
@@ -205,14 +205,14 @@ TEST_F(ReadByOrca, speaks_lists_and_exposes_their_items_as_objects) {
     leave();
 }
 
-// Changes each control of the desk by the actions of its accessible object, and again through the program's own
-// interface. The texts of the controls must be the same afterwards.
+// Changes each control of the desk by the actions of its accessible object. Then makes the same changes in a session
+// without a window. The texts of the controls must be the same in both.
 TEST_F(ReadByOrca, changes_every_control_of_the_desk_through_its_accessible_actions) {
     ASSERT_NO_FATAL_FAILURE(begin(false));
     if (!program) return;
     ASSERT_NO_FATAL_FAILURE(open_desk());
-    // Prints for each item its name, its actions, and its name afterwards. Tries the action decrease, and then increase
-    // if decrease changed nothing. If an item has no decrease, tries press.
+    // For each item, this program prints the name, the actions, and the name after an action. It tries the action
+    // decrease, and then increase if decrease changed nothing. If an item has no decrease, it tries press.
     static constexpr const char* kWork = R"(
 def name(i): return desk.getChildAtIndex(i).name
 last = [i for i in range(desk.childCount) if name(i) == 'Go to that world']  # the desk goes with this world
@@ -246,8 +246,10 @@ for i in [i for i in range(desk.childCount) if i not in last] + last:
         const DeskControl& control = app.desk_visit().desk().controls()[i];
         EXPECT_EQ(parts[0].rfind(control.name, 0), 0U);
         EXPECT_EQ(parts[1], control.adjustable() ? " press increase decrease " : " press ");
-        if (!control.adjustable() || control.many) continue;  // worlds and marks differ between the two sessions
-        // Earlier changes may show in this text, as on the knob. So this session repeats the same changes.
+        // Skip these controls, because worlds and marks differ between the two sessions.
+        if (!control.adjustable() || control.many) continue;
+        // The text of this control, as that of the knob, may contain results of earlier changes. So this session
+        // repeats the same changes.
         if (control.kind == DeskKind::Assign) {
             EXPECT_EQ(parts[0], app.desk_visit().desk().words(i) + " ");
         }
@@ -263,14 +265,14 @@ for i in [i for i in range(desk.childCount) if i not in last] + last:
     EXPECT_TRUE(program->says("say: Going to ")) << everything();
 }
 
-// Sets each slider, volume and knob of the desk through the value of its accessible object, and again through the
-// program's own interface. Text and number must be the same afterwards.
+// Sets each slider, volume and knob of the desk through the value of its accessible object. Then makes the same changes
+// in a session without a window. Text and number must be the same in both.
 TEST_F(ReadByOrca, exposes_each_quantity_of_the_desk_as_a_settable_value) {
     ASSERT_NO_FATAL_FAILURE(begin(false));
     if (!program) return;
     ASSERT_NO_FATAL_FAILURE(open_desk());
-    // Prints for each item with a value: its index, minimum, maximum, step and number. Then sets the value to about a
-    // third of the range, and prints the item's name and number. The knob has no control assigned.
+    // For each item with a value, this program prints the index, minimum, maximum, step and number. Then it sets the
+    // value to about a third of the range, and prints the item's name and number. The knob has no control assigned.
     static constexpr const char* kWork = R"(
 for i in range(desk.childCount):
     item = desk.getChildAtIndex(i)
@@ -333,7 +335,8 @@ TEST_F(ReadByOrca, speaks_each_item_once_and_messages_about_it_too) {
     for (const Recorded& entry : desktop->speech->recorded())
         items += entry.event == "speak" && entry.words.find("Speech volume, 100 percent") != std::string::npos;
     EXPECT_EQ(items, 1) << everything();
-    // When the list closes, the window's object regains the keyboard focus. Orca must read only its name, not its kind.
+    // When the list closes, the window's object receives the keyboard focus again. Orca must read only its name, not
+    // its kind.
     for (const char* kind : {"drawing area", "unknown"}) EXPECT_FALSE(desktop->speech->spoke(kind)) << everything();
     leave();
 }

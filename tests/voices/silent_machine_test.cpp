@@ -1,6 +1,7 @@
-// Scenario 1 of the design, "silent machine never". From the first second of the first start, the program must speak,
-// or a key must announce where the person is. The tests use only the program's own voice, a speech server, and a screen
-// reader that also drives a braille display. They print wall-clock times but judge only their order.
+// Tests scenario 1 of the design, "silent machine never". From the first second of the first start, the program must
+// speak, or a key must announce where the person is. The tests run with the program's own voice alone, with a speech
+// server, and with a screen reader that also drives a braille display. They print wall-clock times but judge only their
+// order.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -27,7 +28,7 @@ constexpr const char* kThreeKeys = "Press Enter to begin, Space to hear this aga
 
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-// The first start, with a window that has the keyboard focus. The stand-in for the sound card records when the
+// Runs the first start, with a window that has the keyboard focus. The stand-in for the sound card records when the
 // program's own voice begins and is interrupted.
 class SilentMachineNever : public testing::Test {
 protected:
@@ -50,8 +51,8 @@ protected:
     bool says_times(const std::string& words, std::size_t times) const {
         return eventually([&] { return times_in(said(), words) == times; });
     }
-    // Checks that Space repeats the welcome, that nothing expires, and that Enter continues. Space must then repeat
-    // what Enter announced.
+    // Checks that Space repeats the welcome, that nothing expires, and that Enter continues. Checks that Space then
+    // repeats what Enter announced.
     void go_on(VirtualDisplay& display, const std::string& everything) {
         const std::string welcome = line_with(kThreeKeys);
         ASSERT_THAT(welcome, HasSubstr("Welcome. Handrail is speaking with ")) << everything;
@@ -136,7 +137,7 @@ TEST_F(SilentMachineNever, speaks_through_the_speech_server_if_one_runs_and_mute
     }
     EXPECT_EQ(own_voice(), "") << "two voices";
     if (!braille) return;
-    // Panning must show the whole question on the display, from its first word to its last.
+    // Panning the display must show the whole question, from its first word to its last.
     const std::string question = line_with("bell on your left").substr(std::string("say: ").size());
     std::string read;
     ASSERT_TRUE(eventually([&] {

@@ -1,4 +1,4 @@
-// A private speech-dispatcher for the test. Its only voice is the recording module.
+// Runs a private speech-dispatcher for the test. Its only voice is the recording module.
 #pragma once
 
 #include <filesystem>
@@ -30,7 +30,7 @@ public:
     void freeze() const;  // afterwards the server accepts connections but does not answer
     bool start_again();   // call this only after kill()
     std::vector<Recorded> recorded() const;
-    bool spoke(const std::string& words) const;  // returns true if some utterance contains these words
+    bool spoke(const std::string& words) const;  // returns true if an utterance contains these words
     std::string everything() const;              // text for messages of failing tests
 
 private:

@@ -59,7 +59,7 @@ TEST_F(SpeechdVoice, speaks_every_word_and_knows_when_it_has_ended) {
 }
 
 TEST_F(SpeechdVoice, is_interrupted_by_a_new_utterance_and_by_silence) {
-    ASSERT_NO_FATAL_FAILURE(start(10000));  // each word takes so long that no utterance ends
+    ASSERT_NO_FATAL_FAILURE(start(10000));  // each word is so long that no utterance ends during the test
     if (!server) return;
     const double asked_s = now_s();
     voice->say({.text = "one two three", .speech_class = SpeechClass::Alarm});
@@ -103,7 +103,7 @@ TEST_F(SpeechdVoice, gives_up_a_server_that_no_longer_answers_after_the_watchdog
     EXPECT_TRUE(voice->speaking());
     ASSERT_TRUE(becomes(VoiceState::Gone));
     EXPECT_FALSE(voice->speaking());
-    voice.reset();  // this must return although the server never answers
+    voice.reset();  // the destructor must return although the server never answers
 }
 
 }  // namespace speechd_test

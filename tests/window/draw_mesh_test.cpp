@@ -34,7 +34,7 @@ TEST(DrawMesh, makes_each_polygon_a_fan) {
 }
 
 TEST(DrawMesh, outlines_a_wall_of_several_pieces_as_one_wall) {
-    // A wall of 4 m by 2 m consists of three pieces that meet in a T. Its outline is 12 m long.
+    // A wall of 4 m by 2 m consists of three pieces that meet in a T. The outline of the wall is 12 m long.
     Scene scene;
     add_wall_piece(scene, upright(0.0, 2.0, 0.0, 2.0), 0);
     add_wall_piece(scene, upright(2.0, 4.0, 0.0, 0.7), 0);
@@ -43,15 +43,15 @@ TEST(DrawMesh, outlines_a_wall_of_several_pieces_as_one_wall) {
 }
 
 TEST(DrawMesh, outlines_two_features_in_one_plane_separately) {
-    Scene scene;  // two squares of 2 m, each with an outline of 8 m, because the shared side counts twice
+    Scene scene;  // two squares with sides of 2 m; each has an outline of 8 m, because each draws the shared side
     add_wall_piece(scene, upright(0.0, 2.0, 0.0, 2.0), 0);
     add_wall_piece(scene, upright(2.0, 4.0, 0.0, 2.0), 1);
     EXPECT_NEAR(length_m(build_draw_mesh(scene)), 16.0, 1e-4);
 }
 
 TEST(DrawMesh, joins_slanted_pieces_at_any_angle) {
-    // A square with sides of 2 m is cut along its diagonal and turned in its plane in steps of 7 degrees. Its outline
-    // is 8 m long.
+    // A square with sides of 2 m is cut along its diagonal and turned in its plane in steps of 7 degrees. The outline
+    // of the square is always 8 m long.
     for (int degrees = 0; degrees < 360; degrees += 7) {
         const double c = std::cos(radians_from_degrees(degrees)), s = std::sin(radians_from_degrees(degrees));
         const auto turned = [&](double x, double z) { return Vec3(c * x - s * z + 30.0, 5.0, s * x + c * z - 70.0); };

@@ -24,8 +24,8 @@ struct KeyGateTest : testing::Test {
     void take(int key, const std::string& name, double now_s) {
         gate.take({key, 1, 0}, {.press = true, .name = name}, now_s);
     }
-    // Returns the decided keys: positive if the gate passed them to the program, negative if the screen reader took
-    // them.
+    // Returns the decided keys. A key is positive if the gate passed it to the program, and negative if the screen
+    // reader used it.
     std::vector<int> decided(double now_s) {
         std::vector<int> keys;
         for (const KeyGate::Passed& passed : gate.decided(now_s))

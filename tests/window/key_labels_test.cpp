@@ -1,4 +1,4 @@
-// Every keyboard layout with Latin letters on this system must give letter keys by their labels.
+// Tests the letter keys of every keyboard layout with Latin letters on this system. Each must act by its label.
 #include "app/window/key_labels.h"
 #include "tests/support/names.h"
 
@@ -18,8 +18,8 @@ namespace key_labels_test {
 
 constexpr const char* kLayouts = "/usr/share/X11/xkb/rules/evdev.lst";
 
-// Returns X's key code for each GLFW key. The tables contain the code of the first key of a row, and the row's GLFW
-// keys in order.
+// Returns X's key code for each GLFW key. The table below contains the code of the first key of each row, and the row's
+// GLFW keys in order.
 const std::map<int, int>& codes() {
     static const std::map<int, int> all = [] {
         std::map<int, int> codes{{GLFW_KEY_GRAVE_ACCENT, 49},
@@ -77,7 +77,7 @@ KeyLabels labels_of(xkb_context* context, const std::string& layout, const std::
 
 bool is_small_letter(const std::string& label) { return label.size() == 1 && label[0] >= 'a' && label[0] <= 'z'; }
 
-// Checks that each letter that is printed on a key names that key, and that every name belongs to exactly one key.
+// Checks that each letter that is a key's label names that key, and that every name belongs to exactly one key.
 void expect_right(const KeyLabels& labels) {
     const std::map<int, int> named = keys_by_label(labels);
     std::set<int> names;

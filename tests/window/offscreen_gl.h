@@ -1,4 +1,4 @@
-// An OpenGL context that needs no display, with a framebuffer to draw into. With it, tests can check pictures on a
+// Provides an OpenGL context that needs no display, with a framebuffer to draw into. So tests can check pictures on a
 // machine without a screen.
 #pragma once
 
@@ -11,7 +11,7 @@ namespace handrail::test {
 
 class OffscreenGl {
 public:
-    // Returns null if the driver cannot draw without a display; the test then skips.
+    // Returns null if the driver cannot draw without a display. The test must then be skipped.
     static std::unique_ptr<OffscreenGl> open(PixelSize size);
     ~OffscreenGl();
     OffscreenGl(const OffscreenGl&) = delete;

@@ -40,8 +40,8 @@ TEST(SectionAt, of_a_pyramid_shrinks_with_height) {
 }
 
 TEST(CutPlan, shows_things_at_hand_height_and_things_below_it) {
-    // The plan shows the four walls and the door as cut, the table as low, the water as liquid, and the floor as floor.
-    // It does not show the ceiling.
+    // The plan must show the four walls and the door as cut, the table as low, the water as liquid, and the floor as
+    // floor. It must not show the ceiling.
     const PlanCut cut = cut_plan(*small_room(), 0.0);
     std::map<PlanKind, int> count;
     for (const PlanShape& shape : cut.shapes) {
@@ -61,8 +61,8 @@ TEST(CutPlan, of_another_storey_shows_that_storey) {
     Scene scene = *small_room();
     add_box(scene, {1.0, 1.0, 2.7}, {2.0, 2.0, 5.0}, FeatureKind::Object);
     const PlanCut cut = cut_plan(scene, 2.7);
-    // The ceiling, the four walls and the door end below the feet, so all of them count as floor on this storey. The
-    // table and the water are too far below.
+    // The ceiling, the four walls and the door end below the feet, so the plan of this storey must show all of them as
+    // floor. The table and the water are too far below to be shown.
     ASSERT_EQ(cut.shapes.size(), 7U);
     for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(cut.shapes[i].kind, PlanKind::Floor);
     EXPECT_EQ(cut.shapes[6].kind, PlanKind::Object);
@@ -93,7 +93,8 @@ TEST(CutPlan, cuts_sheets_into_lines) {
     scene.triangles.push_back({{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 0.0, 2.0}, kNoFeature, kDefaultMaterial});
     scene.triangles.push_back({{0.0, 0.0, 5.0}, {2.0, 0.0, 5.0}, {0.0, 2.0, 5.0}, kNoFeature, kDefaultMaterial});
     const PlanCut cut = cut_plan(scene, 0.0);
-    ASSERT_EQ(cut.sheets_m.size(), 1U);  // only the first triangle is cut, half way up, where it is 1 m wide
+    // The cut touches only the first triangle, half way up, where the triangle is 1 m wide.
+    ASSERT_EQ(cut.sheets_m.size(), 1U);
     EXPECT_NEAR(glm::distance(cut.sheets_m[0][0], cut.sheets_m[0][1]), 1.0, 1e-12);
 }
 

@@ -21,7 +21,8 @@ namespace handrail::test {
 namespace renderer_test {
 
 constexpr PixelSize kSize{960, 720};
-// The window's 720 minus two text lines of 60, and margins of 10 above and below them.
+// Height of the picture: the window's 720 pixels minus two text lines of 60, and margins of 10 above and below these
+// lines.
 constexpr double kPictureHeight_px = 580.0;
 constexpr double kBandTop_px = kPictureHeight_px;
 
@@ -310,8 +311,8 @@ TEST_F(RendererTest, the_last_spoken_line_is_on_black_in_letters_of_a_twelfth_of
     view.last_spoken = "High wall";
     const auto [first, last] = text_rows(draw(view), kBandTop_px);
     ASSERT_GE(first, 0);
-    // The rows reach from the top of H to the bottom of g. In DejaVu Sans, capital height and descender are 0.73 + 0.24
-    // of 1.16 line heights.
+    // The white rows reach from the top of H to the bottom of g. In DejaVu Sans, capital height and descender are 0.73
+    // + 0.24, and a line is 1.16 high.
     EXPECT_GT(last - first, 0.75 * kTextLinePart * kSize.height);
     EXPECT_LT(last - first, 1.0 * kTextLinePart * kSize.height);
 }
@@ -338,7 +339,7 @@ TEST_F(RendererTest, a_long_line_wraps_and_a_very_long_one_leaves_a_quarter_of_t
         for (int i = 0; i < words; ++i) view.last_spoken += "corridor ";
         return text_rows(draw(view), 0.25 * kSize.height).first;
     };
-    // Outlines of the room are white, too. So the test counts the rows that are black at both sides of the picture.
+    // Outlines of the room are white, too. So count the rows that are black at both sides of the picture.
     const auto black_rows = [&](int words) {
         band_top(words);
         int rows = 0;
@@ -393,7 +394,7 @@ TEST_F(RendererTest, an_open_list_is_in_large_letters_with_the_chosen_item_inver
     const auto [first, last] = bar_rows(picture);
     ASSERT_GE(first, 0);
     EXPECT_EQ(last - first + 1, static_cast<int>(kTextLinePart * kSize.height));
-    // Nothing of the room may be visible: only black, white, and the greys at the borders of letters.
+    // The room must not be visible: there must be only black, white, and the greys at the borders of letters.
     EXPECT_EQ(count(picture, [](const Rgb& c) { return c[0] != c[1] || c[1] != c[2]; }).count, 0);
     const auto next = bar_rows(draw(with_list(4, 1)));
     EXPECT_EQ(next.first, first + static_cast<int>(kTextLinePart * kSize.height));
@@ -449,7 +450,7 @@ TEST_F(RendererTest, a_question_shows_the_typed_text_with_a_cursor_bar) {
     ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
     view.dialogue.kind = DialogueView::Kind::Text;
     view.dialogue.title = "What is its name?";
-    // The rightmost white pixel inside the frame is the cursor bar after the last letter.
+    // The rightmost white pixel inside the frame belongs to the cursor bar after the last letter.
     const auto bar = [&](const std::string& text) {
         view.dialogue.text = text;
         const Picture picture = draw(view);
@@ -516,7 +517,8 @@ TEST_F(RendererTest, the_plan_shows_an_arrow_that_turns_with_the_heading) {
     ViewState view = view_in(small_room(), 3.0, 2.0, 0.0);
     view.plan_view = true;
     view.feet_m = view.eyes_m = {3.0, 2.0, 0.0};
-    // The room measures 6.4 by 4.4 m. The feet are in the middle of the room, which is in the middle of the picture.
+    // The room measures 6.4 by 4.4 m with its walls. The feet are in the middle of the room, which is in the middle of
+    // the picture.
     const Vec2 feet_px(480.0, 290.0);
     const auto tip = [&](double heading_degrees) {
         view.heading_rad = radians_from_degrees(heading_degrees);
@@ -548,7 +550,7 @@ TEST_F(RendererTest, the_plan_shows_solid_walls_open_doors_and_the_walked_trail)
     ViewState view = view_in(small_room(), 3.0, 2.0, 0.0);
     view.plan_view = true;
     const Picture before = draw(view);
-    // The room's 4.4 m would fit into 0.94 * 580 px, but the zoom stops at 100 px per metre.
+    // With its 4.4 m, the room could fill 0.94 * 580 px, but the scale is limited to 100 px per metre.
     const auto px = [](double x_m, double y_m) {
         return Vec2(480.0 + 100.0 * (x_m - 3.0), 290.0 - 100.0 * (y_m - 2.0));
     };
@@ -590,7 +592,7 @@ TEST_F(RendererTest, the_plan_shows_outlines_and_names_of_rooms_and_highlights_t
         EXPECT_TRUE(black(at(with, px(0.25, y_m) - Vec2(5.0, 0.0))) || black(at(with, px(0.25, y_m) + Vec2(5.0, 0.0))))
             << "and is told from a pale floor";
     }
-    // The room's name must be black on white in the current room, and white on black elsewhere. The letters are a
+    // The name of a room must be black on white in the current room, and white on black elsewhere. The letters are a
     // twentieth of the picture's height.
     const auto colours = [&](const Picture& picture, const Vec2& middle) {
         int whites = 0, blacks = 0;
@@ -635,12 +637,12 @@ TEST_F(RendererTest, the_plan_separates_room_names_and_always_shows_that_of_the_
     view.rooms = std::make_shared<const std::vector<DrawnRoom>>(1, crowd[3]);
     view.room = 0;
     const Picture one = draw(view);
-    // The room's name must be at the same place in the same letters.
+    // The name of the room must be at the same place in the same letters as in the picture with one room.
     for (int y = 278; y <= 302; ++y)
         for (int x = 300; x <= 360; ++x) EXPECT_EQ(many.at(x, y), one.at(x, y)) << x << ", " << y;
 }
 
-// Prints the cost but does not assert it, because it depends on the machine.
+// Prints the cost of drawing but does not assert it, because the cost depends on the machine.
 TEST_F(RendererTest, a_whole_map_is_drawn_without_holes_and_its_cost_reported) {
     const auto maps = with_real_worlds({project_root() / "worlds/maps/school.map"}, {"quake-e1m1.map"});
     const auto path = maps.back();
@@ -674,8 +676,8 @@ TEST_F(RendererTest, a_whole_map_is_drawn_without_holes_and_its_cost_reported) {
             view.proxy_m = view.eyes_m + 0.5 * forward_of_heading(view.heading_rad);
             (plan ? plan_s : first_person_s) += seconds([&] { draw(view); });
             if (plan) continue;
-            // The map is closed. So each direction from the start must show a surface or an outline, and black pixels
-            // only next to white ones.
+            // The map is closed. So each direction from the start must show a surface or an outline. Black pixels may
+            // only be next to white ones.
             const int holes = count(last_, black).count;
             EXPECT_LT(holes, 0.25 * kSize.width * kPictureHeight_px) << "looking in direction " << i;
         }

@@ -9,7 +9,7 @@ namespace wayland_keyboard_test {
 constexpr int kKeyOne = 2, kKeyTwo = 3, kKeyEnter = 28, kKeyUp = 103,
               kNoKey = 5000;  // key codes from linux/input-event-codes.h
 
-// Returns a keymap as a compositor sends it.
+// Returns a keymap such as a compositor sends.
 Keymap keymap_of(const char* layouts) {
     const std::unique_ptr<xkb_context, decltype(&xkb_context_unref)> context(xkb_context_new(XKB_CONTEXT_NO_FLAGS),
                                                                              &xkb_context_unref);

@@ -26,7 +26,7 @@ protected:
         auto opened = Window::open();
         ASSERT_TRUE(opened.has_value()) << opened.error().sentence();
         window_ = std::move(*opened);
-        // Wayland shows a window only after its first picture.
+        // Draw a picture first, because Wayland shows a window only after its first picture.
         ASSERT_TRUE(wait_for([&] { return has_focus() == true; }));
         events_.clear();
     }
@@ -92,7 +92,7 @@ TEST_F(WaylandWindow, releases_held_keys_when_the_keyboard_is_lost_and_reports_i
     EXPECT_TRUE(wait_for([&] { return has_focus() == true; }));
 }
 
-// Nothing polls the window in this test, but the events must still arrive.
+// This test never polls the window, but the calls must still be made.
 TEST_F(WaylandWindow, reports_a_watched_key_and_the_loss_of_the_keyboard_without_polling) {
     std::atomic<int> stops{0}, others{0};
     std::atomic<bool> focused{true};
@@ -108,7 +108,7 @@ TEST_F(WaylandWindow, reports_a_watched_key_and_the_loss_of_the_keyboard_without
     EXPECT_TRUE(eventually([&] { return !focused; }));
     ASSERT_TRUE(session_->give_keyboard());
     EXPECT_TRUE(eventually([&] { return focused.load(); }));
-    // The window must still deliver its own events completely.
+    // poll() must still return all events of the window.
     EXPECT_TRUE(wait_for([&] { return has_focus() == true && keys().size() >= 8; }));
     const auto all = keys();
     EXPECT_EQ(std::count(all.begin(), all.end(), "F12"), 1);

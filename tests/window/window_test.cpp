@@ -230,7 +230,7 @@ TEST_F(WindowTest, releases_held_keys_when_the_focus_is_lost_and_reports_its_ret
     ASSERT_TRUE(wait_for([&] { return count<FocusChange>() == 2; }));
 }
 
-// Nothing polls the window in this test. Urgent events must still arrive.
+// This test never polls the window, but the calls must still be made.
 TEST_F(WindowTest, reports_a_watched_key_and_the_loss_of_the_keyboard_without_polling) {
     std::atomic<int> stops{0}, others{0};
     std::atomic<bool> focused{true};
@@ -246,7 +246,7 @@ TEST_F(WindowTest, reports_a_watched_key_and_the_loss_of_the_keyboard_without_po
     EXPECT_TRUE(eventually([&] { return !focused; }));
     ASSERT_TRUE(display_->xdotool("search --name '^Handrail$' windowfocus --sync"));
     EXPECT_TRUE(eventually([&] { return focused.load(); }));
-    // The window must still deliver its own events completely.
+    // poll() must still return all events of the window.
     EXPECT_TRUE(wait_for([&] { return count<FocusChange>() == 2; }));
     const auto all = keys();
     EXPECT_EQ(std::count(all.begin(), all.end(), press("F12")), 1);
@@ -267,7 +267,7 @@ TEST_F(WindowTest, shows_the_drawn_picture_and_follows_its_size) {
     Desktop desktop;
     ASSERT_TRUE(desktop.found());
     const auto shown = [&](const ViewState& wanted) {
-        // A frame takes a moment to reach the screen.
+        // Draw repeatedly, because a frame needs a moment to reach the screen.
         return wait_for([&] {
             window_->draw(wanted);
             const Picture screen = desktop.what_stands_on_the_screen();
@@ -343,7 +343,8 @@ protected:
     std::string layout() const override { return GetParam(); }
 };
 
-// Letter keys once acted by their place on an American keyboard, while help and documents name them by their letters.
+// In an earlier version, letter keys acted by their place on an American keyboard, although help and documents name
+// keys by their letters.
 TEST_P(WindowOnALayout, reads_letters_by_their_key_labels_and_digits_by_their_place) {
     ASSERT_TRUE(display_->xdotool("key a q z y w m s F2"));
     ASSERT_TRUE(wait_for([&] { return keys().size() >= 16; }));

@@ -1,5 +1,5 @@
-// Tests the Inverse3, the only device that does not appear on a bus. `handrail devices` queries the maker's service;
-// here a stand-in listens on the service's own port.
+// Tests the Inverse3, the only device that does not appear on a bus. `handrail devices` queries the maker's service; in
+// this test, a stand-in listens on the port of that service.
 #include "haptic/drivers/haply_device.h"
 
 #include <nlohmann/json.hpp>

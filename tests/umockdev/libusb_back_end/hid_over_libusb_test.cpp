@@ -50,7 +50,7 @@ TEST_F(OverHidapiLibusb, a_space_mouse_steers_the_walker) {
     test::steer_with_a_space_mouse(open(0x046d), puck_, puck_device_.lock, [] {});
 }
 
-// The back end reads on a separate thread. The thread must end when the device is unplugged.
+// The back end reads on a separate thread, which must end when the device is unplugged.
 TEST_F(OverHidapiLibusb, an_unplugged_pad_counts_as_lost_without_waiting) {
     PlaystationPad pad(open(0x054c), PadModel::DualSense, PadBus::Usb);
     ASSERT_TRUE(pad.open());

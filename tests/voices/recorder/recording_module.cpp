@@ -1,5 +1,5 @@
 // An output module of speech-dispatcher that writes into a file instead of speaking through a sound card. So tests can
-// read what was said and when it was interrupted. For each event, it writes one line to $RECORDED: seconds of
+// read what was said and when it was interrupted. For each event, the module writes one line to $RECORDED: seconds of
 // CLOCK_MONOTONIC, then "speak WORDS", "end" or "stop". $RECORDED_WORD_MS is the duration of a word. The module uses
 // the protocol between the server and its modules: commands on standard input, events on standard output.
 #include <poll.h>
@@ -16,7 +16,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The server sends SSML. Removes the tags and replaces the five named characters by the characters that they stand for.
+// Returns the text of SSML, which the server sends. Removes the tags and replaces the five named entities by their
+// characters.
 std::string without_markup(const std::string& ssml) {
     std::string text;
     for (std::size_t i = 0; i < ssml.size(); ++i) {
@@ -72,7 +73,7 @@ private:
         std::fclose(file);
     }
 
-    // Waits for a whole line from the server. If the current utterance ends meanwhile, reports that.
+    // Waits for a whole line from the server. If the current utterance ends while it waits, reports that end.
     bool next_line(std::string& line) {
         for (;;) {
             if (const std::size_t end = buffer_.find('\n'); end != std::string::npos) {
