@@ -23,7 +23,7 @@ constexpr double kLeastReachShare = 0.3;
 constexpr double kAheadShare = 0.125;
 constexpr std::array kScales{7.5, 15.0, 30.0, 60.0, 120.0, 240.0};
 
-// Rounds numbers below 10 to tenths, and others to whole numbers: 7.5, 12.
+// Rounds numbers below 10 to tenths, and others to whole numbers: 7.5, 9, 12.
 double rounded(double value) { return value < 10.0 ? std::round(value * 10.0) / 10.0 : std::round(value); }
 
 }  // namespace

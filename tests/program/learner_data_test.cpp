@@ -66,7 +66,7 @@ protected:
         ASSERT_FALSE(recording_.empty());
         own_ = recording_.parent_path().parent_path();
         fs::create_directories(out_);
-        // A session of which the program kept only the results.
+        // The results of a session for which the program stored nothing else.
         write(own_ / "results.jsonl",
               "{\"begun_utc\":\"2026-11-22T17:30:00Z\",\"lesson\":\"Corridors\",\"world\":\"House\",\"seconds\":60.0,"
               "\"tasks\":[{\"t_s\":30.0,\"kind\":\"learn\",\"name\":\"Kitchen\",\"measures\":{\"time\":12.0}}]}\n");

@@ -88,7 +88,7 @@ TEST_F(LearnerProgram, has_a_learner_chosen_in_the_session_and_named_in_no_other
              "Oak Owl is here.",  // the current item is the learner's own entry, so the list announces it first
              "Oak Owl, is remembered and is recorded, 3 of 3",
              "Fig Finch is learning.",
-             "1 of 2",  // the learner's list has two marks, and neither is the mark of the other learner
+             "1 of 2",  // the list of marks has two entries, and neither is the mark of the other learner
              "Fig Finch is here.",
              "Fig Finch, is remembered, 2 of 3",
              // Choosing the current learner announces what is stored about them.
