@@ -23,7 +23,7 @@ std::optional<core::Command> command_of(drivers::CompanionButton button) {
         core::Command::WhereAmI, core::Command::WhatIsThis, core::Command::Repeat, core::Command::Heading,
         core::Command::TurnLeft, core::Command::TurnRight, core::Command::StopSpeech, core::Command::StopEverything,
         core::Command::Home, std::nullopt,
-        // Up, right, down and left, in the order of CompanionButton.
+        // The last four are the buttons up, right, down and left, in the order of CompanionButton.
         core::Command::Forward, core::Command::TurnRight, core::Command::Back, core::Command::TurnLeft};
     return kMeans.at(static_cast<std::size_t>(button));
 }

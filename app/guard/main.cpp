@@ -1,5 +1,5 @@
-// The program handrail-guard, of which several small processes hold a real device. They remove its force when the main
-// program, or another of these processes, dies. Only the main program starts handrail-guard; see
+// Runs handrail-guard. Several of these small processes together hold a real device. They remove its force when the
+// main program, or another of these processes, dies. Only the main program starts handrail-guard; see
 // haptic/drivers/guard_process.h.
 #include "haptic/drivers/guard_process.h"
 #include "worlds/base/clock.h"

@@ -27,9 +27,9 @@ struct ImportedWorld {
     bool kept_damaged = false;  // true if the cached result was damaged, so the file was read again
 };
 
-// Returns the world of the file. Fails as read_world does. A cached result is used only if the file, the files that it
+// Returns the world of the file. Fails as read_world does. Uses a cached result only if the file, the files that it
 // needs next to it, the options, the language and the build are the same. The cache key is the SHA-256 of all of these
-// except the files next to it; their digests are stored with the scene.
+// except the files next to the world; the digests of those files are stored with the scene.
 Result<ImportedWorld> import_world(const std::filesystem::path& path, const readers::ReadOptions& options,
                                    const ImportHow& how);
 

@@ -32,7 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kReaderProgram = "handrail-reader";
-constexpr int kLookEvery_ms = 50;  // interval at which the caller checks whether the result is still wanted
+constexpr int kLookEvery_ms = 50;  // interval at which the waiting caller checks whether the result is still wanted
 
 // The handrail-reader process must not write to the person's terminal, because terminals obey control sequences that
 // are written to them.

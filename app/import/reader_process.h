@@ -62,7 +62,7 @@ Result<ReadApart> read_apart(const std::filesystem::path& path, const readers::R
 std::string unpack_ways_apart(const KeptForReader& kept, const std::filesystem::path& program,
                               const std::stop_token& stop = {}, const ReaderLimits& limits = {});
 
-// The main function of the program handrail-reader.
+// Implements the main function of handrail-reader. Returns the exit status.
 int reader_process(int argc, char** argv);
 
 }  // namespace handrail::importing

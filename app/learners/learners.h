@@ -1,4 +1,4 @@
-// The learners of one data folder. Each has a folder with a random name below learners/, which contains:
+// Manages the learners of one data folder. Each has a folder with a random name below learners/, which contains:
 // - learner.toml and settings.toml
 // - recordings/
 // - worlds/: what the learner added to worlds

@@ -271,7 +271,8 @@ UsageError leftover_word(Grammar& grammar, const std::string& word) {
     return with_hint(app, phrase("help.one_too_many", {{"word", word}}));
 }
 
-// Refuses options before a command. The parser accepts them there, but they would have no effect.
+// Returns an error if there are options before a command. The parser accepts such options, but they would have no
+// effect.
 std::optional<UsageError> options_before_command(Grammar& grammar) {
     for (const CLI::Option* option : grammar.app.get_options())
         if (option->count() > 0) {
@@ -302,8 +303,8 @@ FirstLanguage speak_first() {
     return {core::language_as_set({}, folder), core::speak_as_set({}, folder)};
 }
 
-// Returns the person's settings, changed by the command line. If the command line is wrong, writes a sentence to `err`
-// and returns nothing.
+// Returns the person's settings with the changes from the command line. If the command line contains a wrong setting,
+// writes a sentence to `err` and returns nothing.
 std::optional<settings::SettingsStore> load_settings(const SettingsOptions& options, FirstLanguage first,
                                                      std::vector<Diagnostic>& problems, std::ostream& err) {
     std::vector<std::string> words;

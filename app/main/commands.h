@@ -29,7 +29,7 @@ namespace handrail::program {
 // Options that every command accepts.
 struct CommonArguments {
     std::optional<double> map_scale_m_per_unit;  // --map-scale, default 1/32 for every .map
-    std::optional<double> unit_m;                // --unit, for a file that states no unit
+    std::optional<double> unit_m;                // --unit in metres, for a file that states no unit
     std::string building;                        // --building, for a file with several buildings
     std::filesystem::path data_in;               // folder of the person's data; empty: user_data_folder()
 

@@ -1,4 +1,5 @@
-// Returns as JSON how the file reader and the device guards are confined. Every command reports this in the same form.
+// Returns as JSON how the file reader and the device guards are confined, so that every command reports this in the
+// same form.
 #pragma once
 
 #include <nlohmann/json.hpp>

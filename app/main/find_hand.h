@@ -81,8 +81,8 @@ public:
 
     // Returns the devices that were connected since the last call.
     std::vector<drivers::PluggedHand> take_new();
-    // Pauses or resumes the checks. They pause while a device is in use, because the guard of that device checks itself
-    // whether it is connected.
+    // Pauses or resumes the checks. They must pause while a device is in use, because the guard process of that device
+    // itself checks whether the device is connected.
     void rest(bool resting) { resting_.store(resting, std::memory_order_relaxed); }
 
 private:

@@ -78,7 +78,7 @@ std::string bodies_words(const Scene& scene) {
                                   {"more", bodies.size() - words.size()}});
 }
 
-// Returns what Handrail understood of a building as JSON; null if the file states no rooms.
+// Returns as JSON what Handrail understood of a building; null if the file states no rooms.
 Json honesty_json(const Scene& scene) {
     if (!scene.stated) return nullptr;
     const HonestReport report = honest_report(scene);

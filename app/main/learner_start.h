@@ -6,9 +6,9 @@
 
 namespace handrail::program {
 
-// Changes `call` so that it uses the data of the learner whom it names. A call that names nobody does not change. Fails
-// if there is no such learner, if the learner's file cannot be read, or if the call requests a recording to which the
-// learner has not agreed.
+// Changes `call` so that it uses the data of the learner whom it names. If `call` names nobody, it does not change.
+// Fails if there is no such learner, if the learner's file cannot be read, or if the call requests a recording to which
+// the learner has not agreed.
 Result<void> begin_as_learner(ExploreCall& call);
 // Changes `call` in the same way for a lesson that is taught. A lesson that is only printed needs just the learner's
 // name, because the order of tasks and the protocol depend on it. The function then spells the name as the learner

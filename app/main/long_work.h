@@ -34,7 +34,7 @@ public:
     // ("import.shapes"), or empty if the stage is unknown.
     void reading(std::string_view stage = {}) const;
     void read(double fraction) const;
-    // Returns the same options, except that the reader reports its progress to this object.
+    // Returns `options` with a change: the reader reports its progress to this object.
     readers::ReadOptions followed(readers::ReadOptions options) const;
     // Ends the current work. The next work may again go on for two seconds without a report. When this function
     // returns, no report is under way.

@@ -18,15 +18,15 @@ namespace handrail::program {
 
 class SleepWatch {
 public:
-    // `release` is called on the thread of this object as soon as logind announces a sleep. It must not wait.
+    // Calls `release` on the thread of this object as soon as logind announces a sleep. `release` must not wait.
     explicit SleepWatch(std::function<void()> release);
     ~SleepWatch();
     SleepWatch(const SleepWatch&) = delete;
     SleepWatch& operator=(const SleepWatch&) = delete;
 
-    // delays_sleep() returns true while the computer waits for us before it sleeps. Call let_sleep() once no force is
-    // left. After kMostDelay_s, the thread of this object lets the computer sleep in any case. Any thread may call both
-    // functions.
+    // delays_sleep() returns true while logind delays the sleep because of our inhibitor. Call let_sleep() once no
+    // force is left. After kMostDelay_s, the thread of this object lets the computer sleep in any case. Any thread may
+    // call both functions.
     bool delays_sleep() const;
     void let_sleep();
     // Returns true once after each sleep. App thread.
@@ -48,7 +48,7 @@ private:
 
     mutable std::mutex mutex_;
     Descriptor inhibitor_{-1};  // guarded by mutex_; logind delays the sleep until this descriptor is closed
-    bool delaying_ = false;     // guarded by mutex_; the computer waits for us
+    bool delaying_ = false;     // guarded by mutex_; true while logind delays the sleep because of our inhibitor
     std::atomic<bool> woken_{false};
     std::jthread thread_;
 };

@@ -1,5 +1,5 @@
-// Writes what was said, played and felt in a session on the virtual clock. People can read the text, and two versions
-// of the program can be compared byte for byte. Pure functions.
+// Writes what was said, played and felt in a session on the virtual clock as a text. People can read the text, and the
+// texts of two program versions can be compared byte for byte. Pure functions.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The program handrail-reader: a process that reads files of unknown origin. Only the main program starts it; see
+// Runs handrail-reader, a process that reads files of unknown origin. Only the main program starts handrail-reader; see
 // app/import/reader_process.h.
 #include "app/import/reader_process.h"
 

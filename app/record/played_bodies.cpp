@@ -32,12 +32,12 @@ public:
     }
 
 private:
-    std::deque<std::uint64_t> wanted_;  // numbers of the frames that the reader will read, in rising order
+    std::deque<std::uint64_t> wanted_;  // the numbers of the frames that the reader will read, in rising order
     std::deque<render::DynamicsFrame> there_;
     render::DynamicsFrame taken_;
 };
 
-constexpr std::size_t kSession = 2;  // index of the session, after those of the two hands
+constexpr std::size_t kSession = 2;  // index of the session in Book::frames, after those of the two hands
 
 }  // namespace
 

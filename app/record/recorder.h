@@ -30,8 +30,9 @@ struct RecordingHead {
     int form = kForm;
     std::string program;  // version of the program
     std::string language;
-    std::string begun_utc;        // time of day, such as "2026-11-22T17:30:00Z"
-    double begun_s = 0.0;         // time on the session's clock at which the recording began; times "t" count from it
+    std::string begun_utc;  // time of day, such as "2026-11-22T17:30:00Z"
+    // Time on the session's clock at which the recording began; times "t" in the files begin there.
+    double begun_s = 0.0;
     bool virtual_time = false;    // true if the session ran without threads, on a virtual clock
     settings::Settings settings;  // settings at the beginning of the session
 };

@@ -80,8 +80,8 @@ std::vector<std::string> plan_words(const SessionReport& report);
 // contains no scripts, fonts, picture files or network requests.
 std::string report_page(const SessionReport& report);
 
-// These functions report on several sessions of one learner, in the order of time. They describe how each route
-// developed, in words and tables; the page also contains each session.
+// These functions report on several sessions of one learner, in the order of time. They describe in words and tables
+// how the measures of each route developed. The page also contains each session.
 std::vector<std::string> learner_words(std::span<const SessionReport> reports);
 std::string learner_page(std::span<const SessionReport> reports);
 // Returns a duration in words, such as "12 minutes" or "40 seconds".
@@ -105,7 +105,7 @@ std::string results_json(std::span<const ResultRow> rows);
 // Returns a description of the columns of results.csv in the format CSV on the Web (W3C, Metadata Vocabulary for
 // Tabular Data, 2015). `csv_name` is the name of the described file.
 std::string results_metadata(const std::string& csv_name);
-// Read tables that these functions wrote. They fail with the line of the first mistake.
+// Read tables that results_csv and results_json wrote. They fail with the line of the first mistake.
 Result<std::vector<ResultRow>> read_results_csv(std::string_view text, const std::string& file);
 Result<std::vector<ResultRow>> read_results_json(std::string_view text, const std::string& file);
 

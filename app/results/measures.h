@@ -32,7 +32,7 @@ std::optional<double> path_ratio(double walked_m, double shortest_m, bool reache
 struct Span {
     double from_s = 0.0, to_s = 0.0;
 };
-// Returns how much of `span` is outside the `busy` times. These times may overlap.
+// Returns how many seconds of `span` are outside the `busy` times, which may overlap.
 double free_s(const Span& span, std::span<const Span> busy);
 // A hesitation is a pause longer than kPause_s, during which the walker stays within kPause_m. Leave `busy` times out
 // of pauses: during them, a list was open or the voice was speaking.

@@ -16,7 +16,7 @@ double turn_between(double a_rad, double b_rad) {
     return std::abs(std::remainder(b_rad - a_rad, 2.0 * std::numbers::pi));
 }
 
-// Returns the distance of `p` from the straight line between two points.
+// Returns the horizontal distance of `p` from the line segment between `a` and `b`.
 double off_line(const Vec3& a, const Vec3& b, const Vec3& p) {
     const double ux = b.x - a.x, uy = b.y - a.y, square = ux * ux + uy * uy;
     const double along = square > 0.0 ? std::clamp(((p.x - a.x) * ux + (p.y - a.y) * uy) / square, 0.0, 1.0) : 0.0;
@@ -33,7 +33,7 @@ std::vector<std::size_t> cuts_of(std::span<const WalkSample> walk, const Strateg
     for (std::size_t i = 1; i < walk.size(); ++i)
         if (walk[i].thing >= 0 && walk[i].thing != walk[i - 1].thing && i > cuts.back()) cuts.push_back(i);
     if (cuts.back() + 1 < walk.size()) cuts.push_back(walk.size() - 1);
-    // Split the walk until all parts are straight, from the start to the end.
+    // Split each part at its worst bend until all parts are straight. Work from the start of the walk to its end.
     std::vector<std::size_t> open(cuts.rbegin(), cuts.rend()), done;
     done.push_back(open.back());
     open.pop_back();

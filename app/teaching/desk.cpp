@@ -61,8 +61,7 @@ bool same_person_owns(const fs::path& file) {
     return ::lstat(file.c_str(), &found) == 0 && S_ISSOCK(found.st_mode) && found.st_uid == ::getuid();
 }
 
-// Moves complete lines from the received text `come` to `lines`. Lines that are longer than an order can be are
-// dropped.
+// Moves complete lines from the received text `come` to `lines`. Drops lines that are longer than the longest order.
 void take_lines(std::string& come, std::vector<std::string>& lines) {
     for (std::size_t end = come.find('\n'); end != std::string::npos; end = come.find('\n')) {
         std::string line = one_line(come.substr(0, end));
@@ -162,7 +161,7 @@ Result<std::unique_ptr<DeskServer>> DeskServer::open(const fs::path& folder, con
     if (found.st_uid != ::getuid() || (found.st_mode & 0077U) != 0U) return refused();
     state->listening = ::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     if (state->listening < 0) return refused();
-    fs::remove(state->path, ec);  // a socket that an earlier process with the same id left behind
+    fs::remove(state->path, ec);  // deletes a socket that an earlier process with the same id left behind
     const mode_t before = ::umask(0077);
     const bool bound = ::bind(state->listening, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
                        ::listen(state->listening, static_cast<int>(kMostWatchers)) == 0;

@@ -16,8 +16,9 @@ namespace handrail::terminal {
 
 class RawTerminal {
 public:
-    // Returns null unless both descriptors are terminals of the same kind whose modes can be changed. Writes to
-    // `output` only the sequence that makes the terminal mark pasted text.
+    // Returns null if another object exists, if `input` or `output` is no terminal, or if the program is in the
+    // background of `input`. Also returns null if the mode of `input` cannot be changed. Writes to `output` only the
+    // sequence that makes the terminal mark pasted text.
     static std::unique_ptr<RawTerminal> take(int input, int output);
     ~RawTerminal();
     RawTerminal(const RawTerminal&) = delete;

@@ -1,5 +1,5 @@
 // Draws the plan: the horizontal cut through the storey, the rooms with their names, the route, the hand, the walker,
-// the scale and north. App thread.
+// the scale bar and the north needle. App thread.
 #pragma once
 
 #include <imgui.h>

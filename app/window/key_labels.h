@@ -16,11 +16,11 @@ using KeyLabels = std::map<int, std::string>;
 // Returns the labels in the current keyboard layout.
 KeyLabels key_labels();
 
-// For GLFW's token of each key, returns the token whose name the key gets. Every name is on exactly one key:
+// For GLFW's token of each key, returns the token whose name the key gets. Every name belongs to exactly one key:
 // - a key with the label of a letter is that letter;
 // - a letter that is no key's label is at its American place, as on a Greek keyboard;
-// - if a letter is on the key of a sign, the sign moves to a key that has lost its letter. If there is a key that is
-//   labelled with the sign, it is that key.
+// - if a letter is on the key of a sign, the sign moves to a key that has lost its letter. If one of these keys is
+//   labelled with the sign, the sign moves to that key.
 std::map<int, int> keys_by_label(const KeyLabels& labels);
 
 }  // namespace handrail::window

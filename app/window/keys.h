@@ -32,7 +32,8 @@ std::optional<std::string> key_name(int glfw_key, int glfw_modifiers);
 class KeyTracker {
 public:
     std::vector<KeyEvent> take(int glfw_key, int glfw_action, int glfw_modifiers);
-    // Call this function when the person uses a mouse button or the wheel. A held modifier then belongs to that action.
+    // Call this function when the person uses a mouse button or the wheel. A modifier that is held meanwhile then gives
+    // no event when it is released.
     void other_input() { lone_modifier_ = 0; }
     // Call this function when the window loses the keyboard. Returns releases for all keys that are down. Modifiers
     // that are down give no events when they are released later.

@@ -36,7 +36,7 @@ struct TextEvent {
     std::string utf8;
 };
 
-// The person closed the window, or the display was lost. The window exists until it is destroyed.
+// The person closed the window, or the display was lost. The Window object still exists until its owner destroys it.
 struct CloseRequest {};
 
 using WindowEvent = std::variant<KeyEvent, TextEvent, HandDragged, FocusChange, CloseRequest>;

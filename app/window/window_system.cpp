@@ -26,7 +26,7 @@ bool in_wayland_session() {
 
 bool start_glfw(int platform) {
     glfwInitHint(kPlatform, platform);
-    // Do not use libdecor, because it may load GTK, whose accessible objects would replace Handrail's
+    // Do not use libdecor, because it may load GTK, whose accessible objects would replace those of Handrail.
     glfwInitHint(kWaylandLibdecor, kWaylandDisableLibdecor);
     glfwGetError(nullptr);
     return glfwInit() == GLFW_TRUE;

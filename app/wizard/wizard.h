@@ -62,8 +62,8 @@ public:
     void answer(const WizardEvent& event, double now_s);
     void tick(const WizardSense& sense);
 
-    // Results that the host reads after each tick.
-    bool wants_search() const { return wants_search_; }  // true: the host has to search for a device now
+    // Results that the program reads after each tick.
+    bool wants_search() const { return wants_search_; }  // true: the program must search for a device now
     std::vector<cues::CueRequest> take_cues() { return std::exchange(cues_, {}); }
     std::vector<std::pair<std::string, std::string>> take_setting_changes() { return std::exchange(changes_, {}); }
     const servo::ServoTuning& tuning() const { return felt_.tuning; }

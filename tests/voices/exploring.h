@@ -15,8 +15,8 @@ namespace handrail::test {
 
 class Exploring {
 public:
-    // The program gets `environment` in addition to a bare environment. If `first_start` is true, nobody has started
-    // the program before.
+    // The program gets `environment` in addition to a bare environment. If `first_start` is true, it finds no settings,
+    // as at its first start.
     Exploring(const TemporaryFolder& folder, Environment environment,
               const std::vector<std::string>& arguments = {"--no-window", "--device", "none"}, bool first_start = false)
         : said_(folder.path() / "said") {

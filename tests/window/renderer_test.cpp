@@ -541,7 +541,7 @@ TEST_F(RendererTest, the_plan_shows_an_arrow_that_turns_with_the_heading) {
     EXPECT_GT(east.x, 15.0);
     EXPECT_NEAR(east.y, 0.0, 3.0);
     EXPECT_GT(south.y, 15.0);
-    view.north_up = false;  // in walk mode, the world turns and the arrow does not
+    view.north_up = false;  // with the heading up, the world turns and the arrow does not
     EXPECT_LT(tip(90.0).y, -15.0);
     EXPECT_LT(tip(200.0).y, -15.0);
 }

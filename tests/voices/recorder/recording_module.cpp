@@ -1,7 +1,7 @@
-// An output module of speech-dispatcher that writes into a file instead of speaking through a sound card. So tests can
-// read what was said and when it was interrupted. For each event, the module writes one line to $RECORDED: seconds of
-// CLOCK_MONOTONIC, then "speak WORDS", "end" or "stop". $RECORDED_WORD_MS is the duration of a word. The module uses
-// the protocol between the server and its modules: commands on standard input, events on standard output.
+// Implements an output module of speech-dispatcher that writes into a file instead of speaking through a sound card. So
+// tests can read what was said and when it was interrupted. For each event, the module writes one line to $RECORDED:
+// seconds of CLOCK_MONOTONIC, then "speak WORDS", "end" or "stop". $RECORDED_WORD_MS is the duration of a word. The
+// module uses the protocol between the server and its modules: commands on standard input, events on standard output.
 #include <poll.h>
 #include <unistd.h>
 
