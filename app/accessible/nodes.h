@@ -31,7 +31,7 @@ GType handrail_node_get_type();
 GType handrail_frame_get_type();     // a window
 GType handrail_item_get_type();      // an item of a list, which can be pressed
 GType handrail_quantity_get_type();  // an item that also has a number
-// A text entry that readers can read but not change. Typed characters go through the program's own keys, and the
+// A text entry that screen readers can read but not change. Typed characters go through the program's own keys, and the
 // program echoes them.
 GType handrail_entry_get_type();
 
@@ -39,7 +39,7 @@ HandrailNode* make_node(GType type, AtkRole role, const char* name, HandrailNode
                         std::initializer_list<AtkStateType> states);
 void set_state(HandrailNode* node, AtkStateType state, bool on);
 
-// Functions that are called when a reader acts on an item. `item` is the position of the item in the list. `put`
+// Functions that are called when a screen reader acts on an item. `item` is the position of the item in the list. `put`
 // receives any number, and the program decides whether it accepts that number.
 struct ReaderCalls {
     std::function<void(std::size_t item, int action)> act;  // `action`: 0 press, 1 increase, 2 decrease

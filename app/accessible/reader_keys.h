@@ -22,7 +22,7 @@ public:
     // Accessibility thread. `heard`: a reader has noticed the window. From then on, the class offers keys to a reader
     // that listens to keys.
     void set_heard(bool heard);
-    // Accessibility thread. Asks the reader about each offered key.
+    // Accessibility thread. Asks the screen reader about each offered key.
     void ask();
 
 private:

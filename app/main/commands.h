@@ -174,7 +174,7 @@ struct LessonArguments {
     bool check = false;     // --check: tries the lesson with simulated pupils
     bool protocol = false;  // --protocol: prints the lesson's protocol
 };
-// A lesson to teach, with its world and its learner.
+// A lesson that is to be taught, with its world, its session and its learner.
 struct LessonToTeach {
     std::shared_ptr<teaching::TaughtWorld> world;
     std::size_t session = 0;

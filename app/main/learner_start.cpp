@@ -21,7 +21,7 @@ Result<void> begin_as_learner(ExploreCall& call) {
     if (!call.settings.file) call.settings.file = learners.settings_of(learner->id);
     arguments.common.data_in = learners.folder_of(learner->id);
     arguments.remember = learner->allows(learners::Purpose::Remember, learners::today());
-    if (!arguments.remember)  // deletes progress that was kept before the learner withdrew the consent
+    if (!arguments.remember)  // deletes progress that was stored before the learner withdrew the consent
         if (auto forgotten = learners::forget_lessons(arguments.common.data_in); !forgotten) return forgotten;
     arguments.learner = learner->name;
     arguments.news.push_back(phrase("learner.welcome", {{"name", learner->name}}));

@@ -51,8 +51,8 @@ core::WorldRequest with_kept_unit(core::WorldRequest request, const CommonArgume
 // folder of `common`, which is the user's or a learner's. Without such marks, the scene does not change. Any thread may
 // call it.
 Scene mended(Scene scene, const std::filesystem::path& world, const CommonArguments& common);
-// Returns an imported world as commands use it: with the missing doors added, and checked by validate(). Any thread may
-// call it.
+// Returns the imported world `read` in the form that commands need: with the missing doors added, and checked by
+// validate(). Any thread may call it.
 Result<Scene> mended_and_valid(Result<importing::ImportedWorld> read, const std::filesystem::path& world,
                                const CommonArguments& common);
 // Returns the world that the program explores if the person names none.

@@ -36,7 +36,7 @@ struct RecordedInput {
     core::SessionInput input;  // the input; in a WorldEntered, the world itself is missing
     RecordedWorld world;       // filled in only for a WorldEntered
 };
-// Reads one line written by input_line. Fails if the line is anything else.
+// Reads one line that input_line wrote. Fails for any other line.
 Result<RecordedInput> read_input_line(const std::string& line);
 // Returns true if `is`, the field "is" of a line, names an input.
 bool is_input(const std::string& is);

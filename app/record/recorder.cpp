@@ -32,7 +32,8 @@ namespace {
 namespace fs = std::filesystem;
 using SteadyTime = std::chrono::steady_clock::time_point;
 
-constexpr std::size_t kMostWaiting_bytes = std::size_t{64} << 20;  // most bytes of lines that may wait to be written
+// Greatest number of bytes in lines that may wait to be written.
+constexpr std::size_t kMostWaiting_bytes = std::size_t{64} << 20;
 constexpr std::size_t kMostWaitingRows = 200'000;  // greatest number of rows of each table that may wait to be written
 
 double seconds_since(SteadyTime then) {

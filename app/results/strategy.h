@@ -31,8 +31,8 @@ struct StrategyTuning {
     // A leg ends where the path deviates from a straight line by more than bend_m and by more than bend_share of the
     // line's length.
     double bend_m = 0.4, bend_share = 0.07;
-    // Two legs are joined if the turn between them is less than merge_deg, and if their total length is at most
-    // merge_longer times the straight distance from the start of the first to the end of the second.
+    // Two legs are joined if the turn between them is less than merge_deg, and if their path is nearly straight. The
+    // length of this path must be at most merge_longer times the distance between its ends.
     double merge_deg = 35.0, merge_longer = 1.06;
     double least_leg_m = 0.5;
     double parallel_deg = 25.0, lane_m = 1.2, lane_low_m = 0.3, lane_high_m = 2.2;

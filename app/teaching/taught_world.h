@@ -36,8 +36,8 @@ public:
     const std::shared_ptr<const Scene>& scene() const { return scene_; }
     const TaughtPlace& base() const { return base_; }
     double base_heading_rad() const { return base_heading_rad_; }
-    // Returns the place with that name. `name` may be any name in the lesson, or the name of a room. Returns null if
-    // there is no such place.
+    // Returns the place that is called `name`, which may be any name in the lesson, or the name of a room. Returns null
+    // if there is no such place.
     const TaughtPlace* place(std::string_view name) const;
     // Returns the places at which a route stops.
     std::vector<TaughtPlace> stops_of(const LessonRoute& route) const;

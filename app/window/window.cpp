@@ -12,7 +12,7 @@
 namespace handrail::window {
 namespace {
 
-// Draw this many further frames after a change of size, because drivers may still present a buffer of the old size.
+// How many further frames are drawn after a change of size, because drivers may still present a buffer of the old size.
 constexpr int kFramesToSettle = 3;
 
 // Returns the character in UTF-8. Returns an empty text for a code beyond Unicode, which GLFW never reports.
