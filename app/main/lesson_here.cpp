@@ -201,8 +201,8 @@ void LessonHere::turn(bool speaking, double now_s) {
     offer(now_s);
 }
 
-// Stores the results of the lesson if the learner agreed to be remembered. If the session is recorded, the recording
-// contains the results already.
+// If the learner agreed to be remembered, stores the learner's progress and the results of the lesson. Does not store
+// the results if the session is recorded, because the recording contains them.
 void LessonHere::close(double now_s) {
     if (run_ && arguments_.remember && !arguments_.common.data_in.empty()) {
         const std::filesystem::path& folder = arguments_.common.data_in;
