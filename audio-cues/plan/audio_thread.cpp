@@ -31,7 +31,8 @@ void AudioThread::stop(double finish_speech_s) {
     finish_speech_s_ = finish_speech_s;
     stop_asked_.store(true, std::memory_order_release);
     if (thread_.joinable()) thread_.join();
-    else run();  // the thread was never started, or the owner steps the loop: the last lines must still be spoken
+    // The thread was never started, or the owner steps the loop. run() then speaks the last lines on this thread.
+    else run();
 }
 
 void AudioThread::post(CueRequest request) {
@@ -56,7 +57,7 @@ void AudioThread::enter_world(std::shared_ptr<const Scene> scene) {
 void AudioThread::follow_edit(std::shared_ptr<const Scene> scene) {
     const std::lock_guard lock(mutex_);
     ++inbox_.posts;
-    // If the app entered a world that no step has taken yet, the edited scene replaces it.
+    // If no step has processed the world that the app entered last, the edited scene replaces that world's scene.
     if (inbox_.scene) inbox_.scene = std::move(scene);
     else inbox_.edited = std::move(scene);
 }
@@ -138,12 +139,12 @@ void AudioThread::run() {
     double next_s = clock_.now_s();
     const auto step_and_sleep = [&] {
         step();
-        // Ticks that were missed in a stall are not made up for.
+        // If a stall made the loop miss ticks, it does not repeat them.
         next_s = std::max(next_s + kPeriod_s, clock_.now_s());
         clock_.sleep_until_s(next_s);
     };
     while (!stop_asked_.load(std::memory_order_acquire)) step_and_sleep();
-    step();  // takes the requests that were posted before stop()
+    step();  // handles the requests that were posted before stop()
     const double patience_s = clock_.now_s() + finish_speech_s_;
     while ((speech_->speaking() || planner_.waiting()) && clock_.now_s() < patience_s) step_and_sleep();
     planner_.flush(clock_.now_s(), *speech_);

@@ -1,7 +1,7 @@
-// The loop of the audio thread. 200 times a second it takes the contact events of the hands and the app's requests, and
-// lets CuePlanner drive the sinks. It owns the planner and both sinks from start() to stop(). The app thread owns this
-// object and calls the functions that are marked "App thread". step() contains the whole body of the loop, so the owner
-// can also step it in virtual time without a thread.
+// The loop of the audio thread. 200 times a second it reads the contact events of the hands and the app's requests, and
+// lets CuePlanner drive the sinks. It owns the planner and both sinks from start() to stop(). The app thread owns the
+// AudioThread object and calls the functions that are marked "App thread". step() contains the whole body of the loop,
+// so the owner can also step it in virtual time without a thread.
 #pragma once
 
 #include <array>
@@ -31,22 +31,22 @@ public:
     // At the end, the loop keeps ticking for this long, so that the sound ends without a click.
     static constexpr double kFade_s = 0.030;
 
-    // Clock and rings must outlive this object. A ring is null if there is no such hand; the second ring is that of the
-    // left hand if there are two hands. The clock must be the one that times the contact events.
+    // Clock and rings must outlive this object. A ring is null if there is no such hand. If there are two hands, the
+    // second ring belongs to the left one. The clock must be the one that times the contact events.
     AudioThread(std::shared_ptr<AudioSink> audio, std::shared_ptr<SpeechSink> speech, Clock& clock,
                 ContactRing* contacts, const settings::Settings& settings, ContactRing* left_contacts = nullptr);
     ~AudioThread() override;
     AudioThread(const AudioThread&) = delete;
     AudioThread& operator=(const AudioThread&) = delete;
 
-    // The inputs that one step took from the other loops.
+    // The inputs that one step received from the app and the servo loops.
     struct Step {
         double now_s = 0.0;
         std::uint32_t contacts = 0, left_contacts = 0;  // number of contact events of each hand
         std::uint32_t posts = 0;  // number of the app's calls since the last step that change what is heard
     };
-    // For a recorder. Set it before the start. The audio thread calls both functions. With a listener, the time of each
-    // step is a whole number of microseconds.
+    // Callbacks for a recorder. Set them before the start. The audio thread calls both functions. If a listener is set,
+    // the time of each step is a whole number of microseconds.
     struct StepListener {
         std::function<void(double now_s)> begins;  // called before anything sounds or is spoken in the step
         std::function<void(const Step&)> ends;
@@ -57,12 +57,12 @@ public:
     // played.
     void end_at_once() { stopped_ = true; }
 
-    // App thread. stop() takes everything that was posted before it and waits at most `finish_speech_s` for the voice
-    // to finish. It writes the lines that it could not speak, fades the sound out and joins the thread. It may be
-    // called again, and the destructor calls it too.
+    // App thread. stop() handles everything that was posted before it and waits at most `finish_speech_s` for the voice
+    // to finish. It then writes the lines that the voice could not speak, fades the sound out and joins the thread. It
+    // may be called again, and the destructor calls it too.
     void start();
     void stop(double finish_speech_s = 0.0);
-    // App thread. Returns AudioSink::drops_out as of the last tick.
+    // App thread. Returns the result of AudioSink::drops_out() in the last tick.
     bool sound_drops_out() const { return drops_out_.load(std::memory_order_relaxed); }
 
     // App thread. Each of these calls holds a mutex for microseconds at most.
@@ -74,10 +74,10 @@ public:
     void set_hand_stands_in(bool stands_in) override;
     void set_listener(const Listener& listener) override { listener_.publish(listener); }
     SpeechTopics take_owed() override { return {owed_.exchange(0, std::memory_order_relaxed)}; }
-    std::vector<SpokenLine> take_spoken();  // the lines spoken since the last call, oldest first
-    // As of the last tick: true if a line is being spoken or is waiting to be spoken.
+    std::vector<SpokenLine> take_spoken();  // returns the lines spoken since the last call, oldest first
+    // Returns true if, at the last tick, a line was being spoken or was waiting to be spoken.
     bool speaking() const { return speaking_.load(std::memory_order_relaxed); }
-    // Returns SpeechSink::who as of the last tick; empty before the first tick.
+    // Returns the result of SpeechSink::who() in the last tick; empty before the first tick.
     std::string who_speaks();
 
     // Runs one tick at the clock's time. The loop's thread calls it, or the owner in virtual time.
@@ -114,7 +114,8 @@ private:
     std::shared_ptr<AudioSink> audio_;
     std::shared_ptr<SpeechSink> speech_;
     CuePlanner planner_;
-    std::vector<servo::ContactEvent> events_;  // events of the current tick; a member in order to reuse its memory
+    // Events of the current tick; a member so that every tick reuses the vector's memory.
+    std::vector<servo::ContactEvent> events_;
     std::uint64_t published_ = 0;  // the value of planner_.spoken_in_all() at the last publication of spoken lines
     std::string told_who_;
     StepListener step_listener_;

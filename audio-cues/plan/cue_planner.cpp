@@ -14,14 +14,15 @@
 namespace handrail::cues {
 namespace {
 
-constexpr double kSayAgain_s = 5.0;  // a text is not spoken again within this time; a project decision
+constexpr double kSayAgain_s = 5.0;  // a text is not spoken again within this time
 // Time from a touch until its name is spoken. The second surface of a corner is touched within a few ticks, and the
 // first word must come within 120 ms.
 constexpr double kSettle_s = 0.040;
 constexpr double kChatter_s = 0.050;  // Another contact with the same feature within this time makes no new sound.
 // The name of a tapped thing is still spoken if the voice becomes free within this time.
 constexpr double kKeepName_s = 0.5;
-constexpr double kKeepBump_s = 2.0;  // the same as kKeepName_s for a bump; longer, because the walker stays at the wall
+// Longest time that the name of a bumped thing waits for the voice; longer, because the walker stays at the wall.
+constexpr double kKeepBump_s = 2.0;
 constexpr double kSlideSilent_s = 0.15;  // without a slide event for this long, the hand counts as still
 // While the hand slides along two surfaces, the second gets the slide sound if the first had no slide event for this
 // long. Slide events come every 10 ms.
@@ -31,9 +32,9 @@ constexpr double kSlideSlowest_m_per_s = 0.004;  // speed of the hand, in hand m
 constexpr double kFastTouch_m_per_s = 0.3;
 constexpr double kDemonstrates_s = 2.5;
 constexpr std::uint32_t kDemonstration = 0xffffffffU;  // source number of the loop that a demonstration plays
-// Swells of the wall tone, at the limit of its range and at the wall.
+// Rate of the wall tone's swells, at the limit of the tone's range and at the wall.
 constexpr double kSlowestPulse_hz = 1.5, kFastestPulse_hz = 8.0;
-// Least loudness of alarms. The settings can make all other sounds quieter than this.
+// Least loudness of alarms. The settings can make other sounds quieter than kAlarmFloor, but not alarms.
 constexpr double kAlarmFloor = 0.2;
 
 double to_decimetre(double length_m) { return std::round(length_m * 10.0) / 10.0; }
@@ -47,8 +48,8 @@ std::string spoken_side(const std::string& side) {
 std::string size_sentence(const Feature& feature) {
     const Vec3 size = feature.bounds_m.max_m - feature.bounds_m.min_m;
     const double x = to_decimetre(size.x), y = to_decimetre(size.y), height = to_decimetre(size.z);
-    // Leaves out heights and depths of zero. Otherwise a flat rug would be "0 metres high", and a poster would have a
-    // depth of 0.
+    // A length that rounds to zero is left out of the text. Otherwise a flat rug would be "0 metres high", and a poster
+    // would have a depth of 0.
     if (feature.kind == FeatureKind::Floor || feature.kind == FeatureKind::Ceiling || height == 0.0)
         return phrase("touched.flat", {{"width", x}, {"depth", y}});
     if (feature.kind == FeatureKind::Object && std::min(x, y) > 0.0)
@@ -95,14 +96,14 @@ void CuePlanner::follow_edit(std::shared_ptr<const Scene> scene) {
 void CuePlanner::tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& speech) {
     contract_pre(std::isfinite(inputs.now_s));
     listener_ = inputs.listener;
-    // 1. The sinks get the time before any cue, so that cues of this tick carry it.
+    // 1. Passes the time to the sinks before any cue, so that the cues of this tick start at this time.
     audio.set_listener(inputs.listener);
     audio.set_speaking(speech.speaking());
     audio.tick(inputs.now_s);
     speech.tick(inputs.now_s);
     if (const auto news = audio.news()) alarm(*news, inputs.now_s, false);
     if (const auto news = speech.news()) alarm(*news, inputs.now_s, false);
-    // 2. First the contact events, then the app's requests.
+    // 2. Handles the contact events, then the app's requests.
     for (const servo::ContactEvent& event : inputs.contacts) on_contact(event, audio);
     for (const CueRequest& request : inputs.requests) on_request(request, inputs.now_s, audio, speech);
     // 3. Ends the loops whose cause has ended.
@@ -113,10 +114,10 @@ void CuePlanner::tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& spe
         wall_tone_on_ = false;
     }
     keep_world_sounds(audio);
-    // 4. Speech, with only one voice at a time.
+    // 4. Chooses and speaks waiting lines, only one at a time.
     speak_waiting(inputs.now_s, speech);
     demonstrate(inputs.now_s, audio, speech);
-    // 5. Sounds as text, after any spoken text about the same thing.
+    // 5. Writes sounds as text, after any spoken text about the same thing.
     for (const SoundCue& cue : sounds_to_tell_)
         if (std::string text = sound_words_.tell(cue, inputs.listener, inputs.now_s); !text.empty())
             speech.write({.text = std::move(text), .speech_class = SpeechClass::Ambient});
@@ -237,10 +238,11 @@ void CuePlanner::on_contact(const servo::ContactEvent& event, AudioSink& audio) 
             return;
         }
         case servo::ContactEventKind::Slide: {
-            // The hand slid onto another feature without leaving the first surface.
+            // If the hand slid onto another feature without leaving the first surface, `event.feature` is not touched
+            // yet.
             if (event.feature && !is_touched(hand, event.feature)) touch(hand, event);
-            // In a corner the hand slides along two surfaces at once. Only one of them sounds until its slide ends,
-            // instead of both in turn.
+            // In a corner the hand slides along two surfaces at once. Only the first one sounds until its slide ends,
+            // because the sound would otherwise alternate between the two.
             if (hand.sliding && event.feature != hand.slide_feature && event.time_s - hand.slide_s < kSlideOwner_s)
                 return;
             hand.slide_s = event.time_s;
@@ -363,7 +365,8 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
         }
         case CueRequestKind::Interrupt:
             end_demonstration(audio);
-            // Lines that were requested before this key in the same step. Text shows them; a voice begins and is cut.
+            // Some lines may have been requested before this key in the same step. If no line is being spoken, the next
+            // of them is passed to the sink first: text shows it, and a voice begins it and is cut.
             if (!speech.speaking()) speak_waiting(now_s, speech);
             if (order_.key(now_s, speech.speaking())) speech.stop();
             return;
@@ -478,8 +481,8 @@ void CuePlanner::speak_waiting(double now_s, SpeechSink& speech) {
     write_unspoken(now_s, speech);
 }
 
-// Steps through the spoken lines, back or forward. If another line has been spoken since the last step, it starts again
-// at the newest line.
+// Moves one line back or forward in the list of spoken lines. If a new line has been spoken since the last call, the
+// list starts again at the newest line.
 void CuePlanner::step_history(bool back, double asked_s) {
     std::vector<const SpokenLine*> lines;  // the newest line is first
     for (auto line = spoken_.rbegin(); line != spoken_.rend() && lines.size() < kMostHistory; ++line)

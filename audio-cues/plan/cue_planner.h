@@ -1,6 +1,6 @@
-// Decides what the person hears. It debounces names, chooses sounds by material and force, and uses one voice at a
-// time. Pure logic over its inputs and a time, so scenarios replay it exactly. One thread: the audio thread, or in
-// scenarios the only thread.
+// Decides what the person hears. CuePlanner debounces names, chooses sounds by material and force, and uses one voice
+// at a time. It is pure logic over its inputs and a time, so scenarios replay it exactly. One thread uses it: the audio
+// thread, or in scenarios the only thread.
 #pragma once
 
 #include <array>
@@ -22,11 +22,12 @@ namespace handrail::cues {
 
 enum class CueRequestKind : std::uint8_t {
     Say,       // Speaks `text` with `speech_class`. `repeatable` permits repetition within 5 s, for answers to keys.
-    Footstep,  // a footstep on `material` at `position_m`
-    // The body met `feature` at `position_m`. Plays a thud and speaks `text` as a warning. Within 5 s of the same
-    // warning it is not spoken again, but `written` goes to the text sinks each time.
+    Footstep,  // plays a footstep on `material` at `position_m`
+    // The walker's body touched `feature` at `position_m`. Plays a thud and speaks `text` as a warning. Within 5 s of
+    // the same warning, `text` is not spoken again, but `written` goes to the text sinks each time.
     Bump,
-    WallTone,    // the wall tone at `position_m`; its loudness depends on the distance, and loudness 0 ends it
+    // Plays the wall tone at `position_m`. Its loudness depends on the distance to the wall, and loudness 0 ends it.
+    WallTone,
     Interrupt,   // Any key was pressed: the voice stops, unless it is speaking an alarm or a warning.
     StopSpeech,  // The Control key was pressed: the voice stops, and all waiting lines are dropped.
     SilenceAll,  // F12 was pressed: voice and sounds stop. Loops stay off until the next step, bump or touch.
@@ -42,7 +43,7 @@ enum class CueRequestKind : std::uint8_t {
     WorldSound,
 };
 
-// A request of the app for a sound or speech. It goes through a queue to the audio thread.
+// A request of the app for a sound or speech. It reaches the audio thread through a queue.
 struct CueRequest {
     CueRequestKind kind = CueRequestKind::Say;
     double time_s = 0.0;
@@ -78,9 +79,13 @@ struct CueInputs {
     Listener listener;
 };
 
-// Returns the text for a thing that the person touches or bumps into, by Settings::Speech::verbosity:
-//   0 ""   1 "North wall"   2 "North wall, plaster", a door with the side of its handle   3 also hinge and description
-//   4 also size.
+// Returns the text for a thing that the person touches or bumps into. Its length depends on
+// Settings::Speech::verbosity:
+// - 0: ""
+// - 1: "North wall"
+// - 2: "North wall, plaster"; a door with the side of its handle
+// - 3: also hinge and description
+// - 4: also size
 // The text is empty if the feature has no name. A second press of the same question key uses a level higher by two.
 std::string describe_feature(const Scene& scene, FeatureId id, int verbosity);
 
@@ -88,32 +93,35 @@ std::string describe_feature(const Scene& scene, FeatureId id, int verbosity);
 //
 // Speech: at verbosity 0 ("sounds only"), names, guidance, hints and warnings are silent in every sink. Alarms, answers
 // and counts of steps are spoken at every verbosity, because a person who asks needs an answer. A text is not spoken
-// twice within 5 s unless its request is `repeatable`. A name is spoken 40 ms after the touch, and only the newest
-// name, so that a corner gives one whole name and not parts of two. SpeechOrder decides when each line is spoken.
+// twice within 5 s unless its request is `repeatable`. A name is spoken 40 ms after the touch. Only the newest name is
+// spoken, so that in a corner the person hears one whole name and not parts of two. SpeechOrder decides when each line
+// is spoken.
 //
 // Sounds: the loudness is the product of the volumes in Settings::Sound; alarms never fall below 0.2. Contact sounds
-// may repeat within 5 s. Only a contact with the same feature within 50 ms counts as chatter and makes no new sound.
+// may repeat within 5 s. Only a second contact with the same feature within 50 ms makes no new sound, because it is
+// chatter of the same touch.
 class CuePlanner {
 public:
     explicit CuePlanner(settings::Settings settings);
     void set_settings(const settings::Settings& settings);
-    // Enters a world. Names and materials come from this scene from now on. Also forgets what the hands touched.
+    // Enters a world: names and materials come from `scene` from now on. Also forgets what the hands touched.
     void enter_world(std::shared_ptr<const Scene> scene);
-    // Takes the scene of the same world after something was added, moved or removed. Names come from it from now on,
-    // and nothing is announced again.
+    // Replaces the scene by another version of the same world, after something was added, moved or removed. Names come
+    // from the new `scene` from now on, and nothing is announced again.
     void follow_edit(std::shared_ptr<const Scene> scene);
     // With two hands, the announcement of a touch says which hand touches: "Left hand: door".
     void set_two_hands(bool two) { two_hands_ = two; }
-    // Says whether the hand is simulated because there is no device. Faults of its force are then silent, because
-    // nobody feels that force.
+    // Says whether the hand is simulated because there is no device. If it is, the planner announces no faults of the
+    // force, because nobody feels that force.
     void set_hand_stands_in(bool stands_in) { hand_stands_in_ = stands_in; }
-    // Handles all inputs in order, contacts first, and drives the sinks, including their tick(). `inputs.now_s` must
-    // never decrease.
+    // Handles all inputs in order, contacts first, and drives the sinks. This includes calling their tick().
+    // `inputs.now_s` must never decrease.
     void tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& speech);
-    // Call it at the end. Writes all lines that are still waiting, so that text sinks contain every answer.
+    // Call it at the end. Passes all lines that are still waiting to `speech` as text, so that text sinks contain every
+    // answer.
     void flush(double now_s, SpeechSink& speech);
     bool waiting() const { return order_.waiting(); }
-    // See SpeechOrder::take_owed. Call it after the tick of the same time.
+    // See SpeechOrder::take_owed(). Call it after the tick for the same time.
     SpeechTopics take_owed(double now_s, const SpeechSink& speech) {
         return order_.take_owed(now_s, speech.speaking());
     }
@@ -131,7 +139,7 @@ private:
 
     void on_contact(const servo::ContactEvent& event, AudioSink& audio);
     void on_request(const CueRequest& request, double now_s, AudioSink& audio, SpeechSink& speech);
-    // Passes the line to order_, unless its text has no speakable character or verbosity 0 forbids it.
+    // Passes `line` to order_, unless its text has no speakable character or verbosity 0 forbids the line.
     void ask(SpeechLine line);
     void alarm(const std::string& text, double asked_s, bool repeatable, bool cuts = false);
     void answer(std::string text, double asked_s);
@@ -156,17 +164,18 @@ private:
     void touch(Hand& hand, const servo::ContactEvent& event);
     static bool is_touched(const Hand& hand, FeatureId feature);
     void stop_slide(Hand& hand, AudioSink& audio);
-    // Adds the hand to the text if there are two hands: "Left hand: door".
+    // If there are two hands, puts the name of the hand in front of the text: "Left hand: door".
     std::string whose(std::size_t hand, std::string text) const;
     void keep_world_sounds(AudioSink& audio);
     void demonstrate(double now_s, AudioSink& audio, const SpeechSink& speech);
     void end_demonstration(AudioSink& audio);
     void speak_waiting(double now_s, SpeechSink& speech);
     void step_history(bool back, double asked_s);
-    bool keep_line(const SpeechLine& line, double now_s);  // false if the line was spoken within 5 s
+    // Returns false if the same text was spoken within the last 5 s.
+    bool keep_line(const SpeechLine& line, double now_s);
     void say_now(const SpeechLine& line, double now_s, SpeechSink& speech);
-    // Returns how far to the right of straight ahead a place is. Returns nothing if the person does not want voices to
-    // come from a direction.
+    // Returns the direction of `place_m`, as an angle in radians to the right of straight ahead. Returns nothing if the
+    // person does not want voices to come from a direction, or if the place is above or below the ears.
     std::optional<double> side_of(const Vec3& place_m) const;
     double volume_of(SoundKind kind) const;  // 0 if the sound is switched off
     void play(SoundCue cue, AudioSink& audio);

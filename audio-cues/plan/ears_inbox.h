@@ -1,5 +1,5 @@
-// The inputs that the owner of a session gives to the audio thread. AudioThread takes them at its next step. PlayedEars
-// counts them in order to replay a recording. Call these functions from the app thread.
+// The inputs that the owner of a session passes to the audio thread. AudioThread handles them in its next step.
+// PlayedEars counts them in order to replay a recording. Call these functions from the app thread.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@ public:
     virtual void set_two_hands(bool two) = 0;
     virtual void set_hand_stands_in(bool stands_in) = 0;  // see CuePlanner::set_hand_stands_in()
     virtual void set_listener(const Listener& listener) = 0;
-    // Returns the topics of lines that were cut off and are due again. The session composes these lines again
+    // Returns the topics of lines that were cut off and must be spoken again. The session composes these lines again
     // (SpeechOrder::take_owed).
     virtual SpeechTopics take_owed() { return {}; }
 };

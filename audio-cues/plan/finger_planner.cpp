@@ -12,7 +12,7 @@ constexpr double kFullForce_n = 1.5;  // force of a surface on the hand at which
 constexpr double kSlowest_m_per_s = 0.005;  // a slower movement of the hand counts as tremor, not as sliding
 constexpr double kFast_m_per_s = 0.1;       // speed of a fast slide, in hand metres per second
 constexpr double kStairs = 0.6;             // slope of stairs (rise over run), at which the left trigger resists fully
-// Greatest length of a step; footsteps farther apart do not belong to one walk.
+// Greatest length of a step. Two footsteps farther apart do not belong to the same walk.
 constexpr double kLongestStride_m = 2.0;
 constexpr double kDefaultHardness = 0.8;
 
@@ -151,7 +151,7 @@ device::FingerCue FingerPlanner::tick(const FingerInputs& inputs) {
     on_passage(inputs.passage_width_m, inputs.now_s);
     device::FingerCue cue;
     const auto within = [&](double since_s, double for_s) { return inputs.now_s - since_s < for_s; };
-    cue.nearness = 0.5 * wall_nearness_;  // halved, because only a touched surface gets the full stiffness
+    cue.nearness = 0.5 * wall_nearness_;  // Halved, because only a touched surface makes the trigger fully stiff.
     cue.hardness = 1.0;
     if (within(bumped_s_, kBumpHolds_s)) {
         cue.nearness = 1.0;

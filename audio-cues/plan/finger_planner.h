@@ -1,6 +1,6 @@
-// Decides the cues for fingers on a pad, as CuePlanner decides the sounds. Pure logic over what the hand touches, the
-// app's requests and a time, so tests replay it exactly. App thread; a few comparisons per frame. The app calls it only
-// if there is a pad.
+// Decides the cues for fingers on a game pad, as CuePlanner decides the sounds. FingerPlanner is pure logic over what
+// the hand touches, the app's requests and a time, so tests replay it exactly. App thread; a few comparisons per frame.
+// The app calls it only if there is a pad.
 #pragma once
 
 #include <memory>
@@ -19,11 +19,11 @@ struct FingerInputs {
     double passage_width_m = 0.0;            // free width across the walking direction; 0: open on at least one side
 };
 
-// Inputs become cues as follows:
+// Converts inputs to cues as follows:
 // - Hardness is the stiffness of the touched surface.
 // - A bump gives a knock, and the right trigger stays stiff until the walker is away from the wall.
-// - The nearness of a wall ahead follows the loudness of the wall tone. The nearness of a touched surface follows its
-//   force.
+// - The nearness of a wall ahead follows the loudness of the wall tone. The nearness of a touched surface follows the
+//   force of that surface on the hand.
 // - A door ahead gives a click. So does a passage no wider than a door, if the walker enters it from a wider place.
 // - Steps and slides give the grain of their material. Stairs and slopes make the left trigger resist.
 class FingerPlanner {
@@ -33,7 +33,7 @@ public:
     static constexpr double kDoorWidth_m = 1.4, kWide_m = 1.8;
 
     void set_settings(const settings::Settings::Pads& settings) { settings_ = settings; }
-    void enter_world(std::shared_ptr<const Scene> scene);  // forgets all previous contacts and steps
+    void enter_world(std::shared_ptr<const Scene> scene);  // forgets all contacts and steps in the old world
     void follow_edit(std::shared_ptr<const Scene> scene) { scene_ = std::move(scene); }
     // Returns the cue of this frame. `inputs.now_s` must never decrease.
     device::FingerCue tick(const FingerInputs& inputs);

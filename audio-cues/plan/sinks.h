@@ -18,7 +18,7 @@ namespace handrail::cues {
 // these rules for every voice. A sink itself always speaks a line at once.
 enum class SpeechClass : std::uint8_t {
     Alarm,  // A fault of a device or of the program. It interrupts everything, and only the stop keys end it.
-    // A danger or obstacle at the feet: a drop, stairs, something closed, a blocked step. It interrupts like an alarm.
+    // A danger or obstacle at the feet: a drop, stairs, a closed door, a blocked step. It interrupts like an alarm.
     Warning,
     Answer,  // reply to a key
     // Important news that the person did not request, such as the room that they enter or the next part of a route.
@@ -30,13 +30,14 @@ enum class SpeechClass : std::uint8_t {
 // The topic of a line, if it determines what happens when the line is cut off or a newer line of this topic comes.
 enum class SpeechTopic : std::uint8_t {
     None,
-    Place,    // The person's place. The newest replaces older ones; the session composes it again if it was cut off.
-    Summary,  // summary of a route that begins; composed again if it was cut off
+    // The person's place. The newest line replaces older ones, and the session composes it again if it was cut off.
+    Place,
+    Summary,  // summary of a route that begins; the session composes it again if it was cut off
     Leg,      // next part of a route; treated like Place
     Lesson,   // task of a lesson; treated like Summary
     Praise,   // feedback of a lesson on the step that the person made; treated like Summary
-    Heading,  // the direction that the person faces; the newest replaces older ones
-    Steps,    // number of steps that the person walked; yields to everything and expires
+    Heading,  // the direction that the person faces; the newest line replaces older ones
+    Steps,    // number of steps that the person walked; any other line may delay it, and it expires
 };
 
 // A set of topics, as bits.
@@ -53,7 +54,7 @@ struct Utterance {
     std::string text;  // text to speak: one line of valid UTF-8 without control characters (see speakable())
     SpeechClass speech_class = SpeechClass::Answer;
     double loudness = 1.0;                  // 0 to 1; text sinks ignore it
-    SpeechTopic topic = SpeechTopic::None;  // for code that counts what the person heard
+    SpeechTopic topic = SpeechTopic::None;  // lets code that counts what the person heard find the topic of the text
     // Direction from which the voice comes, to the right of straight ahead; nothing: the middle.
     std::optional<double> right_rad = {};
 };
@@ -64,13 +65,13 @@ public:
     // Starts to speak and returns at once; an utterance that is still being spoken ends.
     virtual void say(const Utterance& utterance) = 0;
     virtual void write(const Utterance& /*utterance*/) {
-    }                         // for sinks that store text: a line that will not be spoken, because its time has passed
+    }  // tells sinks that store text of a line that will not be spoken, because its time has passed
     virtual void stop() = 0;  // stops speaking at once
     // True from say() until the last sample; always false for sinks that only write text.
     virtual bool speaking() const = 0;
     virtual void tick(double /*now_s*/) {}  // does housekeeping; called about every 5 ms
     virtual void set_speech(const settings::Settings::Speech& /*settings*/) {
-    }  // rate and voice, valid from the next utterance on
+    }  // sets rate and voice from the next utterance on
     // Returns a message about the sink itself, suitable for speech ("There is no voice ..."). Returns each message
     // once.
     virtual std::optional<std::string> news() { return std::nullopt; }
@@ -81,7 +82,7 @@ public:
 
 enum class SoundKind : std::uint8_t {
     Contact,  // the hand meets a surface
-    Slide,    // a loop that sounds while the hand slides
+    Slide,    // a loop that sounds while the hand slides along a surface
     Footstep,
     Bump,      // the walker meets a wall
     WallTone,  // a soft loop from the direction of the nearest wall
@@ -95,9 +96,9 @@ enum class SoundKind : std::uint8_t {
     DropNear,  // one beat of the warning before an edge
     StairsUp,
     StairsDown,
-    DoorNear,  // a door is ahead
+    DoorNear,  // announces that a door is ahead
     Falls,     // an object of a game falls into a hole
-    Knock,     // a hollow sound: the hole is covered
+    Knock,     // a hollow sound which tells that the hole is covered
     Border,    // a dull sound: a rolled object meets the border of the game
     // Sounds that help to find things. Each comes from its place, one at a time.
     Mark,
@@ -122,7 +123,7 @@ enum class SoundKind : std::uint8_t {
     Birds,
     Tolling,
     Music,
-    HiddenClock,  // used for finding a hidden clock; unlike any clock of a world
+    HiddenClock,  // a hidden clock that the person must find; sounds unlike any clock of a world
     Shimmer,      // used for all other sounds of a map
     // Earcons. They sound in the middle of the head, whatever their position.
     Denied,
@@ -157,7 +158,8 @@ struct SoundCue {
     double pitch = 1.0;         // factor on the pitch
     double event_time_s = 0.0;  // time of the event that the sound announces; latency is measured from here
     double pulses_per_s = 0.0;  // for loops: number of swells per second; 0: steady
-    // Loss in the doors and walls between sound and listener, in addition to that by distance. High tones lose more.
+    // Loss in decibels through the doors and walls between sound and listener, in addition to the loss by distance.
+    // High tones lose more.
     double muffled_db = 0.0;
     std::uint32_t source = 0;  // distinguishes loops of one kind; for Slide it is the number of the hand
 };
@@ -165,7 +167,7 @@ struct SoundCue {
 struct Listener {
     Vec3 ears_m{0.0};
     double heading_rad = 0.0;
-    // Reverberation time of the surrounding room, in which a sound falls by 60 dB; 0: open air.
+    // Reverberation time of the surrounding room, which is the time in which a sound falls by 60 dB; 0: open air.
     double reverberation_s = 0.0;
 };
 
@@ -179,10 +181,10 @@ public:
     virtual void set_sound(const settings::Settings::Sound& /*settings*/) {
     }  // Sets balance, mono, reverberation and second cues from now on. CuePlanner applies the volumes.
     virtual void set_speaking(bool /*speaking*/) {
-    }  // Says whether a voice speaks that this sink does not play. Sounds get quieter for such a voice, too.
+    }  // Says whether a voice is speaking, even if another program plays it. The sink then makes its sounds quieter.
     virtual void stop_all() = 0;          // ends every sound except speech, at once and without a click
     virtual void tick(double now_s) = 0;  // does housekeeping; called about every 5 ms
-    // Returns true if the device runs out of samples again and again, so that it needs more periods.
+    // Returns true if the device runs out of samples again and again, so that it needs more periods of buffer.
     virtual bool drops_out() const { return false; }
     // Returns a message about the sink itself, suitable for speech ("The sound device was lost ..."). Returns each
     // message once.

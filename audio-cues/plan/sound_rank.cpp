@@ -9,8 +9,8 @@ struct RankRow {
     std::string_view name;
     double lufs;
 };
-// Loudness of each rank in LUFS. People can distinguish two units between neighbouring ranks; danger stands out by
-// four.
+// Loudness of each rank in LUFS. Neighbouring ranks differ by two units, which people can distinguish. The rank
+// "danger" is four units louder than the next.
 constexpr std::array<RankRow, kSoundRanks> kRanks{{{"danger", -22.0},
                                                    {"blocked", -26.0},
                                                    {"route", -28.5},

@@ -1,5 +1,5 @@
-// The importance of sounds. More important sounds are louder. If too many sound at once, the least important one ends.
-// Pure data; any thread.
+// Ranks sounds by importance. More important sounds are louder. If too many sound at once, the least important one
+// ends. Pure data; any thread.
 #pragma once
 
 #include <cstdint>

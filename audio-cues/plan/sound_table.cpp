@@ -91,7 +91,7 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(SoundClass::Gene
     "plaster", "wood",  "brick",   "concrete", "tile", "carpet", "metal", "glass",  "stone",  "rubber",
     "grass",   "water", "plastic", "cloth",    "sand", "earth",  "ice",   "grille", "generic"};
 
-// A long word must come before any word that it contains.
+// The first match decides, so a long word must come before any word that it contains.
 struct WordRow {
     std::string_view word;
     SoundKind kind;

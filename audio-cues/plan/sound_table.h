@@ -1,5 +1,5 @@
-// One table for the cue planner, scenarios and the spoken sound dictionary. It contains the name of each sound, the
-// volume and switch that apply to it, and the names of sounds in maps that stand for it. Pure data; any thread.
+// One table of all sounds for the cue planner, scenarios and the spoken sound dictionary. For each sound it contains
+// the name, the volume and switch that apply, and the names of sounds in maps that stand for it. Pure data; any thread.
 #pragma once
 
 #include <span>

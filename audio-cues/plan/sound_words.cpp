@@ -51,8 +51,8 @@ std::string SoundWords::tell(const SoundCue& cue, const Listener& ears, double n
     if (has_words_of_its_own(cue.kind)) return {};
     std::string text, side;
     if (cue.kind == SoundKind::Footstep) {
-        // Only the floor's material is written. If the person types commands as words, the step itself has already been
-        // reported as text.
+        // Only the floor's material is written. If the person types commands as words, the session has already reported
+        // the step itself as text.
         if (cue.material == SoundClass::Generic) return {};
         text = phrase("sound_words.steps_on", {{"material", material_word(cue.material)}});
     } else {
@@ -61,7 +61,7 @@ std::string SoundWords::tell(const SoundCue& cue, const Listener& ears, double n
         if (cue.kind == SoundKind::Beacon) side = side_of(cue.position_m, ears);
     }
     if (!side.empty()) text = phrase("words.joined", {{"one", text}, {"other", side}});
-    // All three sounds of a beacon count as one beacon.
+    // All three beacon sounds have one name, and a change between them is no new sound.
     const SoundKind kind = is_beacon(cue.kind) ? SoundKind::Beacon : cue.kind;
     Told& told = told_[{kind, cue.source}];
     const bool same = told.text == text;

@@ -1,6 +1,6 @@
-// Sounds as text, for people who read instead of hearing: the name of each sound and its direction, short and without
-// brackets. Sounds that always come with a spoken text are left out. Sounds that repeat or continue are reported again
-// only if their text has changed or some time has passed. Plain state; one thread.
+// Describes sounds as text, for people who read instead of hearing. The text has the name of each sound and its
+// direction, short and without brackets. Sounds that always come with a spoken text are left out. Sounds that repeat or
+// continue are reported again only if their text has changed or some time has passed. Plain state; one thread.
 #pragma once
 
 #include <map>

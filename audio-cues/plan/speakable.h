@@ -12,7 +12,7 @@ namespace handrail::cues {
 // returned unchanged.
 std::string speakable(std::string_view text);
 
-// Does the same and makes the first letter upper case, for labels that are spoken and printed.
+// Does the same as speakable() and makes the first letter upper case, for labels that are spoken and printed.
 std::string sentence_case(std::string_view text);
 
 }  // namespace handrail::cues

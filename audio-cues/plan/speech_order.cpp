@@ -6,7 +6,7 @@
 namespace handrail::cues {
 namespace {
 
-// A count of steps is kept for this long; after that, the person is probably on another walk.
+// A count of steps waits at most this long. After that, the person is probably on another walk.
 constexpr double kKeepSteps_s = 2.0;
 
 bool replaces(SpeechTopic topic) {
@@ -61,7 +61,7 @@ void SpeechOrder::add(SpeechLine line) {
     }
 }
 
-// Drops a line. If its topic is composed again later, it need not be written as text now.
+// Drops a line. If the session will compose the line's topic again, the line is not written as text now.
 void SpeechOrder::drop(SpeechLine line) {
     if (made_anew(line.utterance.topic)) owed_.add(line.utterance.topic);
     else unspoken_.push_back(std::move(line));
@@ -142,8 +142,8 @@ std::optional<SpeechLine> SpeechOrder::next(double now_s, bool speaking, const K
 }
 
 std::optional<SpeechLine> SpeechOrder::next_of_importance(double now_s) {
-    // The alarm that a device may push interrupts other alarms: earlier ones about the device were spoken before this
-    // was known.
+    // An alarm with `cuts` says that a device may still push. It interrupts other alarms, because earlier alarms about
+    // the device were composed before this was known.
     const bool cuts = std::any_of(alarms_.begin(), alarms_.end(), [](const SpeechLine& alarm) { return alarm.cuts; });
     if (!alarms_.empty() && (cuts || !busy(SpeechClass::Alarm))) return begin(alarms_, now_s);
     if (busy(SpeechClass::Warning)) return std::nullopt;
@@ -171,8 +171,7 @@ std::optional<SpeechLine> SpeechOrder::next_name(double now_s, const Knows& know
             name.reset();
             continue;
         }
-        // The name for one hand does not interrupt that for the other hand. It waits, as it would for the end of an
-        // answer.
+        // The name of the thing at one hand does not interrupt the name for the other hand, but waits for its end.
         const bool others = busy(SpeechClass::Contact) && current_->utterance.speech_class == SpeechClass::Contact &&
                             current_->hand != name->hand;
         if (waiting() || busy(SpeechClass::Guidance) || others) continue;
@@ -187,8 +186,8 @@ std::optional<SpeechLine> SpeechOrder::next_of_the_rest(double now_s) {
     if (steps_ && free) return begin(*std::exchange(steps_, std::nullopt), now_s);
     if (steps_ && now_s > steps_->expires_s) drop(*std::exchange(steps_, std::nullopt));
     if (!hints_.empty() && free) return begin(hints_, now_s);
-    // A hint is never kept for later, because by then it may be out of date. Only hints of the same time follow each
-    // other.
+    // A hint is never kept for later, because by then it may be out of date. Only a hint that was requested at the same
+    // time as the current one waits for its end.
     if (hints_.empty() || (current_ && current_->utterance.speech_class == SpeechClass::Ambient &&
                            current_->asked_s == hints_.front().asked_s))
         return std::nullopt;

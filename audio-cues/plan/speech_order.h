@@ -1,6 +1,7 @@
-// The order in which lines are spoken, and which of them are dropped. Only this class decides it, for every voice,
-// screen reader and braille display. It has plain values and no sinks: CuePlanner reports all events to it and speaks
-// what it returns. It runs on CuePlanner's thread. Only a few lines are ever waiting, so each call costs little.
+// Decides in which order lines are spoken, and which of them are dropped. Only SpeechOrder decides this, for every
+// voice, screen reader and braille display. It has plain values and no sinks: CuePlanner reports all events to it and
+// speaks the lines that it returns. It runs on CuePlanner's thread. Only a few lines are ever waiting, so each call
+// costs little.
 #pragma once
 
 #include <array>
@@ -19,7 +20,7 @@ struct SpeechLine {
     Utterance utterance;
     double asked_s = 0.0;  // time of the request or event
     double due_s = 0.0;    // earliest time at which the line may be spoken
-    // For Contact: the line is kept until this time, and after it while the hand touches the thing.
+    // For Contact: until this time the line waits in any case, and after it only while the hand touches the thing.
     double expires_s = 0.0;
     bool repeatable = false;
     bool again = false;
@@ -31,19 +32,19 @@ struct SpeechLine {
 
 class SpeechOrder {
 public:
-    // A line that was cut off is composed again after this time without speech or a key.
+    // After this time without speech or a key, a line that was cut off is composed again.
     static constexpr double kPause_s = 1.0;
     static constexpr std::size_t kMostDanger = 4;  // greatest number of waiting alarms, and of waiting warnings
-    // Greatest number of waiting answers, and of waiting lines of guidance.
+    // Greatest number of waiting answers, and greatest number of waiting lines of guidance.
     static constexpr std::size_t kMostWaiting = 8;
 
-    // Adds a line, which waits for its turn. Of names, step counts and topics that replace each other, only the newest
-    // stays.
+    // Adds a line, which waits for its turn. Of several names, step counts or lines of a topic that replaces itself,
+    // only the newest stays.
     void add(SpeechLine line);
     // Call it when a key was pressed. Returns true if the current utterance must end. All waiting lines are dropped,
     // except alarms and warnings.
     bool key(double now_s, bool speaking);
-    // Call it when a stop key was pressed. All waiting lines are dropped, and none is composed again.
+    // Call it when a stop key was pressed. All waiting lines are dropped, and the session composes none of them again.
     void silence(double now_s);
     // What the caller knows about a waiting line.
     struct Knows {
@@ -58,13 +59,13 @@ public:
     // Returns the lines that will not be spoken, oldest first, for sinks that store text.
     std::vector<SpeechLine> take_unspoken();
     // Returns the topics of lines that were cut off or dropped, once nothing has been spoken and no key pressed for
-    // kPause_s. The session composes again those of the lines that are still true. Each topic is returned once.
+    // kPause_s. The session composes a line again if its content is still true. Each topic is returned once.
     SpeechTopics take_owed(double now_s, bool speaking);
 
     bool waiting() const { return !alarms_.empty() || !warnings_.empty() || !answers_.empty() || !guidance_.empty(); }
     bool answers_wait() const { return !answers_.empty(); }
     void forget_names();
-    // Returns the waiting name of the thing that this hand touches.
+    // Returns the waiting name of the thing that hand number `hand` touches.
     const std::optional<SpeechLine>& name_of(std::size_t hand) const { return names_.at(hand); }
 
 private:

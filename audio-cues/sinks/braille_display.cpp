@@ -1,6 +1,6 @@
 #include "audio-cues/sinks/braille_display.h"
 
-// Handrail does not use BrlAPI's functions for a single session.
+// Removes BrlAPI's functions for a single session, which Handrail does not use.
 #define BRLAPI_NO_SINGLE_SESSION
 #include <brlapi.h>
 #include <poll.h>
@@ -81,8 +81,8 @@ struct BrailleDisplay::Worker {
         look_again_s = now_s() + kRetry_s;
         if (!connected && !open()) return;
         look_again_s = now_s() + kSizeEvery_s;
-        // The display's model name must never be queried: a server whose display is just connecting crashes on that
-        // (BRLTTY 6.5).
+        // The display's model name must never be queried, because a server (BRLTTY 6.5) whose display is just
+        // connecting then crashes.
         unsigned columns = 0, rows = 0;
         if (brlapi__getDisplaySize(handle.get(), &columns, &rows) < 0) return lose();
         const unsigned cells = columns * rows;
@@ -102,7 +102,7 @@ struct BrailleDisplay::Worker {
         const int socket = brlapi__openConnection(handle.get(), &settings, nullptr);
         if (socket < 0) return false;
         connected = true;
-        // Without a handler, the library ends the whole program on an error.
+        // Sets a handler, because without one the library ends the whole program on an error.
         brlapi__setExceptionHandler(handle.get(),
                                     [](brlapi_handle_t*, int, brlapi_packetType_t, const void*, std::size_t) {});
         const std::lock_guard lock(shared.mutex);
@@ -111,7 +111,8 @@ struct BrailleDisplay::Worker {
     }
 
     void take_tty(unsigned our_window) {
-        const int path = static_cast<int>(our_window);  // the path below WINDOWPATH, which the library puts in front
+        // The last part of the path; the library puts the value of WINDOWPATH in front.
+        const int path = static_cast<int>(our_window);
         if (brlapi__enterTtyModeWithPath(handle.get(), &path, 1, nullptr) < 0) return;
         static constexpr std::array<brlapi_keyCode_t, 6> kOurs{
             BRLAPI_KEY_TYPE_CMD | BRLAPI_KEY_CMD_FWINLT, BRLAPI_KEY_TYPE_CMD | BRLAPI_KEY_CMD_FWINRT,
@@ -208,7 +209,7 @@ struct BrailleDisplay::Worker {
         if (events[1].revents == 0) return;
         if (holds_tty) take_keys();
         else if ((events[1].revents & (POLLHUP | POLLERR)) != 0) lose();
-        // The next query of the size reads the data that has arrived.
+        // The next query of the size also reads the data that has arrived, so it is made soon.
         else look_again_s = std::min(look_again_s, now_s() + 0.02);
     }
 };

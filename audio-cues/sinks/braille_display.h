@@ -1,6 +1,7 @@
-// A braille display through BRLTTY's BrlAPI, used if no screen reader writes braille already. It shows every message,
-// with the heading in front. It runs on a separate thread, because the library waits for its server. If there is no
-// display, it reports nothing. If a display is lost, it announces that once and searches for a display again.
+// Shows every message on a braille display, with the heading in front. It uses BRLTTY's BrlAPI, and only if no screen
+// reader writes braille already. The code runs on a separate thread, because the library waits for its server. If there
+// is no display, the sink reports nothing. If a display is lost, the sink announces that once and searches for a
+// display again.
 #pragma once
 
 #include <atomic>
@@ -54,8 +55,8 @@ public:
 
     // Reads the environment (BRLAPI_HOST, WINDOWPATH), so create it before other threads change the environment.
     BrailleDisplay(std::shared_ptr<BrailleLink> link, const settings::Settings::Speech& settings);
-    // Waits at most half a second for the server. If the thread is still waiting after that, it is left behind and ends
-    // when it can.
+    // Waits at most half a second for the thread. If the thread is still waiting for the server after that, it is left
+    // behind and ends when it can.
     ~BrailleDisplay() override;
     BrailleDisplay(const BrailleDisplay&) = delete;
     BrailleDisplay& operator=(const BrailleDisplay&) = delete;

@@ -93,8 +93,8 @@ bool BrailleLine::pan_left() {
         for (std::size_t next = end_of_piece(0); next < message_.size(); next = end_of_piece(next)) from_ = next;
         return true;
     }
-    // Pieces are laid out from the beginning of the text. The previous piece is therefore the last one that ends at or
-    // before this place.
+    // Pieces are laid out from the beginning of the text. The previous piece is therefore the last piece that ends at
+    // or before from_.
     std::size_t before = 0;
     for (std::size_t next = end_of_piece(0); next < from_; next = end_of_piece(next)) before = next;
     from_ = before;

@@ -1,4 +1,5 @@
-// The content of a braille display: three cells of heading, then as much of the message as fits. Pure functions.
+// Composes the content of a braille display: three cells of heading, then as much of the message as fits. Pure
+// functions.
 #pragma once
 
 #include <cstddef>
@@ -17,11 +18,11 @@ public:
     static constexpr std::size_t kHeadingCells = 3;
     static constexpr std::size_t kLeastForHeading = 12;  // least width of a display that also shows the heading
 
-    // Shows a new message from its first word on. A new heading changes only the heading cells.
+    // Shows a new message from its first word on. A later set_heading() changes only the heading cells.
     void show(std::string_view utf8);
-    // Shows the current item of a list with its place: "Worlds 2/7". Panning past its ends shows the neighbouring
-    // items, each with its place, without selecting them. `before` is the text spoken before the item, such as the
-    // list's title when it opens.
+    // Shows the current item of a list with its place: "Worlds 2/7". Panning past the ends of the item shows the
+    // neighbouring items, each with its place, without selecting them. `before` is the text spoken before the item,
+    // such as the list's title when the list opens.
     void show_list(std::string_view before, const std::vector<std::string>& items, std::size_t at);
     void set_heading(std::string cells) { heading_ = std::move(cells); }
     void set_width(std::size_t cells);
@@ -36,7 +37,7 @@ public:
 
 private:
     std::size_t message_cells() const { return width_ - (width_ >= kLeastForHeading ? kHeadingCells : 0); }
-    // Returns the end of the piece that begins at `from`, which is after the last whole word that fits.
+    // Returns the end of the piece that begins at `from`. The piece ends after the last whole word that fits.
     std::size_t end_of_piece(std::size_t from) const;
 
     void show_item(std::size_t item);

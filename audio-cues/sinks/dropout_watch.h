@@ -1,5 +1,5 @@
-// Detects drop-outs of a sound device from the device's own clock. A device that ran out of samples and restarted stays
-// behind permanently, by at least a period. Plain state; one thread.
+// Detects drop-outs of a sound device from the device's own clock. After a drop-out the device restarts, and from then
+// on its clock is permanently late by at least a period. Plain state; one thread.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@ namespace handrail::sinks {
 
 class DropoutWatch {
 public:
-    // Length of a window. Only the smallest delay in each window counts, because single late ticks do no harm.
+    // Length of a window. Only the smallest delay in each window is compared, because single late ticks do no harm.
     static constexpr double kWindow_s = 1.0;
     // Increase of the delay that counts as a drop-out. It is less than a period of 256 samples, and far more than
     // clocks drift apart in a window.
@@ -18,8 +18,8 @@ public:
     static constexpr std::size_t kMost = 3;
     static constexpr double kWithin_s = 60.0;
 
-    // `device_s` is the playing time by the device's own clock. From the tick in which there were too many drop-outs,
-    // it returns true until reset().
+    // Returns true from the tick in which there were too many drop-outs until reset(). `device_s` is the playing time
+    // by the device's own clock.
     bool tick(double now_s, double device_s);
     void reset() { *this = DropoutWatch{}; }
 

@@ -1,4 +1,5 @@
-// The built-in voice as a choice for VoiceRouter: espeak-ng, or beeps if its data is missing. The audio thread owns it.
+// Makes the built-in voice a choice for VoiceRouter. The voice is espeak-ng, or beeps if the data of espeak-ng is
+// missing. The audio thread owns it.
 #pragma once
 
 #include <functional>
@@ -11,8 +12,8 @@ namespace handrail::sinks {
 
 class EmbeddedVoice final : public Voice {
 public:
-    // `audible` says whether the channel's sound can be heard; if not, the voice counts as gone. It is called on the
-    // audio thread.
+    // `audible` returns whether the channel's sound can be heard. If it returns false, the state of the voice is Gone.
+    // It is called on the audio thread.
     EmbeddedVoice(std::shared_ptr<VoiceChannel> channel, std::function<bool()> audible,
                   const settings::Settings::Speech& settings)
         : channel_(std::move(channel)), audible_(std::move(audible)), settings_(settings) {}

@@ -21,7 +21,8 @@
 namespace handrail::sinks {
 namespace {
 
-// Samples that are sent together: 0.19 s of speech, made in about 1 ms. The sink plays the pieces without a gap.
+// Number of samples that are sent together. They are 0.19 s of speech, which espeak-ng makes in about 1 ms. The sink
+// plays the pieces without a gap.
 constexpr std::size_t kPiece = 4096;
 
 // espeak-ng has one state per process, which these flags mirror. Only the code that has set `library_taken` may use

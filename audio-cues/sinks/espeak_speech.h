@@ -1,7 +1,7 @@
-// The embedded voice: espeak-ng in synchronous mode, on the only thread of the process that may use this library. It
-// sends samples to a VoiceChannel in pieces, so a long text starts as soon as a short one. say(), stop() and speaking()
-// return at once. When an utterance is cut off, the callback ends the synthesis within a millisecond. The library's
-// asynchronous mode needs 200 ms for that.
+// The embedded voice: espeak-ng in synchronous mode, on the only thread of the process that may use this library. That
+// thread sends samples to a VoiceChannel in pieces, so a long text starts as soon as a short one. say(), stop() and
+// speaking() return at once. When an utterance is cut off, the callback ends the synthesis within a millisecond. The
+// library's asynchronous mode needs 200 ms for that.
 #pragma once
 
 #include <memory>
@@ -39,8 +39,8 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-// Used if there is sound but no voice. A pattern of tones for each class (alarm four, answer two, name one, hint one
-// low) signals that there is text to read. The audio thread owns it.
+// Signals by beeps that there is text to read. Used if there is sound but no voice. Each class has its own pattern of
+// tones: alarm four, answer two, name one, hint one low tone. The audio thread owns it.
 class BeepSpeech final : public cues::SpeechSink {
 public:
     // `news` is the reason why there is no voice. news() returns it once.
@@ -59,7 +59,7 @@ private:
     std::optional<std::string> news_;
 };
 
-// Opens the embedded voice. If that fails, opens beeps, whose news() says why there is no voice.
+// Opens the embedded voice. If that fails, opens a BeepSpeech, whose news() says why there is no voice.
 std::unique_ptr<cues::SpeechSink> open_voice(const std::shared_ptr<VoiceChannel>& channel,
                                              const settings::Settings::Speech& settings);
 

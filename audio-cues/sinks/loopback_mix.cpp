@@ -14,7 +14,7 @@ static_assert(kPacedBlock % WholeBlocks::kFrames == 0);
 
 }  // namespace
 
-// Only this function takes samples from the loopback device.
+// Only render_whole() requests samples from the loopback device.
 void LoopbackMix::render_whole(float* stereo, int frames) const {
     contract_pre(frames % WholeBlocks::kFrames == 0);
     if (on_render_) on_render_(frames);
@@ -34,7 +34,8 @@ std::span<const float> LoopbackMix::render(int frames) {
 
 void LoopbackMix::discard_elapsed(double now_s) {
     double due = (now_s - rendered_until_s_) * kSampleRate_hz;
-    if (due > kMostPacedFrames) {  // the thread was delayed; nobody hears these samples, so they are not made up for
+    // If the thread was delayed, the missing samples are not rendered later, because nobody hears them.
+    if (due > kMostPacedFrames) {
         rendered_until_s_ = now_s - static_cast<double>(kMostPacedFrames) / kSampleRate_hz;
         due = kMostPacedFrames;
     }

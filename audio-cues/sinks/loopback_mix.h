@@ -1,5 +1,5 @@
-// Renders samples without a sound card. It takes them from OpenAL's loopback device in whole blocks. If nobody hears
-// them, it discards them as fast as they would be played. Audio thread only.
+// Renders samples without a sound card. It requests them from OpenAL's loopback device in whole blocks. If nobody hears
+// the samples, it discards them as fast as a sound card would play them. Audio thread only.
 #pragma once
 
 #include <functional>

@@ -30,7 +30,7 @@ private:
 
 double momentary_lufs(std::span<const float> samples) {
     constexpr std::size_t kWindow = 19200, kHop = 480;
-    // The standard's two filters at 48 kHz: one for the effect of the head, one that removes frequencies too low to
+    // The two filters of BS.1770 at 48 kHz. One models the effect of the head, the other removes frequencies too low to
     // sound loud.
     Biquad head(1.53512485958697, -2.69169618940638, 1.19839281085285, -1.69065929318241, 0.73248077421585);
     Biquad low(1.0, -2.0, 1.0, -1.99004745483398, 0.99007225036621);

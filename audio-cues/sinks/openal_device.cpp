@@ -38,7 +38,7 @@ OpenALEnvironment::OpenALEnvironment(int periods) {
         using SetHandler = int (*)(decltype(&ignore_alsa_message));
         if (void* set_handler = ::dlsym(alsa, "snd_lib_error_set_handler"))
             reinterpret_cast<SetHandler>(set_handler)(&ignore_alsa_message);
-    }  // the library stays loaded, because OpenAL uses it too
+    }  // The library stays loaded, because OpenAL uses it too.
     if (std::getenv("ALSOFT_CONF") != nullptr) return;
     file_ = ::memfd_create("openal.conf", MFD_CLOEXEC);
     if (file_ < 0) return;

@@ -15,9 +15,9 @@
 
 namespace handrail::sinks {
 
-// Gives OpenAL the settings that it reads only from a file. The file exists only in memory, and only while this object
-// exists. It is not used if the person has set a file of their own. Create this object before other threads read the
-// environment.
+// Passes to OpenAL the settings that it reads only from a file. The file exists only in memory, and only while this
+// object exists. If the person has set a configuration file of their own, OpenAL reads that one instead. Create this
+// object before other threads read the environment.
 class OpenALEnvironment {
 public:
     // `periods` is the number of periods of 256 samples.

@@ -7,7 +7,8 @@
 namespace handrail::sinks {
 namespace {
 
-// The effect is changed only if the reverberation time has changed by this factor, and at most this often.
+// The reverberation effect is changed only if the reverberation time has changed by the factor kRoomChange, and at most
+// once in kRoom_s.
 constexpr double kRoomChange = 1.08, kRoom_s = 0.5;
 // OpenAL Soft 1.19.1 reverberates for this much longer than requested, as measured from 0.3 to 4 s.
 constexpr double kEffectLonger_s = 0.045;

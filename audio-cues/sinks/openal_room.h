@@ -1,5 +1,5 @@
-// The reverberation of the surrounding room, as an OpenAL effect to which sounds are sent. Without the extension it is
-// silent and costs nothing. Audio thread only, with the context current.
+// The reverberation of the surrounding room, as an OpenAL effect to which sounds are sent. If OpenAL lacks the effects
+// extension, there is no reverberation and no cost. Audio thread only, with the context current.
 #pragma once
 
 #include <AL/al.h>
@@ -13,8 +13,8 @@ public:
     // which suits a plain room.
     void make();
     void drop();
-    // Adapts the weak reverberation to the room, at most twice a second. After hush(), it is silent at once. `share` is
-    // the strength of its sound, 0 to 1.
+    // Adapts the weak reverberation to the room, at most twice a second. After hush(), the reverberation is silent at
+    // once. `share` is the strength of the reverberation, 0 to 1.
     void update(double now_s, double reverberation_s, double share);
     void hush() { hushed_ = true; }
     void sound_again() { hushed_ = false; }

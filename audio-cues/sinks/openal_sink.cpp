@@ -24,8 +24,8 @@ bool leads_by_sound(cues::SoundKind kind) {
 
 }  // namespace
 
-// The state of the sink. It chooses the device and notices when the device is lost or found again; its parts make the
-// sound.
+// The state of the sink. Impl chooses the device and notices when the device is lost or found again. Its members
+// `voices`, `speech` and `room` make the sound.
 struct OpenALSink::Impl {
     Impl(const Options& asked, std::shared_ptr<VoiceChannel> channel)
         : options(asked),
@@ -79,7 +79,7 @@ struct OpenALSink::Impl {
         alGetError();
         dropouts.reset();
         alListenerf(AL_GAIN, static_cast<float>(kHeadroom));
-        alDistanceModel(AL_NONE);  // distance_gain() computes the effect of distance instead
+        alDistanceModel(AL_NONE);  // off, because distance_gain() computes the effect of distance instead
         const bool filters = voices.load_filters(device.handle());
         if (filters) room.make();
         voices.make_sources(filters);
@@ -146,7 +146,7 @@ Result<std::unique_ptr<OpenALSink>> OpenALSink::open(std::shared_ptr<VoiceChanne
     if (auto opened = impl->open(); !opened) return tl::unexpected(opened.error());
     if (options.output == Output::Device && impl->device.is_loopback()) {
         impl->untold = phrase("sound_output.none_found");
-        impl->lost = true;  // so that tick() notices when a sound card is plugged in later
+        impl->lost = true;  // lets tick() search for a sound card, which may be plugged in later
         impl->never_had = true;
     }
     if (!impl->device.has_wanted_hrtf())
@@ -155,7 +155,7 @@ Result<std::unique_ptr<OpenALSink>> OpenALSink::open(std::shared_ptr<VoiceChanne
 }
 
 void OpenALSink::play(const cues::SoundCue& cue) {
-    // Missing sound matters only when the person must follow a sound, so it is announced only then.
+    // The person needs sound only to follow a sound, so the sink announces missing sound only when such a sound is due.
     if (leads_by_sound(cue.kind) && impl_->untold) impl_->news = std::exchange(impl_->untold, std::nullopt);
     if (impl_->device.is_open()) impl_->voices.play(cue);
 }

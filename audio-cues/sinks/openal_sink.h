@@ -1,9 +1,10 @@
-// Plays sounds at their places and a voice in the middle, through OpenAL Soft at 48 kHz, with head-related filtering
-// for headphones if the device permits it. One owner: the thread that ticks it (the audio thread); only VoiceChannel is
-// shared with other threads. Without a sound card it plays into OpenAL's loopback device and discards the samples as
-// fast as they would be played. Nothing else changes then; description() and news() report it. If a device is lost
-// while playing, the default device replaces it, or loopback until there is a device again. Cost: about 1 % of a core.
-// Each sound of the bank (synth.h) is synthesised when it is first heard.
+// Plays sounds at their places and a voice in the middle, through OpenAL Soft at 48 kHz. Sounds have head-related
+// filtering for headphones if the device permits it. One owner: the thread that ticks it (the audio thread); only
+// VoiceChannel is shared with other threads. Without a sound card, the sink plays into OpenAL's loopback device and
+// discards the samples as fast as a sound card would play them. All other functions stay the same; description() and
+// news() report the missing card. If a device is lost while playing, the default device replaces it, or loopback until
+// there is a device again. Cost: about 1 % of a core. Each sound of the bank (synth.h) is synthesised when it is first
+// heard.
 #pragma once
 
 #include <functional>
@@ -32,19 +33,20 @@ public:
         // Part of the name of a set of head-related filters that OpenAL Soft finds, or "auto".
         std::string hrtf_set = "auto";
         std::function<bool()> still_connected =
-            {};  // Replaces the device's own report, so that a test can simulate unplugging.
+            {};  // Replaces the device's own report of whether it is connected, so that a test can simulate unplugging.
         std::function<void(int)> on_render =
             {};  // Receives the number of frames of each request to the loopback device, for tests.
     };
     // Greatest number of sounds at once, without the voice. If there are more, the least important one ends. Among
-    // equally important sounds, the oldest ends, and among the world's own sounds the quietest.
+    // equally important sounds the oldest ends, and among the world's own sounds the quietest.
     static constexpr int kMostSounds = 3;
     // Factor on all sounds, so that three sounds and the voice together stay below full scale.
     static constexpr double kHeadroom = 0.5;
     static constexpr double kDuckingDb = -9.0;  // level of all sounds except danger while the voice speaks
 
-    // Opens the sink. Meanwhile it sets ALSOFT_CONF (256 samples x 2 periods) unless the person has set it, so call it
-    // before other threads read the environment. Fails only if OpenAL has no loopback device.
+    // Opens the sink. During the call, the environment variable ALSOFT_CONF is set (256 samples x 2 periods) unless the
+    // person has set it. Call open() before other threads read the environment. Fails only if OpenAL has no loopback
+    // device.
     static Result<std::unique_ptr<OpenALSink>> open(std::shared_ptr<VoiceChannel> voice, const Options& options);
     ~OpenALSink() override;
 

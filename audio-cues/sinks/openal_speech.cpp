@@ -43,7 +43,7 @@ void OpenALSpeech::delete_played(const Speaker& s) {
 }
 
 void OpenALSpeech::drop_speech(Speaker& s) {
-    alSourceStop(s.source);  // afterwards all of its buffers count as played
+    alSourceStop(s.source);  // stops the source, after which OpenAL reports all of its buffers as played
     delete_played(s);
     alSourcei(s.source, AL_BUFFER, 0);
     s.active = s.ended = s.ending = false;
@@ -83,7 +83,7 @@ void OpenALSpeech::update(double now_s, const settings::Settings::Sound& sound) 
         alSourcef(s.source, AL_GAIN, static_cast<float>(s.gain));
         ALint state = 0;
         alGetSourcei(s.source, AL_SOURCE_STATE, &state);
-        // The source does not play if this is the first piece, or if the synthesis was slower than the speech.
+        // The source is not playing before the first piece, or if the synthesis was slower than the speech.
         if (state != AL_PLAYING) alSourcePlay(s.source);
         s.active = true;
     }

@@ -1,4 +1,4 @@
-// Plays speech from the middle, or from the direction of the thing that the text is about. It takes samples from a
+// Plays speech from the middle, or from the direction of the thing that the text is about. It reads samples from a
 // VoiceChannel and queues them piece by piece. Audio thread only, with the context current.
 #pragma once
 
@@ -21,12 +21,14 @@ public:
     void drop();
     void update(double now_s, const settings::Settings::Sound& sound);
     bool playing() const { return channel_->playing(); }
-    // Marks an utterance that was lost with its device as ended, so that code waiting for its end continues.
+    // ticket() identifies the current utterance. give_up() marks an utterance that was lost with its device as ended,
+    // so that code waiting for its end continues.
     VoiceChannel::Ticket ticket() const { return speakers_[speaker_].ticket; }
     void give_up(VoiceChannel::Ticket spoken);
 
 private:
-    // Utterances alternate between two sources, so that one that was cut off can fade out.
+    // Utterances alternate between two sources, so that an utterance that was cut off can fade out while the next one
+    // begins.
     struct Speaker {
         ALuint source = 0;
         VoiceChannel::Ticket ticket = 0;

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kLoopFade_s = 0.030;  // fade time of loops
 constexpr double kWorldFade_s = 0.25;  // fade time of the world's sounds; slow, because they are background
-// A world's sound that was muted for lack of room returns only after there has been room for this long. Otherwise each
-// footstep would interrupt it.
+// A world's sound that was muted because too many sounds played returns only after there has been room for this long.
+// Otherwise each footstep would interrupt it.
 constexpr double kRoomFor_s = 1.5;
 constexpr double kMuffle_db_per_s = 120.0;
 constexpr double kPulseLow = 0.25;  // level of a pulsing loop between its swells, as a share of full level
@@ -40,7 +40,7 @@ int importance(cues::SoundKind kind) {
         case cues::SoundKind::Contact:
             return 3;
         default:
-            // The others are earcons, which answer a key.
+            // The other kinds that are not dangers are sounds of places, and earcons that answer a key.
             return cues::rank_of(kind) == cues::SoundRank::Danger ? 5 : 4;
     }
 }

@@ -1,5 +1,5 @@
-// The sounds at their places. This class decides which sounds are heard, how loud, and from which direction for the
-// listener's present position. Audio thread only, with the context current.
+// Plays the sounds at their places. OpenALVoices decides which sounds are heard, how loud, and from which direction for
+// the listener's present position. Audio thread only, with the context current.
 #pragma once
 
 #include <AL/al.h>
@@ -32,7 +32,7 @@ struct SinkVoice {
     bool audible = true;          // false: muted, because there are too many sounds
     double may_sound_at_s = 0.0;  // a muted world sound stays muted until this time
     double muffled_db = 0.0;      // present value, which moves towards cue.muffled_db
-    double filtered_db = -1.0;    // value for which the filter is set
+    double filtered_db = -1.0;    // value of muffled_db for which the filter is set
     ALuint filter = 0;
     double pulse = 0.0;       // phase of the loop's swells, 0 to 1
     std::uint64_t order = 0;  // order of starting; a larger number is newer
@@ -47,10 +47,12 @@ struct Listening {
 
 class OpenALVoices {
 public:
-    // More than can be heard at once, so that sounds beyond the limit can fade out.
+    // Number of voices for one-shots. It is more than can be heard at once, so that sounds beyond the limit can fade
+    // out.
     static constexpr std::size_t kOneShots = 8;
-    static constexpr std::size_t kOwnLoops = 3;     // the wall tone, and one slide loop for each hand
-    static constexpr std::size_t kWorldVoices = 6;  // enough for those that are heard and as many that are fading out
+    static constexpr std::size_t kOwnLoops = 3;  // the wall tone, and one slide loop for each hand
+    // Number of voices for world sounds: those that are heard, and as many that are fading out.
+    static constexpr std::size_t kWorldVoices = 6;
     // In this order: WallTone, Slide of each hand, then the world's loops.
     using Loops = std::array<SinkVoice, kOwnLoops + kWorldVoices>;
 

@@ -1,6 +1,6 @@
-// The person's own screen reader as a voice. The reader reads the text in the window's accessible objects, so this code
-// only passes text on. ReaderVoice puts it into a ReaderChannel on the audio thread; the owner of the accessible
-// objects takes it out on its own thread.
+// Makes the person's own screen reader a voice. The reader reads the text in the window's accessible objects, so this
+// code only passes text on. ReaderVoice puts the text into a ReaderChannel on the audio thread. The owner of the
+// accessible objects takes it out on its own thread.
 #pragma once
 
 #include <functional>
@@ -13,8 +13,8 @@
 
 namespace handrail::sinks {
 
-// Contains only the newest message. A message that was not taken before the next one came is not read. Only an alarm
-// replaces an alarm. Any thread; each call holds a mutex for microseconds.
+// Contains only the newest message, so a message that was not taken before the next one came is never read. An alarm is
+// replaced only by another alarm. Any thread; each call holds a mutex for microseconds.
 class ReaderChannel {
 public:
     // These functions are for the voice.
@@ -27,8 +27,8 @@ public:
     bool wanted() const;
     void set_state(VoiceState state);
     std::optional<std::string> take();
-    // Sets a function that is called when something changes, on the thread that changed it. Meanwhile only this
-    // object's own lock is held. An empty function removes it.
+    // Sets a function that is called when the state of the channel changes, on the thread that changed it. During the
+    // call, only call_mutex_ is locked. An empty function removes the old one.
     void on_change(std::function<void()> call);
 
 private:
@@ -45,7 +45,8 @@ private:
 // The audio thread owns and calls it.
 class ReaderVoice final : public Voice {
 public:
-    // The window must have the keyboard focus for a moment before the reader notices it.
+    // How long the first text waits for the reader, which notices the window only after the window has had the keyboard
+    // focus for a moment.
     static constexpr double kPatience_s = 3.0;
     // Start time and time per letter at a brisk rate. A screen reader does not report when it has finished, so the
     // duration is estimated from the number of letters. If the estimate is too short, the reader only queues the next

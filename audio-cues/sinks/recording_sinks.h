@@ -1,5 +1,5 @@
-// Sinks for scenarios and tests in virtual time: they store their input and make no sound. One thread. They store what
-// a person would have heard, as far as that is known without samples. The tests of OpenALSink measure the samples.
+// Sinks for scenarios and tests in virtual time. They store the sounds and lines that a person would have heard, as far
+// as that is known without samples, and make no sound. One thread. The tests of OpenALSink measure the samples.
 #pragma once
 
 #include <map>
@@ -19,8 +19,8 @@ struct HeardSound {
     double latency_s = 0.0;  // time_s - cue.event_time_s
 };
 
-// A sound starts at the beginning of the first mixing period after play(), which has 256 samples at 48 kHz, as in
-// OpenALSink.
+// Stores sounds with their start times. A sound starts at the beginning of the first mixing period after play(). A
+// period has 256 samples at 48 kHz, as in OpenALSink.
 class RecordingAudio final : public cues::AudioSink {
 public:
     static constexpr double kPeriod_s = 256.0 / 48000.0;

@@ -20,14 +20,14 @@ ServerClient::~ServerClient() { ::close(wake); }
 void ServerClient::rouse() const {
     const std::uint64_t one = 1;
     if (::write(wake, &one, sizeof one) < 0) {
-        // The counter is full, so the thread will wake anyway.
+        // The eventfd's counter is full, so the thread will wake anyway.
     }
 }
 
 void ServerClient::take_wake() const {
     std::uint64_t times = 0;
     if (::read(wake, &times, sizeof times) < 0) {
-        // The wait timed out, without a call of rouse().
+        // The wait timed out, because nobody called rouse().
     }
 }
 

@@ -1,6 +1,6 @@
-// Shared state of a client and the thread that talks to its server, which may hang. With it, the client can wake the
-// thread, tell it to end, or abandon it. Both sides hold it by shared_ptr, because a thread whose server never answers
-// outlives its owner.
+// State that a client shares with the thread that talks to the client's server, which may hang. Through it, the client
+// can wake the thread, tell it to end, or abandon it. Both sides hold it by shared_ptr, because a thread whose server
+// never answers outlives its owner.
 #pragma once
 
 #include <condition_variable>
@@ -31,11 +31,11 @@ struct ServerClient {
     void take_wake() const;
 };
 
-// Runs `work` on a thread with this name until `quit` is set. On this thread, writing to a server that has gone gives
-// an error code and no signal.
+// Runs `work` on a thread called `name` until `quit` is set. If that thread writes to a server that has gone, the call
+// returns an error code and no signal is raised.
 std::thread start_client(std::shared_ptr<ServerClient> shared, const char* name, std::function<void()> work);
-// Tells the thread to quit and waits at most twice kPatienceAtTheEnd_s, the second time after shutting its connection
-// down. A thread that still does not end is left behind and ends when it can.
+// Tells the thread to quit and waits for at most kPatienceAtTheEnd_s. If the thread is still running, shuts its
+// connection down and waits that long again. A thread that still does not end is left behind and ends when it can.
 void end_client(ServerClient& shared, std::thread& thread);
 
 }  // namespace handrail::sinks

@@ -17,7 +17,7 @@
 namespace handrail::sinks {
 namespace {
 
-// Used if even OpenAL's loopback device is unavailable. It reports that once and makes no sound.
+// Used if even OpenAL's loopback device is unavailable. SilentAudio reports that once and makes no sound.
 class SilentAudio final : public cues::AudioSink {
 public:
     explicit SilentAudio(std::string news) : news_(std::move(news)) {}
@@ -48,7 +48,7 @@ SoundOutputs open_sound_outputs(const settings::Settings& settings, int text_fd,
         outputs.audio =
             std::make_unique<SilentAudio>(phrase("sound_output.no_sound", {{"problem", opened.error().sentence()}}));
     } else {
-        // Both sinks have the same owner, which destroys the speech sink first.
+        // `sound` stays valid here, because the owner of both sinks destroys the speech sink first.
         voices.push_back(std::make_unique<EmbeddedVoice>(
             channel, [sound = opened->get()] { return sound->has_device(); }, settings.speech));
         if ((*opened)->has_device()) outputs.description = (*opened)->description();

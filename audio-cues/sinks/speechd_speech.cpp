@@ -20,7 +20,7 @@ namespace handrail::sinks {
 namespace {
 
 constexpr double kLongestStart_s = 5.0;   // longest time from say() to the first word, for a slow server
-constexpr double kSlowestLetter_s = 0.3;  // slowest speech of any voice, per letter
+constexpr double kSlowestLetter_s = 0.3;  // time per letter of the slowest voice
 
 struct CloseConnection {
     void operator()(SPDConnection* connection) const { spd_close(connection); }
@@ -44,8 +44,8 @@ struct SpeechdSpeech::Shared : ServerClient {
     // differ.
     std::uint64_t said = 0, finished = 0;
     std::uint64_t calls_begun = 0, calls_answered = 0;
-    // The server's numbers for this client and for the newest utterance, and the last utterance whose end the server
-    // has reported.
+    // The server's number for this client, its number for the newest utterance, and the last utterance whose end the
+    // server has reported.
     std::size_t client = 0, message = 0, message_ended = 0;
 
     void on_end(std::size_t ended_message, std::size_t of_client) {
@@ -125,8 +125,9 @@ struct SpeechdSpeech::Worker {
     }
 
     // Sets the language of the text, because the person's default voice may have another one. Which voice speaks the
-    // language depends on the person's settings. If the server has no voice for it, the server refuses; another voice
-    // with its accent is then better than none. If the server has gone, the next call notices it.
+    // language depends on the person's settings. If the server has no voice for the language, it refuses; the voice
+    // that was set before then speaks with its own accent, which is better than silence. If the server has gone, the
+    // next call notices it.
     void speak(const std::string& wanted_language) {
         language = wanted_language;
         const bool taken = call([&] { return spd_set_language(connection.get(), language.c_str()); }) == 0;
@@ -156,7 +157,8 @@ struct SpeechdSpeech::Worker {
         const std::lock_guard lock(shared.mutex);
         shared.message = static_cast<std::size_t>(message);
         shared.said_as_message = number;
-        // The server may report the end of an utterance before it returns the utterance's number.
+        // If the server reported the end of an utterance before it returned the utterance's number, `finished` is set
+        // here.
         if (shared.message_ended >= shared.message) shared.finished = std::max(shared.finished, number);
         return true;
     }
@@ -307,7 +309,7 @@ void SpeechdSpeech::tick(double now_s) {
         return;
     }
     if (now_s - watched_since_s_ < kStalled_s) return;
-    // Cutting the connection makes the pending call fail, so that the thread returns and tries again later.
+    // Shutting the connection down makes the pending call fail, so that the thread returns and tries again later.
     shared_->state = VoiceState::Gone;
     shared_->finished = shared_->said;
     if (shared_->socket >= 0) ::shutdown(shared_->socket, SHUT_RDWR);
@@ -315,7 +317,7 @@ void SpeechdSpeech::tick(double now_s) {
 
 void SpeechdSpeech::set_speech(const settings::Settings::Speech& settings) {
     const std::lock_guard lock(shared_->mutex);
-    // A name of an espeak-ng voice may be longer than a language; its language comes first.
+    // A name of an espeak-ng voice may be longer than a language code, but it begins with the language code.
     const std::string voice = settings.voice == "auto" ? spoken_language() : settings.voice;
     const std::size_t letters = std::min(voice.find('-'), voice.size());
     shared_->language = letters == 2 || letters == 3 ? voice.substr(0, letters) : "en";

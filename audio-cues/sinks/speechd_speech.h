@@ -1,7 +1,7 @@
-// The voice that the person has set up for their desktop: speech-dispatcher, with the voice, rate and pitch that it has
-// there. The server plays the sound itself. libspeechd waits for the server's answers, and with a faulty sound set-up
-// it waits for ever. It is therefore called only on a separate thread, and tick() cuts a connection that does not
-// answer. All functions return at once.
+// The voice that the person has set up for their desktop: speech-dispatcher, with the voice, rate and pitch of the
+// person's own settings. The server plays the sound itself. libspeechd waits for the server's answers, and with a
+// faulty sound set-up it waits for ever. It is therefore called only on a separate thread, and tick() cuts a connection
+// that does not answer. All functions return at once.
 #pragma once
 
 #include <cstdint>
@@ -22,11 +22,12 @@ public:
     static constexpr double kFirstRetry_s = 1.0;  // time until the first retry after a loss; doubled after each failure
     static constexpr double kSlowestRetry_s = 30.0;
 
-    // If the person names a server (SPEECHD_ADDRESS), only that one is used. Otherwise the default server is used, and
-    // started if it does not run. Reads the environment, so create it before other threads change the environment.
+    // If the person names a server (SPEECHD_ADDRESS), only that server is used. Otherwise the default server is used,
+    // and started if it does not run. The constructor reads the environment, so create the object before other threads
+    // change the environment.
     explicit SpeechdSpeech(const settings::Settings::Speech& settings);
-    // Waits at most half a second for the server. If the thread is still waiting after that, it is left behind and ends
-    // when it can.
+    // Waits at most half a second for the thread. If the thread is still waiting for the server after that, it is left
+    // behind and ends when it can.
     ~SpeechdSpeech() override;
     SpeechdSpeech(const SpeechdSpeech&) = delete;
     SpeechdSpeech& operator=(const SpeechdSpeech&) = delete;

@@ -31,7 +31,7 @@ constexpr std::array<std::array<double, 6>, 3> kModeRatios{{
 // any_two_materials_differ_when_struck). Listening tests with people are still missing.
 struct Timbre {
     Body body;
-    double lowest_hz;     // frequency of the struck object's lowest mode
+    double lowest_hz;     // frequency of the lowest mode of the struck object
     double ring_s;        // time in which the lowest mode falls by 60 dB
     double damping;       // how much faster each higher mode decays than the one below it
     double noise;         // share of the noise burst in the sound, 0 to 1
@@ -133,7 +133,7 @@ void add_noise_burst(std::vector<float>& out, std::size_t from, double edge_hz, 
                      Noise& noise) {
     LowPass soft(edge_hz), softer(edge_hz);
     const double decay = decay_per_sample(ring_s);
-    // A low frequency limit passes little of the white noise. This factor makes bursts of all limits about equally
+    // White noise through a low frequency limit is weak. The factor below makes bursts of all limits about equally
     // strong.
     const double evened = level * std::sqrt(0.5 * kRate / edge_hz);
     double envelope = evened;
@@ -260,7 +260,7 @@ std::vector<float> wall_tone(Noise& noise) {
 }
 
 // Adds a bubble that rings with rising pitch (van den Doel, Physically based models for liquid sounds, ACM TAP 2(4),
-// 2005). What extends beyond the end of the loop continues at its start.
+// 2005). The part beyond the end of the loop is added at the start of the loop.
 void add_bubble(std::vector<float>& out, std::size_t from, double hz, double ring_s, double level) {
     double phase = 0.0, envelope = level;
     const double decay = decay_per_sample(ring_s);
@@ -308,7 +308,7 @@ std::vector<float> door_shuts(Noise& noise) {
     return out;
 }
 
-// A small hand bell, struck twice. It is bright, so that both ears can locate it.
+// A small hand bell, struck twice. Its sound is bright, because the ears locate bright sounds well.
 std::vector<float> bell() {
     std::vector<float> out(samples_of(1.0));
     for (const double from_s : {0.0, 0.22})
@@ -338,8 +338,8 @@ std::vector<float> falls() {
     return out;
 }
 
-// Signs along a route. They differ in rhythm first, then in pitch, as earcons do. They sound at a place, so each
-// contains breathy noise that lets the ears locate it.
+// Sounds of places along a route. They differ in rhythm first, then in pitch, as earcons do. Each sounds at a place, so
+// it contains breathy noise that lets the ears locate it.
 std::vector<float> waymark(cues::SoundKind kind, Noise& noise) {
     struct Strike {
         double at_s, hz, ring_s;
@@ -429,7 +429,7 @@ void add_call(std::vector<float>& out, double start_s, double length_s, double f
     }
 }
 
-// Adds a decaying tone. What extends beyond the end of the loop continues at its start.
+// Adds a decaying tone. The part beyond the end of the loop is added at the start of the loop.
 void add_ring(std::vector<float>& out, double start_s, double hz, double ring_s, double level) {
     std::vector<float> ring(samples_of(ring_s));
     add_mode(ring, 0, hz, ring_s, level);
@@ -456,8 +456,8 @@ std::vector<float> world_loop(cues::SoundKind kind, Noise& noise) {
             break;
         case cues::SoundKind::Drone:
             add_harmonics(out, 55.0, 6, 0.5, 0.6);
-            // This tone beats with the one above: the lowest harmonics once in two seconds, the fourth ones twice a
-            // second.
+            // This tone and the one above beat: their lowest harmonics once in two seconds, their fourth harmonics
+            // twice a second.
             add_harmonics(out, 55.5, 6, 0.5, 0.6);
             add_air(out, noise, 0.8, steady(320.0, 0.5));
             break;
@@ -513,7 +513,8 @@ std::vector<float> world_loop(cues::SoundKind kind, Noise& noise) {
             break;
         case cues::SoundKind::Fan:
             add_air(out, noise, 0.6, [](double) { return std::pair(700.0, 0.6); });
-            for (std::size_t i = 0; i < out.size(); ++i)  // a blade of the fan passes twenty times a second
+            // The level falls and rises twenty times a second, whenever a blade of the fan passes.
+            for (std::size_t i = 0; i < out.size(); ++i)
                 out[i] *= static_cast<float>(0.7 + 0.3 * std::sin(2.0 * kPi * 20.0 * static_cast<double>(i) / kRate));
             break;
         case cues::SoundKind::Rain:
@@ -568,9 +569,9 @@ std::vector<float> world_loop(cues::SoundKind kind, Noise& noise) {
     return out;
 }
 
-// A beacon is located by its breathy noise from 3 to 8 kHz, at which the head shades the far ear. The noise has the
-// rhythm of the beacon's pitch and most of its energy, because the head hardly shades the tone. A beacon behind the
-// person has no such noise and sounds dull.
+// The ears locate a beacon by its breathy noise from 3 to 8 kHz, because the head shades the far ear at these
+// frequencies. The noise has the rhythm of the beacon's pitch and most of its energy, because the head hardly shades
+// the tone. A beacon behind the person has no such noise and sounds dull.
 std::vector<float> beacon(cues::SoundKind kind, Noise& noise) {
     constexpr double kPitch_hz = 659.0, kBreath = 4.5;
     if (kind == cues::SoundKind::BeaconBehind) return synthesise_notes(std::array{Note{0.0, 0.12, 277.0, 1.0}});

@@ -13,8 +13,8 @@
 namespace handrail::sinks {
 namespace {
 
-// Calls write(2). A reader that has gone gives the error EPIPE and leaves no SIGPIPE pending, whatever the process does
-// with that signal.
+// Calls write(2). If the reader of a pipe has gone, the function returns the error EPIPE and leaves no SIGPIPE pending,
+// whatever the process does with that signal.
 ssize_t write_without_sigpipe(int fd, const char* data, std::size_t size) {
     sigset_t pipe_signal, before, pending;
     sigemptyset(&pipe_signal);
@@ -59,7 +59,8 @@ void TextSpeech::drain(int timeout_ms) {
             gone_ = true;
             break;
         }
-        // A pipe that is ready accepts PIPE_BUF bytes without waiting; a larger write could block.
+        // A pipe that poll() reports as ready accepts PIPE_BUF bytes without waiting. A larger write could block, so no
+        // more is written at once.
         const ssize_t put =
             write_without_sigpipe(fd_, backlog_.data(), std::min<std::size_t>(backlog_.size(), PIPE_BUF));
         if (put < 0 && errno == EAGAIN) return;

@@ -1,6 +1,6 @@
-// Speech as text, which is always on. It writes one UTF-8 line per announcement, with "say: " or "alert: " in front and
-// no cursor movement, so that screen readers on a console, braille displays, pipes and logs can use it. One thread (the
-// audio thread).
+// Writes speech as text, which is always on. It writes one UTF-8 line per announcement, with "say: " or "alert: " in
+// front and no cursor movement, so that screen readers on a console, braille displays, pipes and logs can use it. One
+// thread (the audio thread).
 #pragma once
 
 #include <memory>

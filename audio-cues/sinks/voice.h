@@ -1,5 +1,5 @@
-// A voice that may not be available yet, or no longer. VoiceRouter chooses among several voices. The audio thread owns
-// and calls it.
+// The interface of a voice that may not be available yet, or no longer. VoiceRouter chooses among several voices. The
+// audio thread owns and calls it.
 #pragma once
 
 #include <string_view>
@@ -19,8 +19,9 @@ class Voice : public cues::SpeechSink {
 public:
     virtual settings::SpeechThrough through() const = 0;  // returns the voice's name in the settings
     virtual VoiceState state() const = 0;                 // state as of the last tick()
-    virtual void want(bool wanted) = 0;                   // false: the voice releases its resources and stops trying
-    virtual double patience_s() const { return 1.0; }     // how long the first text waits while the voice is connecting
+    // Requests the voice; if false, the voice releases its resources and stops trying.
+    virtual void want(bool wanted) = 0;
+    virtual double patience_s() const { return 1.0; }  // how long the first text waits while the voice is connecting
 };
 
 // Returns the voice's name as part of a sentence: "the speech server".

@@ -15,8 +15,9 @@ class VoiceChannel {
 public:
     using Ticket = std::uint64_t;  // identifies an utterance; later ones are larger
 
-    // For the voice. Samples may come in pieces while the first ones already sound; `end` says that there are no more.
-    // `right_rad` is the direction from which the voice comes, to the right of straight ahead; nothing: the middle.
+    // Functions for the voice. Samples may come in pieces while the first ones already sound; `end` says that there are
+    // no more. `right_rad` is the direction from which the voice comes, to the right of straight ahead; nothing: the
+    // middle.
     Ticket begin(int rate_hz, double gain, std::optional<double> right_rad = {});
     // Returns false if this utterance has been cut off.
     bool append(Ticket ticket, std::span<const std::int16_t> samples);
@@ -25,7 +26,7 @@ public:
     void stop();
     bool playing() const;  // true from begin() until the sink has played the last sample or stop() was called
 
-    // For the sink: the samples since the last call. A new ticket means that the last utterance was cut off.
+    // Data for the sink: the samples since the last call. A new ticket means that the last utterance was cut off.
     struct Update {
         Ticket ticket = 0;
         int rate_hz = 0;

@@ -31,8 +31,8 @@ VoiceRouter::VoiceRouter(std::vector<std::unique_ptr<Voice>> voices, std::unique
     want_what_is_allowed();
 }
 
-// Returns true if the settings do not pass this voice over. The enumerators are in the order of the voices, so one
-// comparison decides.
+// Returns true if the settings allow `voice`. The enumerators are in the order of the voices, so one comparison is
+// enough.
 bool VoiceRouter::allowed(settings::SpeechThrough voice) const { return voice >= through_; }
 
 void VoiceRouter::want_what_is_allowed() {
@@ -123,7 +123,8 @@ void VoiceRouter::tell_change(const Voice* before, const Voice* after) {
             after ? cues::sentence_case(phrase("voice.speaks_now", {{"voice", voice}})) : phrase("voice.only_text_now");
     } else if (through_ != settings::SpeechThrough::Auto && through_ != settings::SpeechThrough::Text &&
                (!after || after->through() != through_)) {
-        // The person chose this voice by name. Without an announcement they would think that it is broken.
+        // The person chose the voice `through_` by name. Without an announcement they would think that Handrail is
+        // broken.
         const std::string wanted = voice_name(through_);
         news_ = cues::sentence_case(after ? phrase("voice.not_reached", {{"wanted", wanted}, {"voice", voice}})
                                           : phrase("voice.not_reached_only_text", {{"wanted", wanted}}));

@@ -17,14 +17,18 @@ public:
     virtual void want(bool wanted) = 0;
 };
 
-// While a better voice is still connecting, the first text waits for it, but no longer than its patience_s(). Then the
-// best available voice speaks it. If a voice is lost in the middle of an utterance, the next voice announces the change
-// and repeats the utterance. If no voice is left, there is only text. The setting speech.through = X passes over the
-// voices before X; if X is missing, the next one speaks. For the screen reader see ReaderVoice.
+// Passes each text to the best available voice.
+// - While a better voice is still connecting, the first text waits for it, but no longer than that voice's
+//   patience_s().
+// - If a voice is lost in the middle of an utterance, the next voice announces the change and repeats the utterance.
+//   If no
+//   voice is left, there is only text.
+// - The setting speech.through = X passes over the voices before X. If X is missing, the next one speaks.
+// For the screen reader see ReaderVoice.
 class VoiceRouter final : public cues::SpeechSink {
 public:
-    // `voices`: in order of preference, the best first. `text` always gets everything; `braille` does too, unless a
-    // screen reader speaks. Either may be null.
+    // `voices` are in order of preference, the best first. `text` always gets everything; `braille` does too, unless a
+    // screen reader speaks. `text` and `braille` may be null.
     VoiceRouter(std::vector<std::unique_ptr<Voice>> voices, std::unique_ptr<cues::SpeechSink> text,
                 std::unique_ptr<BrailleSink> braille, const settings::Settings::Speech& settings);
 
@@ -57,8 +61,8 @@ private:
     bool choosing_again_ = false;       // the settings have changed, so a change of voice does not count as a loss
     std::optional<double> asked_at_s_;  // time when each voice was last told whether it is requested
     double now_s_ = 0.0;
-    std::optional<cues::Utterance> current_;  // given to the active voice, which may not have finished it
-    std::optional<cues::Utterance> owed_;     // to be repeated as soon as a voice is available
+    std::optional<cues::Utterance> current_;  // utterance that the active voice received and may not have finished
+    std::optional<cues::Utterance> owed_;     // utterance to be repeated as soon as a voice is available
     std::optional<std::string> news_;
 };
 

@@ -1,8 +1,8 @@
 // Delivers any number of frames from a renderer that may only be called for whole blocks of 64 frames. Frames rendered
-// beyond a request are delivered first at the next one. Reason: OpenAL Soft 1.19.1 writes past its buffer if its reverb
-// fades between two rooms within a request that is not a multiple of four frames. OpenAL's own devices request whole
-// periods, so this affects only code that requests samples itself. One owner. Cost: a copy of at most 63 frames each
-// way.
+// beyond a request are delivered first at the next request. Reason: OpenAL Soft 1.19.1 writes past its buffer if its
+// reverb fades between two rooms within a request that is not a multiple of four frames. OpenAL's own devices request
+// whole periods, so this affects only code that requests samples itself. One owner. Cost: a copy of at most 63 frames
+// each way.
 #pragma once
 
 #include <algorithm>
