@@ -31,8 +31,8 @@ namespace {
 constexpr double kFarthest_m = 1e6;
 constexpr double kLongestTick_s = 1.0;
 
-// Copies `text` to `out`, cut at a whole UTF-8 character if it is too long, and always adds the final zero. Writes
-// nothing if `out` has no room for it.
+// Copies `text` to `out` and always adds the final zero. If `text` is too long, it is cut after a whole UTF-8
+// character. Writes nothing if `size` is 0 or `out` is null.
 void copy_text(const std::string& text, char* out, std::size_t size) noexcept {
     if (!out || size == 0) return;
     std::size_t length = std::min(text.size(), size - 1);

@@ -15,7 +15,7 @@ render::DynamicsPiece piece_of(const Solid& solid, FeatureId feature) {
     return render::make_piece(solid.shape, feature, material);
 }
 
-// Returns the feature that is named when a body meets this solid: the solid's own feature, or else that of its first
+// Returns the feature that is named when a free body hits the solid: the solid's own feature, or else that of its first
 // named face.
 FeatureId feature_of(const Solid& solid) {
     if (solid.feature) return solid.feature;

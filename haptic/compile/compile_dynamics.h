@@ -1,5 +1,5 @@
-// Compiles a Scene to a DynamicsScene: the still building, the placed models that Handrail drives, and those that can
-// move freely. App thread or background thread.
+// Compiles a Scene to a DynamicsScene. That scene contains the fixed building, the placed models that Handrail moves,
+// and the placed models that can move freely. App thread or background thread.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct FreeThing {
 
 struct DynamicsReport {
     struct Refused {
-        std::size_t thing = 0;  // index among the things passed as `free`
+        std::size_t thing = 0;  // index of the refused thing in `free`
         render::BodyFault fault = render::BodyFault::None;
     };
     std::vector<Refused> refused;  // things that cannot be free bodies; they stay driven
@@ -31,10 +31,10 @@ struct DynamicsReport {
     std::vector<double> mass_kg;        // for each body in DynamicsScene::bodies
 };
 
-// Solids, and movers that are not free, become fixed parts of the building and keep their round shapes. Mesh triangles
-// become fixed sheets. A free thing needs solids, because a model made only of triangles has no volume. If no thing is
-// free in the end, the function returns null, and no physics engine or thread is started. `origin_m` is
-// HapticScene::origin_m.
+// Compiles the dynamics scene. Solids, and movers that are not free, become fixed parts of the building and keep their
+// round shapes. Mesh triangles become fixed sheets. A free thing needs solids, because a model made only of triangles
+// has no volume. If no thing is free in the end, the function returns null, and no physics engine or thread is started.
+// `origin_m` is HapticScene::origin_m.
 std::shared_ptr<const render::DynamicsScene> compile_dynamics(const Scene& scene, std::span<const FreeThing> free,
                                                               const Vec3& origin_m, DynamicsReport* report = nullptr);
 

@@ -6,8 +6,8 @@
 
 namespace handrail::compile {
 
-// Call it after the bodies were added, because an effect that belongs to a body is attached to it, in the body's frame.
-// All effects are added without a further check, since the reader of the file has validated them.
+// Call it after the bodies were added, because an effect that belongs to a body is attached to that body, in the body's
+// frame. All effects are added without a further check, since the reader of the world file has validated them.
 void add_effects(render::HapticSceneBuilder& builder, const Scene& scene);
 
 }  // namespace handrail::compile

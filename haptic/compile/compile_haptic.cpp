@@ -25,7 +25,8 @@ render::Relief relief_of(const TextureWave& wave) {
     return relief;
 }
 
-// Cache of the scene's reliefs. Many materials may use the same picture, whose levels are computed only once.
+// Cache of the scene's reliefs. Many materials may use the same picture, so the levels of each picture are computed
+// only once.
 class Reliefs {
 public:
     std::int32_t add(const Material& material, const MaterialSpec* known) {
@@ -118,8 +119,8 @@ void add_coarser(std::vector<CoarserMesh>& all, const CoarserMesh& one) {
     known->off_m = std::max(known->off_m, one.off_m);
 }
 
-// Adds mesh triangles. Those of one feature and material that are touched from the same side form one surface. If
-// `label` is given, it replaces the labels of the triangles. `scale` is the factor by which the triangles are larger in
+// Adds mesh triangles. The triangles of one feature and material that are touched from the same side form one surface.
+// If `label` is given, it replaces the labels of the triangles. `scale` is the factor by which the model is enlarged in
 // the world.
 void add_triangles_of(render::HapticSceneBuilder& builder, const std::vector<MeshTriangle>& triangles, TouchSide side,
                       const render::SurfaceLabel* label, double scale, const CompileOptions& options,
@@ -222,7 +223,7 @@ void add_soft_solid(render::HapticSceneBuilder& builder, const Solid& solid) {
     builder.add_soft(std::move(patch));
 }
 
-// Returns the rounded solids, or an empty vector if edges stay sharp.
+// Returns one rounded solid for each solid, or an empty vector if edges stay sharp.
 std::vector<RoundedSolid> rounded_solids(const Scene& scene, double radius_m, const std::stop_token& stop,
                                          CompileReport& report) {
     if (!(radius_m > 0.0)) return {};
@@ -233,7 +234,7 @@ std::vector<RoundedSolid> rounded_solids(const Scene& scene, double radius_m, co
 }
 
 // Compiles the touchable parts of a model, all with one name and one material. The rounding has a fixed size for the
-// hand, so a model that is placed enlarged gets a smaller rounding in its own metres.
+// hand. A model that is placed enlarged therefore gets a smaller rounding in its own metres.
 std::shared_ptr<const render::HapticScene> compile_model(const PlacedModel& placed, const CompileOptions& options,
                                                          CompileReport& report) {
     const Scene& model = *placed.model;

@@ -210,8 +210,9 @@ private:
         return false;
     }
 
-    // Makes one polygon of these triangles, whose border consists of these half-edges, if their union is convex. The
-    // union is convex if the whole border is on the hull and the hull has the same area. Returns true on success.
+    // Makes one polygon of the triangles in `triangles`, if their union is convex. The half-edges in `border` are the
+    // border of the union. The union is convex if the whole border is on the convex hull and the hull has the same
+    // area. Returns true on success.
     bool take(const std::vector<std::uint32_t>& border, const std::vector<std::uint32_t>& triangles, double area) {
         std::vector<std::uint32_t> points;
         points.reserve(border.size());
@@ -274,7 +275,7 @@ private:
     }
 
     // Joins the polygons on both sides of half-edge `h` if the result is convex. Removes all consecutive edges that the
-    // two polygons share. Returns true if it joined them.
+    // two polygons share. Returns true if the polygons were joined.
     bool join(std::uint32_t h) {
         const std::uint32_t here = ring_of(h), there = ring_of(twin_[h]);
         if (here == there) return false;
@@ -314,8 +315,8 @@ private:
                 else if (twin_[h] != kNone && h < twin_[h]) inner.push_back(h);
             }
         }
-        // Edges to triangles outside the patch count as its border, so they lose their twins here. They get them back
-        // below.
+        // An edge to a triangle outside the patch is part of the border. Such half-edges lose their twins here and get
+        // them back below.
         std::vector<std::uint32_t> cut_off;
         for (const std::uint32_t h : outside_) cut_off.push_back(std::exchange(twin_[h], kNone));
         const auto length2 = [&](std::uint32_t h) {

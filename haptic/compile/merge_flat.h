@@ -1,5 +1,5 @@
-// Merges flat patches of a triangle mesh into few convex polygons, so that a surface that feels like one plane becomes
-// one obstacle. Pure function, background thread. About 2 us per triangle. The last step removes inner edges while the
+// Merges flat patches of a triangle mesh into few convex polygons. A surface that feels like one plane then becomes one
+// obstacle. Pure function, background thread. About 2 us per triangle. The last step removes inner edges while the
 // polygon that results stays convex, after Hertel & Mehlhorn, Fast triangulation of simple polygons, 1983.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace handrail::compile {
 struct FlatPolygon {
     // Corners of a convex polygon in one plane, counter-clockwise seen from the front of its triangles.
     std::vector<Vec3> points_m;
-    std::vector<std::uint32_t> triangles;  // the triangles that it replaces, at least two
+    std::vector<std::uint32_t> triangles;  // the triangles that the polygon replaces, at least two
 };
 
 struct FlatMerge {
@@ -23,7 +23,7 @@ struct FlatMerge {
 };
 
 // Joins triangles over edges that exactly two of them share in opposite directions, if both triangles are of one group
-// and all corners of the patch are within bound_m of one plane. Each polygon then covers what its triangles covered.
+// and all corners of the patch are within bound_m of one plane. Each polygon covers the same area as its triangles.
 // Seen along the plane's normal, its rim differs from theirs by at most a thousandth of bound_m, or 1e-9 m if that is
 // more. No point is farther than bound_m from the plane. Parts that are not manifold, or fold back on themselves, are
 // not merged.

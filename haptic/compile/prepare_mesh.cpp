@@ -94,8 +94,8 @@ void keep(TriangleMesh& mesh, std::vector<std::uint32_t>& surfaces, const std::v
 }
 
 // Drops degenerate triangles without area, but only if their longest edge is also an edge of a triangle with area, so
-// that no edge disappears. If such a triangle is only a point, that point must be a corner of a triangle with area. Of
-// several triangles with the same corners and surface, only the first stays.
+// that no edge disappears. A triangle that is only a point is dropped if the point is a corner of a triangle with area.
+// Of several triangles with the same corners and surface, only the first stays.
 void tidy_triangles(TriangleMesh& mesh, std::vector<std::uint32_t>& surfaces, MeshReport& report) {
     std::vector<bool> dropped(mesh.triangles.size(), false), flat(mesh.triangles.size(), false),
         used(mesh.points_m.size(), false);
@@ -243,7 +243,7 @@ TriangleMesh weld_corners(std::span<const Vec3> corners_m, double tolerance_m, M
     TriangleMesh mesh;
     mesh.triangles.resize(corners_m.size() / 3);
     PointTable table(corners_m.size());
-    // The distinct positions seen before and, for each, the welded point that replaces it.
+    // The distinct positions seen before, and for each position the welded point that replaces it.
     std::vector<Vec3> distinct;
     std::vector<std::uint32_t> stands_for;
     const auto bits = [](double v) { return std::bit_cast<std::int64_t>(v == 0.0 ? 0.0 : v); };

@@ -13,14 +13,15 @@ namespace handrail::compile {
 namespace {
 
 constexpr double kOfThickness = 0.25;  // greatest rounding radius as a share of the solid's thickness
-// Least rounding as a share of the requested radius. The hand would not feel a smaller one, so the solid stays sharp.
+// Least rounding as a share of the requested radius. If the solid permits only a smaller rounding, which the hand would
+// not feel, the solid stays sharp.
 constexpr double kLeastShare = 0.25;
-constexpr double kFlush = 1e-6;  // sine of the angle between two faces below which they count as one
-// When covered() subtracts neighbours from a solid's extension, it gives up after this many cuts. The extension then
-// counts as not covered.
+constexpr double kFlush = 1e-6;  // sine of the angle between two faces below which they are treated as one plane
+// Greatest number of cuts when covered() subtracts neighbours from a solid's extension. After that, covered() gives up
+// and the extension is treated as not covered.
 constexpr int kMostCuts = 300;
 
-// Apart: a solid that is not a candidate for rounding.
+// What rounding did to a solid's edges. Apart means that the solid is not a candidate for rounding.
 enum class Edges : std::uint8_t { Apart, Rounded, TooThin, AtSeam };
 
 // An edge of a solid. It runs counter-clockwise around the face on its left, seen from outside.
@@ -37,8 +38,8 @@ struct Part {
     std::vector<std::uint32_t> near;
 
     bool rounded() const { return edges == Edges::Rounded; }
-    // Returns how far the flat part of the adjacent faces extends beyond the plane of `face`. The result is negative if
-    // the edge is rounded off before that plane.
+    // Returns how far the flat parts of the faces around `face` extend beyond the plane of `face`. The result is
+    // negative if the edge is rounded off before that plane.
     double flat_beyond_m(std::uint32_t face) const { return rounded() ? out_m[face] - radius_m : 0.0; }
     double felt_radius_m() const { return rounded() ? radius_m : 0.0; }
 };
@@ -77,7 +78,7 @@ public:
         for (std::uint32_t i = 0; i < parts_.size() && !stopped(); ++i) extend(i);
         if (stopped()) return {};
         find_seams();
-        // A solid that becomes sharp may open a seam to its neighbour, so this is repeated until nothing changes.
+        // A solid that becomes sharp may open a seam to its neighbour, so the loop runs until no solid changes.
         for (bool changed = true; changed && !stopped();) {
             changed = false;
             for (const Seam& seam : seams_)
@@ -104,7 +105,7 @@ private:
         return true;
     }
 
-    // 1. Finds which solids touch, and the edges with the faces on both sides.
+    // 1. Finds which solids touch, and the edges of each solid with the faces on both sides.
     void find_neighbours() {
         for (std::uint32_t i = 0; i < parts_.size(); ++i) {
             if (!is_touchable(solid(i))) continue;
@@ -144,7 +145,7 @@ private:
         part.radius_m = std::min(radius_m_, kOfThickness * thickness_m(shape(i)));
         part.edges = Edges::TooThin;
         // Rounding must not make a face vanish. The bevelled faces of a solid leave less room than its thickness, so
-        // the radius is halved until all faces remain.
+        // the radius is halved until all faces remain or the radius is too small.
         for (; part.radius_m >= kLeastShare * radius_m_; part.radius_m *= 0.5) {
             std::vector<Plane> inner = shape(i).planes;
             for (Plane& plane : inner) plane.offset_m -= part.radius_m;
@@ -155,9 +156,11 @@ private:
         }
     }
 
-    // 3. Extends a solid through each wholly covered face into the solids that cover it. The extension is the
-    //   rounding
-    //   radius of those neighbours plus the solid's own radius, or else the solid's own radius alone.
+    // 3. Extends a solid through each wholly covered face into the solids that cover the face. The first attempt
+    //   extends it
+    //   by
+    //   its own radius plus the distance by which those neighbours are rounded off. If the neighbours do not cover that
+    //   extension, the second attempt uses the solid's own radius alone.
     void extend(std::uint32_t i) {
         Part& part = parts_[i];
         if (!part.rounded()) return;
@@ -180,8 +183,8 @@ private:
         part.edges = Edges::AtSeam;
     }
 
-    // Returns how far the neighbours that touch this face are rounded off there. A neighbour whose own touching face is
-    // also wholly covered counts as 0.
+    // Returns how far the neighbours that touch `face` are rounded off there. A neighbour whose own touching face is
+    // also wholly covered contributes 0.
     double rounded_off_beyond_m(std::uint32_t i, std::uint32_t face) const {
         double farthest = 0.0;
         for (const std::uint32_t j : parts_[i].near)
@@ -303,16 +306,16 @@ private:
     bool opens_seam(std::uint32_t i, const Edge& a, std::uint32_t j, const Edge& b) const {
         const Plane &face_a = shape(i).planes[a.face], &face_b = shape(j).planes[b.face];
         const Plane &end_a = shape(i).planes[a.beyond], &end_b = shape(j).planes[b.beyond];
-        // The solids touch with these two faces, so the seam's other pair of faces decides.
+        // The solids touch each other with these two faces, so only the seam's other pair of faces can leave a groove.
         if (face_to_face(face_a, face_b)) return false;
-        // The solids meet only in this line. Either both faces are flush with a wedge of air below, or each solid has
-        // an edge of its own.
+        // The solids touch only along this line. A groove opens if both faces are flush with a wedge of air below, or
+        // if neither solid is wholly in front of a face of the other.
         if (!face_to_face(end_a, end_b))
             return glm::dot(face_a.normal, face_b.normal) > 1.0 - kFlush * kFlush || !lies_beyond_a_face(i, j);
         const Vec3 onwards = end_a.normal - face_b.normal * glm::dot(end_a.normal, face_b.normal);
         const double rises = glm::dot(face_a.normal, onwards);
         if (rises > kFlush) return false;  // At an inner corner the proxy cannot enter the groove.
-        if (rises < -kFlush) return true;  // an outer edge between two solids, where a groove would open
+        if (rises < -kFlush) return true;  // At an outer edge between two solids, a groove would open.
         // Names and materials change exactly at the border, so neither solid may extend below the other's surface.
         const auto goes_on = [](const Part& part, const Edge& edge) {
             return part.rounded() && part.flat_beyond_m(edge.beyond) > 0.0;
@@ -360,7 +363,8 @@ private:
     }
 
     // 5. Closes holes where the corners of several flush solids meet. Even if each seam is closed, a hole may remain
-    //   between them, for example among four solids in a windmill pattern.
+    //   between
+    //   the solids, for example among four solids in a windmill pattern.
     bool close_holes(std::uint32_t i) {
         const ConvexSolid& s = shape(i);
         std::vector<SolidFace> here;

@@ -17,8 +17,8 @@ namespace handrail::compile {
 
 struct RoundingReport {
     static constexpr std::size_t kMostNames = 3;
-    // Greatest number of solids in a scene that is rounded. If there are more, all stay sharp, because each takes some
-    // 40 us.
+    // Greatest number of solids in a scene that is rounded. If there are more, all stay sharp, because rounding takes
+    // some 40 us per solid.
     static constexpr std::size_t kMostRounded = 100'000;
     double radius_m = 0.0;    // the requested radius
     std::size_t rounded = 0;  // number of rounded solids
@@ -36,8 +36,8 @@ struct RoundingReport {
     std::vector<std::string> sentences() const;
 };
 
-// A solid as the hand feels it. `planes` are those of the file, except where a neighbour covers a face. The other field
-// is the radius of its edges; 0: sharp, as in the file.
+// A solid as the hand feels it. `planes` are those of the world file, except where a neighbour covers a face.
+// `rounding_m` is the radius of the solid's edges; 0: sharp, as in the world file.
 struct RoundedSolid {
     std::vector<Plane> planes;
     Aabb bounds_m;

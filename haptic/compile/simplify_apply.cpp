@@ -1,4 +1,4 @@
-// Builds the scene that a plan of simplify_scene describes.
+// Builds the scene that a plan of simplify_scene.h describes.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -18,8 +18,8 @@ namespace {
 
 using namespace doorway;
 
-// Returns the face of the solid whose normal is closest to `way`. A new face, where a solid was cut or divided, takes
-// that face's name and material.
+// Returns the index of the solid's face whose normal is closest to `way`. Where a solid is cut, the new face gets the
+// name and material of that face.
 std::size_t face_towards(const ConvexSolid& solid, const Vec3& way) {
     std::size_t best = 0;
     for (std::size_t f = 1; f < solid.planes.size(); ++f)
@@ -33,7 +33,7 @@ struct PlaneFrom {
     bool covered = false;
 };
 
-// Returns the part of a solid behind the planes, or nothing if that part is empty.
+// Returns the part of `solid` behind the planes, or nothing if that part is empty.
 std::optional<Solid> piece_of(const Solid& solid, const std::vector<PlaneFrom>& from) {
     std::vector<Plane> planes;
     for (const PlaneFrom& one : from) planes.push_back(one.plane);
@@ -54,8 +54,8 @@ std::optional<Solid> piece_of(const Solid& solid, const std::vector<PlaneFrom>& 
     return piece;
 }
 
-// Returns the pieces of a solid that remain after the box is removed. `box` is the planes of that box. If the box
-// misses the solid, the result is the solid itself.
+// Returns the pieces of `solid` that remain after a box is removed. `box` contains the planes of the box. If the box
+// misses the solid, the result contains the whole solid.
 std::vector<Solid> without(const Solid& solid, const std::vector<Plane>& box) {
     std::vector<PlaneFrom> rest;
     for (std::size_t f = 0; f < solid.shape.planes.size(); ++f)
@@ -66,7 +66,8 @@ std::vector<Solid> without(const Solid& solid, const std::vector<Plane>& box) {
         outside.push_back({{-plane.normal, -plane.offset_m}, -1, false});
         if (std::optional<Solid> piece = piece_of(solid, outside)) {
             pieces.push_back(std::move(*piece));
-            rest.push_back({plane, -1, true});  // The next piece that is cut off meets this piece at this plane.
+            // The next piece touches this piece at this plane, so the plane is covered there.
+            rest.push_back({plane, -1, true});
         }
         if (!piece_of(solid, rest)) return pieces;
     }
@@ -82,7 +83,7 @@ Vec3* centre_of_round(Shape& shape) {
     else return nullptr;
 }
 
-// Stretches the solid by the factor `times` along `way`, then shifts it by `plus_m`. Round parts are moved but keep
+// Stretches the solid by the factor `times` along `way`, then shifts it by `plus_m`. Round parts are moved and keep
 // their shape.
 void draw_out(Solid& solid, const Vec3& way, double times, double plus_m) {
     const auto moved = [&](const Vec3& p) { return p + way * ((times - 1.0) * glm::dot(way, p) + plus_m); };

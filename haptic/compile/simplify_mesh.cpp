@@ -1,6 +1,6 @@
 #include "haptic/compile/simplify_mesh.h"
 
-// OpenMesh's headers trigger these warnings.
+// Disables the warnings that OpenMesh's headers trigger.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #pragma GCC diagnostic ignored "-Wshadow"
@@ -44,8 +44,9 @@ private:
 
 SimplifiedMesh collapsed(const TriangleMesh& mesh, const std::vector<bool>& fixed, double bound_m,
                          const std::stop_token& stop) {
-    // OpenMesh prints a message for each triangle that does not fit its half-edge structure. The result already says
-    // so, so its error stream is disabled. It is never enabled again, because all threads share it.
+    // Disables OpenMesh's error stream, on which it prints a message for each triangle that does not fit its half-edge
+    // structure. The result already contains this information. The stream is never enabled again, because all threads
+    // share it.
     [[maybe_unused]] static const bool kQuiet = (omerr().disable(), true);
     HalfEdgeMesh half;
     half.request_vertex_status();
@@ -146,7 +147,9 @@ SimplifiedMesh simplify_mesh(const TriangleMesh& mesh, const std::vector<bool>& 
     const double spacing_m = std::max(bound_m, std::sqrt(area / kMostSamples));
     double allowed = bound_m;
     for (int i = 0; i < kTries;
-         ++i, allowed *= 0.75) {  // Collapses are checked only at corners, but faces may be up to a third farther off.
+         // Collapses are checked only at corners, but faces may be up to a third farther from the original. If that
+         // exceeds the bound, the next attempt allows three quarters of the distance.
+         ++i, allowed *= 0.75) {
         SimplifiedMesh coarse = collapsed(mesh, fixed, allowed, stop);
         if (stop.stop_requested()) return as_it_was;
         if (coarse.mesh.triangles.size() >= mesh.triangles.size() || coarse.mesh.triangles.empty()) return as_it_was;

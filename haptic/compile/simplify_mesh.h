@@ -1,5 +1,5 @@
-// Simplifies a mesh by collapsing edges, within a stated distance of the original, and measures the distance. Pure
-// functions, background thread; 0.1 to 1 ms per triangle. Only the source file includes OpenMesh. Sources: Garland &
+// Simplifies a mesh by collapsing edges, within a stated distance of the original, and measures that distance. Pure
+// functions, background thread; 0.1 to 1 ms per triangle. Only simplify_mesh.cpp includes OpenMesh. Sources: Garland &
 // Heckbert, Surface simplification using quadric error metrics, SIGGRAPH 1997 (order of the collapses); Klein, Liebich
 // & Strasser, Mesh reduction with error control, Visualization 1996 (distance at which a collapse is refused).
 #pragma once
@@ -17,10 +17,10 @@ struct SimplifiedMesh {
     double spacing_m = 0.0;   // distance between the samples of the measurement
 };
 
-// `fixed` has one flag for each point that must stay; empty: none. Points of triangles that do not fit a half-edge
-// structure stay, too: more than two triangles at an edge, or fans that only touch. If the measured distance still
-// exceeds `bound_m`, the function tries again with a smaller bound. It returns the mesh unchanged if all attempts fail,
-// and soon after a stop request.
+// Simplifies a mesh. `fixed` has one flag for each point that must stay; empty: none. Points of triangles that do not
+// fit a half-edge structure stay, too: more than two triangles at an edge, or fans that only touch. If the measured
+// distance still exceeds `bound_m`, the function tries again with a smaller bound. If all attempts fail, it returns the
+// mesh unchanged. It also returns the mesh unchanged soon after a stop request.
 SimplifiedMesh simplify_mesh(const TriangleMesh& mesh, const std::vector<bool>& fixed, double bound_m,
                              const std::stop_token& stop = {});
 

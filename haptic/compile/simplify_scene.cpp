@@ -28,7 +28,8 @@ constexpr int kPlacesBeside = 4;
 constexpr double kBeside_m = 0.15;    // distance between two such steps
 constexpr double kHighest_m = 4.0;    // greatest distance from the middle of an opening to its floor or ceiling
 constexpr double kAtAThing_m = 0.25;  // greatest distance from a mark or sound source to the thing that it belongs to
-// A thing with at least this share of the whole world's width is what the world is about, so it is never left out.
+// Least width of a thing, as a share of the whole world's width, from which on it is never left out, because the world
+// is about that thing.
 constexpr double kOfTheWorld = 0.1;
 constexpr double kLevel = 0.1;  // sine of the greatest tilt of a face that counts as vertical
 
@@ -85,7 +86,7 @@ public:
     }
 
 private:
-    // Called before each step of the work. Returns false if a stop was requested.
+    // Called before each step of the work. Returns false if another thread requested a stop.
     bool goes_on() {
         if (stop_.stop_requested()) return false;
         if (looks_) looks_();
@@ -111,7 +112,7 @@ private:
         return *index_;
     }
 
-    // Finds the first part of the building on the straight line from `from` along `way`.
+    // Finds the first solid of the building on the straight line from `from` along `way`, at most `reach_m` away.
     Probe probe(const Vec3& from, const Vec3& way, double reach_m) {
         Aabb box{from, from};
         box.include(from + way * reach_m);
@@ -169,7 +170,7 @@ private:
             const auto mover = std::find_if(scene_.movers.begin(), scene_.movers.end(),
                                             [&](const Mover& m) { return m.feature == placed.feature; });
             if (mover == scene_.movers.end()) continue;
-            // The leaf is placed as in the closed doorway, wherever it is now.
+            // A placed leaf may be open now, so its points are computed for the closed position.
             Leaf& leaf = *leaf_of(placed.feature);
             for (const Solid& solid : placed.model->solids) add_solid(leaf, solid, mover->pivot_m);
             for (const MeshTriangle& t : placed.model->triangles) add_triangle(leaf, t, mover->pivot_m);
@@ -196,7 +197,8 @@ private:
                         Vec3(0.0, 0.0, z[0] + length(z) * (0.2 + 0.3 * static_cast<double>(i)));
         const double reach_m = 1.5 * length(s) + kBesideLeaf_m;
         Sides sides = look_aside(opening.along, places, reach_m);
-        // If the leaf is sunk into its frame, its own width counts as the width of the opening.
+        // If the leaf is sunk into its frame, the probes start inside the wall. The leaf's own width is then the width
+        // of the opening.
         if (!sides.inside) {
             if (sides.low) opening.low_m = middle_s - *sides.low;
             if (sides.high) opening.high_m = middle_s + *sides.high;
@@ -246,8 +248,8 @@ private:
     }
 
     void find_opening(int number) {
-        // Two rooms may meet in the wall, but often they meet before or behind it. So this finds the shortest line that
-        // ends at walls on both sides, then turns it square to the wall that it meets.
+        // Two rooms may meet in the wall, but often they meet before or behind it. So the search finds the shortest
+        // line that ends at walls on both sides, then turns the line perpendicular to the wall at its end.
         const Vec3 told = options_.openings_m[static_cast<std::size_t>(number)];
         Vec3 soles = told, way(0.0);
         double shortest_m = kWidestChord_m;
@@ -295,13 +297,14 @@ private:
     // ---- widening ----
 
     // Plans how far to widen an opening. `places` are the points from which the distances to both sides were measured.
-    // `t` and `z` are the leaf's ranges, or without a leaf those of the point on the floor.
+    // `t` and `z` are the ranges of the door leaf. If there is no leaf, they are those of the point on the floor.
     void widen(NarrowOpening opening, std::span<const Vec3> places, const Range& t, const Range& z,
                const Sides& sides) {
         opening.wanted_m = gap_m_;
         const Vec3 middle = places[places.size() / 2];
         const Probe below = probe(middle, {0, 0, -1}, kHighest_m), above = probe(middle, {0, 0, 1}, kHighest_m);
-        // A hole under the door does not belong to the doorway, for example where floors end at the wall.
+        // If a hole is under the door, for example where floors end at the wall, the doorway begins at the leaf's lower
+        // edge and not at the bottom of the hole.
         opening.floor_m = below.hit ? middle.z - below.hit->way_m : z[0];
         if (opening.floor_m < z[0] - kFrame_m) opening.floor_m = z[0];
         opening.top_m = above.hit ? middle.z + above.hit->way_m : -std::numeric_limits<double>::infinity();
@@ -326,8 +329,8 @@ private:
         opening.back_m = t[1];
         if (opening.top_m < z[1]) opening.top_m = z[1];
         if (wall[0] > wall[1]) {
-            // If there is no wall on either side, it is not a doorway. If there are walls all along, it is a corridor,
-            // which is reported if it has a door.
+            // If there is no wall on either side, the opening is not a doorway. If the walls are deeper than
+            // kDeepest_m, it is a corridor, which is reported if it has a door.
             const bool corridor = low_room_m == 0.0 || high_room_m == 0.0;
             if (corridor && !opening.doors.empty()) plan_.openings.push_back(std::move(opening));
             return;
@@ -370,8 +373,9 @@ private:
         return depth;
     }
 
-    // Returns how far the opening may be widened to one side. It must not pass a crossing wall before or behind this
-    // wall, because another room may be beyond the crossing wall. Nor may it reach a solid that cannot be cut.
+    // Returns how far the opening may be widened to one side. The opening must not pass a crossing wall in front of or
+    // behind its own wall, because another room may be beyond the crossing wall. Nor may the opening reach a solid that
+    // cannot be cut.
     double room_m(const NarrowOpening& opening, bool high, const Range& wall) {
         const double edge_m = high ? opening.high_m : opening.low_m;
         const Range s = high ? Range{edge_m, edge_m + gap_m_} : Range{edge_m - gap_m_, edge_m};
@@ -484,8 +488,8 @@ private:
         }
     }
 
-    // Returns true if the wall would have a hole without this thing. A window, which has walls on two opposite sides,
-    // closes a gap; so does a piece of the wall itself.
+    // Returns true if the wall would have a hole without the thing `id`. A window, which has walls on two opposite
+    // sides, closes a gap. So does a piece of the wall itself.
     bool closes_a_gap(FeatureId id) {
         constexpr double kTouch_m = 0.02;
         const Feature& thing = scene_.features[id.value];

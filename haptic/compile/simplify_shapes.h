@@ -1,5 +1,5 @@
-// Helpers shared by simplify_scene, which plans a simplification, and simplify_apply, which applies it: ranges along a
-// direction, boxes around a doorway, and the test for walls. Only these two files use it.
+// Helpers shared by simplify_scene.cpp, which plans a simplification, and simplify_apply.cpp, which applies it: ranges
+// along a direction, boxes around a doorway, and the test for walls. No other file uses them.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace handrail::compile::doorway {
 
-// Parts lower than this count as floor; they are not cut and do not limit widening.
+// Greatest height of a part that is treated as floor. Such parts are not cut and do not limit widening.
 inline constexpr double kStep_m = 0.3;
 inline constexpr CutTolerance kTolerance{1e-7, 1e-6};
 
@@ -38,7 +38,7 @@ ConvexSolid common(const ConvexSolid& solid, const std::vector<Plane>& planes);
 bool is_kind(const Scene& scene, FeatureId id, FeatureKind kind);
 bool is_leaf(const Scene& scene, const Solid& solid);
 // Returns true for a thing that is inside the building, false for a part of the building itself. Elsewhere in the
-// program, a piece of wall between two doorways counts as a thing with a generated name, but here it does not.
+// program, a piece of wall between two doorways is a thing with a generated name, but here it is part of the building.
 bool is_thing(const Scene& scene, FeatureId id);
 // Returns true for a part of the building that may be cut.
 bool is_wall(const Scene& scene, const Solid& solid);

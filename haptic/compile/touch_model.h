@@ -1,6 +1,6 @@
 // Counts the parts of a world that a tick of the servo has to process. The counts show that features which a world does
-// not contain cost nothing. `handrail info` prints them. Pure function that visits each part of a compiled scene once.
-// Any thread but the servo thread.
+// not contain cost nothing. `handrail info` prints the counts. touch_model() is a pure function that visits each part
+// of a compiled scene once. Any thread but the servo thread.
 #pragma once
 
 #include <string>
@@ -17,8 +17,8 @@ struct TouchModel {
         std::size_t count = 0;
     };
     std::vector<Part> parts;  // in a fixed order; includes those with count 0
-    // Optional stages of the tick, by their names in `info --json`: those that this world needs, and those that cost it
-    // nothing.
+    // Optional stages of the tick, by their names in `info --json`. `stages_on` are those that this world needs,
+    // `stages_off` those that cost it nothing.
     std::vector<std::string_view> stages_on, stages_off;
 };
 TouchModel touch_model(const render::HapticScene& scene);

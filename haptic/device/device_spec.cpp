@@ -14,9 +14,9 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 // Data of real devices. Peak force, rated stiffness and radius come from the device profiles of CHAI3D 3.x, unless
 // another source is given. Damping of 0.2 Ns/m and a delay of 1 ms are placeholders if no measurement is published. The
 // encoder quantum of the Touch (450 dpi) is from its data sheet, that of the Falcon (0.06 mm at the middle) from its
-// kinematics. We measured none of these values.
+// kinematics. None of these values was measured for Handrail.
 constexpr std::array kSpecs{
-    // A mathematical device for replays. It has no force limit and no least rate, and answers at once.
+    // A mathematical device for replays. It has no force limit and no least rate, and its forces act at once.
     DeviceSpec{"ideal", kNoLimit, 1000.0, 0.08, 0.0, 0.0, 0.0, 0.0},
     // Simulated devices: a Touch and a Falcon, with the values of their profiles.
     DeviceSpec{"sim-t", 3.3, 400.0, 0.075, 0.2, 1e-3, 600.0, 0.055e-3},
@@ -24,8 +24,8 @@ constexpr std::array kSpecs{
     // Real devices. 3D Systems, formerly SensAble.
     DeviceSpec{"touch", 3.3, 400.0, 0.075, 0.2, 1e-3, 600.0, 0.055e-3},
     DeviceSpec{"omni", 3.3, 700.0, 0.075, 0.2, 1e-3, 600.0, 0.055e-3},
-    // The radii of the next two are those of spheres inside the boxes of their data sheets, 160 x 120 x 120 mm and 381
-    // x 267 x 191 mm.
+    // The radii of the next two devices are those of spheres inside the boxes of their data sheets, 160 x 120 x 120 mm
+    // and 381 x 267 x 191 mm.
     DeviceSpec{"phantom-desktop", 7.9, 1000.0, 0.06, 0.2, 1e-3, 600.0},
     DeviceSpec{"phantom-premium", 8.5, 800.0, 0.095, 0.2, 1e-3, 600.0},
     // Novint. CHAI3D rates the Falcon at 8 N and 3000 N/m. Its gain in newtons per motor count is unpublished, so an
@@ -37,7 +37,7 @@ constexpr std::array kSpecs{
     DeviceSpec{"lambda", 12.0, 5000.0, 0.112, 0.2, 1e-3, 600.0},
     DeviceSpec{"delta", 20.0, 5000.0, 0.15, 0.2, 1e-3, 600.0},
     // Haply. The maker states about 10 N for short moments and far less for long use, but publishes no rated stiffness.
-    // These lower limits apply until somebody measures it.
+    // The lower limits in this row apply until somebody measures the device.
     DeviceSpec{"inverse3", 3.0, 500.0, 0.1, 0.2, 2e-3, 300.0},
     // Any joystick with a constant-force effect. Reports say 5 to 10 N at the grip, so 3 N is below all of them. The
     // other values are guesses.

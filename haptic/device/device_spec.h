@@ -1,4 +1,4 @@
-// Facts about device models as data: one row per model. Each row names its sources. Immutable; any thread.
+// Facts about device models, as a table with one row per model. Each row names its sources. Immutable; any thread.
 #pragma once
 
 #include <span>
@@ -15,7 +15,8 @@ struct DeviceSpec {
     double rated_stiffness_n_per_m = 1000.0;
     double workspace_radius_m = 0.08;  // radius of the largest sphere that the hand can reach, device frame
     double device_damping_ns_per_m = 0.2;
-    // t_d: time from reading the position to the force on the hand, without the hold of half a period.
+    // t_d: time from reading the position until the force acts on the hand, without the half period for which the force
+    // is held on average.
     double delay_s = 1e-3;
     double min_rate_hz = 600.0;      // if the device answers more slowly for 20 ms, the force fades out; 0: no limit
     double encoder_quantum_m = 0.0;  // step of the measured position along each axis; 0: unknown, or no steps
@@ -23,14 +24,14 @@ struct DeviceSpec {
     // Root mean square force over ten seconds that the motors tolerate, as a share of the peak force.
     double sustained_share = 0.8;
 
-    std::string spoken_name() const;  // such as "simulated Touch"; not for the servo thread
+    std::string spoken_name() const;  // returns a name such as "simulated Touch"; not for the servo thread
 };
 
 std::span<const DeviceSpec> device_specs();
 // Finds a model by its name, in any case. Returns nullptr if the name is unknown.
 const DeviceSpec* find_device_spec(std::string_view name);
 std::vector<std::string> device_names();
-// A device without limits and with a rated stiffness of 1000 N/m. `touch` replays use it by default.
+// Returns a device without limits and with a rated stiffness of 1000 N/m. `touch` replays use it by default.
 const DeviceSpec& ideal_device_spec();
 
 // Returns the stiffness in N per hand metre that a fraction of 1 stands for: min(rating, 0.5 b_eff / (T/2 + t_d) / 0.8)

@@ -12,19 +12,20 @@
 
 namespace handrail::device {
 
-// Why a device is not connected, and what its last force may still do.
+// Why a device is not connected, and whether its last force may still act.
 enum class DeviceLoss : std::uint8_t {
     Unplugged,  // the device is gone, and the process that held it has released it
     MayPush,    // the process that held the device is gone, and the last force may still act
-    ForceOff,   // the process that held the device is gone, but the device has since accepted a force of zero
+    ForceOff,   // the process that held the device is gone, but the device has accepted a force of zero since
 };
 
 struct DeviceSample {
-    Vec3 position_m{0.0};       // Device frame. A broken device may report any value, so servo_tick checks it.
+    // Position of the hand in the device frame. A broken device may report any value, so servo_tick() checks it.
+    Vec3 position_m{0.0};
     std::uint32_t buttons = 0;  // pressed buttons; bit 0 is the first button
     bool fresh = true;          // false if the device had no new answer for this tick
     bool connected = true;
-    DeviceLoss loss = DeviceLoss::Unplugged;  // why the device is not connected; valid only while it is not
+    DeviceLoss loss = DeviceLoss::Unplugged;  // why the device is not connected; valid only if `connected` is false
     // False while the device does not know its own position. position_m is then invalid, and the driver must give no
     // force.
     bool homed = true;
@@ -46,7 +47,7 @@ public:
     virtual const DeviceSpec& spec() const = 0;
     virtual Result<void> open() = 0;  // called on the app thread, before the servo starts
     // The servo thread calls read() and write(), so they must never block longer than 1 ms. A driver that must wait
-    // longer for its hardware runs in the guard process. Its replacement on the servo thread never waits
+    // longer for its hardware runs in the guard process. On the servo thread GuardedDevice replaces it and never waits
     // (haptic/drivers).
     virtual DeviceSample read(double now_s) noexcept = 0;
     virtual void write(const ForceCommand& command) noexcept = 0;

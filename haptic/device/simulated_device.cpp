@@ -21,8 +21,8 @@ constexpr double kSubstepS = 1e-4;
 // Longest pause of the servo loop that is simulated; the steps of a longer one are skipped.
 constexpr double kLongestGapS = 0.5;
 
-// Counts down the samples for which a simulated failure lasts. Returns true while it lasts; a negative number never
-// runs out.
+// Decrements `samples`, the number of samples for which a simulated failure still lasts. Returns true while the failure
+// lasts. A negative number is never decremented, so that failure lasts for ever.
 bool take_one(int& samples) noexcept {
     if (samples == 0) return false;
     if (samples > 0) --samples;

@@ -1,7 +1,7 @@
-// A force-feedback device made of equations, with the hand that holds it. Handrail uses it without hardware: in
-// scenarios, in tests, and for mouse and keys. It is deterministic: the same commands at the same times give
-// bit-identical samples. Push and Rest use the hand of the closed-loop studies behind the stiffness rule: 0.3 kg and 3
-// Ns/m, on a device of 0.1 kg with its DeviceSpec's damping and 0.05 N of dry friction. Follow is a hand that knows its
+// A simulated force-feedback device, with the hand that holds it. Handrail uses it without hardware: in scenarios, in
+// tests, and for mouse and keys. It is deterministic: the same commands at the same times give bit-identical samples.
+// Push and Rest use the hand of the closed-loop studies behind the stiffness rule. That hand has 0.3 kg and 3 Ns/m, on
+// a device of 0.1 kg with its DeviceSpec's damping and 0.05 N of dry friction. Follow is a hand that knows its
 // destination: a spring of 300 N/m, damped to a ratio of 0.8.
 #pragma once
 
@@ -17,12 +17,12 @@ namespace handrail::device {
 enum class HandMode : std::uint8_t {
     // The hand moves to target_m in a straight line at speed_m_per_s, whatever force acts, and stays exactly there.
     Move,
-    Follow,  // A spring of 300 N/m pulls the hand towards target_m. Used for mouse and keys.
+    Follow,  // A spring of 300 N/m pulls the hand towards target_m. Mouse and keys use this mode.
     Push,    // the hand presses with the force push_n and has no target
     Rest,    // like Push, with a spring of 20 N/m towards target_m, as if the arm leaned on the device
 };
 
-// How the simulated person moves the hand, until the next command. Device frame, metres and newtons.
+// How the simulated person moves the hand, until the next command replaces this one. Device frame, metres and newtons.
 struct HandCommand {
     HandMode mode = HandMode::Follow;
     Vec3 target_m{0.0};
@@ -45,8 +45,8 @@ struct DeviceTrouble {
     bool failed = false;  // the driver reports that the device does not obey commands
 };
 
-// The true position of the hand and the force on it, without encoder steps and simulated failures. For drawing,
-// scenarios and tests.
+// The true position of the hand and the force on it, without encoder steps and simulated failures. Drawing, scenarios
+// and tests use it.
 struct HandState {
     double time_s = 0.0;
     Vec3 position_m{0.0};
@@ -62,9 +62,9 @@ struct SimulatedHand {
     LatestValue<HandState> state;        // from the servo to the app
 };
 
-// Simulates the time between two reads in steps of at most 0.1 ms. The motors hold the last written force. In modes
-// other than Move, the hand feels it `delay_s` later. Only Move can take the hand out of the sphere of
-// workspace_radius_m. About 0.5 us per 1 ms tick.
+// Simulates the time between two reads in steps of at most 0.1 ms. The motors hold the force that was written last. In
+// modes other than Move, the force acts on the hand `delay_s` after it was written. Only Move can move the hand out of
+// the sphere of workspace_radius_m. About 0.5 us per 1 ms tick.
 class SimulatedDevice final : public HapticDevice {
 public:
     // The hand starts at rest at `start_m`. `hand` is shared with the code that moves it; never null.

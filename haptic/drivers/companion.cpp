@@ -30,7 +30,7 @@ std::uint32_t translated(std::uint32_t buttons, const std::array<ButtonPlace, N>
     return out;
 }
 
-// Buttons from bit 0 on: square cross circle triangle L1 R1 L2 R2 create options L3 R3.
+// Buttons of a Sony pad from bit 0 on: square cross circle triangle L1 R1 L2 R2 create options L3 R3.
 constexpr std::array kPadButtons{
     ButtonPlace{0, CompanionButton::West},         ButtonPlace{1, CompanionButton::South},
     ButtonPlace{2, CompanionButton::East},         ButtonPlace{3, CompanionButton::North},
@@ -93,8 +93,8 @@ private:
     SpaceMouse puck_;
 };
 
-// A pad that only vibrates: strong pulses for knocks, weak ones for grain. It indicates nearness by a hum, because it
-// has no trigger that could resist.
+// A pad that only vibrates: strong pulses for knocks, weak ones for grain. The pad has no trigger that could resist, so
+// a hum indicates nearness.
 class RumbleCompanion final : public Companion {
 public:
     explicit RumbleCompanion(std::unique_ptr<FfLink> link) : link_(std::move(link)) {}

@@ -1,6 +1,7 @@
-// A device used in addition to the haptic one. Its sticks, buttons or puck are for walking and turning; its coils or
-// triggers give cues to the fingers. It never pushes the hand, so it needs neither the guard nor the servo. One
-// separate thread owns it. No function waits; a reading or a cue takes one or two system calls.
+// The interface to a device used in addition to the haptic one. Its sticks, buttons or puck are for walking and
+// turning; its coils or triggers give cues to the fingers. A Companion never pushes the hand, so it needs neither the
+// guard nor the servo. One separate thread owns it. No function waits; a reading or a cue takes one or two system
+// calls.
 #pragma once
 
 #include <cstdint>
@@ -56,11 +57,12 @@ struct FoundCompanion {
     std::string how_to;  // how to use the device, suitable for speech: "The left stick walks, ..."
 };
 
-// Finds all companion devices that are plugged in. It sends them nothing, so it does not disturb another program that
-// has opened one.
+// Finds all companion devices that are plugged in. The search sends the devices nothing, so it does not disturb another
+// program that uses one of them.
 std::vector<FoundCompanion> find_companions();
 Result<std::unique_ptr<Companion>> open_companion(const FoundCompanion& found);
-// Return the possible values of FoundCompanion::name, and the model for one of these names.
+// companion_names() returns the possible values of FoundCompanion::name. companion_model() returns the model for one of
+// these names.
 std::vector<std::string> companion_names();
 std::string companion_model(std::string_view name);
 

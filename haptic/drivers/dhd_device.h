@@ -1,7 +1,8 @@
-// Force Dimension's omega, sigma, lambda and delta, driven through their maker's library libdhd, which is loaded if it
-// is installed. The library limits the rate itself and may block, so this class runs in the guard process. If the guard
-// dies, the library's exit code and the device's own watchdog stop the force. One thread owns it. Source: the public
-// description of the DHD interface, SDK 3.17. Library axes: x towards the person, y right, z up; metres, newtons.
+// The driver of Force Dimension's omega, sigma, lambda and delta. It uses their maker's library libdhd, which is loaded
+// if it is installed. The library limits the rate itself and may block, so the driver runs in the guard process. If the
+// guard dies, the library's exit code and the device's own watchdog stop the force. One thread owns the driver. Source:
+// the public description of the DHD interface, SDK 3.17. Library axes: x towards the person, y right, z up; metres,
+// newtons.
 #pragma once
 
 #include <memory>
@@ -11,8 +12,8 @@
 
 namespace handrail::drivers {
 
-// Opens the first such device. `library` is a path that replaces the installed library, for tests. The device gets the
-// DeviceSpec of the model that the library reports.
+// Opens the first device that the library finds. `library` is a path that replaces the installed library, for tests.
+// The device gets the DeviceSpec of the model that the library reports.
 Result<std::unique_ptr<device::HapticDevice>> open_dhd_device(const std::string& library = {});
 
 }  // namespace handrail::drivers

@@ -32,8 +32,8 @@ constexpr double kHelloDeadlineS = 0.030;
 constexpr int kHelloTries = 100;
 constexpr int kPokes = 5, kPokesAfterUpload = 25;
 constexpr double kPokeDeadlineS = 0.020;
-// Share of the peak force that is used. The hand moves on between the moment for which the torques were computed and
-// the moment when they act. At 0.2 m/s and 2 ms the force is therefore wrong by 1 %.
+// Share of the peak force that the driver uses. The hand moves on between the moment for which the torques were
+// computed and the moment when they act. At 0.2 m/s and 2 ms the force is therefore wrong by 1 %.
 constexpr double kShareOfPeak = 0.95;
 constexpr std::size_t kLargestImage = 1 << 17;  // size of the processor's memory in bytes
 
@@ -91,7 +91,7 @@ bool FalconDevice::run_mode() noexcept {
 }
 
 // Reads one packet into `room`, without the two status bytes that the chip puts in front. Returns the number of bytes,
-// 0 if no packet came by the deadline.
+// or 0 if no packet came by the deadline.
 std::size_t FalconDevice::take(std::span<std::uint8_t> room, double deadline_s) noexcept {
     std::array<std::uint8_t, kPacketBytes> packet;
     for (;;) {
@@ -118,14 +118,15 @@ void FalconDevice::send(const std::array<int, 3>& motors) noexcept {
     if (taken == ByteLink::kLost) {
         lost_ = true;
     } else if (taken < static_cast<int>(frame.size())) {
-        link_->control(kReset, kPurgeOut);  // the first half of a frame must not be joined to the next frame
+        // Clears the chip's buffer, because the first half of this frame must not be joined to the next frame.
+        link_->control(kReset, kPurgeOut);
     } else {
         ++in_flight_;
     }
 }
 
 // Reads until every frame in flight is answered or the time is up, and keeps the newest answer. If more than one frame
-// is in flight, an answer was late; reading on catches up. Returns true if an answer arrived.
+// is in flight, an earlier answer was late, so the function reads it now. Returns true if an answer arrived.
 bool FalconDevice::wait_for_answer(double deadline_s) noexcept {
     bool answered = false;
     std::array<std::uint8_t, kPieceBytes> bytes;
@@ -140,8 +141,8 @@ bool FalconDevice::wait_for_answer(double deadline_s) noexcept {
         if (got == 0) break;
         reader_.push({bytes.data(), got});
     }
-    // Drops the answers that did not come in time, because the rest of a late answer must never be joined to the next
-    // one.
+    // Drops the unfinished answer and the answers that did not come in time. The rest of a late answer must never be
+    // joined to the next answer.
     in_flight_ = 0;
     reader_.clear();
     return answered && !lost_;
@@ -298,7 +299,8 @@ device::DeviceSample FalconDevice::read(double) noexcept {
     sample.buttons = status_.buttons;
     sample.homed = status_.homed_legs == 7;
     sample.homed_legs = status_.homed_legs;
-    if (!sample.homed) {  // the counts are not valid yet and jump once all legs are homed
+    // The counts are not valid yet and jump once all legs are homed, so the driver does not use them.
+    if (!sample.homed) {
         forget_place();
         sample.position_m = Vec3(0.0);
         return sample;
@@ -329,8 +331,8 @@ void FalconDevice::write(const device::ForceCommand& command) noexcept {
 }
 
 void FalconDevice::close() noexcept {
-    // Sends the zero several times, because a frame may be lost on the way and the firmware may hold the last force for
-    // ever.
+    // Sends the zero force three times, because a frame may be lost on the way and the firmware may hold the last force
+    // for ever.
     for (int i = 0; i < 3 && !lost_; ++i) {
         send({0, 0, 0});
         wait_for_answer(clock_.now_s() + kAnswerDeadlineS);

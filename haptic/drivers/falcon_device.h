@@ -1,9 +1,9 @@
-// The Novint Falcon. The driver sends its firmware, waits until its legs are homed, and exchanges one force against one
-// position at a time. All calls come from one thread. read() waits for the answer to the force that write() sent, at
-// most kAnswerDeadlineS, and its USB calls allocate. With a real Falcon the driver therefore belongs in the guard
-// process (hand_guard.h), never on the servo thread. It gives no force before all three legs are homed, after 20 ms
-// without an answer, or at a position that the legs cannot reach. It never gives more than the peak force of the
-// DeviceSpec.
+// The driver of the Novint Falcon. It sends the Falcon its firmware, waits until the legs are homed, and exchanges one
+// force against one position at a time. All calls come from one thread. read() waits for the answer to the force that
+// write() sent, at most kAnswerDeadlineS, and its USB calls allocate. With a real Falcon the driver therefore belongs
+// in the guard process (hand_guard.h), never on the servo thread. It gives no force before all three legs are homed,
+// after 20 ms without an answer, or at a position that the legs cannot reach. It never gives more than the peak force
+// of the DeviceSpec.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,7 @@
 namespace handrail::drivers {
 
 struct FalconOptions {
-    // Tried in this order; needed only if no firmware runs on the device yet.
+    // Firmware files, tried in this order. They are needed only if no firmware runs on the device yet.
     std::vector<std::filesystem::path> firmware_files;
     // Motor counts per newton metre. The true figure is unpublished, and sources differ by a factor of four. The open
     // driver uses 10,000.
@@ -32,8 +32,8 @@ struct FalconOptions {
 std::vector<std::filesystem::path> falcon_firmware_files();
 // Returns true if the file is a complete boot image.
 bool falcon_firmware_is_sound(const std::filesystem::path& file);
-// Returns the folder where a person should put the firmware file; sentences for the person name it. It is the first of
-// these paths' folders.
+// Returns the folder where a person should put the firmware file, which sentences for the person name. It is the folder
+// of the first path that falcon_firmware_files() returns.
 std::filesystem::path falcon_firmware_folder();
 
 class FalconDevice final : public device::HapticDevice {
@@ -41,16 +41,16 @@ public:
     static constexpr double kAnswerDeadlineS = 0.005;
     static constexpr double kZeroAfterSilenceS = 0.020;
     static constexpr int kUploadTries = 3;
-    // A leg counts as stuck if its count does not change while another leg turns by this much (about 5 mm of the grip),
-    // because no hand keeps a leg that still. Several answers must confirm it, so that two equal counts by chance are
+    // A leg is stuck if its count does not change while another leg turns by kStuckCounts (about 5 mm of the grip),
+    // because no hand keeps a leg that still. Several answers must confirm this, so that two equal counts by chance are
     // not enough.
     static constexpr int kStuckCounts = 150;
     static constexpr int kStuckAnswers = 10;
     // Three encoders measure three directions, so there is no redundancy to check them against. A hand may well move a
-    // few millimetres along a line on which one leg stands still. Suspicion therefore first reduces the force instead
-    // of raising a fault. From kSuspectCounts (about 2 mm) on the force falls, and at kDistrustCounts it is zero. It
-    // returns over 20 answers once the leg moves by a single count. If a movement turns only the stuck leg, the driver
-    // cannot notice the fault.
+    // few millimetres along a line on which one leg stands still. If a leg seems stuck, the driver therefore reduces
+    // the force before it raises a fault. From kSuspectCounts (about 2 mm) on the force falls, and at kDistrustCounts
+    // it is zero. The force returns over 20 answers once the leg moves by a single count. If a movement turns only the
+    // stuck leg, the driver cannot notice the fault.
     static constexpr int kSuspectCounts = 50;
     static constexpr int kDistrustCounts = 100;
     static constexpr double kTrustPerAnswer = 0.05;
@@ -69,7 +69,7 @@ public:
     bool firmware_was_running() const { return firmware_was_running_; }
     std::uint8_t homed_legs() const { return status_.homed_legs; }
     std::uint64_t skipped_bytes() const { return reader_.skipped(); }
-    // Checks whether the firmware runs and answers, without starting the device. Sends no force and no firmware.
+    // Returns true if the firmware runs and answers, without starting the device. Sends no force and no firmware.
     bool answers();
 
 private:

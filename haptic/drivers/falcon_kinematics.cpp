@@ -82,8 +82,8 @@ std::optional<Vec3> newton(const Vec3& angles, Vec3 p) noexcept {
     return std::nullopt;
 }
 
-// Returns true if the legs are folded as on the real device. Newton's method may find the other solution, but
-// falcon_inverse() returns only the real one.
+// Returns true if the legs are folded as on the real device. Newton's method may find the mirrored solution, but
+// falcon_inverse() returns only the real one, so the two are compared.
 bool is_built_so(const Vec3& p, const Vec3& angles) noexcept {
     const auto back = falcon_inverse(p);
     return back && p.z > 0.0 && std::abs(back->x - angles.x) < kSameAngleRad &&

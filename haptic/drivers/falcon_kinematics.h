@@ -31,11 +31,11 @@ int falcon_encoder_counts(double leg_angle_rad) noexcept;  // rounds to the near
 std::optional<Vec3> falcon_inverse(const Vec3& grip_m) noexcept;
 
 // Returns the grip's position for three thigh angles. Newton's method starts at `near_m` (the last position), then, if
-// that fails, at the middle. Returns nothing if the legs cannot meet, or only with a leg folded the wrong way.
+// that fails, at the middle. Returns nothing if the legs cannot meet, or can meet only with a leg folded the wrong way.
 std::optional<Vec3> falcon_forward(const Vec3& leg_angles_rad, const Vec3& near_m) noexcept;
 
-// Row i is the derivative of leg angle i with respect to the grip's position, in rad/m. `leg_angles_rad` must belong to
-// `grip_m`. Returns nothing at the edge of the workspace.
+// Returns the derivatives of the leg angles: row i is that of angle i with respect to the grip's position, in rad/m.
+// `leg_angles_rad` must belong to `grip_m`. Returns nothing at the edge of the workspace.
 std::optional<std::array<Vec3, 3>> falcon_jacobian(const Vec3& grip_m, const Vec3& leg_angles_rad) noexcept;
 
 // Returns the torques of the thighs in Nm that give this force at the grip: J^T torque = force, by the principle of

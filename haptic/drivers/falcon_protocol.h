@@ -34,8 +34,9 @@ using FalconFrame = std::array<std::uint8_t, kFalconFrameBytes>;
 // Packs a command into a frame. Motor values out of range are clamped, so that no value can wrap.
 FalconFrame pack_falcon_command(const FalconCommand& command) noexcept;
 
-// Converts thigh torques in Nm to motor counts. Torques that are not finite give zero. If a torque is too large, all
-// three are reduced by the same factor, so that the direction of the force stays. Counts are rounded towards zero.
+// Converts thigh torques in Nm to motor counts. If a torque is not finite, all counts are zero. If a torque is too
+// large, all three are reduced by the same factor, so that the direction of the force stays. Counts are rounded towards
+// zero.
 std::array<int, 3> falcon_motor_counts(const Vec3& torques_nm, double counts_per_nm) noexcept;
 
 // Finds frames in a sequence of received bytes. Skips a byte that cannot belong to a frame and continues the search at
@@ -50,15 +51,16 @@ public:
 private:
     void drop(std::size_t bytes) noexcept;
 
-    // Room for sixteen frames, although at most one is in flight. If it is full, the oldest bytes are dropped.
+    // Room for sixteen frames, although normally at most one is in flight. If there is no room, the oldest bytes are
+    // dropped.
     std::array<std::uint8_t, 256> bytes_{};
     std::size_t size_ = 0;
     std::uint64_t skipped_ = 0;
 };
 
 // Checks a boot table: key 0x08AA, eight reserved words, entry address, blocks of word count, address and data, and a
-// zero count at the very end. Rejects, with one sentence, an image that is truncated, too long, or something else.
-// `name` is the name of the file in that sentence.
+// zero count at the very end. Rejects, with one sentence, an image that is truncated, too long, or not a boot table.
+// The sentence contains `name`, the name of the file.
 Result<void> check_falcon_firmware(std::span<const std::uint8_t> image, const std::string& name);
 
 }  // namespace handrail::drivers

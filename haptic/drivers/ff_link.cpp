@@ -138,8 +138,8 @@ std::vector<FfDeviceInfo> list_ff_devices(const std::string& folder) {
         info.path = it->path().string();
         if (!it->path().filename().string().starts_with("event")) continue;
         const int fd = ::open(info.path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
-        // Skips nodes that may not be opened, such as keyboards. The system's udev rule gives game pads to the person
-        // at the seat.
+        // Skips nodes that this process may not open, such as keyboards. The system's udev rule gives game pads to the
+        // person at the seat.
         if (fd < 0) continue;
         std::array<char, 128> name{};
         if (::ioctl(fd, EVIOCGNAME(sizeof name), name.data()) > 0) info.name = name.data();

@@ -1,5 +1,5 @@
-// A device with Linux force feedback. Drivers use this interface for evdev nodes; an emulator can implement it, too.
-// One thread at a time; each call takes a system call and does not wait. Private to haptic/drivers.
+// The interface to a device with Linux force feedback. Drivers use FfLink for evdev nodes; an emulator can implement
+// it, too. One thread at a time; each call makes a system call and does not wait. Private to haptic/drivers.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ public:
     virtual bool stop() noexcept = 0;
     // Sets the share of its strength that the device may use, 0 to 1.
     virtual bool gain(double share) noexcept = 0;
-    // Takes all input since the last call. Returns false if the device is gone. Axes are -1 to 1, positive to the right
+    // Reads all input since the last call. Returns false if the device is gone. Axes are -1 to 1, positive to the right
     // and towards the person, as in the kernel.
     struct Stick {
         double x = 0.0, y = 0.0;

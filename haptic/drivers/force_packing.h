@@ -1,5 +1,5 @@
-// The last check in every driver. It ensures that a driver sends its device no force that is not finite or exceeds the
-// device's peak. Pure functions; real-time safe.
+// The last check in every driver. It ensures that a driver never sends its device a force that is not finite or exceeds
+// the device's peak. Pure functions; real-time safe.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace handrail::drivers {
 
-// Returns the force unchanged if it is at most the peak, otherwise a force of the size of the peak in the same
-// direction, however large the given force was. Returns zero if it is not finite.
+// Returns `force_n` unchanged if its size is at most `peak_n`. Otherwise returns a force of the size `peak_n` in the
+// same direction, however large the given force was. Returns zero if the force is not finite.
 inline Vec3 held_to(const Vec3& force_n, double peak_n) noexcept {
     if (!is_finite(force_n) || !(peak_n > 0.0)) return Vec3(0.0);
     const double largest = std::max({std::abs(force_n.x), std::abs(force_n.y), std::abs(force_n.z)});

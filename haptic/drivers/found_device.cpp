@@ -22,7 +22,7 @@
 namespace handrail::drivers {
 namespace {
 
-// Greatest number of exchanges with zero force until the device has answered two of them.
+// Greatest number of exchanges with zero force. The device must answer two of them.
 constexpr int kZeroExchanges = 5;
 
 constexpr std::array kFalconIds{UsbId{0x0403, 0xcb48}};
@@ -132,7 +132,7 @@ bool find_hid_devices(std::vector<FoundDevice>& found) {
     return found.size() > before;
 }
 
-// Devices that only their maker's library can control. Their USB numbers show whether one is plugged in. Only the guard
+// A device that only its maker's library can control. Its USB numbers show whether one is plugged in. Only the guard
 // loads the library itself, when the person chooses the device.
 struct Maker {
     UsbId id;
@@ -209,8 +209,8 @@ void find_inverse3(std::vector<FoundDevice>& found) {
     found.push_back(std::move(device));
 }
 
-// Adds force-feedback event nodes. A pad that one of our drivers controls over hidapi also has an event node. If there
-// is such a pad (`known`), its event node is skipped so that the pad is reported only once.
+// Adds force-feedback event nodes to `found`. A pad that one of our drivers controls over hidapi also has an event
+// node. If such a pad was found, `known` is true and its event node is skipped, so that the pad is reported only once.
 void find_ff_devices(std::vector<FoundDevice>& found, bool known) {
     for (const FfDeviceInfo& ff : list_ff_devices()) {
         const bool stick = ff.abilities.constant && ff.abilities.stick;
@@ -331,7 +331,7 @@ Result<std::unique_ptr<device::HapticDevice>> open_device(std::string_view name,
 }
 
 Result<void> zero_device(std::string_view name, std::string_view serial, Clock& clock) {
-    // For a Falcon no firmware is sent here: without firmware it gives no force, and sending would take seconds.
+    // A Falcon gets no firmware here: without firmware it gives no force, and sending would take seconds.
     auto device = name == "falcon" ? open_falcon(serial, clock, {}, nullptr)
                                    : open_device(name, serial, clock, [](const std::string&) {});
     if (!device) return tl::unexpected(device.error());

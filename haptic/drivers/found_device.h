@@ -1,5 +1,5 @@
-// Finds the devices that are plugged in, as data for `handrail devices` and for choosing one, and opens them.
-// App thread or guard process. Finding takes up to half a second, because each device is queried for everything that
+// Finds the devices that are plugged in, as data for `handrail devices` and for choosing one, and opens them. App
+// thread or guard process. find_devices() takes up to half a second, because it queries each device for everything that
 // needs no force and no lasting change.
 #pragma once
 
@@ -36,11 +36,11 @@ struct FoundDevice {
     // True if the driver has been tested with real hardware and not only with emulators. So far that is false for all.
     bool met_hardware = false;
     bool usable = true;
-    std::string problem;  // why it is not usable, and what the person can do about it; one or two sentences
+    std::string problem;  // why the device is not usable, and what the person can do about it; one or two sentences
 };
 
-// Returns the state of the device in one or a few words, as in `handrail devices --json`: "ready", "needs calibration",
-// "cannot be used yet".
+// Returns the state of the device in one or a few words, as in `handrail devices --json`: for example "ready", "needs
+// calibration" or "cannot be used yet".
 std::string_view device_state(const FoundDevice& device);
 // Returns the state of the device, suitable for speech.
 std::string spoken_device_state(const FoundDevice& device);
@@ -61,7 +61,7 @@ struct PluggedHand {
 std::vector<PluggedHand> plugged_hands();
 
 // File name of the udev rule that lets the person at the seat open devices. permission_advice() says where `cmake
-// --install` puts it.
+// --install` puts the file.
 inline constexpr std::string_view kUdevRule = "70-handrail.rules";
 std::string permission_advice();
 
@@ -71,7 +71,7 @@ bool is_meant(const FoundDevice& device, std::string_view name_or_serial);
 // Opens a kinesthetic device by name, and by serial number if one is given. Only the guard process calls it.
 Result<std::unique_ptr<device::HapticDevice>> open_device(std::string_view name, std::string_view serial, Clock& clock,
                                                           const std::function<void(const std::string&)>& tell);
-// Opens the device, sends it zero force and closes it. The second guard has no other task. Succeeds only if the device
+// Opens the device, sends it zero force and closes it. The second guard does only this. Succeeds only if the device
 // accepted the zero and answered.
 Result<void> zero_device(std::string_view name, std::string_view serial, Clock& clock);
 // Returns the names that open_device() accepts. Each has a row in device_specs().

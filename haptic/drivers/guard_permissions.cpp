@@ -19,7 +19,7 @@ void permit_finding_devices(confine::Permissions& permissions) {
     permissions.device_events = true;
 }
 
-// Permits a folder, and the targets of the links in it, because a library is often a link to a version installed
+// Permits a folder and the targets of the links in it. A maker's library is often a link to a version installed
 // elsewhere.
 void permit_folder_with_links(const fs::path& folder, std::vector<fs::path>& paths) {
     paths.push_back(folder);
@@ -57,7 +57,7 @@ confine::Permissions guard_permissions(std::string_view device) {
     confine::Permissions permissions;
     permissions.calls = confine::Calls::Drive;
 #if defined(HANDRAIL_SANITIZED)
-    permissions.read.emplace_back("/proc");  // there a sanitizer looks for memory leaks
+    permissions.read.emplace_back("/proc");  // a sanitizer reads /proc to search for memory leaks
 #endif
     if (device == "inverse3") {
         permissions.tcp_ports.push_back(kHaplyPort);
@@ -67,7 +67,7 @@ confine::Permissions guard_permissions(std::string_view device) {
     if (device == "falcon") permit_falcon(permissions);
     else if (device == "force-stick") permissions.read_and_write.emplace_back("/dev/input");
     else permit_makers_library(permissions);
-    // These devices may be on USB, FireWire, serial and parallel ports, and Ethernet.
+    // Such a device may be on USB, FireWire, a serial or parallel port, or Ethernet.
     if (is_found_only_by_opening(device)) {
         permissions.read_and_write.emplace_back("/dev");
         permissions.any_internet = true;

@@ -1,5 +1,6 @@
 // Determines the permissions that a guard keeps when it confines itself: only those that its device's driver needs.
-// Pure except for environment variables. Called once, on the guard's main thread.
+// guard_permissions() is pure except that it reads environment variables. It is called once, on the guard's main
+// thread.
 #pragma once
 
 #include <array>
@@ -14,7 +15,7 @@ namespace handrail::drivers {
 inline constexpr std::array<std::string_view, 8> kGuardVariables{
     "LD_LIBRARY_PATH", "GTDD_HOME", "OH_SDK_BASE", "HOME", "XDG_DATA_HOME", "HANDRAIL_*", "LD_PRELOAD", "UMOCKDEV_DIR"};
 
-// `device` is a name that open_device() accepts.
+// Returns the permissions for a device. `device` is a name that open_device() accepts.
 confine::Permissions guard_permissions(std::string_view device);
 
 }  // namespace handrail::drivers

@@ -28,16 +28,16 @@ namespace handrail::drivers {
 namespace {
 
 constexpr int kGuardPriority = 71;   // real-time priority just above the servo thread, which waits for the guard
-constexpr int kReliefPriority = 72;  // priority above the first guard, which this process watches
+constexpr int kReliefPriority = 72;  // real-time priority of the second guard, above the first guard, which it watches
 // Longest single attempt to remove the force. It is longer than a device takes to open.
 constexpr unsigned kMostOfOneTryS = 40;
 constexpr rlim_t kMostDescriptors = 256;
 constexpr rlim_t kMostFileBytes = rlim_t{16} << 20;
 constexpr rlim_t kMostMemoryBytes = rlim_t{1} << 30;
-// Stack of each thread that a library starts. It is small, because a locked stack counts in full.
+// Stack size of each thread that a library starts. It is small, because all of a locked stack occupies memory.
 constexpr std::size_t kStackBytes = std::size_t{1} << 20;
 constexpr std::size_t kProbeBytes = std::size_t{32} << 20;
-// Scores that tell the kernel how readily to kill a process when memory runs out.
+// Scores for /proc/self/oom_score_adj, which tells the kernel how readily to kill a process when memory runs out.
 constexpr std::string_view kNever = "-1000", kLikeAnyOther = "0";
 
 void lower_limit(__rlimit_resource what, rlim_t most) noexcept {
@@ -55,8 +55,8 @@ constexpr bool kKeepsShadow = true;
 constexpr bool kKeepsShadow = false;
 #endif
 
-// Locks all current memory pages, and each later page when it is first used. Returns false if that is not permitted. A
-// memory limit that is too low counts as not permitted, because every allocation would fail once it is reached.
+// Locks all current memory pages, and each later page when it is first used. Returns false if that is not permitted, or
+// if the permitted amount is too low, because every allocation would then fail once the limit is reached.
 bool lock_all_memory() noexcept {
     if (kKeepsShadow || ::mlockall(MCL_CURRENT) != 0) return false;
     if (::mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0) {
@@ -95,7 +95,7 @@ void protect(HandMailbox& mailbox, int priority) {
     if (!ask_to_be_spared()) mailbox.spared = false;
     sched_param wish{};
     wish.sched_priority = priority;
-    // If the system refuses, ordinary scheduling works too, but less evenly.
+    // If the system refuses, the thread keeps ordinary scheduling, which is less punctual.
     ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wish);
 }
 
@@ -134,7 +134,7 @@ int guard_process(int argc, char** argv, const NamedDevices& devices) {
     for (const int number :
          {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGTSTP, SIGTTIN, SIGTTOU, SIGUSR1, SIGUSR2, SIGXFSZ})
         ::signal(number, SIG_IGN);
-    ::setsid();  // signals to the program's process group must not reach the guards
+    ::setsid();  // starts a new session, because signals to the program's process group must not reach the guards
     // The guards must not keep the program's input and output open. A process that reads the program's output to its
     // end must wait only for the program.
     if (const Descriptor nowhere(::open("/dev/null", O_RDWR | O_CLOEXEC)); nowhere.get() > STDOUT_FILENO) {
@@ -144,7 +144,7 @@ int guard_process(int argc, char** argv, const NamedDevices& devices) {
     HandMailbox* mailbox = map_mailbox(std::atoi(argv[2]));
     if (!mailbox) return 2;
     const int life_fd = std::atoi(argv[3]), third_fd = std::atoi(argv[4]);
-    // The program has already reported any fault in the language file. If the file is no longer readable, the guard
+    // The program has already reported any fault in the language file. If the guard can no longer read the file, it
     // speaks English.
     (void)speak_language(argv[5], argv[6]);
     const std::string name = argv[7], serial = argc > 8 ? argv[8] : "";
@@ -162,7 +162,7 @@ int guard_process(int argc, char** argv, const NamedDevices& devices) {
                              [third_fd] { ::pidfd_send_signal(third_fd, SIGKILL, nullptr, 0); });
     }
     protect(*mailbox, kGuardPriority);
-    // If the kernel lacks a protection, `handrail devices` reports it.
+    // The result is ignored, because `handrail devices` reports it if the kernel lacks a protection.
     (void)confine::confine(devices.permissions(name));
     return guard_hand(
         *mailbox, third_fd, life_fd,

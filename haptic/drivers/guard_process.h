@@ -35,10 +35,11 @@ inline constexpr const char* kRelieveRole = "relieve";
 // Runs the whole process. Returns its exit status; 2 if the command line does not come from the program.
 // Before it uses a device, the process
 // - leaves the program's process group and ignores the signals that end programs,
-// - gives up gaining privileges and core dumps, and limits its own descriptors, file sizes and memory,
+// - gives up core dumps and the right to gain privileges, and limits its own descriptors, file sizes and memory,
 // - locks its memory, asks the kernel to spare it when memory runs out, and requests real-time scheduling.
-// If the system refuses to lock the memory or to spare the process, the mailbox records it, so that the program can
-// report it. Then the process confines itself to what the device needs (worlds/confine).
+// If the system refuses to lock the memory or to spare the process, the process records that in the mailbox, so that
+// the
+// program can report it. Then the process confines itself to what the device needs (worlds/confine).
 int guard_process(int argc, char** argv, const NamedDevices& devices);
 
 }  // namespace handrail::drivers

@@ -39,10 +39,10 @@ namespace {
 constexpr int kFirstFd = 3;
 constexpr std::string_view kGuardProgram = "handrail-guard";
 constexpr std::size_t kLongestSentence = 4096;
-constexpr int kGivenUpMs = 50;      // how often a waiting open() checks whether give_up() was called
+constexpr int kGivenUpMs = 50;      // interval in ms at which a waiting open() checks whether give_up() was called
 constexpr int kWatchPriority = 71;  // priority of the watch thread: the same as the first guard's, above the servo
-// Limits for the second guard, in checks. It counts a beat at each of its own checks. Without a beat for 50 ms it
-// counts as frozen, so that a replacement is there within 100 ms. Until its first beat it has 2 s to start.
+// Limits for the second guard, in checks. The second guard adds a beat at each of its own checks. Without a beat for 50
+// ms it is treated as frozen, so that a replacement is there within 100 ms. Until its first beat it has 2 s to start.
 constexpr int kReliefStillLooks = 5;
 constexpr int kReliefLoadLooks = 200;
 
@@ -81,7 +81,7 @@ Result<void> GuardedDevice::start(const char* role, int third_fd, int& life_fd, 
     Descriptor ours(ends[0]);
     const Descriptor theirs(ends[1]);
 
-    // Descriptors are first moved away from the numbers 3, 4 and 5, so that none is overwritten before it is passed on.
+    // First moves the descriptors away from the numbers 3, 4 and 5, so that none is overwritten before it is passed on.
     std::array<int, 3> high{};
     const std::array<int, 3> passed{memory_fd_, theirs.get(), third_fd};
     for (std::size_t i = 0; i < passed.size(); ++i) high[i] = ::fcntl(passed[i], F_DUPFD_CLOEXEC, 64);
@@ -116,8 +116,8 @@ Result<void> GuardedDevice::start_guards() {
     if (guard_program_.empty()) return fail(phrase("guard.no_program", {{"program", kGuardProgram}}));
     memory_fd_ = ::memfd_create("handrail-hand", MFD_CLOEXEC | MFD_ALLOW_SEALING);
     if (memory_fd_ < 0 || ::ftruncate(memory_fd_, sizeof(HandMailbox)) != 0) return problem(errno);
-    // Processes with this descriptor may write the shared memory, but never shrink it. Otherwise the other processes
-    // that have mapped it would die of SIGBUS.
+    // Processes with this descriptor may write the shared memory, but never shrink it. If one could shrink it, the
+    // other processes that have mapped it would die of SIGBUS.
     if (::fcntl(memory_fd_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0) return problem(errno);
     void* mapped = ::mmap(nullptr, sizeof(HandMailbox), PROT_READ | PROT_WRITE, MAP_SHARED, memory_fd_, 0);
     if (mapped == MAP_FAILED) return problem(errno);
@@ -230,8 +230,8 @@ void GuardedDevice::write(const device::ForceCommand& command) noexcept {
     [[maybe_unused]] const ssize_t written = ::write(wake_fd_, &one, sizeof one);
 }
 
-// Waits at most this long for the process to end, then kills it. If a driver has blocked it so that even the kill does
-// not end it, the process is left behind.
+// Waits at most `seconds` for the process to end, then kills it. If a driver has blocked the process so that even the
+// kill does not end it, the process is left behind.
 void GuardedDevice::end_process(pid_t& process, double seconds) noexcept {
     if (process <= 0) return;
     SteadyClock clock;
@@ -268,8 +268,8 @@ void GuardedDevice::close() noexcept {
         (void)start_relief();
     if (life_fd_ >= 0) ::close(std::exchange(life_fd_, -1));
     // The guard may still be starting a device. It checks whether the program exists only between two steps of the
-    // start, and then sets the force to zero. With an open device, each round of the guard may take 100 ms; after that
-    // the second guard ends it.
+    // start, and then sets the force to zero. With an open device, each round of the guard may last 100 ms; after that
+    // time the second guard ends the guard.
     end_process(guard_, kEndS);
     if (mailbox_ && relief_process() > 0 && mailbox_->holds.load(std::memory_order_acquire)) await_zero();
     watch_ = {};
@@ -303,8 +303,8 @@ std::vector<std::string> GuardedDevice::take_news() {
     return std::exchange(news_, {});
 }
 
-// Notices when zeroing takes too long. A second guard that hangs in a driver never reports its failure. The same holds
-// if the last permitted replacement has failed.
+// Sets may_push_ if the zero force is overdue. A second guard that hangs in a driver never reports its failure, and
+// neither does the last permitted replacement if it has failed.
 void GuardedDevice::notice_long_zeroing() {
     const double now_s = SteadyClock().now_s();
     const auto zero_is_due = [this] {
@@ -319,7 +319,7 @@ void GuardedDevice::notice_long_zeroing() {
 void GuardedDevice::watch_guards(const std::stop_token& end) {
     sched_param wish{};
     wish.sched_priority = kWatchPriority;
-    // If the system refuses, ordinary scheduling works too, but less evenly.
+    // If the system refuses, the thread keeps ordinary scheduling, which is less punctual.
     ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wish);
     StillCount guard(mailbox_->beats.load(std::memory_order_acquire));
     StillCount relief(mailbox_->relief_beats.load(std::memory_order_acquire));
@@ -343,7 +343,8 @@ void GuardedDevice::watch_guards(const std::stop_token& end) {
     }
 }
 
-// Starts a new second guard. Kills the present one first if it still exists, because two must never hold the device.
+// Starts a new second guard. Kills the present one first if it still exists, because two processes must never hold the
+// device.
 void GuardedDevice::replace_relief() {
     if (reliefs_left_ == 0) return;
     --reliefs_left_;

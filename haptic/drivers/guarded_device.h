@@ -1,9 +1,9 @@
-// The servo's view of a real device. The guard process holds the device, and this class controls the guard. Each call
-// of read() or write() copies a value in shared memory and makes at most one system call that does not wait, about 1
-// us. The servo thread thus never waits, whatever a driver does. The hand feels a force one exchange after write(), as
-// DeviceSpec::delay_s says. App thread: construction, open(), take_news(), destruction. While it is open, a separate
-// thread checks both guards every 10 ms, even if the app hangs. It replaces a second guard that died or froze, and
-// kills a first guard that froze.
+// The servo's view of a real device. The guard process holds the device, and GuardedDevice controls the guard. Each
+// call of read() or write() copies a value in shared memory and makes at most one system call that does not wait, about
+// 1 us. The servo thread thus never waits, whatever a driver does. The hand feels a force one exchange after write(),
+// as DeviceSpec::delay_s says. App thread: construction, open(), take_news(), destruction. While the device is open, a
+// separate thread checks both guards every 10 ms, even if the app hangs. That thread replaces a second guard that died
+// or froze, and kills a first guard that froze.
 #pragma once
 
 #include <sys/types.h>
@@ -32,18 +32,18 @@ public:
     GuardedDevice& operator=(const GuardedDevice&) = delete;
 
     const device::DeviceSpec& spec() const override { return spec_; }
-    // Starts the guard and waits until the guard has opened the device. It waits at most kOpenS, because firmware may
-    // have to be sent. On failure it returns the guard's own sentence. Any thread may call it, but only one until it
-    // returns. Does nothing if the device is already open.
+    // Starts the guard and waits until the guard has opened the device. The call waits at most kOpenS, because firmware
+    // may have to be sent. On failure it returns the guard's own sentence. Any thread may call open(), but only one
+    // until it returns. Does nothing if the device is already open.
     Result<void> open() override;
     device::DeviceSample read(double now_s) noexcept override;
     void write(const device::ForceCommand& command) noexcept override;
-    // Makes the guard set the force to zero and end; waits for it at most kEndS. If the guard does not end, or has
-    // ended while the device was open, waits at most kZeroS more for the second guard. Afterwards may_push() says
-    // whether the device may still push.
+    // Makes the guard set the force to zero and end, and waits for the guard at most kEndS. If the guard does not end,
+    // or had ended while the device was open, the call waits at most kZeroS more for the second guard. Afterwards
+    // may_push() says whether the device may still push.
     void close() noexcept override;
 
-    // Makes a waiting open() fail at once, or else the next one. Any thread.
+    // Makes a waiting open() fail at once. If none is waiting, makes the next open() fail. Any thread.
     void give_up() noexcept { given_up_.store(true, std::memory_order_release); }
     // While open() waits, it passes each of the guard's sentences to `tell`, on the thread that called open().
     // take_news() returns these sentences, too.
@@ -52,9 +52,9 @@ public:
     std::vector<std::string> take_news();
     pid_t guard_process() const { return guard_; }
     pid_t relief_process() const;
-    // App thread, while it is open. Returns true if the guard has ended, because its driver hung or somebody killed it,
-    // and will not look for its device again. The second guard has then released the device too, so another process may
-    // open it.
+    // App thread, while the device is open. Returns true if the guard has ended, because its driver hung or somebody
+    // killed it, and will not look for its device again. The second guard has then released the device too, so another
+    // process may open it.
     bool guard_ended() const noexcept;
     // App thread, after closing. Returns true if the process that held the device failed, and no process could make
     // sure that the force is zero.
@@ -66,8 +66,8 @@ public:
     static constexpr double kOpenS = 30.0;
     static constexpr double kEndS = 1.0;
     static constexpr double kZeroS = 3.0;
-    // Number of second guards that may be started, one after the other, to replace failed ones. Once one has lived for
-    // kProvenLooks checks, the count starts again.
+    // Number of second guards that may be started, one after the other, to replace failed ones. Once a second guard has
+    // lived for kProvenLooks checks, the same number may be started again.
     static constexpr int kMostReliefs = 3;
     static constexpr int kProvenLooks = 1000;
 
@@ -91,7 +91,8 @@ private:
     HandMailbox* mailbox_ = nullptr;
     int memory_fd_ = -1, wake_fd_ = -1;
     int life_fd_ = -1, relief_life_fd_ = -1;  // sockets to the first guard and to the second guard
-    int guard_fd_ = -1;  // process descriptor of the guard; becomes readable when the guard has ended
+    // Process descriptor of the first guard. It becomes readable when the guard has ended.
+    int guard_fd_ = -1;
     pid_t guard_ = -1, relief_ = -1;
     mutable std::mutex mutex_;  // protects relief_, relief_life_fd_ and news_ while watch_ runs
     std::jthread watch_;
@@ -102,7 +103,7 @@ private:
     std::atomic<bool> given_up_{false};
     std::vector<std::string> news_;
     std::function<void(const std::string&)> tell_;
-    // Only the servo thread uses it.
+    // The sample that read() returned last. Only the servo thread uses it.
     device::DeviceSample last_;
 };
 

@@ -78,7 +78,7 @@ bool wait_for_command(int wake_fd, int life_fd, int timeout_ms, bool& gone) {
 
 void send_message(int life_fd, GuardMessage kind, const std::string& sentence) {
     const std::string message = static_cast<char>(kind) + sentence;
-    // MSG_DONTWAIT: a program that does not read its messages must not block the guard.
+    // MSG_DONTWAIT, because a program that does not read its messages must not block the guard.
     [[maybe_unused]] const ssize_t sent = ::send(life_fd, message.data(), message.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
 }
 

@@ -1,13 +1,13 @@
-// The guard process: small, separate from the program, and the only process that holds a real device. In each round it
-// sends the newest force and reads a new sample. When the program dies, freezes or ends, the guard is still there to
-// send zero. A maker's library may allocate, lock, block or crash here, because the servo thread never waits for the
-// guard.
+// The guard process, a small process separate from the program. No other process holds a real device, except the second
+// guard in an emergency. In each round the guard sends the newest force and reads a new sample. When the program dies,
+// freezes or ends, the guard is still there to send zero. A maker's library may allocate, lock, block or crash in the
+// guard, because the servo thread never waits for the guard.
 //
 // The guard sets the force to zero if no new command comes for kZeroAfterS, because the program has frozen or its servo
 // hangs. It also does so if the program's end of the socket closes, which happens however the program ended, even by
-// kill -9. The second guard watches this one (relief_guard.h): if this one dies or freezes with a device open, the
-// second guard sends zero. If a driver hangs for kStuckS and nothing else has ended the guard, it ends itself. After
-// the device is unplugged, the guard looks for it twice a second.
+// kill -9. The second guard watches the guard (relief_guard.h): if the guard dies or freezes with a device open, the
+// second guard sends zero. If a driver hangs for kStuckS and nothing else has ended the guard, the guard ends itself.
+// After the device is unplugged, the guard looks for it twice a second.
 #pragma once
 
 #include <functional>
@@ -24,7 +24,7 @@ inline constexpr double kZeroAfterS = 0.020;
 inline constexpr double kLookAgainS = 0.5;
 inline constexpr double kStuckS = 0.25;
 
-// Finds and opens the device, also after it was unplugged and plugged in again. Reports progress in sentences.
+// Finds and opens the device, also after the device was unplugged and plugged in again. Reports progress in sentences.
 using OpenDevice =
     std::function<Result<std::unique_ptr<device::HapticDevice>>(const std::function<void(const std::string&)>& tell)>;
 
@@ -37,8 +37,9 @@ void send_message(int life_fd, GuardMessage kind, const std::string& sentence);
 // Runs the guard for its whole life, on the calling thread. Returns the exit status.
 // - wake_fd: an eventfd that counts new commands.
 // - life_fd: the socket to the program.
-// - stuck: called from another thread if one exchange lasts longer than kStuckS. It ends the process, or notifies a
-//   test.
+// - stuck: called from another thread if one exchange lasts longer than kStuckS. The function ends the process, or in
+//   a
+//   test notifies the test.
 int guard_hand(HandMailbox& mailbox, int wake_fd, int life_fd, const OpenDevice& open_device,
                const std::function<void()>& stuck);
 

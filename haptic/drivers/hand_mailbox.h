@@ -1,7 +1,7 @@
-// Memory shared by the program and its two guard processes. It contains the newest force for the device, the newest
-// sample from the device, and the state of each guard. No process waits for another or takes a lock. Each process
-// validates the forces and samples that it reads and trusts nothing else. All three are built from the same sources,
-// but they compare kMailboxMark anyway.
+// The memory that the program and its two guard processes share. It contains the newest force for the device, the
+// newest sample from the device, and the state of each guard. No process waits for another or takes a lock. Each
+// process validates the forces and samples that it reads and trusts nothing else. All three processes are built from
+// the same sources, but they compare kMailboxMark anyway.
 #pragma once
 
 #include <atomic>
@@ -32,7 +32,7 @@ struct HandMailbox {
     std::atomic<std::uint32_t> beats{0};
     std::atomic<std::uint32_t> relief_beats{0};  // number of the second guard's checks, one in 10 ms
     std::atomic<bool> holds{false};              // set by the guard while a device is open, which may then push
-    std::atomic<ReliefState> relief{ReliefState::Watching};  // state of the second guard, which sets it
+    std::atomic<ReliefState> relief{ReliefState::Watching};  // state of the second guard, which alone writes it
     std::atomic<bool> memory_locked{true},
         // The guards set memory_locked to false if their memory may be swapped out, and spared to false if the kernel
         // may kill them when memory runs out.

@@ -52,8 +52,8 @@ std::string force_message(const std::string& device_id, const Vec3& force_n) {
         .dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-// Returns the firmware version, such as "2.1", from the device information of the first message. Empty if it states
-// none.
+// Returns the firmware version, such as "2.1", from the device information of the first message. Returns an empty
+// string if that information contains no version.
 std::string firmware_of(const Json& device) {
     const Json* config = member(device, "config");
     const Json* info = config ? member(*config, "device_info") : nullptr;
@@ -86,7 +86,7 @@ public:
             run_until(kOpenDeadlineS, [&] { return problem != boost::asio::error::would_block; });
             if (problem) return fail(phrase("drivers.haply_other"));
             open_ = true;
-            // The service sends a first message with its state without a request.
+            // The service sends a first message with the device's state before any request.
             for (const double deadline_s = clock_.now_s() + kOpenDeadlineS; clock_.now_s() < deadline_s && !lost_;)
                 if (receive(deadline_s) && !device_id_.empty()) return {};
             return fail(phrase("drivers.haply_no_device"));
@@ -110,7 +110,7 @@ public:
     }
 
     void write(const device::ForceCommand& command) noexcept override {
-        // The service answers every message, so sending more of them would only fill a queue.
+        // The service answers every message, so further messages before the answers would only fill a queue.
         if (!open_ || lost_ || in_flight_ > 1) return;
         const bool allowed = state_.homed && clock_.now_s() - answered_s_ <= kZeroAfterSilenceS;
         const Vec3 force = allowed ? held_to(command.force_n, spec_.peak_force_n) : Vec3(0.0);
@@ -167,7 +167,7 @@ private:
         });
         run_until(kAnswerDeadlineS, [this] { return written_; });
         if (!written_)
-            // A service on this computer that accepts no message for this long has hung. The connection must end,
+            // If a service on this computer accepts no message for this long, it has hung. The connection must end,
             // because the buffer is only valid during this call.
             lost_ = true;
         if (!lost_) {

@@ -25,7 +25,8 @@ constexpr Handle kInvalid = 0xFFFFFFFFU;
 constexpr Enum kButtonsParameter = 0x2000, kPosition = 0x2050, kGimbal = 0x2150, kModel = 0x2501,
                kCalibrationStyle = 0x2555, kStiffness = 0x2602, kMaxForce = 0x2603, kForce = 0x2700,
                kForceOutput = 0x4000, kForceClamping = 0x4001, kCalibrated = 0x5000,
-               // Any other value means that the person calibrates the device by hand, for example in the inkwell.
+               // Status of the calibration. Any other value means that the person calibrates the device by hand, for
+               // example in the inkwell.
     kCalibrationNeedsUpdate = 0x5001;
 constexpr unsigned short kPriority = 32767;
 constexpr unsigned kFirstForceError = 0x0200, kWarmMotors = 0x0200, kLastForceError = 0x0204,
@@ -167,7 +168,7 @@ private:
         value = 0.0;
         call_.get_double(kStiffness, &value);
         if (value > 0.0 && std::isfinite(value))
-            // The library states the stiffness per mm.
+            // Converts the stiffness, which the library states per mm.
             spec_.rated_stiffness_n_per_m = std::min(spec_.rated_stiffness_n_per_m, value * 1000.0);
         while (call_.get_error().code != 0) {
         }

@@ -1,8 +1,8 @@
-// 3D Systems' Touch and Phantoms, driven through their maker's library libHD (OpenHaptics HD interface), which is
-// loaded if it is installed. The library calls back on its own thread about 1000 times a second; the callback only
-// exchanges numbers. Runs in the guard process; the library switches the motors off when that process ends. One thread
-// owns it. Source: the public description of the HD interface, OpenHaptics 3. Library axes: x right, y up, z towards
-// the person; millimetres, newtons.
+// The driver of 3D Systems' Touch and Phantoms. It uses their maker's library libHD (OpenHaptics HD interface), which
+// is loaded if it is installed. The library calls back on its own thread about 1000 times a second; the callback only
+// exchanges numbers. The driver runs in the guard process; the library switches the motors off when that process ends.
+// One thread owns the driver. Source: the public description of the HD interface, OpenHaptics 3. Library axes: x right,
+// y up, z towards the person; millimetres, newtons.
 #pragma once
 
 #include <memory>

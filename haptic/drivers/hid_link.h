@@ -1,5 +1,5 @@
-// A device that exchanges HID reports. Drivers use this interface for hidapi; an emulator can implement it, too. Byte 0
-// of each report is the report's number. One thread at a time. Private to haptic/drivers.
+// The interface to a device that exchanges HID reports. Drivers use HidLink for hidapi; an emulator can implement it,
+// too. Byte 0 of each report is the report's number. One thread at a time. Private to haptic/drivers.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +17,12 @@ public:
     static constexpr int kLost = -1;  // result of a call if the device is gone
 
     virtual ~HidLink() = default;
-    // Writes the whole report or nothing.
+    // Writes the whole report. Returns false if nothing was written.
     virtual bool write(std::span<const std::uint8_t> report) noexcept = 0;
-    // Reads one report. Returns its size, 0 if none came in time, or kLost.
+    // Reads one report. Returns the report's size, 0 if none came in time, or kLost.
     virtual int read(std::span<std::uint8_t> room, double timeout_s) noexcept = 0;
-    // Requests the feature report whose number is in room[0]. Returns its size, or kLost if the device refused.
+    // Requests the feature report whose number is in room[0]. Returns the report's size, or kLost if the device
+    // refused.
     virtual int feature(std::span<std::uint8_t> room) noexcept = 0;
 };
 

@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint8_t kOutputCrc = 0xA2, kInputCrc = 0xA1;
 constexpr std::size_t kCommonOutput = 47, kBluetoothReport = 78, kDualShockUsbOutput = 32;
 constexpr std::size_t kChecksum = 4;
-// First firmware version that no longer emulates the older motors when the pad rumbles.
+// First firmware version of the DualSense that no longer emulates the older motors when the pad rumbles.
 constexpr unsigned kImprovedRumbleFrom = 0x0224;
 
 std::uint16_t zones_from(int first) noexcept { return static_cast<std::uint16_t>((0x3ff << first) & 0x3ff); }
@@ -189,8 +189,8 @@ PlaystationPad::~PlaystationPad() { close(); }
 
 Result<void> PlaystationPad::open() {
     if (bus_ == PadBus::Bluetooth) {
-        // After it connects, a pad on Bluetooth sends short reports until this report is requested. Its content, the
-        // calibration, is not used.
+        // After a pad connects over Bluetooth, it sends short reports until the host requests this feature report. The
+        // content of the report, the calibration, is not used.
         std::array<std::uint8_t, 64> calibration{};
         calibration[0] = model_ == PadModel::DualSense ? 0x05 : 0x02;
         if (link_->feature(calibration) < 0) return fail(phrase("drivers.pad_silent"));

@@ -1,8 +1,9 @@
-// Sony's DualSense and DualShock 4. Reads their sticks, triggers and buttons, and gives cues to the fingers by two
-// voice coils and, on the DualSense, by two triggers that resist. It renders no walls; a cue only indicates one. Over
-// USB, or over Bluetooth, where each report carries a checksum. Any one thread. The pad is read at most 250 times a
-// second and written at most 125 times; read() and write() cost a system call each. Sources: the Linux drivers
-// hid-playstation and hid-sony for reports and checksum; published descriptions of the trigger effects.
+// The driver of Sony's DualSense and DualShock 4. It reads their sticks, triggers and buttons, and gives cues to the
+// fingers by two voice coils and, on the DualSense, by two triggers that resist. It renders no walls; a cue only
+// indicates a wall. The pad is connected by USB, or by Bluetooth, where each report carries a checksum. Any one thread.
+// The pad is read at most 250 times a second and written at most 125 times; read() and write() cost a system call each.
+// Sources: the Linux drivers hid-playstation and hid-sony for reports and checksum; published descriptions of the
+// trigger effects.
 #pragma once
 
 #include <array>
@@ -29,8 +30,8 @@ struct PadIdentity {
 };
 std::optional<PadIdentity> playstation_pad(std::uint16_t vendor, std::uint16_t product) noexcept;
 
-// Returns true if an event node with this name belongs to such a pad. The kernel creates event nodes for the pad under
-// the pad's own name.
+// Returns true if an event node with this name belongs to a DualSense or DualShock 4. The kernel creates event nodes
+// for the pad under the pad's own name.
 bool is_event_node_of_a_playstation_pad(std::string_view name) noexcept;
 
 struct PadInput {
@@ -57,8 +58,8 @@ struct PadOutput {
 
 PadOutput pad_output_for(const device::FingerCue& cue) noexcept;
 
-// Convert reports to and from bytes. Parsing returns nothing for a Bluetooth input with a wrong checksum, and for
-// anything that is not a full input report.
+// Convert reports to and from bytes. Parsing returns nothing for a Bluetooth input with a wrong checksum, and for bytes
+// that are not a full input report.
 std::vector<std::uint8_t> pad_output_report(PadModel model, PadBus bus, const PadOutput& output, bool improved_rumble,
                                             int sequence);
 std::optional<PadInput> parse_pad_input(PadModel model, PadBus bus, std::span<const std::uint8_t> report) noexcept;
@@ -75,12 +76,12 @@ public:
 
     // Requests full reports from a pad on Bluetooth, and the firmware version from a DualSense.
     Result<void> open();
-    // Returns the newest input that has arrived or arrives in time; nothing if there is none.
+    // Returns the newest input that has arrived or arrives within `timeout_s`; nothing if there is none.
     std::optional<PadInput> read(double timeout_s) noexcept;
     bool write(const PadOutput& output);
     void close() noexcept;
     bool lost() const { return lost_; }
-    // Returns for example "2.36" for a DualSense, and an empty string for a DualShock 4.
+    // Returns the firmware version, for example "2.36" for a DualSense; an empty string for a DualShock 4.
     const std::string& firmware() const { return firmware_; }
 
 private:

@@ -17,8 +17,7 @@ namespace {
 constexpr int kDyingMs = 500;
 constexpr auto kBetweenTries = std::chrono::milliseconds(10);
 constexpr auto kBetweenLateTries = std::chrono::milliseconds(500);
-// If the first guard has lost its program and has not ended after this time, it hangs. A device takes less time to
-// open.
+// If the first guard still runs this long after the program has ended, it hangs. Opening a device takes less time.
 constexpr double kOrphanS = 35.0;
 
 // Watches the first guard. Returns true if it has ended. Returns false if it froze while it held a device, or hangs
@@ -32,13 +31,14 @@ bool watch(HandMailbox& mailbox, int guard_fd, int life_fd) {
         const int events = ::poll(watched.data(), watched.size(), kLookMs);
         mailbox.relief_beats.fetch_add(1, std::memory_order_release);
         if (watched[0].revents != 0) return true;
-        // The program has ended. The first guard notices that as well, releases the device and ends.
+        // The program has ended. The first guard notices that as well, releases the device and ends, so this loop waits
+        // for that.
         if (events > 0 && watched[1].revents != 0) {
             watched[1].fd = -1;
             orphaned_s = clock.now_s();
             continue;
         }
-        if (events != 0) continue;  // poll() was interrupted by a signal, so this was no check
+        if (events != 0) continue;  // a signal interrupted poll(), so this pass was no check
         if (orphaned_s >= 0.0 && clock.now_s() - orphaned_s > kOrphanS) return false;
         still =
             guard.look(mailbox.beats.load(std::memory_order_acquire), !mailbox.holds.load(std::memory_order_acquire));
@@ -56,7 +56,7 @@ std::jthread beat_meanwhile(HandMailbox& mailbox) noexcept {
                 mailbox.relief_beats.fetch_add(1, std::memory_order_release);
         });
     } catch (const std::system_error&) {
-        return {};  // Without this thread, the program replaces this process if the driver takes too long.
+        return {};  // Without this thread, the program replaces this process if the driver is too slow.
     }
 }
 

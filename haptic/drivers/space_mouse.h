@@ -1,5 +1,6 @@
-// 3Dconnexion's SpaceMouse, a puck that the hand pushes and twists but that hardly moves. It serves for walking and
-// turning, without force. Any one thread. Source: its HID descriptor, and descriptions of the reports in open drivers.
+// The driver of 3Dconnexion's SpaceMouse, a puck that the hand pushes and twists but that hardly moves. The puck is for
+// walking and turning and gives no force. Any one thread. Source: its HID descriptor, and descriptions of the reports
+// in open drivers.
 #pragma once
 
 #include <array>
@@ -25,9 +26,9 @@ bool is_space_mouse(const HidDeviceInfo& device) noexcept;
 
 class SpaceMouse {
 public:
-    // Dead band as a share of full deflection, so that a resting hand moves nothing.
+    // Dead band as a share of full deflection. A hand that only rests on the puck thus moves nothing.
     static constexpr double kDeadBand = 0.08;
-    static constexpr double kSilentAfterS = 0.1;  // a puck that has sent nothing for this long counts as at rest
+    static constexpr double kSilentAfterS = 0.1;  // time without a report after which the puck is at rest
 
     explicit SpaceMouse(std::unique_ptr<HidLink> link) : link_(std::move(link)) {}
 
@@ -36,7 +37,7 @@ public:
     bool lost() const { return lost_; }
     bool light(bool on) noexcept;
 
-    // Processes one report, given as bytes. Returns false if it is not a report of the puck.
+    // Processes one report, given as bytes. Returns false if the bytes are not a report of the puck.
     bool take(std::span<const std::uint8_t> report, double now_s) noexcept;
 
 private:

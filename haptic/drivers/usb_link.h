@@ -26,12 +26,12 @@ struct UsbDeviceInfo {
     std::string problem;               // why this process cannot open the device, in libusb's words; empty if it can
 };
 
-// Returns the devices among `wanted` that are plugged in, sorted by bus and address. Fails if USB cannot be queried at
+// Returns the devices in `wanted` that are plugged in, sorted by bus and address. Fails if USB cannot be queried at
 // all.
 Result<std::vector<UsbDeviceInfo>> list_usb_devices(std::span<const UsbId> wanted);
 
-// Opens the device and claims interface 0. Uses the bulk endpoints 0x02 out and 0x81 in, and vendor requests to the
-// device, as on the FTDI chips.
+// Opens the device and claims interface 0. The link uses the bulk endpoints 0x02 out and 0x81 in, and vendor requests
+// to the device, as on the FTDI chips.
 Result<std::unique_ptr<ByteLink>> open_usb_link(const UsbDeviceInfo& device);
 
 }  // namespace handrail::drivers

@@ -1,5 +1,5 @@
-// A maker's closed library. It is loaded if it is installed, and never linked or shipped. Symbols are looked up by
-// name; a missing one leads to an error sentence, not a crash. Any thread. Loading runs the library's own start-up
+// Loads a maker's closed library if it is installed. The library is never linked or shipped. Symbols are looked up by
+// name; a missing symbol leads to an error sentence, not a crash. Any thread. Loading runs the library's own start-up
 // code, so it happens in the guard process.
 #pragma once
 
@@ -12,8 +12,8 @@ namespace handrail::drivers {
 
 class VendorLibrary {
 public:
-    // Loads the first library in `names` that the loader finds. If it finds none, the error sentence says what is
-    // missing.
+    // Loads the first library in `names` that the loader finds. If the loader finds none, the error sentence says what
+    // is missing.
     static Result<VendorLibrary> load(std::initializer_list<std::string> names, const std::string& maker);
     VendorLibrary(VendorLibrary&& other) noexcept;
     VendorLibrary& operator=(VendorLibrary&&) = delete;
