@@ -1,4 +1,4 @@
-// Interface to the engine that moves the free bodies of one world. The session and the servos of the hands send it
+// The interface to the engine that moves the free bodies of one world. The session and the servos of the hands send it
 // requests and receive its messages. The implementation is Dynamics in its own loop (DynamicsLoop), or a recording
 // (PlayedEngine).
 #pragma once
@@ -35,7 +35,7 @@ public:
     BodyEngine(const BodyEngine&) = delete;
     BodyEngine& operator=(const BodyEngine&) = delete;
 
-    // Returns the channel for the servo of hand 0 or 1. Its user may keep it after the engine has ended.
+    // Returns the channel for the servo of hand 0 or 1. The servo may keep the channel after the engine has ended.
     virtual std::shared_ptr<render::HandChannel> hand(unsigned which) const = 0;
 
     // App thread. Sends a request. Returns false and drops the request if the engine's queue is full.
@@ -43,8 +43,8 @@ public:
     virtual void drive(const DrivenPoses& poses) = 0;
     virtual bool newer_frame_for_app() = 0;
     virtual const render::DynamicsFrame& frame_for_app() const = 0;
-    // Takes the oldest sound event. Returns false if there is none at the moment. If the events are not taken and the
-    // queue is full, the engine drops newer ones.
+    // Removes the oldest sound event from the queue and stores it in `event`. Returns false if there is none at the
+    // moment. If the queue is full because nobody calls take_event(), the engine drops newer events.
     virtual bool take_event(render::BodyEvent& event) = 0;
 };
 

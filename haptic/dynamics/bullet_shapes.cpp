@@ -10,8 +10,8 @@
 namespace handrail::dynamics {
 namespace {
 
-// Rounding margin of convex shapes. Bullet rounds them by 40 mm by default; thin shapes get less than this value.
-// Corners are moved inwards by the margin, so the outer surface stays where it is.
+// Rounding margin of convex shapes. Bullet's default is 40 mm; thin shapes get less than kMargin_m. Corners are moved
+// inwards by the margin, so the outer surface stays where it is.
 constexpr double kMargin_m = 2e-3;
 
 btTransform upright(const Vec3& middle_m, const Vec3& axis) {

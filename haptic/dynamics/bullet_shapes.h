@@ -1,5 +1,5 @@
-// Bullet's shapes for the parts of a dynamics scene. Private to this folder, because no other folder may include
-// Bullet's headers. Source: Bullet 3.24, double precision.
+// Converts the parts of a dynamics scene to Bullet's shapes. Private to haptic/dynamics, because no other folder may
+// include Bullet's headers. Source: Bullet 3.24, double precision.
 #pragma once
 
 #include <BulletCollision/CollisionShapes/btTriangleInfoMap.h>
@@ -25,7 +25,7 @@ inline Placement ours(const btTransform& at) {
 // Creates and owns the shapes. It must outlive the world that uses them.
 class BulletShapes {
 public:
-    // One part: its shape, and its pose in the frame of the part's coordinates.
+    // The shape of one piece, and the pose of that shape in the frame of the piece's coordinates.
     struct Part {
         btCollisionShape* shape = nullptr;
         btTransform at = btTransform::getIdentity();

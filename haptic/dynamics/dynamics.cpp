@@ -18,11 +18,13 @@ namespace handrail::dynamics {
 namespace {
 
 constexpr double kH = Dynamics::kStep_s;
-// Distance at which Bullet already reports contacts; the hand's model depends on it.
+// Distance at which Bullet already reports contacts. The servo's model of a body relies on contacts that are reported
+// this early.
 constexpr double kMostReach_m = 0.1;
-constexpr double kMostSpeed_m_per_s = 20.0;  // greatest speed of a body: 83 mm a step, which is less than kMostReach_m
+// Greatest speed of a body. It is 83 mm a step, which is less than kMostReach_m.
+constexpr double kMostSpeed_m_per_s = 20.0;
 constexpr double kMostTurn_rad_per_s = 60.0;
-constexpr double kJammed_m = 3e-3;      // depth in a driven thing from which on a body counts as jammed
+constexpr double kJammed_m = 3e-3;      // depth of a body in a driven thing from which on the body is jammed
 constexpr double kMostDrive_n = 400.0;  // greatest force with which a door or train pushes a body
 constexpr double kCatchUp_m = 2e-3;     // how far a driven thing moves in each step after it waited for a jammed body
 constexpr int kJammedSteps = 60;        // number of steps that a driven thing waits before it tries to move again
@@ -31,7 +33,8 @@ constexpr double kHit_m_per_s = 0.15;
 constexpr double kHitAgain_s = 0.05;
 constexpr double kPressed_m = 1e-3;  // overlap with the walker from which on the walker's motion carries a body along
 constexpr double kWhole = 1e-6;
-constexpr int kMovingSteps = 12;   // steps between two sound events of a rolling or sliding body: 20 a second
+// Steps between two sound events of a rolling or sliding body; 12 steps give 20 events a second.
+constexpr int kMovingSteps = 12;
 constexpr int kFallingSteps = 24;  // number of steps without contact after which a body counts as falling
 
 enum Kind : int { kBuilding, kSheets, kDriven, kBody, kWalker };
@@ -41,8 +44,8 @@ const btSphereShape* ball_of(const btCollisionShape& shape) {
     return shape.getShapeType() == SPHERE_SHAPE_PROXYTYPE ? static_cast<const btSphereShape*>(&shape) : nullptr;
 }
 
-// Returns the point of a rolling part (a ball or a cylinder) that is lowest along `normal`. Any contact point ahead of
-// the lowest one would come down while the part rolls, and throw the part up.
+// Returns the point of a rolling part (a ball or a cylinder) that is lowest along `normal`. A contact point ahead of
+// the lowest one would move down while the part rolls, and throw the part up.
 btVector3 lowest(const btCollisionObjectWrapper& part, const btVector3& on_body, const btVector3& normal) {
     const btTransform& at = part.getWorldTransform();
     if (const btSphereShape* ball = ball_of(*part.getCollisionShape()))
@@ -66,7 +69,8 @@ void put_on_open_face(const render::DynamicsScene& scene, std::uint32_t piece, b
                                            ours(body.getCollisionObject()->getWorldTransform().getOrigin()));
     if (verdict.kind == SeamVerdict::Kind::True) return;
     btVector3 face_normal = normal,
-              // The default, for a false contact: a metre away, so that Bullet drops it at its next refresh.
+              // The default verdict is a false contact. It is moved a metre away, so that Bullet drops it at its next
+              // refresh.
         on_face = on_building - normal;
     if (verdict.kind == SeamVerdict::Kind::Face) {
         const Plane& face = scene.building[piece].solid.planes[verdict.face];
@@ -152,7 +156,7 @@ struct Body {
     double near_s = -1e9;                        // time at which a hand was last near the body
     std::array<double, 2> least_kg{0.0, 0.0};
     Vec3 lead_n{0.0}, lead_nm{0.0}, shove_n{0.0};
-    // State from which its sound events are detected.
+    // State from which the sound events of the body are detected.
     Vec3 speed_before{0.0};
     double hit_s = -1e9;
     int moving = 0, airborne = 0;
@@ -163,10 +167,12 @@ struct Driven {
     std::unique_ptr<btRigidBody> rigid;
     Placement to;  // commanded pose, scene's local coordinates
     bool present = true, blocked = false;
-    int jammed = 0;           // number of steps that it still waits for a jammed body
-    bool catches_up = false;  // It had to wait for a jammed body, so it approaches its commanded pose gradually.
-    double way_m = 0.0;       // distance that it moved in the last step
-    Vec3 pushed{0.0};         // Direction in which it pressed the jammed body. It may move away from that body.
+    int jammed = 0;  // number of steps for which the driven thing still waits for a jammed body
+    // True after the driven thing had to wait for a jammed body. It then approaches its commanded pose gradually.
+    bool catches_up = false;
+    double way_m = 0.0;  // distance that the driven thing moved in the last step
+    // Direction in which the driven thing pressed the jammed body. The driven thing may move away from that body.
+    Vec3 pushed{0.0};
 };
 
 struct Lead {
@@ -299,7 +305,8 @@ World::World(const render::DynamicsScene& scene) {
         rigid.setRollingFriction(body.nature.rolling * body.half_width_m);
         rigid.setSpinningFriction(body.nature.rolling * body.half_width_m);
         rigid.setRestitution(body.nature.elasticity);
-        // With Bullet's default thresholds, a body that a hand pushes slowly would fall asleep.
+        // Lowers the thresholds for sleeping, because with Bullet's defaults a body that a hand pushes slowly would
+        // fall asleep.
         rigid.setSleepingThresholds(0.01, 0.02);
         // Bullet sweeps a small sphere at the body's centre, so that a fast body cannot pass through an object that the
         // rest of the body already overlaps. The sphere is so small that it seldom overlaps the object, too: a sweep
@@ -351,7 +358,7 @@ struct Dynamics::Impl {
     void limit_awake(render::DynamicsFrame& out);
     void put_back(std::size_t body, std::vector<render::BodyEvent>& events);
     double gap_to_m(std::size_t body, const Vec3& local_m) const;
-    // Returns true if the body rests or is held still and its last event said so.
+    // Returns true if the body rests or is held still, and its last sound event told this to the app.
     bool is_silent(std::size_t i) const {
         const Body& body = world->bodies[i];
         return !body.rigid->isActive() && (body.rested || body.waiting);
@@ -366,8 +373,8 @@ struct Dynamics::Impl {
     void jam(const btCollisionObject& thing, const btVector3& to_body, const btManifoldPoint& contact);
 };
 
-// Applies the pushes of hand `hand`. A push that reaches beyond this step is divided: the part in this step, or before
-// it, acts now.
+// Applies the pushes of hand `hand`. A push that continues after the end of this step is divided. The part until the
+// end of the step acts now, and the rest stays in the list.
 void Dynamics::Impl::take_pushes(unsigned hand) {
     const double end_s = now_s() + kH;
     std::vector<render::HandPush>& list = world->pushes[hand];
@@ -377,8 +384,8 @@ void Dynamics::Impl::take_pushes(unsigned hand) {
         double part = (end_s - push.time_s) / push.dt_s;
         part = part < kWhole         ? 0.0
                : part > 1.0 - kWhole ? 1.0
-                                     // If a push ends with the step, rounding can leave a tiny rest for the next one;
-                                     // such a rest is ignored.
+                                     // If a push ends with the step, rounding may leave a tiny remainder for the next
+                                     // step. The remainder is ignored.
                                      : part;
         if (part > 0.0) {
             body.forced = true;
@@ -437,8 +444,8 @@ void Dynamics::Impl::apply_shove(Shove& shove) {
     shove.left_s -= kH;
 }
 
-// Gives a light body between two hands more inertia, but unchanged weight. At this step rate, two hands could not move
-// such a light body stably.
+// Gives a light body between two hands more inertia, but leaves its weight unchanged. At this step rate, two hands
+// could not move such a light body stably.
 void Dynamics::Impl::weigh(std::size_t i) {
     Body& body = world->bodies[i];
     const render::DynamicsBody& is = scene->bodies[i];
@@ -565,9 +572,9 @@ void Dynamics::Impl::limit_awake(render::DynamicsFrame& out) {
     };
     for (std::size_t i = 0; i < world->bodies.size(); ++i)
         if (world->bodies[i].waiting && wanted(i)) go_on(world->bodies[i]);
-    // Bullet wakes every body near a moving one. Of these, bodies that rest are put to sleep again at once. If they
-    // waited like moving bodies, they would wake each other whenever it was their turn, and none of them would ever
-    // sleep.
+    // Bullet wakes every body near a moving one. Of the bodies that it woke, those at rest are put to sleep again at
+    // once. If they waited like moving bodies, they would wake each other whenever it was their turn, and none would
+    // ever sleep.
     for (std::size_t i = world->bodies.size(); i-- > 0 && active > kMostAwake;) {
         btRigidBody& r = rigid(i);
         if (r.getActivationState() != WANTS_DEACTIVATION || wanted(i)) continue;
@@ -632,7 +639,7 @@ void Dynamics::Impl::put_back(std::size_t i, std::vector<render::BodyEvent>& eve
                       scene->origin_m + scene->bodies[i].start.position_m});
 }
 
-// Jams a driven thing if a body overlaps it too deeply or resists it too hard. The force limit counts only for bodies
+// Jams a driven thing if a body overlaps it too deeply or resists it too hard. The force limit applies only to bodies
 // at its side, for example in front of a door. A body that rests on a lift may have any weight.
 void Dynamics::Impl::jam(const btCollisionObject& thing, const btVector3& to_body, const btManifoldPoint& contact) {
     Driven& driven = world->driven[static_cast<std::size_t>(thing.getUserIndex())];
@@ -674,7 +681,8 @@ void Dynamics::Impl::note_touched() {
     }
 }
 
-// `child` is the index of the part of the building or of its sheets; negative: no part.
+// Returns the feature of a contact. `child` is the index of the part of the building or of its sheets; negative: no
+// part.
 FeatureId Dynamics::Impl::feature_of(const btCollisionObject& object, int child) const {
     const auto part = static_cast<std::size_t>(child), which = static_cast<std::size_t>(object.getUserIndex());
     switch (kind_of(object)) {
@@ -698,7 +706,7 @@ void Dynamics::Impl::hear(std::vector<render::BodyEvent>& events) {
 }
 
 // Detects the sound events of one body. An impact is a change of speed that no force explains. Rolling, sliding,
-// falling and resting follow from the contacts.
+// falling and resting follow from the contacts and the speed.
 void Dynamics::Impl::hear_body(std::size_t i, const Touched& t, std::vector<render::BodyEvent>& events) {
     Body& body = world->bodies[i];
     const Vec3 v = ours(body.rigid->getLinearVelocity()), w = ours(body.rigid->getAngularVelocity());
@@ -917,8 +925,9 @@ void Dynamics::walker(const Vec3& feet_m, double radius_m, double height_m) {
     }
     const double way = glm::length(at.position_m - ours(w.walker->getWorldTransform().getOrigin()));
     w.walker->setWorldTransform(bullet(at));
-    // Without a velocity, the walker stops just short of a body; with one, it would throw even the heaviest body. So
-    // the walker gets a velocity only while a body overlaps it and has to be carried along.
+    // The walker has a velocity only while a body overlaps it, so that it carries the body along. Without a velocity,
+    // the walker's capsule stops just short of a body. With a velocity all the time, it would throw even the heaviest
+    // body.
     if (way > 0.5 || !w.walker_pressed()) w.walker->setInterpolationWorldTransform(bullet(at));
     w.walker->forceActivationState(way > 1e-9 ? ACTIVE_TAG : ISLAND_SLEEPING);
     w.world.updateSingleAabb(w.walker.get());

@@ -1,11 +1,9 @@
 // The authoritative state of all free bodies of a world, computed by Bullet 3.24 in double precision, 240 steps a
-// second.
-// It has one owner, and no thread or clock of its own. All steps have the same length, so the same calls give
-// bit-identical results, also after restart(). World metres. A world without free bodies has no Dynamics. The cost of a
-// step for different numbers of bodies is in docs/results.md; at most kMostAwake bodies move at once. Sources: Coumans,
-// Bullet 3.24; Stewart & Trinkle, An implicit time-stepping scheme for rigid body dynamics with inelastic collisions
-// and
-// Coulomb friction, 1996.
+// second. Dynamics has one owner, and no thread or clock of its own. All steps have the same length, so the same calls
+// give bit-identical results, also after restart(). World metres. A world without free bodies has no Dynamics. The cost
+// of a step for different numbers of bodies is in docs/results.md; at most kMostAwake bodies move at once. Sources:
+// Coumans, Bullet 3.24; Stewart & Trinkle, An implicit time-stepping scheme for rigid body dynamics with inelastic
+// collisions and Coulomb friction, 1996.
 #pragma once
 
 #include <memory>
@@ -33,8 +31,8 @@ public:
     // Sets the position of a hand. The engine wakes the bodies that the hand approaches, and reports the bodies near it
     // first.
     void place_hand(unsigned hand, const render::HandPlace& place);
-    // Sets the pose of a driven thing from the next step on. `thing` is an index of DynamicsScene::driven. A movement
-    // of more than half a metre or 60 degrees in a step counts as a jump, which pushes no bodies.
+    // Sets the pose of a driven thing from the next step on. `thing` is an index of DynamicsScene::driven. If the pose
+    // changes by more than half a metre or 60 degrees in a step, the thing jumps and pushes no bodies.
     void drive(std::uint32_t thing, const Placement& at, bool present = true);
     // Places the walker, an upright capsule that free bodies cannot enter. A height of 0 removes the walker.
     void walker(const Vec3& feet_m, double radius_m, double height_m);
@@ -42,18 +40,19 @@ public:
     // orientation `turn` unless it is a ball. kNoBody or 0 N releases it.
     void lead(std::uint32_t body, const Vec3& to_m, double most_n, const Rotation& turn = {});
 
-    // Lets the walker push a body for `for_s` seconds, towards the horizontal velocity `speed_m_per_s`, with a force of
-    // at most `most_n`. A later call for the same body replaces the push.
+    // Makes the walker push a body for `for_s` seconds, towards the horizontal velocity `speed_m_per_s`, with a force
+    // of at most `most_n`. A later call for the same body replaces the push.
     void shove(std::uint32_t body, const Vec3& speed_m_per_s, double most_n, double for_s);
 
     // Computes one step of kStep_s. Overwrites `out` and appends to `events`.
     void step(render::DynamicsFrame& out, std::vector<render::BodyEvent>& events);
-    // Puts all bodies back to their start, while the time continues. Builds Bullet's world again, because its internal
-    // state would otherwise influence what follows.
+    // Puts all bodies back to their start, while the time continues. Builds Bullet's world again, because the internal
+    // state of the old one would otherwise influence the next steps.
     void restart();
 
     double time_s() const;  // end time of the last step
-    // Lets time pass without a step, and drops the pushes in that time. Used to join a running clock, or after a stall.
+    // Lets time pass without a step, and drops the pushes in that time. Used to start at the time of a running clock,
+    // or after a stall.
     void skip(double seconds);
     const render::DynamicsScene& scene() const;
     // Return the pose and the velocity of a body's frame; for tests and for drawing.

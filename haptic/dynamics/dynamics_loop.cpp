@@ -64,7 +64,7 @@ void carry_out(Dynamics& dynamics, const std::vector<render::BodyPose>& driven) 
         dynamics.drive(static_cast<std::uint32_t>(i), driven[i].at, driven[i].present);
 }
 
-// Takes all requests, pushes, places and poses that have arrived.
+// Applies all requests, pushes, places and poses that have arrived.
 void DynamicsLoop::take() {
     row_.orders = 0;
     for (Order order; orders_.pop(order); ++row_.orders) carry_out(dynamics_, order);

@@ -1,6 +1,6 @@
-// Runs Dynamics on a separate thread at 240 Hz, paced by a Clock, and passes all data to and from it. Each channel has
-// one producer and one consumer. Without start(), the owner steps the same loop in virtual time. A step takes account
-// of all data that arrived before it, so the same calls give bit-identical results.
+// Runs Dynamics on a separate thread at 240 Hz, paced by a Clock, and passes all data to and from Dynamics. Each
+// channel has one producer and one consumer. Without start(), the owner steps the same loop in virtual time. A step
+// takes account of all data that arrived before the step, so the same calls give bit-identical results.
 #pragma once
 
 #include <array>
@@ -32,13 +32,13 @@ public:
                           EngineRecording* recording = nullptr);
     ~DynamicsLoop() override;
 
-    // start() starts the thread. The clock must outlive the loop and be the same as that of the hands. stop() ends and
-    // joins the thread; it may be called again.
+    // start() starts the thread. The clock must outlive the loop and must also be the clock of the hands. stop() ends
+    // and joins the thread; it may be called again.
     void start(Clock& clock);
     void stop();
     // Computes every step that has ended by `now_s`. The loop's thread calls it, or the owner in virtual time. After a
-    // stall it makes up for at most kMostBehind steps and drops the rest of the time. Bodies then move more slowly than
-    // the clock, which feels as if they were heavier. Returns false if no step was due.
+    // stall it computes at most kMostBehind missed steps and drops the rest of the time. Bodies then move more slowly
+    // than the clock, which feels as if they were heavier. Returns false if no step was due.
     bool step_until(double now_s);
 
     // The servo thread of each hand calls these functions.
@@ -55,7 +55,8 @@ public:
     const render::DynamicsFrame& frame_for_app() const override { return for_app_.read(); }
     bool take_event(render::BodyEvent& event) override { return events_.pop(event); }
 
-    // Number of steps that were made up for late, and seconds that were dropped, since the start. Any thread.
+    // late_steps() returns the number of steps that were computed late, after a stall. lost_s() returns the seconds
+    // that were dropped. Both count from the start. Any thread.
     std::uint64_t late_steps() const { return late_steps_.load(std::memory_order_relaxed); }
     double lost_s() const { return lost_s_.load(std::memory_order_relaxed); }
 
@@ -64,7 +65,7 @@ public:
 private:
     struct Driven {
         DrivenPoses poses;
-        std::uint32_t number = 0;  // which call of drive() these poses come from, counted from 1
+        std::uint32_t number = 0;  // number of the drive() call that passed these poses, counted from 1
     };
 
     void take();

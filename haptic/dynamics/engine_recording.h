@@ -1,6 +1,6 @@
-// A recording's row for each step of the engine. It says how much input of the app and of both hands had arrived by
-// then, and which results others could see. With it, the step can be computed again. The engine only adds rows to the
-// ring, and the recorder takes them out.
+// The recording's row for each step of the engine. A row says how much input of the app and of both hands had arrived
+// by then, and which results other threads could see. With it, the step can be computed again. The engine only adds
+// rows to the ring, and the recorder removes them.
 #pragma once
 
 #include <array>
@@ -19,11 +19,11 @@ struct EngineRow {
     std::uint64_t step = 0;     // DynamicsFrame::number of the resulting frame
     double time_s = 0.0;        // time of the end of the step
     std::uint64_t skipped = 0;  // steps dropped before this one, because the loop could not make up for them
-    std::uint32_t orders = 0;   // number of the app's requests that this step took
+    std::uint32_t orders = 0;   // number of the app's requests that this step carried out
     std::uint32_t driven = 0;   // number of drive() calls received so far
     // HandPlace::time_s of the newest place of each hand that the step used. 0: none yet; kNoHand_s: the hand is away.
     std::array<double, 2> places_s{};
-    std::array<std::uint32_t, 2> pushes{};  // number of pushes of each hand that this step took
+    std::array<std::uint32_t, 2> pushes{};  // number of pushes of each hand that this step received
     std::uint32_t events = 0;               // number of events for which the event ring had room
     bool published = false;                 // true if this step published its result
 };

@@ -1,8 +1,8 @@
-// Judges contacts near the seams of a building. Where convex parts meet flush, a physics engine also finds contacts on
-// their hidden sides, so that a sliding box gets caught and a rolling ball bumps. A contact is either real, or belongs
-// on an open face instead, or is no contact. Pure functions, any thread. Each call examines the few parts that the
-// compiled scene names as neighbours. tests/unit/dynamics has a reference version that checks every part of the
-// building.
+// Judges contacts near the seams of a building. Where convex parts are flush, a physics engine also finds contacts on
+// their hidden sides, so that a sliding box gets caught and a rolling ball bumps. For each contact the functions decide
+// whether it is real, belongs on an open face instead, or must be dropped. Pure functions, any thread. Each call
+// examines the few parts that the compiled scene names as neighbours. tests/unit/dynamics has a reference version that
+// checks every part of the building.
 #pragma once
 
 #include <cstdint>
@@ -14,22 +14,23 @@ namespace handrail::dynamics {
 struct SeamVerdict {
     enum class Kind : std::uint8_t {
         True,  // the contact is on a face, edge or corner that can be touched
-        None,  // the contact is inside the building, so it is none
+        None,  // the contact is inside the building, so it must be dropped
         Face,  // the contact belongs on the face with index `face`
     };
     Kind kind = Kind::True;
     std::uint32_t face = 0;
 };
 
-// A face counts as covered at a point if the point this far in front of it is inside another part.
+// Distance in front of a face at which a point is tested. If the point is inside another part, the face is covered
+// there.
 constexpr double kSeamAhead_m = 4e-3;
 constexpr double kSeamOn_m = 3e-3;  // greatest distance of a contact from the faces that it belongs to
 // Greatest depth to which a body on the floor may be pressed into an object next to it.
 constexpr double kSeamPressed_m = 0.02;
 
-// Judges a contact on `piece`. covered(face, point) returns true if the point is inside another part that may cover
-// this face, grown by kLip_m. A body pressed slightly into a wall stands on floor that the wall covers. A face
-// therefore also counts as open if it is open slightly nearer to the body's centre.
+// Judges a contact on `piece`. covered(face, point) returns true if `point` is inside another part that may cover
+// `face`, grown by kLip_m. A body pressed slightly into a wall stands on floor that the wall covers. A face is
+// therefore also open if it is open slightly nearer to the body's centre.
 template <class Covered>
 SeamVerdict judge_seam(const render::DynamicsPiece& piece, const Vec3& at_m, const Vec3& normal, const Vec3& body_m,
                        Covered&& covered) {
@@ -59,7 +60,7 @@ SeamVerdict judge_seam(const render::DynamicsPiece& piece, const Vec3& at_m, con
     return verdict;
 }
 
-// Returns true if the point is in the piece's solid, grown by kLip_m.
+// Returns true if the point is in the solid of `piece`, grown by kLip_m.
 inline bool in_grown(const render::DynamicsPiece& piece, const Vec3& point_m) noexcept {
     return contains(piece.solid, point_m, render::DynamicsScene::kLip_m);
 }

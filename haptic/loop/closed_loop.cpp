@@ -39,7 +39,8 @@ ClosedLoop::ClosedLoop(const LoopSettings& settings, const Vec3& start_m)
 
 double ClosedLoop::unit() { return static_cast<double>(random_()) / 4294967296.0; }
 
-// The sum of twelve uniform numbers is nearly normal up to three sigma, and identical with every standard library.
+// Draws the noise along each axis as the sum of twelve uniform numbers. That is nearly normal up to three sigma, and
+// identical with every standard library.
 Vec3 ClosedLoop::noise_m() {
     if (settings_.noise_m == 0.0) return Vec3(0.0);
     Vec3 sum(-6.0);

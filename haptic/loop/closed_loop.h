@@ -19,7 +19,8 @@ namespace handrail::loop {
 struct LoopSettings {
     device::HandMechanics hand;  // mechanics of the hand together with the device
     double period_s = 1e-3;
-    // Time from reading the position to the force on the hand, without the hold of half a period.
+    // Time from reading the position until the force acts on the hand, without the half period for which the force is
+    // held on average.
     double delay_s = 1e-3;
     double encoder_quantum_m = 0.06e-3;
     double tremor_m = 0.0;  // tremor of the hand's target, 8 to 12 Hz, root mean square along each axis
@@ -48,7 +49,7 @@ struct LoopTick {
 class ClosedLoop {
 public:
     using Intent = std::function<HandIntent(double time_s)>;
-    // Computes a force from a measured position. `since_s` is the time since the last call of the renderer.
+    // Computes a force from a measured position. `since_s` is the time since the last call of this function.
     using Render = std::function<Vec3(const Vec3& measured_m, double time_s, double since_s)>;
 
     ClosedLoop(const LoopSettings& settings, const Vec3& start_m);
@@ -87,9 +88,9 @@ double peak_to_peak(std::span<const double> signal);
 int sign_changes(std::span<const double> signal);
 
 // Returns the stiffness in N/m of the stiffest wall that is stable in the loop. `wall` makes the renderer for each
-// stiffness. The wall fills x < 0, and the hand of `settings` presses it with `press_n` for `seconds_s`. A wall counts
-// as stable if the hand stays within 0.3 mm over the last third of that time. The stiffness starts at 50 N/m and rises
-// by `factor` until the wall is unstable, at most to 60 kN/m.
+// stiffness. The wall fills x < 0, and the hand of `settings` presses it with `press_n` for `seconds_s`. A wall is
+// stable if the hand stays within 0.3 mm over the last third of that time. The stiffness starts at 50 N/m and rises by
+// `factor` until the wall is unstable, at most to 60 kN/m.
 double stable_stiffness_n_per_m(LoopSettings settings,
                                 const std::function<ClosedLoop::Render(double stiffness_n_per_m)>& wall, double press_n,
                                 double seconds_s = 3.0, double factor = 1.08);

@@ -10,8 +10,8 @@
 namespace handrail::render {
 namespace {
 
-// A contact may be this far from the face that it belongs to, and contacts are already queried this far in front of the
-// face (haptic/dynamics/seams.h).
+// Distance up to which other parts may cover a face. A contact may be some way from its face, and
+// haptic/dynamics/seams.h tests a point in front of the face; kReach_m includes both.
 constexpr double kReach_m = 10e-3;
 
 Aabb bounds_of_round(const RoundShape& round) {

@@ -1,7 +1,8 @@
 // The bodies that can be pushed, lifted and dropped, and the objects that they can hit: the building as convex parts,
-// the driven things (doors, lifts), and the free bodies themselves. compile_dynamics makes it from a Scene; other code
-// uses DynamicsSceneBuilder. It never changes afterwards. The engine (haptic/dynamics) and the servo (haptic/servo)
-// read it. A world without free bodies has none. Coordinates are local to origin_m unless a comment says `world`.
+// the driven things (doors, lifts), and the free bodies themselves. compile_dynamics() makes it from a Scene; other
+// code uses DynamicsSceneBuilder. A DynamicsScene never changes after it was built. The engine (haptic/dynamics) and
+// the servo (haptic/servo) read it. A world without free bodies has none. Coordinates are local to origin_m unless a
+// comment says `world`.
 #pragma once
 
 #include <array>
@@ -25,7 +26,7 @@ inline constexpr std::uint32_t kNoBody = 0xffffffffU;
 
 // One convex part of the building, of a driven thing or of a body.
 struct DynamicsPiece {
-    RoundShape round;  // if it has a round shape, that shape counts, otherwise `solid`
+    RoundShape round;  // if the piece has a round shape, that shape is its geometry, otherwise `solid`
     ConvexSolid solid;
     Aabb bounds_m;
     FeatureId feature = kNoFeature;
@@ -38,8 +39,8 @@ DynamicsPiece make_box_piece(const Aabb& box_m, FeatureId feature = kNoFeature, 
 // Returns the part in another frame, by applying the pose `at` to the part's coordinates.
 DynamicsPiece placed_piece(const DynamicsPiece& piece, const Placement& at);
 MassProperties mass_properties(const DynamicsPiece& piece) noexcept;
-// Returns a lower bound for the distance of a point outside the piece; negative or zero inside. Exact in front of a
-// flat face and for round parts.
+// Returns a lower bound for the distance between the point and the piece; negative or zero if the point is inside. The
+// bound is exact in front of a flat face and for round parts.
 double gap_m(const DynamicsPiece& piece, const Vec3& point_m) noexcept;
 
 // The physical properties of a body, apart from its shape. DynamicsSceneBuilder::add_body states their ranges.
@@ -50,8 +51,8 @@ struct BodyNature {
     double friction = 0.4;
     double friction_static = 0.5;  // coefficient of friction until the body begins to slide
     double elasticity = 0.2;
-    // Rolling resistance: how far the floor's support force is ahead of a rolling body's centre, as a share of its
-    // least half width.
+    // Rolling resistance: how far the floor's support force is ahead of a rolling body's centre, as a share of the
+    // body's least half width.
     double rolling = 0.1;
     // A rubber string from the body's centre to a fixed point in the world.
     struct String {
@@ -94,7 +95,7 @@ struct DrivenThing {
 
 struct DynamicsScene {
     static constexpr std::size_t kMostBodies = 2048;
-    static constexpr double kLip_m = 1e-3;  // a lower step between two parts counts as flush
+    static constexpr double kLip_m = 1e-3;  // greatest step between two parts that are still treated as flush
 
     Vec3 origin_m{0.0};
     Vec3 gravity_m_per_s2{0.0, 0.0, -9.81};

@@ -1,9 +1,9 @@
 // Effects: forces in space without visible geometry. A row of the effect table gives a region with soft edges and a
 // force law. Plain data, built at set-up and then only read. Regions and targets are in world metres, or in the body's
-// own frame for an effect attached to a body. Felt lengths are in hand metres and grow with the scale, so zooming never
-// changes how an effect feels; forces act per hand travel. Most laws give no energy, because they are either the slope
-// of a bounded potential or a point that yields along its own spring. The exceptions are constant force, liquid flow
-// and vibration, which are sources of stated, bounded power. The laws are in effects.cpp.
+// own frame for an effect attached to a body. Felt lengths are in hand metres and are multiplied by the scale, so
+// zooming never changes how an effect feels. Forces act per hand travel. Most laws give no energy, because they are
+// either the slope of a bounded potential or a point that yields along its own spring. The exceptions are constant
+// force, liquid flow and vibration, which are sources of stated, bounded power. effects.cpp contains the laws.
 #pragma once
 
 #include <cstdint>
@@ -113,7 +113,8 @@ struct EffectVolume {
 
     FeatureId feature = kNoFeature;
     EffectRegion region;
-    // Depth inside the border from which on the law has its full strength; less if the region is smaller.
+    // Depth inside the border of the region from which on the law has its full strength. It is less if the region is
+    // small.
     double edge_hand_m = 0.010;
     EffectLaw law;
     // Index in HapticScene::bodies of the body that the effect is attached to. Region and targets are then in that

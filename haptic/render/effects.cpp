@@ -12,14 +12,14 @@ namespace {
 
 constexpr double kFlyPaper_n_per_m = 400.0;
 constexpr double kFlyPaperRelease_s = 0.030;
-// After the hand tore free, the fly paper holds it again once the held point is this near.
+// Distance between the hand and the held point at which fly paper holds the hand again after the hand tore free.
 constexpr double kFlyPaperStuck_hand_m = 0.2e-3;
 constexpr double kInertia_n_per_m = 300.0;
 // With this step, K T^2 is a seventh of the smallest mass, so the integration is stable.
 constexpr double kInertiaLongestStep_s = 5e-3;
 constexpr double kForceRamp_s = 0.100;
 constexpr double kVibrationRamp_s = 0.010;
-// Share of the device's stiffness that effects may use near a wall, which adds its own stiffness.
+// Share of the device's stiffness that effects may use near a wall. The wall's own stiffness is added to theirs.
 constexpr double kBesideObstacle = 0.6;
 
 // A potential energy and its slope over hand travel.
@@ -89,8 +89,8 @@ double magnet_steepness(const MagnetLaw& law) noexcept {
     return std::max(std::abs(law.force_n) / law.width_hand_m, kLeastMagnet_n_per_m);
 }
 
-// Returns the width of the edge over which a law fades. It is so wide that the fading pushes no harder than the law
-// itself.
+// Returns the width of the edge over which a law fades. The edge is so wide that the fading pushes no harder than the
+// law itself.
 double edge_hand_m(const EffectVolume& effect, double room) noexcept {
     const double wanted =
         std::visit(Overloaded{[&](const MagnetLaw& law) { return 2.5 * magnet_width(law, room); },
@@ -115,8 +115,8 @@ Vec3 nearest_of(const MagnetTarget& target, const Vec3& at_m) noexcept {
 Potential magnet(const MagnetLaw& law, const Vec3& at_m, double scale, double room) noexcept {
     const double width = magnet_width(law, room);
     const double force = std::min(std::abs(law.force_n), magnet_steepness(law) * width);
-    // Two potentials are blended if they differ by less than this. The force then changes its direction over about one
-    // width.
+    // Two potentials are blended if they differ by less than `blend`. The force then changes its direction over about
+    // one width.
     const double blend = force * width;
     constexpr double kRootE = 1.64872127070012815;  // the constant exp(1/2)
     Potential lowest;
@@ -130,7 +130,7 @@ Potential magnet(const MagnetLaw& law, const Vec3& at_m, double scale, double ro
             first = false;
             continue;
         }
-        // The minimum of the two potentials with a rounded corner: min - (k - |a - b|)^2 / 4k.
+        // The minimum of the two potentials, with a rounded corner: min - (k - |a - b|)^2 / 4k.
         const double lead = std::clamp((one.energy_j - lowest.energy_j) / blend, -1.0, 1.0);
         const double share = 0.5 * (1.0 - lead);  // weight of `one`
         const double dip = 0.25 * blend * (1.0 - std::abs(lead)) * (1.0 - std::abs(lead));
@@ -154,7 +154,7 @@ Potential button(const ButtonLaw& law, const Vec3& at_m, double scale, double ro
     constexpr double kDepth = 0.649519052838328987;  // 3 sqrt 3 / 8: the ratio U0 / (F0 q)
     const double q = button_half_travel(law, room), force = law.force_n * (2.0 * q / law.travel_hand_m);
     const double x = glm::dot(at_m - law.origin_m, law.direction) / (scale * q), size = std::abs(x);
-    // Value of the formula far outside. It is subtracted, so that U is 0 there.
+    // Value of the formula far outside. It is subtracted from the energy, so that U is 0 there.
     const double top = kDepth * (kFrom * kFrom - 1.0) * (kFrom * kFrom - 1.0) + 0.5;
     double energy = 0.0, slope = 0.0;  // energy in units of F0 q, slope in units of F0
     if (size < kFrom) {
@@ -399,7 +399,7 @@ Vec3 EffectState::force_n(const HapticScene& scene, const HandMotion& hand) noex
         if (pose.present) meet(item, PlacedFrame(pose.at).to_own(hand.goal_m));
     }
 
-    // Drops the slots of all other effects, so that an effect that the hand has left keeps no state.
+    // Drops the slots of all other effects, so that no state is kept for an effect that the hand has left.
     for (std::size_t i = used_; i-- > 0;)
         if (std::find(active.begin(), active.begin() + count, slots_[i].effect) == active.begin() + count)
             slots_[i] = slots_[--used_];
@@ -413,7 +413,7 @@ Vec3 EffectState::force_n(const HapticScene& scene, const HandMotion& hand) noex
             continue;
         }
         // Converts the hand's motion to the frame of the body. A moving body that carries its effect past a still hand
-        // thus feels the same as a hand that passes a still effect.
+        // thus feels the same as a still effect that the hand passes.
         const PlacedFrame frame(pose_of(scene, hand, effect.body).at);
         HandMotion seen = hand;
         const Vec3 place_m = frame.to_own(hand.goal_m);

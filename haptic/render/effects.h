@@ -1,6 +1,7 @@
 // Computes the force of effect volumes on the hand in each tick. The laws use the hand's own position, not the proxy's,
-// so a potential remains a potential while a wall holds the proxy back. TouchState owns it; one thread; fixed size,
-// noexcept, never allocates. Costs about 150 ns for each effect that contains the hand, nothing outside all effects.
+// so a potential remains a potential while a wall holds the proxy back. TouchState owns EffectState; one thread; fixed
+// size, noexcept, never allocates. Costs about 150 ns for each effect that contains the hand, nothing outside all
+// effects.
 #pragma once
 
 #include <array>

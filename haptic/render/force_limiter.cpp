@@ -53,7 +53,7 @@ Vec3 ForceLimiter::limit(const Vec3& wanted_n, double ceiling_n, ForceFlow flow,
         resume_pending_ = false;
     } else {
         resume_offset_n_ *= kResumeDecayS / (kResumeDecayS + dt_s);
-        if (resume_offset_n_ < 1e-6) resume_offset_n_ = 0.0;  // far below one step of the motor's force
+        if (resume_offset_n_ < 1e-6) resume_offset_n_ = 0.0;  // 1e-6 N is far below one step of the motor's force
     }
     // A force that needs no change passes bit-identical. Splitting it into length and direction would round it.
     const bool untouched = resume_offset_n_ == 0.0 && gain == 1.0 && wanted_length <= ceiling_n;

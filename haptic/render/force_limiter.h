@@ -1,7 +1,7 @@
-// The only path by which a force reaches a motor. It limits the force's size, ramps it in, and removes it. It does not
-// limit the rate of change, because the phase lag of such a limit in the force path would make walls unstable. The
-// geometry in front of it already limits jumps of the force. Plain state, which belongs to the servo state. Real-time
-// safe: no allocation, lock, clock or exception; about 30 flops a tick.
+// Limits the force that reaches a motor; there is no other path to the motor. ForceLimiter limits the force's size,
+// ramps it in, and removes it. It does not limit the rate of change, because the phase lag of such a limit in the force
+// path would make walls unstable. The geometry in front of it already limits jumps of the force. Plain state, which
+// belongs to the servo state. Real-time safe: no allocation, lock, clock or exception; about 30 flops a tick.
 #pragma once
 
 #include "worlds/base/vec.h"
@@ -25,20 +25,20 @@ public:
     // Returns the limited force. A vector that is too long is scaled and keeps its direction. A force that is not
     // finite gives zero, has the effect of ForceFlow::Cut, and makes broken() true for this tick.
     // - wanted_n: force that the renderer requests, in any frame.
-    // - ceiling_n: the smaller of the person's choice and the device's peak. Infinity means no limit; negative or NaN
-    //   counts
-    //   as 0.
+    // - ceiling_n: the smaller of the person's choice and the device's peak. Infinity means no limit; a negative
+    //   ceiling or
+    //   NaN is replaced by 0.
     // - fade_s: duration of a fade from full gain, used only with ForceFlow::Fade.
     Vec3 limit(const Vec3& wanted_n, double ceiling_n, ForceFlow flow, double dt_s, double fade_s = kFadeS) noexcept;
 
-    // Makes this tick's output zero for one or two bad samples, and restores the full force kDropoutReturnS later. The
-    // ramp then continues from where it was.
+    // Makes this tick's output zero because of one or two bad samples, and restores the full force kDropoutReturnS
+    // later. The ramp then continues from where it was.
     void drop_out() noexcept;
     // Starts the ramp again from zero. Used after a new scene, a teleport, enabling forces or clearing a fault.
     void restart() noexcept { gain_ = 0.0; }
     // Call it after a gap over which the motor held the last output, because the next output would otherwise jump. The
-    // output then starts from the held force, and the difference decays with kResumeDecayS. This correction only
-    // weakens the force and never turns it.
+    // output then starts from the size of the held force, and the difference decays with kResumeDecayS. This correction
+    // only weakens the force and never turns it.
     void resume_after_gap() noexcept { resume_pending_ = true; }
 
     double gain() const noexcept { return gain_; }    // gain of the ramp, 0 to 1

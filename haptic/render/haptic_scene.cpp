@@ -12,8 +12,8 @@
 namespace handrail::render {
 namespace {
 
-// The bounds of brushes come from computed corners. They are enlarged by this much, so that rounding errors cannot
-// place a solid outside its bounds.
+// The bounds of brushes are computed from corners that have rounding errors. The bounds are enlarged by kBoundsSlack,
+// so that no solid extends beyond its bounds.
 constexpr double kBoundsSlack = 1e-9;
 // Below this distance from the origin, neighbouring doubles are at most 2e-13 m apart, so moving the origin gains
 // nothing.
@@ -21,8 +21,8 @@ constexpr double kNearZero_m = 1024.0;
 
 // Least vertical component of the normal of a liquid's open surface, which must be less than 45 degrees from vertical.
 constexpr double kLooksUp = 0.7071;
-// Steepest slopes of the laws in liquids.cpp. The first is the stiffness of the drag's spring. The others are per
-// newton, for a film 4 mm thick and a buoyancy that rises over 20 mm.
+// Steepest slopes of the laws in liquids.cpp. kDragStiffness_n_per_m is the stiffness of the drag's spring. The others
+// are per newton, for a film 4 mm thick and a buoyancy that rises over 20 mm.
 constexpr double kDragStiffness_n_per_m = 400.0;
 constexpr double kFilmStiffness_per_m = 583.0;
 constexpr double kBuoyancyStiffness_per_m = 75.0;
@@ -335,8 +335,8 @@ void HapticSceneBuilder::add_solid(std::span<const Plane> planes, const Aabb& bo
     scene_.planes.insert(scene_.planes.end(), planes.begin(), planes.end());
 }
 
-// Returns the index of a rounding radius. A world has few different radii; once the table is full, the next smaller
-// radius is used.
+// Returns the index of a rounding radius in roundings_m. A world has few different radii; once the table is full, the
+// next smaller radius is used.
 std::uint16_t HapticSceneBuilder::rounding(double rounding_m) {
     if (!(rounding_m > 0.0)) return 0;
     std::vector<double>& known = scene_.roundings_m;
@@ -522,8 +522,7 @@ void HapticSceneBuilder::move_to_origin() {
 }
 
 std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world) {
-    // Source of the generation numbers, which differ between all scenes wherever they are built. Scenes share nothing
-    // else.
+    // Source of the generation numbers, which are unique in the process. Scenes share nothing else.
     static std::atomic<std::uint32_t> next_generation{1};
     choose_origin();
     for (Vec3& p : scene_.mesh.points_m) p -= scene_.origin_m;

@@ -1,7 +1,7 @@
-// The haptic view of a building: only what a hand can touch. Immutable once built, so the servo thread reads it without
-// locks. World metres in double precision, stored relative to origin_m so that buildings far from the world's origin
-// lose no precision. Features are identified by FeatureId; query Scene on the app thread for their names.
-// compile_haptic (haptic/compile) builds it through HapticSceneBuilder.
+// The haptic view of a building: only what a hand can touch. A HapticScene is immutable once built, so the servo thread
+// reads it without locks. World metres in double precision, stored relative to origin_m so that buildings far from the
+// world's origin lose no precision. Features are identified by FeatureId; query Scene on the app thread for their
+// names. compile_haptic() in haptic/compile builds the scene through HapticSceneBuilder.
 #pragma once
 
 #include <array>
@@ -34,14 +34,14 @@ struct HapticMaterial {
     double friction_static = -1.0;
     double friction_kinetic = -1.0;
     double damping_ns_per_m = -1.0;
-    std::int32_t relief = -1;  // index of its texture in HapticScene::reliefs; -1: smooth
+    std::int32_t relief = -1;  // index of the material's texture in HapticScene::reliefs; -1: smooth
 };
 
 // The feature and material of a surface.
 struct SurfaceLabel {
     FeatureId feature = kNoFeature;
     MaterialId material = kDefaultMaterial;
-    // The face is completely covered by other solids; it names a contact only if no other face can.
+    // The face is completely covered by other solids. It gives a contact its name only if no other face can.
     bool hidden = false;
 
     bool operator==(const SurfaceLabel&) const = default;
@@ -67,14 +67,14 @@ inline constexpr std::size_t kObstacleKinds = 9;
 // solid exactly: dot(normal, o) <= dot(normal, point_m) for every point o of the solid, with a normal of length 1. This
 // keeps the proxy outside at any speed.
 struct CustomObstacle {
-    // Takes a position in the solid's own coordinates.
+    // Returns the closest point for a position in the solid's own coordinates.
     ClosestPoint (*closest)(const Vec3& at_m, const void* data) noexcept = nullptr;
     std::shared_ptr<const void> data;  // data for the function; must live as long as the scene
     Vec3 position_m{0.0};              // position of the solid's own origin in the world
     Aabb bounds_m;                     // bounds in the solid's own coordinates
 };
-// Returns true if the obstacle has a function and a size, and the function meets the requirements above. They are
-// tested at 386 positions around the solid, and between these positions.
+// Returns true if the obstacle has a function and a size, and the function meets the requirements of CustomObstacle.
+// The requirements are tested at 386 positions around the solid, and between these positions.
 bool is_sound(const CustomObstacle& obstacle);
 
 // One convex obstacle that stops the proxy.
@@ -82,12 +82,13 @@ struct Obstacle {
     ObstacleKind kind = ObstacleKind::Triangle;
     TouchSide side = TouchSide::Both;  // touchable side of a sheet; solids ignore it
     std::uint16_t rounding = 0;        // for a box or brush: index in roundings_m
-    // Index in mesh.triangles or in the list of its kind. For a brush, index of the first of its planes.
+    // Index of the obstacle's triangle in mesh.triangles, or of its shape in the list of its kind. For a brush, index
+    // of the first of its planes.
     std::uint32_t shape = 0;
     std::uint32_t planes = 0;  // number of planes of a brush
-    // Index of its first label. The numbers of labels are: triangle 1 (shared by consecutive triangles), polygon 2
-    // (front, back), box 6 (-x +x -y +y -z +z), brush one per plane, sphere, capsule and custom 1, cylinder 3 (side,
-    // bottom, top), cone 2 (side, base).
+    // Index of the obstacle's first label. The numbers of labels are: triangle 1 (shared by consecutive triangles),
+    // polygon 2 (front, back), box 6 (-x +x -y +y -z +z), brush one per plane, sphere, capsule and custom 1, cylinder 3
+    // (side, bottom, top), cone 2 (side, base).
     std::uint32_t first_label = 0;
 };
 
@@ -107,28 +108,29 @@ struct LiquidVolume {
     double viscosity_ns_per_m = 0.0;  // drag per hand speed; 0: no drag
     double buoyancy_n = 0.0;          // upward force on a hand in the liquid; at most 1
     double film_n = 0.0;              // greatest force with which the surface film holds the hand back; at most 0.5
-    // Velocity of the current, which pushes a still hand with viscosity times this speed, at most 2 N.
+    // Velocity of the current, which pushes a still hand with a force of viscosity times this speed, at most 2 N.
     Vec3 flow_hand_m_per_s{0.0};
 
     // The members below are computed when the scene is built.
     int surface = -1;  // plane of the open surface; -1: no exposed face faces up
     double inner_radius_m = 0.0;
-    // Sum of the stiffness of its drag, film and buoyancy and of all effects that overlap it.
+    // Sum of the stiffness of the liquid's drag, film and buoyancy and of all effects that overlap the liquid.
     double crowd_stiffness_n_per_m = 0.0;
 };
 
 struct HapticScene;
 
 // A thing that may move, turn, grow, appear and vanish as a whole, such as a door leaf or a crate. Its obstacles are in
-// its own frame and stored once, however many bodies share the shape. The materials of their labels are indices in the
-// whole scene's list.
+// its own frame and stored once, however many bodies share the shape. The material numbers in their labels are indices
+// in the whole scene's list.
 struct HapticBody {
     FeatureId feature = kNoFeature;
-    // Its obstacles; any bodies, liquids and materials in this scene are ignored.
+    // The obstacles of the body. Any bodies, liquids and materials in `shape` are ignored.
     std::shared_ptr<const HapticScene> shape;
-    Placement start;       // pose in the world, used until a BodyPose replaces it
-    bool present = true;   // whether it is present, until a BodyPose says otherwise
-    double reach_m = 0.0;  // distance from its frame's origin to its farthest point, in its own metres
+    Placement start;      // pose in the world, used until a BodyPose replaces it
+    bool present = true;  // whether it is present, until a BodyPose says otherwise
+    // Distance from the origin of the body's frame to the body's farthest point, in the body's own metres.
+    double reach_m = 0.0;
 };
 
 // The pose of a body in a tick.
@@ -139,8 +141,8 @@ struct BodyPose {
     bool operator==(const BodyPose&) const = default;
 };
 
-// A rough bound for a body that moves from one pose to another. Its frame's origin is never farther than half_way_m
-// from middle_m.
+// A rough bound for a body that moves from one pose to another. The origin of its frame is never farther than
+// half_way_m from middle_m.
 struct MovingBody {
     std::uint32_t body = 0;
     double half_way_m = 0.0;
@@ -148,11 +150,11 @@ struct MovingBody {
     Vec3 middle_m{0.0};  // middle of the movement, world
 };
 
-// A movement of bodies from the poses in BodyPoses to other poses. Poses in between are computed only when they are
-// queried, and no code queries those of far bodies.
+// A movement of bodies from the poses in BodyPoses to other poses. A pose in between is computed only when it is
+// queried. No code queries those of far bodies.
 struct BodyPaths {
     std::uint64_t number = 0;         // number of this movement
-    std::uint64_t number_before = 0;  // number of the movement that ended where this one begins; 0: not known
+    std::uint64_t number_before = 0;  // number of the movement that ended where this movement begins; 0: not known
     std::span<const BodyPose> to{};   // the target poses; empty: no body moves
     double part = 0.0;                // completed part of the movement, 0 to 1
     // Bodies that move, appear or vanish in this movement, in rising order. Valid only if number_before is not 0.
@@ -181,13 +183,13 @@ struct BodyPoses {
 };
 
 struct HapticScene {
-    // Greatest number of bodies. Only the size of some tables depends on it, because a tick follows only the bodies
-    // that are near.
+    // Greatest number of bodies. It affects only the size of some tables, because a tick follows only the bodies that
+    // are near.
     static constexpr std::size_t kMostBodies = 16384;
 
     std::uint32_t generation = 0;  // unique number among the scenes built in this process
-    // Number that scenes share if they are one world with something added or removed. For a new world it equals the
-    // generation.
+    // Number that scenes share if they are the same world with things added or removed. For a new world it equals
+    // `generation`.
     std::uint32_t world = 0;
     Vec3 origin_m{0.0};  // position of the local origin in the world; all members below are in local coordinates
     std::vector<Obstacle> obstacles;
@@ -210,7 +212,7 @@ struct HapticScene {
     bool media = false;                 // true if there are liquids, effects or soft patches
     bool liquid_surfaces = false;       // true if at least one liquid has buoyancy or a film
     bool plain = false;  // true if the scene has no feature that PlainFeatures leaves out (tick_features.h)
-    // True if bodies are the only such feature, so that the scene is plain while no body is near.
+    // True if bodies are the only such feature. The scene is then plain while no body is near.
     bool plain_afar = false;
     std::vector<EffectVolume> effects;  // the effects, in the order of the world file
     Bvh effect_bvh;                     // BVH of the effects that are not attached to a body; item i is effects[i]
@@ -234,8 +236,8 @@ struct HapticScene {
         return closest_point_of_triangle(mesh.points_m[t[0]], mesh.points_m[t[1]], mesh.points_m[t[2]], local_m);
     }
     // A cheaper version of closest() for obstacles that are not near. Sets `normal` to that of some plane that supports
-    // the obstacle, and returns how far the point is in front of that plane. The result is a lower bound of the
-    // distance. Returns 0 if no such plane is easily found.
+    // the obstacle, and returns how far the point is in front of that plane. The result is a lower bound of the point's
+    // distance from the obstacle. Returns 0 if no such plane is easily found.
     double quick_support(std::uint32_t obstacle, const Vec3& local_m, Vec3& normal) const noexcept {
         const Obstacle& o = obstacles[obstacle];
         if (o.kind != ObstacleKind::Triangle) return 0.0;
@@ -269,8 +271,8 @@ struct HapticScene {
     }
     // Returns the radius of the edges of a box or brush.
     double rounding_m(const Obstacle& o) const noexcept { return roundings_m[o.rounding]; }
-    // Returns the number of obstacles of each kind, indexed by ObstacleKind. It counts through all of them, so it is
-    // not for the tick.
+    // Returns the number of obstacles of each kind, indexed by ObstacleKind. The function visits every obstacle, so it
+    // is not for the tick.
     std::array<std::size_t, kObstacleKinds> obstacle_counts() const noexcept;
 
 private:
@@ -301,8 +303,8 @@ public:
     void add_box(const Aabb& box_m, std::span<const SurfaceLabel> labels);
     void add_box(const Aabb& box_m, const SurfaceLabel& label = {}) { add_box(box_m, std::span(&label, 1)); }
     // Adds a bounded convex solid; an axis-aligned one becomes a box. `labels`: one for each plane, or one for all.
-    // `rounding_m` is the radius of its edges and corners. Every face must still have an area after it is moved inwards
-    // by that radius.
+    // `rounding_m` is the radius of the solid's edges and corners. Every face must still have an area after it is moved
+    // inwards by that radius.
     void add_solid(std::span<const Plane> planes, const Aabb& bounds_m, std::span<const SurfaceLabel> labels,
                    double rounding_m = 0.0);
     void add_solid(std::span<const Plane> planes, const Aabb& bounds_m, const SurfaceLabel& label = {}) {
@@ -337,11 +339,11 @@ public:
     // HapticScene::relief_axis.
     void set_reliefs(std::vector<Relief> reliefs, std::vector<std::uint8_t> mesh_axis = {});
 
-    // Returns the index and start pose of the first added body with that feature, or nothing if there is none.
+    // Returns the index and start pose of the first added body with the feature `feature`, or nothing if there is none.
     std::optional<std::pair<std::uint32_t, Placement>> body_of(FeatureId feature) const;
 
-    // Builds the scene. `world` is HapticScene::world of the scene that this one replaces while a hand touches it; 0: a
-    // new world.
+    // Builds the scene. If a hand touches another scene that this one replaces, `world` is HapticScene::world of that
+    // scene; 0: a new world.
     std::shared_ptr<const HapticScene> build(std::uint32_t world = 0);
 
 private:

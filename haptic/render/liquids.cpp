@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kDrag_n_per_m = 400.0;
 constexpr double kLargestDrag_n = 4.0;
-// Limit of the drag in a flowing liquid. A current is a source of energy, and its power stays below this force times
-// its speed.
+// Limit of the drag in a flowing liquid. A current is a source of energy, and its power stays below kLargestFlow_n
+// times its speed.
 constexpr double kLargestFlow_n = 2.0;
 constexpr double kRounding_m = 1e-9;
 constexpr double kLook_hand_m = 0.1;    // distance, beyond the reach of their forces, within which liquids are searched
@@ -35,7 +35,7 @@ double depth_in(const LiquidVolume& liquid, const Vec3& local_m, double& all) no
     return any_exposed && all <= 0.0 ? -exposed : -all;
 }
 
-// The properties of all volumes that reach the proxy, weighted by the volumes' shares.
+// The properties of all volumes within reach of the proxy, weighted by the volumes' shares.
 struct Bath {
     double viscosity_ns_per_m = 0.0;
     double weakest_share = 1.0;  // share of the drag's stiffness that is permitted, because other effects act as well
@@ -51,8 +51,8 @@ void LiquidState::reset() noexcept {
 
 Vec3 LiquidState::drag_n(const HapticScene& scene, const HandMotion& hand, const Vec3& at, FeatureId& in) noexcept {
     const double reach = kImmersion_hand_m * hand.scale;
-    // Overlapping volumes count in reverse order of the list. Where one of them thins out towards its own surface, the
-    // next takes the rest, so that neighbouring volumes form one pool.
+    // Overlapping volumes are weighted in reverse order of the list. Where one of them thins out towards its own
+    // surface, the next volume gets the remaining weight, so that neighbouring volumes form one pool.
     constexpr std::size_t kMost = 8;
     struct WetVolume {
         std::uint32_t volume;

@@ -1,8 +1,8 @@
-// The forces of liquids on the hand: drag at the proxy, buoyancy and a surface film at the hand, and a current that
-// pushes the hand. The drag pulls a point behind the hand by a spring, and the point yields as fast as the liquid
+// Computes the forces of liquids on the hand: drag at the proxy, buoyancy and a surface film at the hand, and a current
+// that pushes the hand. The drag pulls a point behind the hand by a spring, and the point yields as fast as the liquid
 // permits (a Maxwell element). No speed is measured, and the steady force is exactly viscosity times hand speed at
-// every tick length. Buoyancy and film are potentials of the depth below the open surface. TouchState owns it; one
-// thread; fixed size, noexcept, never allocates.
+// every tick length. Buoyancy and film are potentials of the depth below the open surface. TouchState owns LiquidState;
+// one thread; fixed size, noexcept, never allocates.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ class LiquidState {
 public:
     void reset() noexcept;
     // Returns the force on the hand. `ball_local_m` is the centre of the proxy in the scene's own coordinates. Sets
-    // `in` to the volume that contains the proxy; where volumes overlap, to the last one listed.
+    // `in` to the volume that contains the proxy. If several volumes contain it, `in` is the last one listed.
     Vec3 force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_local_m, FeatureId& in) noexcept;
     // Returns true, at little cost, if the proxy is still near the place where the last search found no liquid.
     // force_n() would then find no liquid and change nothing. May return false even if force_n() would find none.
@@ -40,7 +40,7 @@ private:
     Vec3 surface_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_local_m) noexcept;
 
     Vec3 drag_offset_hand_m_{0.0};  // position of the dragged point relative to the hand; zero if no liquid is near
-    // In the scene with generation looked_generation_, no liquid is nearer to this place than nearest_m_.
+    // In the scene with generation looked_generation_, no liquid is nearer to looked_from_m_ than nearest_m_.
     Vec3 looked_from_m_{0.0};
     double nearest_m_ = 0.0;
     std::uint32_t looked_generation_ = 0;

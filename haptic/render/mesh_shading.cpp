@@ -55,8 +55,7 @@ MeshShading shade_mesh(std::span<const Vec3> points, std::span<const Corners> tr
         if (const double size = glm::length(n); size > 0.0) normals[t] = n / size;
     }
     // 1. Finds the edges by their ends. An edge is smooth if two facets use it in opposite directions and the angle
-    //   between
-    //   the facets is small.
+    //   between the facets is small.
     struct EdgeSide {
         std::uint32_t triangle, edge;
         bool forward;
@@ -106,9 +105,8 @@ MeshShading shade_mesh(std::span<const Vec3> points, std::span<const Corners> tr
             shading.facets[side.triangle].across[side.edge] = opposite.triangle;
         }
     }
-    // 4. Flattens facets that would be too steep, with the halves of those edges on the neighbouring facets.
-    //   Flattening
-    //   never makes another facet steeper than its own edges require, so a few passes are enough.
+    // 4. Flattens facets that would be too steep, together with the halves of their edges on the neighbouring facets.
+    //   Flattening never makes another facet steeper than its own edges require, so a few passes are enough.
     for (bool changed = true; changed;) {
         changed = false;
         for (std::uint32_t t = 0; t < count; ++t) {

@@ -1,13 +1,13 @@
-// Force shading of tessellated curves as a height field, so that it conserves energy. Each facet gets a height
-// above its plane, computed from the normals at its corners, which approximates the original curve. Edge ij rises in
-// its middle by the sagitta s = 1/8 (n_j - n_i).(p_j - p_i). A facet rises by 4 s l_i l_j summed over its edges (l:
+// Force shading of tessellated curves as a height field, so that it conserves energy. Each facet gets a height above
+// its plane, computed from the normals at its corners, which approximates the original curve. Edge ij rises in its
+// middle by the sagitta s = 1/8 (n_j - n_i).(p_j - p_i). A facet rises by 4 s l_i l_j summed over its edges (l:
 // barycentric). Neighbouring facets have the same rise along their common edge.
 //
-// The potential is 1/2 K (press + rise)^2. The force is its gradient and turns with the curve instead of the facet.
-// While the proxy rolls round an edge, the force has the direction of the edge's own normal: see surface_field.cpp.
-// Corner normals are weighted by angle and averaged only across edges flatter than the crease angle, so real corners
-// stay sharp. Source: Vlachos et al., Curved PN triangles, I3D 2001, triangular surface patches with normals at
-// corners; this code keeps only the height along the normal. Built at set-up; 24 bytes a triangle.
+// The potential is 1/2 K (press + rise)^2. The force is the potential's gradient and turns with the curve instead of
+// the facet. While the proxy rolls round an edge, the force has the direction of the edge's own normal: see
+// surface_field.cpp. Corner normals are weighted by angle and averaged only across edges flatter than the crease angle,
+// so real corners stay sharp. Source: Vlachos et al., Curved PN triangles, I3D 2001, triangular surface patches with
+// normals at corners; this code keeps only the height along the normal. Built at set-up; 24 bytes a triangle.
 #pragma once
 
 #include <array>
@@ -33,8 +33,8 @@ struct MeshShading {
     double highest_m = 0.0;     // greatest rise or sink of any facet
 };
 
-// Computes the shading of a mesh. Points at the same place count as one. Degenerate needles get no rise. Nor do edges
-// with one facet or more than two, or between facets that face opposite ways.
+// Computes the shading of a mesh. Points at the same place are treated as one. Degenerate needles get no rise. Nor do
+// edges with one facet or more than two, or between facets that face opposite ways.
 MeshShading shade_mesh(std::span<const Vec3> points_m, std::span<const Corners> triangles,
                        double crease_cosine = MeshShading::kCreaseCosine);
 

@@ -1,9 +1,10 @@
-// Time-domain passivity control (Hannaford & Ryu, Time-domain passivity control of haptic interfaces, 2002). It
-// measures the energy that the held force gives to the hand during a touch, from the measured positions and the force
-// that the motor really gave. It adds damping if the hand gets more energy than it gave. The filter pole, the allowance
-// and the bound on the surface's own damping prevent force steps, unlike the published form. That form cost up to 0.29
-// N per tick on a clean sweep, and on a surface damped by 2 Ns/m or more it allowed no stiffer wall (docs/results.md).
-// Plain state of TouchState; noexcept, no allocation; about 20 flops a tick while it watches a touch, none otherwise.
+// Time-domain passivity control (Hannaford & Ryu, Time-domain passivity control of haptic interfaces, 2002).
+// PassivityGuard measures the energy that the held force gives to the hand during a touch, from the measured positions
+// and the force that the motor really gave. It adds damping if the hand gets more energy than it gave. The filter pole,
+// the allowance and the bound on the surface's own damping prevent force steps, which the published form does not. That
+// form cost up to 0.29 N per tick on a clean sweep, and on a surface damped by 2 Ns/m or more it allowed no stiffer
+// wall (docs/results.md). Plain state of TouchState; noexcept, no allocation; about 20 flops a tick while it watches a
+// touch, none otherwise.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace handrail::render {
 
 class PassivityGuard {
 public:
-    // On a surface with at least this damping, the guard would add nothing useful.
+    // Damping of a surface from which on the guard would add nothing useful.
     static constexpr double kNotNeeded_ns_per_m = 2.0;
 
     // Returns the damping to add now, in Ns/m. `own_step_m` is the displacement of the hand since the last tick, in
@@ -35,7 +36,7 @@ public:
         tick_assert(damping_ns_per_m_ >= 0.0 && damping_ns_per_m_ <= kMost_ns_per_m);
         return damping_ns_per_m_;
     }
-    // Records the final force of this tick.
+    // Records the force that the motor gives in this tick.
     void given(const Vec3& force_n) noexcept {
         newest_ = (newest_ + 1) % kMostLate;
         given_n_[newest_] = force_n;

@@ -10,14 +10,14 @@ using namespace proxy_parts;
 
 namespace {
 
-// Greatest number of sub-steps for a body in one move. A body that would need more jumps: it vanishes here and appears
-// there.
+// Greatest number of sub-steps for a body in one move. A body that would need more jumps: it vanishes at its old pose
+// and appears at the new one.
 constexpr int kMostSubSteps = 64;
 constexpr int kLongestWait = 500;  // greatest number of moves by which a body may lag behind its commanded pose
 
 // Lead distances for following bodies. The solver follows bodies that are nearer than the lead plus the distance that
-// the proxy can move or be pushed in a tick. The lead covers a fast hand (2 m/s) for 100 ms. It is also so large that
-// no body beyond it can reach the proxy without a jump (kMostSubSteps).
+// the proxy can move or be pushed in a tick. The lead is enough for 100 ms of a fast hand (2 m/s). It is also so large
+// that no body beyond it can reach the proxy without a jump (kMostSubSteps).
 constexpr double kLeadMargins = 10.0, kLeadRadii = 40.0;
 
 }  // namespace
@@ -26,9 +26,9 @@ void ProxySolver::spend_on_tracked(int work) noexcept {
     if (tracks_.count > kFewBodies && !tracks_.all) spend(static_cast<int>(tracks_.count) * work);
 }
 
-// Returns the distance around a place within which every obstacle of the bodies is a candidate, at most `known`. While
-// no body moves, all bodies whose obstacles were gathered share one bound. For every other body its own position
-// counts.
+// Returns the distance around `at_m` within which every obstacle of the bodies is a candidate, at most `known`. While
+// no body moves, all bodies whose obstacles were gathered share one bound, tracks_.known_m. The distance of every other
+// body is computed from its own position.
 double ProxySolver::known_of_bodies(const Vec3& at_m, double known) noexcept {
     spend_on_tracked(kKnownWork);
     const Vec3 at = anchor_m_ + at_m;
@@ -60,7 +60,7 @@ double ProxySolver::least_distance_m(const HapticScene& scene, const Request& re
     return glm::length(begin + way * part) - b.reach_m * std::max(from.at.scale, to.at.scale);
 }
 
-// Gives a body a track. Returns false if no track is left.
+// Gives a body a track. Returns false if all tracks are used.
 bool ProxySolver::track_body(const HapticScene& scene, const Request& request, std::size_t body) noexcept {
     if (tracks_.follows(body)) return true;
     ProxyTrack* const added = tracks_.add(static_cast<std::uint16_t>(body));
@@ -70,7 +70,8 @@ bool ProxySolver::track_body(const HapticScene& scene, const Request& request, s
     stand(scene, track, pose.at);
     track.wanted = pose.at;
     track.reach_m = scene.bodies[body].reach_m * track.frame.scale;
-    // A body that is already near at this moment has appeared or jumped here; advance_bodies() treats it so.
+    // A body that is already near when it gets its track has appeared or jumped here, so advance_bodies() lets it
+    // appear instead of moving it.
     const bool near = track.known_around_m(local_m()) <= request.radius_m + request.path_cap_m;
     track.present = pose.present && !near;
     tracks_.behind = tracks_.behind || near;
@@ -115,7 +116,7 @@ void ProxySolver::track_near(const HapticScene& scene, const Request& request) n
         }
 }
 
-// Like track_near(), but only for the bodies that begin a new movement.
+// Does the same as track_near(), but only for the bodies that begin a new movement.
 void ProxySolver::track_coming(const HapticScene& scene, const Request& request) noexcept {
     const Vec3 here = scene.origin_m + tracks_.far_from_m;
     for (const MovingBody& moving : request.bodies->ways->moving) {
@@ -226,8 +227,8 @@ void ProxySolver::advance_bodies(const HapticScene& scene, const Request& reques
         const double reach = scene.bodies[id].reach_m;
         const double travel = farthest_travel_m(track.at, pose.at, reach);
         const double needs = travel / (0.5 * radius_m_);
-        // Whether a body jumps is judged from a single command. The distance that adds up while the body waits does not
-        // count.
+        // Each command is compared with the one before to decide whether a body jumps. The distance that adds up while
+        // the body waits is not included.
         track.waited = tracks_.behind ? track.waited + 1 : 0;
         track.jumped =
             track.jumped ||
@@ -240,7 +241,7 @@ void ProxySolver::advance_bodies(const HapticScene& scene, const Request& reques
         // between.
         const double gap_there = glm::length(pose.at.position_m - scene.origin_m - local_m()) - reach * pose.at.scale;
         const bool met = track.looked_at || gap_there <= radius_m + request.path_cap_m;
-        // If a body has been unable to move for a long time and its commanded pose is far away, it is released.
+        // If a body has been unable to move for a long time and its commanded pose is far away, it jumps there.
         const bool gone = track.waited > kLongestWait && gap_there > radius_m + request.path_cap_m + request.margin_m &&
                           work_.left > 0;
         if (track.present != pose.present || (near && track.jumped) || gone) {
@@ -308,14 +309,15 @@ bool ProxySolver::sub_step(const HapticScene& scene, const Request& request, dou
     spend(kSubStepWork);
     spend_on_tracked(kCarryWork);
     const double carried = glm::length(wish - ball_m_);
-    // Half a radius for the push by a body, the radius itself, and a reserve of half a radius.
+    // The sum of half a radius for the push by a body, the radius itself, and a reserve of half a radius.
     const double needed = 2.0 * radius_m + carried;
     if (known_around(ball_m_) < needed) {
         const Vec3 was = ball_m_;
         gather(scene, needed + std::max(request.margin_m, 2.0 * request.path_cap_m), needed);
         wish += ball_m_ - was;
     }
-    // Everything that comes near in a sub-step must be a candidate; otherwise the proxy would meet it too late.
+    // Everything that comes near in a sub-step must be a candidate. Otherwise the proxy would touch an obstacle that it
+    // does not know.
     if (tracks_.unknown || known_around(ball_m_) < 1.5 * radius_m_ + carried) {
         for (const std::uint16_t b : tracks_.ids())
             if (ProxyTrack& track = tracks_.of(b); track.moved) stand(scene, track, track.before);
@@ -346,8 +348,8 @@ void ProxySolver::renew_moved_cuts(const HapticScene& scene) noexcept {
     spend(0);
 }
 
-// Moves the proxy to the free place nearest to `wish_m`. If there is none, the proxy shrinks as little as possible. If
-// it does not fit even with the smallest radius, the moving bodies pass through it.
+// Moves the proxy to the free place nearest to `wish_m`. If there is no such place, the proxy shrinks as little as
+// possible. If it does not fit even with the smallest radius, the moving bodies pass through it.
 void ProxySolver::make_room(const HapticScene& scene, const Vec3& wish_m) noexcept {
     ProjectionBasis room;
     const auto fits = [&] {

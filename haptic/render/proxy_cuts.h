@@ -1,7 +1,7 @@
-// The proxy's data about the obstacles near it. For each candidate obstacle it stores one cut, which is a half-space
-// that supports the obstacle. It also stores the obstacles that contain the proxy and are therefore not felt. Plain
-// values of fixed size: they allocate only in their constructors. ProxySolver owns them; the same thread and rules
-// apply.
+// Stores the proxy's data about the obstacles near it. For each candidate obstacle there is one cut, which is a
+// half-space that supports the obstacle. The file also stores the obstacles that contain the proxy and are therefore
+// not felt. Plain values of fixed size: they allocate only in their constructors. ProxySolver owns them; the same
+// thread and rules apply.
 #pragma once
 
 #include <algorithm>
@@ -64,7 +64,7 @@ private:
 // The candidates. Element i of each vector belongs to candidate i; the first `count` are in use.
 struct ProxyCuts {
     static constexpr int kMost = 1024;  // greatest number of candidates, whose cuts need 32 kB
-    // State of a one-sided sheet. It sleeps, without a cut, while the proxy is not on its touchable side.
+    // State of a one-sided sheet. While the proxy is not on its touchable side, the sheet is asleep and has no cut.
     enum class Sheet : std::uint8_t { No, Awake, Asleep };
     // Offset of a half-space that contains all points. A sleeping sheet has such a cut.
     static constexpr double kNoCut_m = -1e30;
@@ -76,7 +76,7 @@ struct ProxyCuts {
     std::vector<HalfSpace> planes = std::vector<HalfSpace>(kMost);
     std::vector<std::uint32_t> obstacles = std::vector<std::uint32_t>(kMost);
     std::vector<std::uint16_t> owners = std::vector<std::uint16_t>(kMost, OwnedObstacle::kStill);
-    // The same planes in the body's frame and metres; only for obstacles of bodies.
+    // The planes of `planes` in the body's frame and metres; only for obstacles of bodies.
     std::vector<HalfSpace> own_planes = std::vector<HalfSpace>(kMost);
     // Number of the move in which the solver last renewed the cut from a place ahead of the proxy.
     std::vector<std::uint64_t> looked_ahead = std::vector<std::uint64_t>(kMost);
@@ -112,8 +112,8 @@ struct ProxyCuts {
         ++one_sided;
     }
 
-    // Call it before candidates are gathered again. Sheets that are awake then stay awake, even if a moving body has
-    // just come nearer than the proxy's radius.
+    // Call it before candidates are gathered again. It stores which sheets are awake, so that they stay awake even if a
+    // moving body has just come nearer than the proxy's radius.
     void remember_awake() noexcept {
         awake_count = 0;
         for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
@@ -124,7 +124,7 @@ struct ProxyCuts {
         return std::find(awake.begin(), end, of(i)) != end;
     }
 
-    // Drops the cuts of every body for which leaves(owner) returns true. The others keep their order.
+    // Drops the cuts of every body for which leaves(owner) returns true. The other cuts keep their order.
     template <class Leaves>
     void drop_of(const Leaves& leaves) noexcept {
         std::size_t to = 0;

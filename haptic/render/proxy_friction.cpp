@@ -13,15 +13,16 @@ namespace {
 
 // Greatest number of rounds in which rub() examines the contacts. Flat surfaces need two rounds, round surfaces three.
 constexpr int kMostRubs = 6;
-// Gap, as a share of the proxy's radius, up to which the proxy counts as hanging over a surface, because its path has
-// bridged a curve of that surface.
+// Gap, as a share of the proxy's radius, up to which the proxy hangs over a surface because its path has bridged a
+// curve of that surface.
 constexpr double kHangs = 0.1;
 
 }  // namespace
 
-// Moves the proxy to the first contact on the hand's straight path. Up to there it moved freely, so friction must
-// ignore that part. The solver's own path cannot be used, because it leads straight to the resting place and touches
-// only there. If the proxy meets a cut without touching its obstacle, the cut is renewed from there.
+// Moves the proxy to the first contact on the hand's straight path. Up to the contact the proxy moved freely, so
+// friction must ignore that part. The solver's own path cannot be used, because it leads straight to the resting place
+// and touches only there. If the proxy reaches a cut without touching the cut's obstacle, the cut is renewed from
+// there.
 template <class Has>
 void ProxySolver::touch_down(const HapticScene& scene) noexcept {
     ball_m_ = path_[0];
@@ -44,8 +45,8 @@ void ProxySolver::touch_down(const HapticScene& scene) noexcept {
     path_.rubs_from = 1;
 }
 
-// Renews every cut whose plane the proxy is behind, which can happen to a cut that was renewed further along. Fills
-// `surfaces` with those that the proxy touches at its place, and returns their number.
+// Renews every cut whose plane the proxy is behind. This can happen to a cut that was last renewed from a place further
+// along the path. Fills `surfaces` with the surfaces that the proxy touches at its place, and returns their number.
 template <class Has>
 int ProxySolver::touched(const HapticScene& scene, std::array<HalfSpace, kMostTouched>& surfaces) noexcept {
     int count = 0;
@@ -64,8 +65,8 @@ int ProxySolver::touched(const HapticScene& scene, std::array<HalfSpace, kMostTo
 }
 
 // Finds the surface over which the proxy hangs at a small distance, for example where its path bridged a curve. The
-// proxy then goes straight down to it, so that hanging slightly above gives the same result as touching. Returns the
-// number of such surfaces, 0 or 1.
+// caller then moves the proxy straight down to it, so that hanging slightly above gives the same result as touching.
+// Returns the number of such surfaces, 0 or 1.
 template <class Has>
 int ProxySolver::hangs_over(const HapticScene& scene, const Vec3& goal_m, HalfSpace& surface) noexcept {
     double least = kHangs * radius_m_;
@@ -155,8 +156,8 @@ void ProxySolver::hold_back(const HapticScene& scene, double reach_m) noexcept {
         return false;
     };
     bool rubs = path_.rounds_left > 0;
-    // If candidates on that straight path are missing, because a gathering was cut short or was centred further along,
-    // the proxy's actual path is used instead.
+    // If candidates on the hand's straight path are missing, because a gathering was cut short or was centred further
+    // along, the proxy's actual path is used instead.
     const auto knows_the_way = [&] {
         return known_around<Has>(path_[0]) - radius_m_ >= std::min(path_.longest_m, glm::length(goal_m_ - path_[0]));
     };

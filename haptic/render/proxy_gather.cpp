@@ -10,13 +10,14 @@ using namespace proxy_parts;
 
 namespace {
 
-// The free distance is needed only as a lower bound L with kLoose * distance <= L. Finding the exact distance could
-// take very long: in the middle of a round room all walls are equally near. Finding this bound takes a few nodes.
+// kLoose defines how exact the free distance must be. A lower bound L with kLoose * distance <= L is enough. Finding
+// the exact distance could take very long, because in the middle of a round room all walls are equally near. Finding
+// such a bound takes a few nodes.
 constexpr double kLoose = 0.7;
 
-// Share of the range from `needed_m` to the full reach, within which obstacles get an exact cut at their closest point.
-// Farther ones get a quick cut. With 0, the proxy meets loose cuts and takes more rounds. With 1, a tick takes 1,000
-// more instructions on a sphere of a million triangles.
+// Share of the range from `needed_m` to the full reach within which obstacles get an exact cut at their closest point.
+// Farther obstacles get a quick cut. With 0, the proxy reaches loose cuts and takes more rounds. With 1, a tick takes
+// 1,000 more instructions on a sphere of a million triangles.
 constexpr double kExact = 0.3;
 constexpr double kFarther = 1.03;  // where obstacles are dense, factor on the range of the last gathering
 
@@ -50,7 +51,7 @@ void ProxySolver::place_in(const HapticScene& scene, std::uint16_t body, double 
         });
     work_.looks += most_looks - looks;
     spend((most_looks - looks) * kLookWork);
-    // If the visits ran out, obstacles that were not visited may begin at this distance.
+    // If the visits ran out, obstacles that were not visited may begin at the distance `known`.
     if (looks <= 0) radius_m_ = std::min(radius_m_, std::max(known * scale, kSmallestRadius_m));
 }
 
@@ -111,8 +112,8 @@ double ProxySolver::collect(const HapticScene& shape, std::uint16_t body, const 
     };
     double known = 0.0;
     if (!crowded) {
-        // Where obstacles are dense, this searches about as far as the last time. Searching farther, only to drop what
-        // it found, would double the time.
+        // If obstacles are dense, this searches about as far as the last time. Searching farther would double the time,
+        // only to drop the obstacles that it found.
         const double likely =
             body == kStill ? std::clamp(kFarther * dense_m_, needed_m, std::max(reach_m, needed_m)) : reach_m;
         known = look(likely, comfortable);
@@ -120,7 +121,7 @@ double ProxySolver::collect(const HapticScene& shape, std::uint16_t body, const 
         if (body == kStill) dense_m_ = known;
     }
     if (known < needed_m) {
-        // Every candidate costs time in every round, so this searches only a little farther than needed.
+        // Every candidate costs time in every round, so the second search reaches only a little farther than needed.
         known = look(std::min(std::max(reach_m, needed_m), kCrowdedReach * needed_m), room);
         crowded = nearest_count_ > comfortable;
         step_.truncated = step_.truncated || known < needed_m;
@@ -167,7 +168,7 @@ void ProxySolver::gather(const HapticScene& scene, double reach_m, double needed
         track.looked_at = track.known_around_m(at) <= reach_m;  // if false, no part of the body is nearer than reach_m
         if (track.looked_at) ++near;
     }
-    // Gathers the obstacles of all these bodies now if the budget allows. Otherwise the remaining bodies follow in the
+    // Gathers the obstacles of all near bodies now if the budget allows. Otherwise the remaining bodies follow in the
     // next moves.
     for (std::size_t k = 0; near > 0; ++k) {
         ProxyTrack& track = tracks_.of(tracks_.followed[k]);
@@ -211,7 +212,7 @@ void ProxySolver::look_at_body(const HapticScene& scene, std::uint16_t body, dou
     }
 }
 
-// Continues a gathering that takes more than one move. It searches the still scene and each body only if they have not
+// Continues a gathering that takes more than one move. The still scene and each body are searched only if they have not
 // been searched yet, or if the known distance has become too small. The candidates of the others stay valid.
 void ProxySolver::gather_waiting(const HapticScene& scene, double reach_m, double needed_m) noexcept {
     reach_m = std::min(reach_m, 1.5 * needed_m);

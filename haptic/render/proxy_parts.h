@@ -8,14 +8,15 @@
 
 namespace handrail::render::proxy_parts {
 
-inline constexpr double kTouching_m = 1e-8;  // a cut counts as touching its obstacle if it is at most this far from it
+// Greatest distance between a cut and its obstacle at which the cut touches the obstacle.
+inline constexpr double kTouching_m = 1e-8;
 inline constexpr double kFarthestLook_m = 4.0;  // greatest useful lower bound for the free distance
 
 // Costs of the parts of a move, in units of seven instructions. A unit takes about a nanosecond on a processor of 2020
 // if all data are in its caches. The costs come from callgrind counts in the worst places (tests/bench/compare.sh,
 // worst), where a unit came to 5 to 9 instructions. Only their sum matters, which is compared with kMostWork.
 inline constexpr int kLookWork = 50;     // visiting a node or an obstacle while gathering
-inline constexpr int kPlaneWork = 12;    // each plane of a visited solid, in addition
+inline constexpr int kPlaneWork = 12;    // each plane of a visited solid, in addition to kLookWork
 inline constexpr int kSupportWork = 60;  // renewing a cut
 inline constexpr int kRoundWork = 100;   // a projection, without scanning the candidates
 inline constexpr int kHoldWork = 50;     // renewing the holding cuts, times the square of their number
@@ -23,16 +24,16 @@ inline constexpr int kScanWork = 2;      // examining a cut
 inline constexpr int kDropWork = 6;      // dropping some candidates, for each existing candidate
 inline constexpr int kGlanceWork = 30;   // examining a body and deciding whether it must be followed
 inline constexpr int kKnownWork = 12;    // finding how much is known around a followed body
-inline constexpr int kCarryWork = 25;    // carrying along, for each followed body in each sub-step
+inline constexpr int kCarryWork = 25;    // moving a followed body along its path, in each sub-step
 // Number of candidates that a projection scans for one unit. It scans four at a time, which takes about a nanosecond
 // each.
 inline constexpr int kCutsOfAWork = 2;
-inline constexpr int kExchangeWork = 30;       // each scan of a projection, in addition
+inline constexpr int kExchangeWork = 30;       // each scan of a projection, in addition to its candidates
 inline constexpr int kSubStepWork = 300;       // a sub-step of bodies, without their candidates
 inline constexpr int kTurnWork = 20;           // rotating a cut of a moving body
 inline constexpr std::size_t kFewBodies = 16;  // for at most this many bodies, the work is not counted
 
-// Number of moves that the proxy takes to reach its goal after the obstacle in its way has vanished.
+// Number of moves in which the proxy hurries to its goal after the obstacle between them has vanished.
 inline constexpr int kHurryMoves = 8;
 
 }  // namespace handrail::render::proxy_parts

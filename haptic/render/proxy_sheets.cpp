@@ -8,9 +8,9 @@ using namespace proxy_parts;
 
 namespace {
 
-// Tolerances for the side of a sheet that the proxy is on. A sheet falls asleep if the proxy's centre is more than the
-// first behind it, and may wake if it is less than the second behind it. They differ so that a proxy that rests at the
-// border does not switch back and forth.
+// Tolerances for the side of a sheet that the proxy is on. A sheet falls asleep if the proxy's centre is more than
+// kSleeps_m behind it, and may wake if the centre is less than kWakes_m behind it. The values differ so that a proxy
+// that rests at the border does not switch back and forth.
 constexpr double kSleeps_m = 1e-9;
 constexpr double kWakes_m = 1e-10;
 
@@ -51,8 +51,8 @@ bool ProxySolver::turn_sheets(const HapticScene& scene) noexcept {
 }
 
 // Wakes the sleeping sheets of a body whose planes have passed over the proxy; called after a sub-step of the body. A
-// sub-step is at most half a radius long. So if the sheet itself passed over the proxy, it is still nearer than half a
-// radius. If it is farther away, only its plane passed, and the sheet may wake.
+// sub-step is at most half a radius long. So if the sheet itself passed over the proxy, the sheet is still nearer than
+// half a radius. If it is farther away, only its plane passed, and the sheet may wake.
 void ProxySolver::turn_sheets_of(const HapticScene& scene, std::uint16_t body, const PlacedFrame& before) noexcept {
     for (int i = 0; i < cuts_.count; ++i) {
         const auto at = static_cast<std::size_t>(i);
@@ -68,7 +68,7 @@ void ProxySolver::turn_sheets_of(const HapticScene& scene, std::uint16_t body, c
 
 // Returns the fraction of a step after which the proxy reaches the front of a sleeping sheet without touching it, so
 // that the sheet must wake there. Along a straight line the distance to a sheet first falls and then rises. So the
-// sheet must wake only if the line crosses its plane and the proxy then touches it further along.
+// sheet must wake only if the line crosses the sheet's plane and the proxy touches the sheet further along.
 double ProxySolver::fraction_to_waking(const HapticScene& scene, const Vec3& step) const noexcept {
     double fraction = 1.0;
     for (int i = 0; i < cuts_.count; ++i) {

@@ -60,7 +60,7 @@ void ProxySolver::place(const HapticScene& scene, const Request& request, const 
     for (const std::uint16_t b : tracks_.ids()) place_in(scene, b, radius_m);
 }
 
-// Makes a ghost solid again as soon as the whole proxy is outside it, wherever the goal is, because a proxy that has
+// Makes a ghost solid again as soon as the whole proxy is outside the ghost, wherever the goal is. A proxy that has
 // been outside must never enter. The hand feels no knock, because a proxy that already rests nearest to its goal stays
 // there when the new cut is added.
 void ProxySolver::release_ghosts(const HapticScene& scene) noexcept {
@@ -78,7 +78,7 @@ void ProxySolver::release_ghosts(const HapticScene& scene) noexcept {
 
 bool ProxySolver::project() noexcept {
     spend(kRoundWork);
-    // There is at least one candidate, but no more than kComfortableCandidates.
+    // True if there is at least one candidate, but no more than kComfortableCandidates.
     if (static_cast<unsigned>(cuts_.count - 1) < static_cast<unsigned>(kComfortableCandidates))
         return project_on_half_spaces(goal_m_, cuts_.in_use(), radius_m_, basis_);
     if (cuts_.count > 0) return project_many(goal_m_, basis_);
@@ -102,8 +102,8 @@ bool ProxySolver::project_many(const Vec3& goal_m, ProjectionBasis& basis) noexc
     return solved;
 }
 
-// Lets a proxy that had to shrink grow again while there is room. Its own cuts push it out, and it never goes through
-// another obstacle.
+// Lets a proxy that had to shrink grow again while there is room. The cuts at the proxy push it away from their
+// obstacles as it grows, and it never goes through another obstacle.
 void ProxySolver::grow(const HapticScene& scene, double radius_m, double growth_m) noexcept {
     if (growth_m <= 0.0 || work_.left <= 0 || step_.truncated) return;  // the proxy never grows into unknown space
     for (int i = 0; i < cuts_.count; ++i) {
@@ -141,9 +141,10 @@ double ProxySolver::fraction_inside(const Vec3& step, int* met) const noexcept {
     return fraction;
 }
 
-// Renews the cuts that hold the proxy, from where the proxy is. Returns true if another round is due, because a cut did
-// not touch its obstacle or has turned. A cut that does not touch is renewed, once in each move, from where the proxy
-// would go without it. Sliding over a tessellated plane then takes one round for each triangle instead of 5 to 20.
+// Renews the cuts that hold the proxy, from the proxy's place. Returns true if another round is due, because a cut did
+// not touch its obstacle or has turned. A cut that does not touch its obstacle is renewed, once in each move, from the
+// place to which the proxy would go without that cut. Sliding over a tessellated plane then takes one round for each
+// triangle instead of 5 to 20.
 template <class Has>
 bool ProxySolver::renew_holding_cuts(const HapticScene& scene) noexcept {
     std::array<Vec3, 3> ahead{goal_m_, goal_m_, goal_m_};
@@ -186,10 +187,10 @@ bool ProxySolver::renew_holding_cuts(const HapticScene& scene) noexcept {
     return stale;
 }
 
-// Rolls round the edge of a solid in one step. It applies if a single solid holds the proxy and the goal is either
-// outside it, within the proxy's radius, or below a smooth part of it. Then the final place of the proxy is known. A
-// path of two straight pieces leads there, the first in the cut at the proxy, the second in the cut at the goal.
-// Without this step, an edge pressed 4.5 mm deep by a 5 mm proxy takes 45 rounds.
+// Rolls round the edge of a solid in one step. The step is possible if a single solid holds the proxy and the goal is
+// either outside that solid, within the proxy's radius, or below a smooth part of it. Then the final place of the proxy
+// is known. A path of two straight pieces leads there, the first in the cut at the proxy, the second in the cut at the
+// goal. Without this step, an edge pressed 4.5 mm deep by a 5 mm proxy takes 45 rounds.
 bool ProxySolver::arc_step(const HapticScene& scene, double way_left_m) noexcept {
     if (basis_.count != 1 || cuts_.one_sided > 0) return false;
     const int i = basis_.index[0];
@@ -246,8 +247,8 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
     work_.left = kMostWork;
     work_.most_rounds = std::clamp(request.most_rounds, 1, kMaxIterations);
     if (scene_ != &scene || generation_ != scene.generation) {
-        // The scene is the same world with something added or removed. The proxy stays where it was, and an obstacle
-        // between it and its goal may have vanished.
+        // The scene has changed, but is the same world with something added or removed. The proxy stays where it was,
+        // and an obstacle between the proxy and its goal may have vanished.
         scene_ = &scene;
         generation_ = scene.generation;
         if (placed_) hurry_ = kHurryMoves;

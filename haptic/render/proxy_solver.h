@@ -1,17 +1,17 @@
 // The free-cell proxy: a ball that stays outside a set of convex obstacles. Each candidate obstacle owns one cut, a
-// half-space that supports it. A cut of a still obstacle stays valid for ever, so the proxy may move freely in the
-// intersection of the cuts. No swept test is needed at any speed. Overlapping, doubled and cracked geometry needs no
-// special case, and the proxy may stop anywhere on its path.
+// half-space that supports the obstacle. A cut of a still obstacle stays valid for ever, so the proxy may move freely
+// in the intersection of the cuts. No swept test is needed at any speed. Overlapping, doubled and cracked geometry
+// needs no special case, and the proxy may stop anywhere on its path.
 //
-// One move projects the goal on the intersection, renews the cuts that act, and repeats both until the acting cuts
-// truly touch their obstacles. Candidates come from a cache. The move refreshes it when the samples require it, which
-// depends on nothing else. The cuts of a moving body are fixed in the body's frame. A body that approaches pushes the
-// proxy in sub-steps of at most half the proxy's radius. If the body leaves too little room, the proxy shrinks.
+// One move projects the goal on the intersection, renews the cuts that hold the proxy, and repeats both steps until
+// these cuts truly touch their obstacles. Candidates come from a cache. When the move refreshes the cache depends only
+// on the samples. The cuts of a moving body are fixed in the body's frame. A body that approaches pushes the proxy in
+// sub-steps of at most half the proxy's radius. If the body leaves too little room, the proxy shrinks.
 //
-// TouchState owns it; one thread. Allocates only in its constructor; noexcept; reads no clock. Lengths in world metres.
-// Sources: Zilles & Salisbury, A constraint-based god-object method, IROS 1995; Ruspini et al., The haptic display of
-// complex graphical environments, SIGGRAPH 1997 (finite radius); supporting cuts and their lazy renewal:
-// docs/architecture.md.
+// TouchState owns ProxySolver; one thread. Allocates only in its constructor; noexcept; reads no clock. Lengths in
+// world metres. Sources: Zilles & Salisbury, A constraint-based god-object method, IROS 1995; Ruspini et al., The
+// haptic display of complex graphical environments, SIGGRAPH 1997 (finite radius); supporting cuts and their lazy
+// renewal: docs/architecture.md.
 #pragma once
 
 #include <algorithm>
@@ -33,20 +33,21 @@ class ProxySolver {
 public:
     // Greatest number of candidates. If more obstacles are near, the nearest are kept and Step::truncated is set.
     static constexpr int kMaxCandidates = ProxyCuts::kMost;
-    // If there are more candidates than this, the solver first reduces the margin, because each candidate costs 6
-    // instructions in every scan.
+    // Number of candidates above which the solver reduces the margin, because each candidate costs 6 instructions in
+    // every scan.
     static constexpr int kComfortableCandidates = 38;
     // How many more candidates a search collects before it drops the farthest.
     static constexpr int kSpareCandidates = 16;
     static constexpr int kMaxIterations = ProxyPath::kMostRounds;
     // Greatest number of gatherings within one move, for long moves through crowded places.
     static constexpr int kMaxStages = 8;
-    // Greatest number of nodes and obstacles that one gathering visits in one shape. Farther ones count as unknown.
+    // Greatest number of nodes and obstacles that one gathering visits in one shape. Space beyond the visited ones is
+    // unknown.
     static constexpr int kMostLooks = 2048;
     static constexpr double kSmallestRadius_m = 1e-5;
     // The work budget of one move, in units of about a nanosecond (see kLookWork and the others). The work is counted
-    // and not timed, so that every machine does the same. Once the budget is spent, unknown space counts as occupied
-    // and the existing cuts stay in use. The proxy, or a body that approaches it, waits for the next move.
+    // and not timed, so that every machine does the same. Once the budget is spent, the proxy does not enter unknown
+    // space and the existing cuts stay in use. The proxy, or a body that approaches it, waits for the next move.
     static constexpr int kMostWork = 88'000;
     // Part of the budget that gatherings leave for the rounds, because cuts are useless without rounds that use them.
     static constexpr int kRoundsWork = 18'000;
@@ -58,8 +59,8 @@ public:
         double margin_m = 0.02;   // desired distance that the proxy may move before candidates are gathered again
         double growth_m = 0.0;    // how much a shrunken proxy grows in this move
         // Greatest number of rounds, up to kMaxIterations. With fewer rounds the proxy never goes through an obstacle
-        // but only lags (tests: I17). With 0, the move uses the cuts as they are; it renews none and gathers none, as
-        // if it had no time (tests: I18).
+        // but only lags (tests: I17). With 0, the move uses the cuts as they are. It then renews no cut and gathers no
+        // candidates, as if it had no time (tests: I18).
         int most_rounds = kMaxIterations;
         const BodyPoses* bodies = nullptr;  // poses, each with a scale > 0; null: each body has its pose from the scene
     };
@@ -84,7 +85,7 @@ public:
         bool pushed = false;    // true if a body moved the proxy
         bool squeezed = false;  // true if the proxy had to shrink
 
-        // Prepares for the next move. `holds` needs no clearing, because only the first `count` are valid.
+        // Prepares for the next move. `holds` needs no clearing, because only its first `count` elements are valid.
         void begin() noexcept {
             count = iterations = 0;
             converged = true;
@@ -94,13 +95,14 @@ public:
 
     // Makes the proxy start at the goal of the next move.
     void reset() noexcept;
-    // Makes one move. `Has` is AllFeatures, or PlainFeatures if scene.plain.
+    // Makes one move. `Has` is AllFeatures; it may be PlainFeatures if scene.plain is true.
     template <class Has = AllFeatures>
     const Step& move(const HapticScene& scene, const Request& request) noexcept;
-    // Call it before move(). Returns true if no body is near enough to matter, so that the move may ignore bodies.
+    // Call it before move(). Returns true if no body is near enough to affect the proxy, so that the move may ignore
+    // bodies.
     bool bodies_are_far(const HapticScene& scene, const Request& request) noexcept;
     // A quick version of bodies_are_far() for a tick in which nothing about the bodies has changed. False means that
-    // they may be near.
+    // bodies may be near.
     bool bodies_stay_far(const HapticScene& scene, const BodyPoses& bodies, double radius_m, double margin_m,
                          double path_cap_m) noexcept {
         if (all_far_in_ != &scene || generation_ != scene.generation) return false;
@@ -116,8 +118,7 @@ public:
     // was free first goes straight to its first contact, where friction begins.
     template <class Has = AllFeatures>
     void hold_back(const HapticScene& scene, double reach_m) noexcept;
-    // Call it after move(). Until the next move, friction makes the proxy move along with this body (kStill: with
-    // none).
+    // Call it after move(). Until the next move, friction makes the proxy move along with `body` (kStill: with none).
     void ride(std::uint16_t body) noexcept { carrier_ = body; }
 
     // Converts a direction to the frame of the holding body, or of the still scene.
@@ -152,7 +153,7 @@ public:
     // Centre of the proxy, in the scene's own coordinates.
     Vec3 local_m() const noexcept { return anchor_m_ + ball_m_; }
     Vec3 world_m() const noexcept { return scene_origin_m_ + anchor_m_ + ball_m_; }
-    // For checks: the points of the last path, in world metres.
+    // For checks: path_size() is the number of points of the last path, path_m() returns one of them in world metres.
     int path_size() const noexcept { return path_.size; }
     Vec3 path_m(int i) const noexcept { return scene_origin_m_ + anchor_m_ + path_[i]; }
     // For checks: the candidates with their cuts, in the scene's own coordinates, and the number of gatherings since
@@ -167,8 +168,8 @@ public:
     // Number of nodes and obstacles that the last move visited, and the work that it counted, without the cheap parts.
     int looks() const noexcept { return work_.looks; }
     int work() const noexcept { return kMostWork - work_.left; }
-    // The bodies that the solver follows, and the pose at which it has one of them. That pose lags while the body
-    // waits.
+    // tracked() returns how many bodies the solver follows, tracks() whether it follows `body`. body_at() returns the
+    // pose at which the solver has a body, which lags while the body waits.
     std::size_t tracked() const noexcept { return tracks_.count; }
     bool tracks(std::size_t body) const noexcept { return tracks_.follows(body); }
     Placement body_at(std::size_t body) const noexcept { return tracks_.of(body).at; }
@@ -180,7 +181,7 @@ public:
 
 private:
     struct Candidate {
-        double distance_m;  // distance of its cut, which is at most the distance of the obstacle
+        double distance_m;  // distance of the candidate's cut, which is at most the distance of the obstacle
         std::uint32_t obstacle;
         std::uint32_t normal;  // index in nearest_normals_
     };
@@ -215,7 +216,7 @@ private:
         return !Has::kBodies || (tracks_.count == 0 && !tracks_.far_short) ? known : known_of_bodies(at_m, known);
     }
     double known_of_bodies(const Vec3& at_m, double known_m) noexcept;
-    // Counts work for each followed body. The work for only a few bodies is not counted.
+    // Counts work for each followed body. For only a few bodies, the work is not counted.
     void spend_on_tracked(int work) noexcept;
     void gather(const HapticScene& scene, double reach_m, double needed_m) noexcept;
     void gather_waiting(const HapticScene& scene, double reach_m, double needed_m) noexcept;
@@ -262,9 +263,9 @@ private:
     double fraction_to_waking(const HapticScene& scene, const Vec3& step) const noexcept;
     bool arc_step(const HapticScene& scene, double way_left_m) noexcept;
     // Returns the fraction of a step that the proxy can move before it leaves the first cut. If `met` is given, it
-    // receives the index of that cut, and stays unchanged if the step leaves none.
+    // receives the index of that cut. It stays unchanged if the step leaves no cut.
     double fraction_inside(const Vec3& step, int* met = nullptr) const noexcept;
-    // Parts of hold_back().
+    // The parts of hold_back().
     static constexpr int kMostTouched = 16;
     template <class Has>
     void touch_down(const HapticScene& scene) noexcept;
@@ -304,7 +305,7 @@ private:
     bool gathers_on_ = false;  // true while a gathering takes several moves
     // State that lasts from move to move.
     const HapticScene* scene_ = nullptr;  // used only for comparison, together with the generation
-    // Scene whose bodies were all far at the last check; used only for comparison.
+    // Scene whose bodies were all far at the last check. The pointer is used only for comparison.
     const HapticScene* all_far_in_ = nullptr;
     std::uint32_t generation_ = 0;
     std::uint16_t carrier_ = kStill;

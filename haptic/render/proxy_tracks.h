@@ -1,6 +1,6 @@
-// The moving bodies that the proxy follows, because they are near enough to be met soon. All other bodies stay farther
-// than far_m from far_from_m during their current movements. The solver finds a body that comes nearer when the body's
-// next movement begins, or when the proxy has moved on. Plain values of fixed size: they allocate only in their
+// The moving bodies that the proxy follows, because they may soon reach the proxy. All other bodies stay farther than
+// far_m from far_from_m during their current movements. The solver finds a body that comes nearer when the body's next
+// movement begins, or when the proxy has moved on. Plain values of fixed size: they allocate only in their
 // constructors. ProxySolver owns them; the same thread and rules apply.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace handrail::render {
 
-// A body's state when the proxy last considered it.
+// A body's state at the last move of the proxy.
 struct ProxyTrack {
     Placement at, from, to;  // in the world: the pose now, and the poses at the start and end of this move
     Placement before;        // pose before the current sub-step
@@ -28,10 +28,12 @@ struct ProxyTrack {
     bool unknown = false;        // there was no time yet to gather its obstacles
     bool crowded = false;        // at the last search, more of its obstacles were near than kComfortableCandidates
     bool leaves = false;         // while gathering: its candidates are to be dropped and perhaps gathered again
-    // Some of its obstacles may be candidates; if false, the sphere with radius reach_m bounds them all.
+    // Some of the body's obstacles may be candidates. If false, the sphere with radius reach_m bounds them all.
     bool looked_at = false;
-    double reach_m = 0.0;  // radius of a sphere around its frame's origin that contains it, world metres
-    // If looked_at is true, every obstacle nearer to this place than known_m is a candidate. In the body's own frame.
+    // Radius of a sphere around the origin of the body's frame that contains the body, world metres.
+    double reach_m = 0.0;
+    // If looked_at is true, every obstacle of the body that is nearer to known_from_m than known_m is a candidate. In
+    // the body's own frame.
     Vec3 known_from_m{0.0};
     double known_m = -1.0;  // in world metres
 
@@ -65,14 +67,14 @@ struct ProxyTracks {
     double near_m = 0.0;  // distance around the proxy within which bodies must have a track
     // Square of the distance that the proxy may move from far_from_m before the solver searches for near bodies again.
     double far_enough_m2 = -1.0;
-    // The proxy might leave the range that far_m covers. It must stop at the end of that range.
+    // The proxy might leave the range of far_m in this move. It must stop at the end of that range.
     bool far_short = false;
     bool all = false;          // for checks: follow every body as long as there are tracks
     std::uint64_t ways = 0;    // number of the current movements (BodyPaths)
     std::uint64_t number = 0;  // number of the poses (BodyPoses) that the solver used last
     // Distance around the anchor that was known after the last gathering, over all searched bodies.
     double known_m = 0.0;
-    bool moved = false;    // some of the searched bodies have moved since then
+    bool moved = false;    // some of the searched bodies have moved since the last gathering
     bool unknown = false;  // the obstacles of at least one body have not been gathered yet
     bool behind = false;   // at least one body has not reached its commanded pose
 

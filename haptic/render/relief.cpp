@@ -111,7 +111,7 @@ double least(const Vec3& along, const Relief& relief) noexcept {
 }
 
 constexpr double kTwoPi = 2.0 * kPi;
-constexpr double kAtBorder_m = 1e-9;  // a point nearer to a border than this counts as on the border
+constexpr double kAtBorder_m = 1e-9;  // greatest distance from a border at which a point is treated as on the border
 
 }  // namespace
 
@@ -243,8 +243,8 @@ ReliefValue relief_at(const Relief& relief, const ReliefAxes& axes, const Vec3& 
     return out;
 }
 
-// Bound for the depth at distance d from a border: b(d) = 0.3 d^2 / (d + start). It is flat at the border and has a
-// slope of 0.3 further in.
+// Bound for the depth at distance d from a border: b(d) = 0.3 d^2 / (d + start). The bound is flat at the border and
+// has a slope of 0.3 further in.
 void ReliefBorder::add(double distance_m, const Vec3& away) noexcept {
     if (distance_m <= kAtBorder_m || value_.depth_m <= 0.0) {
         outside_ = true;

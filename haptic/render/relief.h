@@ -21,10 +21,11 @@ namespace handrail::render {
 
 // The depths of a picture, from 0 (plain) to 1 (deepest), at several resolutions, each half of the one before. The
 // values are coefficients of a cubic B-spline, so depth and slope change without a step. The largest differences bound
-// slope and curvature everywhere. The picture repeats in both directions.
+// the slope and curvature everywhere. The picture repeats in both directions.
 class HeightField {
 public:
-    // Greatest width and height of a picture; finer pictures are averaged, because a hand feels no finer detail.
+    // Greatest width and height of a picture. Pictures with more samples are averaged, because a hand feels no finer
+    // detail.
     static constexpr int kLargestSide = 1024;
     // `depths` has width * height values, row by row with the top row first. Width and height are at least 1.
     HeightField(int width, int height, std::span<const float> depths);

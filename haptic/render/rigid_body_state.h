@@ -20,7 +20,8 @@ struct ContactPlane {
     double offset_m = 0.0;
     double friction = 0.0;    // coefficient of sliding friction
     Vec3 speed_m_per_s{0.0};  // velocity of the touched surface at that point
-    bool round = false;       // the body is a ball, so its point nearest to the plane always counts
+    // True if the body is a ball. The contact point is then always the ball's point nearest to the plane.
+    bool round = false;
     double radius_m = 0.0;
 };
 
@@ -78,7 +79,7 @@ struct HandPush {
 struct HandPlace {
     Vec3 at_m{0.0};
     double radius_m = 0.0;  // radius of the proxy; 0: the hand is absent
-    double time_s = 0.0;    // time of the servo's tick, which differs between all messages of a hand
+    double time_s = 0.0;    // time of the servo's tick; each message of a hand has a different time
 
     bool present() const noexcept { return radius_m > 0.0; }
 };

@@ -79,8 +79,8 @@ Vec3 SoftState::press(const SoftPatch& patch, bool& awake, const HandMotion& han
     const double step_u = patch.size_u_m / patch.cells_u, step_v = patch.size_v_m / patch.cells_v;
     const double footprint = std::max(radius_m, kLeastFootprintCells * std::max(step_u, step_v));
     const double deep = radius_m - height;  // e, in world metres like all lengths here
-    // From behind or below the hard floor, the patch gives no force. The proxy cannot get there through the floor, only
-    // around it.
+    // If the proxy is behind or below the hard floor, the patch gives no force. The proxy cannot get there through the
+    // floor, only around it.
     const double above_floor = glm::dot(ball_m - patch.corner_m, normal) + patch.depth_m;
     const double front = smooth_step(1.0 + above_floor / radius_m);
     const bool near = deep > 0.0 && front > 0.0 && at_u > -footprint && at_u < patch.size_u_m + footprint &&

@@ -48,8 +48,8 @@ struct SoftPatch {
     double yield_n = 1.0;         // F_yield, for a plastic patch; 0.1 to 4
     std::vector<Vec3> outline_m;  // corners of the convex face, in either direction; empty: the whole rectangle
 
-    // The members below are computed when the scene is built.
-    // For each cell, u running fastest: 1 if the cell is in the face. Empty: all cells are.
+    // The members below are computed when the scene is built. `part` has one element for each cell, u running fastest:
+    // 1 if the cell is in the face. Empty: all cells are.
     std::vector<std::uint8_t> part;
     std::uint32_t cells_u = 0, cells_v = 0, first_cell = 0;
 
@@ -69,8 +69,8 @@ class SoftState {
 public:
     SoftState();
 
-    // Restores every patch to its untouched state. Needed only for another world, because a dent stays while the hand
-    // is elsewhere.
+    // Restores every patch to its untouched state. Needed only when the hand enters another world, because a dent stays
+    // while the hand is elsewhere.
     void clear() noexcept;
     // Returns the force on the hand, in world axes. `ball_m` is the centre of the proxy in the world. Stiffness
     // fractions are relative to hand.stiffest_n_per_m. `pressed` receives the feature of a patch that pushes back.

@@ -80,7 +80,7 @@ Rise rise_over_facet(const std::array<Vec3, 3>& p, const MeshShading::Facet& fac
 // where the facets begin. It fades towards the edge's ends, because round a corner the proxy simply rolls.
 Rise rise_over_edge(const HapticScene& shape, const std::array<Vec3, 3>& p, const MeshShading::Facet& facet,
                     const Vec3& across, double side, const FieldRequest& request) noexcept {
-    constexpr double kRunOut = 0.1;  // share of the edge's length, at each end, over which the term fades
+    constexpr double kRunOut = 0.1;  // share of the edge's length, at each end, over which the added term fades
     const Vec3 foot = request.ball_m - request.normal * request.radius_m;
     std::size_t edge = 0;
     double nearest = 0.0;
@@ -174,7 +174,7 @@ SurfaceField surface_field(const HapticScene& scene, const HapticScene& shape, c
                 break;
         }
         const bool has_borders = o.kind == ObstacleKind::Box || o.kind == ObstacleKind::Brush;
-        // At an edge the surface stays plain, because textures have faded out at the border of a face.
+        // At an edge the surface is plain, because textures have faded out at the border of a face.
         if (has_borders && glm::dot(onto, request.normal) < kFlat) return field;
         ReliefValue value = relief_at(relief, relief_axes(onto), request.hand_m, request.world_m_per_hand_m,
                                       request.stiffness_n_per_m, request.swing);

@@ -1,7 +1,7 @@
 // Computes how much lower or higher a surface is felt than its obstacle, as a field over the hand's position. Depth
-// textures lower the surface, and force shading raises it over the facets of a tessellated curve. The tick calls it
-// once for each surface that holds the proxy, only in scenes that have such surfaces. Servo thread; noexcept, no
-// allocation.
+// textures lower the surface, and force shading raises it over the facets of a tessellated curve. The tick calls
+// surface_field() once for each surface that holds the proxy, only in scenes with textures or shading. Servo thread;
+// noexcept, no allocation.
 #pragma once
 
 #include "haptic/render/haptic_scene.h"
@@ -15,8 +15,8 @@ struct SurfaceField {
     double swing_to_shift = 0.0;
 };
 
-// The query for one hold. It has the positions of the hand and of the proxy's frictionless resting place, in the
-// coordinates of the holding shape, and the depth of the press along the normal.
+// The input of surface_field() for one hold. It has the positions of the hand and of the proxy's frictionless resting
+// place, in the coordinates of the holding shape, and the depth of the press along the normal.
 struct FieldRequest {
     std::uint32_t obstacle = 0, face = 0;
     Vec3 normal{0.0};  // normal of the hold

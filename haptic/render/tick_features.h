@@ -1,8 +1,8 @@
 // The features that only some scenes have. Every scene may have the plain ones: still solids, two-sided sheets,
 // friction, damping, the passivity guard and the drag of liquids. Tick and solver are compiled twice from one source,
-// once without the features below and once with all of them. Each tick chooses once, so a scene pays nothing for
-// features that it lacks. In the code a stage says `Has::kBodies && ...`. Rare work, such as gathering, is compiled
-// only once. Both versions are correct for every scene that has none of the features below.
+// once without the features below and once with all of them. Each tick uses the version that the scene needs, so a
+// scene pays nothing for features that it lacks. In the code a stage says `Has::kBodies && ...`. Rare work, such as
+// gathering, is compiled only once. Both versions are correct for every scene that has none of the features below.
 #pragma once
 
 namespace handrail::render {

@@ -1,5 +1,5 @@
-// The few mathematical functions that force laws need in a servo tick. They use only + - * /, so that every machine and
-// build gives bit-identical results. Pure, noexcept, a few nanoseconds each.
+// The few mathematical functions that force laws need in a servo tick. They use only + - * / and the rounding of
+// std::floor, so that every machine and build gives bit-identical results. Pure, noexcept, a few nanoseconds each.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace handrail::render {
 
-// Returns exp(-u) for u >= 0, within 0.4 % for u <= 1, and falling for every u. Used where only the trend matters, as
-// for shares and recovery.
+// Returns exp(-u) for u >= 0, within 0.4 % for u <= 1. The result falls for every u. Used where only the trend is
+// important, as for shares and recovery.
 inline double decay(double u) noexcept {
     tick_assert(!(u < 0.0));
     return 1.0 / (1.0 + u * (1.0 + u * (0.5 + u * (1.0 / 6.0 + u * (1.0 / 24.0)))));

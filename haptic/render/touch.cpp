@@ -23,13 +23,13 @@ constexpr double kGrowth_hand_m_per_s = 0.02;
 constexpr double kSlip_hand_m = 2e-3;      // slide distance over which static friction falls by a factor e
 constexpr double kHealing_s = 0.3;         // time of rest after which static friction has recovered by 1 - 1/e
 constexpr double kSpeedPole_hz = 50.0;     // pole of the filter for the hand speed that damping uses
-constexpr double kSmallestForce_n = 1e-9;  // a smaller force counts as a rounding error
+constexpr double kSmallestForce_n = 1e-9;  // a smaller force is treated as a rounding error
 
 // A wave has its full swing while a period takes at least 8 ticks. With faster hands it fades, and is level below 4
 // ticks.
 constexpr double kTicksOfFullWave = 8.0;
 constexpr double kSwingChange_per_s = 50.0;
-// Squared sine or determinant below which the normals of the holds count as parallel, so that they have no dual
+// Squared sine or determinant below which the normals of the holds are treated as parallel, so that they have no dual
 // directions.
 constexpr double kParallel = 1e-12;
 
@@ -89,8 +89,8 @@ struct TouchState::Impl {
     // their part of the result.
     Vec3 media_n(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, const Vec3& goal_step_m,
                  double dt_s, const BodyPoses& bodies, TouchResult& result) noexcept;
-    // goal_step_m() returns how far the goal moved since the last tick. The function after it returns the longest path
-    // that the proxy may take in this tick.
+    // goal_step_m() returns how far the goal moved since the last tick. path_cap_m() returns the longest path that the
+    // proxy may take in this tick.
     Vec3 goal_step_m(const Vec3& goal_m) const noexcept { return has_goal ? goal_m - last_goal_m : Vec3(0.0); }
     static double path_cap_m(const TouchTuning& tuning, const Vec3& goal_step_m) noexcept {
         return std::max(tuning.slide_cap_hand_m * tuning.world_m_per_hand_m, 2.0 * glm::length(goal_step_m));
@@ -117,11 +117,12 @@ struct TouchState::Impl {
                                                    const BodyPoses& bodies) noexcept;
 };
 
-// The shifts of the surfaces, weighted by how hard each holds, reduce the press P to P - s with s = sum(multiplier *
-// shift) / P. This is a potential 1/2 K (P - s)^2 over the hand's position, continuous wherever a surface begins or
-// stops to hold. The pull is its gradient: (P - s)(p + grad s), where p is the direction of the press. The gradients of
-// the multipliers are the vectors dual to the normals. The alternative, to shift each surface and press against all of
-// them again, was rejected. With it, a surface that only the lowered proxy meets would come in with a jump.
+// The shifts of the surfaces, weighted by how hard each surface holds the proxy, reduce the press P to P - s with s =
+// sum(multiplier * shift) / P. This is a potential 1/2 K (P - s)^2 over the hand's position, which stays continuous
+// when a surface begins or stops to hold. The pull is the potential's gradient: (P - s)(p + grad s), where p is the
+// direction of the press. The gradients of the multipliers are the vectors dual to the normals. The alternative, to
+// shift each surface and press against all of them again, was rejected. With it, the force would jump when the lowered
+// proxy reaches a further surface.
 TouchState::Impl::FieldPress TouchState::Impl::field_press(const HapticScene& scene, const TouchTuning& tuning,
                                                            const ProxySolver::Step& step,
                                                            const std::array<std::uint32_t, 3>& faces,
@@ -319,7 +320,7 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
     result.radius_m = solver.radius_m();
     Vec3 force = offset * (feel.stiffness_n_per_m / scale);
 
-    // 4. Adds damping and the passivity guard, along the normal only. They never pull the hand into the surface.
+    // 4. Adds damping and the passivity guard, along the normal only. Neither ever pulls the hand into the surface.
     if (has_speed) {
         const double u = 2.0 * kPi * kSpeedPole_hz * dt_s;
         hand_speed_m_per_s += (own_step / dt_s - hand_speed_m_per_s) * (u / (1.0 + u));

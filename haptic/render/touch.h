@@ -1,8 +1,8 @@
-// Computes the force on the hand from its position in the world. One tick includes candidates, proxy, friction,
+// Computes the force on the hand from the hand's position in the world. One tick includes candidates, proxy, friction,
 // damping, liquids and effects. The servo, the `touch` replay, tests and benchmarks all use this code. Double
-// precision; noexcept; never allocates, locks or reads a clock. The servo checks samples before it and passes the force
-// through ForceLimiter after it. Source of the proxy: the free-cell proxy described in docs/architecture.md; Zilles &
-// Salisbury 1995, Ruspini et al. 1997.
+// precision; noexcept; never allocates, locks or reads a clock. The servo checks samples before the tick and passes the
+// force through ForceLimiter after it. Source of the proxy: the free-cell proxy described in docs/architecture.md;
+// Zilles & Salisbury 1995, Ruspini et al. 1997.
 #pragma once
 
 #include <algorithm>
@@ -24,14 +24,14 @@ class ProxySolver;
 // Settings of the renderer that depend on the person, the device and the scale. Plain values; the app publishes new
 // ones when a setting changes.
 struct TouchTuning {
-    double radius_m = 0.005;                  // radius of the proxy, world metres; 0 counts as 1e-5
+    double radius_m = 0.005;                  // radius of the proxy, world metres; 0 is replaced by 1e-5
     double world_m_per_hand_m = 1.0;          // scale S of the world
     double rated_stiffness_n_per_m = 1000.0;  // stiffness at fraction 1.0, per hand metre
     double default_stiffness_fraction = 0.8;  // for surfaces without a stiffness of their own
     double damping_ns_per_m = 0.0;  // damping of the hand's velocity along the normal, filtered by one pole at 50 Hz
     double default_friction_static = 0.0;  // for surfaces without a friction of their own
     double default_friction_kinetic = 0.0;
-    // Longest path of the proxy in a tick. If twice the goal's step is longer, that limit applies.
+    // Longest path of the proxy in a tick. The limit is twice the goal's step if that is longer.
     double slide_cap_hand_m = 0.5e-3;
     int most_rounds = 64;  // rounds of the solver; with fewer the proxy is as safe but lags (ProxySolver::Request)
     double override_stiffness_n_per_m = -1.0;  // >= 0: stiffness of every surface, in N per hand metre
@@ -41,7 +41,8 @@ struct TouchTuning {
     bool held = true;  // false: nobody holds the device, so no vibration, wind or current may drive it
     // Adds damping if the loop gives the hand energy, on surfaces with damping below 2 Ns/m.
     bool passivity_guard = false;
-    // For the guard: delay from computing a force until the hand feels it, without the hold.
+    // For the passivity guard: delay from computing a force until the hand feels it, without the time for which the
+    // force is held.
     double force_delay_s = 0.0;
 };
 
@@ -49,7 +50,7 @@ struct Contact {
     FeatureId feature = kNoFeature;
     MaterialId material = kDefaultMaterial;
     Vec3 normal{0.0};    // unit vector, from the obstacle to the proxy
-    double share = 0.0;  // its share of the whole press, 0 to 1 (multipliers normalised to a sum of 1)
+    double share = 0.0;  // the contact's share of the whole press, 0 to 1 (multipliers normalised to a sum of 1)
 };
 
 // The surfaces that hold the proxy in this tick: 0 to 3.
@@ -71,7 +72,8 @@ struct TouchResult {
     Vec3 contact_force_n{0.0};  // part of the force that comes from surfaces
     Vec3 slide_m{0.0};          // displacement of the proxy in this tick, in the world
     ContactSet contacts;
-    FeatureId liquid = kNoFeature;  // volume that contains the proxy; where volumes overlap, the last one listed
+    // Liquid volume that contains the proxy. If several volumes contain it, the last one listed.
+    FeatureId liquid = kNoFeature;
     // Current radius of the proxy; less than normal after a start in a narrow place, then growing.
     double radius_m = 0.0;
     FeatureId soft = kNoFeature;  // the soft patch that the proxy presses
@@ -94,8 +96,7 @@ public:
     void reset() noexcept;
     // Forgets only velocities, after a fault. The proxy keeps its history.
     void reset_filters() noexcept;
-    // Walking needs no call here. When the walker moves the hand's frame, other than by a teleport, the goal simply
-    // moves.
+    // When the walker moves the hand's frame without a teleport, the goal simply moves, so reset() is not needed.
 
     // For checks: the proxy, with its path, candidates and gatherings of the last tick.
     const ProxySolver& solver() const noexcept;

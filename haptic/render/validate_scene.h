@@ -8,8 +8,8 @@
 
 namespace handrail::render {
 
-// Reports the first fault found: an index out of range, a position that is not finite, a direction without length, or a
-// body without a shape. The message is for developers.
+// Checks the scene and reports the first fault found: an index out of range, a position that is not finite, a direction
+// without length, or a body without a shape. The message is for developers.
 Result<void> validate(const HapticScene& scene);
 
 }  // namespace handrail::render
