@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kStrain_n = 1.2, kStrainShare = 0.9, kStrain_s = 0.6, kStrainMoves_hand_m = 1e-3;
 constexpr double kSame_hand_m = 0.05e-3;
-// Rate at which a held body turns back to the orientation in which the hand took it.
+// Rate at which a held body turns back to the orientation that it had when the hand gripped it.
 constexpr double kWrist_per_s = 30.0;
-// Least mass that a body shows to a contact. Two hands can still move a body of this mass stably.
+// Least inertial mass of a body in a contact with a hand. Two hands can still move a body of this mass stably.
 constexpr double kLeastFelt_kg = 0.2;
 
 }  // namespace
@@ -39,7 +39,7 @@ void BodiesInReach::forget() noexcept {
     heavy_ = render::kNoBody;
 }
 
-// Notes that the body moved since the last frame. lively_ never holds more entries than there are bodies, and has room
+// Notes that the body moved since the last frame. lively_ never has more entries than there are bodies, and has room
 // for all of them.
 void BodiesInReach::moved(std::uint32_t body) noexcept {
     if (moved_at_[body] == 0) lively_.push_back(body);
@@ -69,7 +69,7 @@ void BodiesInReach::hear(const render::DynamicsFrame& frame) noexcept {
     } else if (follows) {
         for (const std::uint32_t body : frame.moved)
             if (body < count) moved(body);
-    } else {  // the engine published frames that this hand missed
+    } else {  // frames are missing, because the engine published some that this hand did not read
         for (std::uint32_t body = 0; body < count; ++body)
             if (!(frame.things[body] == frames_[before].things[body])) moved(body);
     }
@@ -138,8 +138,8 @@ bool BodiesInReach::place(double now_s, const Vec3& hand_m, const BodyFeel& feel
             if (Slot* slot = slot_of(words_[i].body)) slot->touched_s = std::max(slot->touched_s, now_s);
             else open(words_[i], now_s);
         }
-    // The used slots in the order of the scene, so that carried_m_ adds up in a fixed order. Sorted by insertion,
-    // because GCC 14 wrongly warns that std::sort would go out of bounds on so short an array.
+    // The used slots in the order of the scene, so that carried_m_ adds up in a fixed order. They are sorted by
+    // insertion, because GCC 14 wrongly warns that std::sort would go out of bounds on so short an array.
     std::array<Slot*, kMost> used{};
     std::size_t used_count = 0;
     for (Slot& slot : slots_) {
@@ -158,8 +158,7 @@ bool BodiesInReach::place(double now_s, const Vec3& hand_m, const BodyFeel& feel
             if (!slot_of(body)) any = show(body, nullptr, now_s, feel, bodies) || any;
     }
     for (std::size_t i = 0; i < used_count; ++i) any = show(used[i]->model.body(), used[i], now_s, feel, bodies) || any;
-    // A body that rests in all frames of the ring, and whose pose has been written there, is not examined until it
-    // moves.
+    // If a body rests in all frames of the ring, and its pose has been written, it is not examined until it moves.
     std::erase_if(lively_, [this](std::uint32_t body) {
         if (heard_ - moved_at_[body] < frames_.size() || slot_of(body)) return false;
         moved_at_[body] = 0;
@@ -278,7 +277,7 @@ Vec3 BodiesInReach::grip_force_n(const Vec3& hand_m, double dt_s, const BodyFeel
     grip_force_n_ = away * (feel.grip_n_per_m / scale) + speeds * (feel.grip_ns_per_m / scale);
     const Vec3 most = at_most(grip_force_n_, feel.ceiling_n);
     if (!(most == grip_force_n_)) {
-        // The grip slips in the direction of the force, which only takes energy.
+        // The grip slips in the direction of the force, which only removes energy.
         grip_offset_m_ += (most - grip_force_n_) * (scale / feel.grip_n_per_m);
         grip_force_n_ = most;
         // The grip has slipped off if the offset is much greater than the body's size and the hand's range.
@@ -291,8 +290,8 @@ Vec3 BodiesInReach::grip_force_n(const Vec3& hand_m, double dt_s, const BodyFeel
     return grip_force_n_;
 }
 
-// Returns the moment that turns the body back to the orientation in which the hand took it, like a critically damped
-// spring. A device with three axes cannot turn the body itself.
+// Returns the moment that turns the body back to the orientation that it had when the hand gripped it, like a
+// critically damped spring. A device with three axes cannot turn the body itself.
 Vec3 BodiesInReach::wrist_nm() const noexcept {
     const BodyModel& model = slots_[held_].model;
     if (scene_->bodies[model.body()].ball) return Vec3(0.0);
@@ -367,7 +366,7 @@ void BodiesInReach::react(const render::TouchResult& touch, double share, double
             moment += wrist_nm();
         }
         if (slot.contact || held) slot.touched_s = now_s;
-        // A held body that is too heavy needs no such check, because it slips out of the grip at the ceiling.
+        // A held body needs no such check: if it is too heavy, it slips out of the grip at the ceiling.
         if (!held) strain(slot, glm::length(force) * feel.felt_gain, dt_s, feel);
         if (slot.contact || held || leaves || slot.unsent_ns != Vec3(0.0)) {
             render::HandPush push;

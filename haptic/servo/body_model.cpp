@@ -30,8 +30,8 @@ struct InverseInertia {
 
 // One direction in which a contact acts.
 struct Direction {
-    // The unit vector of the direction; the cross product of arm and direction; the change of angular velocity per unit
-    // impulse.
+    // `along` is the unit vector of the direction. `turns` is the cross product of arm and direction. `spins` is the
+    // change of angular velocity per unit impulse.
     Vec3 along{0.0}, turns{0.0}, spins{0.0};
     double mass_kg = 0.0;  // effective mass in this direction
 
@@ -61,7 +61,7 @@ void BodyModel::begin(const render::RigidBodyState& word, const State& seen) noe
 
 void BodyModel::hear(const render::RigidBodyState& word) noexcept {
     if (!(word.time_s > word_.time_s)) return;
-    // Contacts that continue keep their impulses. Otherwise a resting body would sag with every new message.
+    // Contacts that continue keep their impulses. Without them, a resting body would sag with every new message.
     std::array<Vec3, render::RigidBodyState::kMostPlanes> kept{};
     for (std::size_t i = 0; i < word.count; ++i)
         for (std::size_t k = 0; k < word_.count; ++k)
@@ -123,8 +123,8 @@ void BodyModel::solve(double dt_s) noexcept {
         const double gap =
             glm::dot(plane.normal, state_.at.position_m + arm) -
             (plane.offset_m + glm::dot(plane.normal, plane.speed_m_per_s) * (state_.time_s - word_.time_s));
-        // In this tick, the point may approach the plane by at most the gap. A point that is already behind the plane
-        // is pushed out gently.
+        // In this tick, the point may approach the plane by at most the gap. If the point is already behind the plane,
+        // it is pushed out gently.
         p.want_m_per_s =
             (gap > 0.0 ? -gap / dt_s : std::min(-0.02 * gap / dt_s, 0.2)) + glm::dot(plane.normal, plane.speed_m_per_s);
         p.friction = plane.friction * stick;

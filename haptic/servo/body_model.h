@@ -1,7 +1,7 @@
-// The servo's own model of one body that a hand touches or holds. In every tick it is moved by exactly the force that
-// the hand feels, by gravity, and by the contact planes that the engine sent last. Later messages of the engine correct
-// it. If the hand touched the delayed poses of the engine, it would gain unbounded energy; a model that moves in the
-// same tick gives none. Plain state; real-time safe; + - x / and square root only. Cost for different numbers of
+// The servo's own model of one body that a hand touches or holds. In every tick BodyModel is moved by exactly the force
+// that the hand feels, by gravity, and by the contact planes that the engine sent last. Later messages of the engine
+// correct it. If the hand touched the delayed poses of the engine, it would gain unbounded energy; a model that moves
+// in the same tick gives none. Plain state; real-time safe; + - x / and square root only. Cost for different numbers of
 // contacts: docs/results.md. Sources: Stewart & Trinkle 1996 (contacts as impulses); Catto, Iterative dynamics with
 // temporal coherence, 2005 (sequential impulses, warm start).
 #pragma once
@@ -22,11 +22,11 @@ public:
         Vec3 speed_m_per_s{0.0}, turn_rad_per_s{0.0};
     };
 
-    // Starts the model from a message of the engine and from the state in which the hand has met the body until now.
-    // The model corrects the difference over kCorrect_s.
+    // Starts the model from a message of the engine. `seen` is the state of the body that the hand has touched until
+    // now. The model corrects the difference between both over kCorrect_s.
     void begin(const render::RigidBodyState& word, const State& seen) noexcept;
-    // Takes a message about a moment within the last kHistory ticks. An earlier moment, or one after the model's time,
-    // is accepted too. The times of the messages must rise.
+    // Accepts a message about a moment within the last kHistory ticks. An earlier moment, or a moment after the model's
+    // time, is accepted too. The times of the messages must rise.
     void hear(const render::RigidBodyState& word) noexcept;
     // Computes one tick, starting at the state's time. `force_n` is in world newtons; `moment_nm` is about the centre
     // of mass.

@@ -8,7 +8,7 @@
 namespace handrail::servo {
 namespace {
 
-// If a body has not moved for longer than this, its movement starts at the old pose, one frame before the new pose.
+// Time without movement after which a body's next movement starts one frame before the new pose.
 constexpr double kStillS = 0.1;
 constexpr double kUsualFrameS = 1.0 / 60.0;
 std::atomic<std::uint64_t> frames_pushed{0};
@@ -58,7 +58,7 @@ render::BodyPoses BodyPlayback::find(const BodyFrame& frame, const render::Hapti
         scene_ = 0;
         settled_ = frame_ = 0;
         ways_ = {};
-        ways_.number = ~std::uint64_t{0};  // differs from the number of every frame
+        ways_.number = ~std::uint64_t{0};  // no frame has this number
         return {{}, played_, &ways_};
     }
     if (jump) first_number_ = frame.number();
@@ -82,8 +82,8 @@ render::BodyPoses BodyPlayback::find(const BodyFrame& frame, const render::Hapti
     scene_ = frame.scene();
     settled_ = still ? a.number : 0;
     constexpr double kEver = std::numeric_limits<double>::infinity();
-    // 0 forces a new search in the next tick: play_s is before the first moment, and at that moment the bodies begin to
-    // move.
+    // The value 0 forces a new search in the next tick. It is set while play_s is before the first moment, because at
+    // that moment the bodies begin to move.
     frame_ = still && i < last ? 0 : frame.number();
     from_s_ = still ? -kEver : a.time_s;
     until_s_ = still ? kEver : frame.moment(i + 1).time_s;

@@ -14,8 +14,8 @@
 
 namespace handrail::servo {
 
-// The poses of all bodies of a scene at the last moments at which some body moved. The app makes and publishes it. Only
-// the app allocates and frees its memory; the servo only reads it.
+// The poses of all bodies of a scene at the last moments at which some body moved. The app makes and publishes a
+// BodyFrame. Only the app allocates and frees its memory; the servo only reads it.
 class BodyFrame {
 public:
     static constexpr std::size_t kMoments = 8;  // number of kept moments, which cover 130 ms at 60 frames a second
@@ -33,11 +33,11 @@ public:
     void push(std::uint32_t scene, double time_s, std::vector<render::BodyPose> poses);
 
     std::uint32_t scene() const noexcept { return scene_; }  // HapticScene::generation; 0: none
-    // Rises with every push() and is unique in this process, so two frames with the same number contain the same
-    // tables. 0: no push() yet.
+    // The number of this frame. It rises with every push() and is unique in this process, so two frames with the same
+    // number contain the same tables. 0: no push() yet.
     std::uint64_t number() const noexcept { return number_; }
     std::size_t size() const noexcept { return count_; }
-    // I = 0: the oldest moment.
+    // Returns moment i; 0 is the oldest.
     const Moment& moment(std::size_t i) const noexcept { return moments_[(first_ + i) % kMoments]; }
     // Returns the poses at the newest moment.
     std::span<const render::BodyPose> poses() const noexcept {
@@ -56,8 +56,8 @@ private:
 class BodyPlayback {
 public:
     // Returns the poses at the time `play_s`. The result is valid until the next call and while the frame exists.
-    // `frame` is the newest known frame and may be the same as before. With `jump`, what the hand felt before is no
-    // longer valid, so playback starts at the newest moment.
+    // `frame` is the newest known frame and may be the same as before. If `jump` is true, everything that the hand felt
+    // before is invalid, so playback starts at the newest moment.
     render::BodyPoses at(const BodyFrame& frame, const render::HapticScene& scene, double play_s,
                          bool jump = false) noexcept {
         // Fast path for most ticks: the time is between the same two moments as in the last tick, or all bodies rest at
@@ -77,8 +77,8 @@ private:
 
     std::uint64_t first_number_ = 0;  // moments with lower numbers are not played any more
     std::uint64_t played_ = 0;        // number of the poses that the renderer got last
-    std::uint64_t settled_ = 0;       // Moment::number of the poses returned last; 0: they were between two moments
-    std::uint32_t scene_ = 0;         // scene of the poses returned last
+    std::uint64_t settled_ = 0;  // Moment::number of the poses returned last; 0: the poses were between two moments
+    std::uint32_t scene_ = 0;    // scene of the poses returned last
     // Number of the frame whose tables poses_ and ways_ refer to, valid while from_s_ < play_s < until_s_. 0: none.
     std::uint64_t frame_ = 0;
     double from_s_ = 0.0, until_s_ = 0.0, long_s_ = 0.0;  // long_s_ is until_s_ - from_s_

@@ -21,7 +21,7 @@ void ContactTracker::end(std::size_t index, double now_s, TickEvents& events) no
 
 void ContactTracker::update(const render::TouchResult& touch, const Vec3& velocity_m_per_s, double world_m_per_hand_m,
                             double now_s, double dt_s, TickEvents& events) noexcept {
-    // A soft surface counts as a contact like a hard one.
+    // A soft surface is added to the contacts, as a hard one is.
     const double contact_n = length(touch.contact_force_n), soft_n = length(touch.soft_force_n);
     std::array<render::Contact, 4> felt;
     std::size_t count = 0;

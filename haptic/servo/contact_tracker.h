@@ -1,5 +1,5 @@
-// Turns the contact set of each tick into events for the audio thread: the hand met a surface, slid along it or left
-// it; it entered or left a liquid. Only hand tremor is filtered out: a contact that is lost for less than 20 ms
+// Turns the contact set of each tick into events for the audio thread: the hand touched a surface, slid along it or
+// left it; it entered or left a liquid. Only hand tremor is filtered out: a contact that is lost for less than 20 ms
 // continues. The cue planner decides which names are announced, and how often. Plain state, servo thread only;
 // real-time safe.
 #pragma once
@@ -25,8 +25,8 @@ enum class ContactEventKind : std::uint8_t {
     RimLeft,
     Grabbed,
     LetGo,
-    // The wall towards the person's body let the hand through to the desk or back (PersonalSpace). The hand may have
-    // pulled, or its position may have become invalid.
+    // The wall towards the person's body let the hand through to the desk or back (PersonalSpace). The cause is a pull
+    // of the hand, or a fault that makes the hand's position invalid.
     DeskEntered,
     DeskLeft,
 };
@@ -38,8 +38,8 @@ struct ContactEvent {
     FeatureId feature = kNoFeature;
     MaterialId material = kDefaultMaterial;
     Vec3 position_m{0.0};  // position of the proxy in the world
-    // Speed of the hand. For Begin, it is the speed of approach. For Slide, it is along the surface; 0 means that the
-    // hand stopped. For liquids, it is the speed through the liquid.
+    // Speed of the hand. For Begin, it is the speed at which the hand approaches the surface. For Slide, it is the
+    // speed along the surface; 0 means that the hand stopped. For liquids, it is the speed through the liquid.
     double speed_m_per_s = 0.0;
     double force_n = 0.0;  // force of this surface, before any ceiling
     Fault fault = Fault::None;
@@ -65,7 +65,7 @@ struct TickEvents {
 
 class ContactTracker {
 public:
-    // A contact or liquid counts as left if the hand has not touched it for this long.
+    // Time without contact after which the hand has left a surface or liquid.
     static constexpr double kLetGoS = 0.020;
     static constexpr double kSlideEveryS = 0.010;  // shortest time between two Slide events of one surface
     // Speeds of the hand along a surface at which a slide starts and stops.

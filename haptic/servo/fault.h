@@ -1,5 +1,5 @@
 // The faults of a live device, and the sentences that describe them. Each sentence says what happened and what the
-// person can do. Any thread except the servo thread, because sentences allocate.
+// person can do. Any thread except the servo thread, because composing a sentence allocates.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ enum class Fault : std::uint8_t {
     DriverError,  // the driver reports that the device does not obey commands; latched
     MayPush,      // the process that held the device ended, and the device may still push; latched
     ForceOff,     // the process that held the device ended, and the device has since accepted zero force; latched
-    // These two are not faults. The force pauses and returns automatically with a ramp.
+    // FocusLost and ButtonReleased are not faults. The force pauses and returns automatically with a ramp.
     FocusLost,       // the window lost the keyboard focus
     ButtonReleased,  // the person has released the button that must be held for any force
 };

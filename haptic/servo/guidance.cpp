@@ -44,8 +44,8 @@ void Guidance::go_on(const GuidancePath& path, const Vec3& hand_m, double scale,
     const double own_m = kPointSpeed_m_per_s * dt_s * scale;
     double left_m = std::max(own_m, length(hand_m - hand_before_m_));
     double own_left_m = own_m;
-    // A tick passes at most kMostCornersATick corners. Without a limit, the tiny steps that rounding leaves would never
-    // end.
+    // A tick passes at most kMostCornersATick corners. Without this limit, the loop would never end if rounding leaves
+    // tiny steps.
     for (int pass = 0; pass < kMostCornersATick && next_ < path.count && left_m > 0.0; ++pass) {
         const Vec3 leg = path.points_m[next_] - point_m_;
         const double leg_m = length(leg);
@@ -78,8 +78,8 @@ Vec3 Guidance::pull(const GuidancePath& path, const Vec3& hand_m, double scale, 
     against_s_ = most_n > 0.0 && state_.counter_n > kLetGo_n ? against_s_ + dt_s : 0.0;
     if (!(away_m > 0.0)) return Vec3(0.0);
     const Vec3 way = away / away_m;
-    // Sideways speed counts as well; otherwise a hand that turns a corner would move faster than either leg of the path
-    // allows. A hand that moves away from the point feels the full force.
+    // The sideways speed is included; otherwise a hand that turns a corner would move faster than either leg of the
+    // path allows. If the hand moves away from the pulling point, the full force acts.
     const double along = glm::dot(velocity_m_per_s_, way);
     const double aside = length(velocity_m_per_s_ - way * along);
     const double slower = std::clamp(1.0 - (along + aside) / kFastest_m_per_s, 0.0, 1.0);
@@ -126,8 +126,8 @@ Vec3 nearest_on_leg(const Vec3& a, const Vec3& b, const Vec3& p) noexcept {
 }  // namespace
 
 // The potential is A times the product of 1 - f over all legs of the path, with f = (1 - (d/w)^2)^3 for a leg nearer
-// than w. It is zero on every leg and A far from all of them. It is smooth in between, even where legs meet, because
-// d^2 is smooth. The force is its negative slope.
+// than w. The potential is zero on every leg and A far from all of them. It is smooth in between, even where legs meet,
+// because d^2 is smooth. The force is the negative slope of the potential.
 Vec3 Guidance::grooves(const GuidancePath& path, const Vec3& hand_m, double scale, double most_n) noexcept {
     constexpr double kPeakOfLaw = 1.7173003580037202;  // greatest value of 6 u (1 - u^2)^2, at u = 1/sqrt(5)
     std::array<Vec3, GuidancePath::kMostPoints / 2> slopes;

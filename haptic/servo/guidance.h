@@ -1,6 +1,6 @@
-// Guidance for the hand, only on request: a gentle pull along a path, or lines through an object at which the hand
-// tends to rest. It is off unless a GuidancePath with a number is published, and then it is either one pull or one set
-// of lines. The person always wins: the pull releases a hand that resists it.
+// Guides the hand, only on request: by a gentle pull along a path, or by lines through an object at which the hand
+// tends to rest. Guidance is off unless a GuidancePath with a number is published, and then it is either one pull or
+// one set of lines. The person always wins: the pull releases a hand that resists it.
 //
 // The pull is a spring between the hand and a point that advances along the path. Its force is limited and decreases
 // with the speed at which it moves the hand, so it never moves the hand faster than kFastest. Lines and grooves are
@@ -22,7 +22,7 @@ enum class GuidanceKind : std::uint8_t {
     // Grooves along the legs from each even point to the next. A groove is a vertical trench that ends at the height of
     // its leg and keeps the hand from leaving sideways.
     Grooves,
-    WayLines,  // The same legs as lines, which hold the hand from all sides, so that it can follow the path.
+    WayLines,  // The same legs as lines. They hold the hand from all sides, so that the hand can follow the path.
 };
 
 // The guidance that the app requests. Published as one value; about 1.6 kB.
@@ -31,7 +31,7 @@ struct GuidancePath {
 
     std::uint32_t number = 0;  // a new number restarts guidance; 0: no guidance
     GuidanceKind kind = GuidanceKind::Pull;
-    // Share of the force limits, 0 to 1. With 0 there is no force, but the arrival is still reported.
+    // Share of the force limits, 0 to 1. If it is 0, there is no force, but the arrival is still reported.
     double strength = 1.0;
     std::uint32_t count = 0;
     std::array<Vec3, kMostPoints> points_m{};  // points of the path, in the world
@@ -42,7 +42,7 @@ enum class GuidancePhase : std::uint8_t {
     Acts,
     LetGo,    // the person resisted, so the pull released the hand
     Arrived,  // the hand reached the end of the path
-    Ended,    // the app ended it, or force is no longer permitted
+    Ended,    // the app ended the guidance, or force is no longer permitted
 };
 
 // The published state of the guidance.
@@ -63,7 +63,8 @@ public:
     static constexpr double kFastest_m_per_s = 0.05;  // speed of the hand at which the pull has decreased to zero
     // Speed of the pulling point. It is less than kFastest, so that the hand can catch up.
     static constexpr double kPointSpeed_m_per_s = 0.04;
-    // If the hand is farther behind than this, at which the spring gives 0.75 N, the point waits for it.
+    // Distance of the hand behind the pulling point at which the point waits for the hand. The spring then gives 0.75
+    // N.
     static constexpr double kLead_m = 0.0025;
     static constexpr double kArrived_m = 0.004;  // distance from the end of the path at which the hand has arrived
     static constexpr double kLineHalfWidth_m = 0.006,
@@ -71,7 +72,7 @@ public:
         kLine_n = 0.4;
     static constexpr double kGrooveHalfWidth_m = 0.006,
                             // Greatest force of a groove far from others, reached at 0.45 of the half width. Where two
-                            // grooves meet it is 1.28 times that.
+                            // grooves meet, the force is up to 1.28 times as great.
         kGroove_n = 0.35;
 
     // Returns the force of this tick. `hand_m` is in the world; `scale` is world metres per hand metre. `allowed` says

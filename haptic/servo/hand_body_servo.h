@@ -1,6 +1,7 @@
-// The data that the servo of one hand needs for the free bodies of one world: the hand's models of them, its channel to
-// their engine, and the table of all moving poses. The app allocates it when a world with free bodies is entered. From
-// then on the servo thread owns it; only one servo may use it at a time. A world without free bodies has none.
+// The data that the servo of one hand needs for the free bodies of one world: the hand's models of them, the hand's
+// channel to their engine, and the table of all moving poses. When the person enters a world with free bodies, the app
+// allocates a HandBodyServo. From then on the servo thread owns it; only one servo may use it at a time. A world
+// without free bodies has none.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +17,9 @@ namespace handrail::servo {
 
 // The person's settings for free bodies. They are part of ServoTuning.
 struct BodyTuning {
-    double strength_n = 50.0;  // Strength of the walker in the world. It corresponds to 2.5 N at the hand (felt_gain).
-    bool hold = false;         // set by a key: true takes the touched body into the grip, false releases it
+    // Strength of the walker in the world. A force of this size is felt as 2.5 N at the hand (felt_gain).
+    double strength_n = 50.0;
+    bool hold = false;  // set by a key: true grips the touched body, false releases it
     // Buttons of the device for gripping. While they are pressed, they hold the body that was touched when they were
     // pressed. 0: none.
     std::uint32_t grip_buttons = 0;
@@ -35,14 +37,13 @@ public:
     HandBodyServo(const HandBodyServo&) = delete;
     HandBodyServo& operator=(const HandBodyServo&) = delete;
 
-    // The stages of a tick, in this order (see servo_tick). None allocates, locks, throws or reads a clock.
-    // 1. Takes or releases a body, by button or key. Returns true if a held button belongs to the grip, so that it
-    //   must
-    //   have no other effect.
+    // The functions from here on are the stages of a tick, in this order (see servo_tick). None allocates, locks,
+    // throws or reads a clock.
+    // 1. Grips or releases a body, by button or key. Returns true if a held button belongs to the grip, so that the
+    //   button must have no other effect.
     bool grip(const BodyTuning& tuning, std::uint32_t buttons, double now_s, const Vec3& hand_m) noexcept;
-    // 2. Returns the poses of all bodies. Free bodies have the pose at which this hand meets them. The others have
-    //   that of
-    //   `told`, which belongs to this scene or is empty. Valid until the next call.
+    // 2. Returns the poses of all bodies. Free bodies have the pose at which this hand touches them. The others have
+    //   the pose in `told`, which belongs to this scene or is empty. Valid until the next call.
     render::BodyPoses place(const render::BodyPoses& told, const render::HapticScene& scene, double now_s,
                             const Vec3& hand_m, const BodyFeel& feel) noexcept;
     Vec3 carried_m() const noexcept { return bodies_.carried_m(); }
@@ -53,8 +54,8 @@ public:
     void react(double share, double now_s, double dt_s) noexcept {
         bodies_.react(touched_, share, now_s, dt_s, feel_, channel_->pushes);
     }
-    // Call it instead of all these stages if the hand is not in the world in this tick, or if its position has jumped.
-    // Releases everything.
+    // Call it instead of all stages if the hand is not in the world in this tick, or if the hand's position has jumped.
+    // Releases everything that the hand holds.
     void leave() noexcept;
 
     std::uint32_t holds() const noexcept { return bodies_.holds(); }
@@ -75,7 +76,7 @@ private:
     BodyFeel feel_;
     std::vector<render::BodyPose> poses_;  // poses of the touched scene's bodies, with room for more bodies
     std::vector<char> free_;               // for each body, with room for more: 1 if the engine determines its pose
-    // Number of the pose table; it starts beyond the numbers of any playback.
+    // Number of the pose table. The first number is greater than the numbers of any playback.
     std::uint64_t number_ = std::uint64_t{1} << 40;
     std::uint64_t told_ = 0, told_ways_ = 0;  // numbers of the last argument `told`
     std::uint32_t generation_ = 0;            // scene to which the last argument `told` belonged

@@ -12,7 +12,7 @@ void round_all(Vec3& v) noexcept {
     bool whole = true;
     for (int axis = 0; axis < 3; ++axis) {
         v[axis] = std::round(v[axis] * kSteps) / kSteps;
-        whole = whole && std::abs(v[axis]) <= kFarthest;  // false if a value is too large or not finite
+        whole = whole && std::abs(v[axis]) <= kFarthest;  // becomes false if a value is too large or not finite
     }
     if (!whole) v = Vec3(std::numeric_limits<double>::quiet_NaN());
 }

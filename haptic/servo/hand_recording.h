@@ -1,6 +1,6 @@
-// A recording's row for each servo tick: the sample as the servo saw it, the force, and the numbers of all inputs from
-// the app. With it, the tick can be computed again. The servo only adds rows to the ring, and the recorder takes them
-// out. Without a ring, a tick has no cost for this.
+// The recording's row for each servo tick: the sample as the servo saw it, the force, and the numbers of all inputs
+// from the app. With it, the tick can be computed again. The servo only adds rows to the ring, and the recorder removes
+// them. Without a ring, a tick has no cost for the recording.
 #pragma once
 
 #include <atomic>
@@ -55,8 +55,9 @@ struct HandRing {
 
 // Rounds a time to whole microseconds, so that it can be stored as an integer and read back bit-identical.
 inline double in_whole_microseconds(double time_s) noexcept { return std::round(time_s * 1e6) / 1e6; }
-// Rounds a sample in the same way: to whole micrometres, and to millionths of a radian for the grip. If one coordinate
-// of a vector is not finite, or exceeds a kilometre (1,000 rad), the whole vector becomes NaN.
+// Rounds a sample, as in_whole_microseconds() rounds a time: positions to whole micrometres, and angles of the grip to
+// millionths of a radian. If one coordinate of a vector is not finite, or exceeds a kilometre (1,000 rad), the whole
+// vector becomes NaN.
 void round_to_whole_steps(device::DeviceSample& sample) noexcept;
 
 }  // namespace handrail::servo

@@ -35,7 +35,7 @@ bool PersonalSpace::tick(const Vec3& hand_m, const PersonalWall& wall, bool whol
         return true;
     }
     stretch_m_ = std::max(0.0, stretch_m_ + std::min(0.0, way_m)) * (kReleaseS / (kReleaseS + dt_s));
-    if (stretch_m_ < 1e-7) stretch_m_ = 0.0;  // far below one step of the motor's force
+    if (stretch_m_ < 1e-7) stretch_m_ = 0.0;  // 1e-7 m is far below one step of the motor's force
     armed_ = whole && inside_m <= -kRearmM;
     return false;
 }

@@ -1,11 +1,13 @@
 // The wall between the world and the person's own desk. It stands across the device's workspace, on the side of the
-// person's body. If the person pulls hard enough, it lets the hand through to the desk. The same wall leads back. This
-// file contains only the wall and the decay of its force after it breaks. Meanwhile, servo_tick keeps the hand's state
-// in the world.
+// person's body. If the person pulls hard enough, the wall lets the hand through to the desk. The same wall leads back.
+// This file contains only the wall and the decay of the wall's force after it breaks. Meanwhile, servo_tick() keeps the
+// hand's state in the world.
 //
-// Neither part gives the hand energy. The wall is a spring of stretch e <= depth behind its plane. e grows as the hand
-// moves in, but by no more than 0.15 N a tick; the rest slips. e shrinks as the hand moves out. After the wall has
-// broken, e only shrinks: by 1/tau, and with every movement back. So the wall never returns more energy than it took.
+// Neither the wall nor the decay gives the hand energy. The wall is a spring of stretch e <= depth behind its plane. e
+// grows as the hand moves in, but by no more than 0.15 N a tick; the rest slips. e shrinks as the hand moves out. After
+// the wall has broken, e only shrinks: by 1/tau, and with every movement back. So the wall never returns more energy
+// than
+// it received.
 //
 //    force    /|          breaks at depth
 //            / |__        falls with tau
@@ -37,9 +39,9 @@ struct PersonalWall {
 inline constexpr double kPersonalWallAt = 0.8;  // position of the plane as a share of the workspace radius
 inline constexpr double kPersonalWallMost_n = 1.5, kPersonalWallShare = 0.6, kPersonalWallStiffest_n_per_m = 400.0;
 
-// Returns the wall, which breaks at the least of three forces: 1.5 N, 60 % of the ceiling, and the force of its spring
-// halfway between its plane and the end of the workspace. `wall_n_per_m` is the stiffness of the default wall on this
-// device.
+// Returns the wall. It breaks at the least of three forces: 1.5 N, 60 % of the ceiling, and the force of the wall's
+// spring halfway between the wall's plane and the end of the workspace. `wall_n_per_m` is the stiffness of the default
+// wall on this device.
 PersonalWall personal_wall_of(const device::DeviceSpec& spec, double ceiling_n, double wall_n_per_m) noexcept;
 
 class PersonalSpace {
@@ -50,7 +52,7 @@ public:
 
     // Updates the wall for the hand's new position. Returns true if the wall lets the hand through in this tick.
     // `whole` says that nothing else moves the workspace. If it is false, the wall is absent until the hand has been in
-    // front of it again. A new `wall` takes effect only once the hand is in front of the plane.
+    // front of the wall again. A new `wall` takes effect only once the hand is in front of the plane.
     bool tick(const Vec3& hand_m, const PersonalWall& wall, bool whole, double dt_s) noexcept;
     // Returns the force on the hand, away from the person's body. It is at most the wall's break_n().
     Vec3 force_n() const noexcept { return {0.0, wall_.stiffness_n_per_m * stretch_m_, 0.0}; }
@@ -69,17 +71,16 @@ private:
     double stretch_m_ = 0.0;
 };
 
-// Lets the hand through to the desk if an object of the world blocks it, such as the back wall of a small room. The
-// person pulls towards the body with the force that breaks the wall, straight and without sliding, for kHold_s. The
-// surfaces of the world do not become softer by this: a click announces the desk, and the hand later returns to the
-// same place.
+// Lets the hand through to the desk if an object of the world blocks the hand, such as the back wall of a small room.
+// The person pulls towards the body with the force that breaks the wall, straight and without sliding, for kHold_s. The
+// surfaces of the world do not become softer: a click announces the desk, and the hand later returns to the same place.
 class PullThrough {
 public:
     static constexpr double kHold_s = 0.8;  // duration of the pull; longer than people press to test how hard a wall is
-    // Sideways movement of the hand above which the person counts as exploring.
+    // Sideways movement of the hand above which the person is exploring and not pulling.
     static constexpr double kSlide_m = 0.0015;
     static constexpr double kStraight = 0.5;  // greatest sideways force, as a share of the force along the pull
-    // A pull counts only if the hand is at least this far on the person's side of the middle, as a share of the
+    // Least distance of the hand from the middle, on the person's side, at which it can pull; as a share of the
     // workspace radius.
     static constexpr double kNearHalf = 0.1;
 
@@ -93,8 +94,8 @@ private:
     Vec3 from_m_{0.0};
 };
 
-// A force that remains when its cause disappears at once. It acts like a spring along the force's direction, which only
-// relaxes: with the time constant tau, and with every movement of the hand along it.
+// A force that remains when its cause disappears at once. LeftoverForce is a spring along the force's direction, which
+// only relaxes: with the time constant tau, and with every movement of the hand along it.
 class LeftoverForce {
 public:
     // `stiffness_n_per_m` (> 0) is the stiffness of the stiffest surface that can have caused the force. With it, the
@@ -109,15 +110,15 @@ private:
     double stretch_m_ = 0.0, stiffness_n_per_m_ = 0.0;
 };
 
-// Decides how a hand operates an object on the desk: it touches the object, then presses it by a push or by the
+// Decides how a hand operates an object on the desk: the hand touches the object, then presses it by a push or by the
 // device's button. A push begins at the force `needed_n` and ends at half of it, so that it does not flicker. A pressed
 // object stays pressed while the hand slides on.
 class DeskPress {
 public:
     static constexpr double kPressN = 1.2, kPressShare = 0.6, kRelease = 0.5;
 
-    // `touched` is the touched object, or kNoFeature. `button` is the device's button. If the person presses it while
-    // nothing is touched, it presses nothing, even if the hand reaches an object later.
+    // `touched` is the touched object, or kNoFeature. `button` is the device's button. If the person presses the button
+    // while the hand touches nothing, it presses nothing, even if the hand reaches an object later.
     void tick(FeatureId touched, double press_n, bool button, double needed_n) noexcept;
     FeatureId held() const noexcept { return held_; }
     std::uint32_t presses() const noexcept { return presses_; }  // number of presses since the start

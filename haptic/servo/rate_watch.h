@@ -7,8 +7,8 @@
 
 namespace handrail::servo {
 
-// Detects a loop that is too slow to render a stable wall. A single long gap does not count as slow: each period counts
-// as at most 10 ms, so at least two in a row are needed.
+// Detects a loop that is too slow to render a stable wall. A single long gap is not enough: each period adds at most 10
+// ms, so at least two in a row are needed.
 struct RateWatch {
     static constexpr double kPatienceS = 0.020;
     static constexpr double kMostPerPeriodS = 0.010;

@@ -1,4 +1,4 @@
-// The inputs that the owner of a session gives to a servo. ServoLoop processes them on its own thread, or when its
+// The inputs that the owner of a session passes to a servo. ServoLoop processes them on its own thread, or when its
 // owner steps it. PlayedServo numbers them in order to replay a recording. Call these functions from the app thread.
 #pragma once
 
@@ -13,7 +13,7 @@ class ServoInbox {
 public:
     virtual ~ServoInbox() = default;
     // Sets the scene from the next tick on; null: none. `engine` is this hand's data for the free bodies; null: there
-    // are no free bodies. Two servos must never use the same engine at the same time.
+    // are no free bodies. Two servos must never use the same `engine` at the same time.
     virtual void set_scene(std::shared_ptr<const render::HapticScene> scene, std::shared_ptr<HandBodyServo> engine) = 0;
     // Sets the scene of the desk (see servo_tick); null: none.
     virtual void set_desk(std::shared_ptr<const render::HapticScene> desk) = 0;

@@ -23,8 +23,8 @@ Scheduling ask_for_real_time() noexcept {
     return pthread_setschedparam(pthread_self(), SCHED_FIFO, &wish) == 0 ? Scheduling::RealTime : Scheduling::Ordinary;
 }
 
-// Locks the memory of the whole process until it ends. Pages are locked when they are first used, so memory use does
-// not grow. Does nothing under a memory limit, because every allocation would fail once the limit is reached.
+// Locks the memory of the whole process until the process ends. Pages are locked when they are first used, so memory
+// use does not grow. Does nothing under a memory limit, because every allocation would fail once the limit is reached.
 bool lock_memory() noexcept {
     rlimit limit{};
     if (getrlimit(RLIMIT_MEMLOCK, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY) return false;
@@ -168,7 +168,7 @@ bool ServoLoop::step_as() noexcept {
     device_->write(command);
     if constexpr (kRecorded) record(start_s, sample, command, stops, focused, stopping);
 
-    // From here on the servo does not read any older scene.
+    // From this statement on, the servo does not read any older scene.
     scene_in_use_.store(scene.number, std::memory_order_release);
     for (const ContactEvent& event : state_.events())
         if (!events_->push(event)) ++ring_lost_;
@@ -212,7 +212,7 @@ void ServoLoop::run_as() noexcept {
         next_s += period_s_;
         const double now_s = clock_.now_s();
         if (now_s >= next_s) {
-            // The tick is late. Missed ticks are not made up for; the schedule continues from now.
+            // The tick is late. Missed ticks are not computed later; the schedule continues from now.
             ++counted_.overruns;
             next_s = now_s + period_s_;
         }

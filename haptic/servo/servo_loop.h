@@ -1,6 +1,7 @@
-// Runs servo_tick on a thread that owns the device, paced by a Clock, and passes all data to and from it. The servo's
-// side never waits, allocates or frees; the app frees the scenes that the servo no longer uses. Without start(), its
-// owner steps the same loop in virtual time. The sequence of ToolState values is bit-identical in both cases.
+// Runs servo_tick() on a thread that owns the device, paced by a Clock, and passes all data to and from that function.
+// The servo's side never waits, allocates or frees; the app frees the scenes that the servo no longer uses. Without
+// start(), the owner steps the same loop in virtual time. The sequence of ToolState values is bit-identical in both
+// cases.
 #pragma once
 
 #include <atomic>
@@ -44,7 +45,7 @@ public:
     struct Links {
         const ServoSwitches* switches = nullptr;
         EventRing* events = nullptr;
-        // Receives a row for each tick, whose samples are then rounded; null: no recording.
+        // Receives a row for each tick. With a recording, the samples are rounded before the tick. Null: no recording.
         HandRing* recording = nullptr;
     };
 
@@ -95,12 +96,13 @@ private:
         const render::HapticScene* scene = nullptr;
         const render::HapticScene* desk = nullptr;
         HandBodyServo* engine = nullptr;
-        std::uint64_t number = 0;  // rising number; the servo reports the number of the newest scene that it has used
+        // Number of this handle, which rises with every handle. The servo reports the number of the newest scene that it has used.
+        std::uint64_t number = 0;
     };
     template <class T>
     struct Given {
         T value;
-        std::uint32_t number = 0;  // how many values the app has passed, including this one
+        std::uint32_t number = 0;  // how many values the app has passed, including this value
     };
     struct KeptScene {
         std::uint64_t number;
@@ -113,7 +115,8 @@ private:
     void run() noexcept;
     void close() noexcept;
     void publish_report() noexcept;
-    // Chosen once, so that a tick without a recording has no cost for it (tests/bench/recording_cost.sh).
+    // step() chooses the version once, so that a tick without a recording has no cost for it
+    // (tests/bench/recording_cost.sh).
     template <bool kRecorded>
     bool step_as() noexcept;
     template <bool kRecorded>
@@ -145,10 +148,10 @@ private:
     LatestValue<ServoReport> report_;
     std::unique_ptr<EventRing> own_events_;  // null if Links contains a ring
     EventRing* events_;
-    std::unique_ptr<ServoSwitches> own_switches_;  // used if Links contains no switches; nobody sets these
+    std::unique_ptr<ServoSwitches> own_switches_;  // used if Links contains no switches; never set by anyone
     const ServoSwitches* switches_;
     HandRing* recording_;
-    std::uint32_t recorded_as_ = 0;  // value for HandRow::servo
+    std::uint32_t recorded_as_ = 0;  // value for HandRow::servo in this loop's rows
 
     // Only the servo thread uses the members below.
     ServoState state_;

@@ -1,5 +1,5 @@
 // Measures the servo under the conditions of the program: its own thread, real time, and a simulated hand that sweeps
-// around one place. Used by `handrail bench` and by the comparison of renderers. Any thread; takes as long as the
+// around one place. `handrail bench` and the comparison of renderers use it. Any thread; takes as long as the
 // measurement.
 #pragma once
 

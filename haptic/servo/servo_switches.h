@@ -1,7 +1,7 @@
-// Switches that must act before the app next reads its keys: the stop key and the loss of the keyboard focus. The first
-// thread that notices sets them, without waiting; the servo reads them in each tick. The stops are counted instead of
-// flagged, so that a stop pressed while the app releases an earlier one is not lost. The force stays off until the app
-// has confirmed the newest count (ServoTuning::stops_let_go).
+// Switches for events that must act before the app next reads its keys: the stop key and the loss of the keyboard
+// focus. The first thread that notices an event sets its switch, without waiting; the servo reads the switches in each
+// tick. Stops are counted instead of flagged, so that a stop pressed while the app releases an earlier one is not lost.
+// The force stays off until the app has confirmed the newest count (ServoTuning::stops_let_go).
 #pragma once
 
 #include <atomic>

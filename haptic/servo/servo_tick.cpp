@@ -18,7 +18,8 @@ constexpr double kFastestHandMPerS = 5.0;
 constexpr double kMeanPeriodPoleS = 1.0;
 constexpr double kVelocityPoleS = 1.0 / (2.0 * kPi * 50.0);
 constexpr double kRateWindowS = 1.0;
-// The force must be zero 100 ms after the rate became too slow. One tick of 5 ms is subtracted.
+// Time from the first slow period to the end of the fade-out. The force must be zero 100 ms after the rate became too
+// slow, and one tick of 5 ms is subtracted.
 constexpr double kZeroAfterSlowS = 0.095;
 constexpr double kLongestTouchStepS = 0.1;
 // Proxy radius at the desk; its diameter of 4 mm feels the same as in a room.
@@ -135,7 +136,7 @@ void ServoState::confirm(const device::DeviceSample& sample, std::uint32_t numbe
     limiter_.restart();
 }
 
-// Discards what the hand felt before, because it is now at another place in the world or in another world.
+// Discards the state of the touch, because the hand is now at another place in the world or in another world.
 void ServoState::start_over() noexcept {
     space_.reset();
     pull_through_.reset();
@@ -164,7 +165,7 @@ ServoState::Answer ServoState::judge(const device::DeviceSample& sample, const W
                                      double dt_s) noexcept {
     since_answer_s_ += dt_s;
     if (!sample.connected) {
-        // If a driver disconnects its device because of heat or an error, the fault states that reason.
+        // If a driver disconnects its device because of heat or an error, the fault states this reason.
         raise(sample.hot ? Fault::TooHot : sample.failed ? Fault::DriverError : fault_of(sample.loss), true);
         if (connected_) lose_device();
         connected_ = false;
@@ -188,7 +189,7 @@ ServoState::Answer ServoState::judge(const device::DeviceSample& sample, const W
         if (fault_ != Fault::Unhomed) start_over();
         raise(Fault::Unhomed, false);
         tool_.buttons = sample.buttons;
-        tool_.waiting_for_hand = true;  // at whatever place the hand is, it must move before it feels force
+        tool_.waiting_for_hand = true;  // Wherever the hand is, it must move before it feels force.
         has_first_ = false;
         trusts_last_ = false;
         bad_run_ = 0;
@@ -208,7 +209,7 @@ ServoState::Answer ServoState::judge(const device::DeviceSample& sample, const W
         limiter_.drop_out();
         if (++bad_run_ >= kBadSamplesLatch) {
             raise(bad_kind_, true);
-            // The next position is accepted wherever it is, and later jumps are judged from that position.
+            // The next position is accepted wherever it is, and later jumps are judged from the accepted position.
             trusts_last_ = false;
         }
         return Answer::Bad;
@@ -278,7 +279,7 @@ double ServoState::ceiling_n(const ServoTuning& tuning) const noexcept {
     return std::min(tuning.force_ceiling_n, spec_.peak_force_n);
 }
 
-// Handles the wall towards the person's body, whether the hand meets it from the world or from the desk.
+// Handles the wall towards the person's body, whether the hand reaches it from the world or from the desk.
 void ServoState::meet_wall(const render::HapticScene* desk, const ServoTuning& tuning, WorkspaceFrame& frame,
                            double scale, double dt_s) noexcept {
     const bool was_at_desk = tool_.desk.open;
@@ -290,8 +291,8 @@ void ServoState::meet_wall(const render::HapticScene* desk, const ServoTuning& t
     met_m_ = tool_.hand_m;
     met_ = true;
     const bool there = desk && tuning.personal_space;
-    // There is no wall while the hand's position is in doubt. There is also none while the hand moves its workspace, or
-    // shortly after.
+    // The wall is absent while the hand's position is in doubt. It is also absent while the hand moves its workspace,
+    // or shortly after.
     const bool whole = there && fault_ == Fault::None && !tool_.waiting_for_hand &&
                        mover_.ceiling_n() == std::numeric_limits<double>::infinity();
     const Vec3 wall_was_n = space_.force_n();
@@ -300,7 +301,8 @@ void ServoState::meet_wall(const render::HapticScene* desk, const ServoTuning& t
                                            whole && !was_at_desk && tool_.pause == Fault::None, dt_s);
     const bool through = space_.tick(tool_.hand_m, wall, whole, dt_s) || pulled;
     if (!through && !(was_at_desk && !there)) return;
-    // The other forces on this side disappear with this step. They decay like the wall's own force.
+    // When the hand passes the wall, all other forces on the old side disappear with this tick. They decay like the
+    // wall's own force.
     const double gain = limiter_.gain();
     leftover_.begin(gain > 0.0 ? limiter_.last_n() / gain - wall_was_n : Vec3(0.0), touch.rated_stiffness_n_per_m);
     if (!was_at_desk) return sit_down();
@@ -377,7 +379,7 @@ void ServoState::touch(const render::HapticScene& scene, const ServoTuning& tuni
     const double scale = touch.world_m_per_hand_m;
     Vec3 carried_m{0.0};
     if (goal_known_) {
-        // A hand that drags the world along does not move through the world.
+        // If the hand drags the world along, it does not move through the world, so its whole motion is carried.
         carried_m = mover_.motion() == WorkspaceMotion::Grabbed ? goal_m - goal_m_
                                                                 : frame.to_world(hand_at_goal_m_, scale) - goal_m_;
         const Vec3 velocity = (goal_m - goal_m_) / (scale * dt_s);

@@ -1,6 +1,6 @@
-// One millisecond of the hand: sample checks, workspace map, touch, faults, ForceLimiter. It is a plain function over
-// plain state, which the servo thread, scenarios and tests all use. Never allocates, locks, throws, logs or reads a
-// clock.
+// One millisecond of the hand: sample checks, workspace map, touch, faults, ForceLimiter. servo_tick() is a plain
+// function over plain state, which the servo thread, scenarios and tests all use. Never allocates, locks, throws, logs
+// or reads a clock.
 #pragma once
 
 #include <cstdint>
@@ -26,28 +26,29 @@ struct ServoTuning {
     // effective_stiffness_n_per_m() at the measured rate. A change of touch.world_m_per_hand_m has the effect of a jump
     // of the workspace.
     render::TouchTuning touch;
-    double force_ceiling_n = 2.5;  // the person's choice; the device's peak force is a limit too
+    double force_ceiling_n = 2.5;  // ceiling that the person chose; the device's peak force is a limit too
     bool forces_on = true;         // set by the f key: true ramps the force in over 1 s, false fades it out over 75 ms
     bool panic = false;            // set by F12: zero force in this very tick, until cleared
-    // The window has the keyboard focus. When it loses the focus, the force fades out over 75 ms; when it returns, the
-    // force ramps in.
+    // True while the window has the keyboard focus. When the window loses the focus, the force fades out over 75 ms;
+    // when the focus returns, the force ramps in.
     bool focused = true;
     // Dead-man mode: there is force only while a button of the device is held. When the button is released, the force
     // fades out over 75 ms.
     bool button_to_feel = false;
-    // The number of stops (ServoSwitches::stops) after which the person has restored the force.
+    // The number of stops (ServoSwitches::stops) up to which the person has restored the force.
     std::uint32_t stops_let_go = 0;
     // A new number clears a latched fault if its cause has ended. The force then ramps in over 1 s.
     std::uint32_t confirm = 0;
     WorkspaceTuning workspace;
-    // Enables the wall towards the person's body and the desk behind it. If it is off, the tick costs one comparison.
+    // Enables the wall towards the person's body and the desk behind it. If it is false, the tick costs one comparison.
     bool personal_space = false;
     BodyTuning bodies;  // used only in a world with free bodies
 };
 
 // State of the hand at the desk, in the device frame, because the desk does not move relative to the person.
 struct DeskTouch {
-    // The hand is at the desk. The hip_m and proxy_m of ToolState are then the places in the world to which it returns.
+    // True if the hand is at the desk. The hip_m and proxy_m of ToolState are then the places in the world to which the
+    // hand returns.
     bool open = false;
     std::uint32_t visits = 0;  // number of visits to the desk
     Vec3 hip_m{0.0}, proxy_m{0.0};
@@ -61,7 +62,7 @@ struct DeskTouch {
 struct ToolState {
     double time_s = 0.0;
     Vec3 hip_m{0.0}, proxy_m{0.0};  // positions in the world
-    Vec3 hand_m{0.0};               // last good sample, device frame
+    Vec3 hand_m{0.0};               // position of the hand in the last good sample, device frame
     double ball_radius_m = 0.0;
     Vec3 force_n{0.0};        // commanded force after the limiter, world axes
     double force_gain = 0.0;  // gain of the ramp, 0 to 1
@@ -73,8 +74,8 @@ struct ToolState {
     std::uint32_t buttons = 0;
     Vec3 gimbal_rad{0.0};         // angles of the grip, if the device measures them
     std::uint8_t homed_legs = 0;  // see DeviceSample::homed_legs
-    Fault fault = Fault::None;    // the fault that is latched or currently present
-    bool fault_latched = false;   // the fault needs a new ServoTuning::confirm
+    Fault fault = Fault::None;    // the fault that is latched or present now
+    bool fault_latched = false;   // the fault is cleared only by a new ServoTuning::confirm
     bool fault_lasts = false;     // the cause of the fault persists, so a confirmation would have no effect
     Fault pause = Fault::None;    // FocusLost or ButtonReleased if the force pauses although nothing is wrong
     double warmth = 0.0;          // warmth of the motors by the heat budget; at 1 the force fades out
@@ -95,7 +96,7 @@ struct ToolState {
     std::uint32_t heavy =
         // The last body that did not move although the hand pushed or lifted it with all available force.
         render::kNoBody;
-    std::uint32_t heavies = 0;  // number of such bodies since the start
+    std::uint32_t heavies = 0;  // number of bodies that were reported in this way since the start
 
     // Returns true if a surface resists the hand or yields to it.
     bool touches() const noexcept { return contacts.count > 0 || soft_n > 0.0; }
@@ -115,9 +116,9 @@ struct ToolState {
 struct ServoCounters {
     PeriodHistogram periods;
     std::uint64_t bad_samples = 0;  // samples that were not finite, were out of reach or had jumped
-    // Gaps of 5 to 25 ms without a tick or an answer, over which the motors held the force.
+    // Number of gaps of 5 to 25 ms without a tick or an answer, over which the motors held the force.
     std::uint64_t held_gaps = 0;
-    std::uint64_t long_gaps = 0;  // longer gaps, after which the force was zero and then ramped in
+    std::uint64_t long_gaps = 0;  // number of longer gaps, after which the force was zero and then ramped in
     std::uint64_t lost_events = 0;
     std::uint64_t waits = 0;  // ticks with more work than their budget (ContactSet::waits)
 };
@@ -210,19 +211,19 @@ private:
     Fault fault_ = Fault::None;
     bool fault_latched_ = false;
     bool place_lost_ = false;      // the fault has made everything felt before invalid
-    bool pause_told_ = false;      // tool_.pause took a force away and was reported, so its end is reported too
+    bool pause_told_ = false;      // tool_.pause took a force away and was reported, so its end must be reported too
     double window_start_s_ = 0.0;  // start of the period over which the rate is measured
     std::uint64_t window_ticks_ = 0;
     double mean_period_s_ = 1e-3;  // mean time between answers of the device, filtered with one pole of 1 s
     double since_answer_s_ = 0.0;
     double since_touch_s_ = 0.0;
-    double keep_off_s_ = 0.0;  // remaining time without force, because another stall came during the ramp
+    double keep_off_s_ = 0.0;  // remaining time without force, because a second stall came during the ramp
     double scale_ = 0.0;       // world metres per hand metre in the last tick
     std::uint32_t confirm_seen_ = 0;
     int bad_run_ = 0;  // number of bad samples in a row
     Fault bad_kind_ = Fault::None;
     bool connected_ = false;
-    bool trusts_last_ = false;  // the next sample must be near tool_.hand_m, or it counts as a jump
+    bool trusts_last_ = false;  // the next sample must be near tool_.hand_m; otherwise it is treated as a jump
     bool has_first_ = false;
     Vec3 first_m_{0.0};  // first known position of the hand
     double hurry_s_ = render::ForceLimiter::kFadeS;

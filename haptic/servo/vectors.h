@@ -16,8 +16,8 @@ inline Vec3 at_most(const Vec3& v, double most) noexcept {
     return l > most ? v * (most / l) : v;
 }
 
-// Returns the rotation from one orientation to the other, as a vector along its axis. Its length is twice the sine of
-// half the angle, which for small angles is the angle in radians. Needs unit quaternions.
+// Returns the rotation from one orientation to the other, as a vector along its axis. The vector's length is twice the
+// sine of half the angle, which for small angles is the angle in radians. Needs unit quaternions.
 inline Vec3 turn_between(const Rotation& from, const Rotation& to) noexcept {
     const Rotation d = to * Rotation{from.w, -from.x, -from.y, -from.z};
     const double two = d.w < 0.0 ? -2.0 : 2.0;

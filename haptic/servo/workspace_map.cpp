@@ -8,8 +8,9 @@
 namespace handrail::servo {
 namespace {
 
-constexpr double kMarginS = 0.004;  // how late a pose may arrive before the playback must wait for it
-// Longest time between two poses of one movement. If it is longer, the walker stood still or the app hung.
+// Greatest delay of a pose, beyond the usual one, for which the playback need not wait.
+constexpr double kMarginS = 0.004;
+// Longest time between two poses of one movement. If the time is longer, the walker stood still or the app hung.
 constexpr double kLongestFrameS = 0.1;
 constexpr double kCatchUpS = 0.1;  // time constant with which the playback adjusts its lag
 constexpr double kMostCatchUp = 0.1;
@@ -82,8 +83,8 @@ bool PosePlayback::give(const WorkspacePose& newest, double now_s) noexcept {
     const double interval_s = newest.time_s - pose(count_ - 1).time_s;
     if (!(interval_s > 0.0)) return false;
     if (interval_s > kLongestFrameS) {
-        // The playback has been waiting at the last pose for long. The movement starts there, about one frame before
-        // the new pose.
+        // The playback has been waiting at the last pose for a long time. The movement starts at that pose, about one
+        // frame before the new pose.
         WorkspacePose still = pose(count_ - 1);
         still.time_s = newest.time_s - wait_s_;
         count_ = 0;

@@ -17,7 +17,7 @@ namespace handrail::servo {
 struct WorkspacePose {
     Vec3 origin_m{0.0};        // middle of the device's workspace, in the world
     double heading_rad = 0.0;  // in Map frame 0, in Walk frame the walker's heading
-    double time_s = 0.0;       // time at which the walker was there, by the servo's Clock; rises from pose to pose
+    double time_s = 0.0;  // time at which the walker was at this pose, by the servo's Clock; rises from pose to pose
     // A new number means a teleport, a new world or a new scale. Poses are not interpolated across it, and the force
     // ramps in again.
     std::uint32_t jump = 0;
@@ -50,20 +50,20 @@ WorkspaceFrame frame_of(const Vec3& origin_m, double heading_rad) noexcept;
 
 class PosePlayback {
 public:
-    // Takes the newest pose that the servo knows at `now_s`; call it in every tick. A pose that was given before, or
+    // Adds the newest pose that the servo knows at `now_s`; call it in every tick. A pose that was given before, or
     // that is not finite, changes nothing. Returns true if the workspace jumped, so that everything felt before is
     // invalid.
     bool give(const WorkspacePose& newest, double now_s) noexcept;
     // Returns the frame at `now_s`, which is `dt_s` after the last call. The lag of the playback is the longest recent
     // wait for the next pose, about a frame, plus 4 ms. If a pose is late, the playback waits at the last one and
-    // continues from there without a step. While it adjusts its lag, its speed differs from real time by at most a
-    // tenth.
+    // continues from there without a step. While the lag is being adjusted, the speed of the playback differs from real
+    // time by at most a tenth.
     WorkspaceFrame at(double now_s, double dt_s) noexcept;
     // Returns the time of the pose that at() last played, by the clock of WorkspacePose::time_s.
     double played_s() const noexcept { return play_s_; }
 
 private:
-    // Covers half a second of frames, or 32 ms if a pose is given in every tick.
+    // Number of stored poses. They cover half a second of frames, or 32 ms if a pose is given in every tick.
     static constexpr std::size_t kPoses = 32;
 
     const WorkspacePose& pose(std::size_t i) const noexcept { return poses_[(first_ + i) % kPoses]; }

@@ -11,20 +11,20 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The rim is the outer fifth of the workspace radius. It consists of the ridge, the fall of the force behind it, and
-// the scrolling zone.
-// Ends of ridge and fall, as shares of the radius; the rim begins at kRimFrom.
+// The rim is the outer fifth of the workspace radius. It consists of the ridge, the fall of the force behind the ridge,
+// and the scrolling zone. The values are the ends of ridge and fall, as shares of the radius; the rim begins at
+// kRimFrom.
 constexpr double kRimTop = 0.86, kRimPast = 0.9;
 constexpr double kRidge_n = 0.5;  // force of the ridge; clearly felt, far below a wall's 2.5 N
 constexpr double kBeyond_n = 0.1;
-// Greatest stiffness of the ridge as a share of the device's rated stiffness. It is low because a wall may be felt at
-// the same time.
+// Greatest stiffness of the ridge as a share of the device's rated stiffness. The share is low because the hand may
+// feel a wall at the same time.
 constexpr double kRidgeStiffness = 0.3;
 constexpr double kFastestScroll_hand_m_per_s = 0.05;  // greatest speed of scrolling; three metres a second at scale 60
-// Position between top and past at which a hand that moves back in stops scrolling; 0 is top, 1 is past.
+// Position between top_m and past_m at which a hand that moves back in stops scrolling; 0 is top_m, 1 is past_m.
 constexpr double kBackPart = 0.8;
 
-// Contact force while the workspace moves; together with the rim's kBeyond_n it is still below kMovingForceN.
+// Greatest contact force while the workspace moves. Together with the rim's kBeyond_n it is still below kMovingForceN.
 constexpr double kMovingContact_n = 0.08;
 constexpr double kMovingTotal_n = 0.19;
 // Rate at which the contact force is reduced; 2.5 N are gone after 75 ms, as in every fade.
@@ -40,7 +40,7 @@ Vec3 along_contacts(Vec3 motion, const render::ContactSet& contacts) noexcept {
             const Vec3& normal = contacts.contacts[i].normal;
             motion -= normal * std::min(0.0, glm::dot(motion, normal));
         }
-    // In a narrow corner, removing one such component may bring another back; then there is no motion.
+    // In a narrow corner, removing one component may bring another back. In that case there is no motion.
     for (std::size_t i = 0; i < contacts.count; ++i)
         if (glm::dot(motion, contacts.contacts[i].normal) < -1e-9 * length(motion)) return Vec3(0.0);
     return motion;
@@ -109,7 +109,7 @@ void WorkspaceMover::move(WorkspaceFrame& frame, const WorkspaceTuning& tuning, 
     // 1. Decides which motion the hand requests.
     const WorkspaceMotion before = motion_;
     out_m_ = hand.at_m;
-    // The distance is smooth at the border of this region, and so is the force.
+    // The distance is smooth at the border of the region that the rim leaves open, and so is the force.
     if (tuning.rim_open_behind) out_m_.y = std::max(0.0, out_m_.y);
     distance_m_ = length(out_m_);
     rim_on_ = tuning.rim;

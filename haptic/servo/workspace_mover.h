@@ -4,9 +4,9 @@
 // Moving the workspace never pushes the hand: meanwhile the hand feels less than kMovingForceN. If contacts press
 // harder, the workspace yields like a slipping clutch, towards the place where the proxy rests, so springs only relax.
 // The workspace does not move into surfaces that the proxy touches. The rim's force is the slope of a potential over
-// the hand's position. So neither the yielding nor the rim gives the hand energy. Yielding may cross the limits, but
-// only as far as the hand has pressed. Plain state, servo thread only; real-time safe; arithmetic of + - x / and square
-// root only. World metres, unless a name says hand.
+// the hand's position. So neither the yielding nor the rim gives the hand energy. Yielding may cross the limits of the
+// workspace, but only as far as the hand has pressed. Plain state, servo thread only; real-time safe; arithmetic of + -
+// x / and square root only. World metres, unless a name says hand.
 #pragma once
 
 #include <cstdint>
@@ -27,10 +27,10 @@ struct WorkspaceTuning {
     bool rim_open_behind = false;
     // Buttons of the device that drag the world along with the hand while they are held; 0: no button does.
     std::uint32_t grab_buttons = 0;
-    bool grab_key = false;        // has the effect of such a button
+    bool grab_key = false;        // true while a key is held that acts like a grab button
     Vec3 push_hand_m_per_s{0.0};  // velocity that the person requests by keys, device frame
-    // The middle of the workspace must stay in this box. If it is outside already, it must not go farther out. Empty:
-    // no limits.
+    // The middle of the workspace must stay in this box. If the middle is already outside, it must not move farther
+    // out. Empty: no limits.
     Aabb limits_m;
 };
 
@@ -49,10 +49,10 @@ struct Rim {
     double from_m = 0.0, top_m = 0.0, past_m = 0.0, end_m = 0.0;
     double top_n = 0.0, beyond_n = 0.0;
 
-    // Returns the force towards the middle. It is never negative, and continuous.
+    // Returns the force towards the middle. The force is never negative, and it is continuous.
     double force_n(double distance_m) const noexcept;
-    // Returns the speed of the workspace in hand metres per second. It is zero up to past_m, and greatest from end_m
-    // on.
+    // Returns the speed of the workspace in hand metres per second. The speed is zero up to past_m, and greatest from
+    // end_m on.
     double speed(double distance_m) const noexcept;
 };
 Rim rim_of(const device::DeviceSpec& spec) noexcept;
@@ -75,7 +75,7 @@ public:
     // walker's frame.
     void move(WorkspaceFrame& frame, const WorkspaceTuning& tuning, const Hand& hand, double world_m_per_hand_m,
               double dt_s) noexcept;
-    // Call it after the touch is computed. The workspace yields if the contacts push harder than they may while it
+    // Call it after the touch is computed. The workspace yields if the contacts push harder than is permitted while it
     // moves.
     void give_way(const Vec3& hip_m, const Vec3& proxy_m, double contact_n) noexcept;
 
@@ -109,8 +109,8 @@ private:
     bool hand_known_ = false;
     bool rim_on_ = false;
     Vec3 hand_m_{0.0};  // position of the hand, device frame
-    // Vector to the hand from the middle of the device. If the rim is open towards the person's body, it starts at the
-    // line in that direction.
+    // Vector to the hand from the middle of the device. If the rim is open towards the person's body, the vector starts
+    // at the line in that direction.
     Vec3 out_m_{0.0};
     double distance_m_ = 0.0;  // length of out_m_
     // Factor on the rim's force. It falls while a grab or a key moves the workspace, and returns to 1 only where the
