@@ -96,7 +96,8 @@ private:
         const render::HapticScene* scene = nullptr;
         const render::HapticScene* desk = nullptr;
         HandBodyServo* engine = nullptr;
-        // Number of this handle, which rises with every handle. The servo reports the number of the newest scene that it has used.
+        // Number of this handle, which rises with every handle. The servo reports the number of the newest handle that
+        // it has used.
         std::uint64_t number = 0;
     };
     template <class T>

@@ -1,5 +1,5 @@
-// Measures one touch tick with Google Benchmark, in small worlds and, if it is present, in a real map. It reports times
-// and never asserts them.
+// Measures one touch tick with Google Benchmark, in small worlds and, if the file is present, in a real map. The
+// program reports times and never asserts them.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -62,8 +62,8 @@ void register_closest_points() {
             });
 }
 
-// Measures how long a world takes to compile after the person changes the scale: without simplification, and with
-// details left out or widened that are too small to feel. Also measures the search for such details alone.
+// Measures how long a world takes to compile after the person changes the scale: first without simplification, then
+// with details left out or widened that are too small to feel. Also measures the search for such details alone.
 void register_simplifying() {
     constexpr double kReach_m = 0.075, kRim = 0.8, kRounding_hand_m = 1.5e-3, kBall_hand_m = 1e-3;
     for (const char* name : {"house.map", "school.map", "quake-e1m1.map"}) {

@@ -1,6 +1,6 @@
-// Measures the cost of bodies. A hand slides over a floor of boxes, 3 mm deep at 0.25 m/s. Around it are crates as
+// Measures the cost of bodies. A hand slides over a floor of boxes, 3 mm deep at 0.25 m/s, among crates that are
 // bodies.
-// They stand still or move far away, or one of them pushes the proxy. Under callgrind, instructions.sh counts the
+// The crates stand still or move far away, or one of them pushes the proxy. Under callgrind, instructions.sh counts the
 // instructions of touch_tick().
 //   bodies_touch TICKS none|still|far|pushing [BODIES]
 #include <fmt/format.h>
@@ -60,7 +60,7 @@ int run(int ticks, const std::string& mode, int bodies) {
         goals.emplace_back(pushing ? 0.0 : 0.4 * std::sin(6e-4 * i), pushing ? 0.0 : 0.4 * std::cos(5e-4 * i), 0.002);
     TouchTuning tuning;
     tuning.default_friction_static = tuning.default_friction_kinetic = 0.3;
-    // Each frame has its own poses and those of the moments before it, like the newest frame in the program.
+    // Each frame has its own poses and those of the moments before it, as the newest frame in the program has.
     std::vector<BodyFrame> frames(1);
     frames[0].push(scene->generation, 0.0, poses);
     for (std::size_t tick = kTicksOfFrame; !steps.empty() && tick < goals.size() + 2 * kTicksOfFrame;

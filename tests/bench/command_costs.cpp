@@ -1,6 +1,6 @@
-// Measures how long each command occupies the app thread: the longest of its execution and the ticks after it, in
-// milliseconds of that thread's processor time. Run it by hand: build/release/bin/command_costs [BRUSHES... or worlds'
-// files]. It prints the table of docs/results/commands.md.
+// Measures how long each command occupies the app thread. The result is the longest time of the command and of the
+// ticks after it, in milliseconds of that thread's processor time. Run it by hand: build/release/bin/command_costs
+// [BRUSHES... or worlds' files]. It prints the table of docs/results/commands.md.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Measures the cost of a tick while a hand moves about in one kind of effect, liquid or soft patch. Under callgrind,
-// effect_costs.sh counts instructions; otherwise the program prints nanoseconds. Without a name, `effect_costs` runs
-// each kind once, briefly.
+// effect_costs.sh counts instructions; otherwise the program prints nanoseconds. If the command line names no kind,
+// `effect_costs` runs each kind once, briefly.
 #include <chrono>
 #include <iostream>
 

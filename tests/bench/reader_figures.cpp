@@ -56,8 +56,8 @@ std::string ifc_of(int rooms) {
     return test::office_ifc({5, corridors, std::max(1, rooms / (10 * corridors)), 240}).text;
 }
 
-// Returns a building as OSM text. It has rooms of 6 by 5 m in rows of 40 along corridors, 600 on each level, each with
-// a door.
+// Returns a building as OSM text. The building has rooms of 6 by 5 m in rows of 40 along corridors, 600 on each level,
+// each with a door.
 std::string osm_of(int rooms) {
     std::string nodes, ways;
     long id = 0;

@@ -1,5 +1,5 @@
-// Measures the cost of the functions that guide along a route in our house: planning a route on request, and finding
-// the person's place on it in each frame. Run it by hand: build/release/bin/seeking_cost.
+// Measures the cost of the functions that guide along a route in the bundled house. They plan a route on request and
+// find the person's place on the route in each frame. Run it by hand: build/release/bin/seeking_cost.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

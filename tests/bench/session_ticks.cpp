@@ -1,6 +1,6 @@
-// Measures a session in office buildings of growing size. It measures when the person can hear, touch and find routes.
-// It also measures the longest time for which the app thread is busy while the person walks, opens doors, queries, and
-// changes the scale. Run it by hand: build/release/bin/session_ticks [BRUSHES...], or with worlds' files.
+// Measures a session in office buildings of growing size: when the person can hear, touch and find routes, and the
+// longest time for which the app thread is busy. During that measurement the person walks, opens doors, makes queries
+// and changes the scale. Run it by hand: build/release/bin/session_ticks [BRUSHES...], or with worlds' files.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,8 @@ namespace {
 
 const SteadyClock kClock;
 
-// Returns the processor time of the calling thread. It excludes the work of other threads on a machine with few cores.
+// Returns the processor time of the calling thread. It excludes the work of other threads, which may share a core with
+// the calling thread.
 double busy_ms() {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

@@ -1,5 +1,6 @@
-// Measures the cost of each way to render a surface. The proxy slides over a floor or over a tessellated sphere. The
-// floor is plain (with friction), without friction, with friction that weakens, damped, guarded, rounded at its edges,
+// Measures the cost of each method of rendering a surface. The proxy slides over a floor or over a tessellated sphere.
+// The floor is plain (with friction), without friction, with friction that weakens, damped, guarded, rounded at its
+// edges,
 // a sheet, a one-sided sheet, or textured. The sphere is faceted or shaded. Under callgrind, instructions.sh counts the
 // instructions of measured_ticks().
 //   surface_touch TICKS

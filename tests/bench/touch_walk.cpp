@@ -1,5 +1,5 @@
-// Walks and touches its way through quake-e1m1.map with a proxy of 5 mm at scale 1. Under callgrind, instructions.sh
-// counts one of these:
+// Moves a hand through quake-e1m1.map, with a proxy of 5 mm at scale 1. Under callgrind, instructions.sh counts one of
+// these:
 // - servo: the whole servo_tick (sample checks, workspace, touch, events, limiter), without guidance
 // - pull, grooves: the whole servo_tick, while guidance pulls the hand or the hand is among 32 grooves
 // - touch: only touch_tick, as in the program
@@ -44,8 +44,8 @@ template <Tick tick>
     return tally;
 }
 
-// Returns the guidance path. The end of the path of "pull" is so far away that the pull never ends. "grooves" surrounds
-// the hand by the greatest number of grooves.
+// Returns the guidance path. The end of the path of "pull" is so far away that the pull never ends. The path of
+// "grooves" surrounds the hand by the greatest number of grooves.
 GuidancePath led(const std::string& how, const std::vector<Vec3>& goals) {
     GuidancePath path;
     if (how == "servo") return path;

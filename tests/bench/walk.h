@@ -1,5 +1,5 @@
-// A hand that moves through a building and slides along walls, floors and objects. Instruction counts and benchmarks
-// use its path. The path is generated, so the same scene gives the same path on every machine.
+// Generates a path of a hand that moves through a building and slides along walls, floors and objects. Instruction
+// counts and benchmarks use the path. The same scene gives the same path on every machine.
 #pragma once
 
 #include <random>
@@ -9,12 +9,13 @@
 
 namespace handrail::test {
 
-// Returns goals at 1 kHz from `start_m`. The hand moves straight at walking speed (1 m/s) until it touches something.
-// Then it follows the surface at 0.25 m/s and up to 3 mm deep. It takes a new direction every 0.4 to 1.6 s, or when the
-// proxy is stuck. Three of four directions keep to the surface; the fourth may lead away from it.
+// Returns goals at 1 kHz from `start_m`. The hand moves straight at walking speed (1 m/s) until it touches a surface.
+// Then it follows the surface at 0.25 m/s and up to 3 mm deep. It changes to a new direction every 0.4 to 1.6 s, or
+// when the proxy is stuck. Three of four directions keep to the surface; the fourth may lead away from it.
 inline std::vector<Vec3> record_walk(const HapticScene& scene, const TouchTuning& tuning, const Vec3& start_m,
                                      int ticks, std::uint32_t seed = 1996) {
-    // Depth of the press, and path per tick when walking, when sliding, and below which the proxy counts as stuck.
+    // Depth of the press; path per tick when walking; path per tick when sliding; path per tick below which the proxy
+    // is stuck.
     constexpr double kDepth_m = 3e-3, kWalk_m = 1e-3, kFeel_m = 2.5e-4, kStuck_m = 2.5e-5;
     std::mt19937 random(seed);
     const auto unit = [&random] { return static_cast<double>(random()) / 4294967296.0; };

@@ -1,4 +1,4 @@
-// The building that the benchmarks walk through.
+// Loads the building that the benchmarks walk through.
 #pragma once
 
 #include <iostream>

@@ -1,5 +1,5 @@
-// Measures a tick at the worst places of tests/support/worst_cases: time, counted work, and how often something had to
-// wait.
+// Measures a tick at the worst places of tests/support/worst_cases.h: time, counted work, and how often the proxy or a
+// body had to wait.
 //   worst_touch [TICKS [CASE [count]]]
 // Under callgrind, instructions.sh counts the instructions of measured_ticks(); "count" omits the timing.
 #include <fmt/format.h>

@@ -12,7 +12,7 @@
 namespace handrail::test {
 
 // Loads the firmware from a file and homes without a force. Then a simulated hand presses against a virtual wall for
-// 1,000 exchanges. The hand must come to rest at the exact static solution. `lock` guards the emulator.
+// 1,000 exchanges. At the end the hand must be at the exact static solution. `lock` guards the emulator.
 void wake_home_and_rest_against_a_wall(std::unique_ptr<ByteLink> link, FalconEmulator& falcon, std::mutex& lock);
 
 }  // namespace handrail::test

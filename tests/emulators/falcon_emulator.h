@@ -1,7 +1,7 @@
-// A Novint Falcon as its USB link shows it: serial chip, boot ROM, firmware, three encoders and three motors. A
+// Emulates a Novint Falcon at its USB link: serial chip, boot ROM, firmware, three encoders and three motors. A
 // simulated hand holds the grip. The emulator computes its geometry by bisection and finite differences, independently
 // of the driver, so that it can contradict the driver. Axes of the Falcon: x right, y up, z towards the person. Not
-// thread-safe; the umockdev test bed locks around it.
+// thread-safe; the umockdev test bed locks a mutex around it.
 #pragma once
 
 #include <array>
@@ -43,20 +43,22 @@ public:
     double counts_per_nm = 10000.0;  // motor counts for a torque of 1 Nm
 
     // Faults that the emulated device can have.
-    int wrong_echo_at_byte = -1;  // this one byte is echoed wrongly, once; -1: none
+    int wrong_echo_at_byte = -1;  // index of a byte that the device echoes wrongly, once; -1: none
     int lose_every_nth_answer = 0;
-    int late_every_nth_answer = 0;  // the device holds the answer back until the next command
+    // The device holds every nth answer back until the next command. 0: none.
+    int late_every_nth_answer = 0;
     int garbage_before_every_nth = 0;
-    int torn_every_nth_answer = 0;  // the device sends only the first half of the answer
+    // The device sends only the first half of every nth answer. 0: none.
+    int torn_every_nth_answer = 0;
     int stuck_leg = -1;
     bool leading_zero = false;
     bool deaf = false;  // the device has no power and does not respond
 
     Stage stage = Stage::Silent;
     std::vector<std::uint8_t> firmware;
-    std::size_t firmware_wanted = 0;  // the firmware starts after this many bytes
+    std::size_t firmware_wanted = 0;  // number of bytes after which the firmware starts
 
-    // What the emulator has received from the driver.
+    // The data that the emulator has received from the driver.
     std::array<int, 3> motors{};
     std::uint64_t frames = 0, malformed = 0, over_range = 0, frames_before_homed_with_force = 0;
     double largest_force_n = 0.0;

@@ -1,5 +1,5 @@
-// An emulation of the service that drives an Inverse3. It is a server on this computer that answers each message with
-// one state, as the public documentation of version 3.5 of the service says. It has its own thread and serves one
+// Emulates the service that drives an Inverse3. It is a server on this computer that answers each message with one
+// state, as the public documentation of version 3.5 of the service says. It has its own thread and serves one
 // connection. Only haply_service.cpp includes the WebSocket library, because Boost.Beast takes ten seconds to compile.
 #pragma once
 

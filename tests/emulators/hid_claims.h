@@ -13,13 +13,13 @@
 namespace handrail::test {
 
 // Sends a thousand outputs, each of which the pad must receive unchanged, and a thousand inputs, none of which may be
-// lost. At the end the triggers must be loose and the motors still. The function calls `ring` after the emulator has
-// queued reports. `lock` guards the emulator.
+// lost. At the end the triggers must give no resistance and the motors must be still. The function calls `ring` after
+// the emulator has queued reports. `lock` guards the emulator.
 void exchange_a_thousand_reports(std::unique_ptr<HidLink> link, PadBus bus, PadEmulator& emulator, std::mutex& lock,
                                  const std::function<void()>& ring);
 
-// The SpaceMouse reports a push ahead and a turn to the left. The function checks both in the device's frame and in
-// Handrail's frame. It also checks that the light can be switched.
+// Makes the emulated SpaceMouse report a push ahead and a turn to the left. Checks both in the device's frame and in
+// Handrail's frame, and that the light can be switched.
 void steer_with_a_space_mouse(std::unique_ptr<HidLink> link, PuckEmulator& emulator, std::mutex& lock,
                               const std::function<void()>& ring);
 

@@ -1,6 +1,6 @@
-// Emulated HID devices. A PlayStation pad checks the reports that it receives and reports what its keys and sticks do.
-// A HidLink connects the driver directly to a device. The pad implements its reports independently of the driver,
-// including the checksum. Not thread-safe.
+// Emulates HID devices. A PlayStation pad checks the reports that it receives and reports the state of its keys and
+// sticks. A HidLink connects the driver directly to a device. The pad implements its reports independently of the
+// driver, including the checksum. Not thread-safe.
 #pragma once
 
 #include <array>
@@ -47,7 +47,7 @@ public:
     std::array<std::uint8_t, 3> keys{8, 0, 0};
     unsigned version = 0x0224;
 
-    // What the pad has received.
+    // The data that the pad has received.
     std::uint64_t good = 0, bad = 0;
     std::array<std::uint8_t, 11> right_effect{}, left_effect{};
     std::uint8_t strong = 0, weak = 0;

@@ -1,6 +1,6 @@
 // A device as a USB bus sees it: descriptors, control requests and packets. The tests put such a device on two buses:
 // usbfs of umockdev (tests/umockdev), and the kernel's own bus through USB/IP (tests/kernel). Not thread-safe; the bus
-// locks around the device.
+// locks a mutex around the device.
 #pragma once
 
 #include <chrono>
@@ -34,8 +34,8 @@ public:
     // its data there. Returns false if the device refuses the request.
     virtual bool control(const UsbSetup& setup, std::vector<std::uint8_t>& data) = 0;
     virtual void out(std::span<const std::uint8_t> packet) = 0;
-    // Returns one packet of at most `room` bytes. `waited` is how long the host has waited for it. Without a packet,
-    // the host continues to wait.
+    // Returns one packet of at most `room` bytes. `waited` is how long the host has waited for it. If the function
+    // returns no packet, the host continues to wait.
     virtual std::optional<std::vector<std::uint8_t>> in(std::size_t room, std::chrono::milliseconds waited) = 0;
 
     // Answers the control requests that every device knows, and passes the others to control().

@@ -1,5 +1,5 @@
-// Every parser of the program as a function that takes bytes. The parsers are the rows of one table, which the mutation
-// test and
+// Makes every parser of the program a function that takes bytes. The parsers are the rows of one table, which the
+// mutation test and
 // the endless fuzzer share. A new reader needs a row here and a folder tests/fuzz/inputs/NAME with:
 // - seeds/: small valid inputs
 // - words.dict: strings worth inserting, in libFuzzer's format
@@ -49,8 +49,8 @@ std::string boot_image_fault(std::string_view bytes);
 std::string hid_fault(std::string_view bytes);
 std::string haply_fault(std::string_view bytes);
 
-// Describes what is wrong with a text that the program announces: it is empty, or contains a byte that is not text or a
-// character that no voice speaks. Returns an empty string if nothing is wrong.
+// Describes what is wrong with `words`, a text that the program announces: it is empty, or contains a byte that is not
+// text or a character that no voice speaks. Returns an empty string if nothing is wrong.
 std::string words_fault(std::string_view words);
 
 }  // namespace handrail::fuzz

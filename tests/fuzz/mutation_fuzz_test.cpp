@@ -1,5 +1,5 @@
-// Gives every parser the inputs that once failed, and mutations of its seeds. The mutations are deterministic and the
-// same on every machine. The endless version is tests/fuzz/libfuzzer (clang).
+// Tests every parser with the inputs that once failed, and with mutations of its seeds. The mutations are deterministic
+// and the same on every machine. The endless version is tests/fuzz/libfuzzer (clang).
 #include <gtest/gtest.h>
 
 #include <fstream>

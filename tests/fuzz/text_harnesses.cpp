@@ -22,7 +22,7 @@
 namespace handrail::fuzz {
 namespace {
 
-// Uses a folder in memory if the system has one, because every save waits for the disk.
+// Uses a folder in memory if the system has one, because on a real disk every save waits for the disk.
 struct InMemory {
     InMemory() {
         if (std::filesystem::exists("/dev/shm")) ::setenv("TMPDIR", "/dev/shm", 0);
@@ -93,7 +93,7 @@ std::string side_file_fault(std::string_view bytes) {
         file.set_entries(list, entries);
         if (const Result<void> saved = file.save(); !saved) return words_fault(saved.error().sentence());
         const std::vector<SideEntry> again = SideFile::of_world(world, {}).entries(list);
-        // Here NaN equals NaN, as it does when side files are merged.
+        // The comparison treats NaN as equal to NaN, as the program does when it merges side files.
         if (!std::equal(again.begin(), again.end(), entries.begin(), entries.end(),
                         [](const SideEntry& a, const SideEntry& b) { return same(a, b); }))
             return std::string("entries changed by saving and reading: ") + list;
@@ -121,8 +121,8 @@ std::string learner_fault(std::string_view bytes) {
     return again->name == learner->name ? std::string() : "another name: " + *written;
 }
 
-// Bytes that begin with { are events; other bytes are a table of a hand's positions. The reader must report damage with
-// its line. The rows before the damage must read back as they were written.
+// Bytes that begin with { are read as events, other bytes as a table of a hand's positions. The reader must report
+// damage with its line. The rows before the damage must read back as they were written.
 std::string recording_fault(std::string_view bytes) {
     if (bytes.starts_with("{")) {
         const Result<Recording> recording = read_events(bytes, "events.jsonl");
@@ -187,7 +187,7 @@ std::string lesson_fault(std::string_view bytes) {
     return lesson_text(*again) == text ? std::string() : "it changed by writing and reading: " + text;
 }
 
-// Whatever a language file says, every text must exist: another language provides the texts that the file lacks.
+// Whatever a language file contains, every text must exist: another language provides the texts that the file lacks.
 std::string language_fault(std::string_view bytes) {
     folder().write("xx.toml", bytes);
     const Result<std::vector<Diagnostic>> spoken = speak_language("xx", folder().path());

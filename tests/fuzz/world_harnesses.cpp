@@ -44,8 +44,8 @@ std::string with_right_checksums(std::string_view bytes) {
     return png;
 }
 
-// Returns a cached world, to which the harness applies all edits. It is generated, so that no stored file becomes
-// outdated when the Scene gets another member.
+// Returns the bytes of a cached world, to which the harness applies all edits. The bytes are generated, so that no
+// stored file becomes outdated when the Scene gets another member.
 const std::string& kept_scene_bytes() {
     static const std::string bytes = [] {
         const std::string map =
@@ -111,8 +111,8 @@ std::string osm_fault(std::string_view bytes) { return scene_fault(read_osm(byte
 
 std::string rooms_fault(std::string_view bytes) { return scene_fault(read_words(bytes, "fuzz.rooms")); }
 
-// Reads the bytes as an archive. Then builds an archive from the texts in them, each after a line "--- NAME", and reads
-// that archive, too.
+// Reads the bytes as an archive. Then builds an archive from the texts in the bytes, each after a line "--- NAME", and
+// reads that archive, too.
 std::string imdf_fault(std::string_view bytes) {
     if (std::string fault = scene_fault(read_imdf(bytes, "fuzz.imdf.zip")); !fault.empty()) return fault;
     std::map<std::string, std::string> files;
@@ -126,8 +126,8 @@ std::string imdf_fault(std::string_view bytes) {
     return scene_fault(read_imdf(test::zipped(files), "fuzz.imdf.zip"));
 }
 
-// Edits a cached world as an attacker who can forge the cache's digest could edit it. The edits apply once to the whole
-// cache entry and once to the scene in it.
+// Edits a cached world as an attacker who can forge the cache's digest could edit it. The edits are applied once to the
+// whole cache entry and once to the scene in it.
 std::string kept_fault(std::string_view bytes) {
     const std::vector<NeighbourFile> beside{{"beside.png", std::string(64, 'a')}};
     const std::string whole = kept_scene(beside, kept_scene_bytes());

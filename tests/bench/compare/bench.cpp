@@ -15,12 +15,13 @@
 namespace handrail::bench {
 namespace {
 
-constexpr const char* kWorst = "worst";  // option that selects the worst places, in which only our own renderer runs
-// Option that selects the moving objects, which are no comparison of renderers either.
+// Option that selects the worst places, in which only Handrail's own renderer runs.
+constexpr const char* kWorst = "worst";
+// Option that selects the moving objects. They are no comparison of renderers either.
 constexpr const char* kBodies = "bodies";
 
-// A scene that is built only when it is measured and freed afterwards, so that a million triangles do not stay in
-// memory.
+// A scene that is built only when it is measured and freed afterwards, so that scenes of a million triangles do not
+// stay in memory.
 struct Planned {
     std::string name;
     std::string family;
@@ -102,8 +103,8 @@ BenchReport run_bench(const BenchOptions& options) {
         report.scenes.push_back({world.name, world.family, world.scene->obstacles.size(), world.goals_m.size(),
                                  world.build_s, world.bytes_per_obstacle, !truth.reference_m.empty(),
                                  world.simplify_bound_m, world.simplify_measured_m});
-        // For the curves of the knobs, the original scenes and one random variant of each are enough. A quick run
-        // includes only the main renderers.
+        // For the curves of the knobs, the original scenes and one random variant of each family are enough. A quick
+        // run includes only the main renderers.
         for (const Contestant& contestant :
              options.quick || world.seed > 1 ? main_contestants() : knobbed_contestants()) {
             if (contestant.key == "handrail_uncapped" && !world.hard_case) continue;
@@ -116,7 +117,7 @@ BenchReport run_bench(const BenchOptions& options) {
     }
     if (options.only.empty() || lower_ascii(options.only) == kWorst)
         for (int number = 0; number < test::kWorstCases; ++number) {
-            // A quick run includes only the case that is built fastest.
+            // A quick run includes only hard case 1, which is built fastest.
             if (options.quick && number != 1) continue;
             at(fmt::format("hard case {} of {}", number + 1, test::kWorstCases));
             report.worst.push_back(run_worst_case(number, options.quick ? 200 : 2000, options.quick ? 1 : 3));

@@ -1,6 +1,6 @@
 // Runs every renderer on every scene family and compares speed with error. Also finds the stiffest wall against which a
-// hand can lean with each renderer, and measures the servo thread. Only the servo's own thread runs in real time. The
-// file of each renderer names its sources.
+// hand can lean with each renderer, and measures the servo thread. Only that thread runs in real time. The file of each
+// renderer names its sources.
 #pragma once
 
 #include <filesystem>
@@ -31,7 +31,7 @@ struct SceneCost {
     std::size_t obstacles = 0, ticks = 0;
     double build_s = 0.0, bytes_per_obstacle = 0.0;
     bool referenced = false;
-    // Simplified meshes: requested and measured distance; 0: not simplified.
+    // For simplified meshes: requested and measured distance from the original; 0: not simplified.
     double simplify_bound_m = 0.0, simplify_measured_m = 0.0;
 };
 
@@ -42,15 +42,15 @@ struct Stability {
     double stiffness_n_per_m = 0.0;
 };
 
-// Results for a place where more obstacles are near the proxy than a tick has time for (tests/support/worst_cases),
-// with our own renderer.
+// Results for a place where more obstacles are near the proxy than a tick has time for (tests/support/worst_cases.h),
+// with Handrail's own renderer.
 struct WorstTicks {
     std::string scene;
     std::size_t ticks = 0;
     double mean_s = 0.0, p999_s = 0.0, worst_s = 0.0;
     int most_work = 0, most_looks = 0;  // greatest ProxySolver::work() and looks() of any tick
     std::size_t waits = 0;              // number of ticks that ended with unfinished work
-    // Mean over all ticks, and of the worst tick; negative: not counted.
+    // Instructions, as a mean over all ticks and of the worst tick; negative: not counted.
     double instructions = -1.0, worst_instructions = -1.0;
 };
 
@@ -81,12 +81,12 @@ struct BenchReport {
 
 BenchReport run_bench(const BenchOptions& options);
 
-// Returns the names of the scenes that these options select. count_once() runs the ticks of one renderer on one of
-// these scenes, for counting instructions.
+// scene_names() returns the names of the scenes that `options` select. count_once() runs the ticks of one renderer on
+// one of these scenes, for counting instructions.
 std::vector<std::string> scene_names(const BenchOptions& options);
 Result<double> count_once(const BenchOptions& options, const std::string& renderer, std::size_t& ticks);
 
-// Parts of run_bench.
+// The parts of run_bench().
 Stability stable_stiffness(const Contestant& contestant, const std::string& wall, double factor);
 std::vector<BodiesMeasured> run_bodies();
 Result<ServoMeasured> run_servo_thread(double seconds);

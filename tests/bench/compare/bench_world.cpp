@@ -26,7 +26,7 @@ std::size_t heap_bytes() {
     return info.uordblks + info.hblkhd;
 }
 
-// Builds the scene and records the time and memory that this takes.
+// Builds the scene and records how much time and memory the build takes.
 template <class Build>
 void build_scene(BenchWorld& world, Build&& build) {
     const SteadyClock clock;
@@ -115,7 +115,7 @@ BenchWorld sphere_world(int frequency, int ticks, std::uint32_t seed, double sim
     // The seed changes only the orientation of the mesh. The hand starts at the same place in the world.
     world.goals_m = test::sphere_slide(kSphere_m, world.radius_m, kSpeed_m_per_s, ticks);
     // Marks the cells of a coarse grid along the path. A triangle with a corner in a marked cell is near enough to
-    // matter.
+    // affect the result.
     std::vector<std::uint64_t> marked;
     const auto cell = [](const Vec3& p) {
         std::uint64_t key = 0;

@@ -64,7 +64,8 @@ double hand_at_m(double t_s) {
     return kMiddle_m * std::min(1.0, t_s / kLoop_s) + kSwing_m * std::sin(2.0 * kPi * t_s / kLoop_s);
 }
 
-// The steady oscillation of a mass with spring and damper, which is driven through another spring. In the hand's units.
+// The steady oscillation of a mass with spring and damper, which is driven through another spring. Forces and lengths
+// are those of the hand.
 struct Swing {
     double middle_n = 0.0;
     // Amplitude: the real part belongs to sin(2 pi t / loop), the imaginary part to the cosine.

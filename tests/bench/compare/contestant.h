@@ -9,7 +9,7 @@
 
 namespace handrail::bench {
 
-// Stiffness of all renderers, 1 kN/m. The force is this times (tool - goal).
+// Stiffness of all renderers, 1 kN/m. The force is kStiffness_n_per_m times (tool - goal).
 inline constexpr double kStiffness_n_per_m = 1000.0;
 
 struct TickOutcome {
@@ -44,15 +44,15 @@ Contestant contestant(std::string key, std::string title, std::string knob = {},
 
 Contestant handrail_touch();     // touch_tick() with the program's settings
 Contestant handrail_uncapped();  // practically without a slide cap, like the other renderers; only for hard cases
-Contestant handrail_rounds(int most_rounds);  // only the solver, with this many rounds
-Contestant handrail_margin(double margin_m);  // only the solver, with this margin
+Contestant handrail_rounds(int most_rounds);  // only the solver, with at most `most_rounds` rounds
+Contestant handrail_margin(double margin_m);  // only the solver, with the margin `margin_m`
 Contestant penalty_sum();
 Contestant sequential_planes();
 Contestant active_set(int most_rounds);
 Contestant single_precision();
 
-// main_contestants() returns the renderers that run on every scene. knobbed_contestants() adds all values of their
-// knobs.
+// main_contestants() returns the renderers that run on every scene. knobbed_contestants() also returns one renderer for
+// each value of their knobs.
 std::vector<Contestant> main_contestants();
 std::vector<Contestant> knobbed_contestants();
 

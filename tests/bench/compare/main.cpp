@@ -1,4 +1,5 @@
-// `./run bench --compare`: compares speed and error of our renderer and others on the same scenes.
+// The program behind `./run bench --compare`. It compares speed and error of Handrail's renderer and others on the same
+// scenes.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -19,7 +19,8 @@ double thread_s() {
 
 namespace {
 
-// Reads a clock. Reading takes some 10 ns, or 25 ns on a processor without a time-stamp counter.
+// Reads the processor's time-stamp counter or, on a processor without one, a clock. Reading takes some 10 ns, or 25 ns
+// for the clock.
 #if defined(__x86_64__)
 std::uint64_t counter() { return __builtin_ia32_rdtsc(); }
 #else
@@ -65,7 +66,7 @@ private:
     void* state_;
 };
 
-// callgrind starts and stops counting at this function, which it finds by its name.
+// callgrind starts and stops counting at measured_ticks(), which it finds by its name.
 [[gnu::noinline]] double measured_ticks(Playing& playing, const std::vector<Vec3>& goals_m) {
     double sum = 0.0;
     for (const Vec3& goal : goals_m) sum += playing.tick(goal).tool_m.x;

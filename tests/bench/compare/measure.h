@@ -1,6 +1,6 @@
-// Measures time and error of one renderer on one scene. Times are processor times of this thread. For each tick the
-// shortest time of several passes counts, which excludes the load of other programs. All other results are the same on
-// every machine.
+// Measures time and error of one renderer on one scene. Times are processor times of the calling thread. For each tick
+// the shortest time of several passes is used, which excludes the load of other programs. All other results are the
+// same on every machine.
 #pragma once
 
 #include <optional>
@@ -24,12 +24,13 @@ struct Measured {
     double mean_s = 0.0, p50_s = 0.0, p999_s = 0.0, worst_s = 0.0;
     double mean_rounds = 0.0;
     int most_rounds = 0;
-    // True if the scene has a reference. The errors are distances from it; at 1 kN/m a millimetre is a newton.
+    // True if the scene has a reference. The errors are distances of the proxy from the reference; at 1 kN/m a
+    // millimetre is a newton.
     bool referenced = false;
     double error_rms_m = 0.0, error_p99_m = 0.0, error_max_m = 0.0;
     double off_share = 0.0;  // share of the ticks with an error of more than 10 um
     // How often the renderer began to release a surface on which the reference exerts half a newton, or to push through
-    // it.
+    // such a surface.
     int wrong_holds = 0;
     double penetration_m = 0.0;   // deepest penetration of the proxy into any obstacle
     double largest_jump_n = 0.0;  // greatest change of the force between two ticks
@@ -49,8 +50,8 @@ struct Truth {
 // Computes the reference. The result is empty if that would take more than `most_work` comparisons.
 Truth truth_of(const BenchWorld& world, double most_work);
 
-// Measures one renderer. `judging_work` limits the comparisons for finding penetrations. If more were needed, evenly
-// distributed ticks are skipped.
+// Measures one renderer. `judging_work` limits the comparisons for finding penetrations. If a renderer needs more
+// comparisons, evenly distributed ticks are skipped.
 Measured measure(const BenchWorld& world, const Truth& truth, const Contestant& contestant, int passes,
                  double judging_work);
 

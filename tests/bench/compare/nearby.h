@@ -1,6 +1,6 @@
-// The broad phase that all rival renderers share, so that none is at a disadvantage without one. It gathers the
+// The broad phase that all rival renderers share, so that none is at a disadvantage without one. Nearby gathers the
 // obstacles near a place from the scene's own hierarchy, nearest first. It keeps them until the place has moved by the
-// margin. As in our renderer, the margin shrinks where obstacles are dense.
+// margin. As in Handrail's renderer, the margin shrinks where obstacles are dense.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +13,9 @@ namespace handrail::bench {
 
 class Nearby {
 public:
-    // Greatest margin, which our renderer uses too, and least margin.
+    // Greatest margin, which Handrail's renderer uses too, and least margin.
     static constexpr double kMargin_m = 0.02, kLeastMargin_m = 0.5e-3;
-    // Number of obstacles above which the margin shrinks; our renderer does the same.
+    // Number of obstacles above which the margin shrinks, as in Handrail's renderer.
     static constexpr std::size_t kComfortable = 48;
 
     explicit Nearby(const HapticScene& scene) : scene_(scene) {}

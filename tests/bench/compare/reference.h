@@ -1,5 +1,5 @@
-// Computes the true position of the proxy in every tick of a world. Uses tests/support/reference_proxy, which works in
-// long double by brute force and shares no code with any renderer.
+// Computes the true position of the proxy in every tick of a world. It uses tests/support/reference_proxy.h, which
+// works in long double by brute force and shares no code with any renderer.
 #pragma once
 
 #include <vector>

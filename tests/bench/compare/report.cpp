@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Smallest error in the plots. It is a millionth of what any device resolves, so smaller errors make no difference.
+// Smallest error in the plots; smaller errors are drawn at this value. It is a millionth of what any device resolves.
 constexpr double kLeastError_m = 1e-12;
 // Families of spheres are named "sphere of N triangles", or "simplified sphere of N triangles, within E mm".
 constexpr std::string_view kSphere = "sphere of ", kSimplified = "simplified ";
@@ -138,7 +138,7 @@ std::vector<std::string> families_of(const std::vector<Summary>& all) {
 void table(std::ostringstream& out, const std::vector<Summary>& rows, bool markdown) {
     std::vector<std::vector<std::string>> lines{columns()};
     for (const Summary& s : rows) lines.push_back(cells(s));
-    // Leaves out columns that are empty in this table.
+    // Leaves out columns that are empty in `rows`.
     std::vector<std::size_t> width(columns().size(), 0);
     std::vector<bool> says(columns().size(), false);
     for (std::size_t r = 0; r < lines.size(); ++r)

@@ -1,5 +1,5 @@
-// The results of the comparison as text to be read aloud, as one JSON object, as Markdown tables and as SVG plots. Pure
-// functions of the report.
+// Formats the results of the comparison as text to be read aloud, as one JSON object, as Markdown tables and as SVG
+// plots. Pure functions of the report.
 #pragma once
 
 #include <string>
@@ -31,15 +31,15 @@ std::vector<Summary> hard_case_summary(const BenchReport& report);
 
 std::string text_of(const BenchReport& report);
 std::string json_of(const BenchReport& report);
-// Return the document with the tables over all families, and the one with the tables of each family, which would be too
-// long for one page. Each document links to the other.
+// Return the two documents. The first has the tables over all families. The second has the tables of each family, which
+// would be too long for one page. Each document links to the other.
 std::string markdown_of(const BenchReport& report, const std::string& families_file);
 std::string families_markdown_of(const BenchReport& report, const std::string& first_file);
 // Returns pairs of file name and content.
 std::vector<std::pair<std::string, std::string>> plots_of(const BenchReport& report);
 
-// Adds instructions per tick from lines "SCENE<tab>RENDERER<tab>INSTRUCTIONS", as tests/bench/compare.sh writes them.
-// Returns the number of lines that matched a result.
+// Adds instructions per tick to `report` from lines "SCENE<tab>RENDERER<tab>INSTRUCTIONS", as tests/bench/compare.sh
+// writes them. Returns the number of lines that matched a result.
 std::size_t merge_instructions(BenchReport& report, const std::string& lines);
 
 }  // namespace handrail::bench

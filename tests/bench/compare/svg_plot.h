@@ -1,6 +1,6 @@
-// A plot with two logarithmic axes as an SVG picture, black on white. Every series has its own mark with its name next
-// to it, so that no information depends on colour. A title and a description are for people who listen to it. Pure
-// functions of plain text.
+// Draws a plot with two logarithmic axes as an SVG picture, black on white. Every series has its own mark with its name
+// next to it, so that no information depends on colour. A title and a description are for people who listen to the
+// plot. Pure functions of plain text.
 #pragma once
 
 #include <string>

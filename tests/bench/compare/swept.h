@@ -1,6 +1,7 @@
-// Computes when a moving sphere first touches a convex obstacle. Along a straight path the distance is a convex
-// function. Newton's method therefore approaches the first root from before it, never steps over it, and doubles the
-// number of correct digits each time. With two to four closest-point queries the result is exact except for rounding.
+// Computes when a moving sphere first touches a convex obstacle. Along a straight path the distance to the obstacle is
+// a convex function. Newton's method therefore approaches the first root from before it, never steps over it, and
+// doubles the number of correct digits each time. With two to four closest-point queries the result is exact except for
+// rounding.
 #pragma once
 
 #include "tests/bench/compare/bench_world.h"
@@ -11,8 +12,8 @@ namespace handrail::bench {
 inline constexpr double kNoHit = 2.0;
 
 // Distance that swept spheres keep in addition to their radius. Without it, the edge of the next coplanar triangle
-// would stop them at every seam. An obstacle within twice this distance counts as touched. If a path leads into an
-// obstacle by less than a millionth of the path's length, it counts as a path along the obstacle.
+// would stop them at every seam. An obstacle within twice this distance is touched. If a path leads into an obstacle by
+// less than a millionth of the path's length, it is treated as a path along the obstacle.
 inline constexpr double kSkin_m = 1e-8;
 inline constexpr double kTouched_m = 2.0 * kSkin_m;
 inline constexpr double kAlong = 1e-6;

@@ -1,5 +1,5 @@
-// Entry point for libFuzzer. Usage: parsers_fuzzer NAME [arguments of libFuzzer]. Without NAME it lists the names of
-// the parsers.
+// Entry point for libFuzzer. Usage: parsers_fuzzer NAME [arguments of libFuzzer]. If NAME is missing, the program lists
+// the names of the parsers.
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -13,11 +13,11 @@
 namespace {
 const handrail::fuzz::Harness* chosen = nullptr;
 
-// Limit of processor time for one input. Processor time, unlike libFuzzer's own -timeout, because one second of it may
-// take a minute on a loaded machine.
+// Limit of processor time for one input. Processor time is measured, unlike by libFuzzer's own -timeout, because one
+// second of it may take a minute on a loaded machine.
 constexpr time_t kMostSeconds = 10;
 
-// This is a signal handler, so it may only call functions that are safe in one.
+// Called as a signal handler, so it may only call functions that are safe in one.
 void end_as_too_slow(int) {
     constexpr char kSentence[] = "This input takes more than 10 s of the processor.\n";
     (void)!write(STDERR_FILENO, kSentence, sizeof kSentence - 1);
@@ -36,8 +36,8 @@ extern "C" int LLVMFuzzerInitialize(int* argument_count, char*** arguments) {
         for (const auto& harness : handrail::fuzz::harnesses())
             if (name && harness.name == name) chosen = &harness;
     };
-    // libFuzzer omits the name when it starts this program again, for example to minimise a corpus. The environment
-    // then contains the name.
+    // When libFuzzer starts this program again, for example to minimise a corpus, it omits NAME. The environment then
+    // contains NAME.
     choose(std::getenv(kOfParent));
     if (chosen) {
         std::signal(SIGPROF, end_as_too_slow);
